@@ -78,9 +78,23 @@ def oracle(curve: Nurbs, asked: str) -> Answer:
     Raises `QuestionError` for an unknown question, and another `ExactSplineError` where the question has no answer for
     the curve.
     """
+    items, certificates = _found(curve, asked)
+    return Answer(asked.strip(), tuple(items), tuple(certificates))
+
+
+def items(curve: Nurbs, asked: str) -> tuple[Item, ...]:
+    """The items of the answer to a question, without the certificates on which it relies.
+
+    >>> from exactspline import example
+    >>> [item.what for item in items(example("cusp"), "cusps")]
+    ['cusp']
+    """
+    return tuple(_found(curve, asked)[0])
+
+
+def _found(curve: Nurbs, asked: str) -> Found:
     question = question_of(asked)
-    items, certificates = QUESTIONS[question.name].answer(curve_of(curve), question)
-    return Answer(question.text, tuple(items), tuple(certificates))
+    return QUESTIONS[question.name].answer(curve_of(curve), question)
 
 
 def axes(curve: Nurbs) -> list[str]:
@@ -200,7 +214,7 @@ def _bounding_box(curve: Nurbs, question: Question) -> Found:
         Item(axis, dict(zip(("low", "high"), coordinate_range(curve, i), strict=True)))
         for i, axis in enumerate(axes(curve))
     ]
-    return items, [slope_zeros(curve, i).certificate() for i in range(curve.dimension)]
+    return items, (slope_zeros(curve, i).certificate() for i in range(curve.dimension))
 
 
 def _area(curve: Nurbs, question: Question) -> Found:
@@ -256,7 +270,7 @@ def _of_registry(entry: Entry, curve: Nurbs, question: Question) -> Found:
     facts = analyse(curve)
     items = list(_items(curve, entry.answer(facts, question.argument)))
     given = (question.argument,) if entry.about.argument else ()
-    return items, (entry.about.proof(facts, *given).certificate(),) if entry.about.proof else ()
+    return items, (proof(facts, *given).certificate() for proof in (entry.about.proof,) if proof)
 
 
 def _items(curve: Nurbs, answer: Any) -> Iterator[Item]:
@@ -277,7 +291,8 @@ def _item(
     curve: Nurbs, each: Feature | NearestPoint | int | Joint | CurvePiece | Described | Plane | tuple[CurvePiece, Plane]
 ) -> Item:
     if isinstance(each, Feature):
-        return _point(curve, each)
+        # an extremum of the curvature is also one of its critical points
+        return analyse(curve).once(("item", each), lambda: _point(curve, each))
     if isinstance(each, NearestPoint):
         coordinates = _coordinates(curve, each.parameter)
         return Item("nearest point", {"parameter": each.parameter, "distance": each.distance} | coordinates)

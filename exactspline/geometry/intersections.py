@@ -26,7 +26,7 @@ from exactspline.polynomials.cost import PATCH, QUESTION, Budget, drawing_on
 from exactspline.polynomials.plane_pairs import meetings, self_meetings
 from exactspline.questions.answers import Answer
 from exactspline.reals.real import Real
-from exactspline.roots.local_parameters import image_splines, parameter, segment_forms
+from exactspline.roots.local_parameters import ImageValue, image_splines, parameter, segment_forms
 from exactspline.roots.values import at, segment_polynomials
 from exactspline.splines.expected import curve_of
 from exactspline.splines.nurbs import Nurbs
@@ -67,8 +67,9 @@ class Intersection:
     @property
     def point(self) -> tuple[mpq | Real, ...]:
         """The coordinates, exactly."""
-        simple = self.second if self.first.closed_form is None and self.second.closed_form is not None else self.first
-        return at(self.curves[simple is not self.first], simple)
+        # a zero, and before it a rational number, is simpler than the value of a map at a zero
+        k = min((0, 1), key=lambda k: _unknown((self.first, self.second)[k]))
+        return at(self.curves[k], (self.first, self.second)[k])
 
     @property
     def contact(self) -> int | None:
@@ -78,6 +79,11 @@ class Intersection:
     def __repr__(self) -> str:
         times = "" if self.multiplicity in (None, 1) else f", multiplicity {self.multiplicity}"
         return f"<{self.kind} at {self.first.shortly()} and {self.second.shortly()}{times}>"
+
+
+def _unknown(parameter: Real) -> tuple[bool, bool]:
+    """The sorting key of parameters, the simplest ones first."""
+    return parameter.closed_form is None, isinstance(parameter, ImageValue)
 
 
 @dataclass(frozen=True)

@@ -92,13 +92,45 @@ def quotient_at(m: fmpz_poly, top: fmpq_poly, bottom: fmpq_poly) -> fmpz_poly:
     >>> quotient_at(fmpz_poly([-2, 0, 1]), fmpq_poly([1, 1]), fmpq_poly([0, 1]))  # (√2 + 1)/√2
     2*x^2 + (-4)*x + 1
     """
-    (f, a), (g, b) = ((p.numer(), p.denom()) for p in (top, bottom))
-    f, g = f * b, g * a
+    f, g = _integral(top, bottom)
     # m may have multiple factors
     while (common := greatest_common_divisor([f, g, m])).degree() > 0:
         m = m // common
     check_size(m.degree(), max(f.height_bits(), g.height_bits()))
     return primitive(resultant(_rows(m), [fmpz_poly([-f[j], g[j]]) for j in range(max(f.degree(), g.degree()) + 1)]))
+
+
+def denominator_at(m: fmpz_poly, top: fmpq_poly, bottom: fmpq_poly) -> fmpz | None:
+    """A multiple of the denominators of all rational numbers ``top(α)/bottom(α)`` for zeros α of m at which `bottom`
+    does not vanish; None where it is certain that there are none.
+
+    The leading coefficient of ``Res_y(m(y), x g(y) − f(y))``, which is a power of that of m times ``Res(m, g)``; a
+    rational zero of the polynomial is a zero modulo every prime that does not divide it.
+
+    >>> alpha = fmpz_poly([-2, 0, 1])
+    >>> [denominator_at(alpha, fmpq_poly(top), fmpq_poly([0, 3])) for top in ([1, 1], [0, 2])]
+    [None, -18]
+    """
+    f, g = _integral(top, bottom)
+    while (common := greatest_common_divisor([g, m])).degree() > 0:
+        m = m // common
+    check_size(m.degree(), max(f.height_bits(), g.height_bits()))
+    if any(_no_quotient_modulo(m, f, g, prime) for prime in PRIMES):
+        return None
+    return m.leading_coefficient() ** max(f.degree() - g.degree(), 0) * m.resultant(g)
+
+
+def _no_quotient_modulo(m: fmpz_poly, f: fmpz_poly, g: fmpz_poly, prime: int) -> bool:
+    """Whether the polynomial of which all quotients are zeros keeps its degree modulo a prime and has no zero there."""
+    over, top, bottom = (nmod_poly(p, prime) for p in (m, f, g))
+    if over.degree() < m.degree() or not bottom or not int(over.resultant(bottom)):
+        return False
+    return all(int(over.resultant(bottom * x - top)) for x in range(prime))
+
+
+def _integral(top: fmpq_poly, bottom: fmpq_poly) -> tuple[fmpz_poly, fmpz_poly]:
+    """Numerator and denominator of a quotient with integer coefficients."""
+    return top.numer() * bottom.denom(), bottom.numer() * top.denom()
 
 
 def _rows(p: fmpz_poly) -> list[fmpz_poly]:

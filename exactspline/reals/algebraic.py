@@ -6,6 +6,7 @@ Enclosures are tried first. Polynomials are used only if enclosures cannot decid
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from fractions import Fraction
 from functools import total_ordering
 from typing import Any, cast
@@ -15,7 +16,7 @@ from flint import arb_poly, ctx, fmpz, fmpz_poly
 from exactspline.errors import OpenError, ReachError
 from exactspline.numbers.exact import mpq, mpz, rational, text, to_fmpq
 from exactspline.numbers.immutable import fill
-from exactspline.numbers.intervals import ball_around
+from exactspline.numbers.intervals import Interval, ball_around
 from exactspline.polynomials.annihilating import (
     changes_sign,
     irreducible_factors,
@@ -109,10 +110,8 @@ class Algebraic(Digits):
             return low
         if without_rational_zero(p):
             return None
-        a = int(p.leading_coefficient())
-        first, last = self._enclosed(a.bit_length() * 30103 // 100000 + 1)
-        candidate = mpq(-((-first * a) // 1), a)
-        if candidate > min(last, high) or candidate < low or not may_vanish(p, candidate):
+        candidate = multiple_in(self._enclosed, abs(int(p.leading_coefficient())))
+        if candidate is None or not low <= candidate <= high or not may_vanish(p, candidate):
             return None
         if sign_at(p, candidate) != 0:
             return None
@@ -215,6 +214,17 @@ class Algebraic(Digits):
         if common.degree() < 1 or b <= c or d <= a:
             return False
         return changes_sign(common, a, b) and changes_sign(common, c, d) and changes_sign(common, min(a, c), max(b, d))
+
+
+def multiple_in(enclosed: Callable[[int], Interval], denominator: int) -> mpq | None:
+    """The only multiple of ``1/denominator`` that a number may be, given its enclosures to any number of digits.
+
+    >>> multiple_in(lambda digits: Interval(mpq(2, 3), mpq(2, 3)), 6)
+    mpq(2,3)
+    """
+    low, high = enclosed(denominator.bit_length() * 30103 // 100000 + 1)
+    candidate = mpq(-((-low * denominator) // 1), denominator)
+    return candidate if candidate <= high else None
 
 
 def _order(x: Algebraic, y: Algebraic | mpq) -> int:

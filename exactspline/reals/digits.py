@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import cache
 from typing import TYPE_CHECKING, overload
 
 from exactspline.errors import OpenError, ReachError, as_integer
@@ -62,7 +63,8 @@ class Digits(Immutable):
 
     def doubles(self) -> dict[str, float]:
         """The correctly rounded doubles for the three rounding modes, by their names."""
-        return {str(way): self.double(way) for way in Rounding}
+        enclosed = cache(self._enclosed)
+        return {str(way): double_between(enclosed, self._against_number, way) for way in Rounding}
 
     def __float__(self) -> float:
         """The correctly rounded double."""

@@ -359,7 +359,7 @@ class _Search:
                 ]
                 if sides and column is None:
                     column = Column.of(polynomials, minimal)
-                if column is not None:
+                if column is not None and any(column.may_be_in(s, side) for side in sides):
                     own = [t for t in column.candidates if any(low <= t <= high for low, high in sides)]
                     found += [CommonZero(UNIT, (s, t)) for t in own if column.contains(s, t)]
         return [zero for zero in found if zero.is_inside]
@@ -484,6 +484,12 @@ class Column:
         for c in reversed(self.zeros.coefficients):
             value = value * x + c
         return _sign_over(value, s)
+
+    def may_be_in(self, s: Parameter, side: Interval) -> bool:
+        """Whether a zero over one of the roots may be in an interval: a single one is there if the sign changes, which
+        is told without the `candidates`.
+        """
+        return self.zeros.degree > 1 or self.sign(s, side.low) * self.sign(s, side.high) <= 0
 
     def contains(self, s: Parameter, t: Parameter) -> bool:
         """Whether one of the `candidates` is a zero over one of the roots."""

@@ -20,6 +20,7 @@ from exactspline.numbers.sides import Side
 from exactspline.polynomials import annihilating
 from exactspline.polynomials.bernstein import in_parameter, over_common_denominator
 from exactspline.polynomials.centred_form import bounds_over
+from exactspline.reals.algebraic import multiple_in
 from exactspline.reals.real import Real, square_root
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.nurbs import Nurbs
@@ -62,6 +63,16 @@ class ValueAt(Real):
 
     def _annihilator(self) -> fmpz_poly:
         return annihilating.quotient_at(self.place._annihilator(), *self._in_terms()[1:])
+
+    def _decided(self) -> mpq | None:
+        """Without a polynomial of which it is a zero, whose computation takes as many resultants as it has degrees."""
+        if self._isolating is not None:
+            return super()._decided()
+        denominator = annihilating.denominator_at(self.place._annihilator(), *self._in_terms()[1:])
+        if denominator is None:
+            return None
+        candidate = multiple_in(self._enclosed, abs(int(denominator)))
+        return None if candidate is None or self._against_number(candidate) else candidate
 
 
 def value_at(top: BSpline, bottom: BSpline, place: mpq | Real, side: Side | str = Side.RIGHT) -> Real:

@@ -1,5 +1,6 @@
 """Packs of vectors: written, checked again, and read by programs in four languages that agree."""
 
+import copy
 import json
 import re
 import shutil
@@ -12,6 +13,7 @@ import pytest
 from workshop.vectors.__main__ import main
 from workshop.vectors.check import checked
 from workshop.vectors.corpus import SIZES, corpus
+from workshop.vectors.pack import line_of
 
 READERS = Path(__file__).parents[2] / "workshop" / "vectors" / "readers"
 #: How each reader is made ready and run.
@@ -36,32 +38,71 @@ def test_every_case_is_checked_again(pack):
     assert {family: entry["cases"] for family, entry in index["families"].items()} == dict.fromkeys(SIZES, 3)
 
 
+def _up(name):
+    """A number of the first item changed by one."""
+    return lambda items: items[0].update({name: [(float.fromhex(x) + 1).hex() for x in items[0][name]]})
+
+
+def _fact(**facts):
+    return lambda items: items[0]["facts"].update(facts)
+
+
 WRONG = {
     "value": ("random", "value", lambda items: items[0].update(x=items[0]["x"][::-1])),
     "inflection": ("near", "inflections", list.pop),
     "intersection": ("near", "intersections", list.pop),
     "nearest": ("random", "nearest", lambda items: items[0].update(distance=items[0]["distance"][:1] * 3)),
-    "distance": ("random", "distance", lambda items: items[0].update(parameter=["0x0p+0"] * 3)),
+    "nearest point": ("random", "nearest", _up("parameter")),
+    "pair": ("random", "distance", lambda items: items[0].update(parameter=["0x0p+0"] * 3)),
+    "distance": ("random", "distance", _up("distance")),
+    "winding number": ("integers", "winding_number", _up("value")),
+    "curvature": ("random", "curvature", _up("curvature")),
+    "torsion": ("integers", "torsion", _up("torsion")),
+    "box": ("fonts", "bounding_box", _up("high")),
+    "kind": ("near", "critical_points", lambda items: items[0].update(what="stationary")),
+    "extremum": ("near", "curvature_extrema", list.pop),
+    "invented": ("random", "critical_points", _up("parameter")),
+    "joint": ("cad", "joints", _fact(geometric_continuity=0)),
+    "corner": ("named", "corners", list.clear),
+    "piece": ("integers", "straight_pieces", list.clear),
+    "cusp": ("integers", "cusps", lambda items: items[-1].update(what="stop")),
+    "loop": ("integers", "self_intersections", _up("parameter")),
 }
 
 
+@pytest.fixture(scope="module")
+def lines():
+    """The first case of a family with an answer to a question that is not empty."""
+    known = {}
+
+    def first(family, question):
+        for number, case in enumerate(corpus(family, 60)):
+            if (family, number) not in known:
+                known[family, number] = json.loads(line_of(case))["case"]
+            made = known[family, number]
+            if made["answers"].get(question, {}).get("items"):
+                return copy.deepcopy(made)
+        raise LookupError(question)
+
+    return first
+
+
 @pytest.mark.parametrize("what", WRONG)
-def test_a_wrong_answer_is_found(pack, what, tmp_path):
-    """Doubles changed, or an inflection or a common point taken away, under a digest that fits."""
+def test_a_wrong_answer_is_found(lines, what, tmp_path):
+    """Doubles, kinds and facts changed, or something taken away, under a digest that fits."""
     family, question, spoil = WRONG[what]
-    data = json.loads((pack / f"{family}.json").read_text(encoding="utf-8"))
-    number, case = next(
-        (number, line["case"])
-        for number, line in enumerate(data["cases"])
-        if line["case"]["answers"][question]["answer"] == "these"
-    )
+    case, place = lines(family, question), tmp_path / "changed.json"
+
+    def checked_again():
+        body = json.dumps(case, ensure_ascii=True, separators=(",", ":"))
+        line = {"digest": f"{crc32(body.encode()):08x}", "case": case}
+        place.write_text(json.dumps({"cases": [line]}), encoding="utf-8")
+        return checked(place, share=1)
+
+    assert checked_again()[1][question] == 1
     spoil(case["answers"][question]["items"])
-    body = json.dumps(case, ensure_ascii=True, separators=(",", ":"))
-    data["cases"][number]["digest"] = f"{crc32(body.encode()):08x}"
-    place = tmp_path / "changed.json"
-    place.write_text(json.dumps(data), encoding="utf-8")
     with pytest.raises(ValueError, match=re.escape(case["key"])):
-        checked(place, share=1)
+        checked_again()
 
 
 @pytest.mark.parametrize("program", RUN)

@@ -102,8 +102,8 @@ def graded(
 
 
 def _graded(engine: str, operation: Operation, pair: Pair, reply: dict[str, str], within: mpq, whole: bool) -> Graded:
-    if "raised" in reply:
-        return Graded(engine, operation, pair, Outcome.RAISED, why=reply["raised"])
+    if "path" not in reply:
+        return Graded(engine, operation, pair, Outcome.RAISED, why=reply.get("raised") or reply["late"])
     made, rule = reply["path"], reply["rule"]
     first, second = Region.of(pair.first), Region.of(pair.second)
     try:

@@ -1,6 +1,7 @@
 """``./run grade``: libraries that compute with splines in doubles, compared with exact answers.
 
-Every answer is classified as right, off, missed, invented, crashed or declined. Exit status: 0 graded; 2 bad input.
+Every answer is classified as right, off, missed, invented, crashed, declined, late or tolerated. Exit status: 0 graded;
+2 bad input.
 """
 
 from __future__ import annotations
@@ -20,7 +21,7 @@ from exactspline.testing import all_cases
 from workshop.grade.adapters import LIBRARIES
 from workshop.grade.judge import OUTCOMES
 from workshop.grade.report import PICTURE, draw, page, rows, wrong
-from workshop.grade.runner import failures, grade
+from workshop.grade.runner import failures, grade, sample
 from workshop.grade.shrink import defects_of
 from workshop.printing import add_formats, ended, on_a_terminal, show
 
@@ -34,6 +35,13 @@ def arguments(given: Sequence[str] | None) -> argparse.Namespace:
         "library", nargs="*", metavar="LIBRARY", help=f"{', '.join(LIBRARIES)}; all installed ones if none is named"
     )
     parser.add_argument("--cases", metavar="N", type=int, default=0, help="the first N cases of each family; 0 for all")
+    parser.add_argument(
+        "--share",
+        metavar="X",
+        type=float,
+        default=1.0,
+        help="a part of them, the same at each run: each case with this probability; those of bug reports always",
+    )
     parser.add_argument("--cache", metavar="FILE", type=Path, help="keep exact answers with certificates (.jsonl.gz)")
     parser.add_argument("--page", metavar="FILE", default="", help="write the scoreboard in Markdown, and its picture")
     parser.add_argument(
@@ -58,14 +66,15 @@ def main(given: Sequence[str] | None = None) -> int:
     for name in options.library:
         if name not in LIBRARIES:
             raise FormulaError(f"there is no library called {name!r}", remedy=nearest(name, LIBRARIES))
-    chosen = list(all_cases(options.cases or None))
+    chosen = list(sample(all_cases(options.cases or None), options.share))
     with _ticking(len(chosen), options.quiet) as tick:
         reports, truths = grade(options.library or LIBRARIES, chosen, options.cache, tick)
     if not reports:
         raise FormulaError("none of these libraries is installed", remedy="pip install scipy, for example")
     defects = [d for report in reports if options.examples for d in defects_of(report.library, wrong(report))]
     if options.page:
-        written = page(reports, defects, chosen, truths.uncertified)
+        share = f" --share {options.share:g}" if options.share < 1 else ""
+        written = page(reports, defects, chosen, truths.uncertified, share)
         write_text(options.page, written)
         draw(reports, str(Path(options.page).parent / PICTURE))
     if options.failures:

@@ -31,11 +31,12 @@ class Request(TypedDict):
 
 
 class Reply(TypedDict, total=False):
-    """The reply to a question: an answer of any kind, a refusal, or an exception."""
+    """The reply to a question: an answer of any kind, a refusal, an exception, or that none came in time."""
 
     answer: object
     declined: str
     raised: str
+    late: str
 
 
 class WithKnots(TypedDict):

@@ -23,9 +23,11 @@ from workshop.grade.truth import bend, rows
 RIGHT, OFF, MISSED, INVENTED, CRASHED = "right", "off", "missed", "invented", "crashed"
 #: A library reports that it has no answer, which is not wrong.
 DECLINED = "declined"
+#: No reply within the limit, which is not wrong either.
+LATE = "late"
 #: Missed or invented within what the library documents (`workshop.grade.tolerance`).
 TOLERATED = "tolerated"
-OUTCOMES = (RIGHT, OFF, MISSED, INVENTED, CRASHED, DECLINED, TOLERATED)
+OUTCOMES = (RIGHT, OFF, MISSED, INVENTED, CRASHED, DECLINED, LATE, TOLERATED)
 WRONG = (OFF, MISSED, INVENTED, CRASHED)
 #: The distance within which parameters count as one place, as a fraction of the domain; and the fraction of its size
 #: below which a form counts as zero.
@@ -85,6 +87,8 @@ def judged(case: Case, question: str, truth: Answer, reply: Reply) -> Verdict:
     """The verdict on a library's reply to a question about a case, given the exact answer."""
     if "declined" in reply:
         return Verdict(DECLINED, note=reply["declined"])
+    if "late" in reply:
+        return Verdict(LATE, note=reply["late"])
     if "raised" in reply:
         return Verdict(CRASHED, note=reply["raised"])
     try:

@@ -115,6 +115,9 @@ QUESTIONS: dict[str, Asked] = {
             "2⁻²⁰ of the largest coordinate, and the error that the library documents",
             Judged.DISTANCE,
         ),
+        Asked(
+            "distance", "the distance of the curve from its partner", "2⁻²⁰ of the largest coordinate", Judged.DISTANCE
+        ),
         Asked("meetings", "the pairs of parameters at which the curve meets its partner", MEETINGS, Judged.PAIRS),
     )
 }

@@ -11,7 +11,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from fractions import Fraction
 from itertools import pairwise
-from math import factorial, isqrt
+from math import comb, factorial, hypot, isqrt, lcm
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from exactspline.certificates import check_certificate
@@ -25,6 +25,8 @@ TERMS = 4
 STURM = 6
 #: The number of chords whose sum is compared with a length.
 CHORDS = 24
+#: How much nearer parts of two curves may be, as a fraction of the largest coordinate, and the pairs of parts compared.
+CLOSER, PAIRS = 1e-8, 20_000
 Jet = list[list[Fraction]]
 
 
@@ -66,29 +68,41 @@ def _require(condition: bool, flaw: str) -> None:
 
 
 def jets(curve: Curve, t: Fraction, left: bool = False, terms: int = TERMS) -> Jet:
-    """The Taylor coefficients of the homogeneous coordinates at a parameter."""
-    degree, knots, rows = curve.degree, curve.knots, curve.rows
-    spans = [j for j in range(degree, len(knots) - degree - 1) if knots[j] < knots[j + 1]]
-    inside = [j for j in spans if (knots[j] < t <= knots[j + 1] if left else knots[j] <= t < knots[j + 1])]
-    j = inside[0] if inside else spans[-1] if t >= knots[spans[-1] + 1] else spans[0]
-    points = [[[x, *[Fraction(0)] * (terms - 1)] for x in rows[j - degree + i]] for i in range(degree + 1)]
+    """The Taylor coefficients of the homogeneous coordinates at a parameter, by integers over common denominators."""
+    degree, rows = curve.degree, curve.rows
+    j = _span(curve, t, left)
+    unit = lcm(t.denominator, *(k.denominator for k in curve.knots[j - degree + 1 : j + degree + 1]))
+    size = lcm(*(x.denominator for row in rows[j - degree : j + 1] for x in row))
+    place, knots = _times(t, unit), [_times(k, unit) for k in curve.knots[j - degree : j + degree + 1]]
+    points = [[[_times(x, size), *[0] * (terms - 1)] for x in row] for row in rows[j - degree : j + 1]]
     for r in range(1, degree + 1):
+        widths = [knots[1 + degree + i - r] - knots[i] for i in range(degree + 1)]
+        shared = lcm(*widths[r:])
+        size *= shared
         for i in range(degree, r - 1, -1):
-            a, b = knots[j - degree + i], knots[j + 1 + i - r]
-            share = [(t - a) / (b - a), 1 / (b - a)]
+            factor = shared // widths[i]
+            before, behind = factor * (place - knots[i]), factor * (knots[1 + degree + i - r] - place)
             points[i] = [
-                [q + d for q, d in zip(old, _times_linear(share, _minus(new, old)), strict=True)]
+                [
+                    behind * old[k] + before * new[k] + (factor * unit * (new[k - 1] - old[k - 1]) if k else 0)
+                    for k in range(terms)
+                ]
                 for old, new in zip(points[i - 1], points[i], strict=True)
             ]
-    return points[degree]
+    return [[Fraction(x, size) for x in series] for series in points[degree]]
 
 
-def _minus(p: list[Fraction], q: list[Fraction]) -> list[Fraction]:
-    return [x - y for x, y in zip(p, q, strict=True)]
+def _span(curve: Curve, t: Fraction, left: bool) -> int:
+    """The index of the last knot of the segment of a parameter that is not behind it."""
+    degree, knots = curve.degree, curve.knots
+    spans = [j for j in range(degree, len(knots) - degree - 1) if knots[j] < knots[j + 1]]
+    inside = [j for j in spans if (knots[j] < t <= knots[j + 1] if left else knots[j] <= t < knots[j + 1])]
+    return inside[0] if inside else spans[-1] if t >= knots[spans[-1] + 1] else spans[0]
 
 
-def _times_linear(share: list[Fraction], p: list[Fraction]) -> list[Fraction]:
-    return [share[0] * p[k] + (share[1] * p[k - 1] if k else 0) for k in range(len(p))]
+def _times(x: Fraction, whole: int) -> int:
+    """The product with a multiple of the denominator."""
+    return x.numerator * (whole // x.denominator)
 
 
 def cartesian(curve: Curve, t: Fraction, left: bool = False, terms: int = TERMS) -> Jet:
@@ -132,7 +146,8 @@ def _tangent(curve: Curve, t: Fraction, question: str, answer: Answer) -> None:
         _require(_is_root(interval, x * x / length, sign or 1), "another tangent")
 
 
-def _bend(x: Jet) -> list[Fraction]:
+def crossed(x: Jet) -> list[Fraction]:
+    """``γ′ × γ″``: one number in the plane."""
     v, a = ([c[k] for c in x] for k in (1, 2))
     if len(x) == 2:
         return [v[0] * a[1] - v[1] * a[0]]
@@ -141,13 +156,13 @@ def _bend(x: Jet) -> list[Fraction]:
 
 def _curvature(curve: Curve, t: Fraction, question: str, answer: Answer) -> None:
     x = cartesian(curve, t)
-    square = sum((b * b for b in _bend(x)), start=Fraction(0)) / sum(c[1] * c[1] for c in x) ** 3
+    square = sum((b * b for b in crossed(x)), start=Fraction(0)) / sum(c[1] * c[1] for c in x) ** 3
     _require(_is_root(answer["numbers"][0], square), "another curvature")
 
 
 def _torsion(curve: Curve, t: Fraction, question: str, answer: Answer) -> None:
     x = cartesian(curve, t)
-    bend = _bend(x)
+    bend = crossed(x)
     value = sum((b * c[3] for b, c in zip(bend, x, strict=True)), start=Fraction(0)) / sum(b * b for b in bend)
     _require(_is(answer["numbers"][0], value), "another torsion")
 
@@ -191,7 +206,7 @@ def _point(curve: Curve, t: Fraction) -> list[Fraction]:
 # ---- zeros
 
 
-def _proved(certified: dict[str, object], curve: Curve, form: Form, degree: int) -> None:
+def proved(certified: dict[str, object], curve: Curve, form: Form, degree: int) -> None:
     """Check that the certificate is right, and that its form is a positive multiple of the given form on every
     segment.
     """
@@ -200,7 +215,7 @@ def _proved(certified: dict[str, object], curve: Curve, form: Form, degree: int)
     breaks = list(map(Fraction, certificate["breakpoints"]))
     _require(breaks == _domain(curve), "other breakpoints")
     for segment, (a, b) in zip(certificate["segments"], pairwise(breaks), strict=True):
-        c = list(map(Fraction, segment["coefficients"]))
+        c = list(map(int, segment["coefficients"]))
         n, ratios = max(degree, len(c) - 1) + 1, set()
         for k in range(n):
             u = Fraction(2 * k + 1, 2 * n)
@@ -213,8 +228,13 @@ def _proved(certified: dict[str, object], curve: Curve, form: Form, degree: int)
 
 def at(c: Sequence[Fraction | int], u: Any) -> Any:
     """``Σ c_i (1 − u)ⁿ⁻ⁱ uⁱ``."""
-    n = len(c) - 1
-    return sum((x * (1 - u) ** (n - i) * u**i for i, x in enumerate(c)), start=Fraction(0))
+    top, bottom = u.numerator, u.denominator
+    value, power = c[0], 1
+    for x in c[1:]:
+        power *= top
+        value = value * (bottom - top) + x * power
+    # of the type of u
+    return (u - u + value) / bottom ** (len(c) - 1)
 
 
 def _slope(axis: int) -> Form:
@@ -231,7 +251,7 @@ def _height(curve: Curve, t: Fraction) -> Fraction:
 
 def _turning(curve: Curve, t: Fraction) -> Fraction:
     w = jets(curve, t, terms=1)[-1][0]
-    return _bend(cartesian(curve, t, terms=3))[0] * w**3
+    return crossed(cartesian(curve, t, terms=3))[0] * w**3
 
 
 def _change(curve: Curve, t: Fraction) -> Fraction:
@@ -249,13 +269,13 @@ def _places(curve: Curve, t: Fraction, question: str, answer: Answer) -> None:
         "extrema": [(_change, 4 * n)],
     }
     for certificate, (form, degree) in zip(answer["certificates"], forms[question], strict=True):
-        _proved(certificate, curve, form, degree)
+        proved(certificate, curve, form, degree)
 
 
 def _box(curve: Curve, t: Fraction, question: str, answer: Answer) -> None:
     n = curve.degree
     for axis, certificate in enumerate(answer["certificates"]):
-        _proved(certificate, curve, _slope(axis), 2 * n)
+        proved(certificate, curve, _slope(axis), 2 * n)
         values = [cartesian(curve, s, left, 1)[axis][0] for s in _domain(curve) for left in (False, True)]
         roots: Any = certificate["roots"]  # proved just now
         for root in roots:
@@ -329,7 +349,7 @@ def _nearest(curve: Curve, t: Fraction, question: str, answer: Answer) -> None:
         return sum((2 * e[0] * (e[1] * w[0] - e[0] * w[1]) for e in chords), start=Fraction(0))
 
     [certificate] = answer["certificates"]
-    _proved(certificate, curve, slope, 3 * curve.degree)
+    proved(certificate, curve, slope, 3 * curve.degree)
     roots: Any = certificate["roots"]  # proved just now
     places = [*_domain(curve), *(Fraction(root["low"]) for root in roots)]
     least = min(
@@ -339,6 +359,71 @@ def _nearest(curve: Curve, t: Fraction, question: str, answer: Answer) -> None:
     # the certificate's intervals are narrower than 2⁻⁵⁰
     slack = Fraction(1, 10**9) * (1 + max(abs(x) for row in (*curve.rows, *curve.partner) for x in row))
     _require(low - slack <= least <= high + slack and high - low <= slack, "another distance")
+
+
+def _separation(curve: Curve, t: Fraction, question: str, answer: Answer) -> None:
+    """A pair of points is at the distance, and no parts of the curves are nearer: their control polygons lie between
+    parallel lines or planes further apart, after enough bisections. In doubles, whose errors are far below `CLOSER`.
+    """
+    certified: Any = answer["certificates"][0]["pair"]  # what is checked
+    (low, high), *places = ([Fraction(end) for end in each] for each in (answer["numbers"][0], *certified))
+    other = curve._replace(rows=curve.partner)
+    gap = _distance(*(_point(c, (a + b) / 2) for c, (a, b) in zip((curve, other), places, strict=True)))
+    slack = CLOSER * float(max(abs(x) for row in (*curve.rows, *curve.partner) for x in row))
+    _require(low - Fraction(slack) <= gap <= high + Fraction(slack), "a pair at another distance")
+    todo, left = [(p, q) for p in bezier_points(curve) for q in bezier_points(other)], PAIRS
+    while todo:
+        p, q = todo.pop()
+        if _gap(p, q) < float(low) - slack:
+            left -= 1
+            _require(left > 0, "not decided whether parts of the curves are nearer")
+            todo += [(a, q) for a in _halves(p)] if _size(p) > _size(q) else [(p, b) for b in _halves(q)]
+
+
+def bezier_points(curve: Curve) -> list[list[list[float]]]:
+    """The homogeneous Bézier points of every segment."""
+    n, found = curve.degree, []
+    for a, b in pairwise(_domain(curve)):
+        powers = [[x * (b - a) ** k for k, x in enumerate(p)] for p in jets(curve, a, terms=n + 1)]
+        rows = [
+            [float(sum(Fraction(comb(i, k), comb(n, k)) * p[k] for k in range(i + 1))) for p in powers]
+            for i in range(n + 1)
+        ]
+        found.append(rows)
+    return found
+
+
+def _halves(points: list[list[float]]) -> tuple[list[list[float]], list[list[float]]]:
+    """The Bézier points of the halves, by de Casteljau."""
+    first, last, row = [points[0]], [points[-1]], points
+    while len(row) > 1:
+        row = [[(x + y) / 2 for x, y in zip(p, q, strict=True)] for p, q in pairwise(row)]
+        first.append(row[0])
+        last.append(row[-1])
+    return first, last[::-1]
+
+
+def _size(points: list[list[float]]) -> float:
+    return sum(hypot(*(x - y for x, y in zip(p, q, strict=True))) for p, q in pairwise(points))
+
+
+def _gap(p: list[list[float]], q: list[list[float]]) -> float:
+    """A lower bound of the distance of two parts; 0 where a weight is not positive."""
+    if min(row[-1] for row in (*p, *q)) <= 0:
+        return 0
+    p, q = ([[x / row[-1] for x in row[:-1]] for row in rows] for rows in (p, q))
+    across = [sum(each) / len(q) - sum(own) / len(p) for own, each in zip(zip(*p), zip(*q), strict=True)]
+    best = 0.0
+    for part in ((), p, q):
+        along = [b - a for a, b in zip(part[0], part[-1], strict=True)] if part else across
+        # across, and what of it is at right angles to a chord
+        share = sum(x * y for x, y in zip(across, along, strict=True)) / (sum(x * x for x in along) or 1) if part else 0
+        normal = [x - share * y for x, y in zip(across, along, strict=True)]
+        length = hypot(*normal)
+        if length:
+            near, far = ([sum(x * y for x, y in zip(row, normal, strict=True)) for row in rows] for rows in (p, q))
+            best = max(best, (min(far) - max(near)) / length)
+    return best
 
 
 def _meetings(curve: Curve, t: Fraction, question: str, answer: Answer) -> None:
@@ -406,5 +491,6 @@ _CHECKS: dict[str, Callable[[Curve, Fraction, str, Answer], None]] = {
     "length": _length,
     "area": _area,
     "nearest": _nearest,
+    "distance": _separation,
     "meetings": _meetings,
 }

@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Sequence
 
-from exactspline.display.plot.canvas import BLACK, BLUE, ORANGE, PAGE, SILVER, SKY, VERMILLION, new_figure, save
+from exactspline.display.plot.canvas import BLACK, BLUE, ORANGE, PAGE, PURPLE, SILVER, SKY, VERMILLION, new_figure, save
 from exactspline.numbers.exact import double, mpq, text
-from exactspline.testing import VERSION, Case
-from workshop.grade.judge import CRASHED, DECLINED, INVENTED, MISSED, OFF, OUTCOMES, RIGHT, TOLERATED, WRONG
+from exactspline.testing import VERSION, Case, all_cases
+from workshop.grade.judge import CRASHED, DECLINED, INVENTED, LATE, MISSED, OFF, OUTCOMES, RIGHT, TOLERATED, WRONG
 from workshop.grade.questions import QUESTIONS
-from workshop.grade.runner import Judged, Report
+from workshop.grade.runner import EVERY, PATIENCE, Judged, Report
 from workshop.grade.shrink import Defect
 from workshop.grade.tolerance import DOCUMENTED
 
@@ -65,19 +65,30 @@ def _ulps(ulps: float) -> str:
 
 #: Where the page expects its picture, and the colours there.
 PICTURE = "pictures/scoreboard.png"
-COLOURS = {OFF: VERMILLION, MISSED: BLUE, INVENTED: ORANGE, CRASHED: BLACK, DECLINED: SILVER, TOLERATED: SKY}
+COLOURS = {
+    OFF: VERMILLION,
+    MISSED: BLUE,
+    INVENTED: ORANGE,
+    CRASHED: BLACK,
+    DECLINED: SILVER,
+    LATE: PURPLE,
+    TOLERATED: SKY,
+}
 
 HEAD = """# Libraries compared with exact answers
 
-Made by `./run grade --page docs/scoreboard.md`; do not edit. {cases} cases (version {version}: {families}), {questions}
-questions, {libraries} libraries, {answers} answers judged. Every exact answer carries a certificate that the
-independent checker (`workshop/grade/recheck.py`, `exactspline/certificates`) accepted in this run; {uncertified}
-answers were excluded because it did not. A library is asked only what it offers for the given curve, through its public
-functions (`workshop/grade/adapters`), and is judged with the tolerance of the question (below). A cell shows the right
-answers out of those asked, then the other outcomes; *declined* means that the library reports that it has no answer,
+Made by `./run grade --page docs/scoreboard.md{share}`; do not edit. {cases} of {all} cases (version {version}:
+{families}), {questions} questions, {libraries} libraries, {answers} answers judged. Every exact answer carries a
+certificate that the independent checker (`workshop/grade/recheck.py`, `exactspline/certificates`) accepted in this run;
+{uncertified} answers were excluded because it did not. A library is asked only what it offers for the given curve,
+through its public functions (`workshop/grade/adapters`), and is judged with the tolerance of the question (below). A
+cell shows the right answers out of those asked, then the other outcomes; *declined* means that the library reports that
+it has no answer, *late* that none came within {patience} s of processor time, after which its process is ended,
 *tolerated* that what it missed or invented is a matter of what it documents:
 
 {documented}
+
+Of some questions not every case is asked, since they take longer than all others: {every}.
 """
 
 
@@ -86,10 +97,15 @@ def page(
     defects: Sequence[Defect],
     cases: Sequence[Case],
     uncertified: Sequence[tuple[str, str, str]],
+    share: str = "",
 ) -> str:
-    """The page in Markdown."""
+    """The page in Markdown, of all cases or a share of them: how that was asked for."""
     families = Counter(case.family for case in cases)
     head = HEAD.format(
+        share=share,
+        all=sum(1 for _ in all_cases()),
+        patience=PATIENCE,
+        every=", ".join(f"*{question}* of one in {n}" for question, n in EVERY.items()),
         cases=len(cases),
         version=VERSION,
         families=", ".join(f"{count} {name}" for name, count in families.items()),

@@ -6,10 +6,12 @@ import gzip
 import hashlib
 import json
 import os
+import random
 import select
 import signal
 import subprocess
 import sys
+import time
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field
@@ -29,10 +31,12 @@ from workshop.grade.recheck import recheck
 from workshop.grade.tolerance import tolerated
 from workshop.grade.truth import inserted, truth
 
-#: The time limit, in seconds, for all questions to a library about a case.
-PATIENCE = 20
+#: The limit, in seconds of processor time, for a reply; and how many times as long, by the clock, it is waited for.
+PATIENCE, WAITING = 5, 20
+#: How often it is looked, in seconds.
+GLANCE = 0.5
 #: What takes longer than all other questions is asked for only in every n-th case.
-EVERY = {"length": 4, "nearest": 8, "meetings": 8}
+EVERY = {"length": 4, "nearest": 8, "distance": 8, "meetings": 8}
 
 
 @dataclass(frozen=True)
@@ -61,6 +65,19 @@ class Report:
 def questions_for(case: Case, number: int) -> list[str]:
     """The questions about a case."""
     return [q for q in QUESTIONS if number % EVERY.get(q, 1) == 0 or case.family == "named"]
+
+
+def sample(cases: Iterable[Case], share: float) -> Iterator[Case]:
+    """Each case with a probability, the same ones at each run; those of bug reports always.
+
+    >>> from exactspline.testing import all_cases
+    >>> sum(1 for _ in sample(all_cases(10), 0)), sum(1 for _ in sample(all_cases(10), 1))
+    (10, 60)
+    """
+    chance = random.Random(VERSION)
+    for case in cases:
+        if chance.random() < share or case.family == "named":
+            yield case
 
 
 def given_data(curve: Nurbs, case: Case) -> GivenData:
@@ -161,52 +178,88 @@ class Worker:
             stdin=subprocess.PIPE,
             stdout=subprocess.PIPE,
             stderr=subprocess.DEVNULL,
-            text=True,
             start_new_session=True,
         )
-        first = self._line(60)
+        self.received = b""
+        first = self._line(WAITING * PATIENCE)
         if first is None:
             self.close()
             raise ImportError(self.library)
         self.version = json.loads(first)["version"]
 
-    def _line(self, seconds: int) -> str | None:
+    def _line(self, seconds: float = PATIENCE) -> bytes | None:
+        """The next line of the process, None where it ended or did not write one in time."""
         assert self.process.stdout is not None
-        ready, _, _ = select.select([self.process.stdout], [], [], seconds)
-        return (self.process.stdout.readline() or None) if ready else None
+        used, start = None, time.monotonic()
+        while b"\n" not in self.received:
+            ready, _, _ = select.select([self.process.stdout], [], [], GLANCE)
+            if ready:
+                more = os.read(self.process.stdout.fileno(), 1 << 16)
+                if not more:
+                    return None
+                self.received += more
+                continue
+            now = _processor_time(self.process.pid)
+            used = now if used is None else used
+            if now - used > seconds or time.monotonic() - start > WAITING * seconds:
+                return None
+        line, _, self.received = self.received.partition(b"\n")
+        return line
 
-    def exchange(self, request: Mapping[str, object]) -> dict[str, Any]:
-        """What the process replies; where it dies or hangs, it is started again, and the reply is what it `raised`."""
+    def _send(self, request: Mapping[str, object]) -> None:
         assert self.process.stdin is not None
-        try:
-            self.process.stdin.write(json.dumps(request) + "\n")
+        # one that has ended is noticed where its reply is read
+        with suppress(BrokenPipeError):
+            self.process.stdin.write(json.dumps(request).encode() + b"\n")
             self.process.stdin.flush()
-            line = self._line(PATIENCE)
-        except BrokenPipeError:
-            line = None
-        if line is not None:
-            reply: dict[str, Any] = json.loads(line)
-            return reply
+
+    def _ended(self) -> Reply:
+        """Start the process again, which died or hangs; what is said of the question that it did not answer."""
         hung = self.process.poll() is None
         self.close()
         self._start()
-        return {"raised": f"no answer in {PATIENCE} s" if hung else "the process ended"}
+        return {"late": f"no reply within {PATIENCE} s"} if hung else {"raised": "the process ended"}
 
-    def ask(self, given: GivenData, questions: list[str]) -> dict[str, Reply]:
-        """The replies; where the process dies, the questions are asked again one by one."""
-        found = self.exchange({"given": given, "questions": questions})
-        if "answers" in found:
-            replies: dict[str, Reply] = found["answers"]
-            return replies
-        if len(questions) == 1:
-            return {questions[0]: {"raised": found["raised"]}}
-        return {q: reply for one in questions for q, reply in self.ask(given, [one]).items()}
+    def exchange(self, request: Mapping[str, object]) -> dict[str, Any]:
+        """The single line that the process replies, or that there is none."""
+        self._send(request)
+        line = self._line()
+        return dict(self._ended()) if line is None else dict(json.loads(line))
+
+    def ask(self, given: GivenData, questions: Sequence[str]) -> dict[str, Reply]:
+        """The replies to those of the questions that the library answers; after one that it dies of, the rest."""
+        replies, remaining = dict[str, Reply](), list(questions)
+        self._send({"given": given, "questions": remaining})
+        while remaining:
+            question, line = remaining.pop(0), self._line()
+            if line is None:
+                replies[question] = self._ended()
+                self._send({"given": given, "questions": remaining})
+            elif (reply := json.loads(line)) is not None:
+                replies[question] = reply
+        return replies
 
     def close(self) -> None:
         """End the process, and those that it started."""
         with suppress(ProcessLookupError):
             os.killpg(self.process.pid, signal.SIGKILL)
         self.process.communicate()
+
+
+def _processor_time(session: int) -> float:
+    """The seconds that the processes of a session have used; those of the clock where that is not to be had."""
+    if not _PROCESSES.exists():
+        return time.monotonic()
+    ticks = 0
+    for place in _PROCESSES.glob("[0-9]*/stat"):
+        with suppress(OSError):
+            fields = place.read_text(encoding="utf-8", errors="replace").rpartition(")")[2].split()
+            # the numbers of proc(5), which are those of the fields plus 3: the session, and what was used
+            ticks += sum(map(int, fields[11:15])) if int(fields[3]) == session else 0
+    return ticks / os.sysconf("SC_CLK_TCK")
+
+
+_PROCESSES = Path("/proc")
 
 
 def failures(reports: Iterable[Report]) -> Iterator[dict[str, object]]:

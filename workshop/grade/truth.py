@@ -14,6 +14,7 @@ from operator import add
 from exactspline.errors import ExactSplineError
 from exactspline.geometry import balls
 from exactspline.geometry.analysis import analyse
+from exactspline.geometry.curve_pair import CurvePair
 from exactspline.geometry.extent import coordinate_range, slope
 from exactspline.geometry.intersections import intersections
 from exactspline.geometry.nearest import nearest
@@ -188,6 +189,15 @@ def _squared(curve: Nurbs, point: Sequence[mpq]) -> Real:
     return Real(sum(((x - y) ** 2 for x, y in zip(start, point, strict=True)), start=mpq(0)))
 
 
+def _distance(case: Case) -> Answer | None:
+    """The least distance from the partner, certified by a pair of parameters at it."""
+    found = CurvePair(case.curve, case.partner).distance
+    if found.left_out:
+        return None
+    pair = [_interval(t) for t in (found.pairs[0].first, found.pairs[0].second)]
+    return _numbers([found.value]) | {"certificates": [{"pair": pair}]}
+
+
 def _meetings(case: Case) -> Answer | None:
     found = intersections(case.curve, case.partner)
     if found.left_out or found.everywhere:
@@ -215,5 +225,6 @@ _ANSWERS: dict[str, Callable[[Case], Answer | None]] = {
     "length": _length,
     "area": _area,
     "nearest": _nearest,
+    "distance": _distance,
     "meetings": _meetings,
 }

@@ -1,7 +1,8 @@
 """One library in a separate process: ``python -m workshop.grade.worker scipy``.
 
-A line of JSON with a curve and questions in, a line with the answers out. The output of the library is discarded, and
-an exception is an answer; if the process dies, the runner notices.
+A line of JSON with a curve and questions in; out a line with the reply to each question, null to one that the library
+does not answer of such a curve. The output of the library is discarded, and an exception is an answer; if the process
+dies, the runner notices.
 """
 
 from __future__ import annotations
@@ -10,25 +11,26 @@ import json
 import os
 import sys
 import warnings
+from collections.abc import Iterator
 
 from workshop.grade.adapters import adapter
 from workshop.grade.adapters.common import Adapter, DeclinedError, Given
 from workshop.grade.data import Reply, Request
 
 
-def answers(library: Adapter, request: Request) -> dict[str, Reply]:
-    """The answers to the questions that the library accepts."""
-    given, replies = Given.of(request["given"]), dict[str, Reply]()
+def replies_to(library: Adapter, request: Request) -> Iterator[Reply | None]:
+    """The replies to the questions, in their order."""
+    given = Given.of(request["given"])
     for question in request["questions"]:
         if not library.can(question, given):
+            yield None
             continue
         try:
-            replies[question] = {"answer": library.ask(question, given)}
+            yield {"answer": library.ask(question, given)}
         except (DeclinedError, NotImplementedError) as error:
-            replies[question] = {"declined": f"{error}"[:300]}
+            yield {"declined": f"{error}"[:300]}
         except Exception as error:  # an exception of a library is its answer
-            replies[question] = {"raised": f"{type(error).__name__}: {error}"[:300]}
-    return replies
+            yield {"raised": f"{type(error).__name__}: {error}"[:300]}
 
 
 def main() -> None:
@@ -41,7 +43,8 @@ def main() -> None:
     library = adapter(sys.argv[1])
     print(json.dumps({"version": library.version()}), file=replies, flush=True)
     for line in sys.stdin:
-        print(json.dumps({"answers": answers(library, json.loads(line))}), file=replies, flush=True)
+        for reply in replies_to(library, json.loads(line)):
+            print(json.dumps(reply), file=replies, flush=True)
 
 
 if __name__ == "__main__":

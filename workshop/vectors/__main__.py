@@ -9,6 +9,7 @@ from __future__ import annotations
 import argparse
 import json
 import sys
+from collections import Counter
 from collections.abc import Sequence
 from hashlib import sha256
 from pathlib import Path
@@ -68,17 +69,22 @@ def _pack(folder: Path, limit: int) -> int:
 
 def _check(options: argparse.Namespace) -> int:
     index = json.loads((options.folder / "index.json").read_text(encoding="utf-8"))
+    right, given = Counter[str](), Counter[str]()
     for family, entry in index["families"].items():
         place = options.folder / entry["file"]
         if sha256(place.read_bytes()).hexdigest() != entry["sha256"]:
             sys.stderr.write(f"{place}: another digest\n")
             return 1
         try:
-            cases, answers = checked(place, options.share, options.seed)
+            cases, own, asked = checked(place, options.share, options.seed)
         except ValueError as error:
             sys.stderr.write(f"{place}: {error}\n")
             return 1
-        print(f"{family}: {cases} cases, {answers} answers right")
+        print(f"{family}: {cases} cases, {own.total()} answers right")
+        right, given = right + own, given + asked
+    print("checked, of those that there are:")
+    for question in given:
+        print(f"  {question}: {right[question]} of {given[question]}")
     return 0
 
 

@@ -12,14 +12,13 @@ from typing import Any
 from zlib import crc32
 
 from exactspline.atomic_write import write_text
-from exactspline.batch.oracle import oracle, pair_items
+from exactspline.batch.oracle import items, pair_items
 from exactspline.batch.oracle_answers import Item
 from exactspline.errors import ExactSplineError
 from exactspline.geometry.analysis import QUESTIONS, questions_about
 from exactspline.geometry.curve_pair import CurvePair
 from exactspline.numbers.exact import double, text
 from exactspline.questions.entry import Answered, questions_of
-from exactspline.reals.real import Real
 from exactspline.splines.nurbs import Nurbs
 from exactspline.testing import Case
 from workshop.grade.questions import MEETINGS, PLACES, STRAIGHT, ULPS
@@ -104,7 +103,7 @@ def _answers(case: Case) -> Iterator[tuple[str, object]]:
     asked |= {name: f"{name}:{point}" for name in ABOUT_POINT if name in questions_about(curve)}
     pair = CurvePair(curve, case.partner)
     ways: dict[str, Callable[[], Iterable[Item]]] = {
-        name: lambda question=question: oracle(curve, question).items for name, question in asked.items()
+        name: partial(items, curve, question) for name, question in asked.items()
     }
     ways |= {name: partial(pair_items, pair, name) for name in PAIRS}
     for name, way in ways.items():
@@ -114,24 +113,21 @@ def _answers(case: Case) -> Iterator[tuple[str, object]]:
             yield name, {"answer": "undefined", "why": str(error).split(";")[0]}
 
 
-def answer_data(items: Iterable[Item]) -> dict[str, object]:
-    """None, all of a piece, or these; each with its numbers in doubles and its facts."""
+def answer_data(given: Iterable[Item]) -> dict[str, object]:
+    """None, all of a piece, or these; each with its numbers in doubles (below, nearest, above; None beyond the largest
+    double) and its facts.
+    """
     found = [
         {"what": item.what}
-        | {name: _rounded(value) for name, value in item.values.items()}
+        | {
+            name: doubles and [doubles[way].hex() for way in ("down", "nearest", "up")]
+            for name, doubles in item.doubles.items()
+        }
         | {"facts": dict(item.facts)}
-        for item in items
+        for item in given
     ]
     everywhere = any(each["what"] == "everywhere" for each in found)
     return {"answer": "all" if everywhere else "these" if found else "none", "items": found}
-
-
-def _rounded(value: Real) -> list[str] | None:
-    """The double below, the nearest, the one above; None beyond the largest double."""
-    try:
-        return [value.double(way).hex() for way in ("down", "nearest", "up")]
-    except OverflowError:
-        return None
 
 
 def line_of(case: Case) -> str:

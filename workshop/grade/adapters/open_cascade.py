@@ -165,12 +165,25 @@ class OpenCascade(IncreasingDegree):
 
     def nearest(self, given: Given) -> list[float]:
         """``BRepExtrema_DistShapeShape(vertex, edge).Value()``."""
-        from OCP.BRepBuilderAPI import BRepBuilderAPI_MakeEdge, BRepBuilderAPI_MakeVertex
-        from OCP.BRepExtrema import BRepExtrema_DistShapeShape
+        from OCP.BRepBuilderAPI import BRepBuilderAPI_MakeVertex
         from OCP.gp import gp_Pnt
 
         vertex = BRepBuilderAPI_MakeVertex(gp_Pnt(*map(float, (*given.point, 0)[:3]))).Vertex()
-        found = BRepExtrema_DistShapeShape(vertex, BRepBuilderAPI_MakeEdge(self._curve(given)).Edge())
+        return self._apart(vertex, self._edge(given))
+
+    def distance(self, given: Given) -> list[float]:
+        """``BRepExtrema_DistShapeShape(edge, edge).Value()``."""
+        return self._apart(*self.pair(given, self._edge))
+
+    def _edge(self, given: Given) -> Any:
+        from OCP.BRepBuilderAPI import BRepBuilderAPI_MakeEdge
+
+        return BRepBuilderAPI_MakeEdge(self._curve(given)).Edge()
+
+    def _apart(self, first: Any, second: Any) -> list[float]:
+        from OCP.BRepExtrema import BRepExtrema_DistShapeShape
+
+        found = BRepExtrema_DistShapeShape(first, second)
         if not found.IsDone():
             raise DeclinedError("IsDone() is false")
         return [float(found.Value())]
