@@ -8,13 +8,14 @@ from collections.abc import Mapping, Sequence
 from fractions import Fraction
 from itertools import pairwise
 from math import comb, gcd
-from typing import Any
+from typing import Any, TypeVar
 
 from exactspline.certificates.numbers import count, fraction, integer, require
-from exactspline.certificates.zeros import product_of
+from exactspline.certificates.zeros import Number, product_of
 
 Polynomial = list[int]
 Rows = list[Polynomial]
+Coefficient = TypeVar("Coefficient")
 Side = tuple[Fraction, Fraction]
 #: The bisections of an interval around a root after which a sign is given up.
 STEPS = 512
@@ -23,7 +24,7 @@ STEPS = 512
 # ---- polynomials in one variable
 
 
-def trimmed(p: Sequence[Any]) -> list[Any]:
+def trimmed(p: Sequence[Coefficient]) -> list[Coefficient]:
     """Without leading zeros."""
     n = len(p)
     while n and not p[n - 1]:
@@ -31,21 +32,21 @@ def trimmed(p: Sequence[Any]) -> list[Any]:
     return list(p[:n])
 
 
-def total(p: Sequence[Any], q: Sequence[Any]) -> list[Any]:
+def total(p: Sequence[Number], q: Sequence[Number]) -> list[Number]:
     """The sum of two polynomials."""
     longer, other = (p, q) if len(p) >= len(q) else (q, p)
     return [x + other[i] if i < len(other) else x for i, x in enumerate(longer)]
 
 
-def value(p: Sequence[Any], x: Any) -> Any:
+def value(p: Sequence[int], x: Number) -> Number:
     """The value at a number."""
-    found = 0
+    found = x - x
     for c in reversed(p):
         found = found * x + c
     return found
 
 
-def on_interval(p: Sequence[Any], low: Fraction, high: Fraction) -> list[Fraction]:
+def on_interval(p: Sequence[Number], low: Fraction, high: Fraction) -> list[Fraction]:
     """The Bernstein coefficients of a polynomial on an interval, anywhere on the line."""
     powers, width = [Fraction(c) for c in p], high - low
     n = len(powers) - 1
@@ -58,13 +59,13 @@ def on_interval(p: Sequence[Any], low: Fraction, high: Fraction) -> list[Fractio
     ]
 
 
-def strict_sign(p: Sequence[Any], low: Fraction, high: Fraction) -> int:
+def strict_sign(p: Sequence[Number], low: Fraction, high: Fraction) -> int:
     """The sign on an interval where all Bernstein coefficients have it, else 0."""
     values = on_interval(p, low, high)
     return 1 if min(values) > 0 else -1 if max(values) < 0 else 0
 
 
-def sign_at_root(p: Sequence[Any], minimal: Sequence[int], low: Fraction, high: Fraction) -> int:
+def sign_at_root(p: Sequence[Number], minimal: Sequence[int], low: Fraction, high: Fraction) -> int:
     """The sign at the root that another polynomial has between two numbers at which its signs are opposite, or at a
     number given by both; 0 where the polynomial vanishes there or nearly does.
     """
@@ -237,7 +238,7 @@ def _checked(functions: Sequence[Sequence[Sequence[int]]], box: tuple[Side, Side
     # the zero over it
     for p in rows:
         require(not remainder_of(_composed(p, above, minimal), minimal), "a function that is not zero there")
-    for x, (least, most) in ((above, box[0]), (total([0, 1], [-slope * c for c in above]), box[1])):
+    for x, (least, most) in ((above, box[0]), (total([Fraction(0), Fraction(1)], [-slope * c for c in above]), box[1])):
         own = remainder_of(x, minimal) or [Fraction(0)]
         values = on_interval(own, low, high)
         require(least <= min(values) and max(values) <= most, "a zero that may be outside its region")
@@ -267,7 +268,8 @@ def _composed(rows: Rows, above: list[Fraction], minimal: Polynomial) -> list[Fr
     """The value at s = b(z), modulo the factor."""
     found: list[Fraction] = []
     for row in reversed(rows):
-        found = remainder_of(total(product_of(found, above) if found and above else [], row), minimal)
+        product = product_of(found, above) if found and above else []
+        found = remainder_of(total(product, [Fraction(x) for x in row]), minimal)
     return found
 
 

@@ -6,12 +6,14 @@ from collections.abc import Mapping, Sequence
 from fractions import Fraction
 from itertools import pairwise
 from math import comb, gcd, lcm
-from typing import Any
+from typing import Any, TypeVar
 
 from exactspline.certificates.numbers import count, fraction, integer, require
 
 #: A zero: bounds, a polynomial that has it, its multiplicity, and the signs on both sides.
 Zero = tuple[Fraction, Fraction, list[int], int, tuple[int, int]]
+#: The coefficients of a polynomial are all integers, or all fractions.
+Number = TypeVar("Number", int, Fraction)
 
 
 def check_zeros(certificate: Mapping[str, object], sturm: bool = True) -> dict[str, int]:
@@ -133,12 +135,13 @@ def _segment(c: list[int], segment: dict[str, Any], sturm: bool) -> tuple[tuple[
     return (start, _end_signs(inner)[0]), (end, _end_signs(inner)[1]), zeros
 
 
-def product_of(p: Sequence[Any], q: Sequence[Any]) -> list[Any]:
-    """The product of two polynomials."""
-    return [
-        sum(p[j] * q[i - j] for j in range(max(0, i - len(q) + 1), min(i + 1, len(p))))
-        for i in range(len(p) + len(q) - 1)
-    ]
+def product_of(p: Sequence[Number], q: Sequence[Number]) -> list[Number]:
+    """The product of two polynomials, of which neither is empty."""
+    found = [p[0] * q[0] * 0] * (len(p) + len(q) - 1)
+    for i, x in enumerate(p):
+        for j, y in enumerate(q):
+            found[i + j] += x * y
+    return found
 
 
 def isolated_zeros(c: list[int], proof: Mapping[str, object]) -> list[Zero]:

@@ -322,7 +322,7 @@ def _best_factor(values: Sequence[float], slopes: Sequence[float]) -> float:
         own, *others = (abs(a + factor * b) for a, b in zip(slopes, values, strict=True))
         return own / total if (total := sum(others)) else own
 
-    return max([0.0, *[-a / b for a, b in zip(slopes[1:], values[1:], strict=True) if b]], key=share)
+    return max([values[0] * 0, *[-a / b for a, b in zip(slopes[1:], values[1:], strict=True) if b]], key=share)
 
 
 @cache

@@ -268,10 +268,10 @@ def test_what_is_no_certificate_is_refused_by_a_value_error(thing):
 def test_the_checker_is_independent_and_short():
     """Nothing but the standard library and the folder itself."""
     files = sorted(Path(certificates.__file__).parent.glob("*.py"))
-    assert len(files) == 6
+    assert len(files) == 8
     for file in files:
         source = file.read_text(encoding="utf-8")
-        assert len(source.splitlines()) <= 225
+        assert len(source.splitlines()) <= 425
         names = {
             name.removeprefix("exactspline.").split(".")[0]
             for node in ast.walk(ast.parse(source))
