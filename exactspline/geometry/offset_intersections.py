@@ -69,8 +69,8 @@ def self_intersections(curve: Nurbs, *, offset: Number = 0) -> Intersections:
 
     >>> parabola = Nurbs(2, [0, 0, 0, 1, 1, 1], [(-2, 4), (0, -4), (2, 4)])  # y = x²
     >>> (found,) = self_intersections(parabola, offset=1)
-    >>> found, [str(x) for x in found.point]
-    (<crossing at 0.283494… and 0.716506…>, ['0', '5/4'])
+    >>> found, [x.exact for x in found.point]
+    (<crossing at 0.283494… and 0.716506…>, [mpq(0,1), mpq(5,4)])
 
     The work is limited as for `intersections`; pairs of segments that exceed it, segments with points without a
     tangent, and those whose offsets are one point or may run along each other are named in ``left_out``.

@@ -336,7 +336,7 @@ def test_degree_two_is_planar(weights):
     assert found.torsion_zeros.points == found.inflections.points == ()
     normal, offset = found.plane.normal, found.plane.offset
     assert all(sum(a * x for a, x in zip(normal, curve(t), strict=True)) == offset for t in (0, mpq(1, 3), 1))
-    with pytest.raises(ShapeError, match="planar"):
+    with pytest.raises(ShapeError, match="segments in planes"):
         derive("focal_curve", curve)
 
 
