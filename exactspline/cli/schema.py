@@ -53,13 +53,23 @@ def _fields(by_type: dict[str, Any]) -> dict[str, dict[str, object]]:
     """
     forms: dict[str, dict[str, object]] = {"key": {"type": "string"}}
     for kind, names in by_type.items():
-        types = kind.split()
-        form = {"type": types if len(types) > 1 else kind}
-        forms |= names if kind == "form" else dict.fromkeys(names, form)
+        forms |= names if kind == "form" else dict.fromkeys(names, _form(kind))
     return {
         name.removesuffix("?"): form | ({"optional": True} if name.endswith("?") else {})
         for name, form in forms.items()
     }
+
+
+def _form(kind: str) -> dict[str, object]:
+    """The form of a type: JSON's names of the types that it may be, and behind an ``of`` that of its elements.
+
+    >>> _form("array null of integer")
+    {'type': ['array', 'null'], 'items': {'type': 'integer'}}
+    """
+    head, _, element = kind.partition(" of ")
+    types = head.split()
+    inside = "items" if "array" in types else "additionalProperties"
+    return {"type": types if len(types) > 1 else head} | ({inside: _form(element)} if element else {})
 
 
 def answers(*of: str) -> dict[str, dict[str, object]]:

@@ -447,8 +447,12 @@ def _meetings(curve: Curve, t: Fraction, question: str, answer: Answer) -> None:
     for both in named:
         found = any(_overlap(both[index], (low, high), ends) for index, low, high in proved)
         _require(found, "a common point is invented")
-    # a single pair of segments has each of its common points once
-    _require(len(ends) > 2 or len(named) == len(proved), "another number of common points")
+    # a single pair of segments has each of its common points once, and the seam of a closed curve is one point
+    at_ends = {index for index, low, high in proved if low == high == ends[0]} & {
+        index for index, low, high in proved if low == high == ends[-1]
+    }
+    seams = sum(_point(curves[index], ends[0]) == _point(curves[index], ends[-1]) for index in at_ends)
+    _require(len(ends) > 2 or len(named) == len(proved) - seams, "another number of common points")
 
 
 def _same_forms(forms: list[list[int]], curve: Curve, a: Fraction, b: Fraction) -> None:

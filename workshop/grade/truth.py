@@ -28,8 +28,8 @@ from exactspline.splines.nurbs import Nurbs
 from exactspline.testing import Case
 from workshop.grade.data import Answer, ExactCurve
 
-#: Digits after the decimal point of an interval.
-DIGITS = 30
+#: Digits after the decimal point of an interval, and more of small numbers, for these significant ones.
+DIGITS, MOST, SIGNIFICANT = 30, 480, 20
 
 
 def truth(case: Case, question: str) -> Answer | None:
@@ -51,8 +51,13 @@ def _numbers(values: list[Real]) -> Answer:
 
 
 def _interval(value: Real) -> list[str]:
-    low, high = value.enclosure(DIGITS)
-    return [text(low), text(high)]
+    digits = DIGITS
+    while True:
+        low, high = value.enclosure(digits)
+        # of a tiny number as many significant digits, as far as it is known not to be 0
+        if digits >= MOST or (high - low) * 10**SIGNIFICANT <= max(abs(low), abs(high)):
+            return [text(low), text(high)]
+        digits *= 2
 
 
 def _derivative(order: int) -> Callable[[Case], Answer]:

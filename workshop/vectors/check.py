@@ -148,8 +148,7 @@ def _numbers_checked(own: _Checked) -> Iterator[str]:
         try:
             recheck.recheck(data, own.data["parameter"]["exact"], asked, answer)
         except ValueError as error:
-            if asked != "distance" or "not decided" not in str(error):
-                raise
+            own.require(asked == "distance" and "not decided" in str(error), f"{question}: {error}")
             continue
         numbers = list(_NUMBERS[question](items))
         own.require(len(numbers) == len(answer["numbers"]), f"{question}: another number of numbers")
