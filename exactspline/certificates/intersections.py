@@ -16,7 +16,7 @@ from typing import Any
 
 from exactspline.certificates.elimination import determinant, through, value
 from exactspline.certificates.numbers import count, fraction, integer, require
-from exactspline.certificates.zeros import isolated_zeros, restricted
+from exactspline.certificates.zeros import Zero, isolated_zeros, restricted
 
 Polynomial = list[int]
 INSIDE, OUTSIDE, START, END = "inside", "outside", "start", "end"
@@ -131,17 +131,10 @@ def _line_entries(line: list[Polynomial], other: list[Polynomial]) -> tuple[Poly
 # ---- places
 
 
-def _on_segment(claim: Mapping[str, Any], zero: tuple[Any, ...], entries: tuple[Polynomial, ...]) -> int:
+def _on_segment(claim: Mapping[str, Any], zero: Zero, entries: tuple[Polynomial, ...]) -> int:
     """Whether the parameter at a zero is on the segment: 1 or 0."""
-    low, high, factor = zero[:3]
-    a, b = fraction(claim["low"]), fraction(claim["high"])
-    if low == high:
-        require(a == b == low, "another place than that of the zero")
-    elif a == b:
-        require(low < a < high and restricted(factor, a, a)[0] == 0, "a place that is not the zero")
-    else:
-        require(low <= a < b <= high, "a place outside the leaf of the zero")
-        require(changes_sign(factor, a, b), "a place without the zero")
+    factor, a, b = zero[2], fraction(claim["low"]), fraction(claim["high"])
+    require_place(zero, a, b)
     first, second, last = entries
     where = claim["s"]
     if where == START:
@@ -160,6 +153,18 @@ def _sign(form: Polynomial, a: Fraction, b: Fraction) -> int:
     """The sign of a form on [a, b] if all its Bernstein coefficients there have one, else 0."""
     values = restricted(form, a, b)[:1] if a == b else restricted(form, a, b)
     return 1 if all(x > 0 for x in values) else -1 if all(x < 0 for x in values) else 0
+
+
+def require_place(zero: Zero, a: Fraction, b: Fraction) -> None:
+    """Raise `ValueError` unless [a, b] has an isolated zero of a form, and no other one of its leaf."""
+    low, high, factor, *_ = zero
+    if low == high:
+        require(a == b == low, "another place than that of the zero")
+    elif a == b:
+        require(low < a < high and restricted(factor, a, a)[0] == 0, "a place that is not the zero")
+    else:
+        require(low <= a < b <= high, "a place outside the leaf of the zero")
+        require(changes_sign(factor, a, b), "a place without the zero")
 
 
 def changes_sign(form: Polynomial, a: Fraction, b: Fraction) -> bool:

@@ -32,8 +32,9 @@ from exactspline.certificates.elimination import (
     trimmed,
     value,
 )
+from exactspline.certificates.intersections import require_place
 from exactspline.certificates.numbers import count, fraction, integer, require
-from exactspline.certificates.zeros import isolated_zeros, product_of, restricted, values_on
+from exactspline.certificates.zeros import isolated_zeros, product_of, values_on
 
 #: A zero on a line: its direction (0: x is constant), the value, and the index there; or both coordinates.
 Vertex = tuple[Any, ...]
@@ -84,15 +85,8 @@ class _OnPatch:
         zeros = isolated_zeros([comb(len(form) - 1, i) * x for i, x in enumerate(form)], own["isolation"])
         places = [(fraction(low), fraction(high)) for low, high in own["places"]]
         require(len(places) == len(zeros), "another number of zeros on a line")
-        for (a, b), (low, high, factor, *_) in zip(places, zeros, strict=True):
-            if low == high:
-                require(a == b == low, "another place than that of the zero")
-            elif a == b:
-                require(low < a < high and restricted(factor, a, a)[0] == 0, "a place that is not the zero")
-            else:
-                require(low <= a < b <= high, "a place outside the leaf of the zero")
-                values = restricted(factor, a, b)
-                require(values[0] * values[-1] < 0, "a place without the zero")
+        for (a, b), zero in zip(places, zeros, strict=True):
+            require_place(zero, a, b)
         return places
 
     def _on_side(self, direction: int, at: Fraction, side: Side) -> list[tuple[Vertex, Side]]:
