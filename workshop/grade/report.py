@@ -80,7 +80,7 @@ HEAD = """# Libraries compared with exact answers
 Made by `./run grade --page docs/scoreboard.md{share}`; do not edit. {cases} of {all} cases (version {version}:
 {families}), {questions} questions, {libraries} libraries, {answers} answers judged. Every exact answer carries a
 certificate that the independent checker (`workshop/grade/recheck.py`, `exactspline/certificates`) accepted in this run;
-{uncertified} answers were excluded because it did not. A library is asked only what it offers for the given curve,
+what it did not accept is excluded ({uncertified}). A library is asked only what it offers for the given curve,
 through its public functions (`workshop/grade/adapters`), and is judged with the tolerance of the question (below). A
 cell shows the right answers out of those asked, then the other outcomes; *declined* means that the library reports that
 it has no answer, *late* that none came within {patience} s of processor time, after which its process is ended,
