@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field, replace
+from itertools import groupby
 from math import ceil
 
 from flint import fmpz_mpoly
@@ -106,11 +107,10 @@ class _Search:
                     where = " and ".join(side.shortly for side in sides)
                     self.left_out.append(f"the segments over {where}: {error.problem}")
                     continue
-                for point in map(self._from_seam, found):
-                    if point not in self.points:
-                        self.points.append(point)
-        points = sorted(self.points, key=lambda point: (point.first, point.second))
-        return Intersections(tuple(points), (), tuple(self.left_out))
+                self.points += map(self._from_seam, found)
+        # at a knot two pairs of segments have the same point
+        ordered = sorted(self.points, key=lambda point: (point.first, point.second))
+        return Intersections(tuple(point for point, _ in groupby(ordered)), (), tuple(self.left_out))
 
     def _from_seam(self, point: OffsetIntersection) -> OffsetIntersection:
         """A point whose second parameter is the end of a closed curve, with the start instead of it."""

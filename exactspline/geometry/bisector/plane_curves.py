@@ -18,6 +18,7 @@ from exactspline.errors import ReachError, ShapeError
 from exactspline.geometry.bisector.common import Bisector
 from exactspline.geometry.zeros_in_two_parameters import ZeroArc, ZeroCurves, zero_curve
 from exactspline.language.vector import Vector, det, dot
+from exactspline.language.wronskians import wronskians
 from exactspline.numbers.exact import Number, mpq
 from exactspline.numbers.intervals import Box
 from exactspline.polynomials.two_parameters import lifted as lifted_polynomial
@@ -81,7 +82,7 @@ class PlanePair(Generic[R]):
 
 def tangent(curve: Nurbs) -> tuple[BSpline, ...]:
     """``w² γ′``."""
-    return tuple(f.d() * curve.w - f * curve.w.d() for f in curve.p)
+    return tuple(wronskians(curve.w, curve.p))
 
 
 class PlaneBisector(Bisector):
