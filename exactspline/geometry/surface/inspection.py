@@ -328,7 +328,7 @@ class SurfaceInspection(Inspected, Displayed):
         """
         return recognized_surface(self.surface)
 
-    @question_with("1/1000000", Of.SURFACE, answered=Answered.SHAPES)
+    @question_with("1/1000000", Of.SURFACE, answered=Answered.SHAPES, nearby=True)
     def shapes_within(self, epsilon: Number) -> tuple[RecognizedPart, ...]:
         """The patches that are planes, spheres, cylinders, cones or tori within this distance.
 
@@ -340,7 +340,7 @@ class SurfaceInspection(Inspected, Displayed):
         """
         return recognized_surface(self.surface, epsilon)
 
-    @question_with("1/1000000", Of.SURFACE, answered=Answered.PATCHES)
+    @question_with("1/1000000", Of.SURFACE, answered=Answered.PATCHES, nearby=True)
     def umbilics_within(self, epsilon: Number) -> tuple[NearbyUmbilic, ...]:
         """The umbilics that all surfaces have whose control points and weights differ by at most this, and those that
         some of them may have.
