@@ -280,7 +280,7 @@ class Analysis(SpaceFacts, Displayed):
         """
         return recognized(self.curve)
 
-    @question_with("1/1000000", *CURVES, answered=Answered.DESCRIBED)
+    @question_with("1/1000000", *CURVES, answered=Answered.DESCRIBED, nearby=True)
     def shapes_within(self, epsilon: Number) -> tuple[RecognizedPiece, ...]:
         """The pieces that are lines, circles or conics within this distance.
 
@@ -293,7 +293,7 @@ class Analysis(SpaceFacts, Displayed):
         """
         return recognized(self.curve, epsilon)
 
-    @question_with("1/1000000", *CURVES, answered=Answered.DESCRIBED)
+    @question_with("1/1000000", *CURVES, answered=Answered.DESCRIBED, nearby=True)
     def features_within(self, epsilon: Number) -> tuple[NearbyFeature, ...]:
         """What all curves have whose control points and weights differ by at most this, and what some of them may have.
 
@@ -309,7 +309,7 @@ class Analysis(SpaceFacts, Displayed):
         """
         return features_nearby(self.curve, epsilon)
 
-    @question_with("1/1000000", *CURVES, answered=Answered.DESCRIBED)
+    @question_with("1/1000000", *CURVES, answered=Answered.DESCRIBED, nearby=True)
     def self_intersections_within(self, epsilon: Number) -> tuple[NearbyMeeting, ...]:
         """Where all curves meet themselves whose control points and weights differ by at most this, and where some of
         them may.
@@ -325,7 +325,7 @@ class Analysis(SpaceFacts, Displayed):
         """
         return self_intersections_nearby(self.curve, epsilon)
 
-    @question_with("1/1000", *CURVES, answered=Answered.DESCRIBED)
+    @question_with("1/1000", *CURVES, answered=Answered.DESCRIBED, nearby=True)
     def cusps_within(self, epsilon: Number) -> tuple[NearbyFeature, ...]:
         """Where curves whose control points and weights differ by at most this may have cusps or other singular points;
         none of them has one elsewhere.
