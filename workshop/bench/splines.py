@@ -45,9 +45,9 @@ def spline_rows(options: Options) -> Iterator[Row]:
                 timed[who] = made
         yield from compared(SPLINES, case, best(timed), {"scipy": Fraction(most)})
         yield from (missing(SPLINES, case, who) for who in absent)
-    one, places = curve(3), [i / MANY for i in range(MANY + 1)]
-    took = best({OURS: (lambda _: curvature_floats(one, places), lambda: None)})[OURS] / 1000
-    yield bounded(SPLINES, f"{MANY:,} curvatures of a rational cubic", took, "s", Fraction(1, 2), "correctly rounded")
+    one, parameters = curve(3), [i / MANY for i in range(MANY + 1)]
+    took = best({OURS: (lambda _: curvature_floats(one, parameters), lambda: None)})[OURS] / 1000
+    yield bounded(SPLINES, f"{MANY:,} curvatures of a rational cubic, correctly rounded", took, "s", Fraction(1, 2))
 
 
 Pair = tuple[Timed | None, Timed | None]
