@@ -310,28 +310,24 @@ def _item(
 
 
 def _of_two_curves(entry: Entry, curve: Nurbs, question: Question) -> Found:
-    """The answer to a question of the registry about this curve and another one."""
-    if not question.argument:
-        raise QuestionError(f"{question.text!r} names no other curve", remedy=f"{entry.name}:circle")
-    return pair_items(CurvePair(curve, read(question.argument).curve), entry.name), ()
+    """The answer to a question of the registry about this curve and another one, whose argument stands behind the
+    last comma.
+    """
+    other, _, argument = question.argument.rpartition(",") if entry.about.argument else (question.argument, "", "")
+    if not other:
+        needed = f"{entry.name}:circle" + (f",{entry.about.argument}" if entry.about.argument else "")
+        raise QuestionError(f"{question.text!r} is incomplete", remedy=f"write it like {needed}")
+    return pair_items(CurvePair(curve, read(other).curve), entry.name, argument), ()
 
 
-def _near_two_curves(curve: Nurbs, question: Question) -> Found:
-    """What all curves near this curve and another one have in common; the distance stands behind the last comma."""
-    other, comma, epsilon = question.argument.rpartition(",")
-    if not comma:
-        raise QuestionError(f"{question.text!r} needs a curve and a distance", remedy=f"{question.name}:circle,1/1000")
-    return list(_items(curve, CurvePair(curve, read(other).curve).intersections_within(epsilon))), ()
-
-
-def pair_items(pair: CurvePair, name: str) -> list[Item]:
+def pair_items(pair: CurvePair, name: str, argument: str = "") -> list[Item]:
     """The answer to a question of the registry about two curves, as items of an answer.
 
     >>> from exactspline import example
     >>> pair_items(CurvePair(example("circle"), example("ellipse")), "distance")[0].values["distance"].exact
     mpq(0,1)
     """
-    return list(_items(pair.curves[0], questions_of(CurvePair)[name].answer(pair)))
+    return list(_items(pair.curves[0], questions_of(CurvePair)[name].answer(pair, argument)))
 
 
 def _check_decided(left_out: Iterable[str]) -> None:
@@ -421,9 +417,8 @@ def _kinds() -> Iterator[Kind]:
         asked = f"{entry.name}:{entry.about.argument}" if entry.about.argument else entry.name
         yield Kind(asked, entry.meaning, partial(_of_registry, entry))
     for name, entry in questions_of(CurvePair).items():
-        yield Kind(f"{name}:CURVE", entry.meaning, partial(_of_two_curves, entry))
-    meaning = "the points that all curves within a distance of both have in common, and those that some may have"
-    yield Kind("intersections_within:CURVE,E", meaning, _near_two_curves)
+        behind = f",{entry.about.argument}" if entry.about.argument else ""
+        yield Kind(f"{name}:CURVE{behind}", entry.meaning, partial(_of_two_curves, entry))
     yield Kind("bounding_box", "the smallest and largest value of every coordinate", _bounding_box)
     yield Kind("area", "the signed area inside a closed polynomial plane curve", _area)
     yield Kind("moments:K", "its moments ∬ xⁱ yʲ with i + j ≤ K (by default 2)", _moments)

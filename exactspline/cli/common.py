@@ -265,20 +265,21 @@ def with_distance(asked: Sequence[str], epsilon: str, usual: Sequence[str]) -> l
     """
     if not epsilon:
         return list(asked)
+    from exactspline.geometry.registry import REGISTRY
+    from exactspline.questions.entry import Of
+
     check_distance(epsilon)
-    needs = [each.partition(":")[0].endswith("_within") for each in asked]
-    if not any(needs):
-        asked, needs = [*asked, *usual], [*needs, *[True] * len(usual)]
-    return [
-        f"{each}:{epsilon}" if need and ":" not in each else f"{each},{epsilon}" if _names_a_curve(each) else each
-        for each, need in zip(asked, needs, strict=True)
-    ]
+    nearby = {name: of for of, entries in REGISTRY.items() for name, entry in entries.items() if entry.about.nearby}
+    if not any(each.partition(":")[0] in nearby for each in asked):
+        asked = [*asked, *usual]
 
+    def complete(each: str) -> str:
+        name, _, argument = each.partition(":")
+        parts = argument.split(",") if argument else []
+        lacks = name in nearby and len(parts) == (nearby[name] is Of.TWO_CURVES)
+        return f"{name}:{','.join([*parts, epsilon])}" if lacks else each
 
-def _names_a_curve(asked: str) -> bool:
-    """Whether a question about two curves has the other one and no distance."""
-    name, _, argument = asked.partition(":")
-    return name == "intersections_within" and "," not in argument
+    return list(map(complete, asked))
 
 
 def check_approximate(within: str) -> None:

@@ -36,6 +36,7 @@ from exactspline.geometry.surface.inspection import PatchInspection, PatchKind
 from exactspline.geometry.surface.joints import SurfaceJoint, SurfaceJointKind
 from exactspline.geometry.surface.places import Place
 from exactspline.geometry.surface.recognized import RecognizedPart
+from exactspline.geometry.surface.ridges import Ridges
 from exactspline.geometry.surface.umbilics import Umbilic, UmbilicKind
 from exactspline.geometry.surface.umbilics_nearby import NearbyUmbilic
 from exactspline.geometry.surface.zero_curve import Shape
@@ -277,6 +278,12 @@ FORMS: dict[Any, Form] = {
     ),
     PoleCurve: form_of(sides=_SIDES, equation=_EQUATION, certain=FLAG),
 }
+FORMS[Ridges] = form_of(
+    curves=list_of(FORMS[ZeroComponent]),
+    lines=list_of(FORMS[ZeroLine]),
+    everywhere=list_of(form_of(BOX, patch=PATCH, curvatures=INTEGER)),
+    undecided=list_of(form_of(BOX, umbilics=INTEGER, singular_points=INTEGER)),
+)
 _MISSING = form_of(interval=INTERVAL, reason=TEXT)
 _RULED = form_of(interval=INTERVAL, moved=TEXT, directrix=_PIECE, generator=_PIECE)
 _TRIMMED = form_of(_PIECE, piece=one_of(PieceKind), foot=TEXT, low=PARAMETER, high=PARAMETER, cut=FLAG)

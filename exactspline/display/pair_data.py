@@ -26,7 +26,7 @@ def pair_data(pair: CurvePair, digits: int) -> Data:
     >>> pair_data(pair, 5)["intersections"]["points"][0]["second"]
     {'exact': '1/2', 'interval': ['1/2', '1/2'], 'decimal': '0.50000'}
     """
-    answers = {name: entry.answer(pair) for name, entry in questions_of(CurvePair).items()}
+    answers = {name: entry.answer(pair) for name, entry in questions_of(CurvePair).items() if entry.about.reported}
     return {name: _answer_data(answer, digits) for name, answer in answers.items()}
 
 

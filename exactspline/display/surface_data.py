@@ -23,6 +23,7 @@ from exactspline.geometry.surface.inspection import PatchInspection, PatchKind, 
 from exactspline.geometry.surface.joints import SurfaceJoint, SurfaceJointKind
 from exactspline.geometry.surface.places import Parameter, Place
 from exactspline.geometry.surface.recognized import RecognizedPart
+from exactspline.geometry.surface.ridges import Ridges
 from exactspline.geometry.surface.umbilics import Umbilic, UmbilicKind
 from exactspline.geometry.surface.umbilics_nearby import NearbyUmbilic
 from exactspline.geometry.surface.zero_lines import ZeroLine
@@ -106,12 +107,29 @@ def surface_answer_data(answer: object, digits: int) -> object:
             ],
             "undecided": [_hull_data(box) for box in answer.undecided],
         }
+    if isinstance(answer, Ridges):
+        return _ridges_data(answer, digits)
     if isinstance(answer, StrEnum):
         return answer.value
     if answer is None:
         return None
     assert isinstance(answer, tuple)  # by the types of the registry
     return [_element_data(each, digits) for each in answer]
+
+
+def _ridges_data(found: Ridges, digits: int) -> Data:
+    return {
+        "curves": [_curve_data(curve, digits) for curve in found.curves],
+        "lines": [_line_data(line, digits) for line in found.lines],
+        "everywhere": [
+            {"patch": list(part.patch), **_hull_data(part.sides), "curvatures": curvatures}
+            for part, curvatures in found.stationary
+        ],
+        "undecided": [
+            {**_hull_data(box.sides), "umbilics": box.umbilics, "singular_points": box.singular}
+            for box in found.undecided
+        ],
+    }
 
 
 @singledispatch

@@ -206,6 +206,8 @@ class Analysis(SpaceFacts, Displayed):
         >>> [str(piece) for piece in analyse(example("straight_between_arcs")).straight_pieces]
         ['[1, 2]']
         """
+        if self._certain is not None:
+            return self._certain.straight
         return tuple(self.pieces_where_zero(self.flatness))
 
     @question(*CURVES, answered=Answered.PIECES, of_piece="κ′ ≡ 0")
@@ -218,6 +220,8 @@ class Analysis(SpaceFacts, Displayed):
         >>> [str(piece) for piece in analyse(example("circle")).constant_pieces]
         ['[0, 4]']
         """
+        if self._certain is not None:
+            return self._certain.straight
         return tuple(self.pieces_where_zero(self.zero_form(self.critical_form)))
 
     @question(Of.PLANE_CURVE, answered=Answered.PAIRS)
@@ -276,7 +280,7 @@ class Analysis(SpaceFacts, Displayed):
         """
         return recognized(self.curve)
 
-    @question_with("1/1000000", *CURVES, answered=Answered.DESCRIBED)
+    @question_with("1/1000000", *CURVES, answered=Answered.DESCRIBED, nearby=True)
     def shapes_within(self, epsilon: Number) -> tuple[RecognizedPiece, ...]:
         """The pieces that are lines, circles or conics within this distance.
 
@@ -289,7 +293,7 @@ class Analysis(SpaceFacts, Displayed):
         """
         return recognized(self.curve, epsilon)
 
-    @question_with("1/1000000", *CURVES, answered=Answered.DESCRIBED)
+    @question_with("1/1000000", *CURVES, answered=Answered.DESCRIBED, nearby=True)
     def features_within(self, epsilon: Number) -> tuple[NearbyFeature, ...]:
         """What all curves have whose control points and weights differ by at most this, and what some of them may have.
 
@@ -305,7 +309,7 @@ class Analysis(SpaceFacts, Displayed):
         """
         return features_nearby(self.curve, epsilon)
 
-    @question_with("1/1000000", *CURVES, answered=Answered.DESCRIBED)
+    @question_with("1/1000000", *CURVES, answered=Answered.DESCRIBED, nearby=True)
     def self_intersections_within(self, epsilon: Number) -> tuple[NearbyMeeting, ...]:
         """Where all curves meet themselves whose control points and weights differ by at most this, and where some of
         them may.
@@ -321,7 +325,7 @@ class Analysis(SpaceFacts, Displayed):
         """
         return self_intersections_nearby(self.curve, epsilon)
 
-    @question_with("1/1000", *CURVES, answered=Answered.DESCRIBED)
+    @question_with("1/1000", *CURVES, answered=Answered.DESCRIBED, nearby=True)
     def cusps_within(self, epsilon: Number) -> tuple[NearbyFeature, ...]:
         """Where curves whose control points and weights differ by at most this may have cusps or other singular points;
         none of them has one elsewhere.

@@ -6,7 +6,7 @@ the numbers in them are exact.
 from __future__ import annotations
 
 from bisect import bisect_right
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property, partial
 from math import comb
@@ -151,6 +151,7 @@ def certain(facts: Facts) -> Certain | None:
             left.add(i)
         elif open_:
             (straight if is_straight([fmpz_poly(list(c)) for c in rows[i][0]], curve.degree) else left).add(i)
+    left |= _entangled(found.zeros) - straight
     if left:
         # all once more: the results for different segments are compared, so that they must be in one unit
         nearer = [moved(*row, rational=rational) if i in left else row for i, row in enumerate(rows)]
@@ -159,6 +160,7 @@ def certain(facts: Facts) -> Certain | None:
             return None
         left = {i for i, (open_, slow) in enumerate(found.open) if slow or (open_ and i not in straight)}
         straight -= left
+        left |= _entangled(found.zeros) - straight
     zeros: tuple[list[Found], list[Found]] = ([], [])
     if left:
         exactly = on_runs(curve, left)
@@ -176,13 +178,8 @@ def certain(facts: Facts) -> Certain | None:
             zeros[jump.output].append(jump)
         for own in zeros:
             own.sort(key=partial(_place, facts.breaks))
-    bends: dict[int, list[SegmentZero]] = {}
-    for bend in zeros[CURVATURE]:
-        if isinstance(bend, SegmentZero):
-            bends.setdefault(bend.segment, []).append(bend)
+    bends = _bends(zero for zero in zeros[CURVATURE] if isinstance(zero, SegmentZero))
     curvature_signs = [_sign_at(zero, found.ends, bends) for zero in zeros[CRITICAL]]
-    if 0 in curvature_signs:
-        return None
     pieces = facts.straight_runs(straight) if straight else ()
     return Certain(
         curve.degree, rational, facts.breaks, rows, (zeros[CURVATURE], zeros[CRITICAL]), curvature_signs, pieces
@@ -220,17 +217,33 @@ def _place(breaks: Sequence[mpq], zero: Found) -> tuple[int, float]:
     return (zero.knot, 0) if isinstance(zero, Jump) else (zero.segment, 1 + zero.low)
 
 
+def _bends(zeros: Iterable[SegmentZero]) -> dict[int, list[SegmentZero]]:
+    """The zeros of κ by segment."""
+    bends: dict[int, list[SegmentZero]] = {}
+    for zero in zeros:
+        if zero.output == CURVATURE:
+            bends.setdefault(zero.segment, []).append(zero)
+    return bends
+
+
+def _entangled(zeros: Sequence[SegmentZero]) -> set[int]:
+    """The segments on which a zero of κ and one of κ′ are too close to tell which is first."""
+    bends = _bends(zeros)
+    turns = [zero for zero in zeros if zero.output == CRITICAL]
+    return {
+        zero.segment
+        for zero in turns
+        if any(bend.low < zero.high and zero.low < bend.high for bend in bends.get(zero.segment, ()))
+    }
+
+
 def _sign_at(zero: Found, ends: Sequence[Sequence[float]], bends: Mapping[int, Sequence[SegmentZero]]) -> int:
-    """The sign of κ at a zero of κ′, 0 where it is too close to a zero of κ; `bends` are these, by segment."""
+    """The sign of κ at a zero of κ′; `bends` are the zeros of κ, by segment."""
     if isinstance(zero, Feature):
         return 1
     segment = zero.knot if isinstance(zero, Jump) else zero.segment
     sign = 1 if ends[segment][4 * CURVATURE] > 0 else -1
-    if isinstance(zero, Jump):
-        return sign
-    for bend in bends.get(segment, ()):
-        if bend.low < zero.high and zero.low < bend.high:
-            return 0
-        if bend.high <= zero.low:
-            sign = -sign
+    if isinstance(zero, SegmentZero):
+        before = [bend for bend in bends.get(segment, ()) if bend.high <= zero.low]
+        return sign * (-1) ** len(before)
     return sign

@@ -7,7 +7,7 @@ from exactspline.geometry.intersections import Intersections, intersections
 from exactspline.geometry.meetings_nearby import NearbyMeeting, intersections_nearby
 from exactspline.hooks import Displayed
 from exactspline.numbers.exact import Number
-from exactspline.questions.entry import Answered, Inspected, Of, question
+from exactspline.questions.entry import Answered, Inspected, Of, question, question_with
 from exactspline.splines.nurbs import Nurbs
 
 
@@ -38,6 +38,7 @@ class CurvePair(Inspected, Displayed):
         """
         return intersections(*self.curves)
 
+    @question_with("1/1000000", Of.TWO_CURVES, answered=Answered.DESCRIBED, nearby=True)
     def intersections_within(self, epsilon: Number) -> tuple[NearbyMeeting, ...]:
         """The points that all curves near both have in common, and those that some may have: of all whose control
         points and weights differ by at most this.

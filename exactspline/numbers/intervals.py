@@ -138,6 +138,10 @@ class Box(NamedTuple):
         """Whether both have a point in common."""
         return self.first.meets(other.first) and self.second.meets(other.second)
 
+    def overlaps(self, other: Box) -> bool:
+        """Whether both have inner points in common."""
+        return all(a < d and c < b for (a, b), (c, d) in zip(self, other, strict=True))
+
     def is_inside(self, outer: Box) -> bool:
         """Whether it is contained in the interior of another box."""
         return all(low < a and b < high for (a, b), (low, high) in zip(self, outer, strict=True))

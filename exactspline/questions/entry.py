@@ -115,7 +115,7 @@ class About:
     contains this one. ``proof``: the zero set whose certificate shows that an answer is complete, by the object and the
     argument. ``argument``: what it is asked with, an example of it in text ("" for nothing). ``of_piece``: what a table
     says of one of the pieces. ``on_request``: whether it takes so long that it is answered only where it is asked for
-    by its name.
+    by its name. ``nearby``: whether it is asked about all objects within a distance, which is its argument.
     """
 
     of: tuple[Of, ...]
@@ -125,6 +125,7 @@ class About:
     argument: str = ""
     of_piece: str = ""
     on_request: bool = False
+    nearby: bool = False
 
     @property
     def reported(self) -> bool:
@@ -230,12 +231,16 @@ def question(
 
 
 def question_with(
-    argument: str, *of: Of, answered: Answered = Answered.PLACES, proof: Callable[..., ZeroSet] | None = None
+    argument: str,
+    *of: Of,
+    answered: Answered = Answered.PLACES,
+    proof: Callable[..., ZeroSet] | None = None,
+    nearby: bool = False,
 ) -> Callable[[Callable[Concatenate[F, P], T]], QuestionWith[F, P, T]]:
     """Make a method that computes an answer an entry of the registry; `argument` is an example of its argument, as
     text.
     """
-    return lambda compute: QuestionWith(compute, About(of, answered, proof=proof, argument=argument))
+    return lambda compute: QuestionWith(compute, About(of, answered, proof=proof, argument=argument, nearby=nearby))
 
 
 def questions_of(owner: type) -> dict[str, Entry]:

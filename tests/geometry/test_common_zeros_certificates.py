@@ -187,6 +187,21 @@ def test_a_region_beside_an_edge_does_not_prove_a_zero_on_it():
         check_certificate(forged(moved))
 
 
+def test_two_zeros_over_one_root_are_not_counted_as_one():
+    """It was accepted that these have one zero: (s + t − 1)(s + 5) vanishes over the root 1 of s + t, and its degree in
+    s was taken for a bound on that of the common divisor, which is (4s − 1)(4s − 3).
+    """
+    found, certificate = certificate_of(
+        function(lambda s, t: (s + t - 1) * (s + 5)), function(lambda s, t: (4 * s - 1) * (4 * s - 3))
+    )
+    assert check_certificate(certificate) == {"zeros": len(found), "multiplicity": 2} == {"zeros": 2, "multiplicity": 2}
+    one = {"region": WHOLE, "by": "eliminated", "slope": "1", "minimal": ["-1", "1"], "above": ["1"], "below": "4"}
+    one |= {"pair": [["1", "0"], ["0", "1"]], "power": 1, "at": ["1", "1"]}
+    certificate["patches"][0].update(zeros=[one], boxes=[0])
+    with pytest.raises(ValueError, match="another zero over the root"):
+        check_certificate(certificate)
+
+
 def test_what_has_no_certificate_says_so():
     line, parabola = function(lambda s, t: t), function(lambda s, t: t - (2 * s - 1) ** 2)
     with pytest.raises(ReachError, match="along a curve"):

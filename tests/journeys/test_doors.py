@@ -13,6 +13,7 @@ from gmpy2 import mpq
 import exactspline as xs
 from exactspline.display import plot as plots
 from exactspline.display.described import described
+from exactspline.errors import ShapeError
 from exactspline.geometry.analysis import QUESTIONS
 from exactspline.geometry.floats import place_of
 from exactspline.numbers.exact import from_float
@@ -324,6 +325,8 @@ def test_piecewise_polynomials_of_scipy():
         for i, a in enumerate(map(from_float, map(float, spline.x[:-1]))):
             t = a + mpq(1, 7)
             assert found(t) == sum(from_float(float(c)) * mpq(1, 7) ** k for k, c in enumerate(powers[:, i]))
+    with pytest.raises(ShapeError, match="breakpoints that decrease"):
+        xs.interchange.from_scipy(si.PPoly(np.array([[1.0, 2], [3, 4]]), np.array([2.0, 1, 0])))
     pair = xs.interchange.from_scipy(si.CubicSpline(x, np.stack([x, y], 1)))
     assert (pair.dimension, pair.degree, pair.segments) == (2, 3, 4)
 

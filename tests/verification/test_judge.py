@@ -10,7 +10,7 @@ from exactspline.interchange.examples import example, example_names
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import kind_of
 from exactspline.language.ruled import RuledSurface
-from exactspline.language.vector import Vector, det
+from exactspline.language.vector import Vector, det, dot
 from exactspline.papers import find, load_paper, paper
 from exactspline.papers.new import write_new_paper
 from exactspline.readings.leading_terms import generic_true_degree
@@ -21,6 +21,7 @@ from exactspline.verification.evidence import Fact, OnAllOf, OnExample
 from exactspline.verification.kinds.coefficients import Coefficients
 from exactspline.verification.kinds.degree import DegreeClaim
 from exactspline.verification.kinds.equality import Identity, SameSurface, Vanishing
+from exactspline.verification.kinds.types import Applies
 from exactspline.verification.kinds.zeros import SquareClass, ZeroSet
 from exactspline.verification.ledger import audit
 from exactspline.verification.verdict import CONTRADICTION, INAPPLICABLE, PROVED, REFUTED, UNDECIDED, VACUOUS, VERIFIED
@@ -119,6 +120,16 @@ def test_nothing_is_divided_by_zero():
     )
     assert verdict(on_line) == PROVED
     assert on_line.check(example("straight_line")).verdict == VACUOUS
+
+
+@pytest.mark.parametrize("dimension", [2, 3])
+def test_a_formula_that_divides_by_zero_applies_to_nothing(also, dimension):
+    """It was PROVED to apply, which said only that its operands were there."""
+    kind = {2: "plane", 3: "space"}[dimension]
+    name = also("by_zero", lambda c: c.gamma / dot(c.gamma - c.gamma, c.gamma), kind)
+    claim = Applies(**TOLD | {"curve": kind, "formula": name})
+    assert verdict(claim) == VACUOUS
+    assert claim.check(example({2: "cubic_s", 3: "twisted_cubic"}[dimension])).verdict == VACUOUS
 
 
 def test_a_ruled_surface_needs_a_generator(also):

@@ -36,7 +36,7 @@ AT = {
 #: Questions of the registry: those about places, joints, pieces and pairs.
 LISTED = (Answered.PLACES, Answered.JOINTS, Answered.PIECES, Answered.PAIRS)
 #: Questions about the curve and its partner, and about the curve and the first control point of the partner.
-PAIRS = tuple(questions_of(CurvePair))
+PAIRS = {name: entry for name, entry in questions_of(CurvePair).items() if entry.about.reported}
 ABOUT_POINT = ("nearest", "winding_number")
 
 
@@ -47,7 +47,7 @@ def questions() -> dict[str, dict[str, str]]:
     for name in _of_registry():
         found[name] = {"meaning": QUESTIONS[name].meaning, "right": f"{PLACES}; {STRAIGHT}"}
     rights = {"intersections": MEETINGS, "winding_number": "the integer"}
-    for name, entry in {**questions_of(CurvePair), **{name: QUESTIONS[name] for name in ABOUT_POINT}}.items():
+    for name, entry in {**PAIRS, **{name: QUESTIONS[name] for name in ABOUT_POINT}}.items():
         of = "its partner" if name in PAIRS else "the point"
         found[name] = {
             "meaning": f"{entry.meaning}: of the curve and {of}",

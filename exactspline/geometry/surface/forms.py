@@ -102,6 +102,18 @@ class SurfaceForms:
         return lowest(value)
 
     @cached_property
+    def ridge_cubic(self) -> Vector[TensorSpline]:
+        """The coefficients of the cubic form that is, in a principal direction, the derivative of the principal
+        curvature in this direction, up to a factor without zeros.
+        """
+        return self.vector("ridge_cubic_lifted")
+
+    @cached_property
+    def ridges(self) -> TensorSpline:
+        """The polynomial of the ridges of both principal curvatures, up to a power of w."""
+        return self.scalar("ridges_lifted")
+
+    @cached_property
     def first(self) -> tuple[TensorSpline, TensorSpline, TensorSpline]:
         """E, F, G up to one positive factor."""
         return self.scalar("E_reduced"), self.scalar("F_reduced"), self.scalar("G_reduced")

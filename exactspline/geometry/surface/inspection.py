@@ -17,6 +17,7 @@ from exactspline.geometry.surface.joints import SurfaceJoint, joints
 from exactspline.geometry.surface.merged import is_in, is_same, merged_places, merged_umbilics
 from exactspline.geometry.surface.places import Parameter, Place
 from exactspline.geometry.surface.recognized import RecognizedPart, recognized_surface
+from exactspline.geometry.surface.ridges import Ridges, ridges_of_surface
 from exactspline.geometry.surface.signs import Sign, Signs, sign_on_patch
 from exactspline.geometry.surface.singular import SingularPoints, singular_points
 from exactspline.geometry.surface.umbilics import Umbilic, UmbilicsOfPatch, umbilics_of_patch
@@ -255,6 +256,27 @@ class SurfaceInspection(Inspected, Displayed):
         """
         return self._chained([(one, one.umbilics.curve, one.umbilics.undecided) for one in self.patches])
 
+    @question(Of.SURFACE, answered=Answered.CURVES, on_request=True)
+    def ridges(self) -> Ridges:
+        """The points at which a principal curvature is stationary along its own line of curvature.
+
+        Curves, isoparametric lines, and patches on which a principal curvature is constant along all its lines. Around
+        umbilics the curves are resolved only for low degrees, and the work is limited to about a minute: what is not
+        resolved is `undecided`.
+
+        >>> from exactspline import analyse, example
+        >>> saddle = analyse(example("hyperbolic_paraboloid")).ridges
+        >>> saddle, len(saddle.curves[0].arcs(((0, 1), (0, 1))))
+        (branches that cross, 4)
+        >>> {curvatures for _, curvatures in analyse(example("torus")).ridges.stationary}
+        {2}
+
+        Source: Cazals, Faugère, Pouget and Rouillier, The implicit structure of ridges of a smooth parametric surface,
+        Computer Aided Geometric Design 2006.
+        """
+        known = [(one.singular, one.umbilics) for one in self.patches]
+        return ridges_of_surface(self._forms, known, self.closed)
+
     @question(Of.SURFACE, answered=Answered.CURVES)
     def singular_curves(self) -> tuple[ZeroComponent, ...]:
         """The curves inside patches along which there is no tangent plane, each followed across borders of patches.
@@ -306,7 +328,7 @@ class SurfaceInspection(Inspected, Displayed):
         """
         return recognized_surface(self.surface)
 
-    @question_with("1/1000000", Of.SURFACE, answered=Answered.SHAPES)
+    @question_with("1/1000000", Of.SURFACE, answered=Answered.SHAPES, nearby=True)
     def shapes_within(self, epsilon: Number) -> tuple[RecognizedPart, ...]:
         """The patches that are planes, spheres, cylinders, cones or tori within this distance.
 
@@ -318,7 +340,7 @@ class SurfaceInspection(Inspected, Displayed):
         """
         return recognized_surface(self.surface, epsilon)
 
-    @question_with("1/1000000", Of.SURFACE, answered=Answered.PATCHES)
+    @question_with("1/1000000", Of.SURFACE, answered=Answered.PATCHES, nearby=True)
     def umbilics_within(self, epsilon: Number) -> tuple[NearbyUmbilic, ...]:
         """The umbilics that all surfaces have whose control points and weights differ by at most this, and those that
         some of them may have.

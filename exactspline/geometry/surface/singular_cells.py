@@ -106,13 +106,13 @@ def _cells(form: PatchForm, singular: Sequence[CommonZero], bits: int) -> list[C
         by_box.setdefault(Box(first, second), []).append(zero)
     cells = list[Cell]()
     for box, own in by_box.items():
-        crossing = _kind(form, box) if len(own) == 1 and box.is_inside(UNIT) else None
+        crossing = kind_on(form, box) if len(own) == 1 and box.is_inside(UNIT) else None
         if crossing is not None:
             cells.append(Cell(box, crossing, own[0]))
     return cells
 
 
-def _kind(form: PatchForm, box: Box) -> Crossing | None:
+def kind_on(form: PatchForm, box: Box) -> Crossing | None:
     """What the zeros in a box around a singular point are; None where its Hessian has no one kind on all of it.
 
     Where it is definite the form is convex or concave, and has no other zero. Where it is indefinite all critical
@@ -211,4 +211,4 @@ def _around(t: Parameter, others: Sequence[Parameter], bits: int) -> Interval | 
     return Interval(max(mpq(0), low - width), min(mpq(1), high + width))
 
 
-__all__ = ["Cell", "Crossing", "singular_cells"]
+__all__ = ["Cell", "Crossing", "kind_on", "singular_cells"]

@@ -130,16 +130,27 @@ class Joint(NamedTuple):
         return [] if self.crossed else [(self.ends[0], self.ends[1])]
 
 
+class Begun(NamedTuple):
+    """A subdivision that has been begun: boxes with the form on each, in which all zeros are that are not in `cells`
+    around singular points, or in boxes in which the curve is not resolved.
+    """
+
+    boxes: Sequence[Sized]
+    cells: Sequence[Cell] = ()
+    unresolved: Sequence[Box] = ()
+
+
 class ZeroCurve:
     """All zeros of a form on the closed unit square; `known` are certified points at which it is known to be singular.
+    A subdivision that has been `begun` is continued, and no singular points are searched for.
 
     >>> circle = PatchForm.of_net([[5, -3, 5], [-3, -11, -3], [5, -3, 5]])  # a circle around the middle
     >>> [part.shape.value for part in ZeroCurve(circle).parts]
     ['closed loop']
     """
 
-    def __init__(self, form: PatchForm, known: Sequence[CommonZero] = ()) -> None:
-        self.form, self._known = form, tuple(known)
+    def __init__(self, form: PatchForm, known: Sequence[CommonZero] = (), begun: Begun | None = None) -> None:
+        self.form, self._known, self._begun = form, tuple(known), begun
         #: Boxes in which the curve is not resolved.
         self.undecided: list[Box] = []
         self._lines: dict[tuple[int, mpq], list[Root]] = {}
@@ -148,10 +159,10 @@ class ZeroCurve:
         self._arcs: list[Arc] = []
         self._crossings: list[Joint] = []
         self._points: list[Cell] = []
-        self._subdivide(singular_cells(form, known))
+        self._subdivide(begun or self._beginning())
 
     def __reduce__(self) -> tuple[object, ...]:
-        return ZeroCurve, (self.form, self._known)
+        return ZeroCurve, (self.form, self._known, self._begun)
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, ZeroCurve) and bool(self.form.matrix == other.form.matrix)
@@ -161,9 +172,15 @@ class ZeroCurve:
 
     # ---- the subdivision
 
-    def _subdivide(self, cells: Sequence[Cell]) -> None:
+    def _beginning(self) -> Begun:
+        cells = singular_cells(self.form, self._known)
         done = [cell.box for cell in cells]
-        for cell in cells:
+        return Begun([Sized(box, [self.form.part(box)], 0) for box in grid(self.form, done)], cells)
+
+    def _subdivide(self, begun: Begun) -> None:
+        done = [*(cell.box for cell in begun.cells), *begun.unresolved]
+        self.undecided += begun.unresolved
+        for cell in begun.cells:
             if cell.crossing is Crossing.OTHER:
                 self._branches(cell)
                 continue
@@ -174,12 +191,15 @@ class ZeroCurve:
                 self._crossings.append(Joint(cell.box, cell.zero, ends))
             else:
                 self.undecided.append(cell.box)
-        todo = deque(Sized(box, [self.form.part(box)], 0) for box in grid(self.form, done) if box not in done)
+        todo = deque(begun.boxes)
         boxes = 0
         while todo:
             part = todo.popleft()
             own = part.forms[0]
-            if own.sign is not None:
+            if own.sign is not None or any(box.contains(part.box) for box in done):
+                continue
+            if any(box.overlaps(part.box) for box in done):
+                todo.extend(halved(part))
                 continue
             boxes += 1
             direction = next((k for k in (0, 1) if own.derivative(k).sign), None)

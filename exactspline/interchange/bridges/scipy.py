@@ -81,6 +81,8 @@ def _of_pieces(c: np.ndarray, x: np.ndarray, *, powers: bool) -> Nurbs | BSpline
     import numpy as np
 
     degree, breaks = len(c) - 1, [exact(t) for t in x]
+    if breaks[0] > breaks[-1]:
+        raise ShapeError("breakpoints that decrease", remedy="give the spline of −x, whose breakpoints increase")
     exactly = np.vectorize(exact, otypes=[object])(c)
     if powers:
         exactly = exactly[::-1].copy()

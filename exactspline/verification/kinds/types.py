@@ -284,9 +284,16 @@ class Applies(Claim):
     formula: str = field(metadata=read(any_formula))
 
     def decide(self, dimension: int, polynomial: bool) -> Finding:
-        """Decided by the operands that the formula needs, and the dimension in which its products are defined."""
-        own, asked = self.find(self.formula).kind, kind_of(self.curve)
+        """Decided by the operands that the formula needs, and the dimension in which its products are defined. Nothing
+        is said of a formula that divides by 0 for all of them.
+        """
+        formula, asked = self.find(self.formula), kind_of(self.curve)
+        own = formula.kind
         if asked.takes(own, dimension):
+            try:
+                formula(jets_for((formula,), dimension, polynomial=polynomial))
+            except VanishingDivisorError:
+                return vacuous(Fact.NO_VALUE)
             return Finding(PROVED, Fact.APPLIES)
         witness = OfAnotherKind(Name(self.formula), Name(own.name), Name(asked.name))
         return Finding(REFUTED, OfKind(Name(own.name)), witness=witness)

@@ -1,0 +1,185 @@
+"""Ridges, held against the derivative of each principal curvature along its own direction: a difference quotient to
+sixty digits of the eigenvalues of the shape operator of `tests.support.surface_oracle`, which knows no forms of ridges.
+"""
+
+import pickle
+from itertools import pairwise
+from random import Random
+
+import pytest
+from mpmath import mp, mpf
+
+from exactspline import NurbsSurface, analyse, example
+from exactspline.geometry.surface import ridges
+from exactspline.geometry.surface.ridges import _winds_once
+from exactspline.numbers.exact import mpq, sign
+from exactspline.numbers.intervals import UNIT, Box, Interval
+from exactspline.polynomials.two_parameters import S, T, as_form
+from tests.support.sampled import FULL
+from tests.support.surface_oracle import shape_operator
+
+STEP = mpf(10) ** -20
+#: Half the distance of two points on both sides of a ridge.
+NEAR = mpq(1, 1 << 12)
+
+
+def principal(surface, place):
+    """Both principal curvatures in order, each with its direction in the parameters."""
+    rows, area = shape_operator(surface, *place, mp.mpmathify)
+    a, b, c, d = (x / mp.sqrt(area) for x in rows)
+    root = mp.sqrt((a - d) ** 2 + 4 * b * c)
+    found = []
+    for k in ((a + d - root) / 2, (a + d + root) / 2):
+        p, q = max([(b, k - a), (k - d, c)], key=lambda way: mp.hypot(*way))
+        found.append((k, (p / mp.hypot(p, q), q / mp.hypot(p, q))))
+    return found
+
+
+def slopes(surface, place, before=((1, 0), (1, 0))):
+    """The derivatives of both curvatures along their directions, each in the sense of the one `before`."""
+    found, ways = [], []
+    for k, (_, (p, q)) in enumerate(principal(surface, place)):
+        way = (p, q) if p * before[k][0] + q * before[k][1] > 0 else (-p, -q)
+        ahead, behind = (
+            principal(surface, [x + step * t for x, t in zip(place, way, strict=True)])[k][0] for step in (STEP, -STEP)
+        )
+        ways.append(way)
+        found.append(ahead - behind)
+    return found, ways
+
+
+def changes(surface, start, end):
+    """How many of the two derivatives change their signs between two near points."""
+    start, end = ([mpf(int(x.numerator)) / int(x.denominator) for x in place] for place in (start, end))
+    first, ways = slopes(surface, start)
+    second, _ = slopes(surface, end, ways)
+    return sum(x * y < 0 for x, y in zip(first, second, strict=True))
+
+
+def generic(seed, m, n, weights=0):
+    """A patch with random heights, and weights up to a number."""
+    random = Random(seed)
+    net = [
+        [[4 * i + random.randint(-1, 1), 4 * j + random.randint(-1, 1), random.randint(-6, 6)] for j in range(n + 1)]
+        for i in range(m + 1)
+    ]
+    own = [[random.randint(1, weights) for _ in range(n + 1)] for _ in range(m + 1)] if weights else None
+    return NurbsSurface((m, n), [0] * (m + 1) + [1] * (m + 1), [0] * (n + 1) + [1] * (n + 1), net, own)
+
+
+def beside(place, direction, by):
+    """The two points on both sides of another one."""
+    return [tuple(x + by * side * (k == direction) for k, x in enumerate(place)) for side in (-1, 1)]
+
+
+def see_that_all_are_ridges(found, surface):
+    """Across every arc one of the derivatives changes its sign."""
+    for curve in found.curves:
+        for piece in curve.pieces:
+            for arc in piece.part.arcs:
+                place = piece.sides.at(*piece.curve.points(arc, 2)[1])
+                assert changes(surface, *beside(place, arc.direction, NEAR * arc.box[arc.direction].width)) == 1
+
+
+def see_that_these_are_all(found, surface, steps):
+    """Where a derivative changes its sign along a line there is an arc, or it is said that it is not decided."""
+    boxes = [box.sides for box in found.undecided]
+    for curve in found.curves:
+        for piece in curve.pieces:
+            boxes += [piece.sides.part(box) for box in (*(arc.box for arc in piece.part.arcs), *piece.part.cells)]
+    whole_u, whole_v = surface.domain
+    seen = 0
+    for k in (1, 3, 5):
+        u = whole_u.at(mpq(k, 7))
+        for v, then in pairwise([whole_v.at(mpq(i, steps)) for i in range(1, steps)]):
+            if changes(surface, (u, v), (u, then)):
+                seen += 1
+                assert any(b.low <= u <= b.high and c.low <= then and v <= c.high for b, c in boxes)
+    return seen
+
+
+@pytest.mark.parametrize(
+    ("surface", "steps"),
+    [(generic(0, 1, 1), 20), (generic(3, 1, 1, 4), 20), (generic(2, 3, 1), 20)],
+    ids=["bilinear", "rational", "cubic by line"],
+)
+def test_ridges_are_where_a_curvature_is_stationary_and_nowhere_else(surface, steps):
+    found = analyse(surface).ridges
+    with mp.workdps(80):
+        see_that_all_are_ridges(found, surface)
+        assert see_that_these_are_all(found, surface, steps)
+    assert found == pickle.loads(pickle.dumps(found))
+
+
+@pytest.mark.skipif(not FULL, reason="a minute: EXACTSPLINE_FULL=1")
+@pytest.mark.parametrize("surface", [example("bicubic"), example("monkey_saddle"), generic(4, 2, 2)])
+def test_ridges_of_higher_degree_are_true_and_complete(surface):
+    found = analyse(surface).ridges
+    with mp.workdps(80):
+        see_that_all_are_ridges(found, surface)
+        assert see_that_these_are_all(found, surface, 40)
+
+
+def test_the_ridges_of_both_curvatures_cross_in_a_node():
+    """Would be an open box otherwise: it is proved by signs alone, the degree is too high for elimination."""
+    found = analyse(generic(2, 3, 1)).ridges
+    pieces = [piece for curve in found.curves for piece in curve.pieces]
+    (node,) = [joint for piece in pieces for joint in piece.part.joints]
+    assert found.complete
+    assert len(node.ends) == 4
+    m, n = pieces[0].curve.form.degree
+    assert m * n > ridges.FEW
+
+
+def test_four_signs_that_do_not_wind_prove_no_node():
+    """Would pass otherwise: two branches of the ridges of one curvature, or of both, that do not cross in the box."""
+    cross = as_form((2 * S - 1) * (2 * T - 1))
+
+    def winds(first, second, form=cross):
+        return _winds_once(form, UNIT, lambda x, y: (sign(first(x, y)), sign(second(x, y))))
+
+    assert winds(lambda x, y: 2 * x - 1, lambda x, y: 2 * y - 1)
+    assert not winds(lambda x, y: (2 * x - 1) * (2 * y - 1), lambda x, y: 1)
+    assert not winds(lambda x, y: x + y - mpq(1, 2), lambda x, y: x + y - mpq(3, 2))
+    # two parallel lines: four zeros on the border, three pairs of signs
+    assert not winds(lambda x, y: 3 * x - 1, lambda x, y: 3 * x - 2, as_form((3 * S - 1) * (3 * S - 2)))
+    # a double zero on the border is none of four simple ones
+    assert not winds(lambda x, y: 2 * x - 1, lambda x, y: 2 * y - 1, as_form((2 * S - 1) ** 2 * (2 * T - 1)))
+
+
+def test_known_ridges():
+    """The diagonals of z = xy; the planes of symmetry of an ellipsoid; nothing at the vertex of a paraboloid, which is
+    an umbilic; both curvatures of a torus, and one of a surface of revolution, are constant along their lines.
+    """
+    (cross,) = analyse(example("hyperbolic_paraboloid")).ridges.curves
+    (a, b), (c, d) = example("hyperbolic_paraboloid").domain
+    ends = {end for arc in cross.arcs(Box(Interval(a, b), Interval(c, d))) for end in arc[:2]}
+    assert {(a, c), (a, d), (b, c), (b, d)} < ends
+    assert len(ends) == 5
+    ellipsoid = analyse(example("ellipsoid")).ridges
+    assert {(line.along.value, line.value) for line in ellipsoid.lines} == {("u", 1), *(("v", k) for k in range(4))}
+    assert not ellipsoid.curves
+    assert all(box.umbilics for box in ellipsoid.undecided)
+    paraboloid = analyse(example("paraboloid")).ridges
+    assert not paraboloid.curves
+    assert [curvatures for _, curvatures in paraboloid.stationary] == [1]
+    assert {curvatures for _, curvatures in analyse(example("torus")).ridges.stationary} == {2}
+    assert not analyse(example("sphere")).ridges
+
+
+def test_what_exceeds_the_bound_is_undecided(monkeypatch):
+    """Would pass otherwise: no ridges, where the search was too long."""
+    monkeypatch.setattr(ridges, "WORK", 10**8)
+    found = analyse(generic(2, 3, 1)).ridges
+    assert not found.complete
+    covered = [box.sides for box in found.undecided]
+    covered += [x.sides.part(a.box) for c in found.curves for x in c.pieces for a in x.part.arcs]
+    whole = analyse(generic(2, 3, 1))
+    assert covered
+    monkeypatch.undo()
+    for curve in whole.ridges.curves:
+        for piece in curve.pieces:
+            for arc in piece.part.arcs:
+                u, v = piece.sides.at(*piece.curve.points(arc, 2)[1])
+                near = mpq(1, 1 << 20)
+                assert any(a - near <= u <= b + near and c - near <= v <= d + near for (a, b), (c, d) in covered)
