@@ -309,6 +309,7 @@ def _check_product(function: Net, factors: Sequence[tuple[Net, int]]) -> None:
     product: Net = [[1]]
     for net, power in factors:
         require(power > 0, "a factor whose power is not positive")
+        require(power < len(function) + len(function[0]), "a factor whose power is too high")
         for _ in range(power):
             product = _net_product(product, net)
     one, other = (_trimmed_powers(powers_of_net(net)) for net in (function, product))
@@ -330,7 +331,7 @@ def _check_lines(factors: Sequence[tuple[Net, int]]) -> None:
         powers = powers_of_net(net)
         is_curve = len(net) > 1 and len(net[0]) > 1
         for rows, others in zip((turned(powers), powers), known, strict=True):
-            own = reduce(common_divisor, rows, [])
+            own = reduce(common_divisor, rows, list[int]())
             require(len(own) == 1 or not is_curve, "a line among the curves")
             require(all(len(common_divisor(own, p)) == 1 for p in others), "a line of two factors")
             others.append(own)

@@ -27,6 +27,7 @@ from exactspline.polynomials.isolation import LocalPolynomial, LocalZero, isolat
 from exactspline.programs import accelerator
 from exactspline.programs.accelerator import SegmentZero, signs
 from exactspline.questions.answers import CurvePiece, Places
+from exactspline.roots.late_zero import LateZero
 from exactspline.roots.root import Root
 from exactspline.splines.blossom import CommonRows
 
@@ -56,43 +57,6 @@ class SegmentForm:
         return isolate(
             self.form.polynomial, plane_program(self.degree, self.rational).terms[self.output].degrees[0]
         ).inner
-
-
-class LateZero:
-    """A simple zero inside a segment that is computed exactly when it is asked for: it has the attributes of a
-    `LocalZero`.
-    """
-
-    multiplicity = 1
-
-    def __init__(self, form: SegmentForm, number: int, before: int) -> None:
-        self.form, self.number, self.before = form, number, before
-
-    @cached_property
-    def exactly(self) -> LocalZero:
-        """The zero in exact arithmetic; a rational one as the zero of its linear polynomial."""
-        zero = self.form.inner[self.number]
-        if zero.low < zero.high:
-            return zero
-        p, q = int(zero.low.numerator), int(zero.low.denominator)
-        return LocalZero(mpq(0), mpq(1), 1, zero.signs, LocalPolynomial(fmpz_poly([-p, q - p])), -1)
-
-    @property
-    def changing(self) -> tuple[LocalPolynomial, int]:
-        """As that of a `LocalZero`; the form itself, without isolating the zero anew, where it is linear or the zero is
-        certainly irrational.
-        """
-        form = self.form.form
-        whole = form.polynomial.degree() == 1 or form.without_rational_zero
-        return (form, self.before) if whole else self.exactly.changing
-
-    def __getattr__(self, name: str) -> object:
-        if name in LocalZero._fields:
-            return getattr(self.exactly, name)
-        raise AttributeError(name)
-
-    def __reduce__(self) -> tuple[object, ...]:
-        return LocalZero, tuple(self.exactly)
 
 
 @dataclass

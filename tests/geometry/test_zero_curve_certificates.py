@@ -109,6 +109,7 @@ def away(patch):
         (lambda patch: patch["function"][0].pop(), "different lengths"),
         (lambda patch: patch["factors"].pop(), "do not multiply"),
         (lambda patch: patch["factors"][0].update(power=0), "whose power is not positive"),
+        (lambda patch: patch["factors"][0].update(power=10**9), "whose power is too high"),  # multiplied without end
         (lambda patch: patch["boxes"].pop(), "boxes that are missing"),
         (lambda patch: patch["boxes"].append("sign"), "more boxes"),
         (away, "not one sign"),
