@@ -1,4 +1,6 @@
-"""Five sources beside the paper: where their claims are refuted another computation says so too: sympy, on curves with random coefficients, from the words of the source and without a formula of the library."""
+"""Five sources beside the paper: where they are wrong another computation says so too: sympy, on curves with random
+coefficients, from the words of the source and without a formula of the library.
+"""
 
 import random
 import re
