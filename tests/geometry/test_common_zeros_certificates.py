@@ -10,6 +10,7 @@ import pytest
 from gmpy2 import mpq
 
 from exactspline import check_certificate, common_zeros
+from exactspline.certificates.elimination import check_single_zero
 from exactspline.errors import ReachError
 from tests.campaigns.certificates import of_common_zeros, of_multiple_zeros
 from tests.geometry.test_zeros_in_two_parameters import function
@@ -194,3 +195,15 @@ def test_what_has_no_certificate_says_so():
     high = function(lambda s, t: t - (2 * s - 1) ** 14), function(lambda s, t: t - t**13)
     with pytest.raises(ReachError, match="of these degrees"):
         common_zeros(*high).certificate()
+
+
+def test_a_function_that_vanishes_on_a_line_does_not_hide_zeros():
+    """Was accepted: that 8 (s − 1/4)(s − 1/2) and (s + t − 1)(s + 5) have only one zero in a box that has two. On the
+    line s + t = 1 the second vanishes, so that every factor of the first was taken for their greatest common divisor.
+    """
+    functions = [[1], [-6], [8]], [[-5, 5], [4, 1], [1, 0]]
+    zero = {"slope": "1", "minimal": ["-1", "1"], "below": "4", "pair": [["1", "0"], ["0", "1"]], "at": ["1", "1"]}
+    both = (Fraction(1, 8), Fraction(5, 8)), (Fraction(3, 8), Fraction(7, 8))
+    for above in ("1", "2"):
+        with pytest.raises(ValueError, match="another zero over the root"):
+            check_single_zero(functions, both, zero | {"above": [above], "power": 1})
