@@ -209,7 +209,7 @@ def picture(file: str, alt: str) -> str:
 def draw_gallery(folder: Path, page: Path) -> None:
     """The figures with their captions, and the page that shows them."""
     folder.mkdir(parents=True, exist_ok=True)
-    made = {f"figure{number}": make(number, folder, figure(number)) for number in FIGURES}
+    made = {f"figure{number}": make(number, folder, figure(number), ("svg",)) for number in FIGURES}
     for number in FIGURES:
         beside(folder / f"figure{number}.svg").write_bytes(png(narrowed(figure(number).figure)))
     for name, command in DRAWN.items():

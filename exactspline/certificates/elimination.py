@@ -246,8 +246,8 @@ def _checked(functions: Sequence[Sequence[Sequence[int]]], box: tuple[Side, Side
     require(power > 0, "a power that is not positive")
     for p in combined:
         require(_is_divisible(p, above, power, minimal), "a power that does not divide")
-    # one of the pair may vanish over the root altogether, unless its leading coefficient is constant
-    if not any(len(p) - 1 == power and len(p[-1]) == 1 for p in combined):
+    # over the root one of the pair may have a lower degree, or vanish: only the other's is known
+    if power < min(len(p) - 1 for p in combined if len(p[-1]) == 1):
         leading = subresultant(first, second, power)
         require(bool(leading) and sign_at_root(leading, minimal, low, high) != 0, "another zero over the root")
     return times

@@ -12,6 +12,7 @@ many branches leave them.
 
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
+from functools import reduce
 from itertools import pairwise
 from math import comb, gcd, lcm
 from typing import Any
@@ -32,7 +33,7 @@ from exactspline.certificates.elimination import (
     trimmed,
     value,
 )
-from exactspline.certificates.intersections import require_place
+from exactspline.certificates.intersections import common_divisor, require_place
 from exactspline.certificates.numbers import count, fraction, integer, require
 from exactspline.certificates.zeros import isolated_zeros, product_of, values_on
 
@@ -66,6 +67,7 @@ class _OnPatch:
         _check_product(given, factors)
         curves = [net for net, _ in factors if len(net) > 1 and len(net[0]) > 1]
         lines = [each for each in patch["factors"] if len(each["net"]) == 1 or len(each["net"][0]) == 1]
+        _check_lines(factors)
         self.counts = {"lines": sum(map(_lines, lines)), "loops": 0, "arcs": 0, "crossed": 0, "points": 0}
         self.net: Net = [[1]]
         for net in curves:
@@ -299,6 +301,7 @@ def _check_product(function: Net, factors: Sequence[tuple[Net, int]]) -> None:
     product: Net = [[1]]
     for net, power in factors:
         require(power > 0, "a factor whose power is not positive")
+        require(power < len(function) + len(function[0]), "a factor whose power is too high")
         for _ in range(power):
             product = _net_product(product, net)
     one, other = (_trimmed_powers(powers_of_net(net)) for net in (function, product))
@@ -311,6 +314,19 @@ def _check_product(function: Net, factors: Sequence[tuple[Net, int]]) -> None:
 
 def _trimmed_powers(powers: Sequence[Sequence[int]]) -> dict[tuple[int, int], int]:
     return {(i, j): x for i, row in enumerate(powers) for j, x in enumerate(row) if x}
+
+
+def _check_lines(factors: Sequence[tuple[Net, int]]) -> None:
+    """Check that no line is a zero of two factors, or of one of the curves."""
+    known: tuple[list[Polynomial], list[Polynomial]] = [], []
+    for net, _ in factors:
+        powers = powers_of_net(net)
+        is_curve = len(net) > 1 and len(net[0]) > 1
+        for rows, others in zip((turned(powers), powers), known, strict=True):
+            own = reduce(common_divisor, rows, list[int]())
+            require(len(own) == 1 or not is_curve, "a line among the curves")
+            require(all(len(common_divisor(own, p)) == 1 for p in others), "a line of two factors")
+            others.append(own)
 
 
 def _lines(factor: Mapping[str, Any]) -> int:

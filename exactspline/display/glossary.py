@@ -2,15 +2,12 @@
 
 from __future__ import annotations
 
-import tomllib
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from functools import cache
-from html import escape
 from importlib import resources
 
-from exactspline.display.page import definitions
 from exactspline.errors import ExactSplineError, nearest
-from exactspline.geometry.registry import terms_of_questions
+from exactspline.papers.folder import toml
 
 
 class GlossaryError(ExactSplineError):
@@ -24,15 +21,25 @@ def glossary() -> dict[str, dict[str, str]]:
     >>> glossary()["verdicts"]["REFUTED"]
     'it fails, and a witness shows where'
     """
-    written = tomllib.loads(resources.files(__package__).joinpath("glossary.toml").read_text(encoding="utf-8"))
-    taken = {term for topic in written.values() for term in topic}
-    return written | {"questions": terms_of_questions(taken)}
+    from exactspline.geometry.registry import terms_of_questions  # loads all that can be asked a question
+
+    return _written() | {"questions": terms_of_questions(_by_term(_written()))}
+
+
+@cache
+def _written() -> dict[str, dict[str, str]]:
+    """The words of tables and their meanings, by topic."""
+    return toml.loads(resources.files(__package__).joinpath("glossary.toml").read_text(encoding="utf-8"))
+
+
+def _by_term(topics: Mapping[str, Mapping[str, str]]) -> dict[str, str]:
+    return {term: meaning for topic in topics.values() for term, meaning in topic.items()}
 
 
 @cache
 def terms() -> dict[str, str]:
     """Every term with its meaning."""
-    return {term: meaning for topic in glossary().values() for term, meaning in topic.items()}
+    return _by_term(glossary())
 
 
 def meaning(term: str) -> str:
@@ -51,14 +58,10 @@ def meaning(term: str) -> str:
 
 
 def explained(words: Iterable[str]) -> list[tuple[str, str]]:
-    """The terms among the words, each once, with their meanings.
+    """The terms of tables among the words, each once, with their meanings.
 
     >>> [term for term, _ in explained(["curve", "nominal", "true", "nominal"])]
     ['nominal', 'true']
     """
-    return [(word, terms()[word]) for word in dict.fromkeys(words) if word in terms()]
-
-
-def glossary_list(names: Iterable[str]) -> str:
-    """What some terms mean, as a list in HTML."""
-    return definitions((term, escape(said)) for term, said in explained(names))
+    known = _by_term(_written())
+    return [(word, known[word]) for word in dict.fromkeys(words) if word in known]

@@ -9,7 +9,7 @@ from collections.abc import Iterable, Sequence
 from html import escape
 from importlib.metadata import PackageNotFoundError, version
 
-from exactspline.display.glossary import glossary_list
+from exactspline.display.glossary import explained
 from exactspline.display.ledger import claimed, closing, found, headline, section, summary, witness, words_of
 from exactspline.display.page import cells, definitions, page, table
 from exactspline.display.quotations import parts
@@ -60,7 +60,7 @@ def ledger_page(rows: Sequence[Row]) -> str:
         f"<h1>{escape(headline(rows))}</h1><p>{escape(closing(rows))}</p>{_unchecked(rows)}"
         f'<form>{filters}<label>text <input name="text" type="search"></label><output></output></form>'
         f"<table><thead><tr>{head}</tr></thead><tbody>{''.join(map(_row, rows))}</tbody></table>"
-        f"{glossary_list(words)}<script>{_SCRIPT}</script>"
+        f"{_meanings(words)}<script>{_SCRIPT}</script>"
     )
     return page("Ledger", body, _LEDGER_STYLE)
 
@@ -122,10 +122,15 @@ def report(claims: Sequence[Claim], rows: Sequence[Row]) -> str:
         f"<p>{escape(summary(decided))} {escape(closing(rows))}.</p>"
         f"<h2>What is claimed, and what holds</h2>{''.join(_claim(claim, rows) for claim in claims)}"
         f"<h2>Formulas</h2>{''.join(map(_formulas, sources))}"
-        f"<h2>What the words mean</h2>{glossary_list(words_of(rows))}"
+        f"<h2>What the words mean</h2>{_meanings(words_of(rows))}"
         f"<h2>What the verdicts rely on</h2>{_versions()}{''.join(map(_digests, sources))}"
     )
     return page(f"Report: {title}", body, _REPORT_STYLE)
+
+
+def _meanings(words: Iterable[str]) -> str:
+    """What some terms mean, as a list."""
+    return definitions((term, escape(said)) for term, said in explained(words))
 
 
 def _claim(claim: Claim, rows: Iterable[Row]) -> str:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 from dataclasses import dataclass
+from decimal import MAX_EMAX, MIN_EMIN, ROUND_HALF_UP, Context, Decimal
 
 from exactspline.numbers.exact import decimal_unit, mpq, text
 
@@ -85,15 +86,18 @@ def rounded_down(x: mpq, digits: int) -> mpq:
 
 
 def decimal(value: mpq, digits: int) -> str:
-    """An exact number rounded to a given number of significant digits.
+    """An exact number rounded to a given number of significant digits, half away from zero; with an exponent where it
+    is tiny, or has more digits than are shown.
 
-    >>> decimal(mpq(1, 3), 5)
-    '0.33333'
+    >>> decimal(mpq(1, 3), 5), decimal(mpq(-2), 5), decimal(mpq(12345), 3), decimal(mpq(1, 3 * 10**6), 3)
+    ('0.33333', '-2.0', '1.23e+4', '3.33e-7')
     """
-    from mpmath import mp
-
-    with mp.workdps(digits + 5):
-        return str(mp.nstr(mp.mpf(int(value.numerator)) / int(value.denominator), digits))
+    context = Context(digits, ROUND_HALF_UP, MIN_EMIN, MAX_EMAX)
+    rounded = context.divide(Decimal(int(value.numerator)), Decimal(int(value.denominator)))
+    place = rounded.adjusted() if rounded else 0
+    fixed = min(-(digits // 3), -5) < place < digits
+    whole, _, part = format(rounded if fixed else rounded.scaleb(-place, context), "f").partition(".")
+    return f"{whole}.{part.rstrip('0') or '0'}" + ("" if fixed else f"e{place:+d}")
 
 
 def decimal_milliseconds(seconds: float) -> str:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
+from exactspline.display.numbers import decimal
 from exactspline.display.pair_data import intersections_data
 from exactspline.errors import ExactSplineError, ShapeError, a_kind, as_instance, as_integer
 from exactspline.geometry import values_along
@@ -19,6 +20,7 @@ from exactspline.geometry.planarity import Plane
 from exactspline.geometry.prominence import prominences
 from exactspline.language.rational import Rational
 from exactspline.language.vector import Vector
+from exactspline.numbers.exact import mpz
 from exactspline.numbers.intervals import Interval
 from exactspline.numbers.sides import Side
 from exactspline.questions.answers import CurvePiece, Described, Places
@@ -56,10 +58,10 @@ def feature_data(curve: Nurbs, f: Feature, digits: int) -> dict[str, object]:
 
 def angle_data(angle: Angle | None, digits: int) -> dict[str, str] | None:
     """An angle: its cosine and sine exactly, and degrees to a given number of digits."""
-    from mpmath import nstr
-
     if angle is None:
         return None
+    from mpmath import nstr  # loaded where there is a corner
+
     degrees = str(nstr(angle.degrees(digits), digits, strip_zeros=True)).removesuffix(".0")
     return {"cosine": str(angle.cosine), "sine": str(angle.sine), "degrees": degrees}
 
@@ -68,8 +70,6 @@ def joint_data(curve: Nurbs, joint: Joint, digits: int) -> dict[str, object]:
     """A joint as data: its kind and order of geometric continuity, the angle of a corner, the width of a
     gap, and the curvatures of both sides where they differ, exactly and to a given number of digits.
     """
-    from mpmath import nstr
-
     root = knot_root(joint.parameter)
     jump = joint.curvatures is not None
     return {
@@ -80,9 +80,7 @@ def joint_data(curve: Nurbs, joint: Joint, digits: int) -> dict[str, object]:
         "geometric_continuity": joint.order,
         "angle": angle_data(joint.angle, digits),
         "gap": None if joint.gap is None else str(joint.gap),
-        "gap_decimal": None
-        if joint.gap is None
-        else str(nstr(joint.gap.significant(digits + 8), digits, strip_zeros=True)),
+        "gap_decimal": None if joint.gap is None else decimal(joint.gap.rational_near(digits + 8), digits),
         "curvatures": [str(x) for x in joint.curvatures] if joint.curvatures is not None else None,
         "curvature": value_of(values_along.curvature, curve, root, digits) if jump else None,
     }
@@ -90,29 +88,21 @@ def joint_data(curve: Nurbs, joint: Joint, digits: int) -> dict[str, object]:
 
 def decimal_of(root: Root, digits: int) -> str:
     """A root to a given number of digits after the decimal point."""
-    from mpmath import mp, nstr
-
-    with mp.workdps(digits + 10):
-        value = root.mpf(digits + 2)
-        return str(
-            nstr(value, digits + max(int(mp.floor(mp.log10(abs(value)))) + 1, 1) if value else 1, strip_zeros=True)
-        )
+    value = root.enclosure(digits + 3).middle
+    return decimal(value, digits + len(str(mpz(abs(value)))))
 
 
 def value_of(quantity: Callable[[Nurbs, Root, Side | str], Real], curve: Nurbs, root: Root, digits: int) -> str:
     """κ or τ at a root to a given number of significant digits, 0 where it is exactly 0; at a joint the limits from
     both sides where they differ; where there is none, the reason.
     """
-    from mpmath import mp, nstr
-
     facts = analyse(curve)
     joint = facts.joint(root.low) if root.at_knot else None
 
     def shown(side: Side | str) -> str:
         at = root if joint is None else knot_root(facts.sides(root.low)[side == Side.RIGHT])
-        with mp.workdps(digits + 10):
-            value = quantity(curve, at, side).significant(digits + 8)
-            return str(nstr(value, digits, strip_zeros=True)) if value else "0"
+        value = quantity(curve, at, side).rational_near(digits + 8)
+        return decimal(value, digits) if value else "0"
 
     try:
         values = [shown(side) for side in ((Side.LEFT, Side.RIGHT) if joint is not None else (Side.RIGHT,))]

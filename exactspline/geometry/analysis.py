@@ -206,6 +206,8 @@ class Analysis(SpaceFacts, Displayed):
         >>> [str(piece) for piece in analyse(example("straight_between_arcs")).straight_pieces]
         ['[1, 2]']
         """
+        if self._certain is not None:
+            return self._certain.straight
         return tuple(self.pieces_where_zero(self.flatness))
 
     @question(*CURVES, answered=Answered.PIECES, of_piece="κ′ ≡ 0")
@@ -218,6 +220,8 @@ class Analysis(SpaceFacts, Displayed):
         >>> [str(piece) for piece in analyse(example("circle")).constant_pieces]
         ['[0, 4]']
         """
+        if self._certain is not None:
+            return self._certain.straight
         return tuple(self.pieces_where_zero(self.zero_form(self.critical_form)))
 
     @question(Of.PLANE_CURVE, answered=Answered.PAIRS)

@@ -6,7 +6,7 @@ the numbers in them are exact.
 from __future__ import annotations
 
 from bisect import bisect_right
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property, partial
 from math import comb
@@ -27,6 +27,7 @@ from exactspline.polynomials.isolation import LocalPolynomial, LocalZero, isolat
 from exactspline.programs import accelerator
 from exactspline.programs.accelerator import SegmentZero, signs
 from exactspline.questions.answers import CurvePiece, Places
+from exactspline.roots.late_zero import LateZero
 from exactspline.roots.root import Root
 from exactspline.splines.blossom import CommonRows
 
@@ -56,43 +57,6 @@ class SegmentForm:
         return isolate(
             self.form.polynomial, plane_program(self.degree, self.rational).terms[self.output].degrees[0]
         ).inner
-
-
-class LateZero:
-    """A simple zero inside a segment that is computed exactly when it is asked for: it has the attributes of a
-    `LocalZero`.
-    """
-
-    multiplicity = 1
-
-    def __init__(self, form: SegmentForm, number: int, before: int) -> None:
-        self.form, self.number, self.before = form, number, before
-
-    @cached_property
-    def exactly(self) -> LocalZero:
-        """The zero in exact arithmetic; a rational one as the zero of its linear polynomial."""
-        zero = self.form.inner[self.number]
-        if zero.low < zero.high:
-            return zero
-        p, q = int(zero.low.numerator), int(zero.low.denominator)
-        return LocalZero(mpq(0), mpq(1), 1, zero.signs, LocalPolynomial(fmpz_poly([-p, q - p])), -1)
-
-    @property
-    def changing(self) -> tuple[LocalPolynomial, int]:
-        """As that of a `LocalZero`; the form itself, without isolating the zero anew, where it is linear or the zero is
-        certainly irrational.
-        """
-        form = self.form.form
-        whole = form.polynomial.degree() == 1 or form.without_rational_zero
-        return (form, self.before) if whole else self.exactly.changing
-
-    def __getattr__(self, name: str) -> object:
-        if name in LocalZero._fields:
-            return getattr(self.exactly, name)
-        raise AttributeError(name)
-
-    def __reduce__(self) -> tuple[object, ...]:
-        return LocalZero, tuple(self.exactly)
 
 
 @dataclass
@@ -187,6 +151,7 @@ def certain(facts: Facts) -> Certain | None:
             left.add(i)
         elif open_:
             (straight if is_straight([fmpz_poly(list(c)) for c in rows[i][0]], curve.degree) else left).add(i)
+    left |= _entangled(found.zeros) - straight
     if left:
         # all once more: the results for different segments are compared, so that they must be in one unit
         nearer = [moved(*row, rational=rational) if i in left else row for i, row in enumerate(rows)]
@@ -195,6 +160,7 @@ def certain(facts: Facts) -> Certain | None:
             return None
         left = {i for i, (open_, slow) in enumerate(found.open) if slow or (open_ and i not in straight)}
         straight -= left
+        left |= _entangled(found.zeros) - straight
     zeros: tuple[list[Found], list[Found]] = ([], [])
     if left:
         exactly = on_runs(curve, left)
@@ -212,13 +178,8 @@ def certain(facts: Facts) -> Certain | None:
             zeros[jump.output].append(jump)
         for own in zeros:
             own.sort(key=partial(_place, facts.breaks))
-    bends: dict[int, list[SegmentZero]] = {}
-    for bend in zeros[CURVATURE]:
-        if isinstance(bend, SegmentZero):
-            bends.setdefault(bend.segment, []).append(bend)
+    bends = _bends(zero for zero in zeros[CURVATURE] if isinstance(zero, SegmentZero))
     curvature_signs = [_sign_at(zero, found.ends, bends) for zero in zeros[CRITICAL]]
-    if 0 in curvature_signs:
-        return None
     pieces = facts.straight_runs(straight) if straight else ()
     return Certain(
         curve.degree, rational, facts.breaks, rows, (zeros[CURVATURE], zeros[CRITICAL]), curvature_signs, pieces
@@ -256,17 +217,33 @@ def _place(breaks: Sequence[mpq], zero: Found) -> tuple[int, float]:
     return (zero.knot, 0) if isinstance(zero, Jump) else (zero.segment, 1 + zero.low)
 
 
+def _bends(zeros: Iterable[SegmentZero]) -> dict[int, list[SegmentZero]]:
+    """The zeros of κ by segment."""
+    bends: dict[int, list[SegmentZero]] = {}
+    for zero in zeros:
+        if zero.output == CURVATURE:
+            bends.setdefault(zero.segment, []).append(zero)
+    return bends
+
+
+def _entangled(zeros: Sequence[SegmentZero]) -> set[int]:
+    """The segments on which a zero of κ and one of κ′ are too close to tell which is first."""
+    bends = _bends(zeros)
+    turns = [zero for zero in zeros if zero.output == CRITICAL]
+    return {
+        zero.segment
+        for zero in turns
+        if any(bend.low < zero.high and zero.low < bend.high for bend in bends.get(zero.segment, ()))
+    }
+
+
 def _sign_at(zero: Found, ends: Sequence[Sequence[float]], bends: Mapping[int, Sequence[SegmentZero]]) -> int:
-    """The sign of κ at a zero of κ′, 0 where it is too close to a zero of κ; `bends` are these, by segment."""
+    """The sign of κ at a zero of κ′; `bends` are the zeros of κ, by segment."""
     if isinstance(zero, Feature):
         return 1
     segment = zero.knot if isinstance(zero, Jump) else zero.segment
     sign = 1 if ends[segment][4 * CURVATURE] > 0 else -1
-    if isinstance(zero, Jump):
-        return sign
-    for bend in bends.get(segment, ()):
-        if bend.low < zero.high and zero.low < bend.high:
-            return 0
-        if bend.high <= zero.low:
-            sign = -sign
+    if isinstance(zero, SegmentZero):
+        before = [bend for bend in bends.get(segment, ()) if bend.high <= zero.low]
+        return sign * (-1) ** len(before)
     return sign

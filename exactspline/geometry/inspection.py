@@ -50,6 +50,8 @@ class Inspection:
     @property
     def critical_points(self) -> Places[Feature]:
         """The extrema of the curvature and the points where κ′ = 0 without an extremum."""
+        if self.approach is Approach.MINIMAL:
+            return self.analysis.critical_points
         return self.analysis.critical_points_by(self.approach.variant(self.curve))
 
     @property

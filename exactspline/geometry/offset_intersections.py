@@ -15,6 +15,7 @@ from math import ceil
 from flint import fmpz_mpoly
 
 from exactspline.errors import ReachError, ShapeError
+from exactspline.geometry.analysis import analyse
 from exactspline.geometry.bisector.plane_curves import PlanePair, tangent
 from exactspline.geometry.bisector.system import piece
 from exactspline.geometry.box_tree import BoxTree, pairs_that_may_meet, shift_for
@@ -25,12 +26,14 @@ from exactspline.language.vector import det, dot, norm2
 from exactspline.numbers.exact import Number, mpq, rational
 from exactspline.numbers.exact import sign as sign_of
 from exactspline.numbers.intervals import Box, Interval
+from exactspline.numbers.sides import Side
 from exactspline.polynomials.cost import PATCH, QUESTION, Budget, drawing_on
 from exactspline.polynomials.factors import factorize, greatest_common_divisor
 from exactspline.polynomials.two_parameters import S, T, as_form
 from exactspline.reals.real import Real, square_root
 from exactspline.roots.common_zeros import CommonZero, common_zeros, multiplicity
 from exactspline.roots.local_parameters import segment_forms
+from exactspline.roots.of_polynomials import Parameter
 from exactspline.roots.root import Root
 from exactspline.roots.values import at
 from exactspline.roots.vanishing import vanish_at
@@ -42,16 +45,19 @@ from exactspline.splines.nurbs import Nurbs
 class OffsetIntersection(Intersection):
     """A point at which the offset at a signed `distance` (positive to the left) meets itself; both parameters are those
     of the curve. The multiplicity is None, and the kind a common point, where the normals are parallel.
+
+    At a corner the offset has two ends: `sides` tells from which side of each parameter it arrives (right elsewhere).
     """
 
     distance: mpq = field(default_factory=mpq)
+    sides: tuple[Side, Side] = (Side.RIGHT, Side.RIGHT)
 
     @property
     def point(self) -> tuple[mpq | Real, ...]:
         """The coordinates, exactly."""
-        simple = self.second if self.first.closed_form is None and self.second.closed_form is not None else self.first
-        curve = self.curves[0]
-        (x, y), (a, b) = at(curve, simple), [at(f, simple) for f in tangent(curve)]
+        curve, k = self.curves[0], int(self.first.closed_form is None and self.second.closed_form is not None)
+        t, side = (self.first, self.second)[k], self.sides[k]
+        (x, y), (a, b) = at(curve, t, side=side), [at(f, t, side=side) for f in tangent(curve)]
         length = square_root(a * a + b * b)
         return x - b * self.distance / length, y + a * self.distance / length
 
@@ -108,23 +114,35 @@ class _Search:
                     self.left_out.append(f"the segments over {where}: {error.problem}")
                     continue
                 self.points += map(self._from_seam, found)
-        # at a knot two pairs of segments have the same point
-        ordered = sorted(self.points, key=lambda point: (point.first, point.second))
-        return Intersections(tuple(point for point, _ in groupby(ordered)), (), tuple(self.left_out))
+        ordered = groupby(sorted(self.points, key=_where), _where)
+        return Intersections(tuple(_once(list(own)) for _, own in ordered), (), tuple(self.left_out))
 
     def _from_seam(self, point: OffsetIntersection) -> OffsetIntersection:
-        """A point whose second parameter is the end of a closed curve, with the start instead of it."""
+        """A point whose second parameter is the end of a closed curve without a corner there, with the start instead
+        of it.
+        """
         low, high = self.curve.domain
-        if self.curve.closed and point.second == high:
-            return replace(point, first=Real(low), second=point.first)
+        if self.curve.closed and point.second == high and analyse(self.curve).tangent_continuous(0):
+            sides, at_knot = (Side.RIGHT, point.sides[0]), (True, point.at_knot[0])
+            return replace(point, first=Real(low), second=point.first, sides=sides, at_knot=at_knot)
         return point
+
+
+def _where(point: OffsetIntersection) -> tuple[Real, Real, tuple[Side, Side]]:
+    return point.first, point.second, point.sides
+
+
+def _once(found: Sequence[OffsetIntersection]) -> OffsetIntersection:
+    """One point of the pairs of segments that meet in a knot, with the least of their multiplicities."""
+    times = [point.multiplicity for point in found if point.multiplicity is not None]
+    return replace(found[0], multiplicity=min(times, default=None))
 
 
 class _OfSegments:
     """The points of the offsets of two segments."""
 
     def __init__(self, curve: Nurbs, d: mpq, sides: Box, i: int, j: int) -> None:
-        self.curve, self.d, self.sides, self.alone = curve, d, sides, i == j
+        self.curve, self.d, self.sides, self.segments, self.alone = curve, d, sides, (i, j), i == j
         if any(piece(curve, k).stands_still or piece(curve, k).cusps for k in {i, j}):
             raise ReachError("a segment on which the curve has a point without a tangent")
         pair = PlanePair.of_segments(curve, i, j)
@@ -200,8 +218,15 @@ class _OfSegments:
             kind = IntersectionKind.KNOT
         elif times is not None:
             kind = IntersectionKind.CROSSING if times % 2 else IntersectionKind.TOUCHING
-        curves = self.curve, self.curve
-        return OffsetIntersection(first, second, kind, times, curves, (at_knot[0], at_knot[1]), distance=self.d)
+        curves, (one, other) = (self.curve, self.curve), map(self._side, (0, 1), zero.place)
+        knots = at_knot[0], at_knot[1]
+        return OffsetIntersection(first, second, kind, times, curves, knots, distance=self.d, sides=(one, other))
+
+    def _side(self, k: int, x: Parameter) -> Side:
+        """Left where a parameter is the end of its segment, and a corner."""
+        is_end = x == self.sides[k].high != self.curve.domain[1]
+        is_corner = is_end and not analyse(self.curve).tangent_continuous(self.segments[k] + 1)
+        return Side.LEFT if is_corner else Side.RIGHT
 
 
 def _without_diagonal(p: fmpz_mpoly) -> fmpz_mpoly:

@@ -137,14 +137,23 @@ class Digits(Immutable):
         """An ``mpmath.mpf`` with a relative error below ``10^−digits``; exactly 0 if the number is 0."""
         from exactspline.reals.shown_mpf import significant
 
+        return significant(self.rational_near(digits), digits)
+
+    def rational_near(self, digits: int) -> mpq:
+        """A rational number with a relative error below ``10^−digits``; 0 if the number is 0.
+
+        >>> from exactspline.reals.real import square_root
+        >>> abs(square_root(2).rational_near(5) ** 2 - 2) < mpq(4, 10**5)
+        True
+        """
         requested = as_integer(digits, "a number of digits", 1) + 2
         while True:
             enclosure = self.enclosure(requested)
             if self._reached_zero(enclosure, requested):
-                return significant(mpq(0), digits)
+                return mpq(0)
             least = min(abs(enclosure.low), abs(enclosure.high))
             if enclosure.low * enclosure.high > 0 and enclosure.width * mpz(10) ** digits <= least:
-                return significant(enclosure.middle, digits)
+                return enclosure.middle
             requested *= 2
 
     def _reached_zero(self, enclosure: Interval, digits: int) -> bool:

@@ -3,6 +3,7 @@
 import io
 import json
 import re
+from functools import partial
 
 import pytest
 from click.testing import CliRunner
@@ -10,7 +11,7 @@ from click.testing import CliRunner
 import exactspline as xs
 from exactspline.cli import app
 from exactspline.errors import CurveFileError, NumberError
-from exactspline.interchange import read
+from exactspline.interchange import Limits, files, read
 from tests.support.interchange_seeds import G2, SVG, truetype
 
 
@@ -88,13 +89,15 @@ def test_what_was_converted_is_told_as_json_under_its_schema(tmp_path):
     assert {line.split(":")[0] for line in run(source, target, "--quiet").stderr.splitlines()} == {"skipped"}
 
 
-def test_a_message_names_its_file_and_a_note_its_curve_once(tmp_path):
+def test_a_message_names_its_file_and_a_note_its_curve_once(tmp_path, monkeypatch):
     """Before: "big.svg: big.svg: more than …", "note: a: note: …"."""
+    monkeypatch.setattr(files, "Limits", partial(Limits, objects=99))
     big = tmp_path / "big.svg"
     big.write_text(
-        '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 9 9"><path d="M0 0' + " L1 1" * 2_100_000 + '"/></svg>'
+        '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 9 9"><path d="M0 0' + " L1 1" * 99 + '"/></svg>'
     )
     refused = run(big, tmp_path / "out.json")
+    assert "more than 99 objects" in str(refused.exception)
     assert str(refused.exception).count("big.svg") == 1
     noted = tmp_path / "two.json"
     curve = '{"degree": 1, "knots": [0, 0, 1, 1], "control_points": [[0, 0], [1, 1]], "note": "drawn by hand"}'

@@ -251,7 +251,7 @@ vectors = st.tuples(small, small, small)
 
 
 @given(vectors, vectors, vectors, vectors, vectors, vectors, st.sampled_from([mpq(1, 2), mpq(1, 3), mpq(0), mpq(1)]))
-@settings(max_examples=20)
+@settings(max_examples=8)
 def test_a_pair_that_was_built_to_have_a_line_is_found(p, a, bend, q, twist, other_bend, t):
     """The second curve is given the tangent that is perpendicular to the line in which two planes meet already."""
     rows = planes((p, a), (q, (0, 0, 0)))
@@ -289,7 +289,7 @@ def residual(first, second, s, t):
     return [dot(a, cross(b, c)), *numerators]
 
 
-@pytest.mark.parametrize("seed", range(3))
+@pytest.mark.parametrize("seed", range(2))
 def test_pairs_that_gauss_newton_finds_are_among_the_single_pairs(seed):
     """From a grid of starts, least squares on determinant and numerators: what converges to 0 inside is a pair."""
     random = Random(seed)
@@ -303,7 +303,7 @@ def test_pairs_that_gauss_newton_finds_are_among_the_single_pairs(seed):
     assert found.left_out == ()
     places = [[float(sum(x.refine(20)) / 2 if isinstance(x, Root) else x) for x in pair.place] for pair in found.pairs]
     met = set()
-    for start in product([mpq(k, 7) for k in range(8)], repeat=2):
+    for start in product([mpq(k, 5) for k in range(6)], repeat=2):
         end = gauss_newton(first, second, start)
         if end is not None:
             near = [i for i, (s, t) in enumerate(places) if abs(s - end[0]) + abs(t - end[1]) < 1e-6]

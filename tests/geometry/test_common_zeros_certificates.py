@@ -10,7 +10,6 @@ import pytest
 from gmpy2 import mpq
 
 from exactspline import check_certificate, common_zeros
-from exactspline.certificates.elimination import check_single_zero
 from exactspline.errors import ReachError
 from tests.campaigns.certificates import of_common_zeros, of_multiple_zeros
 from tests.geometry.test_zeros_in_two_parameters import function
@@ -188,6 +187,28 @@ def test_a_region_beside_an_edge_does_not_prove_a_zero_on_it():
         check_certificate(forged(moved))
 
 
+def test_two_zeros_over_one_root_are_not_counted_as_one():
+    """It was accepted that these have one zero: (s + t − 1)(s + 5) vanishes over the root 1 of s + t, and its degree in
+    s was taken for a bound on that of the common divisor, which is (4s − 1)(4s − 3).
+    """
+    found, certificate = certificate_of(
+        function(lambda s, t: (s + t - 1) * (s + 5)), function(lambda s, t: (4 * s - 1) * (4 * s - 3))
+    )
+    assert check_certificate(certificate) == {"zeros": len(found), "multiplicity": 2} == {"zeros": 2, "multiplicity": 2}
+    one = {"region": WHOLE, "by": "eliminated", "slope": "1", "minimal": ["-1", "1"], "above": ["1"], "below": "4"}
+    one |= {"pair": [["1", "0"], ["0", "1"]], "power": 1, "at": ["1", "1"]}
+    certificate["patches"][0].update(zeros=[one], boxes=[0])
+    with pytest.raises(ValueError, match="another zero over the root"):
+        check_certificate(certificate)
+
+
+def test_a_function_of_the_projection_alone():
+    """Our own certificate was refused where a function depends on s + t only: "a pair without s"."""
+    f, g = function(lambda s, t: (4 * s + 4 * t - 3) * (4 * s + 4 * t - 7)), function(lambda s, t: (s - t) ** 2)
+    _, certificate = certificate_of(f, g)
+    assert check_certificate(certificate) == {"zeros": 2, "multiplicity": 4}
+
+
 def test_what_has_no_certificate_says_so():
     line, parabola = function(lambda s, t: t), function(lambda s, t: t - (2 * s - 1) ** 2)
     with pytest.raises(ReachError, match="along a curve"):
@@ -195,15 +216,3 @@ def test_what_has_no_certificate_says_so():
     high = function(lambda s, t: t - (2 * s - 1) ** 14), function(lambda s, t: t - t**13)
     with pytest.raises(ReachError, match="of these degrees"):
         common_zeros(*high).certificate()
-
-
-def test_a_function_that_vanishes_on_a_line_does_not_hide_zeros():
-    """Was accepted: that 8 (s − 1/4)(s − 1/2) and (s + t − 1)(s + 5) have only one zero in a box that has two. On the
-    line s + t = 1 the second vanishes, so that every factor of the first was taken for their greatest common divisor.
-    """
-    functions = [[1], [-6], [8]], [[-5, 5], [4, 1], [1, 0]]
-    zero = {"slope": "1", "minimal": ["-1", "1"], "below": "4", "pair": [["1", "0"], ["0", "1"]], "at": ["1", "1"]}
-    both = (Fraction(1, 8), Fraction(5, 8)), (Fraction(3, 8), Fraction(7, 8))
-    for above in ("1", "2"):
-        with pytest.raises(ValueError, match="another zero over the root"):
-            check_single_zero(functions, both, zero | {"above": [above], "power": 1})

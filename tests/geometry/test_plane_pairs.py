@@ -169,6 +169,37 @@ def test_an_offset_that_touches_itself_where_normals_are_parallel():
     assert (seam.first, seam.second) == (0, 2)
 
 
+def polyline(*points):
+    return Nurbs(1, [0, *range(len(points)), len(points) - 1], points)
+
+
+def test_the_offset_at_corners():
+    """At a corner the offset has two ends: the point was that of the wrong one, ends that meet in two different points
+    were one pair, and the parameter of the end at the seam was that of the other one.
+    """
+    open_curve = self_intersections(polyline((-3, 0), (0, 0), (0, 3), (-1, 3), (-1, 1), (-3, 1)), offset=1)
+    ends = [(p.point, p.sides) for p in open_curve if (p.first, p.second) == (1, 4)]
+    assert ends == [((0, 1), ("left", "left")), ((-1, 0), ("right", "right"))]
+    closed = polyline((0, 0), (8, 0), (8, 2), (1, 2), (1, 6), (0, 6), (0, 0))
+    (at_corner,) = (p for p in self_intersections(closed, offset=1) if p.first == 3)
+    assert (at_corner.second, at_corner.point, at_corner.sides) == (mpq(35, 6), (1, 1), ("left", "right"))
+    seam = polyline((0, 0), (3, 0), (3, -3), (-2, -3), (-2, 1), (0, 1), (0, 0))
+    (at_seam,) = (p for p in self_intersections(seam, offset=-1) if p.second == 6)
+    assert (at_seam.first, at_seam.point) == (mpq(9, 2), (-1, 0))
+
+
+def test_a_point_of_the_offset_at_a_smooth_knot_is_one():
+    """Listed twice: at a seam, and where the offset has a cusp on one side of the knot alone."""
+    corners, double = [(3, 1), (0, 4), (-4, 0), (0, -4), (3, -1)], [0, 0, 0, 1, 1, 2, 2, 3, 3, 4, 4, 5, 5, 5]
+    middles = [(3, 0), (2, 2), (-2, 2), (-2, -2), (2, -2), (3, 0)]
+    points = [p for pair in zip(middles, corners, strict=False) for p in pair] + [middles[-1]]
+    rounded = self_intersections(Nurbs(2, double, points), offset=3)
+    assert [(p.second, p.at_knot) for p in rounded if p.first == 0] == [(mpq(k, 2), (True, False)) for k in (3, 5, 7)]
+    points = [(-1, 1), ("-1/2", 0), (0, 0), ("1/4", 0), ("1/2", 0), ("1/2", "1/2"), ("1/2", 1)]
+    (found,) = self_intersections(Nurbs(2, [0, 0, 0, 1, 1, 2, 2, 3, 3, 3], points), offset="1/2")
+    assert (found.first, found.second, found.multiplicity, found.point) == (1, mpq(5, 2), 1, (0, mpq(1, 2)))
+
+
 def test_without_an_offset_and_what_is_left_out():
     loop = bezier((0, 0), (3, 3), (-2, 3), (1, 0))
     assert self_intersections(loop) == self_intersections(loop, offset=0)

@@ -9,6 +9,7 @@ import signal
 from collections import Counter
 from contextlib import contextmanager
 from fractions import Fraction
+from random import Random
 from time import process_time
 
 import pytest
@@ -30,18 +31,8 @@ from exactspline.polynomials.patch_forms import PatchForm
 from exactspline.polynomials.two_parameters import S, T, as_form
 from exactspline.roots.common_zeros import Found, zeros_of
 from tests.campaigns.surfaces import is_good, run
+from tests.support.dials import factors, over_dials
 from tests.support.surface_oracle import gaussian_curvature
-
-#: The dial: what heights are multiplied by.
-DIAL = {
-    "small integers": mpq(1),
-    "thirds": mpq(-7, 3),
-    "ten decimals": mpq(12345678901, 10**10),
-    "doubles": mpq(2.718281828459045),
-    "huge": mpq(1e300),
-    "tiny": mpq(1e-300),
-}
-dial = pytest.mark.parametrize("factor", DIAL.values(), ids=list(DIAL))
 
 
 def parameters(low=0, high=1):
@@ -114,8 +105,8 @@ def test_signs_are_those_of_values(p):
         assert (found.positive or found.negative) is not None
 
 
-@dial
-def test_a_surface_that_is_flat_at_its_corners_alone(factor):
+@over_dials
+def test_a_surface_that_is_flat_at_its_corners_alone(number):
     """z = a(x) + a(y) + (x − x²)²(y − y²)²/16 with a″ = x − x²: K > 0 but at the corners.
 
     Passed before: "hyperbolic but for parabolic points, K ≤ 0", complete.
@@ -126,12 +117,13 @@ def test_a_surface_that_is_flat_at_its_corners_alone(factor):
         bump = [(t - t * t) * (t - t * t) for t in (u, v)]
         return (a[0] + a[1] + bump[0] * bump[1] * mpq(1, 16)) * factor
 
+    (factor,) = factors(number, Random(1), 1)
     found = analyse(graph(height))
     assert (found.kinds, is_complete(found, factor)) == ((PatchKind.ELLIPTIC_BUT,), True)
     assert {place.exact for place in found.parabolic_points} == {(0, 0), (0, 1), (1, 0), (1, 1)}
 
 
-@dial
+@over_dials
 @pytest.mark.parametrize(
     ("height", "kind", "lines"),
     [
@@ -145,11 +137,12 @@ def test_a_surface_that_is_flat_at_its_corners_alone(factor):
         (lambda u, v: (u * 3 - 1) * (u * 3 - 1) * (u * 3 - 1) + v * v, PatchKind.MIXED, [mpq(1, 3)]),
     ],
 )
-def test_lines_of_zeros_on_borders_and_inside(height, kind, lines, factor):
+def test_lines_of_zeros_on_borders_and_inside(height, kind, lines, number):
     """K vanishes on a border, on a line inside, with even multiplicity, at an irrational value.
 
     Passed before: the line inside was a "parabolic curve", with a knot there a "parabolic line".
     """
+    (factor,) = factors(number, Random(1), 1)
     found = analyse(graph(lambda u, v: height(u, v) * factor))
     assert (found.kinds, is_complete(found, factor), found.parabolic_curves) == ((kind,), True, ())
     assert [getattr(line.value, "exact", line.value) for line in found.parabolic_lines] == lines

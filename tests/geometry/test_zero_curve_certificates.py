@@ -112,6 +112,7 @@ def away(patch):
         (lambda patch: patch["function"][0].pop(), "different lengths"),
         (lambda patch: patch["factors"].pop(), "do not multiply"),
         (lambda patch: patch["factors"][0].update(power=0), "whose power is not positive"),
+        (lambda patch: patch["factors"][0].update(power=10**9), "whose power is too high"),  # multiplied without end
         (lambda patch: patch["boxes"].pop(), "boxes that are missing"),
         (lambda patch: patch["boxes"].append("sign"), "more boxes"),
         (away, "not one sign"),
@@ -147,6 +148,27 @@ def test_a_node_is_not_a_point():
 def test_a_singular_point_on_the_border_is_neither(kind):
     with pytest.raises(ValueError, match="a box on the border"):
         check_certificate(forged(lambda patch: patch["cells"][0].update(kind=kind), lambda s, t: s * s + t * t))
+
+
+def test_one_line_is_not_counted_twice_nor_as_an_arc():
+    """It was accepted that (2s − 1)² vanishes on two lines, and that 2s − 1 does on an arc."""
+
+    def twice(patch):
+        (factor,) = patch["factors"]
+        patch["factors"] = [dict(factor, power=1)] * 2
+
+    def curved(patch):
+        (line,) = patch["factors"]
+        ends = [[1, end, {"isolation": line["isolation"], "places": [["1/4", "3/4"]]}] for end in "01"]
+        none = {"isolation": {"factors": [], "points": [], "leaves": [["0", "1", 0]]}, "places": []}
+        patch["factors"] = [{"net": [["-1", "-1"], ["1", "1"]], "power": 1}]
+        patch.update(cuts=[["0", "1"]] * 2, boxes=["first monotone"], zeros=[*ends, *([0, end, none] for end in "01")])
+
+    assert check_certificate(forged(lambda patch: None, lambda s, t: (2 * s - 1) ** 2))["lines"] == 1
+    with pytest.raises(ValueError, match="a line of two factors"):
+        check_certificate(forged(twice, lambda s, t: (2 * s - 1) ** 2))
+    with pytest.raises(ValueError, match="a line among the curves"):
+        check_certificate(forged(curved, lambda s, t: 2 * s - 1))
 
 
 def test_what_has_no_certificate_says_so():

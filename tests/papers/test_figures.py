@@ -54,12 +54,14 @@ def counts_of(number):
 
 @pytest.mark.parametrize("number", FIGURES)
 def test_a_caption_says_what_was_counted_words_can_be_read_and_files_are_whole(number, place):
-    made = make(number, place, drawn(number))
+    # to draw a surface takes long: as PNG one in the plane and one in space
+    suffixes = ("svg", "png") if number in (1, 4) else ("svg",)
+    made = make(number, place, drawn(number), suffixes)
     assert unreadable(laid_out(drawn(number).figure)) == []
     for part in counts_of(number):
         value, word = re.search(r"\d+", part)[0], re.sub(r"[\d ]+", " ", part).strip()
         assert re.search(rf"\b{value} (and \d+ )?{word}|{word} {value}\b", made.caption), part
-    assert {path.rsplit(".", 1)[1] for path in made.files} == {"svg", "png"} | ({"html"} if number > 3 else set())
+    assert {path.rsplit(".", 1)[1] for path in made.files} == {*suffixes} | ({"html"} if number > 3 else set())
     for path in made.files:
         data = Path(path).read_bytes()
         if path.endswith(".svg"):

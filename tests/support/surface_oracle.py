@@ -1,8 +1,10 @@
-"""The curvature of a surface by a route of its own: plain Fractions, the sum over basis functions, truncated Taylor
+"""The curvature of a surface by a route of its own: rational numbers, the sum over basis functions, truncated Taylor
 series, the shape operator by linear algebra.
 """
 
-from fractions import Fraction
+from itertools import pairwise
+
+from gmpy2 import mpq
 
 
 class Jet:
@@ -46,48 +48,45 @@ class Jet:
         return self * (e * e * (1 / a**3) - e * (1 / a**2) + 1 / a)
 
 
-def basis(i, degree, knots, t, at):
-    """N_i by the recursion of Cox and de Boor, t a jet around `at`."""
-    if degree == 0:
-        last = at == knots[-1] and knots[i] < knots[i + 1] == at
-        return int(knots[i] <= at < knots[i + 1] or last)
-    value = 0
-    if knots[i + degree] > knots[i]:
-        value = value + (t - knots[i]) / (knots[i + degree] - knots[i]) * basis(i, degree - 1, knots, t, at)
-    if knots[i + degree + 1] > knots[i + 1]:
-        factor = (knots[i + degree + 1] - t) / (knots[i + degree + 1] - knots[i + 1])
-        value = value + factor * basis(i + 1, degree - 1, knots, t, at)
-    return value
+def basis(degree, knots, at):
+    """All N_i by the recursion of Cox and de Boor: each with N_i′ and N_i″/2 at a parameter."""
+    found = [(int(a <= at < b or a < b == at == knots[-1]), 0, 0) for a, b in pairwise(knots)]
+    for n in range(1, degree + 1):
+        rising = [_times(f, at - a, b - a) for f, a, b in zip(found, knots, knots[n:], strict=False)]
+        falling = [_times(f, at - b, a - b) for f, a, b in zip(found[1:], knots[1:], knots[n + 1 :], strict=False)]
+        found = [tuple(map(sum, zip(f, g, strict=True))) for f, g in zip(rising, falling, strict=False)]
+    return found
 
 
-def jets(surface, u, v, number=Fraction):
+def _times(f, value, length):
+    """A series times (value + x)/length; nothing where the length is zero, as the functions there are zero."""
+    return tuple((f[k] * value + (f[k - 1] if k else 0)) / length if length else 0 for k in range(3))
+
+
+def jets(surface, u, v, number=mpq):
     """The coordinates as jets at a point; `number` float for searches."""
 
     def exact(x):
-        return number(Fraction(int(x.numerator), int(x.denominator)))
+        return number(mpq(x))
 
-    knots = [[exact(t) for t in own] for own in surface.knots]
     along = [
-        [basis(i, n, own, t, at) for i in range(len(own) - n - 1)]
-        for n, own, t, at in zip(surface.degree, knots, (Jet(u, 1), Jet(v, 0, 1)), (u, v), strict=True)
+        [(i, f) for i, f in enumerate(basis(n, [exact(t) for t in own], number(at))) if any(f)]
+        for n, own, at in zip(surface.degree, surface.knots, (u, v), strict=True)
     ]
-    top, bottom = [Jet(0)] * surface.dimension, Jet(0)
-    for f, row, weights in zip(along[0], surface.control_points, surface.weights, strict=True):
-        if not isinstance(f, Jet):
-            continue
-        for g, point, weight in zip(along[1], row, weights, strict=True):
-            if isinstance(g, Jet):
-                factor = f * g * exact(weight)
-                top = [x + factor * exact(y) for x, y in zip(top, point, strict=True)]
-                bottom = bottom + factor
-    return [x / bottom for x in top]
+    sums = [Jet(0)] * (surface.dimension + 1)
+    for i, f in along[0]:
+        for j, g in along[1]:
+            weighted = Jet(*[f[a] * g[b] for a, b in Jet.ORDERS]) * exact(surface.weights[i][j])
+            row = (*surface.control_points[i][j], 1)
+            sums = [x + weighted * exact(y) for x, y in zip(sums, row, strict=True)]
+    return [x / sums[-1] for x in sums[:-1]]
 
 
 def dot(a, b):
     return sum(x * y for x, y in zip(a, b, strict=True))
 
 
-def forms(surface, u, v, number=Fraction):
+def forms(surface, u, v, number=mpq):
     """E, F, G and L, M, N with the normal S_u × S_v."""
     own = jets(surface, number(u), number(v), number)
     su, sv, half_uu, suv, half_vv = ([x.c[k] for x in own] for k in Jet.ORDERS[1:])
@@ -96,7 +95,7 @@ def forms(surface, u, v, number=Fraction):
     return dot(su, su), dot(su, sv), dot(sv, sv), *second
 
 
-def shape_operator(surface, u, v, number=Fraction):
+def shape_operator(surface, u, v, number=mpq):
     """The matrix of the shape operator times the length of the normal, and the square of that; None where there is no
     tangent plane.
     """
@@ -108,7 +107,7 @@ def shape_operator(surface, u, v, number=Fraction):
     return rows, area
 
 
-def gaussian_curvature(surface, u, v, number=Fraction):
+def gaussian_curvature(surface, u, v, number=mpq):
     """K: the determinant of the shape operator."""
     found = shape_operator(surface, u, v, number)
     if found is None:
@@ -117,7 +116,7 @@ def gaussian_curvature(surface, u, v, number=Fraction):
     return (a * d - b * c) / area
 
 
-def umbilicity(surface, u, v, number=Fraction):
+def umbilicity(surface, u, v, number=mpq):
     """How far the shape operator is from a multiple of the identity: zero at umbilics alone; None without a tangent
     plane.
     """

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -37,9 +37,9 @@ def folder(path: str | Path) -> Path:
     return place
 
 
-def make(number: int, folder: str | Path, drawn: Drawn | None = None) -> Made:
-    """Draw one figure, where it is not given as drawn, and write it into a folder: as SVG and PNG, and its surfaces as
-    an interactive page.
+def make(number: int, folder: str | Path, drawn: Drawn | None = None, suffixes: Sequence[str] = ("svg", "png")) -> Made:
+    """Draw one figure, where it is not given as drawn, and write it into a folder: as SVG and PNG, or one of them, and
+    its surfaces as an interactive page.
 
     Raises `PlotError` for a number that is not a figure of the paper, without matplotlib, and where the files cannot be
     written.
@@ -50,7 +50,7 @@ def make(number: int, folder: str | Path, drawn: Drawn | None = None) -> Made:
         )
     figure, caption, scenes = drawn or FIGURES[number]()
     made = Made(number, caption)
-    for suffix in ("svg", "png"):
+    for suffix in suffixes:
         place = Path(folder) / f"figure{number}.{suffix}"
         save(figure, place)
         made.files.append(str(place))
