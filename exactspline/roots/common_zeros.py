@@ -411,8 +411,8 @@ def projected(zero: CommonZero, f: fmpz_mpoly, g: fmpz_mpoly) -> Projection:
         slope += 1
         sheared = [p.compose(T, S - slope * T) for p in (f, g)]
         rows = [rows_of(p) for p in sheared]
-        if all(own[-1].degree() > 0 for own in rows):
-            continue  # zeros at infinity would be counted
+        if all(own[-1].degree() > 0 for own in rows) or any(len(own) == 1 for own in rows):
+            continue  # zeros at infinity would be counted; a polynomial in z alone is out of reach of the checker
         factor, times = _factor_at(resultant(*rows), zero, slope)
         column = Column.of(sheared, factor)
         if column.zeros.degree == 1:

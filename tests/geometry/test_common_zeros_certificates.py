@@ -202,6 +202,13 @@ def test_two_zeros_over_one_root_are_not_counted_as_one():
         check_certificate(certificate)
 
 
+def test_a_function_of_the_projection_alone():
+    """Our own certificate was refused where a function depends on s + t only: "a pair without s"."""
+    f, g = function(lambda s, t: (4 * s + 4 * t - 3) * (4 * s + 4 * t - 7)), function(lambda s, t: (s - t) ** 2)
+    _, certificate = certificate_of(f, g)
+    assert check_certificate(certificate) == {"zeros": 2, "multiplicity": 4}
+
+
 def test_what_has_no_certificate_says_so():
     line, parabola = function(lambda s, t: t), function(lambda s, t: t - (2 * s - 1) ** 2)
     with pytest.raises(ReachError, match="along a curve"):

@@ -156,6 +156,13 @@ def test_what_runs_over_a_surface_once(kind, profile):
         assert campaign.layers(surface, part.shape) == 2 - once
 
 
+def test_patches_that_are_all_of_a_surface_are_whole():
+    """They were not where the torus is proposed by one patch, and not by all together."""
+    for halves in (2, 3):
+        (part,) = recognized_surface(turned_around(halves, [(4, 0, 1), (4, 1, 1), (6, 2, 2)]))
+        assert (part.kind, len(part.patches), part.whole) == ("torus", 2 * halves, True)
+
+
 def test_a_sphere_as_kernels_write_it():
     """Weights of doubles: the centre by least squares is beside the axis through both poles, about which it turns."""
     half = mpq(0.5**0.5)

@@ -191,7 +191,16 @@ def test_a_singular_point_at_a_knot():
     )
     turned = TensorSpline((2, 0), wide, [0, 2], [[1], [0], [0], [0], [-1]])
     assert [str(x.kind) for x in zero_curve(p + q).singular_points] == ["isolated point"]
-    assert [str(x.kind) for x in zero_curve(turned + q).singular_points] == ["at a knot"]
+    (mixed,) = zero_curve(turned + q).singular_points
+    assert (str(mixed.kind), mixed.multiplicity, mixed.milnor) == ("at a knot", 2, None)
+
+
+def test_a_line_on_a_knot_may_be_one_from_one_side():
+    """At s = 1 the function jumps: it vanishes there from the left, or from both sides."""
+    for right, one_sided in (([1, 2], True), ([0, 0], False)):
+        f = TensorSpline((1, 1), [0, 0, 1, 1, 2, 2], [0, 0, 1, 1], [[1, 1], [0, 0], right, [1, 1]])
+        (line,) = zero_curve(f).lines
+        assert (line.value, line.one_sided) == (1, one_sided)
 
 
 #: The size of the numbers of a place: small fractions, and the doubles next to them.
@@ -263,6 +272,30 @@ def test_arcs_between_singular_points(p, ends):
 
     arcs = [None if arc.closed else tuple(sorted(map(end, (arc.start, arc.end)))) for arc in found.arcs]
     assert sorted(arcs, key=str) == sorted(ends, key=str)
+
+
+@pytest.mark.parametrize(
+    ("p", "ends"),
+    [
+        (lambda s, t: (2 * t - 1 - s) * (2 * t - 1 + s), [(0, mpq(1, 2))] * 2),  # a node
+        (lambda s, t: (2 * t - s) * (2 * s - t), [(0, 0)] * 2),
+        (lambda s, t: (2 * t - 1) ** 2 - s**3, [(0, mpq(1, 2))] * 2),  # a cusp
+        (lambda s, t: 1 - t - (2 * s - 1) ** 2, [(mpq(1, 2), 1)] * 2),  # touches the border
+    ],
+)
+def test_arcs_end_on_the_border(p, ends):
+    """An arc ran through a point on the border at which two arcs meet, singular or not."""
+    assert [end for arc in zero_curve(function(p)).arcs for end in (arc.start, arc.end) if end in ends] == ends
+
+
+def test_arcs_end_in_a_cusp_on_a_knot_line():
+    """An arc ran through it."""
+    knots = [0, 0, 1, 2, 2]
+    s = TensorSpline((1, 0), knots, [0, 2], [[0], [1], [2]])
+    t = TensorSpline((0, 1), [0, 2], knots, [[0, 1, 2]])
+    found = zero_curve((t - 1) ** 2 - (s - 1) ** 3)
+    assert [(x.start, x.end) for x in found.arcs] == [((2, 0), (1, 1)), ((1, 1), (2, 2))]
+    assert [str(x.kind) for x in found.singular_points] == ["cusp"]
 
 
 def test_arcs_run_on_over_knots():

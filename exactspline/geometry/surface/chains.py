@@ -81,8 +81,14 @@ class ZeroComponent:
         long to compute those of a singular point.
         """
         graph, special = _graph(self.pieces, domain, closed), dict[Hashable, Spot]()
+        node: Hashable
+        borders = _borders(domain, closed)
         for k, piece in enumerate(self.pieces):
-            special |= {(k, joint.box): joint.zero.on(piece.sides).place for joint in piece.part.joints}
+            for joint in piece.part.joints:
+                on_border = None if joint.corner is None else piece.spot(joint.corner)
+                node = (k, joint.box) if on_border is None else _OnBorder(_once(on_border, domain, closed))
+                special[node] = on_border or joint.zero.on(piece.sides).place
+        special |= {node: node.spot for node in graph if isinstance(node, _OnBorder) and _meets(node.spot, borders)}
         inner = {node for node, near in graph.items() if len(near) == 2 and node not in special}
         ends = [(node, way) for node, near in graph.items() if node not in inner for way in near]
         found = list[tuple[Spot | None, Spot | None, bool]]()
@@ -152,7 +158,7 @@ def chained(
     continue there.
     """
     spots: dict[Spot, Counter[int]] = {}
-    borders = [() if line in closed else side for side, line in zip(domain, Along, strict=True)]
+    borders = _borders(domain, closed)
     for k, piece in enumerate(pieces):
         for spot, arcs in piece.spots():
             spots.setdefault(_once(spot, domain, closed), Counter())[k] += arcs
@@ -196,5 +202,14 @@ def _shape(
     ends = [spot for spot, count in met.items() if count == 1]
     if not ends:
         return Shape.LOOP
-    outside = all(any(t in side for t, side in zip(spot, borders, strict=True)) for spot in ends)
-    return Shape.ARC if outside else Shape.BROKEN
+    return Shape.ARC if all(_meets(spot, borders) for spot in ends) else Shape.BROKEN
+
+
+def _borders(domain: Box, closed: Sequence[Along]) -> list[tuple[mpq, ...]]:
+    """The ends of both parameters at which the surface is not closed."""
+    return [() if line in closed else side for side, line in zip(domain, Along, strict=True)]
+
+
+def _meets(spot: Spot, borders: Sequence[tuple[mpq, ...]]) -> bool:
+    """Whether a point is on the border."""
+    return any(t in side for t, side in zip(spot, borders, strict=True))

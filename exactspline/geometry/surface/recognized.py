@@ -118,7 +118,7 @@ def _by_patches(surface: NurbsSurface, samples: dict[Patch, list[Sample]], limit
             if near:
                 within = max(near.values())
                 once = (block := _block(surface, [*near])) is not None and covers_once(block, shape, within)
-                found.append(RecognizedPart(tuple(near), shape, within, whole=False, once=once))
+                found.append(RecognizedPart(tuple(near), shape, within, whole=len(near) == len(samples), once=once))
                 done |= set(near)
                 break
     return found
