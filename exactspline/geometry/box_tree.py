@@ -6,8 +6,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from exactspline.roots.local_parameters import SegmentForms
+from exactspline.roots.local_parameters import SegmentForms, SegmentRows
 
+#: A segment by its forms, or by their integers.
+Segment = SegmentForms | SegmentRows
 #: An interval of integers in each coordinate; None for everything.
 IntegerBox = tuple[tuple[int, int], ...] | None
 
@@ -15,13 +17,13 @@ IntegerBox = tuple[tuple[int, int], ...] | None
 BITS = 30
 
 
-def shift_for(segments: Sequence[SegmentForms]) -> int:
+def shift_for(segments: Sequence[Segment]) -> int:
     """The shift with which coordinates of the size of the starting points have about `BITS` bits."""
     sizes = [int(x[0]).bit_length() - int(w[0]).bit_length() for _, (*p, w) in segments for x in p if x[0]]
     return max(0, BITS - max(sizes, default=0))
 
 
-def box_of(segment: SegmentForms, shift: int) -> IntegerBox:
+def box_of(segment: Segment, shift: int) -> IntegerBox:
     """Integers that enclose ``2^shift`` times every coordinate on a segment, by its control points; None where their
     weights have different signs.
 
@@ -50,7 +52,7 @@ class BoxTree:
     ((0, 17), (0, 17))
     """
 
-    def __init__(self, segments: Sequence[SegmentForms], shift: int, margin: int = 0) -> None:
+    def __init__(self, segments: Sequence[Segment], shift: int, margin: int = 0) -> None:
         boxes = [box_of(segment, shift) for segment in segments]
         self.boxes = [box and tuple((low - margin, high + margin) for low, high in box) for box in boxes]
         self._joined: dict[tuple[int, int], IntegerBox] = {}
@@ -113,7 +115,7 @@ def pairs_that_may_meet(first: BoxTree, second: BoxTree) -> Iterator[tuple[int, 
 Cone = tuple[tuple[int, int], tuple[int, int]]
 
 
-def legs(segment: SegmentForms) -> list[tuple[int, int]]:
+def legs(segment: Segment) -> list[tuple[int, int]]:
     """Positive multiples of the vectors from one control point of a segment in the plane to the next, without zeros;
     none where weights vanish or have different signs.
 

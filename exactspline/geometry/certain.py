@@ -27,6 +27,7 @@ from exactspline.polynomials.isolation import LocalPolynomial, LocalZero, isolat
 from exactspline.programs import accelerator
 from exactspline.programs.accelerator import SegmentZero, signs
 from exactspline.questions.answers import CurvePiece, Places
+from exactspline.roots.late_zero import LateZero
 from exactspline.roots.root import Root
 from exactspline.splines.blossom import CommonRows
 
@@ -58,43 +59,6 @@ class SegmentForm:
         ).inner
 
 
-class LateZero:
-    """A simple zero inside a segment that is computed exactly when it is asked for: it has the attributes of a
-    `LocalZero`.
-    """
-
-    multiplicity = 1
-
-    def __init__(self, form: SegmentForm, number: int, before: int) -> None:
-        self.form, self.number, self.before = form, number, before
-
-    @cached_property
-    def exactly(self) -> LocalZero:
-        """The zero in exact arithmetic; a rational one as the zero of its linear polynomial."""
-        zero = self.form.inner[self.number]
-        if zero.low < zero.high:
-            return zero
-        p, q = int(zero.low.numerator), int(zero.low.denominator)
-        return LocalZero(mpq(0), mpq(1), 1, zero.signs, LocalPolynomial(fmpz_poly([-p, q - p])), -1)
-
-    @property
-    def changing(self) -> tuple[LocalPolynomial, int]:
-        """As that of a `LocalZero`; the form itself, without isolating the zero anew, where it is linear or the zero is
-        certainly irrational.
-        """
-        form = self.form.form
-        whole = form.polynomial.degree() == 1 or form.without_rational_zero
-        return (form, self.before) if whole else self.exactly.changing
-
-    def __getattr__(self, name: str) -> object:
-        if name in LocalZero._fields:
-            return getattr(self.exactly, name)
-        raise AttributeError(name)
-
-    def __reduce__(self) -> tuple[object, ...]:
-        return LocalZero, tuple(self.exactly)
-
-
 @dataclass
 class Certain:
     """What is certain of a plane curve: its zeros of κ and κ′ at regular points, in the order of the parameter; it has
@@ -106,8 +70,8 @@ class Certain:
     breaks: tuple[mpq, ...]
     rows: Sequence[CommonRows]
     zeros: tuple[list[Found], list[Found]]
-    #: The sign of κ at every zero of κ′ that is not a feature already.
-    curvature_signs: list[int]
+    #: Whether κ is positive at the start of each segment.
+    positive: Sequence[bool]
     #: The straight pieces: all pieces of constant curvature.
     straight: tuple[CurvePiece, ...]
 
@@ -131,9 +95,10 @@ class Certain:
 
     def _features(self, output: int) -> tuple[Feature, ...]:
         """The objects that describe the zeros."""
+        bends = _bends(zero for zero in self.zeros[CURVATURE] if isinstance(zero, SegmentZero))
         forms: dict[int, tuple[SegmentForm, Interval]] = {}
         breaks, found, number = self.breaks, [], 0
-        for k, zero in enumerate(self.zeros[output]):
+        for zero in self.zeros[output]:
             if isinstance(zero, Feature):
                 found.append(zero)
                 continue
@@ -155,9 +120,16 @@ class Certain:
                 found.append(Feature(FeatureKind.INFLECTION, root, Variant.MINIMAL, by_jump))
                 continue
             kind = FeatureKind.MAXIMUM if zero.before > 0 else FeatureKind.MINIMUM
-            of_absolute = kind if self.curvature_signs[k] > 0 else kind.opposite
+            of_absolute = kind if self._positive_at(zero, bends) else kind.opposite
             found.append(Feature(kind, root, Variant.MINIMAL, by_jump, of_absolute))
         return tuple(found)
+
+    def _positive_at(self, zero: SegmentZero | Jump, bends: Mapping[int, Sequence[SegmentZero]]) -> bool:
+        """Whether κ is positive at a zero of κ′; `bends` are the zeros of κ by segment."""
+        if isinstance(zero, Jump):
+            return self.positive[zero.knot]
+        before = [bend for bend in bends.get(zero.segment, ()) if bend.high <= zero.low]
+        return self.positive[zero.segment] == (len(before) % 2 == 0)
 
 
 def certain(facts: Facts) -> Certain | None:
@@ -214,12 +186,9 @@ def certain(facts: Facts) -> Certain | None:
             zeros[jump.output].append(jump)
         for own in zeros:
             own.sort(key=partial(_place, facts.breaks))
-    bends = _bends(zero for zero in zeros[CURVATURE] if isinstance(zero, SegmentZero))
-    curvature_signs = [_sign_at(zero, found.ends, bends) for zero in zeros[CRITICAL]]
+    positive = [end[4 * CURVATURE] > 0 for end in found.ends]
     pieces = facts.straight_runs(straight) if straight else ()
-    return Certain(
-        curve.degree, rational, facts.breaks, rows, (zeros[CURVATURE], zeros[CRITICAL]), curvature_signs, pieces
-    )
+    return Certain(curve.degree, rational, facts.breaks, rows, zeros, positive, pieces)
 
 
 def moved(operands: Sequence[Sequence[int]], below: int, *, rational: bool) -> CommonRows:
@@ -271,15 +240,3 @@ def _entangled(zeros: Sequence[SegmentZero]) -> set[int]:
         for zero in turns
         if any(bend.low < zero.high and zero.low < bend.high for bend in bends.get(zero.segment, ()))
     }
-
-
-def _sign_at(zero: Found, ends: Sequence[Sequence[float]], bends: Mapping[int, Sequence[SegmentZero]]) -> int:
-    """The sign of κ at a zero of κ′; `bends` are the zeros of κ, by segment."""
-    if isinstance(zero, Feature):
-        return 1
-    segment = zero.knot if isinstance(zero, Jump) else zero.segment
-    sign = 1 if ends[segment][4 * CURVATURE] > 0 else -1
-    if isinstance(zero, SegmentZero):
-        before = [bend for bend in bends.get(segment, ()) if bend.high <= zero.low]
-        return sign * (-1) ** len(before)
-    return sign

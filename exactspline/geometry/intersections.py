@@ -10,11 +10,13 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 from enum import StrEnum
+from functools import partial
 from typing import Any, NamedTuple
 
 from exactspline.errors import ReachError, ShapeError
 from exactspline.geometry.box_tree import BoxTree, Cone, cone_around, legs, pairs_that_may_meet, shift_for
 from exactspline.geometry.intersection_certificate import intersection_certificate
+from exactspline.geometry.late_meetings import PairForm
 from exactspline.geometry.sides_at_knots import changes_side, half_branches, interlace
 from exactspline.geometry.space_meetings import SpaceForms, space_meetings
 from exactspline.hooks import Displayed
@@ -24,9 +26,10 @@ from exactspline.polynomials.bezout import PlaneForms
 from exactspline.polynomials.common_arcs import Arc, Meetings
 from exactspline.polynomials.cost import PATCH, QUESTION, Budget, drawing_on
 from exactspline.polynomials.plane_pairs import meetings, self_meetings
+from exactspline.programs.certain_pairs import certain_pairs
 from exactspline.questions.answers import Answer
 from exactspline.reals.real import Real
-from exactspline.roots.local_parameters import ImageValue, image_splines, parameter, segment_forms
+from exactspline.roots.local_parameters import ImageValue, image_splines, parameter, segment_forms, segment_rows
 from exactspline.roots.values import at, segment_polynomials
 from exactspline.splines.expected import curve_of
 from exactspline.splines.nurbs import Nurbs
@@ -221,16 +224,19 @@ class _Collected:
 
     def __init__(self, first: Nurbs, second: Nurbs, *, alone: bool = False) -> None:
         self.curves, self.alone, self.in_space = (first, second), alone, first.dimension == 3
-        self.segments = [[segment_forms(curve, i) for i in range(curve.segments)] for curve in self.curves[: 2 - alone]]
+        self.segments = [[segment_rows(curve, i) for i in range(curve.segments)] for curve in self.curves[: 2 - alone]]
         self.inner: list[_Found] = []
         self.at_knots: dict[tuple[object, object], list[list[_Found]]] = {}
         self.arcs: list[Overlap] = []
         self.left_out: list[str] = []
         self._cones: dict[int, Cone | None] = {}
         pairs = self._pairs()
+        certain = certain_pairs(self.segments[0], self.segments[-1], pairs)
+        #: The common points that are certain in doubles.
+        self.certain = [(pair, found) for pair, found in zip(pairs, certain, strict=True) if found]
         with drawing_on(Budget(QUESTION + PATCH * max(len(pairs) - 1, 0))):
-            for i, j in pairs:
-                if not (alone and self._runs_on(i, j)):
+            for (i, j), found in zip(pairs, certain, strict=True):
+                if found is None and not (alone and self._runs_on(i, j)):
                     self._collect(i, j)
 
     def _pairs(self) -> list[tuple[int, int]]:
@@ -259,7 +265,7 @@ class _Collected:
 
     def _form(self, k: int, i: int) -> Any:
         """A segment of one of the curves, in the plane or in space."""
-        n, forms = self.segments[0 if self.alone else k][i]
+        n, forms = segment_forms(self.curves[k], i)
         return (SpaceForms if self.in_space else PlaneForms)(n, *forms)
 
     def _side(self, k: int, i: int) -> Interval:
@@ -323,13 +329,25 @@ class _Collected:
 
     def answer(self) -> Intersections:
         """All of it, in order."""
-        points = [self._inside(point) for point in self.inner]
-        for groups in self.at_knots.values():
-            points += [self._at_knot(group) for group in groups if not self._ends_an_arc(group[0])]
-        if len(points) > 1:
-            points.sort(key=lambda point: point.first)
-        curves = None if self.alone else self.curves
-        return Intersections(tuple(points), tuple(self.arcs), tuple(self.left_out), curves)
+        at_knots = [
+            self._at_knot(group)
+            for groups in self.at_knots.values()
+            for group in groups
+            if not self._ends_an_arc(group[0])
+        ]
+        count = len(at_knots) + len(self.inner) + sum(len(found) for _, found in self.certain)
+        answer = Intersections.late(count, partial(self._in_order, at_knots), tuple(self.arcs))
+        vars(answer).update(left_out=tuple(self.left_out), curves=None if self.alone else self.curves)
+        return answer
+
+    def _in_order(self, at_knots: list[Intersection]) -> tuple[Intersection, ...]:
+        """All common points, in the order of the first curve."""
+        for pair, found in self.certain:
+            forms = PairForm.of(self.segments[0][pair[0]], self.segments[-1][pair[1]])
+            self._add(Meetings([forms.meeting(each) for each in found]), *pair)
+        self.certain = []
+        points = [*at_knots, *map(self._inside, self.inner)]
+        return tuple(sorted(points, key=lambda point: point.first) if len(points) > 1 else points)
 
     def _inside(self, point: _Found) -> Intersection:
         times = point.multiplicity

@@ -9,6 +9,7 @@ from typing import Protocol
 from flint import arb, arb_poly, fmpz_poly
 
 from exactspline.numbers.exact import mpq
+from exactspline.numbers.intervals import Interval
 from exactspline.polynomials.bernstein import quotient_slope
 from exactspline.polynomials.factors import greatest_common_divisor
 from exactspline.polynomials.isolation import isolate
@@ -71,6 +72,8 @@ class Image:
 
     place: Place
     by: Mapping
+    #: An interval that contains it, where one is known.
+    known: Interval | None = None
 
     @property
     def map(self) -> RationalMap:

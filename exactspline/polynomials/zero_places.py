@@ -53,7 +53,7 @@ class Place:
         """
         low, high = self.interval
         if low != high and bits > self.bits:
-            for interval in enclosures(self.zero.factor, low, high, self.zero.sign, bits):
+            for interval in enclosures(self.zero.changing[0], low, high, self.zero.changing[1], bits):
                 self.interval = interval
             self.bits = bits
         return self.interval

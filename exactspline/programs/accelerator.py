@@ -1,6 +1,7 @@
 """The optional C extension (filter.c): it runs a program on every segment of a curve in doubles with error masses, and
-finds the zeros of the outputs that are certain. Without it, or where it says that something is not certain, exact
-arithmetic decides: the answers are the same. Derivation: docs/certified-filter.md.
+finds the zeros of the outputs that are certain (for two curves: `exactspline.programs.certain_pairs`). Without it, or
+where it says that something is not certain, exact arithmetic decides: the answers are the same. Derivation:
+docs/certified-filter.md.
 
 >>> filter_curve is None or callable(filter_curve)
 True
@@ -49,20 +50,19 @@ class _Program(Structure):
     ]
 
 
-def _loaded() -> Callable[..., int] | None:
-    """The function of the extension; None where there is none."""
+def loaded(name: str, *arguments: type) -> Callable[..., int] | None:
+    """A function of the extension; None where there is none."""
     try:
-        function = CDLL(LIBRARY).filter_curve
+        function = getattr(CDLL(LIBRARY), name)
     except (OSError, AttributeError):
         return None
-    function.argtypes = [c_void_p, c_void_p, c_int, c_void_p, c_int]
-    function.restype = c_int
+    function.argtypes, function.restype = list(arguments), c_int
     made: Callable[..., int] = function
     return made
 
 
-#: The function of the extension, None where there is none.
-filter_curve = _loaded()
+#: The function of the extension for one curve, None where there is none.
+filter_curve = loaded("filter_curve", c_void_p, c_void_p, c_int, c_void_p, c_int)
 
 
 class SegmentZero(NamedTuple):

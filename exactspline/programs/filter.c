@@ -1,6 +1,7 @@
-/* The certified filter for one curve: a straight-line program on every segment in doubles with error masses, then the
-   zeros of its outputs. The program is data (see accelerator.py); no formula stands here. What is not certain is said to
-   be open and decided in exact arithmetic. Derivation: docs/certified-filter.md. */
+/* The certified filter in doubles with error masses. For one curve: a straight-line program on every segment, then the
+   zeros of its outputs; the program is data (see accelerator.py). For two curves: the simple zeros of the determinant of
+   Bézout's matrix (see exactspline/polynomials/bezout.py) and the parameters that belong to them. What is not certain is
+   said to be open and decided in exact arithmetic. Derivation: docs/certified-filter.md. */
 
 #include <float.h>
 #include <math.h>
@@ -179,8 +180,8 @@ static int without_zeros(Form *part, int level, int *budget) {
     return without_zeros(part, level + 1, budget) && without_zeros(&right, level + 1, budget);
 }
 
-/* The sign of a form at a parameter, 0 where it is not certain. */
-static int sign_at(const Form *form, double t) {
+/* The value of a form at a parameter, and the bound of its error. */
+static double value_at(const Form *form, double t, double *bound) {
     int n = form->degree;
     double b[MOST], e[MOST], u = 1 - t;
     for (int i = 0; i <= n; i++) {
@@ -192,12 +193,19 @@ static int sign_at(const Form *form, double t) {
             b[i] = u * b[i] + t * b[i + 1];
             e[i] = u * e[i] + t * e[i + 1];
         }
-    double bound = e[0] * (1 + 8 * (n + 1) * ROUNDING) + 16 * (n + 1) * UNDERFLOW;
-    return b[0] > bound ? 1 : b[0] < -bound ? -1 : 0;
+    *bound = e[0] * (1 + 8 * (n + 1) * ROUNDING) + 16 * (n + 1) * UNDERFLOW;
+    return b[0];
 }
 
-/* An unproved approximation of a zero: Newton's method, or bisection where it leaves the bracket or is slow. */
-static double approximated(const Form *form, const Zero *zero) {
+/* The sign of a form at a parameter, 0 where it is not certain. */
+static int sign_at(const Form *form, double t) {
+    double bound, value = value_at(form, t, &bound);
+    return value > bound ? 1 : value < -bound ? -1 : 0;
+}
+
+/* Unproved approximations of a zero and of the derivative there: Newton's method, or bisection where it leaves the bracket
+   or is slow. */
+static double approximated(const Form *form, const Zero *zero, double *slope) {
     int n = form->degree;
     double low = zero->low, high = zero->high, x = (low + high) / 2, last = high - low, b[MOST];
     for (int step = 0; step < STEPS && last > REACHED; step++) {
@@ -205,7 +213,10 @@ static double approximated(const Form *form, const Zero *zero) {
         for (int level = n; level > 1; level--)
             for (int i = 0; i < level; i++)
                 b[i] = (1 - x) * b[i] + x * b[i + 1];
-        double value = (1 - x) * b[0] + x * b[1], move = value / (n * (b[1] - b[0])), near = x - move;
+        double value = (1 - x) * b[0] + x * b[1], move, near;
+        *slope = n * (b[1] - b[0]);
+        move = value / *slope;
+        near = x - move;
         if (value * zero->before > 0)
             low = x;
         else
@@ -217,11 +228,13 @@ static double approximated(const Form *form, const Zero *zero) {
     return x;
 }
 
-/* The zero in a narrower interval, where the signs at its ends are certain. */
+/* The zero in a narrower interval, where the signs at its ends are certain: the first is as wide as errors suggest. */
 static void narrowed(const Form *form, Zero *zero) {
-    double x = approximated(form, zero);
-    for (int k = 0; k < (int)(sizeof WIDTHS / sizeof *WIDTHS); k++) {
-        double a = fmax(zero->low, x - WIDTHS[k]), b = fmin(zero->high, x + WIDTHS[k]);
+    double slope = 0, error, x = approximated(form, zero, &slope);
+    value_at(form, x, &error);
+    for (int k = -1; k < (int)(sizeof WIDTHS / sizeof *WIDTHS); k++) {
+        double width = k < 0 ? fmax(2 * error / fabs(slope), 4 * ROUNDING) : WIDTHS[k];
+        double a = fmax(zero->low, x - width), b = fmin(zero->high, x + width);
         if (a < b && sign_at(form, a) == zero->before && sign_at(form, b) == -zero->before) {
             zero->low = a;
             zero->high = b;
@@ -361,4 +374,299 @@ int filter_curve(const Program *program, double *data, int segments, double *fou
         here[0] = open;
     }
     return count;
+}
+
+/* ---- two curves */
+
+/* The highest degree of a segment; the numbers of one: its degree, a point near it, and the coefficients of x, y and w
+   measured from this point; and those of a common point. */
+enum { HIGHEST = 5, SIDE = HIGHEST + 1, OF_SEGMENT = 3 + 3 * SIDE, OF_POINT = 7 };
+/* The sets of columns of a matrix, and the coefficients of its determinant. */
+enum { COLUMNS = 1 << HIGHEST, LONG = HIGHEST * HIGHEST + 1 };
+
+/* The coefficients of a form in the scaled basis, each with its mass. */
+typedef struct {
+    double value[LONG], mass[LONG];
+} Bare;
+
+/* The coefficients of the coordinates x, y, w of a segment, with their masses. */
+typedef struct {
+    int degree;
+    double value[3][SIDE], mass[3][SIDE];
+} Points;
+
+/* A matrix of forms in the parameter of the second curve; the roundings of its entries. */
+typedef struct {
+    int size, degree, roundings;
+    Bare entry[HIGHEST][HIGHEST];
+} Matrix;
+
+/* Both segments in one system of coordinates, no number larger than the binomial coefficients: 0 where they are too
+   large or too small for that. The first goes through 1 rounding, the second through 4. */
+static int brought_together(const double *first, const double *second, Points *p, Points *q) {
+    static const double BIG = 0x1p400, SMALL = 0x1p-400;
+    const double *given[2] = {first, second};
+    Points *to[2] = {p, q};
+    double unit[2], shift[2], far = 0;
+    for (int c = 0; c < 2; c++)
+        shift[c] = second[1 + c] - first[1 + c];
+    for (int k = 0; k < 2; k++) {
+        double weight = 0, size = 0;
+        int e, n = (int)given[k][0];
+        if (n < 1 || n > HIGHEST)
+            return 0;
+        for (int i = 0; i <= n; i++)
+            weight = fmax(weight, fabs(given[k][3 + 2 * SIDE + i]));
+        if (!(weight < BIG && weight > SMALL))
+            return 0;
+        frexp(weight, &e);
+        unit[k] = ldexp(1, -e);
+        for (int i = 0; i <= n; i++)
+            for (int c = 0; c < 2; c++)
+                size = fmax(size, fabs(given[k][3 + c * SIDE + i]) * unit[k]);
+        far = fmax(far, k ? size + fmax(fabs(shift[0]), fabs(shift[1])) : size);
+    }
+    if (!(far < BIG && far > SMALL))
+        return 0;
+    int e;
+    frexp(far, &e);
+    double scale = ldexp(1, -e);
+    for (int k = 0; k < 2; k++) {
+        to[k]->degree = (int)given[k][0];
+        for (int i = 0; i <= to[k]->degree; i++) {
+            double w = given[k][3 + 2 * SIDE + i] * unit[k];
+            to[k]->value[2][i] = w;
+            to[k]->mass[2][i] = fabs(w);
+            for (int c = 0; c < 2; c++) {
+                double x = given[k][3 + c * SIDE + i] * unit[k] * scale, moved = k ? shift[c] * scale * w : 0;
+                to[k]->value[c][i] = x + moved;
+                to[k]->mass[c][i] = fabs(x) + fabs(moved);
+            }
+        }
+    }
+    return 1;
+}
+
+/* The line through two points: 2 roundings more than those of both. */
+static void line_through(const double *a, const double *b, double *line, const double *a_mass, const double *b_mass,
+                         double *mass) {
+    for (int c = 0; c < 3; c++) {
+        int d = (c + 1) % 3, e = (c + 2) % 3;
+        line[c] = a[d] * b[e] - a[e] * b[d];
+        mass[c] = a_mass[d] * b_mass[e] + a_mass[e] * b_mass[d];
+    }
+}
+
+/* A line at the points of a segment: 3 roundings more than those of both. */
+static void line_along(const double *line, const double *mass, const Points *q, Bare *form) {
+    for (int i = 0; i <= q->degree; i++) {
+        form->value[i] = line[0] * q->value[0][i] + line[1] * q->value[1][i] + line[2] * q->value[2][i];
+        form->mass[i] = mass[0] * q->mass[0][i] + mass[1] * q->mass[1][i] + mass[2] * q->mass[2][i];
+    }
+}
+
+static void point_of(const Points *p, int i, double *point, double *mass) {
+    for (int c = 0; c < 3; c++) {
+        point[c] = p->value[c][i];
+        mass[c] = p->mass[c][i];
+    }
+}
+
+static void cleared(Bare *form, int degree) {
+    memset(form->value, 0, (size_t)(degree + 1) * sizeof(double));
+    memset(form->mass, 0, (size_t)(degree + 1) * sizeof(double));
+}
+
+/* Bézout's matrix of the first segment and a point on the second. */
+static void bezout(const Points *p, const Points *q, Matrix *matrix) {
+    int m = p->degree;
+    matrix->size = m;
+    matrix->degree = q->degree;
+    /* two points of one rounding, a line, a point of four; the sum of up to three of these */
+    matrix->roundings = (1 + 1 + 2) + 4 + 3 + 2;
+    for (int i = 0; i < m; i++)
+        for (int j = 0; j < m; j++)
+            cleared(&matrix->entry[i][j], q->degree);
+    for (int i = 0; i < m; i++)
+        for (int j = i + 1; j <= m; j++) {
+            double a[3], b[3], line[3], a_mass[3], b_mass[3], mass[3];
+            Bare form;
+            point_of(p, i, a, a_mass);
+            point_of(p, j, b, b_mass);
+            line_through(a, b, line, a_mass, b_mass, mass);
+            line_along(line, mass, q, &form);
+            /* (σⁱ sʲ − σʲ sⁱ)/(s − σ) has the terms σᵏ sˡ with k + l = i + j − 1 and i ≤ k, l */
+            for (int k = i; k < j; k++)
+                for (int t = 0; t <= q->degree; t++) {
+                    matrix->entry[k][i + j - 1 - k].value[t] += form.value[t];
+                    matrix->entry[k][i + j - 1 - k].mass[t] += form.mass[t];
+                }
+        }
+}
+
+static void add_product(Bare *to, int sign, const Bare *a, int p, const Bare *b, int q) {
+    for (int i = 0; i <= p; i++) {
+        double x = sign * a->value[i], size = a->mass[i];
+        for (int j = 0; j <= q; j++) {
+            to->value[i + j] += x * b->value[j];
+            to->mass[i + j] += size * b->mass[j];
+        }
+    }
+}
+
+/* The minors of the last rows and each set of columns, and the roundings of those of every size. */
+static void expanded(const Matrix *matrix, Bare *minors, int *roundings) {
+    int m = matrix->size, n = matrix->degree, size[COLUMNS] = {0};
+    minors[0].value[0] = minors[0].mass[0] = 1;
+    roundings[0] = 0;
+    for (int set = 1; set < 1 << m; set++) {
+        size[set] = size[set >> 1] + (set & 1);
+        int degree = n * (size[set] - 1), terms = size[set] * ((degree < n ? degree : n) + 1), sign = 1;
+        const Bare *row = matrix->entry[m - size[set]];
+        cleared(minors + set, degree + n);
+        for (int j = 0; j < m; j++)
+            if (set >> j & 1) {
+                add_product(minors + set, sign, row + j, n, minors + (set & ~(1 << j)), degree);
+                sign = -sign;
+            }
+        roundings[size[set]] = roundings[size[set] - 1] + matrix->roundings + terms;
+    }
+}
+
+/* Numbers and masses stay below 2^200, and there are fewer than 2^20 operations: underflow loses less than this. */
+static const double LOST = 0x1p-700, SLACK = 1.0625;
+
+static void bounded(Form *form, int degree, const Bare *bare, int roundings) {
+    ordinates(form, degree, bare->value, bare->mass, SLACK * roundings * ROUNDING, LOST);
+}
+
+/* Three forms in the parameter of the second segment: one that vanishes where it meets the first curve, and two with the
+   ratio of s and 1 − s there. */
+static void eliminated(const Points *p, const Points *q, Form *vanishing, Form *top, Form *bottom) {
+    Matrix matrix;
+    bezout(p, q, &matrix);
+    int m = p->degree, n = q->degree, roundings[SIDE];
+    if (m == 1) {
+        /* with the line l of p₀ and p₁: (l × p₀)·Q and (p₁ × l)·Q */
+        double a[3], b[3], line[3], across[3], a_mass[3], b_mass[3], mass[3], across_mass[3];
+        Bare form;
+        point_of(p, 0, a, a_mass);
+        point_of(p, 1, b, b_mass);
+        line_through(a, b, line, a_mass, b_mass, mass);
+        line_through(line, a, across, mass, a_mass, across_mass);
+        line_along(across, across_mass, q, &form);
+        bounded(top, n, &form, (4 + 1 + 2) + 4 + 3);
+        line_through(b, line, across, b_mass, mass, across_mass);
+        line_along(across, across_mass, q, &form);
+        bounded(bottom, n, &form, (4 + 1 + 2) + 4 + 3);
+        bounded(vanishing, n, &matrix.entry[0][0], matrix.roundings);
+        return;
+    }
+    Bare minors[COLUMNS];
+    expanded(&matrix, minors, roundings);
+    int all = (1 << m) - 1;
+    bounded(vanishing, m * n, minors + all, roundings[m]);
+    /* the entries A₀₀ and A₀₁ of the adjugate */
+    bounded(bottom, (m - 1) * n, minors + (all & ~1), roundings[m - 1]);
+    bounded(top, (m - 1) * n, minors + (all & ~2), roundings[m - 1]);
+    for (int i = 0; i <= top->degree; i++)
+        top->value[i] = -top->value[i];
+}
+
+/* The value of a form at a parameter, and a bound of its distance from all values over an interval that begins there. */
+static double value_over(const Form *form, double low, double high, double *bound) {
+    int n = form->degree;
+    double steep = 0, value = value_at(form, low, bound);
+    for (int i = 0; i < n; i++)
+        steep = fmax(steep, fabs(form->value[i + 1] - form->value[i]) + form->error[i] + form->error[i + 1]);
+    *bound = (*bound + n * steep * (high - low)) * (1 + 16 * ROUNDING);
+    return value;
+}
+
+/* Where a zero of the determinant lies on the first curve: 1 on the segment, with bounds of the parameter, -1 outside, 0
+   where that is not certain. */
+static int place_on_first(const Form *top, const Form *bottom, const Zero *zero, double *bounds) {
+    double over, under, a = value_over(top, zero->low, zero->high, &over);
+    double b = value_over(bottom, zero->low, zero->high, &under);
+    if (!(fabs(a) > over && fabs(b) > under))
+        return 0;
+    if ((a > 0) != (b > 0))
+        return -1;
+    a = fabs(a);
+    b = fabs(b);
+    bounds[0] = (a - over) / ((a - over) + (b + under)) * (1 - 8 * ROUNDING);
+    bounds[1] = fmin(1, (a + over) / ((a + over) + (b - under)) * (1 + 8 * ROUNDING));
+    return 1;
+}
+
+/* The segment in the other direction. */
+static void turned_round(Points *p) {
+    for (int c = 0; c < 3; c++)
+        for (int i = 0, j = p->degree; i < j; i++, j--) {
+            double value = p->value[c][i], mass = p->mass[c][i];
+            p->value[c][i] = p->value[c][j];
+            p->mass[c][i] = p->mass[c][j];
+            p->value[c][j] = value;
+            p->mass[c][j] = mass;
+        }
+}
+
+/* The common points of a pair of segments, as in `filter_pairs`: how many there are, or -1 where a parameter of the
+   first is not certain, which may help to reverse it, -2 where something else is not, or without room. What is found is
+   that of the first as it was before it was `reversed`. */
+static int met(const Points *p, const Points *q, int reversed, int pair, double *point, int room) {
+    Form vanishing, top, bottom, copy;
+    Zero zeros[MOST];
+    eliminated(p, q, &vanishing, &top, &bottom);
+    copy = vanishing;
+    int inside = isolated(&copy, 0, 1, 0, zeros, 0, MOST), count = 0;
+    for (int i = 0; i < inside; i++) {
+        double bounds[2];
+        narrowed(&vanishing, zeros + i);
+        int place = place_on_first(&top, &bottom, zeros + i, bounds);
+        if (place == 0)
+            return -1;
+        if (place < 0)
+            continue;
+        if (count++ == room)
+            return -2;
+        *point++ = pair;
+        *point++ = zeros[i].low;
+        *point++ = zeros[i].high;
+        *point++ = reversed && p->degree % 2 ? -zeros[i].before : zeros[i].before;
+        *point++ = i;
+        *point++ = reversed ? fmax(0, 1 - bounds[1] - ROUNDING) : bounds[0];
+        *point++ = reversed ? fmin(1, 1 - bounds[0] + ROUNDING) : bounds[1];
+    }
+    return inside < 0 ? -2 : count;
+}
+
+/* The common points of pairs of segments.
+
+   first, second: the segments of both curves, `OF_SEGMENT` numbers each: the degree (others than 1 to `HIGHEST` are
+   left open), a point near the segment, and the coefficients of x, y and w in the scaled basis measured from this
+   point, each rounded once.
+   pairs: the indices of the segments. open: for every pair whether something is not certain.
+   found: for every common point the pair; the ends of an interval of the parameter of the segment of higher degree (of
+   the second, where they are alike), the sign of the determinant before it, its number among all zeros of the
+   determinant, and the ends of an interval of the other parameter.
+
+   Returns the number of common points, at most `room`. */
+int filter_pairs(const double *first, const double *second, const int *pairs, int count, int *open, double *found,
+                 int room) {
+    int points = 0;
+    for (int k = 0; k < count; k++) {
+        const double *one = first + pairs[2 * k] * OF_SEGMENT, *other = second + pairs[2 * k + 1] * OF_SEGMENT;
+        int exchanged = one[0] > other[0], known = -2;
+        Points p, q;
+        if (brought_together(exchanged ? other : one, exchanged ? one : other, &p, &q))
+            known = met(&p, &q, 0, k, found + OF_POINT * points, room - points);
+        if (known == -1) {
+            turned_round(&p);
+            known = met(&p, &q, 1, k, found + OF_POINT * points, room - points);
+        }
+        open[k] = known < 0;
+        points += known < 0 ? 0 : known;
+    }
+    return points;
 }

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from math import comb
 from typing import cast
 
 from flint import ctx, fmpz, fmpz_poly
@@ -27,6 +29,8 @@ U_PLUS_V = fmpz_poly([1, 1])
 
 #: The degree of a segment, and the integers of the forms of its homogeneous coordinates.
 SegmentForms = tuple[int, list[fmpz_poly]]
+#: The same with the integers themselves.
+SegmentRows = tuple[int, list[Sequence[int]]]
 
 
 def segment_forms(curve: Nurbs, i: int) -> SegmentForms:
@@ -42,6 +46,16 @@ def segment_forms(curve: Nurbs, i: int) -> SegmentForms:
     while n > 0 and all(c(-1) == 0 for c in whole):
         n, whole = n - 1, [c // U_PLUS_V for c in whole]
     return n, whole
+
+
+def segment_rows(curve: Nurbs, i: int) -> SegmentRows:
+    """The degree of a segment as it is given, and the integers of its homogeneous coordinates over one denominator.
+
+    >>> segment_rows(Nurbs(1, [0, 0, 1, 1], [(0, "1/2"), (1, 2)]).elevate_degree(), 0)
+    (2, [(0, 2, 2), (1, 5, 4), [2, 4, 2]])
+    """
+    (operands, below), n = curve.rows[i], curve.degree
+    return n, [*operands, [below * comb(n, k) for k in range(n + 1)]] if curve.polynomial else list(operands)
 
 
 def plane_forms(curve: Nurbs, i: int) -> PlaneForms:
@@ -107,6 +121,8 @@ class ImageValue(ValueAt):
         low, high = self._sides[0]
         bits = max(digits, 0) * 10 // 3 + GUARD
         limit = mpq(1, 10 ** max(digits, 0))
+        if (known := self._image.known) is not None and (high - low) * known.width <= limit:
+            return self._sides[0].part(known)
         while True:
             with ctx.workprec(3 * bits):
                 z = self._image.z(bits)

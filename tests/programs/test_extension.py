@@ -123,7 +123,8 @@ SANITIZED = ("-fsanitize=address,undefined", "-fno-sanitize-recover=undefined", 
 
 
 @pytest.mark.skipif(sys.platform != "linux", reason="the sanitizer is loaded before Python as on Linux")
-def test_no_memory_but_its_own_is_touched(tmp_path):
+@pytest.mark.parametrize("campaign_of", ["filter 400", "certain_pairs 2000"])
+def test_no_memory_but_its_own_is_touched(tmp_path, campaign_of):
     sys.path.insert(0, str(ROOT))
     try:
         import hatch_build
@@ -138,7 +139,7 @@ def test_no_memory_but_its_own_is_touched(tmp_path):
         "ASAN_OPTIONS": "detect_leaks=0",
         "EXACTSPLINE_EXTENSION": str(library),
     }
-    command = [sys.executable, "-m", "tests.campaigns.filter", "400", "5"]
+    command = [sys.executable, "-m", *f"tests.campaigns.{campaign_of} 5".split()]
     done = subprocess.run(command, cwd=ROOT, env=environment, capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stderr
     assert "0 wrong" in done.stdout

@@ -1,0 +1,94 @@
+"""The common points of pairs of segments of plane curves that are certain in doubles, by the optional C extension
+(filter.c). What it leaves open, exact arithmetic decides. Derivation: docs/certified-filter.md.
+"""
+
+from __future__ import annotations
+
+from array import array
+from collections.abc import Sequence
+from ctypes import c_int, c_void_p
+from typing import NamedTuple
+
+from exactspline.programs.accelerator import loaded
+
+#: A degree, and the integers of the forms x, y, w.
+Segment = tuple[int, Sequence[Sequence[int]]]
+#: The function of the extension, None where there is none.
+filter_pairs = loaded("filter_pairs", *[c_void_p] * 3, c_int, *[c_void_p] * 2, c_int)
+#: As in filter.c: the highest degree of a segment, and the numbers of a common point.
+HIGHEST, OF_POINT = 5, 7
+#: A segment of which nothing is certain.
+OPEN = [0] * (3 + 3 * (HIGHEST + 1))
+#: This many pairs are decided in one call.
+TOGETHER = 64
+
+
+class PairPoint(NamedTuple):
+    """A transversal common point of two segments, inside both: an interval of the parameter of the one of higher degree
+    (of the second, where they are alike), in which Bézout's determinant has no other zero, the sign before it, its
+    number among all zeros of the determinant, and an interval of the parameter of the other.
+    """
+
+    low: float
+    high: float
+    before: int
+    number: int
+    other: tuple[float, float]
+
+
+def certain_pairs(
+    first: Sequence[Segment], second: Sequence[Segment], pairs: Sequence[tuple[int, int]]
+) -> list[list[PairPoint] | None]:
+    """The common points of pairs of segments; None where they are not certain.
+
+    >>> arch, line = (2, [(0, 2, 2), (0, 4, 0), (1, 2, 1)]), (1, [(0, 3), (1, 1), (1, 1)])
+    >>> found = certain_pairs([arch], [line], [(0, 0)])
+    >>> found in ([None], [[]]) or [len(points) for points in found]
+    [2]
+    """
+    if filter_pairs is None:
+        return [None] * len(pairs)
+    tables = [_table(segments) for segments in ((first,) if first is second else (first, second))]
+    one, other = tables[0].buffer_info()[0], tables[-1].buffer_info()[0]
+    found: list[list[PairPoint] | None] = []
+    for start in range(0, len(pairs), TOGETHER):
+        some = pairs[start : start + TOGETHER]
+        count, room = len(some), len(some) * HIGHEST**2
+        indices, open_ = array("i", [i for pair in some for i in pair]), array("i", bytes(4 * count))
+        points = array("d", bytes(8 * OF_POINT * room))
+        known = filter_pairs(
+            one, other, indices.buffer_info()[0], count, open_.buffer_info()[0], points.buffer_info()[0], room
+        )
+        own: list[list[PairPoint] | None] = [None if x else [] for x in open_]
+        for k in range(0, OF_POINT * known, OF_POINT):
+            pair, low, high, before, number, *bounds = points[k : k + OF_POINT]
+            if (one_pair := own[int(pair)]) is not None:
+                one_pair.append(PairPoint(low, high, int(before), int(number), (bounds[0], bounds[1])))
+        found += own
+    return found
+
+
+def _table(segments: Sequence[Segment]) -> array[float]:
+    """The numbers of segments for C."""
+    return array("d", [x for segment in segments for x in _in_doubles(*segment)])
+
+
+def _in_doubles(n: int, forms: Sequence[Sequence[int]]) -> Sequence[float]:
+    """The degree of a segment, the middle of its control points in doubles, and the coefficients of its forms measured
+    from there, each rounded once.
+    """
+    if not 0 < n <= HIGHEST or len(forms) != 3:
+        return OPEN
+    *coordinates, weights = forms
+    spare = [0] * (HIGHEST - n)
+    try:
+        points = [[c / w for c, w in zip(x, weights, strict=True)] for x in coordinates]
+        middle = [(min(x) + max(x)) / 2 for x in points]
+        row = [n, *middle]
+        for x, at in zip(coordinates, middle, strict=True):
+            p, q = at.as_integer_ratio()
+            row += [(c * q - w * p) / q for c, w in zip(x, weights, strict=True)]
+            row += spare
+        return [*row, *map(float, weights), *spare]
+    except (OverflowError, ZeroDivisionError):
+        return OPEN

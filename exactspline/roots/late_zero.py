@@ -1,0 +1,62 @@
+"""A simple zero that is certain in doubles, computed exactly when it is asked for."""
+
+from __future__ import annotations
+
+from functools import cached_property
+from typing import Protocol
+
+from flint import fmpz_poly
+
+from exactspline.numbers.exact import mpq
+from exactspline.polynomials.isolation import LocalPolynomial, LocalZero
+
+
+class LateForm(Protocol):
+    """A form on a segment, computed when it is asked for."""
+
+    @property
+    def form(self) -> LocalPolynomial:
+        """The form, which is not zero at the ends."""
+
+    @property
+    def inner(self) -> list[LocalZero]:
+        """Its zeros inside the segment, by exact arithmetic."""
+
+
+class LateZero:
+    """A simple zero inside a segment that is computed exactly when it is asked for: it has the attributes of a
+    `LocalZero`. `number` is its number among the zeros of the form; with an interval, it is the only one inside.
+    """
+
+    multiplicity = 1
+
+    def __init__(self, form: LateForm, number: int, before: int, interval: tuple[float, float] | None = None) -> None:
+        self.form, self.number, self.before, self.signs = form, number, before, (before, -before)
+        if interval is not None:
+            self.low, self.high = map(mpq, interval)
+
+    @cached_property
+    def exactly(self) -> LocalZero:
+        """The zero in exact arithmetic; a rational one as the zero of its linear polynomial."""
+        zero = self.form.inner[self.number]
+        if zero.low < zero.high:
+            return zero
+        p, q = int(zero.low.numerator), int(zero.low.denominator)
+        return LocalZero(mpq(0), mpq(1), 1, zero.signs, LocalPolynomial(fmpz_poly([-p, q - p])), -1)
+
+    @property
+    def changing(self) -> tuple[LocalPolynomial, int]:
+        """As that of a `LocalZero`; the form itself, without isolating the zero anew, where it is linear or the zero is
+        certainly irrational.
+        """
+        form = self.form.form
+        whole = form.polynomial.degree() == 1 or form.without_rational_zero
+        return (form, self.before) if whole else self.exactly.changing
+
+    def __getattr__(self, name: str) -> object:
+        if name in LocalZero._fields:
+            return getattr(self.exactly, name)
+        raise AttributeError(name)
+
+    def __reduce__(self) -> tuple[object, ...]:
+        return LocalZero, tuple(self.exactly)

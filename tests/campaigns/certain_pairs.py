@@ -1,0 +1,166 @@
+"""Pairs of plane segments that the extension decides in doubles against exact arithmetic: seeded.
+
+python -m tests.campaigns.certain_pairs COUNT SEED
+
+Of each family it tells how many pairs are decided. What is decided must have exactly the common points that Bézout's
+matrix has in integers, each inside its intervals, and the sign before it.
+"""
+
+import sys
+import time
+from collections import Counter
+from fractions import Fraction
+from random import Random
+
+from exactspline.geometry.late_meetings import PairForm
+from exactspline.numbers.exact import mpq
+from exactspline.numbers.intervals import Interval
+from exactspline.polynomials.plane_pairs import meetings
+from exactspline.polynomials.refinement import sign_at
+from exactspline.programs.certain_pairs import certain_pairs
+from exactspline.roots.local_parameters import parameter, plane_forms, segment_rows
+from tests.campaigns import intersections as pairs
+
+#: Digits to which the exact parameters are compared.
+DIGITS = 40
+UNIT = Interval(mpq(0), mpq(1))
+
+
+def cubics(chance):
+    """Two cubics, their control points any doubles between −1 and 1."""
+    return [[(*(Fraction(chance.uniform(-1, 1)) for _ in range(2)), Fraction(1)) for _ in range(4)] for _ in range(2)]
+
+
+def of_some_degrees(chance):
+    """Degrees from 1 to 5, of integers, with weights, of either sign at times."""
+    found = []
+    for _ in range(2):
+        w = chance.choice([1, 1, -1]) * Fraction(1, chance.choice([1, 3]))
+        weights = [w * chance.choice([1, 1, chance.randint(1, 5)]) for _ in range(chance.randint(2, 6))]
+        size = chance.choice([3, 20, 10**6])
+        found.append([(*(chance.randint(-size, size) * u for _ in range(2)), u) for u in weights])
+    return found
+
+
+def far_away(chance):
+    """Small segments far from the origin."""
+    x, y = (Fraction(chance.choice([10**3, 10**9, 2**60 + 1])) for _ in range(2))
+    return [[(a * Fraction(1, 16) + x, b * Fraction(1, 16) - y, w) for a, b, w in rows] for rows in cubics(chance)]
+
+
+def moved_together(chance):
+    """An inner point of one all but on an end, or on any point, of the other."""
+    given = cubics(chance)
+    places = [chance.choice([Fraction(0), Fraction(1)]), Fraction(chance.randint(0, 8), 8)]
+    off = Fraction(chance.choice([0, 1, -1]), 1 << chance.randint(20, 90))
+    (x, y), on = (at(rows, t) for rows, t in zip(given, places, strict=True))
+    given[1] = [(a - on[0] + x + off, b - on[1] + y, w) for a, b, w in given[1]]
+    return given[:: chance.choice([1, -1])]
+
+
+def at(rows, t):
+    """The point of a polynomial cubic."""
+    weights = [(1 - t) ** 3, 3 * t * (1 - t) ** 2, 3 * t * t * (1 - t), t**3]
+    return [sum(w * row[k] for w, row in zip(weights, rows, strict=True)) for k in range(2)]
+
+
+def known(family):
+    """The two curves of a family of the other campaign."""
+
+    def made(chance):
+        return family(chance)[:2]
+
+    made.__name__ = family.__name__
+    return made
+
+
+#: With the share of pairs that must be decided, per mille.
+FAMILIES = {
+    cubics: 995,
+    of_some_degrees: 900,
+    far_away: 930,
+    moved_together: 100,
+    known(pairs.tangent): 0,
+    known(pairs.nearly_touching): 0,
+    known(pairs.of_no_kind): 900,
+    known(pairs.doubles): 980,
+    known(pairs.circles): 700,
+    known(pairs.through_a_node): 0,
+    known(pairs.overlapping): 0,
+}
+#: What chance alone may leave of a few pairs.
+FEW = 5
+
+
+def differing(rows, decide=certain_pairs):
+    """How many common points were compared (None where exact arithmetic decides), and what differs ("" for nothing)."""
+    curves = [pairs.curve(one) for one in rows]
+    given = [segment_rows(curve, 0) for curve in curves]
+    (found,) = decide(given[:1], given[1:], [(0, 0)])
+    if found is None:
+        return None, ""
+    true = meetings(*(plane_forms(curve, 0) for curve in curves))
+    if true.arcs or true.rests or len(true.points) != len(found):
+        return 0, f"{found} where {true} is right"
+    form = PairForm.of(*given)
+    of_degree = 0 if form.exchanged else 1
+    points = [[point.first, point.second] for point in true.points]
+    numbers = [[parameter(local, UNIT, UNIT) for local in point] for point in points]
+    order = sorted(range(len(found)), key=lambda k: numbers[k][of_degree])
+    for one, k in zip(found, order, strict=True):
+        if true.points[k].multiplicity != 1:
+            return 0, f"{one} is not simple"
+        for real, (low, high) in zip(
+            (numbers[k][of_degree], numbers[k][1 - of_degree]), ((one.low, one.high), one.other), strict=True
+        ):
+            a, b = real.enclosure(DIGITS)
+            if not (low <= a and b <= high and 0 <= low <= high <= 1 and a > 0 and b < 1):
+                return 0, f"{real} is not in [{low!r}, {high!r}]"
+        if sign_at(form.form.polynomial, mpq(one.low)) != one.before:
+            return 0, f"the sign before {one}"
+        if sign_at(form.form.polynomial, mpq(one.high)) != -one.before:
+            return 0, f"the sign behind {one}"
+        exact = form.inner[one.number]
+        if not (exact.low < one.high and one.low < exact.high):
+            return 0, f"{one} is another zero"
+    return len(found), ""
+
+
+def campaign(count, seed, decide=certain_pairs):
+    """The pairs, the decided ones and their common points of every family, and what differs."""
+    made, decided, points, wrong = Counter(), Counter(), Counter(), []
+    chance, families = Random(seed), list(FAMILIES)
+    for k in range(count):
+        family = families[k % len(families)]
+        rows, name = family(chance), family.__name__
+        found, what = differing(rows, decide)
+        made[name] += 1
+        decided[name] += found is not None
+        points[name] += found or 0
+        if what:
+            wrong.append(f"{name}: {what}: {rows}")
+    return made, decided, points, wrong
+
+
+def below_floor(made, decided):
+    """The families of which fewer pairs are decided than must be."""
+    floors = {family.__name__: floor for family, floor in FAMILIES.items()}
+    return [name for name in made if 1000 * (decided[name] + FEW) < floors[name] * made[name]]
+
+
+def main(count, seed):
+    """Compare and print."""
+    began = time.process_time()
+    made, decided, points, wrong = campaign(count, seed)
+    for name in made:
+        share = 100 * decided[name] / made[name]
+        print(f"{name}: {made[name]} pairs, {decided[name]} decided ({share:.2f} %), {points[name]} points")
+    print(*wrong[:10], sep="\n")
+    print(f"{len(wrong)} wrong of {sum(decided.values())} decided, {time.process_time() - began:.0f} s")
+    for name in (below := below_floor(made, decided)):
+        print(f"{name}: fewer are decided than must be")
+    return int(bool(wrong or below))
+
+
+if __name__ == "__main__":
+    sys.exit(main(int(sys.argv[1]), int(sys.argv[2])))

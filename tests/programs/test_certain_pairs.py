@@ -1,0 +1,111 @@
+"""Pairs of segments that the extension decides: as exact arithmetic decides them, in every rounding mode, with numbers
+of any size; and the answers are the same without it.
+"""
+
+import os
+import pickle
+import subprocess
+import sys
+from fractions import Fraction
+from random import Random
+
+import pytest
+
+from exactspline import Nurbs, intersections
+from exactspline.geometry import late_meetings
+from exactspline.numbers.exact import mpq
+from exactspline.programs.certain_pairs import TOGETHER, certain_pairs, filter_pairs
+from exactspline.roots.local_parameters import segment_rows
+from tests.campaigns import certain_pairs as campaign
+from tests.support.rounding import FLUSHED, MODES, rounding
+
+needs_extension = pytest.mark.skipif(filter_pairs is None, reason="there is no extension here")
+WAVE = Nurbs(3, [0] * 4 + [1] * 4, [(0, 0), (1, 3), (2, -3), (3, 1)])
+ARCH = Nurbs(3, [0] * 4 + [1] * 4, [(0, -1), (1, 2), (2, 2), (3, -1)])
+
+
+@needs_extension
+def test_what_is_certain_is_what_exact_arithmetic_decides():
+    made, decided, _, wrong = campaign.campaign(3300, 5)
+    assert wrong == []
+    assert campaign.below_floor(made, decided) == []
+
+
+@needs_extension
+@pytest.mark.parametrize("mode", [*MODES, *FLUSHED])
+def test_answers_do_not_depend_on_the_rounding_of_the_processor(mode):
+    def decide(*given):
+        with rounding(mode):
+            return certain_pairs(*given)
+
+    made, decided, _, wrong = campaign.campaign(330, 11, decide)
+    assert wrong == []
+    assert decided["cubics"] == made["cubics"]
+
+
+@needs_extension
+@pytest.mark.parametrize("size", [Fraction(1, 2**3000), Fraction(1, 2**900), Fraction(2**350), Fraction(2**1100)])
+def test_numbers_of_any_size_are_decided_rightly(size):
+    chance = Random(3)
+    for _ in range(20):
+        rows = [[(x * size, y, w) for x, y, w in one] for one in campaign.cubics(chance)]
+        for own in (
+            rows,
+            [[(y, x, w) for x, y, w in one] for one in rows],
+            [[(x, y * size, w * size) for x, y, w in one] for one in rows],
+        ):
+            assert campaign.differing(own)[1] == ""
+
+
+@needs_extension
+def test_more_pairs_than_one_call_takes():
+    chance = Random(8)
+    rows = [campaign.cubics(chance) for _ in range(3 * TOGETHER + 1)]
+    given = [[segment_rows(campaign.pairs.curve(pair[k]), 0) for pair in rows] for k in (0, 1)]
+    together = certain_pairs(*given, [(i, i) for i in range(len(rows))])
+    assert together == [certain_pairs([one], [other], [(0, 0)])[0] for one, other in zip(*given, strict=True)]
+
+
+@needs_extension
+def test_points_are_counted_without_the_determinant_and_are_exact_when_asked_for(monkeypatch):
+    with monkeypatch.context() as patch:
+        patch.setattr(late_meetings, "elimination", None)
+        found = intersections(WAVE, ARCH)
+        assert len(found) == 2
+        first, second = found
+    numbers = [x for point in found for x in (point.first, point.second)]
+    assert [round(float(x), 6) for x in numbers] == [0.281049, 0.281049, 0.879295, 0.879295]
+    assert first.second.enclosure(60).width <= mpq(1, 10**60)
+    assert first.first == first.second < second.first == second.second  # x = 3 s on both
+    assert pickle.loads(pickle.dumps(found)) == found
+
+
+@pytest.mark.parametrize(
+    ("other", "at"),
+    [
+        (Nurbs(1, [0, 0, 1, 1], [(0, 3), (6, -9)]), (mpq(1, 3), mpq(1, 6))),
+        (Nurbs(2, [0] * 3 + [1] * 3, [(0, -1), ("3/2", "3/2"), (3, 7)]), (mpq(1, 3), mpq(1, 3))),
+    ],
+)
+def test_a_rational_parameter_is_told_as_such(other, at):
+    """No subdivision in doubles hits these."""
+    (point,) = intersections(Nurbs(1, [0, 0, 1, 1], [(0, 0), (3, 3)]), other)
+    assert (point.first.exact, point.second.exact) == at
+    assert point.point == (1, 1)
+
+
+def test_without_the_extension_the_answers_are_the_same():
+    code = (
+        "from random import Random; from exactspline import intersections; "
+        "from tests.campaigns import certain_pairs as c, intersections as p; r = Random(4); "
+        "told = [intersections(*map(p.curve, f(r))) for f in c.FAMILIES for _ in range(12)]; "
+        "told += [intersections(*map(p.curve, f(r)[:2])) for f in p.FAMILIES.values() for _ in range(6)]; "
+        "print([(t, [x.point for x in t]) for t in told]); print(c.certain_pairs.__globals__['filter_pairs'] is None)"
+    )
+    told = []
+    for library in ("none", ""):
+        environment = os.environ | {"EXACTSPLINE_EXTENSION": library}
+        done = subprocess.run([sys.executable, "-c", code], env=environment, capture_output=True, text=True, check=True)
+        told.append(done.stdout.splitlines())
+    assert told[0][1] == "True"
+    assert told[0][0] == told[1][0]
