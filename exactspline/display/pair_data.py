@@ -3,36 +3,40 @@
 from __future__ import annotations
 
 from contextlib import suppress
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from exactspline.display.data import Data
 from exactspline.display.numbers import polynomial_text
 from exactspline.display.sheet import Sheet
 from exactspline.errors import OpenError, ReachError
-from exactspline.geometry.curve_pair import CurvePair
-from exactspline.geometry.distance import Distance
 from exactspline.geometry.intersections import Intersection, Intersections, Overlap
 from exactspline.numbers.exact import mpq, text
 from exactspline.numbers.intervals import rounded_outwards
 from exactspline.questions.entry import questions_of
 from exactspline.reals.real import Real, real
 
+if TYPE_CHECKING:
+    from exactspline.geometry.curve_pair import CurvePair
+
 
 def pair_data(pair: CurvePair, digits: int) -> Data:
     """All answers about two curves, each under the name of its question.
 
     >>> from exactspline import Nurbs, example
+    >>> from exactspline.geometry.curve_pair import CurvePair
     >>> pair = CurvePair(example("circle"), Nurbs(1, [0, 0, 1, 1], [(0, 0), (2, 0)]))
     >>> pair_data(pair, 5)["intersections"]["points"][0]["second"]
     {'exact': '1/2', 'interval': ['1/2', '1/2'], 'decimal': '0.50000'}
     """
-    answers = {name: entry.answer(pair) for name, entry in questions_of(CurvePair).items() if entry.about.reported}
+    answers = {name: entry.answer(pair) for name, entry in questions_of(type(pair)).items() if entry.about.reported}
     return {name: _answer_data(answer, digits) for name, answer in answers.items()}
 
 
 def _answer_data(answer: object, digits: int) -> Data:
     if isinstance(answer, Intersections):
         return intersections_data(answer, digits)
+    from exactspline.geometry.distance import Distance  # not loaded for what a single curve has
+
     assert isinstance(answer, Distance), "there are no other answers about two curves"
     pairs = [{"first": real_data(p.first, digits), "second": real_data(p.second, digits)} for p in answer.pairs]
     value = {"squared": real_data(answer.squared, digits), "value": real_data(answer.value, digits)}
