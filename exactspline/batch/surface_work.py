@@ -43,7 +43,7 @@ class SurfaceWork:
             name
             for of in (Of.SURFACE, Of.PLANAR_MAP)
             for name, entry in REGISTRY[of].items()
-            if not entry.about.argument
+            if not (entry.about.argument or entry.about.on_request)
         )
         asked = dict[str, None]()
         for each in ["all"] if find is None else as_texts(find, "names of questions", "the name of a question"):

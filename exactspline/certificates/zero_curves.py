@@ -170,20 +170,12 @@ class _OnPatch:
         inside = all(a <= low <= high <= b for (low, high), (a, b) in zip(region, box, strict=True))
         require(inside, "a region that is not in its box")
         check_single_zero([powers, *slopes], region, cell["zero"])
-        net = part(self.net, box)
-        second = [_differences(_differences(net, i), j) for i, j in ((0, 0), (0, 1), (1, 1))]
-        # the differences are derivatives up to these factors
-        m, n = len(net) - 1, len(net[0]) - 1
-        scales = m * (m - 1), m * n, n * (n - 1)
-        (a, b), (c, d), (e, f) = (
-            (k * low, k * high) for k, (low, high) in zip(scales, map(_range, second), strict=True)
-        )
-        products, squares = [x * y for x in (a, b) for y in (e, f)], [c * c, d * d] + [0] * (c <= 0 <= d)
+        bend = _bend(part(self.net, box))
         if cell["kind"] == POINT:
-            require(min(products) > max(squares) and (a > 0 or b < 0), "a Hessian that may not be definite")
+            require(bend == POINT, "a Hessian that may not be definite")
             self.counts["points"] += 1
             return
-        require(max(products) < min(squares), "a Hessian that may not be indefinite")
+        require(bend == NODE, "a Hessian that may not be indefinite")
         ends = {v for k in (0, 1) for at in box[k] for v, _ in self._on_side(k, at, box[1 - k])}
         require(len(ends) == 4, "a node without four branches")
         self._meet(sorted(ends, key=repr), ("cell", box))
@@ -359,6 +351,19 @@ def _differences(net: Net, direction: int) -> Net:
     if direction:
         return [[y - x for x, y in pairwise(row)] for row in net]
     return [[y - x for x, y in zip(p, q, strict=True)] for p, q in pairwise(net)]
+
+
+def _bend(net: Net) -> str:
+    """What a singular point on a box is, where the Hessian is definite or indefinite on all of it; else nothing."""
+    second = [_differences(_differences(net, i), j) for i, j in ((0, 0), (0, 1), (1, 1))]
+    # the differences are derivatives up to these factors
+    m, n = len(net) - 1, len(net[0]) - 1
+    scales = m * (m - 1), m * n, n * (n - 1)
+    (a, b), (c, d), (e, f) = ((k * low, k * high) for k, (low, high) in zip(scales, map(_range, second), strict=True))
+    products, squares = [x * y for x in (a, b) for y in (e, f)], [c * c, d * d] + [0] * (c <= 0 <= d)
+    if min(products) > max(squares) and (a > 0 or b < 0):
+        return POINT
+    return NODE if max(products) < min(squares) else ""
 
 
 def _slope(powers: Sequence[Sequence[int]], k: int) -> list[list[int]]:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
@@ -58,13 +57,13 @@ def answer_about_surfaces(
                 rows.append(row | {"answer": surface_answer(surface, each, digits), "error": ""})
             except ExactSplineError as error:
                 rows.append(row | {"answer": None, "error": str(error)})
-    out.give("oracle surface", rows, (_surface_sheet(row) for row in rows), by="answer")
+    out.give("oracle surface", rows, (_surface_sheet(row, digits) for row in rows), by="answer")
     if not good or any(row["error"] for row in rows):
         raise Exit(2)
 
 
-def _surface_sheet(row: dict[str, Any]) -> Sheet:
-    """An answer about a surface: one row per number, or the data."""
+def _surface_sheet(row: dict[str, Any], digits: int) -> Sheet:
+    """An answer about a surface: one row per number, or per element."""
     made = Sheet("what", "value", "double", title=row["key"], name=row["key"], prose=["value"])
     answer = row["answer"]
     if row["error"]:
@@ -73,9 +72,45 @@ def _surface_sheet(row: dict[str, Any]) -> Sheet:
         for name, number in answer["values"].items():
             exact = number["exact"] or f"{number['low']} … {number['high']}"
             made.add_row(name, exact, "–" if number["double"] is None else repr(number["double"]))
+    elif isinstance(answer, (list, dict)):
+        one = row["question"].partition(":")[0].removesuffix("s").replace("_", " ")
+        for group, elements in answer.items() if isinstance(answer, dict) else [(one, answer)]:
+            for each in elements:
+                made.add_row(*_element(each, group, digits), "")
+        if not made.rows:
+            made.add_row("nothing", "there is none", "")
     else:
-        made.add_row(row["question"], json.dumps(answer, ensure_ascii=False), "")
+        made.add_row(row["question"], _shown(answer), "")
     return made
+
+
+def _element(each: object, group: str, digits: int) -> tuple[str, str]:
+    """What an element of an answer is, and the rest of its data in words."""
+    if not isinstance(each, dict):
+        return group, _shown(each)
+    kind = next((key for key in ("kind", "shape") if key in each), "")
+    rest = {key: value for key, value in each.items() if key != kind and value not in (None, [])}
+    if "decimal" in rest:  # the value of a line: exactly, or these digits
+        decimal = rest.pop("decimal")
+        rest.setdefault("value", f"{decimal}…")
+    return each.get(kind, group), "; ".join(f"{key.replace('_', ' ')} {_in_words(rest[key], digits)}" for key in rest)
+
+
+def _in_words(value: Any, digits: int) -> str:
+    """A part of the data of an element."""
+    match value:
+        case {"interval": [low, high], "parameter": exact}:
+            return exact or _between({"low": low, "high": high}, digits)
+        case dict():
+            return ", ".join(f"{key.replace('_', ' ')} {_in_words(each, digits)}" for key, each in value.items())
+        case [str(low), str(high)]:
+            return f"[{low}, {high}]"
+        case [list(), *_]:
+            return " ".join(f"({', '.join(map(str, each))})" for each in value)
+        case list() if len(value) > 1:
+            return f"({', '.join(map(str, value))})"
+        case _:
+            return _shown(value)
 
 
 def _answered(read: Read, asked: str, digits: int, certificates: bool) -> dict[str, Any]:

@@ -5,9 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from functools import cache
 from importlib import resources
+from typing import cast
 
 from exactspline.errors import ExactSplineError, nearest
-from exactspline.papers.folder import toml
+from exactspline.papers.folder import read_toml
 
 
 class GlossaryError(ExactSplineError):
@@ -29,7 +30,8 @@ def glossary() -> dict[str, dict[str, str]]:
 @cache
 def _written() -> dict[str, dict[str, str]]:
     """The words of tables and their meanings, by topic."""
-    return toml.loads(resources.files(__package__).joinpath("glossary.toml").read_text(encoding="utf-8"))
+    written = read_toml(resources.files(__package__).joinpath("glossary.toml"), "glossary.toml")
+    return cast(dict[str, dict[str, str]], written)
 
 
 def _by_term(topics: Mapping[str, Mapping[str, str]]) -> dict[str, str]:

@@ -70,8 +70,8 @@ class Certain:
     breaks: tuple[mpq, ...]
     rows: Sequence[CommonRows]
     zeros: tuple[list[Found], list[Found]]
-    #: The sign of κ at every zero of κ′ that is not a feature already.
-    curvature_signs: list[int]
+    #: Whether κ is positive at the start of each segment.
+    positive: Sequence[bool]
     #: The straight pieces: all pieces of constant curvature.
     straight: tuple[CurvePiece, ...]
 
@@ -95,9 +95,10 @@ class Certain:
 
     def _features(self, output: int) -> tuple[Feature, ...]:
         """The objects that describe the zeros."""
+        bends = _bends(zero for zero in self.zeros[CURVATURE] if isinstance(zero, SegmentZero))
         forms: dict[int, tuple[SegmentForm, Interval]] = {}
         breaks, found, number = self.breaks, [], 0
-        for k, zero in enumerate(self.zeros[output]):
+        for zero in self.zeros[output]:
             if isinstance(zero, Feature):
                 found.append(zero)
                 continue
@@ -119,9 +120,16 @@ class Certain:
                 found.append(Feature(FeatureKind.INFLECTION, root, Variant.MINIMAL, by_jump))
                 continue
             kind = FeatureKind.MAXIMUM if zero.before > 0 else FeatureKind.MINIMUM
-            of_absolute = kind if self.curvature_signs[k] > 0 else kind.opposite
+            of_absolute = kind if self._positive_at(zero, bends) else kind.opposite
             found.append(Feature(kind, root, Variant.MINIMAL, by_jump, of_absolute))
         return tuple(found)
+
+    def _positive_at(self, zero: SegmentZero | Jump, bends: Mapping[int, Sequence[SegmentZero]]) -> bool:
+        """Whether κ is positive at a zero of κ′; `bends` are the zeros of κ by segment."""
+        if isinstance(zero, Jump):
+            return self.positive[zero.knot]
+        before = [bend for bend in bends.get(zero.segment, ()) if bend.high <= zero.low]
+        return self.positive[zero.segment] == (len(before) % 2 == 0)
 
 
 def certain(facts: Facts) -> Certain | None:
@@ -178,12 +186,9 @@ def certain(facts: Facts) -> Certain | None:
             zeros[jump.output].append(jump)
         for own in zeros:
             own.sort(key=partial(_place, facts.breaks))
-    bends = _bends(zero for zero in zeros[CURVATURE] if isinstance(zero, SegmentZero))
-    curvature_signs = [_sign_at(zero, found.ends, bends) for zero in zeros[CRITICAL]]
+    positive = [end[4 * CURVATURE] > 0 for end in found.ends]
     pieces = facts.straight_runs(straight) if straight else ()
-    return Certain(
-        curve.degree, rational, facts.breaks, rows, (zeros[CURVATURE], zeros[CRITICAL]), curvature_signs, pieces
-    )
+    return Certain(curve.degree, rational, facts.breaks, rows, zeros, positive, pieces)
 
 
 def moved(operands: Sequence[Sequence[int]], below: int, *, rational: bool) -> CommonRows:
@@ -229,21 +234,10 @@ def _bends(zeros: Iterable[SegmentZero]) -> dict[int, list[SegmentZero]]:
 def _entangled(zeros: Sequence[SegmentZero]) -> set[int]:
     """The segments on which a zero of κ and one of κ′ are too close to tell which is first."""
     bends = _bends(zeros)
-    turns = [zero for zero in zeros if zero.output == CRITICAL]
     return {
         zero.segment
-        for zero in turns
-        if any(bend.low < zero.high and zero.low < bend.high for bend in bends.get(zero.segment, ()))
+        for zero in zeros
+        if zero.output == CRITICAL
+        and zero.segment in bends
+        and any(bend.low < zero.high and zero.low < bend.high for bend in bends[zero.segment])
     }
-
-
-def _sign_at(zero: Found, ends: Sequence[Sequence[float]], bends: Mapping[int, Sequence[SegmentZero]]) -> int:
-    """The sign of κ at a zero of κ′; `bends` are the zeros of κ, by segment."""
-    if isinstance(zero, Feature):
-        return 1
-    segment = zero.knot if isinstance(zero, Jump) else zero.segment
-    sign = 1 if ends[segment][4 * CURVATURE] > 0 else -1
-    if isinstance(zero, SegmentZero):
-        before = [bend for bend in bends.get(segment, ()) if bend.high <= zero.low]
-        return sign * (-1) ** len(before)
-    return sign

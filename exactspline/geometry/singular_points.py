@@ -51,7 +51,8 @@ class SingularPoint:
     """A point at which a function (without multiple factors) vanishes with both its derivatives on a patch.
 
     `multiplicity` is that of the point on the curve: the order of the lowest derivative that is not zero. `milnor` is
-    the Milnor number of a double point: 1 for nodes, 2 for ordinary cusps, 3 for ordinary tacnodes.
+    the Milnor number of a double point: 1 for nodes, 2 for ordinary cusps, 3 for ordinary tacnodes. At knots where the
+    patches have different points it is the least multiplicity, and there is no Milnor number.
     """
 
     first: Real

@@ -329,8 +329,10 @@ def zero_curve(function: TensorSpline) -> ZeroCurves:
 def _of_all_patches(own: Sequence[SingularPoint]) -> SingularPoint:
     """One point that is singular on several patches."""
     first, patches = own[0], tuple(patch for point in own for patch in point.patches)
-    kind = first.kind if len(set(own)) == 1 else PointKind.KNOT
-    return replace(first, kind=kind, multiplicity=min(point.multiplicity for point in own), patches=patches)
+    if len(set(own)) == 1:
+        return replace(first, patches=patches)
+    least = min(point.multiplicity for point in own)
+    return SingularPoint(first.first, first.second, PointKind.KNOT, least, None, patches)
 
 
 def _real(x: Parameter) -> Real:

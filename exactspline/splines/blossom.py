@@ -8,15 +8,18 @@ from collections.abc import Iterator, Sequence
 from itertools import accumulate
 from math import comb, gcd
 from operator import mul
-from typing import cast
+from typing import TypeVar, cast
 
-from flint import fmpq, fmpz, fmpz_poly
+from flint import fmpq, fmpq_poly, fmpz, fmpz_poly
 
 from exactspline.numbers.exact import common_multiple, mpq, over_one_denominator, to_fmpq
 from exactspline.polynomials.bernstein import ONE, Form, blossom, over_common_denominator, primitive
 
 #: Numbers over one denominator.
 Row = tuple[list[fmpz], fmpz]
+#: Control points: numbers, or combinations of unknown ones, the k-th of which is written x^k.
+Q = TypeVar("Q", fmpq, fmpq_poly)
+Z = TypeVar("Z", fmpz, fmpz_poly)
 
 
 def forms_of(t: Sequence[mpq], n: int, d: Sequence[mpq], spans: Sequence[int]) -> Iterator[Form]:
@@ -37,7 +40,7 @@ def forms_of(t: Sequence[mpq], n: int, d: Sequence[mpq], spans: Sequence[int]) -
             row = _next_row([control_points[following - r] for r in range(min(following - j, n + 1))], ends, bottom)
 
 
-def _at_left_end(t: Sequence[fmpq], n: int, d: Sequence[fmpq], j: int) -> list[fmpq]:
+def _at_left_end(t: Sequence[fmpq], n: int, d: Sequence[Q], j: int) -> list[Q]:
     """The control points of the span [t_j, t_{j+1}] after its left end was inserted until it has multiplicity n."""
     a, e = t[j], list(d[j - n : j + 1])
     left = [e[-1]]
@@ -48,17 +51,17 @@ def _at_left_end(t: Sequence[fmpq], n: int, d: Sequence[fmpq], j: int) -> list[f
     return left[::-1]
 
 
-def _inserted(row: Row, widths: list[fmpz]) -> tuple[list[fmpz], list[fmpz], fmpz]:
+def _inserted(row: tuple[list[Z], fmpz], widths: list[fmpz]) -> tuple[list[Z], list[Z], fmpz]:
     """The Bézier points of a span, and the points to the right of it, after its right end was inserted n times; over
     one denominator. `widths` are the distances of the knots that follow from the left end, in any unit.
     """
     g, bottom = row
     unit = fmpz_poly(widths).content()
     widths = [w // unit for w in widths]
-    common = list(accumulate(widths, fmpz.lcm))
+    multiples: list[fmpz] = list(accumulate(widths, fmpz.lcm))
     points, ends = [g[0]], [g[-1]]
     for k in range(len(widths), 0, -1):
-        factors = [common[k - 1] // w for w in widths[:k]]
+        factors = [multiples[k - 1] // w for w in widths[:k]]
         g = [
             p * ((w - widths[0]) * f) + q * (widths[0] * f)
             for w, f, p, q in zip(widths, factors, g, g[1:], strict=False)
@@ -66,7 +69,7 @@ def _inserted(row: Row, widths: list[fmpz]) -> tuple[list[fmpz], list[fmpz], fmp
         points.append(g[0])
         ends.append(g[-1])
     lift = ONE
-    for s, by in zip(range(len(widths), -1, -1), [*common, ONE], strict=True):
+    for s, by in zip(range(len(widths), -1, -1), [*multiples, ONE], strict=True):
         points[s], ends[s], lift = points[s] * lift, ends[s] * lift, lift * by
     return points, ends, bottom * lift
 
@@ -125,7 +128,8 @@ Pattern = tuple[int, ...]
 #: Of a pattern: for each coefficient the first control point of the span that has a part in it, and the integers by
 #: which this and the following points are multiplied; of Bézier points these again, one number each; a denominator.
 Weights = tuple[list[tuple[int, tuple[int, ...]]], tuple[int, ...] | None, int]
-#: The weights are computed for a pattern that occurred more often than its degree, and for at most this many patterns.
+#: The weights are computed for a pattern that occurred more often than a quarter of its degree, and for at most this
+#: many patterns.
 PATTERNS = 4096
 #: Above this degree there are none.
 MOST = 12
@@ -220,8 +224,8 @@ def _weights_of(keys: Sequence[tuple[int, Pattern]]) -> list[Weights] | None:
         _met.update(keys)
         made = dict(zip(keys, found, strict=True))
         new = [key for key, weights in made.items() if weights is None]
-        # the weights of a pattern cost as much as the forms of degree + 1 spans
-        if sum(key[0] + 1 for key in new) > len(keys) and not all(_met[key] > key[0] for key in new):
+        # the weights of a pattern cost about as much as the forms of (degree + 1)/4 spans
+        if sum(key[0] + 1 for key in new) > 4 * len(keys) and not all(4 * _met[key] > key[0] for key in new):
             return None
         if len(_weights) > PATTERNS:
             _weights.clear()
@@ -232,16 +236,16 @@ def _weights_of(keys: Sequence[tuple[int, Pattern]]) -> list[Weights] | None:
 
 
 def _weights_for(n: int, pattern: Pattern) -> Weights:
-    """The weights of a pattern: its columns are the forms of the control points 0, …, 1, …, 0."""
-    t = [mpq(x, pattern[n]) for x in (pattern[0], *pattern, pattern[-1])]
-    columns: list[Form] = []
-    for k in range(n + 1):
-        ((form, below),) = forms_of(t, n, [mpq(i == k) for i in range(n + 1)], [n])
-        columns.append((form, below))
-    polynomials, common = over_common_denominator(columns)
-    rows = [_trimmed([int(c[i]) for c in polynomials]) for i in range(n + 1)]
+    """The weights of a pattern: those with which unknown control points enter into the form."""
+    t = [fmpq(x, pattern[n]) for x in (pattern[0], *pattern, pattern[-1])]
+    points = _at_left_end(t, n, [fmpq_poly([0] * k + [1]) for k in range(n + 1)], n)
+    row = over_common_denominator([(point.numer(), point.denom()) for point in points])
+    inserted, _, bottom = _inserted(row, _over_one([x - t[n] for x in t[n + 1 : 2 * n + 1]])[0])
+    parts = [[comb(n, i) * int(inserted[i][k]) for k in range(n + 1)] for i in range(n + 1)]
+    shared = gcd(int(bottom), *[x for part in parts for x in part])
+    rows = [_trimmed([x // shared for x in part]) for part in parts]
     by_points = all(len(row) == 1 for _, row in rows)
-    return rows, tuple([row[0] for _, row in rows]) if by_points else None, int(common)
+    return rows, tuple([row[0] for _, row in rows]) if by_points else None, int(bottom) // shared
 
 
 def _trimmed(row: list[int]) -> tuple[int, tuple[int, ...]]:

@@ -49,6 +49,14 @@ def test_shapes_within_a_distance():
     assert asked["rows"][0]["answer"][0]["numbers"]["radius"] == ["1"]
 
 
+def test_answers_about_surfaces_are_read_by_people():
+    words = invoke("inspect", "cone", "torus", "--ask", "shapes", "--ask", "poles", "--ask", "umbilics").output
+    assert not set("{}'\"") & set(words)
+    assert "pole: an edge of a patch" in words
+    assert "apex (0, 0, 2)" in words
+    assert "nothing: there is none" in words
+
+
 @pytest.mark.parametrize("name", ["cone", "cross_cap", "planar_map"])
 def test_json_fits_its_schema(name):
     jsonschema.validate(json.loads(invoke("inspect", name, "--json").output), schema_of("inspect surface"))

@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-from exactspline import example, intersections
+from exactspline import example, intersections, nearest
 from tests.campaigns.intersections import difference
 from tests.support.bisector_oracle import bezier
 
@@ -60,6 +60,28 @@ def test_a_line_and_a_parabola():
     line = as_campaign((2.8888563469481592, 10.700182708846356), (-1.5080712474161317, -8.8105073796645534))
     parabola = as_campaign((0, 0), (0.5, 0.20000000298023224), (1, 0))
     assert difference(line, parabola, {}) == ("", 1)
+
+
+def test_a_point_next_to_an_almost_straight_cubic():
+    """kurbo#446: a point 0.17 away is told, though one of the curve is 3·10⁻¹² away at the parameter `near`."""
+    curve = bezier((461, 123), (Fraction(460.99999999999994), Fraction(123.00000000000004)), (111, 319), (111, 319))
+    x, y = map(Fraction, (282.0379003395483, 223.21877580985594))
+
+    def squared(t):
+        rest = 1 - t
+        p, q = (
+            sum(c * Fraction(k) for c, k in zip((rest**3, 3 * rest**2 * t, 3 * rest * t**2, t**3), own, strict=True))
+            for own in ((461, 460.99999999999994, 111, 111), (123, 123.00000000000004, 319, 319))
+        )
+        return (p - x) ** 2 + (q - y) ** 2
+
+    (found,) = nearest(curve, (x, y))
+    low, high = (Fraction(int(t.numerator), int(t.denominator)) for t in found.parameter.enclosure(40))
+    middle, step = (low + high) / 2, Fraction(1, 10**30)
+    assert squared(middle) < squared(middle - step)
+    assert squared(middle) < squared(middle + step)
+    assert squared(middle) <= min(squared(Fraction(k, 997)) for k in range(998))
+    assert squared(middle) <= squared(Fraction(0.5075474297354187)) < Fraction(1, 10**22)
 
 
 @pytest.mark.parametrize(("last", "count"), [((3, 0), 1), ((-0.19959947101662578, 0.20031960128096571), 0)])

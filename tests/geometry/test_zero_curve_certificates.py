@@ -54,6 +54,9 @@ def test_the_topology_of_known_curves(p, counts, dial):
         (lambda s, t: (s - t) * (s - 1) + t**3, {"crossed": 1, "points": 1}),
         (lambda s, t: s + t, {"points": 1}),
         (lambda s, t: s * (1 - t) * (2 * s * s - 1), {"lines": 3}),
+        (lambda s, t: (20 * s - 9) * (2 * s - 1) * (20 * s - 11) * (t + 1), {"lines": 3}),
+        # two points with the same s + t, which need another projection
+        (lambda s, t: ((4 * s - 1) ** 2 + (4 * t - 3) ** 2) * ((4 * s - 3) ** 2 + (4 * t - 1) ** 2), {"points": 2}),
     ],
 )
 def test_singular_points_on_the_border(p, counts):
@@ -121,6 +124,7 @@ def away(patch):
         (lambda patch: patch["cells"][0].update(kind="nothing"), "unknown kind"),
         (lambda patch: patch["cells"][0].update(box=[["0", "1"], ["0", "1"]]), "not that of its cell"),
         (lambda patch: first(patch, "branches").update(minimal=["-1", "3"]), "a place without a root"),
+        (lambda patch: first(patch, "branches").update(at=["15/16", "1"]), "a place without a root"),
         (lambda patch: first(patch, "branches").update(below="0"), "denominator that is not positive"),
         (lambda patch: first(patch, "branches").update(power=1), "another zero over the root"),
         (lambda patch: first(patch, "branches").update(power=5), "does not divide"),
@@ -138,6 +142,12 @@ def test_a_node_is_not_a_point():
 
     with pytest.raises(ValueError, match="may not be definite"):
         check_certificate(forged(changed, lambda s, t: (2 * s - 1) ** 2 - 2 * (2 * t - 1) ** 2 + (2 * s - 1) ** 3))
+
+
+@pytest.mark.parametrize("kind", ["point", "node"])
+def test_a_singular_point_on_the_border_is_neither(kind):
+    with pytest.raises(ValueError, match="a box on the border"):
+        check_certificate(forged(lambda patch: patch["cells"][0].update(kind=kind), lambda s, t: s * s + t * t))
 
 
 def test_one_line_is_not_counted_twice_nor_as_an_arc():

@@ -191,7 +191,16 @@ def test_a_singular_point_at_a_knot():
     )
     turned = TensorSpline((2, 0), wide, [0, 2], [[1], [0], [0], [0], [-1]])
     assert [str(x.kind) for x in zero_curve(p + q).singular_points] == ["isolated point"]
-    assert [str(x.kind) for x in zero_curve(turned + q).singular_points] == ["at a knot"]
+    (mixed,) = zero_curve(turned + q).singular_points
+    assert (str(mixed.kind), mixed.multiplicity, mixed.milnor) == ("at a knot", 2, None)
+
+
+def test_a_line_on_a_knot_may_be_one_from_one_side():
+    """At s = 1 the function jumps: it vanishes there from the left, or from both sides."""
+    for right, one_sided in (([1, 2], True), ([0, 0], False)):
+        f = TensorSpline((1, 1), [0, 0, 1, 1, 2, 2], [0, 0, 1, 1], [[1, 1], [0, 0], right, [1, 1]])
+        (line,) = zero_curve(f).lines
+        assert (line.value, line.one_sided) == (1, one_sided)
 
 
 #: The size of the numbers of a place: small fractions, and the doubles next to them.

@@ -7,14 +7,14 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from exactspline.geometry.surface.common_factor import common_factor, odd_part
+from exactspline.geometry.surface.common_factor import common_factor, odd_part, without_powers
 from exactspline.geometry.surface.signs import Sign, sign_on_patch
 from exactspline.geometry.surface.zero_curve import Shape, ZeroCurve
 from exactspline.numbers.exact import mpq
 from exactspline.numbers.intervals import UNIT, Box, Interval
-from exactspline.polynomials.certified_boxes import Isolated, isolate, simplest
+from exactspline.polynomials.certified_boxes import Isolated, _contracting, isolate, simplest
 from exactspline.polynomials.patch_forms import PatchForm, clusters, of_powers, powers_of
-from exactspline.polynomials.two_parameters import CONTEXT, S, T, as_form
+from exactspline.polynomials.two_parameters import CONTEXT, S, T, as_form, as_polynomial
 from exactspline.roots.common_zeros import zeros_of
 
 ONE = CONTEXT.from_dict({(0, 0): 1})
@@ -161,6 +161,41 @@ def test_the_third_form_excludes():
     assert zeros_of(given, not_positive=[as_form(3 * S + T - 1)]).zeros == []
     assert len(zeros_of(given, also=[as_form(S + T - 1)], not_positive=[as_form(S + T - 1)]).zeros) == 1
     assert simplest(mpq(1, 3), mpq(1, 2)) == mpq(1, 2)
+    assert isolate(given, [as_form(S + T + 1)]) == ([], [])
+    assert len(isolate(given, [as_form(S + T - 1)]).zeros) == 1
+
+
+@pytest.mark.parametrize("seed", range(200))
+def test_a_pair_that_contracts_is_dominant(seed):
+    """Would pass otherwise: one zero at most in a box in which there are two."""
+    draw = random.Random(seed)
+    m, n = draw.randint(1, 2), draw.randint(1, 2)
+    net = [
+        [[12 * (i, j)[k] * (m, n)[1 - k] + draw.randint(-3, 3) for j in range(n + 1)] for i in range(m + 1)]
+        for k in (0, 1)
+    ]
+    if seed % 2:
+        net = [
+            [[x + draw.choice([4, 6, 8, 12]) * (j, i)[k] for j, x in enumerate(row)] for i, row in enumerate(own)]
+            for k, own in enumerate(net)
+        ]
+    forms = [PatchForm.of_net(own) for own in net]
+    found = _contracting(forms)
+    for k, form in enumerate(forms):
+        own, other = form.derivative(k).range, form.derivative(1 - k).range
+        if found is not None:
+            # Krawczyk's operator contracts each side by at least a quarter
+            widest = own[1] - own[0] + 2 * max(abs(other[0]), abs(other[1]))
+            assert 4 * widest <= 3 * (own[0] + own[1])
+            assert own[0] > max(abs(other[0]), abs(other[1]))
+
+
+def test_powers_are_divided_out_in_pairs_where_signs_are_kept():
+    first, second = as_form(2 * S - 1), as_form(3 * T - 1)
+    cube = as_form((2 * S - 1) ** 3 * (3 * T - 1))
+    assert as_polynomial(without_powers(cube, first)) == as_polynomial(second)
+    assert as_polynomial(without_powers(cube, first, even=True)) == as_polynomial(first) * as_polynomial(second)
+    assert without_powers(first, first, even=True).degree == (1, 0)
 
 
 # ---- curves

@@ -4,15 +4,18 @@ import random
 from fractions import Fraction
 
 import pytest
-from flint import fmpz, fmpz_poly
+from flint import fmpq, fmpz, fmpz_poly
 
 from exactspline import Nurbs
 from exactspline.errors import ReachError
+from exactspline.numbers.exact import mpq, to_fmpq
 from exactspline.polynomials import bezout
 from exactspline.polynomials.bezout import PlaneForms, bezout_matrix, determinant, self_matrix
 from exactspline.polynomials.common_arcs import RationalMap, common_arcs
+from exactspline.polynomials.fibres import Fibre
+from exactspline.polynomials.isolation import isolate
 from exactspline.polynomials.plane_pairs import meetings, self_meetings
-from exactspline.polynomials.zero_places import Place
+from exactspline.polynomials.zero_places import Place, at, places
 from exactspline.roots.local_parameters import plane_forms
 
 
@@ -133,3 +136,84 @@ def test_three_branches_through_one_point():
     line = bezier((-1, -2), (1, 2))
     at_origin = [m for m in meetings(line, curve).points if m.first.map.at(m.second)]
     assert len(at_origin) == 3
+    # and half of it, reversed: each branch meets the two others once, beside the arc that both have
+    part = Nurbs.from_homogeneous(4, [0] * 5 + [1] * 5, rows).restrict("1/9", "8/9")
+    both = meetings(curve, plane_forms(part, 0))
+    assert len(both.arcs) == 1
+    assert [point.multiplicity for point in both.points] == [1] * 6
+
+
+def scaled(curve, factor):
+    """The same curve by forms with a common factor."""
+    return PlaneForms(curve.degree + factor.degree(), *[f * factor for f in curve.forms])
+
+
+def told(found):
+    return (
+        [point.multiplicity for point in found.points],
+        [[x.refine(30) for x in (*arc.first, *arc.second)] for arc in found.arcs],
+    )
+
+
+CUSP = bezier((1, 1), (0, -1), (0, 1), (1, -1))
+LOOP = bezier((0, 0), (4, 3), (-3, 3), (1, 0))
+
+
+@pytest.mark.parametrize("curve", [CUSP, LOOP], ids=["cusp", "loop"])
+def test_a_cusp_is_no_crossing_and_a_common_factor_changes_nothing(curve):
+    """Would pass otherwise: a curve crosses itself at its cusp, or at a zero of a factor of its forms."""
+    found = told(meetings(curve, curve))
+    assert len(found[0]) == (0 if curve is CUSP else 2)
+    assert len(found[1]) == 1
+    factor = fmpz_poly([3, -2])
+    assert told(meetings(curve, scaled(curve, factor))) == found == told(meetings(scaled(curve, factor), curve))
+    assert told(meetings(scaled(curve, factor), scaled(curve, factor))) == found
+
+
+def test_the_parameters_of_a_point_are_counted_once():
+    """The cusp is a double zero of the polynomial of parameters, the ends are zeros that it does not show."""
+    assert Fibre(CUSP, CUSP, mpq_place(1, 2)).size == 1 == Fibre(CUSP, CUSP, mpq_place(1, 3)).size
+    closed = bezier((0, 0), (3, 1), (1, 3), (0, 0))
+    for end in (0, 1):
+        fibre = Fibre(closed, closed, mpq_place(end, 1))
+        assert (fibre.size, fibre.at_start, fibre.at_end) == (2, True, True)
+    assert Fibre(LOOP, LOOP, mpq_place(0, 1)).size == 1 == Fibre(LOOP, LOOP, mpq_place(1, 1)).size
+
+
+def mpq_place(top, bottom):
+    return at(mpq(top, bottom), 1)
+
+
+def test_an_end_that_lies_on_the_curve():
+    """x = (t − 1)(3t − 1), y = t x: at 1/3 and at the end it is at the origin."""
+    curve = bezier((1, 0), (Fraction(-1, 3), Fraction(1, 3)), (Fraction(-2, 3), Fraction(-2, 3)), (0, 0))
+    (found,) = self_meetings(curve).points
+    assert (found.second.exact, found.multiplicity) == (1, 1)
+
+
+@pytest.mark.parametrize("seed", range(12))
+def test_arcs_of_straight_curves_have_all_pairs_of_parameters(seed):
+    """Of a value that both coordinates take somewhere, as many arcs as pairs of parameters; folds are irrational."""
+    draw = random.Random(seed)
+    curves = [bezier(*[(draw.randint(-9, 9), 0) for _ in range(n)]) for n in (4, draw.choice([3, 4]))]
+    found = meetings(*curves)
+
+    def value(curve, place):
+        bounds = place.refine(60)
+        t = sum(bounds) / 2
+        return None if t == 1 else curve.x(to_fmpq(t / (1 - t))) / curve.w(to_fmpq(t / (1 - t)))
+
+    ranges = []
+    for arc in found.arcs:
+        for pair in zip(arc.first, arc.second, strict=True):
+            one, other = (
+                curve.x[curve.degree] / curve.w[curve.degree] if x is None else x
+                for curve, x in zip(curves, map(value, curves, pair), strict=True)
+            )
+            assert abs(one - other) < fmpq(1, 10**12)
+            ranges.append(one)
+    for k in range(-17, 18, 2):
+        v = fmpq(k, 2) + fmpq(1, 97)
+        counts = [len(places(isolate(c.x * v.q - c.w * v.p, c.degree))) for c in curves]
+        spans = list(zip(ranges[::2], ranges[1::2], strict=True))
+        assert sum(min(span) < v < max(span) for span in spans) == counts[0] * counts[1]

@@ -1,6 +1,7 @@
 """Factorizations and eliminations: right for coefficients of any size, and refused beforehand where they would hang."""
 
 import time
+from itertools import product
 from math import prod
 from random import Random
 
@@ -14,6 +15,8 @@ from exactspline.polynomials.cost import Budget, affords, check_reach, drawing_o
 from exactspline.polynomials.elimination import discriminant
 from exactspline.polynomials.factorization import Factorization, power_text
 from exactspline.polynomials.factors import factorize, factorize_square_free, greatest_common_divisor, prime_factors
+from exactspline.polynomials.over_root import OverRoot, _primes
+from exactspline.roots.of_polynomials import check_isolation
 from exactspline.verification.coq.denominators import factored
 from exactspline.verification.coq.proofs import Nonzero
 
@@ -196,6 +199,29 @@ def test_values_have_no_more_bits_than_is_said():
         count = random.randint(2, 60)
         most = max(abs(row(z)).height_bits() for row in rows for z in range(-count, count + 1))
         assert most <= elimination._bits(rows, count) <= 4 * most + 20 * count.bit_length()
+
+
+def test_a_common_divisor_modulo_one_prime_need_not_be_one():
+    """Would pass otherwise: what divides one of two polynomials, and the other modulo the first prime alone."""
+    modulus = fmpq_poly([-2, 0, 1])
+    other = OverRoot([-3, fmpq_poly([0, 1]), 1], modulus)
+    shifted = OverRoot([-3 + next(_primes()), fmpq_poly([0, 1]), 1], modulus)
+    assert shifted.gcd(other).coefficients == other.gcd(shifted).coefficients == (1,)
+
+
+def test_the_estimate_of_an_isolation_grows_with_everything_that_it_takes():
+    """The square of the degree, the height, and the bits of the ends, these as often as the degree."""
+
+    def cost(n, height, bits):
+        with drawing_on(Budget(10**15)) as budget:
+            check_isolation(fmpz_poly([1] * n + [2**height]), bits)
+        return budget.total - budget.remaining
+
+    for n, height, bits in product((8, 40), (8, 4000), (0, 100)):
+        least = cost(n, height, bits)
+        assert cost(2 * n, height, bits) >= 4 * least - 400
+        assert cost(n, 2 * height, bits) > least
+        assert cost(n, height, bits + 100) >= least + n * n * n * 100 * 80 // 100 - n * n
 
 
 def test_an_estimate_is_about_the_time_that_is_measured():

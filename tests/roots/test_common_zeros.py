@@ -3,6 +3,7 @@
 from random import Random
 
 import pytest
+from flint import fmpz_poly
 
 from exactspline import NurbsSurface, TensorSpline, analyse
 from exactspline.errors import ReachError
@@ -232,3 +233,12 @@ def test_branches_near_a_singular_point_are_those_of_a_small_circle():
         square = [*around, *((-a, -b) for a, b in around)]
         signs = [value_at(f, x + a, y + b) > 0 for a, b in square]
         assert len(ends) == sum(a != b for a, b in zip(signs, signs[1:] + signs[:1], strict=True))
+
+
+def test_factors_with_roots_close_together_are_told_apart():
+    """Would not end otherwise: both vanish nearly at the point, with as many bits as a first try has."""
+    near = mpq(1, 3) + mpq(1, 10**40)
+    first, second = (fmpz_poly([-int(x.numerator), int(x.denominator)]) for x in (mpq(2, 3), 2 * near))
+    for x, factor in ((mpq(1, 3), first), (near, second)):
+        zero = solver.CommonZero.at(UNIT, (x, x))
+        assert solver._factor_at(first * second**2, zero, 1) == (factor, 1 if factor == first else 2)

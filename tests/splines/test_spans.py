@@ -44,11 +44,11 @@ def test_weights_are_computed_for_what_is_met_again_and_forgotten_in_time(monkey
     monkeypatch.setattr(blossom, "_along", {})
     monkeypatch.setattr(blossom, "PATTERNS", 5)
     monkeypatch.setattr(blossom, "ALONG", 5)
-    t, column = [mpq(k) for k in (0, 0, 0, 1, 1, 1)], [[mpq(k) for k in (1, 2, 5)]]
-    found = [blossom.common_rows(t, 2, column, [2]) for _ in range(4)]
-    assert [each is None for each in found] == [True, True, False, False]
+    t, column = [mpq(k) for k in [0] * 6 + [1] * 6], [[mpq(k) for k in (1, 2, 5, 7, 0, 1)]]
+    found = [blossom.common_rows(t, 5, column, [5]) for _ in range(3)]
+    assert [each is None for each in found] == [True, False, False]
     for k in range(2, 40):  # every time another knot
-        assert blossom.common_rows([*t[:3], *[mpq(1, k)], *t[3:]], 2, [[mpq(1)] * 4], [2, 3]) is None
+        assert blossom.common_rows([*t[:6], *[mpq(1, k)], *t[6:]], 5, [[mpq(1)] * 7], [5, 6]) is None
     assert len(blossom._met) < 10
     assert len(blossom._weights) < 10
     assert len(blossom._along) < 10

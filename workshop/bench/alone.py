@@ -55,6 +55,31 @@ def _inspect(count: int) -> Callable[[], object]:
     return lambda: inspect_curve(c).answers
 
 
+def _read(count: int) -> Callable[[], object]:
+    from workshop.bench.inputs import along
+
+    return lambda: along(count)
+
+
+def _analyse(count: int) -> Callable[[], object]:
+    from exactspline.geometry.analysis import analyse
+    from workshop.bench.inputs import along
+
+    def call() -> object:
+        facts = analyse(along(count))
+        return facts.inflections.points, facts.curvature_extrema.points
+
+    return call
+
+
+def _first_use(count: int) -> Callable[[], object]:
+    from exactspline.geometry.analysis import analyse
+    from workshop.bench.inputs import MIXED
+
+    curves = [MIXED.curve(i) for i in range(count)]
+    return lambda: [(len(analyse(c).inflections), len(analyse(c).curvature_extrema)) for c in curves]
+
+
 def _trim(_: int) -> Callable[[], object]:
     from exactspline.geometry.bisector.trimmed import trimmed_bisector
     from workshop.bench.inputs import wandering
@@ -98,6 +123,9 @@ def _bisector(degree: int) -> Callable[[], object]:
 
 CASES: dict[str, Callable[[int], Callable[[], object]]] = {
     "inspect": _inspect,
+    "read": _read,
+    "analyse": _analyse,
+    "first use": _first_use,
     "trim": _trim,
     "trim rational": _trim_rational,
     "sweep": _sweep,

@@ -1,5 +1,5 @@
 """Inflections and curvature extrema of 400 random plane curves, ours proved, and by Open CASCADE; many curves given as
-arrays; many segments; a trimmed bisector.
+arrays; many segments and their memory; a trimmed bisector.
 """
 
 from __future__ import annotations
@@ -25,7 +25,12 @@ FEATURES = "features"
 OCC = "Open CASCADE"
 FOUND = "inflections and extrema of a curve, mean of 400"
 MADE = "construction of a curve, mean of 400"
+BOTH = "construction of a curve and its inflections and extrema, mean of 400"
+PLACED = "inflections and extrema of a curve, their kinds and parameters as doubles, mean of 400"
+FIRST = "first use: how much longer 400 curves take in a new process than later"
 TOGETHER = "inflections and extrema of a curve of the same 400, given at once"
+#: The limit on the processor time of a case in a process of its own, in seconds.
+LONG = 60
 #: The number of cubic segments of the batch; 10⁵ in a full run.
 SOME, ALL = 5_000, 100_000
 #: Degree, knots, control points and weights (None for all 1) in doubles.
@@ -98,17 +103,36 @@ def _solved(curves: Any) -> tuple[int, int]:
     return sum(len(analyse(c).inflections) for c in curves), sum(len(analyse(c).curvature_extrema) for c in curves)
 
 
+def _placed(curves: Any) -> list[tuple[FeatureKind, float]]:
+    return [
+        (f.kind, float(f.root))
+        for facts in map(analyse, curves)
+        for f in (*facts.inflections, *facts.curvature_extrema)
+    ]
+
+
 def _one_by_one(curves: Sequence[Nurbs]) -> Iterator[Row]:
-    count = len(curves)
+    """How many there are, as Open CASCADE is asked for the number and the kinds; with construction; with parameters;
+    and in a new process.
+    """
+    count, data = len(curves), [_floats(c) for c in curves]
+    first = alone.run("first use", count, LONG).seconds
     ours = _solved(_again(curves))
     timed: dict[str, Timed] = {OURS: (_solved, lambda: _again(curves))}
     making: dict[str, Timed] = {OURS: (lambda _: _again(curves), lambda: None)}
-    theirs = _compared_with_occ([_floats(c) for c in curves], timed, making)
+    theirs = _compared_with_occ(data, timed, making)
+    both: dict[str, Timed] = {OURS: (lambda _: _solved(_again(curves)), lambda: None)}
+    placed: dict[str, Timed] = {OURS: (_placed, timed[OURS][1])}
+    if theirs is not None:
+        both[OCC] = lambda _: _solved_by_occ([_in_occ(*each) for each in data]), lambda: None
+        placed[OCC] = _placed_by_occ, timed[OCC][1]
     took = {who: value / count for who, value in best(timed).items()}
     note = f"{ours[0]} inflections, {ours[1]} extrema"
     yield bounded(FEATURES, FOUND, took[OURS], "ms", Fraction(6, 10), note)
-    yield from _theirs(FOUND, took, theirs, {})
-    yield from compared(FEATURES, MADE, {who: value / count for who, value in best(making).items()}, {})
+    yield from _theirs(FOUND, took, theirs, {OCC: Fraction(1)})
+    for case, each, limits in ((BOTH, both, {OCC: Fraction(1)}), (PLACED, placed, {}), (MADE, making, {})):
+        yield from compared(FEATURES, case, {who: value / count for who, value in best(each).items()}, limits)
+    yield bounded(FEATURES, FIRST, None if first is None else 1000 * first - count * took[OURS], "ms", 20)
 
 
 def _compared_with_occ(
@@ -168,7 +192,24 @@ def _solved_by_occ(curves: Any) -> tuple[int, int]:
     return bends, extrema
 
 
+def _placed_by_occ(curves: Any) -> list[tuple[object, float]]:
+    from OCP.GeomLProp import GeomLProp_CurAndInf2d
+
+    found = []
+    for c in curves:
+        solver = GeomLProp_CurAndInf2d()
+        solver.Perform(c)
+        found += [(solver.Type(i), solver.Parameter(i)) for i in range(1, solver.NbPoints() + 1)]
+    return found
+
+
 LINEAR = "linear"
+#: What is kept of a segment, and how much of it in kB.
+KEPT = (
+    ("read", "a cubic spline of {count} segments, read: memory per segment", Fraction(3, 2)),
+    ("analyse", "a cubic spline of {count} segments, its inflections and extrema listed: memory per segment", 5),
+    ("inspect", "a cubic spline of {count} segments, all questions asked: memory per segment", 5),
+)
 
 
 def linear_rows(options: Options) -> Iterator[Row]:
@@ -178,6 +219,11 @@ def linear_rows(options: Options) -> Iterator[Row]:
         each = None if took.seconds is None else 1000 * took.seconds / count
         case = f"inspection of a cubic spline of {count} segments, a segment"
         yield bounded(LINEAR, case, each, "ms", Fraction(3, 10), took.note)
+    count = 100_000 if options.full else 10_000
+    for name, memory_case, kilobytes in KEPT:
+        took = alone.run(name, count, 10 * options.limit)
+        kept = None if took.megabytes is None else 1024 * took.megabytes / count
+        yield bounded(LINEAR, memory_case.format(count=count), kept, "kB", kilobytes, took.note)
     for name, case, most in (
         ("trim", "bisector of a point and a 500-segment plane cubic, trimmed", 10),
         ("trim rational", "bisector of a point and a rational curve of degree 5, 10 segments, trimmed", 5),

@@ -1,4 +1,4 @@
-"""Operations that all spline libraries offer: points, knot insertion, degree elevation; ours are exact."""
+"""Operations that all spline libraries offer: points, a knot inserted; and many curvatures. Ours are exact."""
 
 from __future__ import annotations
 
@@ -6,13 +6,18 @@ from collections.abc import Callable, Iterator
 from fractions import Fraction
 from typing import Any
 
+from exactspline.geometry.floats import curvature_floats
 from exactspline.numbers.exact import mpq
 from exactspline.splines.nurbs import Nurbs
 from workshop.bench.inputs import curve
-from workshop.bench.row import OURS, Options, Row, Timed, best, compared, installed, missing
+from workshop.bench.row import OURS, Options, Row, Timed, best, bounded, compared, installed, missing
 
 SPLINES = "splines"
 POINTS = 50
+#: How many times the time of scipy points and a knot may take.
+MOST = (15, 10)
+#: The number of curvatures.
+MANY = 10_000
 PEERS = ("scipy", "geomdl", "pynurbs")
 
 
@@ -31,15 +36,18 @@ def spline_rows(options: Options) -> Iterator[Row]:
             lambda: Nurbs(c.degree, c.knots, c.control_points, c.weights),
         ),
     }
-    for number, (case, our_case) in enumerate(ours.items()):
+    for number, ((case, our_case), most) in enumerate(zip(ours.items(), MOST, strict=True)):
         timed, absent = {OURS: our_case}, []
         for who in PEERS:
             if not installed(who):
                 absent.append(who)
             elif made := THEIRS[who](c, places)[number]:
                 timed[who] = made
-        yield from compared(SPLINES, case, best(timed), {})
+        yield from compared(SPLINES, case, best(timed), {"scipy": Fraction(most)})
         yield from (missing(SPLINES, case, who) for who in absent)
+    one, parameters = curve(3), [i / MANY for i in range(MANY + 1)]
+    took = best({OURS: (lambda _: curvature_floats(one, parameters), lambda: None)})[OURS] / 1000
+    yield bounded(SPLINES, f"{MANY:,} curvatures of a rational cubic, correctly rounded", took, "s", Fraction(1, 2))
 
 
 Pair = tuple[Timed | None, Timed | None]

@@ -67,6 +67,12 @@ def _command_rows() -> Iterator[Row]:
     ):
         took, _ = processor_time(arguments)
         yield Row(COMMANDS, f"{command}, above Python itself", OURS, took - nothing, "s")
+    for given, most in (("--help", Fraction(1, 10)), ("inspect cubic_s", Fraction(23, 100))):
+        took, _ = processor_time(["-m", "exactspline", *given.split()], runs=MANY)
+        yield bounded(COMMANDS, f"exactspline {given}, whole", took, "s", most)
+    slow = "formula degrees --paper surfaces --generic"
+    took, _ = processor_time(["-m", "exactspline", *slow.split(), "-q"], runs=1)
+    yield Row(COMMANDS, f"exactspline {slow}", OURS, took, "s")
 
 
 def processor_time(arguments: Sequence[str], runs: int = RUNS) -> tuple[float, str]:

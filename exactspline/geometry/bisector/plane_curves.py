@@ -10,11 +10,13 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from functools import cached_property
+from itertools import product
 from typing import Any, Generic, TypeVar
 
 from flint import fmpz_mpoly
 
 from exactspline.errors import ReachError, ShapeError
+from exactspline.geometry.analysis import analyse
 from exactspline.geometry.bisector.common import Bisector
 from exactspline.geometry.zeros_in_two_parameters import ZeroArc, ZeroCurves, zero_curve
 from exactspline.language.vector import Vector, det, dot
@@ -23,7 +25,7 @@ from exactspline.numbers.exact import Number, mpq
 from exactspline.numbers.intervals import Box
 from exactspline.polynomials.two_parameters import lifted as lifted_polynomial
 from exactspline.reals.real import Real
-from exactspline.roots.values import at, segment_polynomials
+from exactspline.roots.values import at, exact_place, segment_polynomials, sign_at
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.expected import curve_of
 from exactspline.splines.nurbs import Nurbs
@@ -125,25 +127,42 @@ class PlaneBisector(Bisector):
         """The rectangles in which pairs are not decided."""
         return self.pairs.undecided
 
-    @cached_property
-    def _tangents(self) -> list[tuple[BSpline, ...]]:
-        return [tangent(curve) for curve in self.curves]
-
     def point(self, s: Number | Real, t: Number | Real) -> tuple[mpq | Real, ...]:
-        """The point of a pair at which the function vanishes, exactly; on a common normal the one in the middle.
+        """The point of a pair at which the function vanishes, exactly; on a common normal the one in the middle. At a
+        corner it is that of the side from which the function vanishes, the right one if it does from both.
 
-        Raises `ReachError` where the normals are parallel and apart.
+        Raises `ReachError` where the normals are parallel and apart, and where a curve has no tangent.
         """
-        p, q = (at(curve, x) for curve, x in zip(self.curves, (s, t), strict=True))
-        a, b = ([at(f, x) for f in own] for own, x in zip(self._tangents, (s, t), strict=True))
+        place = exact_place(s), exact_place(t)
+        pairs = [PlaneBisector(*pair) for pair in product(*map(_sides, self.curves, place))]
+        first, second = next((pair for pair in pairs[:-1] if pair._vanishes(*place)), pairs[-1]).curves
+        p, q = at(first, s), at(second, t)
+        a, b = ([at(f, x) for f in tangent(curve)] for curve, x in ((first, s), (second, t)))
         chord = [y - x for x, y in zip(p, q, strict=True)]
         across = a[0] * b[1] - a[1] * b[0]
         if across == 0:
+            if not all(any(x != 0 for x in own) for own in (a, b)):
+                raise ReachError("a point where a curve has no tangent", remedy="give a pair next to it")
             if a[0] * chord[0] + a[1] * chord[1] != 0:
                 raise ReachError("a point on two normals that are parallel", remedy="give a pair next to it")
             return (p[0] + q[0]) / 2, (p[1] + q[1]) / 2
         along = (b[0] * chord[0] + b[1] * chord[1]) / across
         return p[0] - along * a[1], p[1] + along * a[0]
+
+    def _vanishes(self, s: mpq | Real, t: mpq | Real) -> bool:
+        """Whether the function vanishes at a pair of which one number is rational."""
+        if not isinstance(t, Real):
+            return sign_at(self.function.at_t(t), s) == 0
+        assert not isinstance(s, Real)
+        return sign_at(self.function.at_s(s), t) == 0
+
+
+def _sides(curve: Nurbs, t: mpq | Real) -> list[Nurbs]:
+    """The parts of a curve behind and before a corner at a parameter; elsewhere all of it."""
+    (low, high), inner = curve.domain, curve.breakpoints[1:-1]
+    if isinstance(t, Real) or t not in inner or analyse(curve).tangent_continuous(inner.index(t) + 1):
+        return [curve]
+    return [curve.restrict(t, high), curve.restrict(low, t)]
 
 
 __all__ = ["PlaneBisector", "PlanePair", "tangent"]

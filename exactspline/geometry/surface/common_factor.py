@@ -7,7 +7,7 @@ from functools import reduce
 
 from flint import fmpz_poly
 
-from exactspline.numbers.exact import mpq, sign
+from exactspline.numbers.exact import common_divisor, mpq, sign
 from exactspline.polynomials.factors import factorize, factorize_square_free, greatest_common_divisor
 from exactspline.polynomials.patch_forms import PatchForm, powers_of
 from exactspline.polynomials.two_parameters import CONTEXT, as_form, as_polynomial
@@ -20,15 +20,16 @@ def common_factor(forms: Sequence[PatchForm]) -> PatchForm | None:
 
 
 def line_factor(form: PatchForm, direction: int) -> fmpz_poly:
-    """The greatest factor of a form that depends on x (direction 0) or y alone: where it vanishes, the form vanishes on
-    a whole line.
+    """The greatest factor of a form that depends on x (direction 0) or y alone, without a common divisor of its
+    coefficients: where it vanishes, the form vanishes on a whole line.
 
     >>> line_factor(PatchForm.of_net([[1, -1], [-2, 2]]), 0)  # (1 − 3x)(1 − 2y)
     3*x + (-1)
     """
     rows = powers_of(form)
     columns = rows if direction else [list(column) for column in zip(*rows, strict=True)]
-    return greatest_common_divisor(fmpz_poly(column) for column in columns)
+    found = greatest_common_divisor(fmpz_poly(column) for column in columns)
+    return found // common_divisor(found.coeffs())
 
 
 def rational_lines(form: PatchForm, direction: int) -> list[mpq]:
