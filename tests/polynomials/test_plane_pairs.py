@@ -217,3 +217,9 @@ def test_arcs_of_straight_curves_have_all_pairs_of_parameters(seed):
         counts = [len(places(isolate(c.x * v.q - c.w * v.p, c.degree))) for c in curves]
         spans = list(zip(ranges[::2], ranges[1::2], strict=True))
         assert sum(min(span) < v < max(span) for span in spans) == counts[0] * counts[1]
+
+
+def test_the_end_of_a_curve_on_the_other_one():
+    first, second = bezier((0, 0), (1, 2), (2, -1), (3, 1)), bezier((2, 0), (3, 2), (3, 0), (4, 2))
+    ends = [m.second for m in meetings(first, second).points if isinstance(m.first, Place) and m.first.exact == 1]
+    assert [end.exact for end in ends] == [Fraction(1, 2)]
