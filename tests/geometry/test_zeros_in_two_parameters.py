@@ -207,7 +207,7 @@ def test_an_arc_from_the_border_that_ends_at_a_jump_is_broken():
 
 def test_a_line_on_a_knot_may_be_one_from_one_side():
     """At s = 1 the function jumps: it vanishes there from the left, or from both sides."""
-    for right, one_sided in (([1, 2], True), ([0, 0], False)):
+    for right, one_sided in (([1, 2], True), ([-1, 2], True), ([0, 0], False)):
         f = TensorSpline((1, 1), [0, 0, 1, 1, 2, 2], [0, 0, 1, 1], [[1, 1], [0, 0], right, [1, 1]])
         (line,) = zero_curve(f).lines
         assert (line.value, line.one_sided) == (1, one_sided)
