@@ -227,3 +227,13 @@ def test_the_end_of_a_curve_on_the_other_one():
     first, second = bezier((0, 0), (1, 2), (2, -1), (3, 1)), bezier((2, 0), (3, 2), (3, 0), (4, 2))
     ends = [m.second for m in meetings(first, second).points if isinstance(m.first, Place) and m.first.exact == 1]
     assert [end.exact for end in ends] == [Fraction(1, 2)]
+
+
+def test_a_curve_that_turns_back_at_a_third():
+    """x = q, y = q² for q = (t − 1/3)²: it runs over its first third again."""
+    from tests.campaigns.intersections import bezier_rows, multiplied
+
+    q = [Fraction(1, 9), Fraction(-2, 3), Fraction(1)]
+    rows = bezier_rows([q, multiplied(q, q), [1]])
+    (arc,) = self_meetings(plane_forms(Nurbs.from_homogeneous(4, [0] * 5 + [1] * 5, rows), 0)).arcs
+    assert [place.exact for place in arc.second] == [Fraction(1, 3), Fraction(2, 3)]
