@@ -1,19 +1,13 @@
 """How a theorem of the paper is put to the test: proved for all curves, verified on the example curves."""
 
-from functools import cache
-
-from exactspline.verification.claims import all_claims
-from exactspline.verification.ledger import audit
-
-
-@cache
-def _audited(claim_id):
-    return tuple(audit([claim for claim in all_claims() if claim_id in (claim.id, claim.key)]))
+from exactspline.papers import default_papers
+from tests.support.decided import ledger
 
 
 def establish(claim_id, statement=""):
     """Every verdict on a claim (or on the one statement of it) is the one on record; returns the rows."""
-    rows = [row for row in _audited(claim_id) if statement in row.statement]
+    decided = (row for paper in default_papers() for row in ledger(paper.name))
+    rows = [row for row in decided if claim_id in (row.id, row.key) and statement in row.statement]
     assert rows, f"no claim {claim_id} says {statement!r}"
     for row in rows:
         assert row.as_recorded, (

@@ -234,9 +234,10 @@ def _bends(zeros: Iterable[SegmentZero]) -> dict[int, list[SegmentZero]]:
 def _entangled(zeros: Sequence[SegmentZero]) -> set[int]:
     """The segments on which a zero of κ and one of κ′ are too close to tell which is first."""
     bends = _bends(zeros)
-    turns = [zero for zero in zeros if zero.output == CRITICAL]
     return {
         zero.segment
-        for zero in turns
-        if any(bend.low < zero.high and zero.low < bend.high for bend in bends.get(zero.segment, ()))
+        for zero in zeros
+        if zero.output == CRITICAL
+        and zero.segment in bends
+        and any(bend.low < zero.high and zero.low < bend.high for bend in bends[zero.segment])
     }

@@ -283,14 +283,14 @@ def _lowest(matrix: fmpz_mat) -> fmpz_mat:
 
 
 def of_powers(rows: Sequence[Sequence[fmpz]]) -> PatchForm:
-    """The form of ``Σ rows[i][j] xⁱ yʲ``.
+    """The form of ``Σ rows[i][j] xⁱ yʲ``, whose constant depends only on the degree.
 
     >>> of_powers([[-1, 1], [1, 0]]).entries == PatchForm.of_net([[-1, 0], [0, 1]]).entries
     True
     """
     matrix = fmpz_mat([list(row) for row in rows])
     left, right = _from_powers(int(matrix.nrows()) - 1), _from_powers(int(matrix.ncols()) - 1)
-    return PatchForm(left * matrix * right.transpose()).primitive()
+    return PatchForm(left * matrix * right.transpose())
 
 
 def powers_of(form: PatchForm) -> list[list[fmpz]]:

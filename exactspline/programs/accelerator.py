@@ -143,9 +143,10 @@ def signs(program: Program, rows: Sequence[tuple[Sequence[Sequence[int]], int]],
     count = filter_curve(byref(prepared), data.buffer_info()[0], segments, found.buffer_info()[0], room)
     if count < 0:
         return None
-    made = [found[s : s + stride].tolist() for s in range(0, start, stride)]
+    values = found[: start + OF_ZERO * count].tolist()
+    made = [values[s : s + stride] for s in range(0, start, stride)]
     zeros = [
         SegmentZero(int(k), int(s), low, high, int(before))
-        for k, s, low, high, before in (found[i : i + OF_ZERO] for i in range(start, start + OF_ZERO * count, OF_ZERO))
+        for k, s, low, high, before in zip(*[values[start + i :: OF_ZERO] for i in range(OF_ZERO)], strict=True)
     ]
     return Signs([OPEN[int(row[0])] for row in made], [row[1:-2] for row in made], [row[-2:] for row in made], zeros)

@@ -322,7 +322,7 @@ def test_a_file_of_which_a_curve_could_not_be_read_ends_with_2(tmp_path):
 
 
 @pytest.mark.parametrize(
-    ("question", "curve"), [("length", "degree=60 count=1"), ("elevate:900", "degree=3 segments=30 count=1")]
+    ("question", "curve"), [("length", "degree=40 count=1"), ("elevate:900", "degree=3 segments=30 count=1")]
 )
 def test_the_work_on_an_answer_has_a_bound(question, curve):
     """False before: nothing; the arc length of a thousand segments took minutes, one of degree 90 half a minute."""

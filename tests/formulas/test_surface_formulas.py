@@ -13,7 +13,6 @@ from gmpy2 import isqrt, mpq
 import exactspline as xs
 from exactspline import example, paper
 from exactspline.cli import app
-from exactspline.display.evidence import worded
 from exactspline.errors import ClaimError, ExactSplineError, FormulaError
 from exactspline.language.arguments import Curve
 from exactspline.language.choices import Parameter
@@ -32,7 +31,6 @@ from exactspline.verification.claims import claims_of
 from exactspline.verification.ledger import audit
 from exactspline.verification.patch_degrees import patch_table, variants_table
 from exactspline.verification.verdict import PROVED, REFUTED
-from tests.support.decided import decided_once
 
 SOURCE = paper("surfaces")
 CURVED = ("ellipsoid", "torus", "cyclide", "rational_biquadratic", "monkey_saddle", "biquadratic", "enneper")
@@ -208,13 +206,6 @@ def test_the_spline_reading_and_the_series_agree(name):
 
 
 # ---- what holds for all surfaces
-
-
-def test_every_verdict_is_as_recorded():
-    with decided_once():
-        rows = list(audit(claims_of("surfaces")))
-    assert [(r.key, r.verdict, worded(r.computed)) for r in rows if not r.as_recorded] == []
-    assert len({claim.id for claim in claims_of("surfaces")}) >= 12
 
 
 @pytest.mark.parametrize(

@@ -12,6 +12,7 @@ from gmpy2 import mpq
 import exactspline as xs
 from exactspline import Nurbs, analyse, bisector, example, self_intersections
 from exactspline.errors import ReachError, ShapeError
+from exactspline.geometry.bisector.plane_pair import tangent
 from tests.support.bisector_oracle import bezier
 
 
@@ -124,6 +125,26 @@ def _side(a, b, c):
     return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
 
 
+def polyline(*points):
+    return Nurbs(1, [0, *range(len(points)), len(points) - 1], points)
+
+
+def test_the_bisector_at_corners_and_where_a_curve_has_no_tangent():
+    """The point of an arc that ends in a corner was that of the other side, and at a cusp the middle of the chord."""
+    corner, parabola = polyline((0, 0), (2, 0), (2, 3)), bezier((-1, 2), (1, 4), (3, 0))
+    found, velocity, ends = bisector(corner, parabola), tangent(parabola), 0
+    for place in (place for arc in found.pieces for place in (arc.start, arc.end) if place[0] == 1):
+        x, y = found.point(*place)
+        p, (u, v) = xs.at(parabola, place[1]), (xs.at(f, place[1]) for f in velocity)
+        assert (x - 2) * (x - 2) + y * y == (x - p[0]) * (x - p[0]) + (y - p[1]) * (y - p[1])
+        assert (x - p[0]) * u + (y - p[1]) * v == 0
+        assert 0 in (x - 2, y)
+        ends += 1
+    assert ends > 1
+    with pytest.raises(ReachError, match="no tangent"):
+        bisector(example("cusp"), polyline((0, -3), (3, -3))).point("1/2", "1/3")
+
+
 @pytest.mark.parametrize("dial", DIALS)
 @pytest.mark.parametrize("seed", [102, 103, 104, 105, 107])
 def test_offsets_meet_themselves_as_polygons_do(seed, dial):
@@ -167,10 +188,6 @@ def test_an_offset_that_touches_itself_where_normals_are_parallel():
     assert (middle.first, middle.second, middle.point) == (1, 3, (0, 0))
     (seam,) = self_intersections(example("ellipse"), offset=2)
     assert (seam.first, seam.second) == (0, 2)
-
-
-def polyline(*points):
-    return Nurbs(1, [0, *range(len(points)), len(points) - 1], points)
 
 
 def test_the_offset_at_corners():

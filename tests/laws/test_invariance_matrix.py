@@ -24,13 +24,13 @@ from exactspline.geometry.bisector.two_curves import curve_bisector
 from exactspline.interchange.examples import example
 from exactspline.reals.real import Real
 from tests.geometry.test_bisector_pairs import assert_complete_on_a_grid, random_pair
-from tests.laws.test_invariance import assert_same, chain, rotated
+from tests.laws.test_invariance import OPPOSITE, assert_same, chain, rotated
 from tests.support.bisector_oracle import FAMILIES, dimension, planes, point_and_tangent, spans
 from tests.support.same_curves import CHANGES as WAYS
+from tests.support.same_curves import similar
 from tests.support.strategies import nurbs
 
 NEAR = mpq(1, 10**20)
-OPPOSITE = {"maximum": "minimum", "minimum": "maximum"}
 
 
 @dataclass(frozen=True)
@@ -46,19 +46,12 @@ class Change:
     backwards: bool = False
 
 
-def turned(p):
-    """What `same_curves.turned` makes of a point."""
-    x, y, *rest = p
-    moved = ((3 * x - 4 * y) / mpq(5), (4 * x + 3 * y) / mpq(5), *rest)
-    return tuple(c * mpq(7, 2) + d for c, d in zip(moved, (3, -1, 2), strict=False))
-
-
 over_ways = pytest.mark.parametrize("way", WAYS)
 
 
 def changed(curve, way):
     other, image = WAYS[way](curve)
-    moved = {"point": turned, "scale": mpq(7, 2)} if way == "turned" else {}
+    moved = {"point": similar, "scale": mpq(7, 2)} if way == "turned" else {}
     return Change(other, image, **moved, backwards=way == "backwards")
 
 

@@ -7,8 +7,11 @@ from unittest import mock
 
 from exactspline.display import tables
 from exactspline.verification import degree_tables, errata
+from exactspline.verification.claims import claims_of
 from exactspline.verification.combined import Proofs, computed_once
 from exactspline.verification.errata import Erratum
+from exactspline.verification.ledger import audit
+from exactspline.verification.rows import Row
 
 
 @cache
@@ -37,6 +40,13 @@ def decided_once() -> Iterator[None]:
     generic = [mock.patch.object(each, "generic_table", generic_table) for each in (degree_tables, tables)]
     with computed_once(proofs()), generic[0], generic[1]:
         yield
+
+
+@cache
+def ledger(source: str) -> tuple[Row, ...]:
+    """The rows of a paper: every claim for all curves, and on every example of which it speaks."""
+    with decided_once():
+        return tuple(audit(claims_of(source)))
 
 
 @cache

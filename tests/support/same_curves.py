@@ -26,15 +26,16 @@ def same(curve, points=None, weights=None, knots=None):
     )
 
 
-def turned(curve):
+def similar(p):
     """A similarity: turned by the angle of a 3-4-5 triangle, 7/2 times as large, moved."""
+    x, y, *rest = p
+    moved = ((3 * x - 4 * y) / mpq(5), (4 * x + 3 * y) / mpq(5), *rest)
+    return tuple(c * mpq(7, 2) + d for c, d in zip(moved, (3, -1, 2), strict=False))
 
-    def image(p):
-        x, y, *rest = p
-        moved = ((3 * x - 4 * y) / 5, (4 * x + 3 * y) / 5, *rest)
-        return tuple(c * mpq(7, 2) + d for c, d in zip(moved, (3, -1, 2), strict=False))
 
-    return same(curve, points=[image(p) for p in curve.control_points]), lambda t: t
+def turned(curve):
+    """Every control point moved by one similarity."""
+    return same(curve, points=[similar(p) for p in curve.control_points]), lambda t: t
 
 
 def mirrored(curve):
