@@ -115,6 +115,8 @@ class ZeroOnPatch:
         factors of their resultant.
         """
         polynomials, k = self.polynomials, 0
+        if greatest_common_divisor(polynomials).total_degree() > 0:
+            raise ReachError("a certificate of a multiple zero of functions with a common factor", remedy=REMEDY)
         while True:
             pair = [[1] + [0] * (len(polynomials) - 1), [0] + [k**i for i in range(len(polynomials) - 1)]]
             first, second = (sum((c * p for c, p in zip(row, polynomials, strict=True)), S * 0) for row in pair)

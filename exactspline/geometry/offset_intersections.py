@@ -16,7 +16,7 @@ from flint import fmpz_mpoly
 
 from exactspline.errors import ReachError, ShapeError
 from exactspline.geometry.analysis import analyse
-from exactspline.geometry.bisector.plane_curves import PlanePair, tangent
+from exactspline.geometry.bisector.plane_pair import PlanePair, tangent
 from exactspline.geometry.bisector.system import piece
 from exactspline.geometry.box_tree import BoxTree, pairs_that_may_meet, shift_for
 from exactspline.geometry.intersections import Intersection, IntersectionKind, Intersections

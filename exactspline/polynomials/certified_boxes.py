@@ -5,7 +5,7 @@ A box is excluded if the coefficients of one of the forms, or of the combination
 Jacobian there, are all positive or all negative. Near a simple zero of these two the combinations G₁, G₂ are
 approximately ``x − x₀`` and ``y − y₀``: if the ranges of their derivatives are strictly diagonally dominant, there is
 at most one zero, and if G₁ has opposite signs on the left and right sides and G₂ on the lower and upper sides, there is
-at least one (Miranda). All computations are in integers.
+at least one (Miranda). All computations are in integers, those that exclude boxes in rounded ones.
 
 A zero is certified if Krawczyk's operator contracts a box around it by a fixed factor; then refinement terminates.
 
@@ -27,6 +27,7 @@ from exactspline.numbers.exact import mpq
 from exactspline.numbers.intervals import UNIT, Box, Interval
 from exactspline.polynomials.cost import affords, height_bits
 from exactspline.polynomials.patch_forms import PatchForm, Sized, halved
+from exactspline.polynomials.rounded_forms import rounded
 
 #: The fraction of its width by which a box is enlarged on each side before certification.
 MARGIN = mpq(1, 4)
@@ -131,10 +132,11 @@ def isolate(
     """
     result = Isolation([] if before is None else before.zeros, [])
     start = [UNIT] if before is None else before.undecided
-    todo = deque(Sized(box, [f.part(box) for f in (*forms, *not_positive)], 0) for box in start)
     boxes, small, vanishing = 0, 0, len(forms)
     most = BOXES if before else PER_SQUARE * max(len(f.entries) for f in forms) ** 2
-    given = {(i, j): _of_one_degree(forms[i], forms[j]) for i, j in combinations(range(vanishing - also), 2)}
+    given = {(i, j): _pair(forms[i], forms[j]) for i, j in combinations(range(vanishing - also), 2)}
+    searched = [*_of_one_degree(*forms[: vanishing - also]), *forms[vanishing - also :], *not_positive]
+    todo = deque(Sized(box, [rounded(f, box) for f in searched], 0) for box in start)
     cost = sum(map(_halving, forms))
     while todo:
         part = todo.popleft()
@@ -157,7 +159,7 @@ def isolate(
 
 def _is_decided(part: Sized, given: Pair, at: tuple[int, int], zeros: list[Isolated]) -> bool:
     """Whether two of the forms exclude a box, or certify a zero, which is then among the zeros."""
-    pair = preconditioned(*_of_one_degree(*(part.forms[k] for k in at)))
+    pair = preconditioned(part.forms[at[0]], part.forms[at[1]])
     if pair is None:
         return False
     if any(g.sign is not None for g in pair):
@@ -175,9 +177,14 @@ def _halving(form: PatchForm) -> int:
     return (m + 1) * (n + 1) * (HALVING + HALVING_BITS * bits // 100)
 
 
-def _of_one_degree(first: PatchForm, second: PatchForm) -> Pair:
-    degree = max(first.degree[0], second.degree[0]), max(first.degree[1], second.degree[1])
-    return first.elevated(degree), second.elevated(degree)
+def _pair(first: PatchForm, second: PatchForm) -> Pair:
+    one, other = _of_one_degree(first, second)
+    return one, other
+
+
+def _of_one_degree(*forms: PatchForm) -> tuple[PatchForm, ...]:
+    m, n = (max(f.degree[k] for f in forms) for k in (0, 1))
+    return tuple(f.elevated((m, n)) for f in forms)
 
 
 def _dependence(forms: Sequence[PatchForm], at: tuple[int, int]) -> int:
@@ -215,7 +222,7 @@ def _slopes(f: PatchForm) -> tuple[fmpz, fmpz]:
 
 def _ranges(g: PatchForm, k: int) -> tuple[tuple[fmpz, fmpz], tuple[fmpz, fmpz]]:
     """Bounds of the derivatives with respect to its own parameter, the k-th, and to the other one."""
-    return g.derivative(k).range, g.derivative(1 - k).range
+    return g.slopes(k), g.slopes(1 - k)
 
 
 def _contracting(pair: Pair) -> list[tuple[tuple[fmpz, fmpz], tuple[fmpz, fmpz]]] | None:

@@ -9,17 +9,14 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from functools import lru_cache
-from itertools import pairwise
 from math import comb
+from operator import sub
 from typing import NamedTuple
 
 from flint import fmpz, fmpz_mat, fmpz_poly
 
 from exactspline.numbers.exact import common_divisor, lcm, mpq
 from exactspline.numbers.intervals import Box, hull
-
-#: Up to this degree differences are taken by a product of matrices.
-DENSE = 30
 
 
 class PatchForm:
@@ -104,7 +101,7 @@ class PatchForm:
     def halves(self, direction: int) -> tuple[PatchForm, PatchForm]:
         """The form on the two halves of the square (direction 0: in x), with a common constant."""
         m = self.degree[direction]
-        matrix, (first, second) = self.matrix, _halving(m)
+        matrix, (first, second) = self.matrix, halving(m)
         if direction == 0:
             return PatchForm(first * matrix), PatchForm(second * matrix)
         return PatchForm(matrix * first.transpose()), PatchForm(matrix * second.transpose())
@@ -133,22 +130,41 @@ class PatchForm:
         """The derivative with respect to x (direction 0) or y, with the same constant; for degree 0 the zero form of
         degree 0.
         """
-        n = self.degree[direction]
+        (rows, columns), n = self._shape, self.degree[direction]
         if n == 0:
             return PatchForm(self.matrix * 0)
-        if n <= DENSE:
-            by = _differences(n)
-            return PatchForm(by * self.matrix if direction == 0 else self.matrix * by.transpose())
-        rows = (self.matrix if direction == 0 else self.matrix.transpose()).table()
-        differences = fmpz_mat([[n * (y - x) for x, y in zip(*pair, strict=True)] for pair in pairwise(rows)])
-        return PatchForm(differences if direction == 0 else differences.transpose())
+        shape = (rows, columns - 1) if direction else (rows - 1, columns)
+        return PatchForm(fmpz_mat(*shape, self._differences(direction)) * n)
+
+    def slopes(self, direction: int) -> tuple[fmpz, fmpz]:
+        """Bounds of the derivative with respect to x (direction 0) or y: its smallest and its largest coefficient."""
+        n = self.degree[direction]
+        if n == 0:
+            return fmpz(0), fmpz(0)
+        differences = self._differences(direction)
+        return n * min(differences), n * max(differences)
+
+    def is_monotonic(self, direction: int) -> bool:
+        """Whether the coefficients prove that the derivative has no zero on the closed square."""
+        low, high = self.slopes(direction)
+        return bool(low > 0 or high < 0)
+
+    def _differences(self, direction: int) -> list[fmpz]:
+        """The differences of neighbouring coefficients, row by row."""
+        step = 1 if direction else self._shape[1]
+        found = [*map(sub, self.entries[step:], self.entries)]
+        if direction:
+            del found[self.degree[1] :: self._shape[1]]
+        return found
 
     @property
     def steeper(self) -> int:
         """The direction in which neighbouring coefficients differ more, if both sides are halved as often as that is
         of use.
         """
-        changes = [max(map(abs, self.derivative(k).entries)) / max(n, 1) for k, n in enumerate(self.degree)]
+        changes = [
+            max(-low, high) / max(n, 1) for n, (low, high) in zip(self.degree, map(self.slopes, (0, 1)), strict=True)
+        ]
         return int(changes[1] > changes[0])
 
     def edge(self, direction: int, end: int) -> list[fmpz]:
@@ -283,14 +299,14 @@ def _lowest(matrix: fmpz_mat) -> fmpz_mat:
 
 
 def of_powers(rows: Sequence[Sequence[fmpz]]) -> PatchForm:
-    """The form of ``Σ rows[i][j] xⁱ yʲ``.
+    """The form of ``Σ rows[i][j] xⁱ yʲ``, whose constant depends only on the degree.
 
     >>> of_powers([[-1, 1], [1, 0]]).entries == PatchForm.of_net([[-1, 0], [0, 1]]).entries
     True
     """
     matrix = fmpz_mat([list(row) for row in rows])
     left, right = _from_powers(int(matrix.nrows()) - 1), _from_powers(int(matrix.ncols()) - 1)
-    return PatchForm(left * matrix * right.transpose()).primitive()
+    return PatchForm(left * matrix * right.transpose())
 
 
 def powers_of(form: PatchForm) -> list[list[fmpz]]:
@@ -322,16 +338,10 @@ def _from_powers(n: int) -> fmpz_mat:
 
 
 @lru_cache(maxsize=256)
-def _halving(n: int) -> tuple[fmpz_mat, fmpz_mat]:
+def halving(n: int) -> tuple[fmpz_mat, fmpz_mat]:
     """The matrices to Bernstein coefficients on the left and on the right half, times 2ⁿ."""
     left = [[comb(i, k) << (n - i) if k <= i else 0 for k in range(n + 1)] for i in range(n + 1)]
     return fmpz_mat(left), fmpz_mat([row[::-1] for row in left[::-1]])
-
-
-@lru_cache(maxsize=256)
-def _differences(n: int) -> fmpz_mat:
-    """The matrix to Bernstein coefficients of the derivative."""
-    return fmpz_mat([[n if k == i + 1 else -n if k == i else 0 for k in range(n + 1)] for i in range(n)])
 
 
 @lru_cache(maxsize=1024)

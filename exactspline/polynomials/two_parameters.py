@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from flint import Ordering, arb, arb_poly, fmpz, fmpz_mpoly, fmpz_mpoly_ctx, fmpz_poly
 
 from exactspline.numbers.exact import common_divisor, from_flint, mpq, to_fmpq
@@ -117,8 +119,20 @@ def as_form(p: fmpz_mpoly) -> PatchForm:
 
     >>> as_form(S * T - 1).sign
     """
-    m, n = (max(int(k), 0) for k in p.degrees())
-    rows = [[fmpz(0)] * (n + 1) for _ in range(m + 1)]
-    for (i, j), x in p.terms():
-        rows[int(i)][int(j)] = x
-    return of_powers(rows)
+    return as_forms([p])[0].primitive()
+
+
+def as_forms(polynomials: Sequence[fmpz_mpoly]) -> list[PatchForm]:
+    """The forms of polynomials over the unit square, of one degree and up to one positive constant.
+
+    >>> [form.entries for form in as_forms([S, T + 1])]
+    [[0, 0, 1, 1], [1, 2, 1, 2]]
+    """
+    m, n = (max(0, *(int(p.degrees()[k]) for p in polynomials)) for k in (0, 1))
+    found = []
+    for p in polynomials:
+        rows = [[fmpz(0)] * (n + 1) for _ in range(m + 1)]
+        for (i, j), x in p.terms():
+            rows[int(i)][int(j)] = x
+        found.append(of_powers(rows))
+    return found

@@ -213,6 +213,9 @@ def test_what_has_no_certificate_says_so():
     line, parabola = function(lambda s, t: t), function(lambda s, t: t - (2 * s - 1) ** 2)
     with pytest.raises(ReachError, match="along a curve"):
         common_zeros(line, line * parabola).certificate()
+    point = function(lambda s, t: (2 * s - 1) ** 2 + (2 * t - 1) ** 2)
+    with pytest.raises(ReachError, match="a common factor"):  # did not end
+        common_zeros(point, point * (line + 1)).certificate()
     high = function(lambda s, t: t - (2 * s - 1) ** 14), function(lambda s, t: t - t**13)
     with pytest.raises(ReachError, match="of these degrees"):
         common_zeros(*high).certificate()

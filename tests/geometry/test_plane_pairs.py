@@ -12,7 +12,7 @@ from gmpy2 import mpq
 import exactspline as xs
 from exactspline import Nurbs, analyse, bisector, example, self_intersections
 from exactspline.errors import ReachError, ShapeError
-from exactspline.geometry.bisector.plane_curves import tangent
+from exactspline.geometry.bisector.plane_pair import tangent
 from tests.support.bisector_oracle import bezier
 
 

@@ -6,9 +6,11 @@ import pytest
 from gmpy2 import mpq
 
 from exactspline import Nurbs, TensorSpline, common_zeros, intersections, zero_curve
-from exactspline.errors import DomainError, ShapeError
+from exactspline.errors import DomainError, ReachError, ShapeError
 from exactspline.geometry import zeros_in_two_parameters
 from exactspline.geometry.singular_points import singular_on_patch
+from exactspline.geometry.surface.zero_curve import Shape
+from exactspline.geometry.zeros_in_two_parameters import ZeroCurves
 from exactspline.numbers.intervals import UNIT
 from exactspline.polynomials.two_parameters import S, T, as_form
 
@@ -195,9 +197,17 @@ def test_a_singular_point_at_a_knot():
     assert (str(mixed.kind), mixed.multiplicity, mixed.milnor) == ("at a knot", 2, None)
 
 
+def test_an_arc_from_the_border_that_ends_at_a_jump_is_broken():
+    f = TensorSpline((1, 1), [0, 0, 1, 1, 2, 2], [0, 0, 1, 1], [[-1, 2], [-2, 1], [1, 1], [1, 1]])
+    (curve,) = zero_curve(f).curves
+    assert curve.shape is Shape.BROKEN
+    with pytest.raises(ReachError, match="something is undecided"):
+        ZeroCurves().certificate()
+
+
 def test_a_line_on_a_knot_may_be_one_from_one_side():
     """At s = 1 the function jumps: it vanishes there from the left, or from both sides."""
-    for right, one_sided in (([1, 2], True), ([0, 0], False)):
+    for right, one_sided in (([1, 2], True), ([-1, 2], True), ([0, 0], False)):
         f = TensorSpline((1, 1), [0, 0, 1, 1, 2, 2], [0, 0, 1, 1], [[1, 1], [0, 0], right, [1, 1]])
         (line,) = zero_curve(f).lines
         assert (line.value, line.one_sided) == (1, one_sided)

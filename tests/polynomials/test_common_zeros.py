@@ -1,5 +1,6 @@
 """Certified zeros in two parameters: where the answer is known by construction, and what must not be claimed."""
 
+import pickle
 import random
 from itertools import chain, pairwise, product
 
@@ -7,13 +8,13 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from exactspline.geometry.surface.common_factor import common_factor, odd_part, without_powers
+from exactspline.geometry.surface.common_factor import common_factor, odd_part, rational_lines, without_powers
 from exactspline.geometry.surface.signs import Sign, sign_on_patch
-from exactspline.geometry.surface.zero_curve import Shape, ZeroCurve
+from exactspline.geometry.surface.zero_curve import Begun, Shape, ZeroCurve
 from exactspline.numbers.exact import mpq
 from exactspline.numbers.intervals import UNIT, Box, Interval
 from exactspline.polynomials.certified_boxes import Isolated, _contracting, isolate, simplest
-from exactspline.polynomials.patch_forms import PatchForm, clusters, of_powers, powers_of
+from exactspline.polynomials.patch_forms import PatchForm, Sized, clusters, of_powers, powers_of
 from exactspline.polynomials.two_parameters import CONTEXT, S, T, as_form, as_polynomial
 from exactspline.roots.common_zeros import zeros_of
 
@@ -188,6 +189,23 @@ def test_a_pair_that_contracts_is_dominant(seed):
             widest = own[1] - own[0] + 2 * max(abs(other[0]), abs(other[1]))
             assert 4 * widest <= 3 * (own[0] + own[1])
             assert own[0] > max(abs(other[0]), abs(other[1]))
+
+
+def test_a_curve_is_open_only_where_it_meets_an_open_box():
+    """Would pass otherwise: a loop around a box in which something is undecided was incomplete."""
+    form = as_form((4 * S - 2) ** 2 + (4 * T - 2) ** 2 - 1)
+    for x, shape in ((mpq(1, 2), Shape.LOOP), (mpq(1, 4), Shape.OPEN)):
+        box = Box(Interval(x - mpq(1, 32), x + mpq(1, 32)), Interval(mpq(15, 32), mpq(17, 32)))
+        curve = ZeroCurve(form, begun=Begun([Sized(UNIT, [form], 0)], (), [box]))
+        assert curve.undecided == [box]
+        assert {part.shape for part in curve.parts} == {shape}
+        assert pickle.loads(pickle.dumps(curve)).undecided == [box]
+
+
+def test_rational_lines_of_zeros():
+    form = as_form((2 * S - 1) * (3 * S + 1) * (3 * T - 1) * (S + T))
+    assert rational_lines(form, 0) == [mpq(-1, 3), mpq(1, 2)]
+    assert rational_lines(form, 1) == [mpq(1, 3)]
 
 
 def test_powers_are_divided_out_in_pairs_where_signs_are_kept():

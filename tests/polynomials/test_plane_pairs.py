@@ -195,7 +195,11 @@ def test_an_end_that_lies_on_the_curve():
 def test_arcs_of_straight_curves_have_all_pairs_of_parameters(seed):
     """Of a value that both coordinates take somewhere, as many arcs as pairs of parameters; folds are irrational."""
     draw = random.Random(seed)
-    curves = [bezier(*[(draw.randint(-9, 9), 0) for _ in range(n)]) for n in (4, draw.choice([3, 4]))]
+    # an end at 0 lowers the degree of the coordinate below that of the weight
+    ends = [(0, 0)] * (seed % 2)
+    curves = [
+        bezier(*[(draw.randint(-9, 9), 0) for _ in range(n - len(ends))], *ends) for n in (4, draw.choice([3, 4]))
+    ]
     found = meetings(*curves)
 
     def value(curve, place):
@@ -217,3 +221,19 @@ def test_arcs_of_straight_curves_have_all_pairs_of_parameters(seed):
         counts = [len(places(isolate(c.x * v.q - c.w * v.p, c.degree))) for c in curves]
         spans = list(zip(ranges[::2], ranges[1::2], strict=True))
         assert sum(min(span) < v < max(span) for span in spans) == counts[0] * counts[1]
+
+
+def test_the_end_of_a_curve_on_the_other_one():
+    first, second = bezier((0, 0), (1, 2), (2, -1), (3, 1)), bezier((2, 0), (3, 2), (3, 0), (4, 2))
+    ends = [m.second for m in meetings(first, second).points if isinstance(m.first, Place) and m.first.exact == 1]
+    assert [end.exact for end in ends] == [Fraction(1, 2)]
+
+
+def test_a_curve_that_turns_back_at_a_third():
+    """x = q, y = q² for q = (t − 1/3)²: it runs over its first third again."""
+    from tests.campaigns.intersections import bezier_rows, multiplied
+
+    q = [Fraction(1, 9), Fraction(-2, 3), Fraction(1)]
+    rows = bezier_rows([q, multiplied(q, q), [1]])
+    (arc,) = self_meetings(plane_forms(Nurbs.from_homogeneous(4, [0] * 5 + [1] * 5, rows), 0)).arcs
+    assert [place.exact for place in arc.second] == [Fraction(1, 3), Fraction(2, 3)]

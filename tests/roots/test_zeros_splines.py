@@ -210,3 +210,9 @@ def test_intervals_of_zeros_know_the_signs_on_both_sides(points, places, signs, 
         beyond = [int(x > 0) - int(x < 0) for x in (right, left)]
         signs = tuple(beyond[i] if sign is None else sign for i, sign in enumerate(signs))
     assert found.signs == signs
+
+
+@pytest.mark.parametrize("values", [(0, 1), (1, 0), (0, -2)])
+def test_the_limits_at_a_jump_from_a_piece_that_vanishes(values):
+    (jump,) = zeros(BSpline(0, [0, 1, 2], values)).jumps
+    assert (jump.left.value, jump.right.value) == values

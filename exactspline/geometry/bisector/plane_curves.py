@@ -1,97 +1,35 @@
-"""The bisector of two plane curves, as the zeros of a function of both parameters.
-
-Let a and b be the tangents and E the chord from one point to the other. The normals meet in ``P + α a⊥`` with
-``α = (b·E)/[a b]``, and this point is equally far from both curves where ``F = (a·E) [E b] − [a E] (b·E)`` vanishes.
+"""The bisector of two plane curves, as the zeros of a function of both parameters
+(`exactspline.geometry.bisector.plane_pair`).
 
 Source: Elber and Kim, Bisector curves of planar rational curves, Computer-Aided Design 1998.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from functools import cached_property
 from itertools import product
-from typing import Any, Generic, TypeVar
-
-from flint import fmpz_mpoly
 
 from exactspline.errors import ReachError, ShapeError
 from exactspline.geometry.analysis import analyse
 from exactspline.geometry.bisector.common import Bisector
+from exactspline.geometry.bisector.plane_pair import PlanePair, tangent
+from exactspline.geometry.bisector.true_pairs import TruePairs, true_pairs
 from exactspline.geometry.zeros_in_two_parameters import ZeroArc, ZeroCurves, zero_curve
-from exactspline.language.vector import Vector, det, dot
-from exactspline.language.wronskians import wronskians
 from exactspline.numbers.exact import Number, mpq
 from exactspline.numbers.intervals import Box
-from exactspline.polynomials.two_parameters import lifted as lifted_polynomial
 from exactspline.reals.real import Real
-from exactspline.roots.values import at, exact_place, segment_polynomials, sign_at
-from exactspline.splines.bspline import BSpline
+from exactspline.roots.values import at, exact_place, sign_at
 from exactspline.splines.expected import curve_of
 from exactspline.splines.nurbs import Nurbs
-from exactspline.splines.tensor import TensorSpline, lifted
-
-#: Functions of two parameters.
-R = TypeVar("R", bound=Any)
-
-
-class PlanePair(Generic[R]):
-    """Two plane curves, each by p and w: their tangents a, b and their chord as functions of both parameters."""
-
-    def __init__(self, first: Sequence[R], second: Sequence[R], a: Sequence[R], b: Sequence[R]) -> None:
-        *p, w = first
-        *q, v = second
-        self.a, self.b = Vector(*a), Vector(*b)
-        #: ``w w̄``, and the chord times it.
-        self.weight, self.chord = w * v, Vector(*[w * y - v * x for x, y in zip(p, q, strict=True)])
-
-    @classmethod
-    def of_segments(cls, curve: Nurbs, i: int, j: int) -> PlanePair[fmpz_mpoly]:
-        """Two segments of a curve, as polynomials in their parameters."""
-        lists = []
-        for k, segment in enumerate((i, j)):
-            forms = segment_polynomials((*curve.p, curve.w), segment)
-            *p, w = forms
-            velocity = [f.derivative() * w - f * w.derivative() for f in p]
-            lists.append([[lifted_polynomial(f, k) for f in own] for own in (forms, velocity)])
-        (first, a), (second, b) = lists
-        return PlanePair(first, second, a, b)
-
-    @classmethod
-    def of_curves(cls, first: Nurbs, second: Nurbs) -> PlanePair[TensorSpline]:
-        """All of two curves."""
-        meshes = first.w.mesh, second.w.mesh
-        lists = [
-            [[lifted(f, meshes, k) for f in own] for own in ((*curve.p, curve.w), tangent(curve))]
-            for k, curve in enumerate((first, second))
-        ]
-        (one, a), (other, b) = lists
-        return PlanePair(one, other, a, b)
-
-    @cached_property
-    def across(self) -> R:
-        """``[a b]``: zero where the normals are parallel."""
-        value: R = det(self.a, self.b)
-        return value
-
-    @cached_property
-    def equidistant(self) -> R:
-        """F, without the positive powers of both weights."""
-        a, b, e = self.a, self.b, self.chord
-        value: R = dot(a, e) * det(e, b) - det(a, e) * dot(b, e)
-        return value
-
-
-def tangent(curve: Nurbs) -> tuple[BSpline, ...]:
-    """``w² γ′``."""
-    return tuple(wronskians(curve.w, curve.p))
+from exactspline.splines.tensor import TensorSpline
 
 
 class PlaneBisector(Bisector):
     """The points equally far from a point of each of two plane curves, on the normals of both: for the pairs (s, t) at
     which `function` vanishes. Its `pairs` are these zeros, complete with their topology; its `pieces` the arcs.
 
-    It is **not trimmed**: another part of a curve may be nearer, and a foot may be a point of greatest distance. Along
+    It is not trimmed: another part of a curve may be nearer, and a foot may be a point of greatest distance. `trimmed`
+    says for which pairs that is not so. Along
     `pairs.lines` a curve has no tangent, or all pairs with one of its points have such a point (an arc of a circle and
     its centre).
 
@@ -116,6 +54,17 @@ class PlaneBisector(Bisector):
     def pairs(self) -> ZeroCurves:
         """All zeros of the function."""
         return zero_curve(self.function)
+
+    @cached_property
+    def trimmed(self) -> TruePairs:
+        """Where the pairs are true feet: no point of either curve is nearer. Points whose feet are ends or corners of
+        the curves are not among the pairs.
+
+        >>> line, other = (Nurbs(1, [0, 0, 1, 1], points) for points in ([(0, 0), (2, 0)], [(0, 1), (3, 4)]))
+        >>> PlaneBisector(line, other).trimmed.undecided
+        ()
+        """
+        return true_pairs(*self.curves)
 
     @property
     def pieces(self) -> tuple[ZeroArc, ...]:  # type: ignore[override]  # computed when it is asked for
@@ -163,6 +112,3 @@ def _sides(curve: Nurbs, t: mpq | Real) -> list[Nurbs]:
     if isinstance(t, Real) or t not in inner or analyse(curve).tangent_continuous(inner.index(t) + 1):
         return [curve]
     return [curve.restrict(t, high), curve.restrict(low, t)]
-
-
-__all__ = ["PlaneBisector", "PlanePair", "tangent"]

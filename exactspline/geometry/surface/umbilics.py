@@ -196,7 +196,7 @@ def jacobian(f: PatchForm, g: PatchForm) -> PatchForm:
 
 def jacobian_sign(f: PatchForm, g: PatchForm, box: Box) -> int:
     """The sign of the Jacobian determinant on a box, not a point, where its range excludes 0, otherwise 0."""
-    (a, b), (c, d) = ([h.derivative(i).range for i in (0, 1)] for h in (f.part(box), g.part(box)))
+    (a, b), (c, d) = ([h.slopes(i) for i in (0, 1)] for h in (f.part(box), g.part(box)))
     first = [x * y for x in a for y in d]
     second = [x * y for x in b for y in c]
     if min(first) > max(second):

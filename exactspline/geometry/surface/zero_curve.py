@@ -26,6 +26,7 @@ from exactspline.numbers.exact import mpq
 from exactspline.numbers.intervals import UNIT, Box, Interval
 from exactspline.polynomials.bernstein import ONE, from_integers
 from exactspline.polynomials.patch_forms import PatchForm, Sized, clusters, halved
+from exactspline.polynomials.rounded_forms import rounded
 from exactspline.reals.real import between
 from exactspline.roots.common_zeros import CommonZero
 from exactspline.roots.of_polynomials import Place
@@ -175,7 +176,7 @@ class ZeroCurve:
     def _beginning(self) -> Begun:
         cells = singular_cells(self.form, self._known)
         done = [cell.box for cell in cells]
-        return Begun([Sized(box, [self.form.part(box)], 0) for box in grid(self.form, done)], cells)
+        return Begun([Sized(box, [rounded(self.form, box)], 0) for box in grid(self.form, done)], cells)
 
     def _subdivide(self, begun: Begun) -> None:
         done = [*(cell.box for cell in begun.cells), *begun.unresolved]
@@ -202,7 +203,7 @@ class ZeroCurve:
                 todo.extend(halved(part))
                 continue
             boxes += 1
-            direction = next((k for k in (0, 1) if own.derivative(k).sign), None)
+            direction = next((k for k in (0, 1) if own.is_monotonic(k)), None)
             on_a_line = direction is not None and self._vanishes_around(part.box)
             if direction is not None and not on_a_line:
                 self._graph(part.box, direction)

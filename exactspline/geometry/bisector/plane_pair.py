@@ -1,0 +1,78 @@
+"""Two plane curves over both parameters: their tangents, their chord, and the function of the bisector.
+
+Let a and b be the tangents and E the chord from one point to the other. The normals meet in ``P + α a⊥`` with
+``α = (b·E)/[a b]``, and this point is equally far from both curves where ``F = (a·E) [E b] − [a E] (b·E)`` vanishes.
+
+Source: Elber and Kim, Bisector curves of planar rational curves, Computer-Aided Design 1998.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from functools import cached_property
+from typing import Any, Generic, TypeVar
+
+from flint import fmpz_mpoly
+
+from exactspline.language.vector import Vector, det, dot
+from exactspline.language.wronskians import wronskians
+from exactspline.polynomials.two_parameters import lifted as lifted_polynomial
+from exactspline.roots.values import segment_polynomials
+from exactspline.splines.bspline import BSpline
+from exactspline.splines.nurbs import Nurbs
+from exactspline.splines.tensor import TensorSpline, lifted
+
+#: Functions of two parameters.
+R = TypeVar("R", bound=Any)
+
+
+class PlanePair(Generic[R]):
+    """Two plane curves, each by p and w: their tangents a, b and their chord as functions of both parameters."""
+
+    def __init__(self, first: Sequence[R], second: Sequence[R], a: Sequence[R], b: Sequence[R]) -> None:
+        *p, w = first
+        *q, v = second
+        self.a, self.b = Vector(*a), Vector(*b)
+        #: ``w w̄``, and the chord times it.
+        self.weight, self.chord = w * v, Vector(*[w * y - v * x for x, y in zip(p, q, strict=True)])
+
+    @classmethod
+    def of_segments(cls, curve: Nurbs, i: int, j: int) -> PlanePair[fmpz_mpoly]:
+        """Two segments of a curve, as polynomials in their parameters."""
+        lists = []
+        for k, segment in enumerate((i, j)):
+            forms = segment_polynomials((*curve.p, curve.w), segment)
+            *p, w = forms
+            velocity = [f.derivative() * w - f * w.derivative() for f in p]
+            lists.append([[lifted_polynomial(f, k) for f in own] for own in (forms, velocity)])
+        (first, a), (second, b) = lists
+        return PlanePair(first, second, a, b)
+
+    @classmethod
+    def of_curves(cls, first: Nurbs, second: Nurbs) -> PlanePair[TensorSpline]:
+        """All of two curves."""
+        meshes = first.w.mesh, second.w.mesh
+        lists = [
+            [[lifted(f, meshes, k) for f in own] for own in ((*curve.p, curve.w), tangent(curve))]
+            for k, curve in enumerate((first, second))
+        ]
+        (one, a), (other, b) = lists
+        return PlanePair(one, other, a, b)
+
+    @cached_property
+    def across(self) -> R:
+        """``[a b]``: zero where the normals are parallel."""
+        value: R = det(self.a, self.b)
+        return value
+
+    @cached_property
+    def equidistant(self) -> R:
+        """F, without the positive powers of both weights."""
+        a, b, e = self.a, self.b, self.chord
+        value: R = dot(a, e) * det(e, b) - det(a, e) * dot(b, e)
+        return value
+
+
+def tangent(curve: Nurbs) -> tuple[BSpline, ...]:
+    """``w² γ′``."""
+    return tuple(wronskians(curve.w, curve.p))

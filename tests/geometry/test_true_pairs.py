@@ -1,0 +1,81 @@
+"""The trimmed bisector of two plane curves, held against distances that are computed in doubles."""
+
+from itertools import pairwise
+from random import Random
+
+import numpy as np
+
+import exactspline as xs
+from exactspline.errors import ReachError
+from exactspline.roots.zero_set import zeros
+from tests.support.dials import over_dials
+
+
+def bezier(points, weights=None):
+    n = len(points) - 1
+    return xs.Nurbs(n, [0] * (n + 1) + [1] * (n + 1), points, weights)
+
+
+def is_in(boxes, s, t):
+    return any(box.first.low <= s <= box.first.high and box.second.low <= t <= box.second.high for box in boxes)
+
+
+def distance(curve, point):
+    """By de Casteljau's algorithm at many parameters, and around the nearest of them."""
+
+    def at(t):
+        rows = [np.array([float(x) * float(w) for x in p] + [float(w)])[:, None] + 0 * t for p, w in control]
+        while len(rows) > 1:
+            rows = [a * (1 - t) + b * t for a, b in pairwise(rows)]
+        return np.hypot(*(rows[0][:2] / rows[0][2] - np.array(point, dtype=float)[:, None]))
+
+    control, low, high = list(zip(curve.control_points, curve.weights, strict=True)), 0.0, 1.0
+    for _ in range(6):
+        t = np.linspace(low, high, 401)
+        k = int(np.argmin(at(t)))
+        low, high = t[max(k - 1, 0)], t[min(k + 1, 400)]
+    return float(np.min(at(t)))
+
+
+@over_dials
+def test_pairs_are_kept_where_no_point_is_nearer(number):
+    random, seen = Random(3), set()
+    for degrees in ((1, 2), (2, 2), (3, 2), (2, 3)):
+        first, second = (
+            bezier([(number(random), number(random)) for _ in range(n + 1)], random.choices((1, 2, 3), k=n + 1))
+            for n in degrees
+        )
+        found = xs.bisector(first, second)
+        for s in (xs.rational(random.randint(1, 99)) / 100 for _ in range(4)):
+            for root in zeros(found.function.at_s(s)):
+                try:
+                    point = [float(x) for x in found.point(s, root)]
+                except ReachError:  # a curve has no tangent there
+                    continue
+                radius = np.hypot(*(np.array(point) - [float(x) for x in first(s)]))
+                nearer = min(distance(curve, point) for curve in (first, second)) < radius * (1 - 1e-9)
+                if not is_in(found.trimmed.undecided, s, root):
+                    assert is_in(found.trimmed.kept, s, root) is not nearer
+                    seen.add(nearer)
+    assert seen == {True, False}
+
+
+def test_the_axis_of_a_lens():
+    """Between y = 1 − x² and y = x² − 1 a point (2x³ − x, 0) has its feet at x where x² ≥ 1/2: the centre is nearer to
+    four points than to the two apexes. Behind each other the parabolas have all their feet.
+    """
+    inside = xs.bisector(bezier([(-1, 0), (0, 2), (1, 0)]), bezier([(-1, 0), (0, -2), (1, 0)])).trimmed
+    places = [xs.rational(k) / 10 for k in range(1, 10)]
+    assert [is_in(inside.kept, s, s) for s in places] == [(2 * s - 1) ** 2 >= 0.5 for s in places]
+    assert not any(is_in(inside.undecided, s, s) for s in places)
+    outside = xs.bisector(bezier([(-1, 2), (0, 0), (1, 2)]), bezier([(-1, -2), (0, 0), (1, -2)])).trimmed
+    assert all(is_in(outside.kept, s, s) for s in (xs.rational(k) / 7 for k in range(1, 7)))
+
+
+def test_a_point_of_another_segment_is_nearer():
+    """The line y = 0 and y = 4 have all their pairs (s, s), until the second one comes down again."""
+    line, bent = bezier([(-4, 0), (4, 0)]), xs.Nurbs(1, [0, 0, 1, 2, 2], [(-4, 4), (4, 4), (1, 2)])
+    found = xs.bisector(line, bent)
+    kept = [is_in(found.trimmed.kept, s, s) for s in map(xs.rational, ("1/16", "1/8", "1/2", "7/8"))]
+    assert kept == [True, True, False, False]
+    assert found.pairs.lines == ()

@@ -1,0 +1,87 @@
+"""Rounded forms: what they say of signs and slopes is true of the form, wherever it is halved, and their errors are
+bounds.
+"""
+
+import pickle
+from random import Random
+
+import pytest
+
+from exactspline.numbers.exact import mpq
+from exactspline.numbers.intervals import UNIT
+from exactspline.polynomials.patch_forms import PatchForm
+from exactspline.polynomials.rounded_forms import BITS, RoundedForm, rounded
+
+
+def drawn(chance, bits):
+    m, n = chance.randint(1, 7), chance.randint(1, 7)
+    return PatchForm.of_net([[chance.randint(-(2**bits), 2**bits) for _ in range(n + 1)] for _ in range(m + 1)])
+
+
+def scale_of(one, exact):
+    """The constant between a rounded form and the form itself, from their largest coefficients, within bounds."""
+    k = max(range(len(exact.entries)), key=lambda k: abs(exact.entries[k]))
+    x, y = mpq(int(one.entries[k])), mpq(int(exact.entries[k]))
+    return sorted([(x - int(one.error)) / y, (x + int(one.error)) / y])
+
+
+@pytest.mark.parametrize("bits", [2, 50, 64, 400])
+def test_errors_are_bounds_on_every_box(bits):
+    chance = Random(bits)
+    for _ in range(30):
+        form = drawn(chance, bits)
+        one, box = rounded(form), UNIT
+        for _ in range(25):
+            direction, side = chance.randrange(2), chance.randrange(2)
+            one, box = one.halves(direction)[side], box.halves(direction)[side]
+            exact = form.part(box)
+            if exact.is_zero:
+                break
+            assert isinstance(one, RoundedForm)
+            low, high = scale_of(one, exact)
+            assert 0 < low <= high
+            for x, y in zip(one.entries, exact.entries, strict=True):
+                ends = sorted([low * int(y), high * int(y)])
+                assert ends[0] - int(one.error) <= int(x) <= ends[1] + int(one.error)
+            assert one.sign in (None, exact.sign)
+            for k in (0, 1):
+                if one.is_monotonic(k):
+                    assert exact.derivative(k).sign in (1, -1)
+                    assert (one.slopes(k)[0] > 0) == (exact.slopes(k)[0] > 0)
+
+
+def test_few_bits_are_exact_until_they_are_halved():
+    """Small integers had an error of one unit of their own: half of the box x > 0 of this form was never excluded."""
+    one = rounded(PatchForm.of_net([[1, 1], [2, 3]]))
+    assert (one.error, one.sign) == (0, 1)
+    assert max(one.entries).bit_length() == BITS
+
+
+def test_a_sign_that_the_error_hides_is_not_told():
+    tiny = PatchForm.of_net([[1, 1], [1, 2**300]])
+    assert tiny.sign == 1
+    assert rounded(tiny).sign is None
+    # it is computed once more where it is small
+    one = rounded(tiny)
+    for _ in range(400):
+        one = one.halves(0)[0]
+        if one.sign is not None:
+            break
+    assert one.sign == 1
+
+
+def test_slopes_are_the_range_of_the_derivative():
+    chance = Random(5)
+    for _ in range(40):
+        form = drawn(chance, 20)
+        for k in (0, 1):
+            assert form.slopes(k) == form.derivative(k).range
+
+
+def test_combinations_and_copies_keep_their_errors():
+    f, g = (rounded(PatchForm.of_net([[2**90 + k, -1], [5, 7]])) for k in (0, 1))
+    assert f.combined(3, g, -2).error == 3 * f.error + 2 * g.error == 5
+    again = pickle.loads(pickle.dumps(f.halves(0)[1]))
+    assert isinstance(again, RoundedForm)
+    assert again.error >= 1
+    assert rounded(PatchForm.of_net([[0, 0]])).sign == 0
