@@ -58,7 +58,7 @@ def test_of_surfaces_every_question_of_the_registry_is_answered(of, names):
     for name in names:
         document = json.loads(CliRunner().invoke(app, ["inspect", name, "--json"]).output)
         jsonschema.validate(document, schema_of("inspect surface"))
-        assert {name for name, entry in REGISTRY[of].items() if not entry.about.argument} <= set(document["rows"][0])
+        assert {name for name, entry in REGISTRY[of].items() if entry.about.reported} <= set(document["rows"][0])
     assert {entry.meaning for entry in REGISTRY[of].values()} <= set(glossary()["questions"].values())
 
 
