@@ -275,8 +275,10 @@ def _composed(rows: Rows, above: list[Fraction], minimal: Polynomial) -> list[Fr
 
 
 def _is_divisible(rows: Rows, above: list[Fraction], power: int, minimal: Polynomial) -> bool:
-    """Whether s − b(z) divides as often as that, modulo the factor."""
-    given: list[list[Fraction]] = [[Fraction(x) for x in row] for row in rows]
+    """Whether s − b(z) divides as often as that, modulo the factor, as it does where all of it vanishes."""
+    given = [remainder_of(row, minimal) for row in rows]
+    if not any(given):
+        return True
     for _ in range(power):
         carried: list[Fraction] = []
         quotient = []

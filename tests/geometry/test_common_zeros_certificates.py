@@ -209,6 +209,13 @@ def test_a_function_of_the_projection_alone():
     assert check_certificate(certificate) == {"zeros": 2, "multiplicity": 4}
 
 
+def test_a_function_that_vanishes_over_the_root():
+    """Our own certificate was refused: "a power that does not divide" it, as its degree in s is lower."""
+    f, g = function(lambda s, t: (s + t - 1) * (s + 5)), function(lambda s, t: (2 * s - 1) ** 3)
+    _, certificate = certificate_of(f, g)
+    assert check_certificate(certificate) == {"zeros": 1, "multiplicity": 3}
+
+
 def test_what_has_no_certificate_says_so():
     line, parabola = function(lambda s, t: t), function(lambda s, t: t - (2 * s - 1) ** 2)
     with pytest.raises(ReachError, match="along a curve"):
