@@ -16,7 +16,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from itertools import pairwise, product
 
-from flint import fmpz_mpoly, fmpz_poly
+from flint import fmpz, fmpz_mpoly, fmpz_poly
 
 from exactspline.geometry.bisector.plane_pair import PlanePair
 from exactspline.language.vector import Vector, det, dot, norm2, perp
@@ -152,7 +152,8 @@ def _verdict(
     while todo:
         depth, other = todo.pop()
         square, twice = (form.part(Box(own, other)) for form in forms)
-        if max(square.range[0], 0) * min(sizes) >= max(sign * x * y for x in twice.range for y in along.range):
+        low = square.range[0] if square.range[0] > 0 else fmpz(0)
+        if low * min(sizes) >= max(sign * x * y for x in twice.range for y in along.range):
             continue
         # the corners are in the order of the common parameter
         fails = any(
