@@ -250,6 +250,7 @@ def test_where_common_zeros_are():
         ((1, mpq(1, 2)), "on the border", "transversal", 1),
         ((1, 1), "at a corner", "transversal", 1),
     ]
+    assert common_zeros(f, g)[1].box(5) == ((0, 0), (mpq(1, 2), mpq(1, 2)))
     knots = [0, 0, 0, 1, 1, 2, 2, 2]
     bent = TensorSpline((2, 0), knots, [0, 2], [[1], [0], [0], [0], [4]])  # (s − 1)² and 4 (s − 1)²
     line = TensorSpline((0, 1), [0, 2], [0, 0, 2, 2], [[-1, 1]])

@@ -34,6 +34,8 @@ def test_stretches_are_merged_and_know_their_neighbours():
     assert [(s.low, s.high, s.signs) for s in found.intervals] == [(1, 3, (1, -1)), (4, 5, (-1, None))]
     assert not found.roots
     assert [(j.parameter, j.left.value, j.right.multiplicity) for j in found.jumps] == [(4, -2, None)]
+    (stretch,) = zeros(broken((-1, 4, 0), (0, 0, 0), (0, -4, 1))).intervals
+    assert stretch.signs == (1, -1)  # next to it, not where the segments begin and end
 
 
 def test_root_at_a_smooth_and_at_a_sharp_knot():
