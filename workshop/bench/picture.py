@@ -113,4 +113,4 @@ def _growth(axes: Axes, rows: Sequence[Row], begin: str) -> None:
     axes.set_yscale("log")
     axes.set_xlabel(AXES[begin])
     axes.set_ylabel("g2, ms")
-    axes.legend(fontsize=8, loc="upper left")
+    axes.legend(fontsize=8, loc="lower right")
