@@ -7,6 +7,7 @@ import numpy as np
 
 import exactspline as xs
 from exactspline.errors import ReachError
+from exactspline.geometry.bisector import true_pairs
 from exactspline.roots.zero_set import zeros
 from tests.support.dials import over_dials
 
@@ -79,3 +80,13 @@ def test_a_point_of_another_segment_is_nearer():
     kept = [is_in(found.trimmed.kept, s, s) for s in map(xs.rational, ("1/16", "1/8", "1/2", "7/8"))]
     assert kept == [True, True, False, False]
     assert found.pairs.lines == ()
+
+
+def test_what_is_not_looked_at_is_undecided(monkeypatch):
+    """The work grows with the number of segments, not of their pairs."""
+    monkeypatch.setattr(true_pairs, "BOXES", 30)
+    knots = [0, *range(9), 8]
+    curves = [xs.Nurbs(1, knots, [(i, y + i % 2) for i in range(9)]) for y in (0, 5)]
+    found = true_pairs.true_pairs(*curves)
+    assert not found.kept
+    assert ((7, 8), (7, 8)) in found.undecided

@@ -28,10 +28,12 @@ from exactspline.roots.values import segment_polynomials
 from exactspline.splines.nurbs import Nurbs
 
 #: How often a box is bisected before all other points are compared with its feet, and at most; how often the parameter
-#: of the other points is; and the boxes for one pair of segments.
+#: of the other points is; and how many boxes per segment may be compared with a segment.
 FIRST, DEPTH, DEPTH_OF_OTHER, BOXES = 4, 20, 8, 3000
 #: How many values of that parameter are compared for one at which a foot is certainly not the nearest point.
 STEPS = 32
+#: What the function of a pair of segments costs, in comparisons of a box with a segment.
+PAIR = 50
 HALF = mpq(1, 2)
 #: The points on every segment that are compared with the feet.
 COMPARED = (mpq(0), mpq(1, 3), mpq(2, 3), mpq(1))
@@ -178,7 +180,8 @@ def _verdict(
 
 
 def true_pairs(first: Nurbs, second: Nurbs) -> TruePairs:
-    """The pairs of true feet of the bisector of two plane curves (see `TruePairs`).
+    """The pairs of true feet of the bisector of two plane curves (see `TruePairs`). The work is limited to an amount
+    per segment; what is not looked at is undecided.
 
     >>> line, other = (Nurbs(1, [0, 0, 1, 1], points) for points in ([(0, 0), (2, 0)], [(0, 1), (3, 4)]))
     >>> found = true_pairs(line, other)
@@ -186,10 +189,12 @@ def true_pairs(first: Nurbs, second: Nurbs) -> TruePairs:
     (True, ())
     """
     one, other = _Segment.all_of(first), _Segment.all_of(second)
-    kept, undecided, left = list[Box](), list[Box](), BOXES * (len(one) + len(other) - 1)
+    kept, undecided, left = list[Box](), list[Box](), BOXES * (len(one) + len(other))
     for i, j in product(range(len(one)), range(len(other))):
-        search = _Search(one, i, other, j)
-        left = search.run(left, kept, undecided)
+        if left < 0:
+            undecided.append(Box(one[i].sides, other[j].sides))
+        else:
+            left = _Search(one, i, other, j).run(left - PAIR, kept, undecided)
     return TruePairs(tuple(kept), tuple(undecided))
 
 
@@ -200,15 +205,23 @@ class _Search:
         self.sides = Box(one[i].sides, other[j].sides)
         (first, a), (second, b) = one[i].over(0), other[j].over(1)
         self.function = as_form(PlanePair(first, second, a, b).equidistant)
-        self.feet = (_Foot(one, i, other[j]), _Foot(other, j, one[i]))
+        self.segments, self.made = len(one) + len(other), lambda: (_Foot(one, i, other[j]), _Foot(other, j, one[i]))
+
+    @cached_property
+    def feet(self) -> tuple[_Foot, _Foot]:
+        """The feet on both curves."""
+        return self.made()
 
     def run(self, left: int, kept: list[Box], undecided: list[Box]) -> int:
-        """Sort the boxes with zeros of the function, and return how many more may be looked at."""
+        """Sort the boxes with zeros of the function, and return how many comparisons with a segment remain."""
         todo = [(0, self.sides)]
         while todo:
             depth, box = todo.pop()
             left -= 1
-            if self.function.part(box).sign in (1, -1) or self._fails(box):
+            if self.function.part(box).sign in (1, -1):
+                continue
+            left -= self.segments
+            if self._fails(box):
                 continue
             verdicts = [foot.verdict(part) for foot, part in self._in_turn(box)] if depth >= FIRST else [None]
             if False in verdicts:
