@@ -87,12 +87,8 @@ def straight_line(curve: PlaneForms) -> Point3 | None:
     (-2, 1, 0)
     """
     points = [curve.coefficient(i) for i in range(curve.degree + 1)]
-    line = next((x for p in points[1:] if any(x := across(points[0], p))), None)
-    if line is None:
-        start = next((p for p in points if any(p)), points[0])
-        line = next((x for p in points if any(x := across(start, p))), None)
-    if line is None:
-        return fmpz(0), fmpz(0), fmpz(0)
+    start = next((p for p in points if any(p)), points[0])
+    line = next((x for p in points if any(x := across(start, p))), across(start, start))
     return None if along(line, curve) else line
 
 
