@@ -44,9 +44,9 @@ def collinear_arcs(first: PlaneForms, second: PlaneForms | None = None) -> Meeti
                 found.arcs.append(Arc(s, t, None))
             elif order == 0:
                 # both end there, or turn back there: then none of the runs around it is on the other side
-                s, t = ours.parameter(low), theirs.parameter(low)
-                if not any(point.first is s and point.second is t for point in found.points):
-                    found.points.append(Meeting(s, t, None))
+                one, other = ours.parameter(low), theirs.parameter(low)
+                if not any(point.first is one and point.second is other for point in found.points):
+                    found.points.append(Meeting(one, other, None))
     return found
 
 

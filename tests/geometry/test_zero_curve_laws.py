@@ -1,0 +1,68 @@
+"""What is true of the zeros of every function of two parameters: the same curves, arcs and singular points after the
+parameters are exchanged or reversed, after the function is multiplied by a positive one, and whatever knots cut it.
+"""
+
+import pytest
+from gmpy2 import mpq
+
+from exactspline import TensorSpline, zero_curve
+from tests.geometry.test_zeros_in_two_parameters import function
+
+#: Curves in the square from −1 to 1, each with a point to be noticed.
+CURVES = {
+    "loops around each other": lambda x, y: (9 * x * x + 5 * y * y - 1) * (x * x + x * y + 2 * y * y - mpq(1, 2)),
+    "loops that touch": lambda x, y: (9 * x * x + 4 * y * y - 1) * (x * x + 2 * y * y - mpq(1, 2)),
+    "a node and a loop": lambda x, y: 2 * x**2 * (x + mpq(1, 2)) - y**2,
+    "an irrational node": lambda x, y: (3 * x * x - 1) ** 2 - (y - x) ** 2,
+    "a cusp upright": lambda x, y: (y - mpq(1, 3)) ** 3 - (x + mpq(1, 5)) ** 2,
+    "a tacnode": lambda x, y: (x - mpq(1, 7)) ** 4 - y**2,
+    "branches that touch and cross": lambda x, y: (y - x * x) * (y + 2 * x * x) * (y - x),
+    "a cusp on the border": lambda x, y: (x + 1) ** 3 - y**2,
+    "a node in a corner": lambda x, y: (2 * (x - 1) - (y + 1)) * ((x - 1) + 2 * (y + 1)) - (x - 1) ** 3,
+    "touching the border": lambda x, y: (x * x + y * y - 1) * (x + y - mpq(1, 3)),
+    "isolated points": lambda x, y: x**2 * (x - mpq(1, 2)) - y**2,
+    "isolated at irrational places": lambda x, y: (2 * x * x - 1) ** 2 + (3 * y * y - 1) ** 2,
+    "an isolated point on a branch": lambda x, y: (x * x + y**4) * (y - x * x + mpq(1, 5)),
+    "lines": lambda x, y: (3 * x * x - 1) * (2 * y - 1) * (x + y),
+    "a double curve": lambda x, y: (x * x - y * y * y) ** 2 * (x - mpq(1, 2)),
+}  # fmt: skip
+
+
+def told(found, back=lambda s, t: (s, t)):
+    """The answer in numbers, in the parameters before a change of them."""
+
+    def at(point):
+        return tuple(round(x, 9) + 0 for x in back(*map(float, point)))
+
+    assert found.complete
+    arcs = [[*sorted(at(end) for end in (x.start, x.end) if end is not None), x.closed] for x in found.arcs]
+    return (
+        sorted(curve.shape for curve in found.curves),
+        sorted(arcs, key=repr),
+        sorted((at((x.first, x.second)), x.kind, x.multiplicity, x.milnor) for x in found.singular_points),
+        sorted(at((x.first, x.second)) for x in found.points),
+        len(found.lines),
+    )
+
+
+def over(p):
+    """A polynomial in s and t on the square from −1 to 1."""
+    return p(
+        TensorSpline((1, 0), [-1, -1, 1, 1], [-1, 1], [[-1], [1]]),
+        TensorSpline((0, 1), [-1, 1], [-1, -1, 1, 1], [[-1, 1]]),
+    )
+
+
+@pytest.mark.parametrize("name", CURVES)
+def test_laws_of_curves_of_zeros(name):
+    p = CURVES[name]
+    plain = over(p)
+    expected = told(zero_curve(plain))
+    exchanged = function(lambda s, t: p(2 * t - 1, 2 * s - 1))
+    assert told(zero_curve(exchanged), lambda s, t: (2 * t - 1, 2 * s - 1)) == expected
+    reversed_ = over(lambda x, y: -3 * p(-x, y))
+    assert told(zero_curve(reversed_), lambda x, y: (-x, y)) == expected
+    turned = over(lambda x, y: p(-y, x) * (x + y * y + 3))
+    assert told(zero_curve(turned), lambda x, y: (-y, x)) == expected
+    cut = plain.insert_knot(0, mpq(2, 5)).insert_knot(1, mpq(0))
+    assert told(zero_curve(cut)) == expected
