@@ -74,13 +74,9 @@ class Coordinate(NamedTuple):
         if (exact := self.exact) is not None:
             return linear(exact)
         top, bottom = fmpq_poly(self.function.top), fmpq_poly(self.function.bottom)
-        candidates, bits = factorize(quotient_at(self.place.irreducible, top, bottom)).bases, FIRST
-        while len(candidates) > 1:
-            with ctx.workprec(4 * bits):
-                ball = self.near(bits)
-                candidates = [p for p in candidates if arb_poly(p)(ball).contains(0)]
-            bits *= 2
-        return candidates[0]
+        # of an irreducible polynomial it is a power of one
+        (base,) = factorize(quotient_at(self.place.irreducible, top, bottom)).bases
+        return base
 
 
 def compared(one: Coordinate, other: Coordinate) -> int:
@@ -88,7 +84,7 @@ def compared(one: Coordinate, other: Coordinate) -> int:
 
     >>> square = RationalMap(2, fmpz_poly([0, 0, 1]), fmpz_poly([1]))
     >>> (root,) = isolate(fmpz_poly([-2, 0, 1]), 2).inner
-    >>> [compared(Coordinate(square, Place(root)), Coordinate(square, at(t, 0))) for t in (mpq(1, 2), mpq(2, 3))]
+    >>> [compared(Coordinate(square, Place(root)), Coordinate(square, at(t))) for t in (mpq(1, 2), mpq(2, 3))]
     [1, -1]
     >>> compared(Coordinate(square, Place(root)), Coordinate(square, Place(root)))
     0
@@ -169,7 +165,7 @@ def _runs(coordinate: RationalMap) -> list[_Run]:
     turns = [Place(zero) for zero in turning]
     for place in turns:
         _ = place.rational  # then it is known where it is rational
-    ends = [Coordinate(coordinate, place) for place in (at(mpq(0), 0), *turns, at(mpq(1), 0))]
+    ends = [Coordinate(coordinate, place) for place in (at(mpq(0)), *turns, at(mpq(1)))]
     # not the signs at parameters between: the slope may vanish there without a change of sign
     signs = [isolation.signs[0], *(zero.signs[1] for zero in turning)]
     return [_Run(a, b, sign > 0) for (a, b), sign in zip(pairwise(ends), signs, strict=True)]

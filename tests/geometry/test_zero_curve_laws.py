@@ -2,10 +2,17 @@
 parameters are exchanged or reversed, after the function is multiplied by a positive one, and whatever knots cut it.
 """
 
+from itertools import pairwise
+
 import pytest
 from gmpy2 import mpq
 
 from exactspline import TensorSpline, zero_curve
+from exactspline.geometry.surface.common_factor import square_free
+from exactspline.geometry.surface.zero_curve import FIRST_CUTS, Shape, ZeroCurve
+from exactspline.geometry.surface.zero_lines import without_lines
+from exactspline.numbers.intervals import UNIT
+from exactspline.polynomials.two_parameters import S, T, as_form
 from tests.geometry.test_zeros_in_two_parameters import function
 
 #: Curves in the square from −1 to 1, each with a point to be noticed.
@@ -66,3 +73,50 @@ def test_laws_of_curves_of_zeros(name):
     assert told(zero_curve(turned), lambda x, y: (-y, x)) == expected
     cut = plain.insert_knot(0, mpq(2, 5)).insert_knot(1, mpq(0))
     assert told(zero_curve(cut)) == expected
+
+
+@pytest.mark.parametrize("name", CURVES)
+def test_arcs_join_and_their_points_are_on_the_curve(name):
+    """Each arc begins where an earlier one ends, as far as the way is unique, and the form changes its sign there."""
+    form, _ = without_lines(square_free(over(CURVES[name]).patch_form(0, 0)), UNIT)
+    curve = ZeroCurve(form)
+    assert curve.complete
+    for part in curve.parts:
+        ends = part.ends
+        assert (part.shape is Shape.POINT) == (not ends)
+        if part.shape is not Shape.CROSSED and not part.cells:
+            joined = [{one.first, one.last} & {other.first, other.last} for one, other in pairwise(part.arcs)]
+            assert all(joined)
+            assert len({*part.vertices}) == len(part.arcs) + (part.shape is Shape.ARC)
+            assert sorted({*ends.values()}) == [1, 2][part.shape is Shape.LOOP :][: len(part.arcs) + 1]
+        for arc in part.arcs:
+            points = curve.points(arc, 3)
+            assert len(points) == 4
+            for point, vertex in ((points[0], arc.first), (points[-1], arc.last)):
+                assert all(abs(float(x) - float(y)) < 1e-2 for x, y in zip(point, curve.place(vertex), strict=True))
+            along = [point[1 - arc.direction] for point in points]
+            assert [along[1] - along[0]] * 3 == [b - a for a, b in pairwise(along)]
+            for point in points[1:-1]:
+                assert all(low <= x <= high for x, (low, high) in zip(point, arc.box, strict=True))
+                step = arc.box[arc.direction].width / 2**23
+                moved = [[x + by * (k == arc.direction) for k, x in enumerate(point)] for by in (-step, step)]
+                assert curve.form.value(*moved[0]) * curve.form.value(*moved[1]) < 0
+
+
+def test_zeros_of_different_forms_differ():
+    one, other = (ZeroCurve(as_form((3 * S - 1) ** 2 + (3 * T - k) ** 2 - 1)) for k in (1, 2))
+    assert one == ZeroCurve(one.form)
+    assert one != other
+    assert one != one.form
+    assert len({one, ZeroCurve(one.form), other}) == 2
+
+
+def test_a_line_on_which_the_square_is_cut_is_undecided(monkeypatch):
+    """It is cut elsewhere where it can be: else the sides of boxes are zeros, and no box is a graph."""
+    form = as_form((61 * S - 29) * (T * T + S + 1))
+    curve = ZeroCurve(form)
+    assert (curve.complete, [part.shape for part in curve.parts]) == (True, [Shape.ARC])
+    monkeypatch.setattr("exactspline.geometry.surface.zero_curve.FIRST_CUTS", FIRST_CUTS[:1])
+    curve = ZeroCurve(form)
+    assert {box.first for box in curve.undecided} == {(0, FIRST_CUTS[0]), (FIRST_CUTS[0], 1)}
+    assert curve.parts == ()

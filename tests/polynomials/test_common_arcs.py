@@ -123,6 +123,8 @@ def test_arcs_of_curves_on_one_line(seed):
         for n in (3, random.choice([2, 3, 4]))
     )
     see_arcs(collinear_arcs(first, second), first, second)
+    upright = [PlaneForms(c.degree, 3 * c.w, c.x, c.w) for c in (first, second)]
+    see_arcs(collinear_arcs(*upright), first, second)
     for curve in (first, second, straight([-9, 9, -9, 9, -9])):
         see_arcs(collinear_arcs(curve), curve, curve)
 

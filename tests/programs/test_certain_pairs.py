@@ -109,3 +109,16 @@ def test_without_the_extension_the_answers_are_the_same():
         told.append(done.stdout.splitlines())
     assert told[0][1] == "True"
     assert told[0][0] == told[1][0]
+
+
+def test_the_determinant_of_a_pair_is_primitive_and_eliminates_the_lower_degree():
+    """Whichever of the two comes first, and it vanishes at the common points."""
+    given = [segment_rows(curve.elevate_degree() if i else curve, 0) for i, curve in enumerate((WAVE, ARCH))]
+    for order in (1, -1):
+        form = late_meetings.PairForm.of(*given[::order])
+        assert form.exchanged is (order == -1)
+        assert form.form.polynomial.content() == 1
+        assert form.form.polynomial.degree() <= 12
+        found = [round(float((zero.low + zero.high) / 2), 1) for zero in form.inner]
+        assert len(found) == 2
+        assert abs(found[0] - 0.28) < 0.3

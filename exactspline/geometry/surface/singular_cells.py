@@ -109,9 +109,10 @@ def _cells(form: PatchForm, singular: Sequence[CommonZero], bits: int) -> list[C
 
 
 def kind_on(form: PatchForm, box: Box) -> Crossing | None:
-    """What the zeros in a box around a singular point are; None where its Hessian has no one kind on all of it. Where it
-    has, the box has no other critical point: by the mean value theorem, or since the form is strictly convex in one
-    parameter and strictly concave in the other.
+    """What the zeros in a box around a singular point are; None where its Hessian has no one kind on all of it.
+
+    Where it has, the box has no other critical point: by the mean value theorem, or since the form is strictly convex
+    in one parameter and strictly concave in the other.
 
     Where it is definite the form is convex or concave, and has no other zero. Where it is indefinite all critical
     points in the box are saddles, so that no loop of zeros is in it, which would be around an extremum. Four half
