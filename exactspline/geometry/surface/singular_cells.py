@@ -124,7 +124,7 @@ def kind_on(form: PatchForm, box: Box) -> Crossing | None:
     (a, b), (c, d), (e, f) = (second[key].range for key in ((0, 0), (0, 1), (1, 1)))
     products = [x * y for x in (a, b) for y in (e, f)]
     squares = [c * c, d * d] + [c * 0] * (c <= 0 <= d)
-    if min(products) > max(squares) and (a > 0 or b < 0):
+    if min(products) > max(squares):
         return Crossing.POINT
     if max(products) < min(squares):
         return Crossing.NODE
