@@ -97,12 +97,11 @@ def _regular_cells(form: PatchForm, singular: list[CommonZero]) -> list[Cell]:
 
 def _cells(form: PatchForm, singular: Sequence[CommonZero], bits: int) -> list[Cell]:
     """Cells of about this many bits around the singular points for which this size suffices."""
-    margin = mpq(1, 1 << bits)
-    sides = [joined(zero.refine(2 * bits)[k].grown(margin) for zero in singular) for k in (0, 1)]
+    margin, places = mpq(1, 1 << bits), [zero.refine(2 * bits) for zero in singular]
+    sides = [joined(place[k].grown(margin) for place in places) for k in (0, 1)]
     by_box: dict[Box, CommonZero] = {}
-    for zero in singular:
-        at = zero.refine(2 * bits)
-        first, second = (next(side for side in own if side.contains(at[k])) for k, own in enumerate(sides))
+    for zero, place in zip(singular, places, strict=True):
+        first, second = (next(side for side in own if side.contains(place[k])) for k, own in enumerate(sides))
         by_box[Box(first, second)] = zero
     kinds = [(box, kind_on(form, box) if box.is_inside(UNIT) else None, zero) for box, zero in by_box.items()]
     return [Cell(box, kind, zero) for box, kind, zero in kinds if kind is not None]
