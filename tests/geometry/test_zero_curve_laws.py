@@ -120,3 +120,26 @@ def test_a_line_on_which_the_square_is_cut_is_undecided(monkeypatch):
     curve = ZeroCurve(form)
     assert {box.first for box in curve.undecided} == {(0, FIRST_CUTS[0]), (FIRST_CUTS[0], 1)}
     assert curve.parts == ()
+
+
+def test_more_boxes_than_the_limit_are_undecided(monkeypatch):
+    """Nothing is lost: the zeros are in boxes that are graphs, and in those that remain."""
+    circle = (5 * S - 2) ** 2 + (4 * T - 2) ** 2 - 2
+    form = as_form(circle * (circle - 1))
+    whole, near, counts = ZeroCurve(form), mpq(1, 2**20), []
+    for limit in (3, 30):
+        monkeypatch.setattr("exactspline.geometry.surface.zero_curve.BOXES", limit)
+        curve = ZeroCurve(form)
+        boxes = [*curve.undecided, *(arc.box for part in curve.parts for arc in part.arcs)]
+        for part in whole.parts:
+            for arc in part.arcs:
+                (x, y), _ = whole.points(arc, 1)
+                assert any(a - near <= x <= b + near and c - near <= y <= d + near for (a, b), (c, d) in boxes)
+        counts.append(len(boxes))
+    assert counts[0] < counts[1] < 3 * 30
+    monkeypatch.undo()
+    monkeypatch.setattr("exactspline.geometry.surface.zero_curve.DEPTH", 2)
+    areas = {box.first.width * box.second.width for box in ZeroCurve(form).undecided}
+    cut = FIRST_CUTS[0]
+    assert areas
+    assert areas <= {a * b / 4 for a in (cut, 1 - cut) for b in (cut, 1 - cut)}
