@@ -368,3 +368,14 @@ def test_a_curve_that_ends_at_an_undecided_box_of_the_next_patch_is_open():
         assert one.shape is shape
         (both,) = chained(whole.pieces, f.domain, (), [box])
         assert both.shape is (Shape.OPEN if shape is Shape.OPEN else Shape.ARC)
+
+
+def test_three_arcs_that_meet_on_a_knot_line_cross():
+    """One on the left, two on the right, where the function jumps but its zeros do not."""
+    left = [[mpq(4 * j + i, 4) for j in (-1, 0, 1)] for i in (-2, -1, 0)]  # t − 1 + (s − 1)/2
+    right = [[1, -1, 1], [1, -1, 1], [0, -2, 0]]  # (t − 1)² − (s − 1)²
+    found = zero_curve(TensorSpline((2, 2), [0] * 3 + [1] * 3 + [2] * 3, [0] * 3 + [2] * 3, left + right))
+    (crossed,) = found.curves
+    assert (crossed.shape, [piece.part.shape for piece in crossed.pieces]) == (Shape.CROSSED, [Shape.ARC, Shape.ARC])
+    assert [{arc.start, arc.end} for arc in found.arcs].count({(1, 1), (0, mpq(3, 2))}) == 1
+    assert len(found.arcs) == 3
