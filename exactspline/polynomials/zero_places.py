@@ -138,8 +138,8 @@ def places(isolation: Isolation) -> list[Place]:
     return found
 
 
-def at(t: mpq, multiplicity: int) -> Place:
-    """A rational parameter as a place.
+def at(t: mpq, multiplicity: int = 0) -> Place:
+    """A rational parameter as a place, with its multiplicity as a zero where it is one.
 
     >>> at(mpq(1), 2).sign(fmpz_poly([1, -1]), 1)
     -1
