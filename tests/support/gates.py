@@ -30,12 +30,14 @@ def found_in(files: dict[str, ast.Module], finder: Finder, rooms: Iterable[str] 
 
 
 def scopes(tree: ast.AST, owner: str = "") -> Iterator[tuple[str, ast.AST]]:
-    """Every node with the class and function in which it stands."""
-    for child in ast.iter_child_nodes(tree):
-        named = isinstance(child, (ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef))
-        inner = f"{owner}.{child.name}".lstrip(".") if named else owner  # type: ignore[attr-defined]  # as asked
-        yield inner, child
-        yield from scopes(child, inner)
+    """Every node, in the order of the text, with the class and function in which it stands."""
+    waiting = [(child, owner) for child in ast.iter_child_nodes(tree)][::-1]
+    while waiting:
+        node, place = waiting.pop()
+        if isinstance(node, (ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef)):
+            place = f"{place}.{node.name}".lstrip(".")
+        yield place, node
+        waiting += [(child, place) for child in ast.iter_child_nodes(node)][::-1]
 
 
 # ---- law 3: no code reads a sentence
@@ -121,16 +123,18 @@ def holders(tree: ast.Module) -> dict[str, set[str]]:
     such a text, through any number of steps.
     """
     held: dict[str, set[str]] = {}
+    assigned = []
+    for place, node in scopes(tree):
+        if isinstance(node, (ast.FunctionDef, ast.AsyncFunctionDef)):
+            given = [*node.args.posonlyargs, *node.args.args, *node.args.kwonlyargs]
+            held.setdefault(place, set()).update({each.arg for each in given} & TEXTS)
+        assigned += [(place, *pair) for pair in assignments(node)]
     size = -1
     while size != (size := sum(map(len, held.values()))):
-        for place, node in scopes(tree):
-            if isinstance(node, (ast.FunctionDef, ast.AsyncFunctionDef)):
-                given = [*node.args.posonlyargs, *node.args.args, *node.args.kwonlyargs]
-                held.setdefault(place, set()).update({each.arg for each in given} & TEXTS)
-            for target, value in assignments(node):
-                names = held.setdefault(place, set()) if place else set[str]()
-                if isinstance(target, ast.Name) and target.id.islower() and is_made_of_sentence(value, names):
-                    names.add(target.id)
+        for place, target, value in assigned:
+            names = held.setdefault(place, set()) if place else set[str]()
+            if isinstance(target, ast.Name) and target.id.islower() and is_made_of_sentence(value, names):
+                names.add(target.id)
     return held
 
 
