@@ -21,7 +21,7 @@ def test_intervals_around_numbers_keep_from_others():
             width = mpq(1, 1 << bits)
             for _ in range(40):
                 place = root.enclosure(20)[0] if isinstance(t, Root) else t
-                other = place + random.choice((1, -1)) * width * random.randint(0, 12) / 2
+                other = place + random.choice((1, -1)) * width * random.randint(0, 48) / 8
                 if other == t:
                     continue
                 found = _around(t, [other], bits)
@@ -37,6 +37,8 @@ def test_intervals_around_numbers_keep_from_others():
                     assert found.width <= 6 * width
                     assert found.low < t or t == 0
                     assert t < found.high or t == 1
+                    theirs = _around(other, [t], bits) if 0 < other < 1 else None
+                    assert theirs is None or theirs.high < found.low or found.high < theirs.low
                 seen.add((bits, found is None))
     assert len(seen) == 8
 

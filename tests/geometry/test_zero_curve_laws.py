@@ -122,6 +122,14 @@ def test_a_line_on_which_the_square_is_cut_is_undecided(monkeypatch):
     assert curve.parts == ()
 
 
+@pytest.mark.parametrize(("line", "middle"), [(mpq(45, 61), mpq(3, 5)), (mpq(29, 122), mpq(7, 20))])
+def test_no_box_is_halved_along_a_line_of_zeros(line, middle):
+    """The line is in the middle of a part of the square, beside a loop for which the part is halved."""
+    circle = (100 * S - int(100 * middle)) ** 2 + (100 * T - 30) ** 2 - 9
+    curve = ZeroCurve(as_form((int(line.denominator) * S - int(line.numerator)) * circle))
+    assert (curve.complete, sorted(part.shape for part in curve.parts)) == (True, [Shape.ARC, Shape.LOOP])
+
+
 def test_more_boxes_than_the_limit_are_undecided(monkeypatch):
     """Nothing is lost: the zeros are in boxes that are graphs, and in those that remain."""
     form = as_form((8 * S - 2) ** 2 + (8 * T - 2) ** 2 - 1)

@@ -1,5 +1,6 @@
 """Functions of two parameters: all their common zeros, and all zeros of one with their topology."""
 
+from dataclasses import replace
 from math import isqrt
 from random import Random
 
@@ -368,6 +369,11 @@ def test_a_curve_that_ends_at_an_undecided_box_of_the_next_patch_is_open():
         assert one.shape is shape
         (both,) = chained(whole.pieces, f.domain, (), [box])
         assert both.shape is (Shape.OPEN if shape is Shape.OPEN else Shape.ARC)
+    for shape in (Shape.OPEN, Shape.CROSSED):
+        first, second = whole.pieces
+        for pieces in ([first._replace(part=replace(first.part, shape=shape)), second], whole.pieces):
+            (both,) = chained(pieces, f.domain, ())
+            assert both.shape is (Shape.ARC if pieces is whole.pieces else shape)
 
 
 def test_three_arcs_that_meet_on_a_knot_line_cross():

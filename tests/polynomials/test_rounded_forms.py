@@ -80,6 +80,7 @@ def test_few_bits_are_exact_until_they_are_halved():
     one = rounded(PatchForm.of_net([[1, 1], [2, 3]]))
     assert (one.error, one.sign) == (0, 1)
     assert max(one.entries).bit_length() == BITS
+    assert [rounded(PatchForm.of_net([[1, 2**k]])).error for k in (BITS - 2, BITS - 1, BITS)] == [0, 0, 1]
 
 
 def test_a_sign_that_the_error_hides_is_not_told():
