@@ -353,6 +353,8 @@ def test_signs_at_points_that_are_all_but_zeros():
         one, other = isqrt(10 ** (2 * digits) // 2), isqrt(10 ** (2 * digits) // 3)
         assert [sign_at(10**digits * S - one - k, zero) for k in (0, 1)] == [1, -1]
         assert [sign_at(10**digits * T - other - k, zero) for k in (0, 1)] == [1, -1]
+    # much smaller than the coefficients
+    assert {sign_at((1000 * S - 707) ** k, zero) for k in range(30, 45)} == {1}
 
 
 def test_a_curve_that_ends_at_an_undecided_box_of_the_next_patch_is_open():
