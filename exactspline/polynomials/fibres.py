@@ -101,10 +101,10 @@ def local_multiplicity(
     second to the first is divided out.
     """
     if s.exact == 1:
-        first, s = _reversed(first), at(mpq(0), 0)
+        first, s = _reversed(first), at(mpq(0))
         carried = carried and RationalMap(carried.degree, carried.bottom, carried.top)
     if t.exact == 1:
-        second, t = _reversed(second), at(mpq(0), 0)
+        second, t = _reversed(second), at(mpq(0))
         carried = carried and RationalMap(
             carried.degree, backwards(carried.top, carried.degree), backwards(carried.bottom, carried.degree)
         )

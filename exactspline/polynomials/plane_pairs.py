@@ -148,8 +148,8 @@ class Elimination:
         bottom = self.sign(0, 0, place)
         if bottom:
             top = self.sign(0, 1, place) * bottom
-            return None if top < 0 else at(mpq(0), 0) if top == 0 else Image(place, self)
-        return at(mpq(1), 0) if self.sign(self.size - 1, self.size - 1, place) else SEVERAL
+            return None if top < 0 else at(mpq(0)) if top == 0 else Image(place, self)
+        return at(mpq(1)) if self.sign(self.size - 1, self.size - 1, place) else SEVERAL
 
 
 class LineElimination(Elimination):
@@ -187,7 +187,7 @@ class LineElimination(Elimination):
         top, bottom = (place.sign(form, self.degree) for form in self._forms)
         if top * bottom < 0:
             return None
-        return at(mpq(0), 0) if top == 0 else at(mpq(1), 0) if bottom == 0 else Image(place, self)
+        return at(mpq(0)) if top == 0 else at(mpq(1)) if bottom == 0 else Image(place, self)
 
 
 def elimination(first: PlaneForms, second: PlaneForms) -> Elimination:
@@ -302,8 +302,6 @@ def _degenerate(first: PlaneForms, second: PlaneForms) -> Meetings:
     lower, other = without_common_factor(first), without_common_factor(second)
     if lower.degree < first.degree or other.degree < second.degree:
         return meetings(lower, other)
-    if second.degree == 0:
-        return _of_point(second, first).exchanged()
     forward = elimination(first, second)
     if first.degree == 1 or forward.first:
         return _of_one_curve(first, second, forward)

@@ -62,7 +62,7 @@ class Place:
         """The exact sign of a form of degree n."""
         if not c:
             return 0
-        bits, suspected = max(FIRST, self.bits), False
+        bits = max(FIRST, self.bits)
         while True:
             low, high = self.refine(bits)
             if low == high:
@@ -71,10 +71,8 @@ class Place:
                 value = arb_poly(c)(self.z(bits))
                 if not value.contains(0):
                     return 1 if value > 0 else -1
-            if bits >= SUSPICIOUS and not suspected:
-                if self._is_zero_of(c):
-                    return 0
-                suspected = True
+            if bits >= SUSPICIOUS and self._is_zero_of(c):
+                return 0
             bits *= 2
 
     def z(self, bits: int) -> arb:
@@ -138,8 +136,8 @@ def places(isolation: Isolation) -> list[Place]:
     return found
 
 
-def at(t: mpq, multiplicity: int) -> Place:
-    """A rational parameter as a place.
+def at(t: mpq, multiplicity: int = 0) -> Place:
+    """A rational parameter as a place: a zero of this multiplicity, 0 for a place of no form.
 
     >>> at(mpq(1), 2).sign(fmpz_poly([1, -1]), 1)
     -1
