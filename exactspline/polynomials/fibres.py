@@ -146,5 +146,6 @@ def _multiplicity_of_sum(eliminant: fmpz_poly, s: Place, t: Place, slope: int) -
             value = t.z(bits) + s.z(bits) * slope
             possible = [e for g, e in powers if arb_poly(g)(value).contains(0)]
         if len(possible) == 1:
-            return possible[0]
+            (only,) = possible
+            return only
         bits *= 2

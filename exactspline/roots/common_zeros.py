@@ -19,12 +19,12 @@ from itertools import pairwise, product
 from math import ceil, floor
 from typing import NamedTuple
 
-from flint import arb, arb_poly, ctx, fmpq_poly, fmpz_mpoly, fmpz_poly
+from flint import arb_poly, ctx, fmpq_poly, fmpz_mpoly, fmpz_poly
 
 from exactspline.errors import ReachError
 from exactspline.numbers.exact import mpq, to_fmpq
 from exactspline.numbers.exact import sign as sign_of
-from exactspline.numbers.intervals import UNIT, Box, Interval, shifted
+from exactspline.numbers.intervals import UNIT, Box, Interval, shifted, sign_of_ball
 from exactspline.polynomials.bernstein import from_integers, in_parameter
 from exactspline.polynomials.certified_boxes import Isolated, isolate
 from exactspline.polynomials.cost import Priced, bounded, check_reach
@@ -585,9 +585,8 @@ def _sign_over(x: fmpq_poly, s: Parameter) -> int:
         return sign_of(numerator(to_fmpq(s)))
     while True:
         with ctx.workprec(8 * digits + 64):
-            value: arb = arb_poly(numerator)(ball(s, digits))
-            if not value.contains(0):
-                return 1 if value > 0 else -1
+            if sign := sign_of_ball(arb_poly(numerator)(ball(s, digits))):
+                return sign
         digits *= 2
 
 

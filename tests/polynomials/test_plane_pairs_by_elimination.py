@@ -9,7 +9,7 @@ from operator import mul
 from random import Random
 
 import pytest
-from flint import fmpz_poly
+from flint import arb, fmpz_poly
 
 from exactspline import Nurbs
 from exactspline.numbers.exact import mpq, to_fmpq
@@ -18,7 +18,7 @@ from exactspline.polynomials.bezout import PlaneForms
 from exactspline.polynomials.common_arcs import RationalMap
 from exactspline.polynomials.fibres import Fibre, _multiplicity_of_sum, local_multiplicity
 from exactspline.polynomials.isolation import isolate
-from exactspline.polynomials.plane_pairs import IDENTITY, Elimination, elimination, meetings, self_meetings
+from exactspline.polynomials.plane_pairs import IDENTITY, Elimination, _of_itself, elimination, meetings, self_meetings
 from exactspline.polynomials.two_parameters import S, T, lifted
 from exactspline.polynomials.zero_places import Place, at, places
 from exactspline.roots.local_parameters import parameter, plane_forms
@@ -247,3 +247,54 @@ def irrationally(z):
     """The same place as one that is isolated, not known to be rational."""
     (zero,) = isolate(fmpz_poly([-int(z.numerator), int(z.denominator)]), 1).inner
     return Place(zero)
+
+
+@pytest.mark.parametrize("n", [3, 4, 5])
+def test_a_curve_and_itself_have_no_common_end_without_a_crossing(n):
+    """The forms of the matrix have degree n − 2: with more of them there were zeros at the end."""
+    draw = Random(n)
+    for rows in (any_rows(draw, n, 9), ending_on_itself(any_rows(draw, n, 9), Fraction(1, 3))):
+        isolation = _of_itself(forms(rows)).isolation
+        assert [isolation.at_left, isolation.at_right] == [0, int(rows[-1] != rows[0] and isolation.at_right > 0)]
+    assert isolation.at_right == 1
+
+
+def test_a_parameter_close_to_the_end_belongs_to_a_fibre():
+    """A mutant divided by zero: the interval of the parameter ends at 1."""
+    far = mpq(10**14)
+    curve = through(Random(1), 3, [mpq(1), far])
+    assert [Fibre(curve, curve, of_z(mpq(1))).contains(irrationally(z)) for z in (far, far + 1)] == [True, False]
+
+
+@pytest.mark.parametrize("n", [3, 4, 5])
+def test_entries_of_an_adjugate(n):
+    """The adjugate times the matrix is the determinant; balls around its entries contain them."""
+    draw = Random(n)
+    first, second = forms(any_rows(draw, n, 9)), forms(any_rows(draw, 2, 9))
+    eliminated = elimination(first, second)
+    rows = [[eliminated.cofactor(j, i) for j in range(n)] for i in range(n)]
+    for i, row in enumerate(rows):
+        for j in range(n):
+            total = sum((x * other[j] for x, other in zip(row, eliminated.matrix, strict=True)), fmpz_poly([]))
+            assert total == (eliminated.determinant if i == j else fmpz_poly([]))
+            assert eliminated._entry(j, i, arb(3)).contains(row[j](3))
+    assert [eliminated.first, eliminated.second, eliminated.last] == [rows[0][0], rows[1][0], rows[-1][-1]]
+
+
+@pytest.mark.parametrize("n", [2, 3, 4, 5])
+def test_the_end_of_one_curve_on_another_one(n):
+    """There one parameter belongs to the point, though the map is infinite; and 0 at the start, by balls, too."""
+    draw = Random(n)
+    rows = any_rows(draw, n, 9)
+    for end, other in ((0, 1), (-1, 0)):
+        for place in (Fraction(1, 3), Fraction(1, 2)):
+            line = any_rows(draw, 1, 9)
+            line[1] = tuple(a / place - b * (1 - place) / place for a, b in zip(rows[end], line[0], strict=True))
+            if line[1][2] <= 0:
+                continue
+            eliminated = Elimination(elimination(forms(rows), forms(line)).matrix, 1)
+            found = [x for x in places(eliminated.isolation) if x.rational == mpq(place.numerator, place.denominator)]
+            assert len(found) == 1
+            isolated = [Place(x.zero) for x in found]
+            assert all(eliminated.is_simple(x) for x in (*found, *isolated))
+            assert [eliminated.partner(x).exact for x in (*found, *isolated)] == [1 - other] * 2
