@@ -115,14 +115,13 @@ def local_multiplicity(
     if carried is not None:
         factor = S * lifted(carried.bottom, 1) - lifted(carried.top, 1)
         equations = [divided_out(p, factor) for p in equations]
-    least, slope = 0, 0
+    found = list[int]()
     while True:
-        slope += 1
+        slope = len(found) + 1
         eliminant = resultant(*[rows_of(p.compose(S, T - slope * S).compose(T, S)) for p in equations])
-        found = _multiplicity_of_sum(eliminant, s, t, slope)
-        least = min(least or found, found)
-        if least == 1 or slope > eliminant.degree():
-            return least
+        found.append(_multiplicity_of_sum(eliminant, s, t, slope))
+        if found[-1] == 1 or slope > eliminant.degree():
+            return min(found)
 
 
 def divided_out(p: fmpz_mpoly, factor: fmpz_mpoly) -> fmpz_mpoly:

@@ -308,10 +308,10 @@ def _degenerate(first: PlaneForms, second: PlaneForms) -> Meetings:
     if lower.degree < first.degree or other.degree < second.degree:
         return meetings(lower, other)
     forward = elimination(first, second)
-    if first.degree == 1 or forward.first:
+    if forward.first:
         return _of_one_curve(first, second, forward)
     backward = elimination(second, first)
-    if second.degree == 1 or backward.first:
+    if backward.first:
         return _of_one_curve(second, first, backward).exchanged()
     if first.is_straight:
         return collinear_arcs(first, second)

@@ -288,10 +288,9 @@ def test_the_end_of_one_curve_on_another_one(n):
     rows = any_rows(draw, n, 9)
     for end, other in ((0, 1), (-1, 0)):
         for place in (Fraction(1, 3), Fraction(1, 2)):
-            line = any_rows(draw, 1, 9)
+            weight = rows[end][2]
+            line = [(draw.randint(-9, 9) * weight, draw.randint(-9, 9) * weight, weight), ()]
             line[1] = tuple(a / place - b * (1 - place) / place for a, b in zip(rows[end], line[0], strict=True))
-            if line[1][2] <= 0:
-                continue
             eliminated = Elimination(elimination(forms(rows), forms(line)).matrix, 1)
             found = [x for x in places(eliminated.isolation) if x.rational == mpq(place.numerator, place.denominator)]
             assert len(found) == 1
