@@ -166,8 +166,8 @@ def common_arcs(carried: RationalMap, *, below: bool = False) -> Meetings:
     inside = carried.top * carried.bottom
     # the sign of (value − parameter), a form of even degree
     excess = (carried.top - carried.bottom.left_shift(1)) * carried.bottom if below else fmpz_poly([-1])
-    every = isolate(inside * carried.slope * excess, 4 * carried.degree - 2 + (2 * carried.degree + 1) * below)
-    marks = [at(mpq(0)), *(Place(zero) for zero in every.inner), at(mpq(1))]
+    product = inside * carried.slope * excess
+    marks = [at(mpq(0)), *(Place(zero) for zero in isolate(product, product.degree()).inner), at(mpq(1))]
     on = [sign_at(inside, t) > 0 > sign_at(excess, t) for t in (between(a, b) for a, b in pairwise(marks))]
     found = Meetings()
     for place, before, behind in zip(marks, [False, *on], [*on, False], strict=True):

@@ -135,7 +135,7 @@ def places(isolation: Isolation) -> list[Place]:
 
 
 def at(t: mpq, multiplicity: int = 0) -> Place:
-    """A rational parameter as a place: a zero of this multiplicity, 0 for a place of no form.
+    """A rational parameter as a place, with its multiplicity as a zero where it is one.
 
     >>> at(mpq(1), 2).sign(fmpz_poly([1, -1]), 1)
     -1

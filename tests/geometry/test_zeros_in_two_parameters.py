@@ -1,5 +1,6 @@
 """Functions of two parameters: all their common zeros, and all zeros of one with their topology."""
 
+from math import isqrt
 from random import Random
 
 import pytest
@@ -8,11 +9,13 @@ from gmpy2 import mpq
 from exactspline import Nurbs, TensorSpline, common_zeros, intersections, zero_curve
 from exactspline.errors import DomainError, ReachError, ShapeError
 from exactspline.geometry import zeros_in_two_parameters
-from exactspline.geometry.singular_points import singular_on_patch
+from exactspline.geometry.singular_points import sign_at, singular_on_patch
+from exactspline.geometry.surface.chains import chained
 from exactspline.geometry.surface.zero_curve import Shape
 from exactspline.geometry.zeros_in_two_parameters import ZeroCurves
-from exactspline.numbers.intervals import UNIT
+from exactspline.numbers.intervals import UNIT, Box, Interval
 from exactspline.polynomials.two_parameters import S, T, as_form
+from exactspline.roots import common_zeros as elimination
 
 
 def function(p, end=1):
@@ -431,3 +434,39 @@ def test_isolated_points_of_a_common_factor_on_its_lines(is_turned):
         found = common_zeros(*((shared.transposed() if is_turned else shared) * h for h in (f, g)))
         assert places(found) == [place[::-1] if is_turned else place for place in points]
         assert [part.along_curve for part in found.everywhere] == [True]
+
+
+def test_signs_at_points_that_are_all_but_zeros():
+    """√(1/2) and √(1/3), and lines that pass them in the hundredth digit."""
+    (zero,) = elimination.common_zeros([2 * S * S - 1, 3 * T * T - 1], UNIT)
+    for digits in (3, 20, 100):
+        one, other = isqrt(10 ** (2 * digits) // 2), isqrt(10 ** (2 * digits) // 3)
+        assert [sign_at(10**digits * S - one - k, zero) for k in (0, 1)] == [1, -1]
+        assert [sign_at(10**digits * T - other - k, zero) for k in (0, 1)] == [1, -1]
+
+
+def test_a_curve_that_ends_at_an_undecided_box_of_the_next_patch_is_open():
+    """It said: it ends on the border, or where patches meet."""
+    line = TensorSpline((0, 1), [0, 2], [0, 0, 2, 2], [[-1, 1]])
+    f = line + TensorSpline((1, 0), [0, 0, 1, 2, 2], [0, 2], [[mpq(-1, 2)], [0], [mpq(1, 2)]])
+    (whole,) = zero_curve(f).curves
+    assert (whole.shape, len(whole.pieces)) == (Shape.ARC, 2)
+    for box, shape in (
+        (Box(Interval(mpq(1), mpq(2)), Interval(mpq(1), mpq(2))), Shape.OPEN),
+        (Box(Interval(mpq(1), mpq(2)), Interval(mpq(3, 2), mpq(2))), Shape.BROKEN),
+    ):
+        (one,) = chained(whole.pieces[:1], f.domain, (), [box])
+        assert one.shape is shape
+        (both,) = chained(whole.pieces, f.domain, (), [box])
+        assert both.shape is (Shape.OPEN if shape is Shape.OPEN else Shape.ARC)
+
+
+def test_three_arcs_that_meet_on_a_knot_line_cross():
+    """One on the left, two on the right, where the function jumps but its zeros do not."""
+    left = [[mpq(4 * j + i, 4) for j in (-1, 0, 1)] for i in (-2, -1, 0)]  # t − 1 + (s − 1)/2
+    right = [[1, -1, 1], [1, -1, 1], [0, -2, 0]]  # (t − 1)² − (s − 1)²
+    found = zero_curve(TensorSpline((2, 2), [0] * 3 + [1] * 3 + [2] * 3, [0] * 3 + [2] * 3, left + right))
+    (crossed,) = found.curves
+    assert (crossed.shape, [piece.part.shape for piece in crossed.pieces]) == (Shape.CROSSED, [Shape.ARC, Shape.ARC])
+    assert [{arc.start, arc.end} for arc in found.arcs].count({(1, 1), (0, mpq(3, 2))}) == 1
+    assert len(found.arcs) == 3

@@ -9,8 +9,9 @@ import pytest
 
 from exactspline.numbers.exact import mpq
 from exactspline.numbers.intervals import UNIT
+from exactspline.polynomials.cost import height_bits
 from exactspline.polynomials.patch_forms import PatchForm
-from exactspline.polynomials.rounded_forms import BITS, RoundedForm, rounded
+from exactspline.polynomials.rounded_forms import BITS, KEPT, RoundedForm, rounded
 
 
 def drawn(chance, bits):
@@ -48,6 +49,30 @@ def test_errors_are_bounds_on_every_box(bits):
                 if one.is_monotonic(k):
                     assert exact.derivative(k).sign in (1, -1)
                     assert (one.slopes(k)[0] > 0) == (exact.slopes(k)[0] > 0)
+
+
+@pytest.mark.parametrize("bits", [50, 64, 400])
+def test_ranges_and_slopes_are_those_of_the_form_but_for_the_error(bits):
+    """By the powers of two between both. Also where coefficients differ by less than the error."""
+    chance = Random(bits)
+    for spread in (0, bits // 2, bits - 40, bits):
+        for _ in range(12):
+            m, n = chance.randint(1, 4), chance.randint(0, 4)
+            net = [[2**bits + chance.randint(-(2**spread), 2**spread) for _ in range(n + 1)] for _ in range(m + 1)]
+            exact = PatchForm.of_net(net)
+            one, shift = rounded(exact), height_bits(exact.entries) - BITS
+            for _ in range(4):
+                scale, error = mpq(2) ** -shift, int(one.error)
+                bounds = [(one.range, exact.range, error)]
+                bounds += [(one.slopes(k), exact.slopes(k), exact.degree[k] * error) for k in (0, 1)]
+                for (low, high), (least, most), wide in bounds:
+                    assert 0 <= scale * int(least) - int(low) <= 2 * wide
+                    assert 0 <= int(high) - scale * int(most) <= 2 * wide
+                direction, side = chance.randrange(2), chance.randrange(2)
+                if one.error << KEPT > max(map(abs, one.range)):
+                    break
+                one, exact = (f.halves(direction)[side] for f in (one, exact))
+                shift += exact.degree[direction]
 
 
 def test_few_bits_are_exact_until_they_are_halved():

@@ -20,7 +20,7 @@ PRECISIONS = frozenset({"bits", "digits", "precision"})
 
 
 def neutral(mutant: Mutant) -> str | None:
-    """Why no answer depends on the change, if that can be told from its place."""
+    """Why no answer depends on the change, if its place says it."""
     function = node_of(mutant.file, mutant.function)
     old, (_, _, new) = list(changes(function))[mutant.number]
     if id(old) in _estimates(mutant.file):
