@@ -256,5 +256,6 @@ def test_zeros_are_in_the_boxes_of_a_bisection(monkeypatch):
     for k in range(1, 40):
         for root in roots_in(at(as_polynomial(form), 0, mpq(k, 40)), mpq(0), mpq(1)):
             assert any(b.low <= mpq(k, 40) <= b.high and c.low <= root <= c.high for b, c in every)
+    assert _bisected(as_form((3 * S - 1) ** 2 + (2 * T - 1) ** 2 - 1))[1] == []
     with drawing_on(Budget(0)):
         assert _bisected(form) == ([], [UNIT])
