@@ -216,17 +216,19 @@ class _OfSegments:
         self.square, self.along, self.normal = norm2(e), dot(a, b), det(a, e) * pair.weight
         self.triangle = self._triangle()
 
-    def _distance(self, f: fmpz_mpoly, velocity: Vector, d: mpq) -> fmpz_mpoly:
+    def _distance(self, f: fmpz_mpoly, velocity: Vector[fmpz_mpoly], d: mpq) -> fmpz_mpoly:
         """Zero where the normals meet at a distance from one of the points."""
         if not d:
             return f
         reached: fmpz_mpoly = self.pair.across * self.pair.weight * int(d.numerator)
-        return f**2 * norm2(velocity) * int(d.denominator) ** 2 - reached**2
+        value: fmpz_mpoly = f**2 * norm2(velocity) * int(d.denominator) ** 2 - reached**2
+        return value
 
     def _chord(self, d: mpq) -> fmpz_mpoly:
         """Zero where the chord has a length."""
         weight: fmpz_mpoly = self.pair.weight
-        return self.square * int(d.denominator) ** 2 - weight**2 * int(d.numerator) ** 2
+        value: fmpz_mpoly = self.square * int(d.denominator) ** 2 - weight**2 * int(d.numerator) ** 2
+        return value
 
     def _triangle(self) -> fmpz_mpoly:
         """Zero where the chord is the third side of a triangle whose two others have the lengths of the distances and
