@@ -52,11 +52,14 @@ def slopes(surface, place, before=((1, 0), (1, 0))):
     return found, ways
 
 
+def as_mpf(place):
+    return [mpf(int(x.numerator)) / int(x.denominator) for x in place]
+
+
 def changes(surface, start, end):
     """How many of the two derivatives change their signs between two near points."""
-    start, end = ([mpf(int(x.numerator)) / int(x.denominator) for x in place] for place in (start, end))
-    first, ways = slopes(surface, start)
-    second, _ = slopes(surface, end, ways)
+    first, ways = slopes(surface, as_mpf(start))
+    second, _ = slopes(surface, as_mpf(end), ways)
     return sum(x * y < 0 for x, y in zip(first, second, strict=True))
 
 
@@ -95,8 +98,12 @@ def see_that_these_are_all(found, surface, steps):
     seen = 0
     for k in (1, 3, 5):
         u = whole_u.at(mpq(k, 7))
-        for v, then in pairwise([whole_v.at(mpq(i, steps)) for i in range(1, steps)]):
-            if changes(surface, (u, v), (u, then)):
+        along, ways = [], ((1, 0), (1, 0))
+        for v in (whole_v.at(mpq(i, steps)) for i in range(1, steps)):
+            found_here, ways = slopes(surface, as_mpf((u, v)), ways)
+            along.append((v, found_here))
+        for (v, before), (then, behind) in pairwise(along):
+            if any(x * y < 0 for x, y in zip(before, behind, strict=True)):
                 seen += 1
                 assert any(b.low <= u <= b.high and c.low <= then and v <= c.high for b, c in boxes)
     return seen
@@ -249,5 +256,6 @@ def test_zeros_are_in_the_boxes_of_a_bisection(monkeypatch):
     for k in range(1, 40):
         for root in roots_in(at(as_polynomial(form), 0, mpq(k, 40)), mpq(0), mpq(1)):
             assert any(b.low <= mpq(k, 40) <= b.high and c.low <= root <= c.high for b, c in every)
+    assert _bisected(as_form((3 * S - 1) ** 2 + (2 * T - 1) ** 2 - 1))[1] == []
     with drawing_on(Budget(0)):
         assert _bisected(form) == ([], [UNIT])

@@ -179,6 +179,8 @@ def test_what_is_said_of_a_box_is_true_and_small_boxes_are_decided():
             assert verdict is (least >= 0) or verdict is None
             told[bits, verdict] += 1
     assert told[6, None] <= 1
+    nothing = PatchForm.of_net([[0, 0]])
+    assert true_pairs._verdict(1, PatchForm.of_net([[1, 2]]), nothing, [nothing, nothing], *UNIT) is True
     assert min(told[bits, verdict] for bits in (3, 6) for verdict in (True, False)) >= 4
 
 

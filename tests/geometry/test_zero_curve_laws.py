@@ -122,12 +122,19 @@ def test_a_line_on_which_the_square_is_cut_is_undecided(monkeypatch):
     assert curve.parts == ()
 
 
+@pytest.mark.parametrize(("line", "middle"), [(mpq(45, 61), mpq(3, 5)), (mpq(29, 122), mpq(7, 20))])
+def test_no_box_is_halved_along_a_line_of_zeros(line, middle):
+    """The line is in the middle of a part of the square, beside a loop for which the part is halved."""
+    circle = (100 * S - int(100 * middle)) ** 2 + (100 * T - 30) ** 2 - 9
+    curve = ZeroCurve(as_form((int(line.denominator) * S - int(line.numerator)) * circle))
+    assert (curve.complete, sorted(part.shape for part in curve.parts)) == (True, [Shape.ARC, Shape.LOOP])
+
+
 def test_more_boxes_than_the_limit_are_undecided(monkeypatch):
     """Nothing is lost: the zeros are in boxes that are graphs, and in those that remain."""
-    circle = (5 * S - 2) ** 2 + (4 * T - 2) ** 2 - 2
-    form = as_form(circle * (circle - 1))
+    form = as_form((8 * S - 2) ** 2 + (8 * T - 2) ** 2 - 1)
     whole, near, counts = ZeroCurve(form), mpq(1, 2**20), []
-    for limit in (3, 30):
+    for limit in (1, 6):
         monkeypatch.setattr("exactspline.geometry.surface.zero_curve.BOXES", limit)
         curve = ZeroCurve(form)
         boxes = [*curve.undecided, *(arc.box for part in curve.parts for arc in part.arcs)]
@@ -136,7 +143,8 @@ def test_more_boxes_than_the_limit_are_undecided(monkeypatch):
                 (x, y), _ = whole.points(arc, 1)
                 assert any(a - near <= x <= b + near and c - near <= y <= d + near for (a, b), (c, d) in boxes)
         counts.append(len(boxes))
-    assert counts[0] < counts[1] < 3 * 30
+    assert counts[0] < counts[1] < 6 * 6
+    assert not curve.complete
     monkeypatch.undo()
     monkeypatch.setattr("exactspline.geometry.surface.zero_curve.DEPTH", 2)
     areas = {box.first.width * box.second.width for box in ZeroCurve(form).undecided}

@@ -9,7 +9,7 @@ from flint import fmpq, fmpz_poly
 from exactspline.numbers.exact import mpq
 from exactspline.polynomials.bezout import PlaneForms
 from exactspline.polynomials.collinear_arcs import Coordinate, collinear_arcs, compared
-from exactspline.polynomials.common_arcs import Image, RationalMap, common_arcs, lowest_terms
+from exactspline.polynomials.common_arcs import Image, Meeting, RationalMap, Rest, common_arcs, lowest_terms
 from exactspline.polynomials.isolation import isolate
 from exactspline.polynomials.zero_places import Place, at, places
 
@@ -63,6 +63,7 @@ TOUCHING = [
     ([1, 0, 1], [-1, 2, -1], [(1, mpq(1, 2))], []),
     ([0, -1], [1], [(0, 0), (1, 1)], []),
     ([1], [0, -1], [(1, 0), (0, 1)], [(0, 1)]),
+    ([-1, -1], [1, 0, 1], [(0, 1)], [(0, 1)]),
     ([0, -1, 2, -1], [1], [(0, 0), (0, mpq(1, 2)), (1, 1)], [(0, mpq(1, 2))]),
 ]
 
@@ -74,6 +75,21 @@ def test_a_value_that_is_only_touched_is_a_point(top, bottom, every, smaller):
         found = common_arcs(carried, below=below)
         assert [(point.first.exact, point.second.exact) for point in found.points] == expected
         assert not found.arcs
+
+
+def test_what_is_exchanged_twice_is_the_same():
+    carried = RationalMap(2, fmpz_poly([1, -2, 1]), fmpz_poly([1]))
+    found = common_arcs(carried)
+    found.rests.append(Rest(at(mpq(1, 3))))
+    found.points.append(Meeting(at(mpq(1, 4)), at(mpq(1, 5)), 3))
+    other = found.exchanged()
+    assert [arc.exchanged for arc in other.arcs] == [True, True] == [not arc.exchanged for arc in found.arcs]
+    assert [(arc.first, arc.second) for arc in other.arcs] == [(arc.second, arc.first) for arc in found.arcs]
+    assert [rest.exchanged for rest in other.rests] == [True]
+    assert [(x.second, x.first, x.multiplicity) for x in other.points] == [
+        (found.points[0].first, found.points[0].second, 3)
+    ]
+    assert other.exchanged() == found
 
 
 def straight(points, weights=None):
