@@ -262,7 +262,7 @@ def test_zeros_are_in_the_boxes_of_a_bisection(monkeypatch):
 
 
 def test_a_node_is_proved_only_where_what_is_divided_out_has_no_zeros(monkeypatch):
-    """The product of both derivatives may have factors that were divided out: with a zero in the box they prove nothing."""
+    """The product of both derivatives may have other factors: where one has a zero in the box, none is proved."""
     proved, found = RidgeSearch._node, []
 
     def node(self, form, whole, box):
