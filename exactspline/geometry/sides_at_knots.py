@@ -24,7 +24,7 @@ def changes_side(through: PlaneForms, before: PlaneForms, behind: PlaneForms) ->
     None if one of them runs along it, or if it passes several times.
     """
     left, right = elimination(through, before), elimination(through, behind)
-    if not left.determinant or not right.determinant or not right.is_simple(at(mpq(0), 0)):
+    if not left.determinant or not right.determinant or not right.is_simple(at(mpq(0))):
         return None
     first = isolate(left.determinant, left.size * left.degree).signs[1]
     second = isolate(right.determinant, right.size * right.degree).signs[0]

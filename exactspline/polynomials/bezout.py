@@ -17,6 +17,7 @@ Demmel, Algorithms for intersecting parametric and algebraic curves I, 1994; Hel
 from __future__ import annotations
 
 from collections.abc import Sequence
+from math import prod
 from typing import NamedTuple
 
 from flint import fmpz, fmpz_mat, fmpz_poly
@@ -87,12 +88,8 @@ def straight_line(curve: PlaneForms) -> Point3 | None:
     (-2, 1, 0)
     """
     points = [curve.coefficient(i) for i in range(curve.degree + 1)]
-    line = next((x for p in points[1:] if any(x := across(points[0], p))), None)
-    if line is None:
-        start = next((p for p in points if any(p)), points[0])
-        line = next((x for p in points if any(x := across(start, p))), None)
-    if line is None:
-        return fmpz(0), fmpz(0), fmpz(0)
+    start = next((p for p in points if any(p)), points[0])
+    line = next((x for p in points if any(x := across(start, p))), across(start, start))
     return None if along(line, curve) else line
 
 
@@ -178,7 +175,8 @@ def determinant(matrix: Matrix, degree: int) -> fmpz_poly:
     if size == 0:
         return fmpz_poly([1])
     if size == 1:
-        return matrix[0][0]
+        ((a,),) = matrix
+        return a
     if size == 2:
         (a, b), (c, d) = matrix
         return a * d - b * c
@@ -190,8 +188,8 @@ def _packed(matrix: Matrix, degree: int) -> fmpz_poly:
     """By Kronecker's substitution: the entries at a power of two that is larger than all coefficients of the
     determinant.
     """
-    size, height, bits = len(matrix), _height(matrix), _bits_of_determinant(matrix, degree)
-    width, length = (bits + 9) // 8, size * degree + 1
+    size, height, bits = len(matrix), _height(matrix), _bits_of_determinant(matrix)
+    width, length = (bits + 8) // 8, size * degree + 1
     _check(size**3 * length * bits * PACKED // 100, size, degree, height)
     base = fmpz(1) << (8 * width)
     value = fmpz_mat([[x(base) for x in row] for row in matrix]).det()
@@ -202,7 +200,7 @@ def _interpolated(matrix: Matrix, degree: int) -> fmpz_poly:
     """From its values at consecutive integers: an interruptible loop."""
     size, height = len(matrix), _height(matrix)
     count = size * degree + 1
-    bits = _bits_of_determinant(matrix, degree) + size * degree * count.bit_length()
+    bits = _bits_of_determinant(matrix) + size * degree * count.bit_length()
     _check(count * bits * (size**3 * VALUE + count * INTERPOLATION) // 100, size, degree, height)
     start = -(count // 2)
     values = [fmpz_mat([[x(k) for x in row] for row in matrix]).det() for k in range(start, start + count)]
@@ -213,9 +211,9 @@ def _height(matrix: Matrix) -> int:
     return max(int(x.height_bits()) for row in matrix for x in row)
 
 
-def _bits_of_determinant(matrix: Matrix, degree: int) -> int:
-    size = len(matrix)
-    return size * (_height(matrix) + (degree + 1).bit_length() + size.bit_length())
+def _bits_of_determinant(matrix: Matrix) -> int:
+    """The bits of a bound of its coefficients: the product over all rows of the sums of their absolute coefficients."""
+    return int(prod(sum(abs(int(c)) for x in row for c in x.coeffs()) for row in matrix)).bit_length()
 
 
 def _check(cost: int, size: int, degree: int, bits: int) -> None:
@@ -228,10 +226,10 @@ def _unpacked(value: int, width: int, length: int) -> fmpz_poly:
     value.
     """
     sign, rest = (-1, -value) if value < 0 else (1, value)
-    data = rest.to_bytes(width * (length + 1), "little")
+    data = rest.to_bytes(width * length, "little")
     half, base = 1 << (8 * width - 1), 1 << (8 * width)
     coefficients, carry = [], 0
-    for k in range(length + 1):
+    for k in range(length):
         digit = int.from_bytes(data[k * width : (k + 1) * width], "little") + carry
         carry = int(digit >= half)
         coefficients.append(sign * (digit - base if carry else digit))

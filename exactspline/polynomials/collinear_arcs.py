@@ -32,34 +32,22 @@ def collinear_arcs(first: PlaneForms, second: PlaneForms | None = None) -> Meeti
     [mpq(0,1), mpq(1,2), mpq(0,1), mpq(1,2)]
     """
     axis = next(k for k in (0, 1) if RationalMap(first.degree, first.forms[k], first.w).slope)
-    found, ends = Meetings(), []
+    found = Meetings()
     runs = [_runs(RationalMap(curve.degree, curve.forms[axis], curve.w)) for curve in (first, second or first)]
     for i, ours in enumerate(runs[0]):
-        for j, theirs in enumerate(runs[1]):
-            if second is None and j <= i:
-                continue
+        for theirs in runs[1] if second else runs[1][i + 1 :]:
             low, high = max(ours.low, theirs.low, key=IN_ORDER), min(ours.high, theirs.high, key=IN_ORDER)
             order = compared(low, high)
             if order < 0:
                 values = (low, high) if theirs.rises else (high, low)
                 s, t = ((run.parameter(values[0]), run.parameter(values[1])) for run in (ours, theirs))
                 found.arcs.append(Arc(s, t, None))
-            elif order == 0 and (second or j > i + 1):
-                ends.append(Meeting(ours.parameter(low), theirs.parameter(low), None))
-    for point in ends:
-        known = [*((p.first, p.second) for p in found.points)]
-        known += [pair for arc in found.arcs for pair in zip(arc.first, arc.second, strict=True)]
-        if not any(_is_one(point.first, s) and _is_one(point.second, t) for s, t in known):
-            found.points.append(point)
+            elif order == 0:
+                # both end there, or turn back there: then none of the runs around it is on the other side
+                one, other = ours.parameter(low), theirs.parameter(low)
+                if not any(point.first is one and point.second is other for point in found.points):
+                    found.points.append(Meeting(one, other, None))
     return found
-
-
-def _is_one(place: object, other: object) -> bool:
-    """Whether two ends of runs are one: the same object, or the same rational number."""
-    if place is other:
-        return True
-    exact = [p.exact for p in (place, other) if isinstance(p, Place)]
-    return exact[0] is not None and exact[0] == exact[1]
 
 
 class Coordinate(NamedTuple):
@@ -86,13 +74,9 @@ class Coordinate(NamedTuple):
         if (exact := self.exact) is not None:
             return linear(exact)
         top, bottom = fmpq_poly(self.function.top), fmpq_poly(self.function.bottom)
-        candidates, bits = factorize(quotient_at(self.place.irreducible, top, bottom)).bases, FIRST
-        while len(candidates) > 1:
-            with ctx.workprec(4 * bits):
-                ball = self.near(bits)
-                candidates = [p for p in candidates if arb_poly(p)(ball).contains(0)]
-            bits *= 2
-        return candidates[0]
+        # of an irreducible polynomial it is a power of one
+        (base,) = factorize(quotient_at(self.place.irreducible, top, bottom)).bases
+        return base
 
 
 def compared(one: Coordinate, other: Coordinate) -> int:
@@ -100,7 +84,7 @@ def compared(one: Coordinate, other: Coordinate) -> int:
 
     >>> square = RationalMap(2, fmpz_poly([0, 0, 1]), fmpz_poly([1]))
     >>> (root,) = isolate(fmpz_poly([-2, 0, 1]), 2).inner
-    >>> [compared(Coordinate(square, Place(root)), Coordinate(square, at(t, 0))) for t in (mpq(1, 2), mpq(2, 3))]
+    >>> [compared(Coordinate(square, Place(root)), Coordinate(square, at(t))) for t in (mpq(1, 2), mpq(2, 3))]
     [1, -1]
     >>> compared(Coordinate(square, Place(root)), Coordinate(square, Place(root)))
     0
@@ -111,13 +95,13 @@ def compared(one: Coordinate, other: Coordinate) -> int:
     while True:
         with ctx.workprec(4 * bits):
             a, b = one.near(bits), other.near(bits)
-            if a.is_finite() and b.is_finite() and not a.overlaps(b):
+            if not a.overlaps(b):  # a ball that is not finite overlaps all
                 return 1 if a > b else -1
             if shared is not None and not arb_poly(shared.derivative())(a.union(b)).contains(0):
                 return 0  # a polynomial has at most one zero where it is monotone
         if shared is None and bits >= SUSPICIOUS:
             p, q = one.minimal_polynomial(), other.minimal_polynomial()
-            shared = p if p in (q, -q) else None
+            shared = p if p == q else None
         bits *= 2
 
 
@@ -170,18 +154,18 @@ def _is_before(one: Place, other: Place) -> bool:
     bits = FIRST
     while True:
         (a, b), (c, d) = one.refine(bits), other.refine(bits)
-        if b < c or d < a or (b <= c and (a < b or c < d)) or (d <= a and (a < b or c < d)):
+        if b <= c or d <= a:
             return b <= c
         bits *= 2
 
 
 def _runs(coordinate: RationalMap) -> list[_Run]:
-    isolation = isolate(coordinate.slope, 2 * coordinate.degree - 2)
+    isolation = isolate(coordinate.slope, coordinate.slope.degree())
     turning = [zero for zero in isolation.inner if sum(zero.signs) == 0]
     turns = [Place(zero) for zero in turning]
     for place in turns:
         _ = place.rational  # then it is known where it is rational
-    ends = [Coordinate(coordinate, place) for place in (at(mpq(0), 0), *turns, at(mpq(1), 0))]
+    ends = [Coordinate(coordinate, place) for place in (at(mpq(0)), *turns, at(mpq(1)))]
     # not the signs at parameters between: the slope may vanish there without a change of sign
     signs = [isolation.signs[0], *(zero.signs[1] for zero in turning)]
     return [_Run(a, b, sign > 0) for (a, b), sign in zip(pairwise(ends), signs, strict=True)]

@@ -19,7 +19,8 @@ BITS, KEPT = 60, 24
 
 
 class RoundedForm(PatchForm):
-    """A form on a box, up to a positive constant: each coefficient differs from its integer by at most `error`.
+    """A form on a box, up to a positive constant: each coefficient differs from its integer by at most `error`, and the
+    differences of any two of them by no more than that.
 
     >>> f = rounded(PatchForm.of_net([[-(10**40), 10**40 + 1], [0, 10**41]]))
     >>> f.error, f.sign, f.halves(1)[1].sign, f.halves(0)[1].halves(1)[1].sign
@@ -62,7 +63,7 @@ class RoundedForm(PatchForm):
     def slopes(self, direction: int) -> tuple[fmpz, fmpz]:
         """Bounds of the derivative with respect to x (direction 0) or y."""
         low, high = super().slopes(direction)
-        wide = 2 * self.degree[direction] * self.error
+        wide = self.degree[direction] * self.error
         return low - wide, high + wide
 
     def combined(self, a: fmpz, other: PatchForm, b: fmpz) -> RoundedForm:

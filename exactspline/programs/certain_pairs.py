@@ -48,8 +48,9 @@ def certain_pairs(
     """
     if filter_pairs is None:
         return [None] * len(pairs)
-    tables = [_table(segments) for segments in ((first,) if first is second else (first, second))]
-    one, other = tables[0].buffer_info()[0], tables[-1].buffer_info()[0]
+    ours = _table(first)
+    theirs = ours if second is first else _table(second)
+    one, other = ours.buffer_info()[0], theirs.buffer_info()[0]
     found: list[list[PairPoint] | None] = []
     for start in range(0, len(pairs), TOGETHER):
         some = pairs[start : start + TOGETHER]

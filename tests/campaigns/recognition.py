@@ -376,7 +376,8 @@ def layers(surface: NurbsSurface, shape: object, count: int = 6) -> int:
     triangles = []
     for i, j in product(range(count), repeat=2):
         a, b, c, d = grid[i][j], grid[i + 1][j], grid[i][j + 1], grid[i + 1][j + 1]
-        triangles += [(a, b, c), (b, c, d)]
+        for corners in ((a, b, c), (b, c, d)):
+            triangles.append((corners, 1.1 * max(dist(p, q) for (p, _), (q, _) in combinations(corners, 2))))
     most = 0
     for i, j in product(range(count), repeat=2):
         at, normal = foot(sides.at((i + mpq(1, 3)) / count, (j + mpq(1, 5)) / count))
@@ -384,9 +385,8 @@ def layers(surface: NurbsSurface, shape: object, count: int = 6) -> int:
         e = cross(normal, [float(k == smallest) for k in range(3)])
         frame = e, cross(normal, e)
         over = 0
-        for triangle in triangles:
-            far = max(dist(p, at) for p, _ in triangle)
-            near = far < 1.1 * max(dist(p, q) for (p, _), (q, _) in combinations(triangle, 2))
+        for triangle, size in triangles:
+            near = max(dist(p, at) for p, _ in triangle) < size
             if near and all(fdot(m, normal) > 0 for _, m in triangle):
                 flat = [[fdot([x - y for x, y in zip(p, at, strict=True)], f) for f in frame] for p, _ in triangle]
                 turns = [flat[k - 1][0] * flat[k][1] - flat[k - 1][1] * flat[k][0] for k in range(3)]

@@ -109,28 +109,6 @@ def test_closed_chains_in_a_plane_of_space(seed):
     assert b.torsion_zeros.points == ()
 
 
-def test_the_degree_two_chain_of_the_first_wrong_answer():
-    """Lines and one parabola round a shape: ``straight [3, 5]`` was said on a domain that ends at 4."""
-    points = [(0, 0), (1, 0), (2, 0), (3, 1), (2, 2), (1, 2), (0, 2), (0, 1), (0, 0)]
-    curve = Nurbs(2, [0, 0, 0, 1, 1, 2, 2, 3, 3, 4, 4, 4], points)
-    found = analyse(curve)
-    assert [str(piece) for piece in found.straight_pieces] == ["[0, 1]", "[2, 3]", "[3, 4]"]
-    assert found.constant_pieces == found.straight_pieces
-    assert [joint.parameter for joint in found.corners] == [0, 1, 2, 3]
-    assert [mpmath.nstr(joint.angle.degrees(20), 20) for joint in found.corners] == ["90.0", "45.0", "45.0", "90.0"]
-    assert [str(joint.angle.cosine) for joint in found.corners] == ["0", "√2/2", "√2/2", "0"]
-
-
-def test_a_side_that_the_seam_divides_is_one_piece():
-    square = [(1, 0), (2, 0), (2, 2), (0, 2), (0, 0), (1, 0)]
-    found = analyse(Nurbs(1, [0, 0, 1, 2, 3, 4, 5, 5], square))
-    assert [str(piece) for piece in found.straight_pieces] == ["[1, 2]", "[2, 3]", "[3, 4]", "[4, 5] ∪ [0, 1]"]
-    assert found.joints[0].kind is JointKind.CONTINUOUS
-    assert len(found.corners) == 4
-    in_space = analyse(Nurbs(1, [0, 0, 1, 2, 3, 4, 5, 5], [(x, y, x + y) for x, y in square]))
-    assert in_space.straight_pieces == found.straight_pieces
-
-
 def test_a_circle_with_one_corner_is_one_piece_round_the_seam():
     """A line there and back with a smooth seam: it turns round at its two ends."""
     found = analyse(Nurbs(1, [0, 0, 1, 2, 3, 3], [(1, 0), (3, 0), (0, 0), (1, 0)]))

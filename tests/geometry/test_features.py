@@ -16,13 +16,11 @@ from exactspline.geometry.angles import Angle
 from exactspline.geometry.inspection import Approach, compare_approaches, inspect_curve
 from exactspline.geometry.joints import curvature_of
 from exactspline.geometry.values_along import curvature
-from exactspline.interchange.examples import example, example_names
+from exactspline.interchange.examples import example
 from exactspline.verification.claims import select
 from exactspline.verification.ledger import audit
 from tests.support.bisector_oracle import bezier
 from tests.support.command import invoke
-
-PLANE = [name for name in example_names() if example(name).dimension == 2]
 
 
 def test_an_ellipse_has_four_vertices_the_seam_counted_once():
@@ -164,15 +162,6 @@ def test_certificates_are_written_and_checked(name, functions, tmp_path):
     written[1]["certificate"]["segments"][0]["coefficients"][0] = "12345"
     with pytest.raises(ValueError, match=r"."):
         check_certificate(written[1]["certificate"])
-
-
-@pytest.mark.parametrize("name", ["ellipse", "rational_space_cubic_spline"])
-def test_a_picture_is_written(name, tmp_path):
-    pytest.importorskip("matplotlib")
-    file = tmp_path / "curve.svg"
-    assert invoke("inspect", name, "--plot", file).exit_code == 0
-    assert file.read_text().lstrip().startswith("<?xml")
-    assert invoke("inspect", name, "--plot", tmp_path / "curve.doc").exit_code != 0
 
 
 def test_what_cannot_be_inspected_says_why():

@@ -15,7 +15,6 @@ from exactspline.numbers.exact import rational
 from tests.campaigns.intersections import FAMILIES, above_ceiling, bezier_rows, campaign, curve, multiplied
 from tests.support.bisector_oracle import bezier
 from tests.support.dials import factors, over_dials
-from tests.support.elimination_oracle import common_points
 
 
 def kinds(found):
@@ -57,18 +56,6 @@ def test_orders_of_contact(k):
     assert (found.contact, found.multiplicity, str(found.kind)) == (k, k + 1, "crossing" if k % 2 == 0 else "touching")
     assert found.first == found.second == mpq(1, 2)
     assert found.point == (mpq(1, 2), mpq(0))
-
-
-@pytest.mark.parametrize("power", [20, 60, 90, 300])
-@pytest.mark.parametrize("side", [1, -1])
-def test_nearly_touching(power, side):
-    parabola = bezier((0, 0), ("1/2", 0), (1, 1))
-    shift = mpq(side, 1 << power)
-    line = bezier((0, -mpq(1, 4) + shift), (1, mpq(3, 4) + shift))  # y = x − 1/4 touches at 1/2
-    found = intersections(parabola, line)
-    assert len(found) == (2 if side > 0 else 0)
-    if found:
-        assert abs(found[0].first - found[1].first) == abs(found[1].second - found[0].second)
 
 
 def test_answers_are_exact_numbers():
@@ -207,17 +194,6 @@ def test_a_curve_through_its_own_knot():
     bow = Nurbs(1, [0, 0, 1, 2, 3, 4, 4], [(0, 0), (2, 0), (2, 2), (1, 0), (1, -1)])
     (found,) = self_intersections(bow)
     assert (found.first, found.second, str(found.kind)) == (mpq(1, 2), 3, "crossing")
-
-
-@pytest.mark.parametrize("seed", range(20))
-def test_self_intersections_against_elimination(seed):
-    """The oracle meets the curve with itself: the component s = t is divided out, cusps and order aside."""
-    random = Random(seed)
-    rows = [(random.randint(-5, 5), random.randint(-5, 5), 1) for _ in range(random.choice([4, 4, 5]))]
-    expected, shared = common_points(rows, rows)
-    assert shared
-    found = self_intersections(curve(rows))
-    assert pairs(found) == [(round(s, 9), round(t, 9)) for s, t, *_ in expected if s < t]
 
 
 def test_a_closed_curve_that_touches_its_seam():

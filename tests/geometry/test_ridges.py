@@ -4,6 +4,7 @@ sixty digits of the eigenvalues of the shape operator of `tests.support.surface_
 
 import pickle
 from itertools import pairwise
+from math import hypot
 from random import Random
 
 import pytest
@@ -11,10 +12,13 @@ from mpmath import mp, mpf
 
 from exactspline import NurbsSurface, analyse, example
 from exactspline.geometry.surface import ridges
-from exactspline.geometry.surface.ridges import _winds_once
+from exactspline.geometry.surface.ridges import _bisected, _directions, _winds_once, other_family
 from exactspline.numbers.exact import mpq, sign
 from exactspline.numbers.intervals import UNIT, Box, Interval
-from exactspline.polynomials.two_parameters import S, T, as_form
+from exactspline.polynomials.cost import Budget, drawing_on
+from exactspline.polynomials.factors import greatest_common_divisor
+from exactspline.polynomials.two_parameters import S, T, as_form, as_polynomial, at
+from exactspline.roots.of_polynomials import roots_in
 from tests.support.sampled import FULL
 from tests.support.surface_oracle import shape_operator
 
@@ -48,11 +52,14 @@ def slopes(surface, place, before=((1, 0), (1, 0))):
     return found, ways
 
 
+def as_mpf(place):
+    return [mpf(int(x.numerator)) / int(x.denominator) for x in place]
+
+
 def changes(surface, start, end):
     """How many of the two derivatives change their signs between two near points."""
-    start, end = ([mpf(int(x.numerator)) / int(x.denominator) for x in place] for place in (start, end))
-    first, ways = slopes(surface, start)
-    second, _ = slopes(surface, end, ways)
+    first, ways = slopes(surface, as_mpf(start))
+    second, _ = slopes(surface, as_mpf(end), ways)
     return sum(x * y < 0 for x, y in zip(first, second, strict=True))
 
 
@@ -91,8 +98,12 @@ def see_that_these_are_all(found, surface, steps):
     seen = 0
     for k in (1, 3, 5):
         u = whole_u.at(mpq(k, 7))
-        for v, then in pairwise([whole_v.at(mpq(i, steps)) for i in range(1, steps)]):
-            if changes(surface, (u, v), (u, then)):
+        along, ways = [], ((1, 0), (1, 0))
+        for v in (whole_v.at(mpq(i, steps)) for i in range(1, steps)):
+            found_here, ways = slopes(surface, as_mpf((u, v)), ways)
+            along.append((v, found_here))
+        for (v, before), (then, behind) in pairwise(along):
+            if any(x * y < 0 for x, y in zip(before, behind, strict=True)):
                 seen += 1
                 assert any(b.low <= u <= b.high and c.low <= then and v <= c.high for b, c in boxes)
     return seen
@@ -183,3 +194,68 @@ def test_what_exceeds_the_bound_is_undecided(monkeypatch):
                 u, v = piece.sides.at(*piece.curve.points(arc, 2)[1])
                 near = mpq(1, 1 << 20)
                 assert any(a - near <= u <= b + near and c - near <= v <= d + near for (a, b), (c, d) in covered)
+
+
+def test_the_other_family_of_lines_of_curvature():
+    """From a quadratic form by its two factors, and a cubic one that has one of them or both."""
+    random, x, y = Random(5), (S + 1, S - 2 * T), (T + 3, 2 * S - T * T)
+    for _ in range(20):
+        (a, b), (c, d) = ([random.choice((*x, *y, S * 0 + 1, S * T - 2)) for _ in range(2)] for _ in range(2))
+        if random.random() < 0.3:
+            a = S * 0
+        if not (a * d - b * c):
+            continue
+        lines = [a * c, a * d + b * c, b * d]
+        rest = [S + 5, T - 3 * S, S * S + T]
+        # (a p + b q) times a quadratic form
+        cubic = [a * rest[0], a * rest[1] + b * rest[0], a * rest[2] + b * rest[1], b * rest[2]]
+        p, q = d, -c
+        value = cubic[0] * p**3 + cubic[1] * p**2 * q + cubic[2] * p * q**2 + cubic[3] * q**3
+        found, shared = other_family(lines, cubic), greatest_common_divisor([c, d])
+        expected = value / shared**3
+        assert found is not None
+        assert found * expected.leading_coefficient() == expected * found.leading_coefficient()
+        e, f = S - T + 4, S * T + 1
+        both = [lines[0] * e, lines[1] * e + lines[0] * f, lines[2] * e + lines[1] * f, lines[2] * f]
+        assert other_family(lines, both) is None
+
+
+def test_directions_solve_their_equation_and_do_not_jump():
+    random = Random(6)
+    for _ in range(60):
+        uu, uv, vv = (mpq(random.choice([0, 0, 1, 1, 1]) * random.randint(-9, 9), 4) for _ in range(3))
+        if uv * uv <= 4 * uu * vv:
+            continue
+        for a, b, c in ((sign(uu), 0, 0), (0, 0, sign(vv)), (0, sign(uv), 0)):
+            if not (a or b or c):
+                continue
+            ways = _directions(uu, uv, vv, a, b, c)
+            assert all(uu * p * p + uv * p * q + vv * q * q == 0 for p, q in ways)
+            (p, q), (r, s) = ways
+            assert p * s != q * r
+            by = mpq(1, 10**6)
+            moved = _directions(uu + by, uv - by, vv + by, a, b, c)
+            for way, after in zip(ways, moved, strict=True):
+                p, q, r, s = map(float, (*way, *after))
+                assert p * r + q * s > 0.99 * hypot(p, q) * hypot(r, s)
+
+
+def test_zeros_are_in_the_boxes_of_a_bisection(monkeypatch):
+    """In a finished box one derivative has a sign; what is cut too often, or too dear, remains."""
+    form = as_form((2 * S - 1) ** 2 - (3 * T - 1) ** 2 * (T + 1))
+    monkeypatch.setattr(ridges, "DEPTH", 8)
+    boxes, remaining = _bisected(form)
+    assert boxes
+    assert remaining
+    for part in boxes:
+        assert any(form.part(part.box).derivative(k).sign for k in (0, 1))
+        assert part.depth <= 8
+    assert {mpq(1, 2**8)} == {box.first.width * box.second.width for box in remaining}
+    assert all(box.first.low <= mpq(1, 2) <= box.first.high and box.second.low <= mpq(1, 3) for box in remaining)
+    every = [part.box for part in boxes] + remaining
+    for k in range(1, 40):
+        for root in roots_in(at(as_polynomial(form), 0, mpq(k, 40)), mpq(0), mpq(1)):
+            assert any(b.low <= mpq(k, 40) <= b.high and c.low <= root <= c.high for b, c in every)
+    assert _bisected(as_form((3 * S - 1) ** 2 + (2 * T - 1) ** 2 - 1))[1] == []
+    with drawing_on(Budget(0)):
+        assert _bisected(form) == ([], [UNIT])

@@ -48,6 +48,15 @@ def test_where_a_closed_surface_is_cut_open_does_not_matter():
     assert shapes(found[0]) == shapes(found[1]) == shapes(found[2])
     assert Shape.BROKEN not in shapes(found[0])
     assert max(len(curve.patches) for curve in found[0].parabolic_curves) > 1
+    arcs = [
+        sorted(
+            (ends is None, closed)
+            for curve in one.parabolic_curves
+            for ends, _, closed in curve.arcs(domain, one.closed)
+        )
+        for one, domain in zip(found, (tube(shift).domain for shift in range(3)), strict=True)
+    ]
+    assert arcs[0] == arcs[1] == arcs[2]
 
 
 def test_where_the_curvature_jumps_the_curves_end():

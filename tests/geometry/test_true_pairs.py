@@ -1,6 +1,7 @@
 """The trimmed bisector of two plane curves, held against distances that are computed in doubles."""
 
-from itertools import pairwise
+from collections import Counter
+from itertools import pairwise, product
 from random import Random
 
 import numpy as np
@@ -8,6 +9,9 @@ import numpy as np
 import exactspline as xs
 from exactspline.errors import ReachError
 from exactspline.geometry.bisector import true_pairs
+from exactspline.numbers.exact import sign
+from exactspline.numbers.intervals import UNIT, Box, Interval
+from exactspline.polynomials.patch_forms import PatchForm
 from exactspline.roots.zero_set import zeros
 from tests.support.dials import over_dials
 
@@ -90,3 +94,107 @@ def test_what_is_not_looked_at_is_undecided(monkeypatch):
     found = true_pairs.true_pairs(*curves)
     assert not found.kept
     assert ((7, 8), (7, 8)) in found.undecided
+
+
+def as_numbers(curve, t):
+    """A point of a curve and w² times its derivative, from its control points, in rational numbers."""
+    rows = [[*(x * w for x in p), w] for p, w in zip(curve.control_points, curve.weights, strict=True)]
+    n, rows = len(rows) - 1, [[xs.rational(x) for x in row] for row in rows]
+    while len(rows) > 2:
+        rows = [[x * (1 - t) + y * t for x, y in zip(a, b, strict=True)] for a, b in pairwise(rows)]
+    (*p, w), (*q, v) = rows
+    at = [(x * (1 - t) + y * t) / (w * (1 - t) + v * t) for x, y in zip(p, q, strict=True)]
+    return at, [n * (y * w - x * v) for x, y in zip(p, q, strict=True)]
+
+
+def dot(a, b):
+    return a[0] * b[0] + a[1] * b[1]
+
+
+def difference(a, b):
+    return [a[0] - b[0], a[1] - b[1]]
+
+
+def centre(point, tangent, other):
+    """The point on the normal that is equally far from both points."""
+    chord, normal = difference(other, point), [-tangent[1], tangent[0]]
+    by = dot(chord, chord) / (2 * dot(chord, normal))
+    return [x + by * y for x, y in zip(point, normal, strict=True)]
+
+
+def nearer(middle, x, foot):
+    """The sign of the square of the distance of a point less that of the foot."""
+    a, b = difference(x, middle), difference(foot, middle)
+    return sign(dot(a, a) - dot(b, b))
+
+
+def test_forms_have_the_signs_of_differences_of_distances():
+    """Whether a point of the curve is nearer than the foot, for all its segments and any pair of parameters."""
+    random, seen = Random(8), set()
+    for weights in (None, [2, 1, 3], [xs.rational("-1/2"), xs.rational("-1/3"), -1]):
+        one, two, other = (
+            bezier([(random.randint(-9, 9), random.randint(-9, 9)) for _ in range(n)], weights if n == 3 else None)
+            for n in (3, 3, 4)
+        )
+        segments = [segment for curve in (one, two) for segment in true_pairs._Segment.all_of(curve)]
+        foot = true_pairs._Foot(segments, 0, true_pairs._Segment.all_of(other)[0])
+        for _ in range(12):
+            s, t, u = (xs.rational(random.randint(1, 96)) / 97 for _ in range(3))
+            point, tangent = as_numbers(one, s)
+            middle, side = centre(point, tangent, as_numbers(other, t)[0]), foot.factors[0].value(s, t)
+            compared = [as_numbers(curve, x)[0] for curve in (one, two) for x in true_pairs.COMPARED]
+            for form, x in zip(foot.against[1:], compared, strict=True):
+                assert sign(form.value(s, t)) * sign(side) == nearer(middle, x, point)
+                seen.add(sign(form.value(s, t)))
+            for (sides, (square, twice)), curve in zip(foot.families, (one, two), strict=True):
+                assert sides == (0, 1)
+                value = square.value(s, u) * side - twice.value(s, u) * foot.factors[1].value(s, t)
+                assert sign(value) * sign(side) == nearer(middle, as_numbers(curve, u)[0], point)
+            # the first one: whether points at the foot itself are nearer
+            step = xs.rational(1) / 10**9
+            around = [nearer(middle, as_numbers(one, s + by)[0], point) for by in (step, -step)]
+            assert around == [sign(foot.against[0].value(s, t)) * sign(side)] * 2
+    assert seen == {1, -1}
+
+
+def test_what_is_said_of_a_box_is_true_and_small_boxes_are_decided():
+    """Of forms with any signs: N A − C M for N ≥ 0 and M over s and u, A and C over s and t."""
+    random, told = Random(2), Counter()
+    for _ in range(40):
+        a, c, m = (PatchForm.of_net([[random.randint(-9, 30) for _ in "ab"] for _ in "abc"]) for _ in range(3))
+        n = PatchForm.of_net([[random.randint(0, 30) for _ in "ab"] for _ in "abc"])
+        for bits in (1, 3, 6):
+            width = xs.rational(1) / 2**bits
+            first, t = (Interval(k * width, (k + 1) * width) for k in (random.randrange(2**bits) for _ in range(2)))
+            across, along = a.part(Box(first, t)), c.part(Box(first, t))
+            if not (side := across.sign):
+                continue
+            places = [(first.at(x), t.at(y)) for x, y in product((0, xs.rational("1/2"), 1), repeat=2)]
+            least = min(
+                side * (n.value(x, u) * a.value(x, y) - c.value(x, y) * m.value(x, u))
+                for x, y in places
+                for u in (xs.rational(k) / 8 for k in range(9))
+            )
+            verdict = true_pairs._verdict(side, across, along, [n, m], first, UNIT.second)
+            assert verdict is (least >= 0) or verdict is None
+            told[bits, verdict] += 1
+    assert told[6, None] <= 1
+    nothing = PatchForm.of_net([[0, 0]])
+    assert true_pairs._verdict(1, PatchForm.of_net([[1, 2]]), nothing, [nothing, nothing], *UNIT) is True
+    assert min(told[bits, verdict] for bits in (3, 6) for verdict in (True, False)) >= 4
+
+
+def test_the_work_of_one_pair_is_bounded(monkeypatch):
+    parabola, other = bezier([(-1, 0), (0, 2), (1, 0)]), bezier([(-1, 0), (0, -2), (1, 0)])
+    monkeypatch.setattr(true_pairs, "BOXES", 0)
+    assert true_pairs.true_pairs(parabola, other).undecided == (UNIT,)
+    monkeypatch.setattr(true_pairs, "BOXES", 100)
+    found = true_pairs.true_pairs(parabola, other)
+    assert 2 < len(found.undecided) < 100
+    assert max(box.first.width for box in found.undecided) > xs.rational(1) / 2**6
+    monkeypatch.undo()
+    monkeypatch.setattr(true_pairs, "DEPTH", 7)
+    found = true_pairs.true_pairs(parabola, other)
+    assert {(box.first.width, box.second.width) for box in found.undecided} == {
+        (xs.rational("1/16"), xs.rational("1/8"))
+    }

@@ -9,8 +9,9 @@ import pytest
 
 from exactspline.numbers.exact import mpq
 from exactspline.numbers.intervals import UNIT
+from exactspline.polynomials.cost import height_bits
 from exactspline.polynomials.patch_forms import PatchForm
-from exactspline.polynomials.rounded_forms import BITS, RoundedForm, rounded
+from exactspline.polynomials.rounded_forms import BITS, KEPT, RoundedForm, rounded
 
 
 def drawn(chance, bits):
@@ -50,11 +51,36 @@ def test_errors_are_bounds_on_every_box(bits):
                     assert (one.slopes(k)[0] > 0) == (exact.slopes(k)[0] > 0)
 
 
+@pytest.mark.parametrize("bits", [50, 64, 400])
+def test_ranges_and_slopes_are_those_of_the_form_but_for_the_error(bits):
+    """By the powers of two between both. Also where coefficients differ by less than the error."""
+    chance = Random(bits)
+    for spread in (0, bits // 2, bits - 40, bits):
+        for _ in range(12):
+            m, n = chance.randint(1, 4), chance.randint(0, 4)
+            net = [[2**bits + chance.randint(-(2**spread), 2**spread) for _ in range(n + 1)] for _ in range(m + 1)]
+            exact = PatchForm.of_net(net)
+            one, shift = rounded(exact), height_bits(exact.entries) - BITS
+            for _ in range(4):
+                scale, error = mpq(2) ** -shift, int(one.error)
+                bounds = [(one.range, exact.range, error)]
+                bounds += [(one.slopes(k), exact.slopes(k), exact.degree[k] * error) for k in (0, 1)]
+                for (low, high), (least, most), wide in bounds:
+                    assert 0 <= scale * int(least) - int(low) <= 2 * wide
+                    assert 0 <= int(high) - scale * int(most) <= 2 * wide
+                direction, side = chance.randrange(2), chance.randrange(2)
+                if one.error << KEPT > max(map(abs, one.range)):
+                    break
+                one, exact = (f.halves(direction)[side] for f in (one, exact))
+                shift += exact.degree[direction]
+
+
 def test_few_bits_are_exact_until_they_are_halved():
     """Small integers had an error of one unit of their own: half of the box x > 0 of this form was never excluded."""
     one = rounded(PatchForm.of_net([[1, 1], [2, 3]]))
     assert (one.error, one.sign) == (0, 1)
     assert max(one.entries).bit_length() == BITS
+    assert [rounded(PatchForm.of_net([[1, 2**k]])).error for k in (BITS - 2, BITS - 1, BITS)] == [0, 0, 1]
 
 
 def test_a_sign_that_the_error_hides_is_not_told():
@@ -81,7 +107,21 @@ def test_slopes_are_the_range_of_the_derivative():
 def test_combinations_and_copies_keep_their_errors():
     f, g = (rounded(PatchForm.of_net([[2**90 + k, -1], [5, 7]])) for k in (0, 1))
     assert f.combined(3, g, -2).error == 3 * f.error + 2 * g.error == 5
+    assert f.combined(3, g.halves(0)[0], -2).error == 3 * 1 + 2 * 2 == f.halves(0)[0].combined(2, g, 3).error
     again = pickle.loads(pickle.dumps(f.halves(0)[1]))
     assert isinstance(again, RoundedForm)
     assert again.error >= 1
     assert rounded(PatchForm.of_net([[0, 0]])).sign == 0
+
+
+def test_ranges_of_combinations_hold_for_the_forms_themselves():
+    """Errors of one sign have both where one form is subtracted."""
+    chance, shift = Random(7), mpq(1) / 2**40
+    for _ in range(30):
+        nets = [[[chance.randint(2**99, 2**100 - 1) for _ in range(2)] for _ in range(3)] for _ in range(2)]
+        forms = [PatchForm.of_net([*net[:2], [2**100 - 1] * 2]) for net in nets]
+        own = [rounded(form) for form in forms]
+        for a, b in ((1, -1), (-2, 3), (1, 2)):
+            given, exact = own[0].combined(a, own[1], b), forms[0].combined(a, forms[1], b)
+            assert int(given.range[0]) <= shift * int(exact.range[0])
+            assert shift * int(exact.range[1]) <= int(given.range[1])

@@ -14,10 +14,11 @@ import pytest
 from exactspline import Nurbs, intersections
 from exactspline.geometry import late_meetings
 from exactspline.numbers.exact import mpq
-from exactspline.programs.certain_pairs import TOGETHER, certain_pairs, filter_pairs
+from exactspline.programs.certain_pairs import HIGHEST, OPEN, TOGETHER, _in_doubles, certain_pairs, filter_pairs
 from exactspline.roots.local_parameters import segment_rows
 from tests.campaigns import certain_pairs as campaign
 from tests.support.rounding import FLUSHED, MODES, rounding
+from tests.support.sampled import FULL
 
 needs_extension = pytest.mark.skipif(filter_pairs is None, reason="there is no extension here")
 WAVE = Nurbs(3, [0] * 4 + [1] * 4, [(0, 0), (1, 3), (2, -3), (3, 1)])
@@ -26,7 +27,7 @@ ARCH = Nurbs(3, [0] * 4 + [1] * 4, [(0, -1), (1, 2), (2, 2), (3, -1)])
 
 @needs_extension
 def test_what_is_certain_is_what_exact_arithmetic_decides():
-    made, decided, _, wrong = campaign.campaign(3300, 5)
+    made, decided, _, wrong = campaign.campaign(3300 if FULL else 1650, 5)
     assert wrong == []
     assert campaign.below_floor(made, decided) == []
 
@@ -109,3 +110,43 @@ def test_without_the_extension_the_answers_are_the_same():
         told.append(done.stdout.splitlines())
     assert told[0][1] == "True"
     assert told[0][0] == told[1][0]
+
+
+def test_the_determinant_of_a_pair_is_primitive_and_eliminates_the_lower_degree():
+    """Whichever of the two comes first; its zeros are their common points."""
+    given = [segment_rows(curve.elevate_degree() if i else curve, 0) for i, curve in enumerate((WAVE, ARCH))]
+    for order in (1, -1):
+        form = late_meetings.PairForm.of(*given[::order])
+        assert form.exchanged is (order == -1)
+        assert form.form.polynomial.content() == 1
+        assert [zero.low <= x <= zero.high for zero, x in zip(form.inner, (0.281, 0.879), strict=True)] == [True, True]
+
+
+def test_coefficients_are_rounded_once():
+    """Measured from a double near the curve; what has no doubles, or another degree, is left open."""
+    chance = Random(12)
+    for _ in range(40):
+        rows = campaign.of_some_degrees(chance)[0]
+        n, forms = segment_rows(campaign.pairs.curve(rows), 0)
+        own = _in_doubles(n, forms)
+        assert len(own) == len(OPEN)
+        degree, *middle = own[:3]
+        assert degree == n
+        blocks = [own[3 + k * (HIGHEST + 1) :][: HIGHEST + 1] for k in range(3)]
+        for k, at in enumerate(middle):
+            points = [Fraction(int(c), int(w)) for c, w in zip(forms[k], forms[2], strict=True)]
+            assert min(points) <= Fraction(at) <= max(points) or at == float(points[0])
+            exact = [float(int(c) - int(w) * Fraction(at)) for c, w in zip(forms[k], forms[2], strict=True)]
+            assert blocks[k] == exact + [0] * (HIGHEST - n)
+        assert blocks[2] == [float(w) for w in forms[2]] + [0] * (HIGHEST - n)
+    line = [(0, 3), (1, 1), (1, 1)]
+    assert _in_doubles(1, line) != OPEN
+    assert _in_doubles(5, [(1, 2, 3, 4, 5, 6)] * 3) != OPEN
+    for n, forms in (
+        (0, [(1,)] * 3),
+        (6, [(1,) * 7] * 3),
+        (1, [*line, (1, 1)]),
+        (1, [(0, 3), (1, 1), (1, 0)]),
+        (1, [(0, 10**400), (1, 1), (1, 1)]),
+    ):
+        assert _in_doubles(n, forms) == OPEN

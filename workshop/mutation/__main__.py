@@ -1,9 +1,9 @@
 """``./run mutate``: the mutants of this seed, their verdicts as JSON lines, and a score.
 
 An interrupted run continues where it stopped; functions changed since are judged again. Known survivors are explained
-in ``survivors.toml``; any other is printed, and the exit code is 1. With ``--witnesses`` a sample of the mutants of
-engines that were detected is judged again by the tests that detected them, as recorded in ``witnesses.json``: the exit
-code is 1 below the target.
+in ``survivors.toml``, or by their place (`neutral`); any other is printed, and the exit code is 1. With ``--witnesses``
+a sample of the mutants of engines that were detected is judged again by the tests that detected them, as recorded in
+``witnesses.json``: the exit code is 1 below the target.
 """
 
 from __future__ import annotations
@@ -22,6 +22,7 @@ from typing import Any
 
 from workshop.mutation.coverage_map import MAP, ROOT
 from workshop.mutation.mutants import Mutant, drawn
+from workshop.mutation.neutral import neutral
 
 RESULTS = MAP.parent / "results.jsonl"
 PAGE = ROOT / "docs" / "mutation.md"
@@ -50,11 +51,18 @@ def read(path: Path) -> Known:
 
 
 def explained() -> dict[str, str]:
-    """The known survivors: name and explanation."""
+    """The known survivors: name and explanation, and the functions on which no answer depends, whatever they return."""
     if not SURVIVORS.is_file():
         return {}
-    entries = tomllib.loads(SURVIVORS.read_text(encoding="utf-8")).get("survivor", [])
-    return {entry["mutant"]: entry["because"] for entry in entries}
+    data = tomllib.loads(SURVIVORS.read_text(encoding="utf-8"))
+    return {entry["mutant"]: entry["because"] for entry in data.get("survivor", [])} | {
+        entry["of"]: entry["because"] for entry in data.get("function", [])
+    }
+
+
+def is_explained(mutant: Mutant, why: dict[str, str]) -> bool:
+    """Whether it is known by its name or by its place that no answer depends on a change."""
+    return mutant.stable in why or f"{mutant.file}:{mutant.function}" in why or neutral(mutant) is not None
 
 
 def arguments() -> argparse.Namespace:
@@ -212,7 +220,7 @@ def open_here(known: Known) -> dict[str, str]:
     why, before, found = explained(), still_open(), {}
     for mutant in (*formulas.all_mutants(), *engines.all_mutants()):
         verdict = known[mutant.key]["verdict"] if mutant.key in known else "survived" if mutant.key in before else ""
-        if verdict and verdict not in HARMLESS and mutant.stable not in why:
+        if verdict and verdict not in HARMLESS and not is_explained(mutant, why):
             found[mutant.key] = mutant.name
     return found
 
@@ -241,7 +249,10 @@ def counted(known: Known) -> Rooms:
     for mutant in everything:
         verdict = known.get(mutant.key, {}).get("verdict") or ("killed" if mutant.key in witnesses else "")
         verdict = verdict or ("survived" if mutant.key in left else "")
-        if mutant.stable in why and verdict != "killed" and (verdict or mutant.stable not in seen):
+        if verdict not in ("", "killed") and is_explained(mutant, why):
+            verdict = "explained"
+            seen.add(mutant.stable)
+        if not verdict and mutant.stable in why and mutant.stable not in seen:
             verdict = "explained"
             seen.add(mutant.stable)
         room = rooms.setdefault(room_of(mutant.file), Counter())
@@ -299,7 +310,7 @@ def _drawn(mutants: list[Mutant], options: argparse.Namespace, most: int) -> lis
     parts = options.file.split(",")
     if options.again:
         why = explained()
-        mutants = [m for m in mutants if m.key in options.once_more and m.stable not in why]
+        mutants = [m for m in mutants if m.key in options.once_more and not is_explained(m, why)]
     return drawn(
         [m for m in mutants if any(part in m.file for part in parts) and options.function in m.function],
         options.sample or most,
@@ -317,14 +328,14 @@ def report(chosen: list[Mutant], known: Known, *, by_score: bool) -> int:
         if not mine:
             continue
         counts = Counter(known[m.key]["verdict"] for m in mine)
-        accounted = sum(known[m.key]["verdict"] == "survived" and m.stable in why for m in mine)
+        accounted = sum(known[m.key]["verdict"] == "survived" and is_explained(m, why) for m in mine)
         real = len(mine) - counts["equivalent"] - accounted
         words = ", ".join(f"{n} {verdict}" for verdict, n in sorted(counts.items()))
         scores.append(100 * counts["killed"] / real if real else 100.0)
         print(
             f"{sort}: {len(mine)} mutants: {words} ({accounted} of the survivors explained); score {scores[-1]:.1f} %"
         )
-    unexplained = [m for m in judged if known[m.key]["verdict"] not in HARMLESS and m.stable not in why]
+    unexplained = [m for m in judged if known[m.key]["verdict"] not in HARMLESS and not is_explained(m, why)]
     for m in unexplained:
         print(f"{known[m.key]['verdict']}: {m.name} ({known[m.key].get('by', '')})")
     if len(judged) < len(chosen):

@@ -97,23 +97,21 @@ def _regular_cells(form: PatchForm, singular: list[CommonZero]) -> list[Cell]:
 
 def _cells(form: PatchForm, singular: Sequence[CommonZero], bits: int) -> list[Cell]:
     """Cells of about this many bits around the singular points for which this size suffices."""
-    margin = mpq(1, 1 << bits)
-    sides = [joined(zero.refine(2 * bits)[k].grown(margin) for zero in singular) for k in (0, 1)]
-    by_box: dict[Box, list[CommonZero]] = {}
-    for zero in singular:
-        at = zero.refine(2 * bits)
-        first, second = (next(side for side in own if side.contains(at[k])) for k, own in enumerate(sides))
-        by_box.setdefault(Box(first, second), []).append(zero)
-    cells = list[Cell]()
-    for box, own in by_box.items():
-        crossing = kind_on(form, box) if len(own) == 1 and box.is_inside(UNIT) else None
-        if crossing is not None:
-            cells.append(Cell(box, crossing, own[0]))
-    return cells
+    margin, places = mpq(1, 1 << bits), [zero.refine(2 * bits) for zero in singular]
+    sides = [joined(place[k].grown(margin) for place in places) for k in (0, 1)]
+    by_box: dict[Box, CommonZero] = {}
+    for zero, place in zip(singular, places, strict=True):
+        first, second = (next(side for side in own if side.contains(place[k])) for k, own in enumerate(sides))
+        by_box[Box(first, second)] = zero
+    kinds = [(box, kind_on(form, box) if box.is_inside(UNIT) else None, zero) for box, zero in by_box.items()]
+    return [Cell(box, kind, zero) for box, kind, zero in kinds if kind is not None]
 
 
 def kind_on(form: PatchForm, box: Box) -> Crossing | None:
     """What the zeros in a box around a singular point are; None where its Hessian has no one kind on all of it.
+
+    Where it has, the box has no other critical point: by the mean value theorem, or since the form is strictly convex
+    in one parameter and strictly concave in the other.
 
     Where it is definite the form is convex or concave, and has no other zero. Where it is indefinite all critical
     points in the box are saddles, so that no loop of zeros is in it, which would be around an extremum. Four half
@@ -125,7 +123,7 @@ def kind_on(form: PatchForm, box: Box) -> Crossing | None:
     (a, b), (c, d), (e, f) = (second[key].range for key in ((0, 0), (0, 1), (1, 1)))
     products = [x * y for x in (a, b) for y in (e, f)]
     squares = [c * c, d * d] + [c * 0] * (c <= 0 <= d)
-    if min(products) > max(squares) and (a > 0 or b < 0):
+    if min(products) > max(squares):
         return Crossing.POINT
     if max(products) < min(squares):
         return Crossing.NODE

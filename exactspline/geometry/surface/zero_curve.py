@@ -312,8 +312,8 @@ class ZeroCurve:
         for arc in self._arcs:
             joined.join(arc.first, arc.last)
         for joint in self._crossings:
-            for vertex in joint.vertices[1:]:
-                joined.join(joint.vertices[0], vertex)
+            for one, other in pairwise(joint.vertices):
+                joined.join(one, other)
         groups: dict[Vertex, list[Arc]] = {}
         members: dict[Vertex, list[Vertex]] = {}
         for vertex in joined.parents:

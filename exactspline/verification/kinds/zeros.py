@@ -230,7 +230,7 @@ def _negative(f: BSpline, i: int) -> mpq:
     zeros, or an end of the segment and a zero.
     """
     a, b = f.breakpoints[i : i + 2]
-    places = [at(mpq(0), 0), *map(Place, isolate(f.polynomials[i], f.degree).inner), at(mpq(1), 0)]
+    places = [at(mpq(0)), *map(Place, isolate(f.polynomials[i], f.degree).inner), at(mpq(1))]
     inside = (a + (b - a) * between(*pair) for pair in pairwise(places))
     return next(t for t in inside if f(t) < 0)
 

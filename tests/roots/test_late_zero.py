@@ -1,0 +1,57 @@
+"""A zero that is computed when it is asked for is told as the zero of the whole form is, which isolation finds."""
+
+import pickle
+
+import pytest
+from flint import fmpz_poly
+
+from exactspline.numbers.exact import mpq
+from exactspline.polynomials.isolation import LocalPolynomial, LocalZero, isolate
+from exactspline.polynomials.refinement import enclosures
+from exactspline.roots.late_zero import LateZero
+
+Z = fmpz_poly([0, 1])
+
+
+class Given:
+    """A form, and how often its zeros were isolated."""
+
+    def __init__(self, p):
+        self.form, self.asked = LocalPolynomial(p), 0
+
+    @property
+    def inner(self):
+        self.asked += 1
+        return isolate(self.form.polynomial, self.form.polynomial.degree()).inner
+
+
+@pytest.mark.parametrize(
+    "p", [(Z - 1) * (Z**2 - 3 * Z + 1), (Z - 2) * (3 * Z - 1) * (Z**2 - 3), (5 * Z - 2) * (Z - 7), (Z - 1) * (Z - 3)]
+)
+def test_it_is_the_zero_that_isolation_finds(p):
+    """Also where it is rational, and hit by a midpoint or not."""
+    for number, own in enumerate(isolate(p, p.degree()).inner):
+        late = LateZero(Given(p), number, own.signs[0])
+        assert (late.signs, late.multiplicity) == (own.signs, 1) == (late.exactly.signs, late.exactly.multiplicity)
+        (factor, sign), middle = late.changing, (own.low + own.high) / 2
+        assert sign == own.signs[0] if factor is late.form.form else sign in (1, -1)
+        assert 0 <= late.low < late.high <= 1
+        (*_, found) = enclosures(factor, late.low, late.high, sign, 60)
+        assert found[0] <= middle <= found[1] if own.low == own.high else own.low <= found[0] <= found[1] <= own.high
+        assert pickle.loads(pickle.dumps(late))[:4] == late.exactly[:4]
+
+
+@pytest.mark.parametrize("p", [3 * Z - 1, Z**2 - 3 * Z + 1, Z**3 - 2])
+def test_no_zeros_are_isolated_where_that_is_not_needed(p):
+    (given, *_), before = [Given(p)], int(p[0] > 0) * 2 - 1
+    late = LateZero(given, 0, before, (0.125, 0.5))
+    assert (late.low, late.high) == (mpq(1, 8), mpq(1, 2))
+    assert late.changing == (given.form, before)
+    assert late.signs == (before, -before)
+    assert given.asked == 0
+    with pytest.raises(AttributeError):
+        late.unknown  # noqa: B018 (it is asked for)
+    assert given.asked == 0
+    assert isinstance(late.exactly, LocalZero)
+    assert late.factor is late.exactly.factor
+    assert given.asked == 1
