@@ -184,6 +184,13 @@ def test_what_is_said_of_a_box_is_true_and_small_boxes_are_decided():
     assert min(told[bits, verdict] for bits in (3, 6) for verdict in (True, False)) >= 4
 
 
+def test_no_point_beyond_the_end_of_a_segment_is_compared():
+    """N A − C M is positive up to the end, and negative just behind it."""
+    across, along = PatchForm.of_net([[100, 105]]), PatchForm.of_net([[100, 102]])
+    forms = [PatchForm.of_net([[3300, 100]]), PatchForm.of_net([[99, 99]])]
+    assert true_pairs._verdict(1, across, along, forms, *UNIT) is None
+
+
 def test_the_work_of_one_pair_is_bounded(monkeypatch):
     parabola, other = bezier([(-1, 0), (0, 2), (1, 0)]), bezier([(-1, 0), (0, -2), (1, 0)])
     monkeypatch.setattr(true_pairs, "BOXES", 0)

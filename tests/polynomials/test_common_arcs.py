@@ -150,7 +150,9 @@ def test_ends_that_are_on_no_arc():
     z = fmpz_poly([0, 1])
     root = [((k * z**2 - (1 + z) ** 2) ** 2, sign) for k, sign in ((2, 1), (3, -1))]  # ±(k t² − 1)²
     least, greatest = (PlaneForms(4, sign * x, 2 * sign * x, (1 + z) ** 4) for x, sign in root)
+    twice = 8 * (1 + z) ** 4 + (4 * (z - 1) ** 2 - (1 + z) ** 2) ** 2  # 1/2 + (4 t − 1)² (4 t − 3)²/16
     for first, second, places_of in (
+        (straight([0, 1, 0]), PlaneForms(4, twice, 2 * twice, 16 * (1 + z) ** 4), [(0.5, 0.25), (0.5, 0.75)]),
         (straight([0, 1, 0]), straight([1, 0, 1]), [(0.5, 0.5)]),
         (least, greatest, [(0.707107, 0.57735)]),
         (straight([3, 1, 4]), straight([3, 9, 9]), [(0, 0)]),
