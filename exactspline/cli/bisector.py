@@ -37,7 +37,7 @@ class Answer(NamedTuple):
 def bisector(
     out: Output,
     curve: Annotated[str, Argument(help=CURVE_HELP)],
-    other: Annotated[str, Argument(help="A second curve in space; or give a point.")] = "",
+    other: Annotated[str, Argument(help="A second curve of the same dimension; or give a point.")] = "",
     point: Annotated[str, Option("--point", metavar="POINT", help='A point, "1,1/2" or "0,0,2".')] = "",
     variant: Annotated[
         str,
@@ -57,7 +57,8 @@ def bisector(
     plot: Drawing = "",
 ) -> None:
     """Bisector of two space curves (its surface, and the lines, planes, single pairs and poles next to it), of a point
-    and a space curve (ruled), or, trimmed to equal distances, of a point and a plane curve.
+    and a space curve (ruled), of two plane curves (arcs of pairs of parameters, and in which boxes these are nearest),
+    or, trimmed to equal distances, of a point and a plane curve.
     """
     from exactspline.display.bisector_sheet import bisector_sheet
     from exactspline.errors import ShapeError
@@ -109,10 +110,27 @@ def _of_two(c: Nurbs, other: Nurbs, variant: str, digits: int) -> Answer:
     from exactspline.display.plot.bisectors import plot_curve_bisector
     from exactspline.geometry.bisector.two_curves import SurfaceVariant, curve_bisector
 
+    if c.dimension == other.dimension == 2:
+        return _of_plane_curves(c, other, variant, digits)
     found = curve_bisector(c, other, variant or SurfaceVariant.MINIMAL)
     data = {"curves": [c.name, other.name]} | curve_bisector_data(found, digits)
     title = f"bisector of {c.name} (s) and {other.name} (t), {found.variant}"
     return Answer(data, *of_two_curves(found, digits), title, lambda: plot_curve_bisector(found))
+
+
+def _of_plane_curves(c: Nurbs, other: Nurbs, variant: str, digits: int) -> Answer:
+    from exactspline.display.bisector_data import plane_bisector_data
+    from exactspline.display.bisector_sheet import of_plane_curves
+    from exactspline.display.plot.bisectors import plot_plane_bisector
+    from exactspline.errors import FormulaError
+    from exactspline.geometry.bisector.plane_curves import PlaneBisector
+
+    if variant:
+        raise FormulaError(f"the variant {variant!r} of a bisector in the plane", remedy="leave the variant out")
+    found = PlaneBisector(c, other)
+    data = {"curves": [c.name, other.name]} | plane_bisector_data(found, digits)
+    title = f"bisector of {c.name} (s) and {other.name} (t)"
+    return Answer(data, *of_plane_curves(data), title, lambda: plot_plane_bisector(found))
 
 
 def _of_point(c: Nurbs, point: list[str], variant: str, digits: int) -> Answer:

@@ -125,7 +125,11 @@ COMMANDS = {
     ),
     "bisector": Entry(
         "Bisectors of curves and points.",
-        ("bisector ellipse --point 1,1/2", "bisector twisted_cubic helix_like -o surface.json"),
+        (
+            "bisector ellipse --point 1,1/2",
+            "bisector cubic_s parabola --plot bisector.svg",
+            "bisector twisted_cubic helix_like -o surface.json",
+        ),
         "bisector:bisector",
     ),
     "formula": Entry("What a formula is like.", ("formula reduce f0", "formula degrees evolute"), commands=FORMULA),

@@ -288,6 +288,10 @@ _MISSING = form_of(interval=INTERVAL, reason=TEXT)
 _RULED = form_of(interval=INTERVAL, moved=TEXT, directrix=_PIECE, generator=_PIECE)
 _TRIMMED = form_of(_PIECE, piece=one_of(PieceKind), foot=TEXT, low=PARAMETER, high=PARAMETER, cut=FLAG)
 _TRIMMED |= {"required": ["piece", "low", "high", "interval", "kind"]}
+_PAIRS = form_of(
+    piece={"enum": ["arc of pairs", "loop of pairs", "pair", "line of pairs", "rectangle of pairs"]},
+    **dict.fromkeys(("start", "end"), or_null(pair_of(REAL))),
+)
 #: What `inspect`, `between` and `bisector` have beside answers.
 FORMS_BESIDE: dict[str, dict[str, Form]] = {
     "bisector": {
@@ -296,7 +300,9 @@ FORMS_BESIDE: dict[str, dict[str, Form]] = {
         "left_out": TEXTS,
         "singular": list_of(PARAMETER),
         "missing": list_of({"anyOf": [TEXT, _MISSING, form_of(sides=_SIDES, reason=TEXT)]}),
-        "pieces": list_of({"anyOf": [_RULED, _TRIMMED]}),
+        "pieces": list_of({"anyOf": [_RULED, _TRIMMED, _PAIRS]}),
+        "true_feet": list_of(_SIDES),
+        "undecided": list_of(_SIDES),
     },
     "between": {"meetings": list_of(FORMS[NearbyMeeting])},
     "inspect surface": {"umbilics_within": list_of(FORMS[NearbyUmbilic])},

@@ -8,6 +8,7 @@ from typing import Any, cast
 from flint import arb
 
 from exactspline.display.data import Data, picked, plain
+from exactspline.display.pair_data import real_data
 from exactspline.display.serialize import decimal_of, piece_data
 from exactspline.errors import ReachError
 from exactspline.geometry.bisector.components import (
@@ -22,6 +23,7 @@ from exactspline.geometry.bisector.components import (
     Solutions,
 )
 from exactspline.geometry.bisector.flats import Flat
+from exactspline.geometry.bisector.plane_curves import PlaneBisector
 from exactspline.geometry.bisector.point_and_curve import PointBisector
 from exactspline.geometry.bisector.root_lines import Coordinate, RootLines
 from exactspline.geometry.bisector.trimmed import TrimmedBisector, TrimmedPiece
@@ -31,6 +33,7 @@ from exactspline.language.rational import Rational
 from exactspline.language.vector import Vector
 from exactspline.numbers.exact import mpq, text
 from exactspline.questions.entry import Of
+from exactspline.reals.real import Real, real
 from exactspline.roots.of_polynomials import Parameter
 from exactspline.roots.root import Root, knot_root
 from exactspline.splines.common import with_common_knots
@@ -199,6 +202,34 @@ def _number(x: mpq | arb, digits: int) -> str:
 @_solution_data.register
 def _pole_data(pole: PoleCurve, digits: int) -> Data:
     return picked(pole, "sides") | {"equation": equation_data(pole.equation), "certain": pole.certain}
+
+
+def plane_bisector_data(bisector: PlaneBisector, digits: int) -> Data:
+    """The pairs of the bisector of two plane curves: arcs, single pairs, lines, and rectangles all of whose pairs it
+    has, each from ``start`` to ``end`` by the parameters of both curves; and the boxes in which they are true feet.
+    """
+    pairs, trimmed = bisector.pairs, bisector.trimmed
+    pieces: list[tuple[str, object, object]] = [
+        ("loop of pairs" if arc.closed else "arc of pairs", arc.start, arc.end) for arc in pairs.arcs
+    ]
+    pieces += [("pair", (x.first, x.second), None) for x in pairs.points]
+    rectangles = [("line of pairs", line.box) for line in pairs.lines]
+    rectangles += [("rectangle of pairs", (part.sides[0], part.sides[1])) for part in pairs.everywhere]
+    pieces += [(kind, (a, c), (b, d)) for kind, ((a, b), (c, d)) in rectangles]
+    return {
+        "kind": "bisector of two plane curves",
+        "pieces": [
+            {"piece": kind, "start": _place(start, digits), "end": _place(end, digits)} for kind, start, end in pieces
+        ],
+        "true_feet": plain(trimmed.kept),
+        "undecided": plain(trimmed.undecided),
+        "missing": [{"sides": plain(sides), "reason": "the pairs are not decided"} for sides in bisector.missing],
+        "complete": not bisector.missing,
+    }
+
+
+def _place(place: Any, digits: int) -> list[Data] | None:
+    return None if place is None else [real_data(x if isinstance(x, Real) else real(x), digits) for x in place]
 
 
 # ---- a point and a curve

@@ -51,6 +51,23 @@ def of_two_curves(found: CurveBisector, digits: int) -> tuple[list[Row], list[st
     return rows, notes + ([f"left out: {what}" for what in found.left_out] or [_closing(found)])
 
 
+def of_plane_curves(data: dict[str, Any]) -> tuple[list[Row], list[str]]:
+    """The pairs of the bisector of two plane curves, from its data, and notes on which of them are nearest."""
+    rows = [Row(piece["piece"], _from_to(piece), "–", "") for piece in data["pieces"]]
+    kept, undecided = (counted(len(data[name]), "box") for name in ("true_feet", "undecided"))
+    notes = [f"no point of either curve is nearer: proved in {kept} of pairs, undecided in {undecided}"]
+    return rows, notes + [f"undecided: {' × '.join(map(str, one['sides']))}" for one in data["missing"]]
+
+
+def _from_to(piece: dict[str, Any]) -> str:
+    """Where pairs are: from one end to the other, or the ranges of both parameters."""
+    start, end = ([x["exact"] or x["decimal"] for x in piece[name] or ()] for name in ("start", "end"))
+    if piece["piece"].startswith(("line", "rectangle")):
+        ends = zip("st", start, end, strict=True)
+        return ", ".join(f"{name} = {low}" if low == high else f"{name} in [{low}, {high}]" for name, low, high in ends)
+    return " to ".join(", ".join(map("{} = {}".format, "st", place)) for place in (start, end) if place)
+
+
 def of_point_in_plane(found: TrimmedBisector, digits: int) -> tuple[list[Row], list[str]]:
     """The pieces of the trimmed bisector of a point and a plane curve, and notes on what is missing."""
     rows = [

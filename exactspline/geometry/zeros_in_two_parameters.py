@@ -217,6 +217,24 @@ class ZeroCurves:
                 for start, end, closed in curve.arcs(self.function.domain)
             )
 
+    def sampled(self, steps: int = 40) -> list[list[tuple[mpq, mpq]]]:
+        """The `lines` and `curves` as runs of rational points on or near them, for pictures; on an arc about as many
+        steps as are asked for along each unit of a parameter.
+
+        >>> from exactspline import TensorSpline
+        >>> line = TensorSpline((1, 1), [0, 0, 1, 1], [0, 0, 1, 1], [[-1, -1], [1, 1]])  # 2s − 1
+        >>> zero_curve(line).sampled()
+        [[(mpq(1,2), mpq(0,1)), (mpq(1,2), mpq(1,1))]]
+        """
+        runs = [[(_near(s), _near(t)) for s, t in zip(*line.box, strict=True)] for line in self.lines]
+        pieces = [piece for curve in self.curves for piece in curve.pieces]
+        for piece, arc in [(own, arc) for own in pieces for arc in own.part.arcs]:
+            ends = [tuple(map(_near, piece.curve.place(vertex))) for vertex in (arc.first, arc.last)]
+            count = int(steps * max(abs(a - b) for a, b in zip(*ends, strict=True)))
+            own = piece.curve.points(arc, count) if count > 1 else ends  # of short arcs the ends suffice
+            runs.append([piece.sides.at(*place) for place in own])
+        return runs
+
     def certificate(self) -> dict[str, object]:
         """A proof, as JSON data with exact strings, of the numbers of lines, loops, arcs, curves with crossings and
         single points, each counted on every patch that has it (see `exactspline.certificates`).
@@ -324,6 +342,10 @@ def zero_curve(function: TensorSpline) -> ZeroCurves:
     kept = [zero for zero in points if not (_is_on(zero.place, whole) or any(_is_in(zero.place, x.box) for x in lines))]
     curves = tuple(component for component in components if component.shape is not Shape.POINT)
     return ZeroCurves(lines, curves, _each_once(kept, f), tuple(whole), (*undecided, *open_boxes), f)
+
+
+def _near(x: Parameter) -> mpq:
+    return mpq(float(x)) if isinstance(x, Root) else x
 
 
 def _of_all_patches(own: Sequence[SingularPoint]) -> SingularPoint:

@@ -6,7 +6,7 @@ import pytest
 from click.testing import CliRunner
 from gmpy2 import mpq
 
-from exactspline import Nurbs
+from exactspline import Nurbs, bisector
 from exactspline.cli import app
 from exactspline.display.plot.depth import REMARK, knows_depth
 from exactspline.geometry.bisector.two_curves import curve_bisector
@@ -56,11 +56,30 @@ def test_a_point_and_a_plane_curve_is_trimmed():
     assert mpq(low["interval"][0]) <= mpq(-1, 5) <= mpq(low["interval"][1])
 
 
+def test_two_plane_curves():
+    """They were refused, with the advice to write Python."""
+    row = json.loads(run("bisector", "cubic_s", "parabola", "--json").stdout)["rows"][0]
+    found = bisector(example("cubic_s"), example("parabola"))
+    assert [piece["piece"] for piece in row["pieces"]] == ["arc of pairs"] * len(found.pieces)
+    for piece, arc in zip(row["pieces"], found.pieces, strict=True):
+        for end, place in (("start", arc.start), ("end", arc.end)):
+            for told, number in zip(piece[end], place, strict=True):
+                low, high = map(mpq, told["interval"])
+                assert low <= number <= high
+    assert row["complete"]
+    assert row["true_feet"] == [[[str(x) for x in side] for side in box] for box in found.trimmed.kept]
+    shown = shown_at(80, "circle", "circle")
+    assert shown.count("rectangle of pairs") == 16
+    assert "s in [3, 4], t in [0, 1]" in shown
+    assert max(map(len, shown.splitlines())) <= 80
+
+
 @pytest.mark.parametrize(
     "arguments",
     [
         ("circle",),
-        ("circle", "circle"),
+        ("circle", "twisted_cubic"),
+        ("circle", "parabola", "--variant", "naive"),
         ("circle", "--point", "1,x"),
         ("circle", "--point", "1,0"),
         ("circle", "--point", "1,2,3"),
@@ -211,7 +230,9 @@ def test_an_arc_with_an_irrational_end_is_refused_by_the_reader(tmp_path):
 # ---- pictures
 
 
-@pytest.mark.parametrize("arguments", [("ellipse_in_space", "ellipse_in_space"), ("ellipse", "--point", "-1,1/3")])
+@pytest.mark.parametrize(
+    "arguments", [("ellipse_in_space", "ellipse_in_space"), ("ellipse", "--point", "-1,1/3"), ("cubic_s", "parabola")]
+)
 def test_a_picture_is_written(arguments, tmp_path):
     file = tmp_path / "picture.svg"
     done = run("bisector", *arguments, "--plot", file)

@@ -117,8 +117,8 @@ def pair(data: dict[str, Any]) -> dict[str, Any]:
 
     first, second = _curve(data["first"]), _curve(data["second"])
     found = xs.intersections(first, second)
-    runs = [_runs(xs.zero_curve(f)) for f in PlanePair.of_curves(first, second).chord]
-    pairs = _runs(xs.bisector(first, second).pairs) if data["bisector"] else []
+    runs = [xs.zero_curve(f).sampled() for f in PlanePair.of_curves(first, second).chord]
+    pairs = xs.bisector(first, second).pairs.sampled() if data["bisector"] else []
     return {
         "points": [_common_point(point) for point in found],
         "arcs": [str(arc) for arc in found.everywhere],
@@ -135,20 +135,6 @@ def _common_point(point: Any) -> dict[str, Any]:
     drawn = [float(x) for x in point.point]
     told = {"kind": str(point.kind), "multiplicity": point.multiplicity, "point": drawn, "place": [*map(float, place)]}
     return told | {"s": s, "t": t}
-
-
-def _runs(found: Any) -> list[list[Any]]:
-    """Curves of zeros as runs of rational points near them, and lines."""
-    lines = [[line.box[0], line.box[1]] for line in found.lines]
-    runs = [[(a, c), (b, d)] for (a, b), (c, d) in lines]
-    pieces = [piece for curve in found.curves for piece in curve.pieces]
-    for piece, arc in [(own, arc) for own in pieces for arc in own.part.arcs]:
-        # of short arcs the ends suffice
-        ends = [piece.curve.place(vertex) for vertex in (arc.first, arc.last)]
-        steps = int(40 * max(abs(float(a) - float(b)) for a, b in zip(*ends, strict=True)))
-        own = piece.curve.points(arc, steps) if steps > 1 else [[xs.from_floats(float(x)) for x in end] for end in ends]
-        runs.append([piece.sides.at(*place) for place in own])
-    return runs
 
 
 def _drawn(runs: list[list[Any]]) -> list[list[list[float]]]:

@@ -12,6 +12,7 @@ from exactspline.display.plot.canvas import (
     GREEN,
     ORANGE,
     PURPLE,
+    SILVER,
     SKY,
     VERMILLION,
     Point,
@@ -26,13 +27,17 @@ from exactspline.display.plot.curves import plot_curve
 from exactspline.display.plot.frames import Box, box_around, clipped, grown, kept
 from exactspline.display.plot.meshes import SurfaceMesh, tensor_mesh
 from exactspline.display.plot.surfaces import mark_points, plot_mesh, show_box
+from exactspline.errors import ReachError
 from exactspline.geometry.bisector.components import Correspondence, LineComponent, LinePiece, SinglePair, Solutions
+from exactspline.geometry.bisector.plane_curves import PlaneBisector
 from exactspline.geometry.bisector.point_and_curve import PointBisector
 from exactspline.geometry.bisector.trimmed import TrimmedBisector
 from exactspline.geometry.bisector.two_curves import CurveBisector
 from exactspline.language.rational import Rational
 from exactspline.language.vector import Vector, cross, dot
 from exactspline.numbers.exact import Number, mpq, rational
+from exactspline.numbers.intervals import Box as Intervals
+from exactspline.reals.real import real
 from exactspline.roots.root import Root
 from exactspline.splines.nurbs import Nurbs
 
@@ -238,6 +243,43 @@ def plot_point_bisector(bisector: PointBisector, curve: Nurbs, point: Sequence[N
     show_box(ax, box)
     _legend_once(ax)
     return ax
+
+
+def plot_plane_bisector(bisector: PlaneBisector, ax: Axes | None = None) -> Axes:
+    """The bisector of two plane curves: the parts to which no other point of a curve is nearer, and the
+    others in grey.
+
+    >>> from exactspline import Nurbs
+    >>> from exactspline.geometry.bisector.plane_curves import PlaneBisector
+    >>> line, other = (Nurbs(1, [0, 0, 1, 1], points) for points in ([(0, 0), (2, 0)], [(0, 1), (3, 4)]))
+    >>> [text.get_text() for text in plot_plane_bisector(PlaneBisector(line, other)).get_legend().get_texts()]
+    ['curve of s', 'curve of t', 'bisector']
+    """
+    ax, box = axes_for(ax), _box_of(bisector.curves)
+    for curve, label, color in zip(bisector.curves, ("curve of s", "curve of t"), (BLACK, SKY), strict=True):
+        plot_curve(curve, ax, control_polygon=False, knots=False, label=label, color=color)
+    feet = bisector.trimmed.kept
+    for run in bisector.pairs.sampled(SAMPLES):
+        for color, label, is_true in ((SILVER, "not nearest, or undecided", False), (GREEN, "bisector", True)):
+            points = [_point_of(bisector, pair) if _is_in(pair, feet) == is_true else None for pair in run]
+            for part in joined(kept(point, box) for point in points):
+                draw(ax, part, color=color, linewidth=1.5, label=label, zorder=3)
+    ax.set_aspect("equal")
+    _legend_once(ax)
+    return ax
+
+
+def _point_of(bisector: PlaneBisector, pair: tuple[mpq, mpq]) -> Point | None:
+    """The point of a pair near the curve of pairs; None where there is none."""
+    try:
+        x, y = (real(x).enclosure(DIGITS).middle for x in bisector.point(*pair))
+    except ReachError:
+        return None
+    return x, y
+
+
+def _is_in(pair: tuple[mpq, mpq], boxes: Iterable[Intervals]) -> bool:
+    return any(all(low <= x <= high for x, (low, high) in zip(pair, box, strict=True)) for box in boxes)
 
 
 def plot_trimmed_bisector(
