@@ -6,6 +6,7 @@ from collections.abc import Iterable
 from typing import Any, NamedTuple
 
 from exactspline.display.bisector_data import control_points, degree_of, shown
+from exactspline.display.data import Data
 from exactspline.display.sheet import Sheet
 from exactspline.errors import counted
 from exactspline.geometry.bisector.components import LineComponent, PairEquation, PlaneComponent, PoleCurve
@@ -51,12 +52,13 @@ def of_two_curves(found: CurveBisector, digits: int) -> tuple[list[Row], list[st
     return rows, notes + ([f"left out: {what}" for what in found.left_out] or [_closing(found)])
 
 
-def of_plane_curves(data: dict[str, Any]) -> tuple[list[Row], list[str]]:
+def of_plane_curves(data: Data) -> tuple[list[Row], list[str]]:
     """The pairs of the bisector of two plane curves, from its data, and notes on which of them are nearest."""
-    rows = [Row(piece["piece"], _from_to(piece), "–", "") for piece in data["pieces"]]
-    kept, undecided = (counted(len(data[name]), "box") for name in ("true_feet", "undecided"))
+    facts: Any = data
+    rows = [Row(piece["piece"], _from_to(piece), "–", "") for piece in facts["pieces"]]
+    kept, undecided = (counted(len(facts[name]), "box") for name in ("true_feet", "undecided"))
     notes = [f"no point of either curve is nearer: proved in {kept} of pairs, undecided in {undecided}"]
-    return rows, notes + [f"undecided: {' × '.join(map(str, one['sides']))}" for one in data["missing"]]
+    return rows, notes + [f"undecided: {' × '.join(map(str, one['sides']))}" for one in facts["missing"]]
 
 
 def _from_to(piece: dict[str, Any]) -> str:

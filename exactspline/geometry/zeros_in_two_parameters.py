@@ -40,6 +40,9 @@ from exactspline.roots.vanishing import vanish_at
 from exactspline.splines.expected import function_of_two
 from exactspline.splines.tensor import TensorSpline, aligned
 
+#: Digits of the points of a picture.
+DRAWN = 16
+
 
 class ZeroKind(StrEnum):
     """How functions vanish together at a point."""
@@ -345,7 +348,7 @@ def zero_curve(function: TensorSpline) -> ZeroCurves:
 
 
 def _near(x: Parameter) -> mpq:
-    return mpq(float(x)) if isinstance(x, Root) else x
+    return x.refine(DRAWN).middle if isinstance(x, Root) else x
 
 
 def _of_all_patches(own: Sequence[SingularPoint]) -> SingularPoint:
