@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
+from exactspline.display.forms import INTEGER, INTERVAL, TEXT, Form, list_of, optional, or_null, record
 from exactspline.display.numbers import decimal
-from exactspline.display.pair_data import intersections_data
+from exactspline.display.pair_data import INTERSECTIONS
 from exactspline.errors import ExactSplineError, ShapeError, a_kind, as_instance, as_integer
 from exactspline.geometry import values_along
 from exactspline.geometry.analysis import analyse
@@ -64,6 +65,9 @@ def angle_data(angle: Angle | None, digits: int) -> dict[str, str] | None:
 
     degrees = str(nstr(angle.degrees(digits), digits, strip_zeros=True)).removesuffix(".0")
     return {"cosine": str(angle.cosine), "sine": str(angle.sine), "degrees": degrees}
+
+
+ANGLE = Form(or_null(record(cosine=TEXT, sine=TEXT, degrees=TEXT)).schema, angle_data)
 
 
 def joint_data(curve: Nurbs, joint: Joint, digits: int) -> dict[str, object]:
@@ -139,7 +143,7 @@ def answer_data(curve: Nurbs, answer: object, digits: int, tick: Callable[[], No
             tick()
         return {"points": points, "everywhere": [intervals_data(piece) for piece in answer.everywhere]}
     if isinstance(answer, Intersections):
-        return intersections_data(answer, digits)
+        return INTERSECTIONS.write(answer, digits)
     return [_element_data(curve, each, digits) for each in answer] if isinstance(answer, tuple) else _text(answer)
 
 
@@ -147,12 +151,19 @@ def _text(answer: object) -> str | None:
     return None if answer is None else str(answer)
 
 
+#: Numbers, points and vectors by their names.
+NUMBERS = Form(
+    {"type": "object", "additionalProperties": list_of(TEXT).schema},
+    lambda values, digits: {name: [str(x) for x in each] for name, each in values.items()},
+)
+
+
 def described_data(found: Described) -> dict[str, object]:
     """A piece with what is said of it: numbers exactly where they are known in closed form."""
     return {
         "kind": str(found.kind),
         "intervals": intervals_data(found.piece),
-        "numbers": {name: [str(x) for x in values] for name, values in found.values.items()},
+        "numbers": NUMBERS.write(found.values, 0),
         **found.facts,
     }
 
@@ -234,3 +245,21 @@ def _net(components: list[Any], field: str) -> dict[str, object]:
         "knots": [str(t) for t in knots],
         field: [[str(x) for x in row] for row in zip(*[c.control_points for c in raised])],
     }
+
+
+#: The degree and the knots of a net of control points.
+NET = {
+    "degree": Form({"type": ["integer", "array"], "items": INTEGER.schema}),
+    "knots": Form({"type": "array", "items": {"type": ["string", "array"], "items": TEXT.schema}}),
+}
+#: A spline over an interval.
+PIECE = Form(
+    record(
+        interval=INTERVAL,
+        kind=Form({"enum": ["rational", "polynomial", "function"]}),
+        **NET,
+        homogeneous_control_points=optional(list_of(list_of(TEXT))),
+        control_points=optional(Form({"type": "array", "items": {"type": ["string", "array"], "items": TEXT.schema}})),
+    ).schema,
+    lambda piece, digits: piece_data(*piece),
+)
