@@ -17,18 +17,17 @@ from exactspline.display.forms import (
     Schema,
     list_of,
     one_of,
-    optional,
     or_null,
     pair_of,
     record,
 )
 from exactspline.display.pair_data import DISTANCE, INTERSECTIONS
-from exactspline.display.serialize import ANGLE, NUMBERS
+from exactspline.display.serialize import FEATURE, INTERVALS, JOINT, NUMBERS, PLANAR_PIECE
 from exactspline.display.surface_data import places_on_surface
 from exactspline.geometry.distance import Distance
 from exactspline.geometry.intersections import IntersectionKind, Intersections
 from exactspline.geometry.joints import Joint
-from exactspline.geometry.kinds import Feature, FeatureKind, JointKind
+from exactspline.geometry.kinds import Feature, FeatureKind
 from exactspline.geometry.meetings_nearby import NearbyMeeting
 from exactspline.geometry.nearby import NearbyFeature
 from exactspline.geometry.planarity import Plane
@@ -42,20 +41,6 @@ from exactspline.questions.answers import CurvePiece, Places, SurfacePlaces
 from exactspline.questions.entry import Entry, Of, Question, QuestionWith
 
 TEXTS = list_of(TEXT)
-INTERVALS = list_of(INTERVAL, 1)
-FEATURE = record(
-    kind=one_of(FeatureKind),
-    parameter=or_null(TEXT),
-    interval=INTERVAL,
-    decimal=TEXT,
-    at_knot=FLAG,
-    by_jump=FLAG,
-    of_absolute=Form({"enum": ["", *map(str, FeatureKind)]}),
-    angle=ANGLE,
-    curvature=optional(TEXT),
-    torsion=optional(TEXT),
-    coordinate=optional(INTEGER),
-)
 
 
 def _described(kinds: type[StrEnum], *facts: str) -> Form:
@@ -73,20 +58,9 @@ FORMS: dict[Any, Form] = {
     mpq: TEXT,
     Plane: TEXT,
     Feature: FEATURE,
-    Joint: record(
-        kind=one_of(JointKind),
-        parameter=TEXT,
-        decimal=TEXT,
-        at_seam=FLAG,
-        geometric_continuity=or_null(INTEGER),
-        angle=ANGLE,
-        gap=or_null(TEXT),
-        gap_decimal=or_null(TEXT),
-        curvatures=or_null(INTERVAL),
-        curvature=or_null(TEXT),
-    ),
+    Joint: JOINT,
     CurvePiece: INTERVALS,
-    tuple[CurvePiece, Plane]: record(intervals=INTERVALS, plane=TEXT),
+    tuple[CurvePiece, Plane]: PLANAR_PIECE,
     RecognizedPiece: _described(ShapeKind, "whole"),
     NearbyFeature: _described(FeatureKind, "certain", "single"),
     NearbyMeeting: _described(IntersectionKind, "certain"),

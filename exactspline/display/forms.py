@@ -78,7 +78,7 @@ def one_of(kinds: type[Enum]) -> Form:
 
 def record(*parts: Form, **fields: Form | tuple[Form, Source]) -> Form:
     """The form of an object with the fields of other forms and with these. The value of a field is found in the object
-    under its name, unless a source stands beside its form.
+    under its name, unless it comes with a source.
 
     >>> form = record(size=(INTEGER, "numerator"), denominator=TEXT)
     >>> form.write(mpq(1, 2), 20), form.schema["required"]
