@@ -112,6 +112,8 @@ def test_elimination_finds_what_boxes_find(seed, monkeypatch):
                 if all(low <= x <= high for x, (low, high) in zip(place, zero.region, strict=True))
             ]
             assert len(own) <= 1
+            again = Isolated(zero.forms, zero.region, zero.at)
+            assert all(again.refine(bits).longest <= mpq(1, 1 << bits) for bits in range(12))
             for place in own:
                 box = zero.refine(50)
                 assert box.longest <= mpq(1, 1 << 50)
@@ -156,6 +158,10 @@ def test_the_parts_of_a_zero_say_the_same():
             assert not one.is_zero_of(as_form(local[0] * 10**40 + 1))
         assert (zero.exact is None) == (name != "rational")
     assert zero.exact == (mpq(5, 2), mpq(-1, 3))
+    for k in (0, 1):
+        (fresh,) = zeros_of([as_form(2 * S * S - 1), as_form(3 * T * T - 1)]).zeros
+        assert (fresh.s, fresh.t)[k].minimal_polynomial() == [-1, 0, 2 + k]
+        assert fresh._number(k) == fresh.place[k]
     assert repr(zero) == "<common zero near 2.500000 and -0.333333>"
 
 
