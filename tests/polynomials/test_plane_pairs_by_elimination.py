@@ -310,3 +310,14 @@ def test_the_end_of_one_curve_on_another_one(n):
             isolated = [Place(x.zero) for x in found]
             assert all(eliminated.is_simple(x) for x in (*found, *isolated))
             assert [eliminated.partner(x).exact for x in (*found, *isolated)] == [1 - other] * 2
+
+
+def test_a_curve_of_degree_2_that_turns_back():
+    (arc,) = self_meetings(forms([(0, 0, 1), (4, 0, 1), (0, 0, 1)])).arcs
+    assert [place.exact for place in arc.second] == [mpq(1, 2), 1]
+
+
+def test_a_sign_at_a_place_close_to_the_end():
+    """A mutant did not end: the interval of the first precision ends at 1, where z is infinite."""
+    (zero,) = isolate(fmpz_poly([-2 * 10**60, 0, 1]), 2).inner
+    assert [Place(zero).sign(fmpz_poly([-k * 10**30, 1]), 1) for k in (1, 2)] == [1, -1]

@@ -319,3 +319,18 @@ def test_what_several_forms_leave_out():
     assert sorted(zero.exact for zero in zeros_of([f, h]).zeros) == [(mpq(1, 3), mpq(1, 3)), (mpq(1, 2), mpq(3, 4))]
     assert [zero.exact for zero in zeros_of([g, f, h]).zeros] == [(mpq(1, 2), mpq(3, 4))]
     assert [zero.exact for zero in zeros_of([f, h], also=[as_form(2 * S - 1)]).zeros] == [(mpq(1, 2), mpq(3, 4))]
+
+
+def test_points_that_differ_in_one_number_are_two():
+    """By less than boxes of 400 bits show."""
+    far = 10**150
+    one, other = common_zeros([2 * S * S - 1, (3 * T - 1) * (3 * far * T - far - 1)], UNIT)
+    for first, second in ((one, other), (other, one)):
+        assert not first.is_at(second)
+        assert first.is_at(first)
+
+
+def test_a_value_that_is_all_but_zero_at_an_irrational_and_a_rational_number():
+    (s,) = roots_in(fmpz_poly([-1, 0, 2]), mpq(0), mpq(1))
+    assert is_certainly_not_zero(10**300 * (2 * S * S - 1) + 3 * T, s, mpq(1, 3))
+    assert is_certainly_not_zero(10**300 * (2 * T * T - 1) + 3 * S, mpq(1, 3), s)
