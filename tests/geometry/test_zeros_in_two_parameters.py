@@ -1,5 +1,6 @@
 """Functions of two parameters: all their common zeros, and all zeros of one with their topology."""
 
+from dataclasses import replace
 from math import isqrt
 from random import Random
 
@@ -443,6 +444,8 @@ def test_signs_at_points_that_are_all_but_zeros():
         one, other = isqrt(10 ** (2 * digits) // 2), isqrt(10 ** (2 * digits) // 3)
         assert [sign_at(10**digits * S - one - k, zero) for k in (0, 1)] == [1, -1]
         assert [sign_at(10**digits * T - other - k, zero) for k in (0, 1)] == [1, -1]
+    # much smaller than the coefficients
+    assert {sign_at((1000 * S - 707) ** k, zero) for k in range(30, 45)} == {1}
 
 
 def test_a_curve_that_ends_at_an_undecided_box_of_the_next_patch_is_open():
@@ -459,6 +462,11 @@ def test_a_curve_that_ends_at_an_undecided_box_of_the_next_patch_is_open():
         assert one.shape is shape
         (both,) = chained(whole.pieces, f.domain, (), [box])
         assert both.shape is (Shape.OPEN if shape is Shape.OPEN else Shape.ARC)
+    for shape in (Shape.OPEN, Shape.CROSSED):
+        first, second = whole.pieces
+        for pieces in ([first._replace(part=replace(first.part, shape=shape)), second], whole.pieces):
+            (both,) = chained(pieces, f.domain, ())
+            assert both.shape is (Shape.ARC if pieces is whole.pieces else shape)
 
 
 def test_three_arcs_that_meet_on_a_knot_line_cross():
