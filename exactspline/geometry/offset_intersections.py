@@ -16,7 +16,7 @@ from math import ceil
 
 from flint import fmpz_mpoly
 
-from exactspline.errors import ReachError, ShapeError
+from exactspline.errors import ReachError, ShapeError, counted
 from exactspline.geometry.analysis import analyse
 from exactspline.geometry.bisector.plane_pair import PlanePair, tangent
 from exactspline.geometry.bisector.system import piece
@@ -94,13 +94,16 @@ def intersections(first: Nurbs, second: Nurbs, *, offset: Number | tuple[Number,
     ``left_out``; of offsets also segments with points without a tangent, and those whose offsets are one point or may
     run along each other.
 
-    Raises `ShapeError` for curves of different dimensions, outside plane and space, and for offsets in space.
+    Raises `ShapeError` for curves of different dimensions, outside plane and space, for offsets in space, and for more
+    than two of them.
 
     Source: Bézout's matrix as in Manocha and Demmel, Algorithms for intersecting parametric and algebraic curves I,
     ACM Transactions on Graphics 1994.
     """
-    one, other = offset if isinstance(offset, tuple) else (offset, offset)
-    distances = rational(one), rational(other)
+    given = offset if isinstance(offset, tuple) else (offset, offset)
+    if len(given) != 2:
+        raise ShapeError(counted(len(given), "offset"), remedy="give one distance, or one for each curve")
+    distances = rational(given[0]), rational(given[1])
     return _Search((first, second), distances).answer() if any(distances) else intersections_of_curves(first, second)
 
 

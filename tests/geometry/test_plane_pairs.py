@@ -277,3 +277,5 @@ def test_offsets_that_touch_on_a_common_normal_or_run_along_each_other():
     assert [(p.first, p.second, p.point) for p in corner] == [(mpq(3, 2), mpq(1, 3), (3, 2))]
     with pytest.raises(ShapeError, match="offsets need curves in the plane"):
         intersections(example("twisted_cubic"), example("twisted_cubic"), offset=1)
+    with pytest.raises(ShapeError, match="3 offsets"):
+        intersections(line, far, offset=(1, 2, 3))

@@ -177,6 +177,7 @@ OPTIONS = {
     "formula": ("here",),
     "insertion_triangle": (T, "1/2"),
     "inspection_data": (CUSP,),
+    "intersections": (CUSP, CUSP),
     "jets_for": (["f2"], 2),
     "paper": ("no such folder",),
     "new_figure": (),
