@@ -73,13 +73,19 @@ def _(item: ExactSplineError, numbers: Numbers = EXACT) -> str:
 @words.register(Evidence)
 @words.register(wrong.Difference)
 def _(item: Evidence | wrong.Difference, numbers: Numbers = EXACT) -> str:
+    return str(item.value) if isinstance(item, Enum) else filled(item.template, item, numbers)
+
+
+def filled(template: str, item: Evidence | wrong.Difference, numbers: Numbers = EXACT) -> str:
+    """A template with the fields of a piece of evidence in words."""
+
     def field(match: re.Match[str]) -> str:
         value = attrgetter(match[1])(item)
         if match[2] is not None:
             return match[2] if value else match[3]
         return words(value, numbers)
 
-    return str(item.value) if isinstance(item, Enum) else _FIELD.sub(field, item.template)
+    return _FIELD.sub(field, template)
 
 
 @words.register

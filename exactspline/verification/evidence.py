@@ -6,12 +6,10 @@ The fields are numbers, names, members of enumerations, and objects of algebra.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from enum import Enum
-from typing import dataclass_transform
 
 from exactspline.errors import ExactSplineError
-from exactspline.hooks import Worded
+from exactspline.hooks import WordedData
 from exactspline.language.choices import Parameter
 from exactspline.numbers.exact import mpq
 from exactspline.readings.degree import Degree
@@ -21,17 +19,8 @@ from exactspline.symbolic.factorization import Factor
 from exactspline.verification.vocabulary import Counter, Group, Name, Relation, Sign, ValueType
 
 
-@dataclass_transform(frozen_default=True)
-class Evidence(Worded):
-    """A computed value, a witness, a place, or a part of the arguments of a claim; `str` puts it into words.
-
-    Every kind of evidence is a frozen dataclass.
-    """
-
-    def __init_subclass__(cls, words: str = "") -> None:
-        super().__init_subclass__(words)
-        if not issubclass(cls, Enum):
-            dataclass(frozen=True)(cls)
+class Evidence(WordedData):
+    """A computed value, a witness, a place, or a part of the arguments of a claim; `str` puts it into words."""
 
 
 class Fact(Evidence, Enum):
