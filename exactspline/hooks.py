@@ -56,7 +56,8 @@ class Displayed:
 
 class Worded:
     """What a sentence is made of: `str` puts it into words, as `display` writes them: those given with a class, with
-    fields between braces, where ``{name?yes|no}`` is one of two texts, as the field is true.
+    fields between braces: ``{name?yes|no}`` is one of two such texts, as the field is true, ``{name:, }`` its parts
+    with commas between them.
     """
 
     __slots__ = ()

@@ -115,7 +115,7 @@ class OtherDimension(Difference, words="it is in R{given}, not in R{right}"):
     given: int
 
 
-class OtherDomain(Difference):
+class OtherDomain(Difference, words="its domain is [{given:, }], not [{right:, }]"):
     """The curve has another domain."""
 
     right: tuple[mpq, mpq]
@@ -128,7 +128,11 @@ class NotProved(Difference, words="{proof}"):
     proof: Proof
 
 
-class OtherOnExample(Difference):
+class OtherOnExample(
+    Difference,
+    words="on the example curve {curve} at t = {at} it gives {given?{given}|no value} instead of {factor?{factor} · }"
+    "{right?{right}|no value}",
+):
     """A formula differs from a factor (None: 1) times the reference at a parameter of an example curve; a value that
     does not exist there is None.
     """

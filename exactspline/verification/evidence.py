@@ -278,7 +278,7 @@ class UndefinedAt(Evidence, words="it does not exist {where}: 1/0"):
 # ---- proof assistants
 
 
-class Theorem(Evidence):
+class Theorem(Evidence, words="{axioms?axioms {axioms:, }|no axioms}"):
     """A theorem that a kernel accepted, and the axioms that it uses."""
 
     name: Name
@@ -490,13 +490,15 @@ class Quotients(Evidence):
     by: tuple[tuple[Name, Factor | None], ...]
 
 
-class OddPowers(Evidence):
+class OddPowers(Evidence, words="odd powers of {names:·}"):
     """Irreducible factors that occur an odd number of times."""
 
     names: tuple[Name, ...]
 
 
-class Squares(Evidence):
+class Squares(
+    Evidence, words="{formula} is a square up to a constant on {squares} of {segments} segments{zero?, 0 on {zero}}"
+):
     """The number of segments on which a formula is a square up to a constant, and of those on which it is 0."""
 
     formula: Name
@@ -514,7 +516,7 @@ class SquareOnSegment(Evidence, words="on segment {segment} one is a square and 
 # ---- surfaces
 
 
-class OneSurface(Evidence):
+class OneSurface(Evidence, words="one surface{but?, except where {but: or } vanishes}"):
     """One surface, except where irreducible factors vanish."""
 
     but: tuple[Name, ...] = ()
@@ -562,7 +564,11 @@ class Vanishes(Evidence, words="0 {where}"):
     where: On
 
 
-class DerivativeAt(Evidence):
+class DerivativeAt(
+    Evidence,
+    words="{order?the derivative of order {order} in s̄|the value} is {is_zero?= 0|≠ 0} at s̄ = s"
+    "{place? {place}|{is_zero? on every curve}}",
+):
     """A derivative with respect to s̄ at s̄ = s that is zero on every curve, or one that is not (at a place, on one
     curve).
     """
@@ -614,7 +620,11 @@ class OfType(Evidence, words="{type}"):
     type: ValueType
 
 
-class TypeOnExample(Evidence):
+class TypeOnExample(
+    Evidence,
+    words="{type} {curve?on the example curve {curve}|for cubic polynomials}{rational_everywhere?; "
+    f"{Fact.MADE_BY_ARITHMETIC.value}}}",
+):
     """The type on an example curve, or on cubic polynomials where the name is empty; `rational_everywhere` where the
     value is a quotient of polynomials on every curve.
     """
