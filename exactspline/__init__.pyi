@@ -55,7 +55,7 @@ from .geometry.ruled_surfaces import ruled_surface as ruled_surface
 from .geometry.bisector.any_pair import bisector as bisector
 
 # points in common, distances, inside and outside
-from .geometry.intersections import intersections as intersections
+from .geometry.offset_intersections import intersections as intersections
 from .geometry.offset_intersections import self_intersections as self_intersections
 from .geometry.zeros_in_two_parameters import common_zeros as common_zeros
 from .geometry.zeros_in_two_parameters import zero_curve as zero_curve

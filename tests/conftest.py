@@ -1,6 +1,7 @@
 """How hypothesis searches: the same examples every time; `--hypothesis-profile=search` looks further, with new ones.
 And how often memory is collected: what was loaded before the first test stays, and need not be looked through again.
-And where claims are decided, and generic degrees measured, once for all tests: in rooms that change no engine.
+And where claims are decided, and generic degrees measured, once for all tests: in rooms that change no engine, whose
+tests come first, so that of two processes one has them all.
 """
 
 import gc
@@ -14,6 +15,12 @@ settings.register_profile(
 )
 settings.register_profile("search", deadline=None, max_examples=1000, suppress_health_check=SLOW)
 settings.load_profile("repeat")
+#: The rooms that decide claims and change no engine; in the room of the judge only some files do.
+DECIDING = ("cli", "display", "journeys")
+
+
+def pytest_collection_modifyitems(items):
+    items.sort(key=lambda item: item.path.parent.name not in (*DECIDING, "verification"))
 
 
 def pytest_collection_finish():
@@ -24,7 +31,7 @@ def pytest_collection_finish():
 
 @pytest.fixture(autouse=True, scope="module")
 def decided_by_room(request):
-    if request.path.parent.name not in ("cli", "display", "journeys"):
+    if request.path.parent.name not in DECIDING:
         yield
         return
     from tests.support.decided import decided_once

@@ -2,29 +2,41 @@
 
 from __future__ import annotations
 
-from functools import singledispatch
+from operator import itemgetter
 from typing import Any, cast
 
 from flint import arb
 
-from exactspline.display.data import Data, picked, plain
-from exactspline.display.serialize import decimal_of, piece_data
+from exactspline.display.data import Data, plain
+from exactspline.display.forms import (
+    FLAG,
+    INTEGER,
+    INTERVAL,
+    TEXT,
+    Form,
+    list_of,
+    one_of,
+    optional,
+    or_null,
+    pair_of,
+    record,
+)
+from exactspline.display.serialize import NET, PIECE, decimal_of, piece_data
 from exactspline.errors import ReachError
 from exactspline.geometry.bisector.components import (
     Branch,
+    Cause,
+    Correspondence,
     LineComponent,
-    LinePiece,
-    PairEquation,
     PlaneComponent,
     PoleCurve,
-    RealZeros,
     SinglePair,
     Solutions,
 )
 from exactspline.geometry.bisector.flats import Flat
-from exactspline.geometry.bisector.point_and_curve import PointBisector
-from exactspline.geometry.bisector.root_lines import Coordinate, RootLines
-from exactspline.geometry.bisector.trimmed import TrimmedBisector, TrimmedPiece
+from exactspline.geometry.bisector.point_and_curve import PointBisector, RuledPiece
+from exactspline.geometry.bisector.root_lines import Coordinate
+from exactspline.geometry.bisector.trimmed import PieceKind, TrimmedBisector, TrimmedPiece
 from exactspline.geometry.bisector.two_curves import BisectorPatch, CurveBisector
 from exactspline.geometry.registry import REGISTRY
 from exactspline.language.rational import Rational
@@ -33,217 +45,12 @@ from exactspline.numbers.exact import mpq, text
 from exactspline.questions.entry import Of
 from exactspline.roots.of_polynomials import Parameter
 from exactspline.roots.root import Root, knot_root
+from exactspline.splines.bspline import BSpline
 from exactspline.splines.common import with_common_knots
 from exactspline.splines.lowest_terms import SplineVector
 from exactspline.splines.tensor import TensorSpline
 
 NAMES = "st"
-
-
-# ---- two curves
-
-
-def curve_bisector_data(bisector: CurveBisector, digits: int) -> Data:
-    """The whole bisector of two curves: its surface by homogeneous control nets ``(w x, w y, w z, w)`` with rows along
-    s, and lines, planes, single pairs and poles.
-    """
-    missing = [{"sides": plain(sides), "reason": reason} for sides, reason in bisector.missing]
-    answers = {name: entry.answer(bisector) for name, entry in REGISTRY[Of.PAIR].items()}
-    return {
-        "kind": "bisector of two curves",
-        "variant": str(bisector.variant),
-        "missing": missing,
-        "left_out": list(bisector.left_out),
-        "complete": not bisector.left_out,
-    } | {name: [_solution_data(each, digits) for each in cast(tuple[object, ...], x)] for name, x in answers.items()}
-
-
-@singledispatch
-def _solution_data(part: object, digits: int) -> Data:
-    """A part of the bisector as data."""
-    raise AssertionError(f"{type(part).__name__} is not a part of a bisector")
-
-
-@_solution_data.register
-def _patch_data(patch: BisectorPatch, digits: int) -> Data:
-    numerator, w = patch.value.elevated()
-    assert isinstance(numerator, Vector)  # a surface
-    return picked(patch, "sides") | control_net([*numerator, w])
-
-
-def control_net(splines: list[TensorSpline]) -> Data:
-    """The control nets of several splines over their common knots."""
-    splines = with_common_knots(splines)
-    first = splines[0]
-    rows = zip(*[x.control_points for x in splines], strict=True)
-    return {
-        "degree": list(first.degree),
-        "knots": [plain(knots) for knots in first.knots],
-        "homogeneous_control_net": [plain(list(zip(*row, strict=True))) for row in rows],
-    }
-
-
-def equation_data(equation: PairEquation) -> Data:
-    """An equation between s and t: as text, and its integers ``[power of s, power of t, integer]``."""
-    return {"text": f"{equation.text} = 0", "terms": [[i, j, text(x)] for (i, j), x in equation.terms]}
-
-
-@_solution_data.register
-def _line_data(line: LineComponent, digits: int) -> Data:
-    return {
-        "pairs": str(line.correspondence),
-        **picked(line, "cause", "sides"),
-        "equation": line.equation and equation_data(line.equation),
-        "fixed": line.fixed and parameter_data(line.fixed, digits),
-        "over_root": line.over_root and _root_lines_data(line.over_root, digits),
-        "pieces": [_line_piece_data(one, digits) for one in line.pieces],
-        "branches": [
-            _branch_data(branch, digits) | _flat_data(line.line(*branch.sample, digits), digits)
-            for branch in line.real.branches
-        ],
-    } | _limits_data(line.real, digits)
-
-
-def _line_piece_data(one: LinePiece, digits: int) -> Data:
-    """A piece with low, high, and the control points of directrix and generator over the whole segment."""
-    interval = one.surface.directrix.denominator.domain
-    if isinstance(one.other, Rational):
-        other: Any = piece_data(interval, one.other)
-    else:
-        other = None if one.other is None else parameter_data(one.other, digits)
-    return {
-        "parameter": NAMES[one.of],
-        "low": parameter_data(one.low, digits),
-        "high": parameter_data(one.high, digits),
-        "other": other,
-        "directrix": piece_data(interval, one.surface.directrix),
-        "generator": piece_data(interval, one.surface.generator.vector),
-        "poles": [parameter_data(root, digits) for root in one.poles],
-    }
-
-
-def _root_lines_data(lines: RootLines, digits: int) -> Data:
-    """Control points in the field of an irrational parameter: a coordinate is a list, the coefficients of the powers 0,
-    1, 2, … of the parameter.
-    """
-
-    def net(part: tuple[Coordinate, ...], field: str) -> Data:
-        first = part[0][0]
-        rows = zip(*[zip(*[f.control_points for f in coordinate], strict=True) for coordinate in part], strict=True)
-        return {"degree": first.degree, "knots": plain(first.knots), field: plain(list(rows))}
-
-    return {
-        "parameter": NAMES[lines.of],
-        "low": parameter_data(lines.interval[0], digits),
-        "high": parameter_data(lines.interval[1], digits),
-        "directrix": net(lines.directrix, "homogeneous_control_points"),
-        "generator": net(lines.generator, "control_points"),
-        "poles": None if lines.poles is None else [parameter_data(root, digits) for root in lines.poles],
-    }
-
-
-def _branch_data(branch: Branch, digits: int) -> Data:
-    return {
-        "low": parameter_data(branch.low, digits),
-        "high": parameter_data(branch.high, digits),
-        "index": branch.index,
-        "sample": [parameter_data(x, digits) for x in branch.sample],
-    }
-
-
-def _limits_data(real: RealZeros, digits: int) -> Data:
-    return {
-        "ends": [[parameter_data(x, digits) for x in place] for place in real.ends],
-        "nodes": [[parameter_data(x, digits) for x in place] for place in real.nodes],
-    }
-
-
-@_solution_data.register
-def _plane_data(plane: PlaneComponent, digits: int) -> Data:
-    return {
-        **picked(plane, "solutions", "cause", "sides"),
-        "equation": plane.equation and equation_data(plane.equation),
-        "parameter": NAMES[plane.of],
-        "intervals": [[parameter_data(x, digits) for x in interval] for interval in plane.intervals],
-        "fixed": None if plane.fixed is None else parameter_data(plane.fixed, digits),
-        "branches": [_branch_data(branch, digits) for branch in plane.real.branches],
-    } | _limits_data(plane.real, digits)
-
-
-@_solution_data.register
-def _pair_data(pair: SinglePair, digits: int) -> Data:
-    head: Data = {
-        "s": parameter_data(pair.s, digits),
-        "t": parameter_data(pair.t, digits),
-        **picked(pair, "solutions", "cause", "sides"),
-    }
-    if pair.solutions is Solutions.SPACE:
-        return head
-    return head | _flat_data(pair.exact or pair.enclosed(digits), digits, plane=pair.solutions is Solutions.PLANE)
-
-
-def _flat_data(flat: Flat[Any], digits: int, *, plane: bool = False) -> Data:
-    """A point, and the direction of a line or the normal of a plane: exact text, or decimals with all digits
-    correct.
-    """
-    return {
-        "point": [_number(x, digits) for x in flat.point],
-        "normal" if plane else "direction": [_number(x, digits) for x in flat.direction],
-    }
-
-
-def _number(x: mpq | arb, digits: int) -> str:
-    return str(x.str(digits, radius=False)) if isinstance(x, arb) else text(x)
-
-
-@_solution_data.register
-def _pole_data(pole: PoleCurve, digits: int) -> Data:
-    return picked(pole, "sides") | {"equation": equation_data(pole.equation), "certain": pole.certain}
-
-
-# ---- a point and a curve
-
-
-def point_bisector_data(bisector: PointBisector, digits: int) -> Data:
-    """The pieces of the ruled bisector of a point and a curve: directrix and generator by homogeneous control
-    points.
-    """
-    pieces = [
-        {
-            **picked(piece, "interval", "moved"),
-            "directrix": piece_data(piece.interval, piece.surface.directrix),
-            "generator": piece_data(piece.interval, piece.surface.generator),
-        }
-        for piece in bisector.pieces
-    ]
-    return {
-        "kind": "ruled bisector",
-        "variant": bisector.variant,
-        "pieces": pieces,
-        "singular": [parameter_data(root, digits) for root in bisector.singular],
-        "missing": [{"interval": [text(a), text(b)], "reason": reason} for (a, b), reason in bisector.missing],
-    }
-
-
-def trimmed_data(bisector: TrimmedBisector, digits: int) -> Data:
-    """The pieces of the true bisector of a point and a plane curve."""
-    pieces = [_trimmed_piece_data(piece, digits) for piece in bisector.pieces]
-    return {"kind": "trimmed bisector", "pieces": pieces, "missing": list(bisector.missing)} | {
-        "left_out": list(bisector.left_out),
-        "complete": not bisector.left_out,
-    }
-
-
-def _trimmed_piece_data(piece: TrimmedPiece, digits: int) -> Data:
-    """A piece by its control points: over [low, high] where both are rational. Otherwise over the whole segment, and
-    ``cut`` means that the piece is only the part from low to high.
-    """
-    ends = {"low": parameter_data(piece.low, digits), "high": parameter_data(piece.high, digits)}
-    head = {"piece": str(piece.kind)} | ({} if piece.foot is None else {"foot": text(piece.foot)}) | ends
-    exact = piece.restricted()
-    if exact is None:
-        return head | {"cut": True} | piece_data(piece.value.denominator.domain, piece.value)
-    return head | piece_data(exact.denominator.domain, exact)
 
 
 def parameter_data(t: Parameter, digits: int) -> Data:
@@ -264,6 +71,212 @@ def parameter_data(t: Parameter, digits: int) -> Data:
     except ReachError:
         polynomial = root.polynomial
     return head | {"polynomial": [text(x) for x in polynomial]}
+
+
+_TEXTS, _NETS = list_of(TEXT), list_of(list_of(TEXT))
+_SIDES = pair_of(INTERVAL)
+PARAMETER = Form(
+    record(parameter=or_null(TEXT), interval=INTERVAL, decimal=TEXT, polynomial=optional(_TEXTS)).schema, parameter_data
+)
+_LETTER = Form({"enum": [*NAMES]}, lambda of, digits: NAMES[of])
+
+
+# ---- two curves
+
+
+def curve_bisector_data(bisector: CurveBisector, digits: int) -> Data:
+    """The whole bisector of two curves: its surface by homogeneous control nets ``(w x, w y, w z, w)`` with rows along
+    s, and lines, planes, single pairs and poles.
+    """
+    missing = [{"sides": plain(sides), "reason": reason} for sides, reason in bisector.missing]
+    answers = {name: entry.answer(bisector) for name, entry in REGISTRY[Of.PAIR].items()}
+    return {
+        "kind": "bisector of two curves",
+        "variant": str(bisector.variant),
+        "missing": missing,
+        "left_out": list(bisector.left_out),
+        "complete": not bisector.left_out,
+    } | {
+        name: [FORMS[type(each)].write(each, digits) for each in cast(tuple[object, ...], x)]
+        for name, x in answers.items()
+    }
+
+
+def control_net(splines: list[TensorSpline]) -> Data:
+    """The control nets of several splines over their common knots."""
+    splines = with_common_knots(splines)
+    first = splines[0]
+    rows = zip(*[x.control_points for x in splines], strict=True)
+    return {
+        "degree": list(first.degree),
+        "knots": [plain(knots) for knots in first.knots],
+        "homogeneous_control_net": [plain(list(zip(*row, strict=True))) for row in rows],
+    }
+
+
+def _patch_net(patch: BisectorPatch, digits: int) -> Data:
+    numerator, w = patch.value.elevated()
+    assert isinstance(numerator, Vector)  # a surface
+    return control_net([*numerator, w])
+
+
+def _root_net(part: tuple[Coordinate, ...], field: str) -> Data:
+    """Control points in the field of an irrational parameter: a coordinate is a list, the coefficients of the powers 0,
+    1, 2, … of the parameter.
+    """
+    first = part[0][0]
+    rows = zip(*[zip(*[f.control_points for f in coordinate], strict=True) for coordinate in part], strict=True)
+    return {"degree": first.degree, "knots": plain(first.knots), field: plain(list(rows))}
+
+
+def _other_data(other: Parameter | Rational[BSpline], digits: int) -> Data:
+    return piece_data(other.denominator.domain, other) if isinstance(other, Rational) else parameter_data(other, digits)
+
+
+def _flat_of_branch(found: tuple[LineComponent, Branch], digits: int) -> Data:
+    line, branch = found
+    return _flat_data(line.line(*branch.sample, digits), digits)
+
+
+def _flat_of_pair(pair: SinglePair, digits: int) -> Data:
+    if pair.solutions is Solutions.SPACE:
+        return {}
+    return _flat_data(pair.exact or pair.enclosed(digits), digits, plane=pair.solutions is Solutions.PLANE)
+
+
+def _flat_data(flat: Flat[Any], digits: int, *, plane: bool = False) -> Data:
+    """A point, and the direction of a line or the normal of a plane: exact text, or decimals with all digits
+    correct.
+    """
+    return {
+        "point": [_number(x, digits) for x in flat.point],
+        "normal" if plane else "direction": [_number(x, digits) for x in flat.direction],
+    }
+
+
+def _number(x: mpq | arb, digits: int) -> str:
+    return str(x.str(digits, radius=False)) if isinstance(x, arb) else text(x)
+
+
+#: An equation between s and t: as text, and its integers ``[power of s, power of t, integer]``.
+_EQUATION = record(
+    text=(TEXT, lambda equation: f"{equation.text} = 0"),
+    terms=list_of(
+        Form({"type": "array", "minItems": 3, "maxItems": 3}, lambda term, digits: [*term[0], text(term[1])])
+    ),
+)
+_BRANCH = record(low=PARAMETER, high=PARAMETER, index=INTEGER, sample=pair_of(PARAMETER))
+_LIMITS = record(ends=list_of(pair_of(PARAMETER)), nodes=list_of(pair_of(PARAMETER))).of("real")
+#: A piece with low, high, and the control points of directrix and generator over the whole segment.
+_LINE_PIECE = record(
+    parameter=(_LETTER, "of"),
+    low=PARAMETER,
+    high=PARAMETER,
+    other=or_null(Form({"anyOf": [PIECE.schema, PARAMETER.schema]}, _other_data)),
+    directrix=(PIECE, lambda one: (one.surface.directrix.denominator.domain, one.surface.directrix)),
+    generator=(PIECE, lambda one: (one.surface.directrix.denominator.domain, one.surface.generator.vector)),
+    poles=list_of(PARAMETER),
+)
+_OVER_ROOT = record(
+    parameter=(_LETTER, "of"),
+    low=(PARAMETER, "interval.low"),
+    high=(PARAMETER, "interval.high"),
+    directrix=Form(
+        record(**NET, homogeneous_control_points=list_of(_NETS)).schema,
+        lambda part, digits: _root_net(part, "homogeneous_control_points"),
+    ),
+    generator=Form(
+        record(**NET, control_points=list_of(_NETS)).schema, lambda part, digits: _root_net(part, "control_points")
+    ),
+    poles=or_null(list_of(PARAMETER)),
+)
+_BRANCH_WITH_LINE = record(
+    _BRANCH.of(itemgetter(1)), Form(record(point=_TEXTS, direction=_TEXTS).schema, _flat_of_branch)
+)
+#: The form of a part of the bisector by its type.
+FORMS: dict[type, Form] = {
+    BisectorPatch: record(
+        record(sides=_SIDES), Form(record(**NET, homogeneous_control_net=list_of(_NETS)).schema, _patch_net)
+    ),
+    LineComponent: record(
+        record(
+            pairs=(one_of(Correspondence), "correspondence"),
+            cause=one_of(Cause),
+            sides=_SIDES,
+            equation=or_null(_EQUATION),
+            fixed=or_null(PARAMETER),
+            over_root=or_null(_OVER_ROOT),
+            pieces=list_of(_LINE_PIECE),
+            branches=(list_of(_BRANCH_WITH_LINE), lambda line: [(line, branch) for branch in line.real.branches]),
+        ),
+        _LIMITS,
+    ),
+    PlaneComponent: record(
+        record(
+            solutions=one_of(Solutions),
+            cause=one_of(Cause),
+            sides=_SIDES,
+            equation=or_null(_EQUATION),
+            parameter=(_LETTER, "of"),
+            intervals=list_of(pair_of(PARAMETER)),
+            fixed=or_null(PARAMETER),
+            branches=(list_of(_BRANCH), "real.branches"),
+        ),
+        _LIMITS,
+    ),
+    SinglePair: record(
+        record(s=PARAMETER, t=PARAMETER, solutions=one_of(Solutions), cause=one_of(Cause), sides=_SIDES),
+        Form(record(**dict.fromkeys(("point", "direction", "normal"), optional(_TEXTS))).schema, _flat_of_pair),
+    ),
+    PoleCurve: record(sides=_SIDES, equation=_EQUATION, certain=FLAG),
+}
+
+
+# ---- a point and a curve
+
+
+def _trimmed_net(piece: TrimmedPiece, digits: int) -> Data:
+    """A piece by its control points: over [low, high] where both are rational. Otherwise over the whole segment, and
+    ``cut`` means that the piece is only the part from low to high.
+    """
+    exact = piece.restricted()
+    value = piece.value if exact is None else exact
+    return ({"cut": True} if exact is None else {}) | piece_data(value.denominator.domain, value)
+
+
+#: The form of a piece of the bisector of a point and a curve, by its type.
+FORMS_OF_POINT: dict[type, Form] = {
+    RuledPiece: record(
+        interval=INTERVAL,
+        moved=TEXT,
+        directrix=(PIECE, lambda piece: (piece.interval, piece.surface.directrix)),
+        generator=(PIECE, lambda piece: (piece.interval, piece.surface.generator)),
+    ),
+    TrimmedPiece: record(
+        record(piece=(one_of(PieceKind), "kind"), foot=optional(TEXT), low=PARAMETER, high=PARAMETER),
+        Form(record(PIECE, cut=optional(FLAG)).schema, _trimmed_net),
+    ),
+}
+#: Where there is no bisector, and why.
+MISSING = record(interval=(INTERVAL, itemgetter(0)), reason=(TEXT, itemgetter(1)))
+
+
+def point_bisector_data(bisector: PointBisector, digits: int) -> Data:
+    """The pieces of the ruled bisector of a point and a curve: directrix and generator by homogeneous control
+    points.
+    """
+    form = record(
+        variant=TEXT, pieces=list_of(FORMS_OF_POINT[RuledPiece]), singular=list_of(PARAMETER), missing=list_of(MISSING)
+    )
+    data: Data = form.write(bisector, digits)
+    return {"kind": "ruled bisector"} | data
+
+
+def trimmed_data(bisector: TrimmedBisector, digits: int) -> Data:
+    """The pieces of the true bisector of a point and a plane curve."""
+    form = record(pieces=list_of(FORMS_OF_POINT[TrimmedPiece]), missing=_TEXTS, left_out=_TEXTS)
+    data: Data = form.write(bisector, digits)
+    return {"kind": "trimmed bisector"} | data | {"complete": not bisector.left_out}
 
 
 # ---- as text

@@ -6,10 +6,11 @@ from contextlib import suppress
 from typing import TYPE_CHECKING, Any
 
 from exactspline.display.data import Data
+from exactspline.display.forms import FLAG, INTEGER, INTERVAL, TEXT, Form, list_of, one_of, or_null, pair_of, record
 from exactspline.display.numbers import polynomial_text
 from exactspline.display.sheet import Sheet
 from exactspline.errors import OpenError, ReachError
-from exactspline.geometry.intersections import Intersection, Intersections, Overlap
+from exactspline.geometry.intersections import IntersectionKind, Intersections
 from exactspline.numbers.exact import mpq, text
 from exactspline.numbers.intervals import rounded_outwards
 from exactspline.questions.entry import questions_of
@@ -29,50 +30,9 @@ def pair_data(pair: CurvePair, digits: int) -> Data:
     {'exact': '1/2', 'interval': ['1/2', '1/2'], 'decimal': '0.50000'}
     """
     answers = {name: entry.answer(pair) for name, entry in questions_of(type(pair)).items() if entry.about.reported}
-    return {name: _answer_data(answer, digits) for name, answer in answers.items()}
-
-
-def _answer_data(answer: object, digits: int) -> Data:
-    if isinstance(answer, Intersections):
-        return intersections_data(answer, digits)
-    from exactspline.geometry.distance import Distance  # not loaded for what a single curve has
-
-    assert isinstance(answer, Distance), "there are no other answers about two curves"
-    pairs = [{"first": real_data(p.first, digits), "second": real_data(p.second, digits)} for p in answer.pairs]
-    value = {"squared": real_data(answer.squared, digits), "value": real_data(answer.value, digits)}
-    lower = None if answer.lower is None else text(answer.lower)
-    arcs = [_overlap_data(arc, digits) for arc in answer.everywhere]
-    return {"points": pairs, "everywhere": arcs, "lower": lower, "left_out": list(answer.left_out), **value}
-
-
-def intersections_data(found: Intersections, digits: int) -> Data:
-    """The points and arcs that two curves have in common."""
     return {
-        "points": [_point_data(point, digits) for point in found],
-        "everywhere": [_overlap_data(arc, digits) for arc in found.everywhere],
-        "left_out": list(found.left_out),
-    }
-
-
-def _point_data(point: Intersection, digits: int) -> Data:
-    return {
-        "kind": str(point.kind),
-        "first": real_data(point.first, digits),
-        "second": real_data(point.second, digits),
-        "multiplicity": point.multiplicity,
-        "at_knot": list(point.at_knot),
-        "point": [real_data(x, digits) for x in point.point],
-    }
-
-
-def _overlap_data(arc: Overlap, digits: int) -> Data:
-    return {
-        "first": [real_data(x, digits) for x in arc.first],
-        "second": [real_data(x, digits) for x in arc.second],
-        "reversed": arc.reversed,
-        "of_second": arc.of_second,
-        "numerator": None if arc.numerator is None else [str(x) for x in arc.numerator],
-        "denominator": None if arc.denominator is None else [str(x) for x in arc.denominator],
+        name: (INTERSECTIONS if isinstance(answer, Intersections) else DISTANCE).write(answer, digits)
+        for name, answer in answers.items()
     }
 
 
@@ -85,6 +45,35 @@ def real_data(x: Real | mpq, digits: int) -> Data:
     if low != high:
         low, high = rounded_outwards(number.enclosure(digits), digits + 1)
     return {"exact": number.closed_form, "interval": [text(low), text(high)], "decimal": number.decimal(digits)}
+
+
+REAL = Form(record(exact=or_null(TEXT), interval=INTERVAL, decimal=TEXT).schema, real_data)
+_OVERLAP = record(
+    first=pair_of(REAL),
+    second=pair_of(REAL),
+    reversed=FLAG,
+    of_second=FLAG,
+    numerator=or_null(list_of(TEXT)),
+    denominator=or_null(list_of(TEXT)),
+)
+_INTERSECTION = record(
+    kind=one_of(IntersectionKind),
+    first=REAL,
+    second=REAL,
+    multiplicity=or_null(INTEGER),
+    at_knot=pair_of(FLAG),
+    point=list_of(REAL),
+)
+#: The points and arcs that two curves have in common.
+INTERSECTIONS = record(points=list_of(_INTERSECTION), everywhere=list_of(_OVERLAP), left_out=list_of(TEXT))
+DISTANCE = record(
+    points=(list_of(record(first=REAL, second=REAL)), "pairs"),
+    everywhere=list_of(_OVERLAP),
+    lower=or_null(TEXT),
+    left_out=list_of(TEXT),
+    squared=REAL,
+    value=REAL,
+)
 
 
 def pair_sheet(data: Data, title: str) -> Sheet:

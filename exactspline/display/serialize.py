@@ -3,10 +3,24 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Any
+from operator import itemgetter
+from typing import Any, NamedTuple
 
+from exactspline.display.forms import (
+    FLAG,
+    INTEGER,
+    INTERVAL,
+    TEXT,
+    Form,
+    list_of,
+    one_of,
+    optional,
+    or_null,
+    pair_of,
+    record,
+)
 from exactspline.display.numbers import decimal
-from exactspline.display.pair_data import intersections_data
+from exactspline.display.pair_data import INTERSECTIONS
 from exactspline.errors import ExactSplineError, ShapeError, a_kind, as_instance, as_integer
 from exactspline.geometry import values_along
 from exactspline.geometry.analysis import analyse
@@ -15,7 +29,7 @@ from exactspline.geometry.derived import Derived
 from exactspline.geometry.inspection import Approach, inspect_curve
 from exactspline.geometry.intersections import Intersections
 from exactspline.geometry.joints import Joint
-from exactspline.geometry.kinds import Feature
+from exactspline.geometry.kinds import Feature, FeatureKind, JointKind
 from exactspline.geometry.planarity import Plane
 from exactspline.geometry.prominence import prominences
 from exactspline.language.rational import Rational
@@ -33,29 +47,6 @@ from exactspline.splines.lowest_terms import SplineVector
 from exactspline.splines.nurbs import Nurbs
 
 
-def feature_data(curve: Nurbs, f: Feature, digits: int) -> dict[str, object]:
-    """A feature as data: the parameter exactly, as an interval and to a given number of digits; κ there where
-    γ′ ≠ 0, in space also τ; and the angle of a corner.
-    """
-    low, high = f.root.refine(digits)
-    joint = analyse(curve).joint(f.root.low) if f.at_knot else None
-    data: dict[str, Any] = {
-        "kind": str(f.kind),
-        "parameter": str(f.root.exact) if f.root.exact is not None else None,
-        "interval": [str(low), str(high)],
-        "decimal": decimal_of(f.root, digits),
-        "at_knot": f.at_knot,
-        "by_jump": f.by_jump,
-        "of_absolute": str(f.of_absolute or ""),
-        "angle": angle_data(joint.angle if joint else None, digits),
-    }
-    if not f.kind.is_singular:
-        data["curvature"] = value_of(values_along.curvature, curve, f.root, digits)
-        if curve.dimension == 3:
-            data["torsion"] = value_of(values_along.torsion, curve, f.root, digits)
-    return data
-
-
 def angle_data(angle: Angle | None, digits: int) -> dict[str, str] | None:
     """An angle: its cosine and sine exactly, and degrees to a given number of digits."""
     if angle is None:
@@ -66,24 +57,7 @@ def angle_data(angle: Angle | None, digits: int) -> dict[str, str] | None:
     return {"cosine": str(angle.cosine), "sine": str(angle.sine), "degrees": degrees}
 
 
-def joint_data(curve: Nurbs, joint: Joint, digits: int) -> dict[str, object]:
-    """A joint as data: its kind and order of geometric continuity, the angle of a corner, the width of a
-    gap, and the curvatures of both sides where they differ, exactly and to a given number of digits.
-    """
-    root = knot_root(joint.parameter)
-    jump = joint.curvatures is not None
-    return {
-        "kind": str(joint.kind),
-        "parameter": str(joint.parameter),
-        "decimal": decimal_of(root, digits),
-        "at_seam": joint.at_seam,
-        "geometric_continuity": joint.order,
-        "angle": angle_data(joint.angle, digits),
-        "gap": None if joint.gap is None else str(joint.gap),
-        "gap_decimal": None if joint.gap is None else decimal(joint.gap.rational_near(digits + 8), digits),
-        "curvatures": [str(x) for x in joint.curvatures] if joint.curvatures is not None else None,
-        "curvature": value_of(values_along.curvature, curve, root, digits) if jump else None,
-    }
+ANGLE = Form(or_null(record(cosine=TEXT, sine=TEXT, degrees=TEXT)).schema, angle_data)
 
 
 def decimal_of(root: Root, digits: int) -> str:
@@ -111,6 +85,67 @@ def value_of(quantity: Callable[[Nurbs, Root, Side | str], Real], curve: Nurbs, 
     return " | ".join(dict.fromkeys(values))
 
 
+class _Place(NamedTuple):
+    """A feature or a joint at a root of a curve, the joint there where there is one, and of an extremum of a coordinate
+    which.
+    """
+
+    curve: Nurbs
+    of: Feature | Joint
+    root: Root
+    joint: Joint | None = None
+    coordinate: int | None = None
+
+
+def _value(quantity: Callable[[Nurbs, Root, Side | str], Real]) -> Form:
+    return Form(TEXT.schema, lambda at, digits: value_of(quantity, at.curve, at.root, digits))
+
+
+DECIMAL = Form(TEXT.schema, decimal_of)
+_CURVATURE, _TORSION = _value(values_along.curvature), _value(values_along.torsion)
+#: A feature: the parameter exactly, as an interval and to a given number of digits; κ there where γ′ ≠ 0, in space also
+#: τ; and the angle of a corner.
+FEATURE = record(
+    kind=(one_of(FeatureKind), "of.kind"),
+    parameter=(or_null(TEXT), "root.exact"),
+    interval=(Form(INTERVAL.schema, lambda root, digits: INTERVAL.write(root.refine(digits), digits)), "root"),
+    decimal=(DECIMAL, "root"),
+    at_knot=(FLAG, "of.at_knot"),
+    by_jump=(FLAG, "of.by_jump"),
+    of_absolute=(Form({"enum": ["", *map(str, FeatureKind)]}, lambda kind, digits: str(kind or "")), "of.of_absolute"),
+    angle=(ANGLE, lambda at: at.joint and at.joint.angle),
+    curvature=(optional(_CURVATURE), lambda at: None if at.of.kind.is_singular else at),
+    torsion=(optional(_TORSION), lambda at: None if at.of.kind.is_singular or at.curve.dimension < 3 else at),
+    coordinate=optional(INTEGER),
+)
+#: A joint: its kind and order of geometric continuity, the angle of a corner, the width of a gap, and the curvatures of
+#: both sides where they differ, exactly and to a given number of digits.
+JOINT = record(
+    kind=(one_of(JointKind), "of.kind"),
+    parameter=(TEXT, "of.parameter"),
+    decimal=(DECIMAL, "root"),
+    at_seam=(FLAG, "of.at_seam"),
+    geometric_continuity=(or_null(INTEGER), "of.order"),
+    angle=(ANGLE, "of.angle"),
+    gap=(or_null(TEXT), "of.gap"),
+    gap_decimal=(
+        or_null(Form(TEXT.schema, lambda gap, digits: decimal(gap.rational_near(digits + 8), digits))),
+        "of.gap",
+    ),
+    curvatures=(or_null(pair_of(TEXT)), "of.curvatures"),
+    curvature=(or_null(_CURVATURE), lambda at: None if at.of.curvatures is None else at),
+)
+#: The intervals of a piece, and a planar piece with its plane.
+INTERVALS = list_of(INTERVAL, 1).of("parts")
+PLANAR_PIECE = record(intervals=(INTERVALS, itemgetter(0)), plane=(TEXT, itemgetter(1)))
+
+
+def _feature_data(curve: Nurbs, f: Feature, digits: int, coordinate: int | None = None) -> dict[str, object]:
+    joint = analyse(curve).joint(f.root.low) if f.at_knot else None
+    data: dict[str, object] = FEATURE.write(_Place(curve, f, f.root, joint, coordinate), digits)
+    return data
+
+
 def inspection_data(
     curve: Nurbs, approach: Approach | str = Approach.MINIMAL, digits: int = 20, tick: Callable[[], None] = lambda: None
 ) -> dict[str, object]:
@@ -135,11 +170,11 @@ def answer_data(curve: Nurbs, answer: object, digits: int, tick: Callable[[], No
     if isinstance(answer, Places):
         points = []
         for f in answer:
-            points.append(feature_data(curve, f, digits))
+            points.append(_feature_data(curve, f, digits))
             tick()
-        return {"points": points, "everywhere": [intervals_data(piece) for piece in answer.everywhere]}
+        return {"points": points, "everywhere": list_of(INTERVALS).write(answer.everywhere, digits)}
     if isinstance(answer, Intersections):
-        return intersections_data(answer, digits)
+        return INTERSECTIONS.write(answer, digits)
     return [_element_data(curve, each, digits) for each in answer] if isinstance(answer, tuple) else _text(answer)
 
 
@@ -147,12 +182,19 @@ def _text(answer: object) -> str | None:
     return None if answer is None else str(answer)
 
 
+#: Numbers, points and vectors by their names.
+NUMBERS = Form(
+    {"type": "object", "additionalProperties": list_of(TEXT).schema},
+    lambda values, digits: {name: [str(x) for x in each] for name, each in values.items()},
+)
+
+
 def described_data(found: Described) -> dict[str, object]:
     """A piece with what is said of it: numbers exactly where they are known in closed form."""
     return {
         "kind": str(found.kind),
-        "intervals": intervals_data(found.piece),
-        "numbers": {name: [str(x) for x in values] for name, values in found.values.items()},
+        "intervals": INTERVALS.write(found.piece, 0),
+        "numbers": NUMBERS.write(found.values, 0),
         **found.facts,
     }
 
@@ -168,27 +210,19 @@ def stability_data(curve: Nurbs) -> list[dict[str, object]]:
 
 def _element_data(curve: Nurbs, each: Joint | CurvePiece | Described | tuple[CurvePiece, Plane], digits: int) -> object:
     if isinstance(each, Joint):
-        return joint_data(curve, each, digits)
-    if isinstance(each, CurvePiece):
-        return intervals_data(each)
+        return JOINT.write(_Place(curve, each, knot_root(each.parameter)), digits)
     if isinstance(each, Described):
         return described_data(each)
-    piece, lies_in = each
-    return {"intervals": intervals_data(piece), "plane": str(lies_in)}
+    return (INTERVALS if isinstance(each, CurvePiece) else PLANAR_PIECE).write(each, digits)
 
 
 def coordinate_extrema_data(curve: Nurbs, digits: int) -> list[dict[str, object]]:
     """The extrema of coordinates, as data."""
     return [
-        feature_data(curve, f, digits) | {"coordinate": axis}
+        _feature_data(curve, f, digits, axis)
         for axis in range(curve.dimension)
         for f in analyse(curve).turning_points(axis)
     ]
-
-
-def intervals_data(piece: CurvePiece) -> list[list[str]]:
-    """The intervals of a piece."""
-    return [[str(a), str(b)] for a, b in piece.parts]
 
 
 def derived_data(derived: Derived, curve: str) -> dict[str, object]:
@@ -234,3 +268,21 @@ def _net(components: list[Any], field: str) -> dict[str, object]:
         "knots": [str(t) for t in knots],
         field: [[str(x) for x in row] for row in zip(*[c.control_points for c in raised])],
     }
+
+
+#: The degree and the knots of a net of control points.
+NET = {
+    "degree": Form({"type": ["integer", "array"], "items": INTEGER.schema}),
+    "knots": Form({"type": "array", "items": {"type": ["string", "array"], "items": TEXT.schema}}),
+}
+#: A spline over an interval.
+PIECE = Form(
+    record(
+        interval=INTERVAL,
+        kind=Form({"enum": ["rational", "polynomial", "function"]}),
+        **NET,
+        homogeneous_control_points=optional(list_of(list_of(TEXT))),
+        control_points=optional(Form({"type": "array", "items": {"type": ["string", "array"], "items": TEXT.schema}})),
+    ).schema,
+    lambda piece, digits: piece_data(*piece),
+)

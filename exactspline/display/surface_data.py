@@ -3,19 +3,32 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from enum import StrEnum
-from functools import singledispatch
 from math import prod
-from typing import Any, cast
+from operator import itemgetter
+from typing import Any
 
-from exactspline.display.bisector_data import control_net
+from exactspline.display.bisector_data import PARAMETER, control_net
 from exactspline.display.data import Data, picked, plain
 from exactspline.display.described import described_surface, shape_text
 from exactspline.display.features import ends_text
-from exactspline.display.serialize import angle_data
+from exactspline.display.forms import (
+    BOX,
+    FLAG,
+    INTEGER,
+    INTERVAL,
+    TEXT,
+    Form,
+    list_of,
+    one_of,
+    or_null,
+    pair_of,
+    record,
+)
+from exactspline.display.serialize import ANGLE, NUMBERS, angle_data
 from exactspline.display.sheet import Sheet
 from exactspline.errors import FormulaError, counted
 from exactspline.geometry.planar_maps import MapInspection
+from exactspline.geometry.recognition.shapes import ShapeKind
 from exactspline.geometry.surface.chains import Piece, ZeroComponent
 from exactspline.geometry.surface.degenerate import Gap, Pole
 from exactspline.geometry.surface.forms import Patch, lowest
@@ -26,6 +39,7 @@ from exactspline.geometry.surface.recognized import RecognizedPart
 from exactspline.geometry.surface.ridges import Ridges
 from exactspline.geometry.surface.umbilics import Umbilic, UmbilicKind
 from exactspline.geometry.surface.umbilics_nearby import NearbyUmbilic
+from exactspline.geometry.surface.zero_curve import Shape
 from exactspline.geometry.surface.zero_lines import ZeroLine
 from exactspline.language.formula import Formula
 from exactspline.language.rational import Rational
@@ -93,78 +107,9 @@ def answers_data(inspection: SurfaceInspection | MapInspection, digits: int) -> 
     }
 
 
-def surface_answer_data(answer: object, digits: int) -> object:
-    """The answer to a question about a surface as data: points one by one, the parts of patches all of whose points are
-    answers, and boxes in which something is undecided; lists of curves, joints and patches; a value as text; a single
-    point.
-    """
-    if isinstance(answer, SurfacePlaces):
-        return {
-            "points": [_element_data(each, digits) for each in answer],
-            "everywhere": [
-                {"patch": list(part.patch), **_hull_data(part.sides), "along_curve": part.along_curve}
-                for part in answer.everywhere
-            ],
-            "undecided": [_hull_data(box) for box in answer.undecided],
-        }
-    if isinstance(answer, Ridges):
-        return _ridges_data(answer, digits)
-    if isinstance(answer, StrEnum):
-        return answer.value
-    if answer is None:
-        return None
-    assert isinstance(answer, tuple)  # by the types of the registry
-    return [_element_data(each, digits) for each in answer]
-
-
-def _ridges_data(found: Ridges, digits: int) -> Data:
-    return {
-        "curves": [_curve_data(curve, digits) for curve in found.curves],
-        "lines": [_line_data(line, digits) for line in found.lines],
-        "everywhere": [
-            {"patch": list(part.patch), **_hull_data(part.sides), "curvatures": curvatures}
-            for part, curvatures in found.stationary
-        ],
-        "undecided": [
-            {**_hull_data(box.sides), "umbilics": box.umbilics, "singular_points": box.singular}
-            for box in found.undecided
-        ],
-    }
-
-
-@singledispatch
-def _element_data(each: object, digits: int) -> object:
-    """An element of an answer as data; a coordinate as exact text."""
-    return text(cast(mpq, each))
-
-
-@_element_data.register
-def _patch_data(one: PatchInspection, digits: int) -> Data:
-    return {
-        "patch": list(one.patch),
-        **_hull_data(one.sides),
-        **picked(one, "kind", "minimal", "curvature", "radius_squared"),
-        "umbilic_everywhere": one.umbilics.everywhere,
-        "singular_curve": one.singular.along_curve,
-        "curve_of_umbilics": one.umbilics.curve is not None or bool(one.umbilics.edges),
-        "undecided": [_hull_data(box) for box in one.open_boxes],
-    }
-
-
-@_element_data.register
-def _umbilic_data(umbilic: Umbilic, digits: int) -> Data:
-    return {
-        **_place_data(umbilic.place, digits),
-        "kind": umbilic.kind.value,
-        "index": INDEX.get(umbilic.kind),
-        "one_sided": umbilic.one_sided,
-    }
-
-
-@_element_data.register
 def _place_data(place: Place, digits: int) -> Data:
     exact, box = place.exact, place.box(digits + 2)
-    sides = {
+    return {
         name: {
             "parameter": text(exact[k]) if exact else text(a) if a == b else None,
             "interval": plain((a, b)),
@@ -172,49 +117,10 @@ def _place_data(place: Place, digits: int) -> Data:
         }
         for k, (name, (a, b)) in enumerate(zip("uv", box, strict=True))
     }
-    return {**sides, **picked(place, "patches")}
 
 
-@_element_data.register
-def _shape_data(part: RecognizedPart, digits: int) -> Data:
-    numbers = {name: [str(x) for x in values] for name, values in part.values.items()}
-    return {"kind": str(part.kind), **picked(part, "patches", "whole", "once"), "numbers": numbers}
-
-
-@_element_data.register
-def _nearby_data(umbilic: NearbyUmbilic, digits: int) -> Data:
-    return {**_hull_data(umbilic.sides), "certain": umbilic.certain}
-
-
-@_element_data.register
-def _line_data(line: ZeroLine, digits: int) -> Data:
-    value = _parameter_data(line.value, digits)
-    return picked(line, "along") | value | picked(line, "interval", "closed", "one_sided")
-
-
-@_element_data.register
-def _curve_data(curve: ZeroComponent, digits: int) -> Data:
-    return picked(curve, "patches", "shape") | _hull_data(hull(_hull(piece) for piece in curve.pieces))
-
-
-@_element_data.register
-def _pole_data(pole: Pole, digits: int) -> Data:
-    return picked(pole, "along", "value", "interval", "point", "gap")
-
-
-@_element_data.register
-def _joint_data(joint: SurfaceJoint, digits: int) -> Data:
-    order = {"geometric_continuity": joint.order, "angle": angle_data(joint.angle, digits)}
-    return picked(joint, "across", "value", "interval", "at_seam", "kind") | order
-
-
-def _parameter_data(t: Parameter, digits: int) -> Data:
-    """A parameter exactly, if it is rational, and to a given number of digits."""
-    return {"value": None if isinstance(t, Root) else text(t), "decimal": shown(*enclosing(t, digits + 2), digits)}
-
-
-def _hull_data(box: Box) -> Data:
-    return {"u": plain(box.first), "v": plain(box.second)}
+def _decimal(t: Parameter, digits: int) -> str:
+    return shown(*enclosing(t, digits + 2), digits)
 
 
 def shown(low: mpq, high: mpq, digits: int) -> str:
@@ -238,6 +144,89 @@ def _hull(piece: Piece) -> Box:
         return piece.sides.part(hull(boxes))
     spots = [Box(*(enclosing(t, DIGITS_OF_BOXES) for t in spot)) for spot, _ in piece.spots()]
     return hull(spots) if spots else piece.sides
+
+
+_PATCH = pair_of(INTEGER)
+_PATCHES = record(patches=list_of(_PATCH))
+_SIDES = BOX.of("sides")
+#: A part of a surface all of whose points belong to an answer.
+_PART = record(record(patch=_PATCH), _SIDES)
+_PLACE = record(Form(record(u=PARAMETER, v=PARAMETER).schema, _place_data), _PATCHES)
+_LINE = record(
+    along=one_of(Along),
+    value=(or_null(TEXT), lambda line: None if isinstance(line.value, Root) else line.value),
+    decimal=(Form(TEXT.schema, _decimal), "value"),
+    interval=INTERVAL,
+    closed=FLAG,
+    one_sided=FLAG,
+)
+_CURVE = record(
+    _PATCHES, record(shape=one_of(Shape)), BOX.of(lambda curve: hull(_hull(piece) for piece in curve.pieces))
+)
+#: The form of an answer about a surface, or of one of its elements, by its type.
+FORMS: dict[type, Form] = {
+    PatchInspection: record(
+        _PART,
+        kind=one_of(PatchKind),
+        minimal=FLAG,
+        curvature=or_null(TEXT),
+        radius_squared=or_null(TEXT),
+        umbilic_everywhere=(FLAG, "umbilics.everywhere"),
+        singular_curve=(FLAG, "singular.along_curve"),
+        curve_of_umbilics=(FLAG, lambda one: one.umbilics.curve is not None or bool(one.umbilics.edges)),
+        undecided=(list_of(BOX), "open_boxes"),
+    ),
+    Umbilic: record(
+        _PLACE.of("place"),
+        kind=one_of(UmbilicKind),
+        index=(or_null(TEXT), lambda umbilic: INDEX.get(umbilic.kind)),
+        one_sided=FLAG,
+    ),
+    Place: _PLACE,
+    RecognizedPart: record(
+        record(kind=one_of(ShapeKind)), _PATCHES, whole=FLAG, once=FLAG, numbers=(NUMBERS, "values")
+    ),
+    NearbyUmbilic: record(_SIDES, certain=FLAG),
+    ZeroLine: _LINE,
+    ZeroComponent: _CURVE,
+    Pole: record(along=one_of(Along), value=TEXT, interval=INTERVAL, point=or_null(list_of(TEXT)), gap=one_of(Gap)),
+    SurfaceJoint: record(
+        across=one_of(Along),
+        value=TEXT,
+        interval=INTERVAL,
+        at_seam=FLAG,
+        kind=one_of(SurfaceJointKind),
+        geometric_continuity=(or_null(INTEGER), "order"),
+        angle=ANGLE,
+    ),
+    Ridges: record(
+        curves=list_of(_CURVE),
+        lines=list_of(_LINE),
+        everywhere=(list_of(record(_PART.of(itemgetter(0)), curvatures=(INTEGER, itemgetter(1)))), "stationary"),
+        undecided=list_of(record(_SIDES, umbilics=INTEGER, singular_points=(INTEGER, "singular"))),
+    ),
+}
+
+
+def places_on_surface(element: Form) -> Form:
+    """The form of places on a surface: points one by one, the parts of patches all of whose points are answers, and
+    boxes in which something is undecided.
+    """
+    return record(points=list_of(element), everywhere=list_of(record(_PART, along_curve=FLAG)), undecided=list_of(BOX))
+
+
+_ELEMENT = Form({}, lambda each, digits: FORMS.get(type(each), TEXT).write(each, digits))
+
+
+def surface_answer_data(answer: object, digits: int) -> object:
+    """The answer to a question about a surface as data: places; lists of curves, joints and patches; a value as text; a
+    single point.
+    """
+    if isinstance(answer, SurfacePlaces):
+        return places_on_surface(_ELEMENT).write(answer, digits)
+    if isinstance(answer, Ridges):
+        return _ELEMENT.write(answer, digits)
+    return list_of(_ELEMENT).write(answer, digits) if isinstance(answer, tuple) else plain(answer)
 
 
 def _extent_of(curve: ZeroComponent) -> Iterator[str]:
@@ -456,7 +445,7 @@ def map_data(inspection: MapInspection, digits: int) -> Data:
         "degree": list(surface.degree),
         "polynomial": surface.polynomial,
         "complete": inspection.complete,
-        "undecided": [_hull_data(box) for box in inspection.undecided],
+        "undecided": list_of(BOX).write(inspection.undecided, digits),
     } | answers_data(inspection, digits)
 
 

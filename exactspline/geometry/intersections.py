@@ -149,30 +149,13 @@ class Intersections(Answer[Intersection, Overlap], Displayed):
 
 
 def intersections(first: Nurbs, second: Nurbs) -> Intersections:
-    """All common points of two curves, in the plane or in space.
-
-    Each point is a pair of exact parameters, with its intersection multiplicity and its kind: a crossing, a touching
-    point (of contact order multiplicity − 1), an end, or a knot. Arcs that both curves run along are given as intervals
-    with the exact map between the parameters. The seam of a closed curve is a knot like any other.
+    """All common points of two curves, in the plane or in space (`exactspline.intersections` says more).
 
     >>> from exactspline import Nurbs, example
-    >>> line = Nurbs(1, [0, 0, 1, 1], [(-4, 0), (4, 0)])
-    >>> intersections(example("ellipse"), line)
+    >>> intersections(example("ellipse"), Nurbs(1, [0, 0, 1, 1], [(-4, 0), (4, 0)]))
     [<crossing at 0 and 3/4>, <crossing at 2 and 1/4>]
-    >>> tangent = Nurbs(1, [0, 0, 1, 1], [(-3, 1), (3, 1)])
-    >>> intersections(tangent, example("ellipse"))
-    [<touching at 1/2 and 1, multiplicity 2>]
-    >>> parabola = Nurbs(2, [0, 0, 0, 1, 1, 1], [(0, 0), ("1/2", 0), (1, 1)])
-    >>> intersections(parabola, parabola.restrict("1/2", 1).reverse())
-    everywhere on <overlap of [1, 1/2] and [1/2, 1], reversed>
-
-    The work is limited to about ten seconds (somewhat more for many pairs of segments); what exceeds this is named in
-    ``left_out``.
 
     Raises `ShapeError` for curves of different dimensions, and outside plane and space.
-
-    Source: Bézout's matrix as in Manocha and Demmel, Algorithms for intersecting parametric and algebraic curves I,
-    ACM Transactions on Graphics 1994.
     """
     for curve in (curve_of(first), curve_of(second)):
         if curve.dimension not in (2, 3):

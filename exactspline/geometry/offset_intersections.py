@@ -1,14 +1,16 @@
-"""The points at which the offset of a plane curve meets itself: pairs of parameters whose normals meet at the distance.
+"""The common points of the offsets of two plane curves, and those at which the offset of a curve meets itself: pairs of
+parameters whose normals meet, at the distances of the offsets.
 
-They are common zeros of two polynomials: both points are equally far from where their normals meet, and this distance
-is that of the offset. For s = t both vanish; they are divided by s − t. Where the normals are parallel the polynomials
-vanish at any distance; there it is decided by the length of the chord.
+They are common zeros of two polynomials, one for each distance; where the distances are equal, one says that both
+points are equally far from where the normals meet. For a curve and itself both vanish where s = t; they are divided by
+s − t. Where the normals are parallel the polynomials vanish whether or not the offsets meet; there it is decided by the
+length of the chord.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 from itertools import groupby
 from math import ceil
 
@@ -20,9 +22,10 @@ from exactspline.geometry.bisector.plane_pair import PlanePair, tangent
 from exactspline.geometry.bisector.system import piece
 from exactspline.geometry.box_tree import BoxTree, pairs_that_may_meet, shift_for
 from exactspline.geometry.intersections import Intersection, IntersectionKind, Intersections
+from exactspline.geometry.intersections import intersections as intersections_of_curves
 from exactspline.geometry.intersections import self_intersections as self_intersections_of_curve
 from exactspline.geometry.singular_points import sign_at
-from exactspline.language.vector import det, dot, norm2
+from exactspline.language.vector import Vector, det, dot, norm2
 from exactspline.numbers.exact import Number, mpq, rational
 from exactspline.numbers.exact import sign as sign_of
 from exactspline.numbers.intervals import Box, Interval
@@ -43,23 +46,62 @@ from exactspline.splines.nurbs import Nurbs
 
 @dataclass(frozen=True, repr=False)
 class OffsetIntersection(Intersection):
-    """A point at which the offset at a signed `distance` (positive to the left) meets itself; both parameters are those
-    of the curve. The multiplicity is None, and the kind a common point, where the normals are parallel.
+    """A common point of the offsets of two curves, or of one, at signed `distances` (positive to the left); both
+    parameters are those of the curves. The multiplicity is None, and the kind a common point, where the normals are
+    parallel.
 
-    At a corner the offset has two ends: `sides` tells from which side of each parameter it arrives (right elsewhere).
+    At a corner an offset has two ends: `sides` tells from which side of each parameter it arrives (right elsewhere).
     """
 
-    distance: mpq = field(default_factory=mpq)
+    distances: tuple[mpq, mpq] = (mpq(), mpq())
     sides: tuple[Side, Side] = (Side.RIGHT, Side.RIGHT)
 
     @property
     def point(self) -> tuple[mpq | Real, ...]:
         """The coordinates, exactly."""
-        curve, k = self.curves[0], int(self.first.closed_form is None and self.second.closed_form is not None)
-        t, side = (self.first, self.second)[k], self.sides[k]
+        k = int(self.first.closed_form is None and self.second.closed_form is not None)
+        curve, t, side, d = self.curves[k], (self.first, self.second)[k], self.sides[k], self.distances[k]
         (x, y), (a, b) = at(curve, t, side=side), [at(f, t, side=side) for f in tangent(curve)]
         length = square_root(a * a + b * b)
-        return x - b * self.distance / length, y + a * self.distance / length
+        return x - b * d / length, y + a * d / length
+
+
+def intersections(first: Nurbs, second: Nurbs, *, offset: Number | tuple[Number, Number] = 0) -> Intersections:
+    """All common points of two curves, in the plane or in space.
+
+    Each point is a pair of exact parameters, with its intersection multiplicity and its kind: a crossing, a touching
+    point (of contact order multiplicity − 1), an end, or a knot. Arcs that both curves run along are given as intervals
+    with the exact map between the parameters. The seam of a closed curve is a knot like any other.
+
+    >>> from exactspline import Nurbs, example
+    >>> line = Nurbs(1, [0, 0, 1, 1], [(-4, 0), (4, 0)])
+    >>> intersections(example("ellipse"), line)
+    [<crossing at 0 and 3/4>, <crossing at 2 and 1/4>]
+    >>> tangent = Nurbs(1, [0, 0, 1, 1], [(-3, 1), (3, 1)])
+    >>> intersections(tangent, example("ellipse"))
+    [<touching at 1/2 and 1, multiplicity 2>]
+    >>> parabola = Nurbs(2, [0, 0, 0, 1, 1, 1], [(0, 0), ("1/2", 0), (1, 1)])
+    >>> intersections(parabola, parabola.restrict("1/2", 1).reverse())
+    everywhere on <overlap of [1, 1/2] and [1/2, 1], reversed>
+
+    With `offset`, a signed distance (positive to the left) or one for each curve, those of the offsets of two plane
+    curves, by the parameters of the curves themselves.
+
+    >>> intersections(example("ellipse"), line, offset=("1/4", 0))
+    [<knot at 0 and 23/32>, <knot at 2 and 9/32>]
+
+    The work is limited to about ten seconds (somewhat more for many pairs of segments); what exceeds this is named in
+    ``left_out``; of offsets also segments with points without a tangent, and those whose offsets are one point or may
+    run along each other.
+
+    Raises `ShapeError` for curves of different dimensions, outside plane and space, and for offsets in space.
+
+    Source: Bézout's matrix as in Manocha and Demmel, Algorithms for intersecting parametric and algebraic curves I,
+    ACM Transactions on Graphics 1994.
+    """
+    one, other = offset if isinstance(offset, tuple) else (offset, offset)
+    distances = rational(one), rational(other)
+    return _Search((first, second), distances).answer() if any(distances) else intersections_of_curves(first, second)
 
 
 def self_intersections(curve: Nurbs, *, offset: Number = 0) -> Intersections:
@@ -85,46 +127,60 @@ def self_intersections(curve: Nurbs, *, offset: Number = 0) -> Intersections:
     Raises `ShapeError` for a curve that is not in the plane.
     """
     d = rational(offset)
-    return _Search(curve, d).answer() if d else self_intersections_of_curve(curve)
+    return _Search((curve, curve), (d, d), alone=True).answer() if d else self_intersections_of_curve(curve)
 
 
 class _Search:
-    """The pairs of segments, and what is found."""
+    """The pairs of segments, and what is found; `alone`: of a curve and itself."""
 
-    def __init__(self, curve: Nurbs, d: mpq) -> None:
-        if curve_of(curve).dimension != 2:
-            raise ShapeError(f"a curve in R{curve.dimension}", remedy="give a curve in the plane")
-        self.curve, self.d = curve, d
+    def __init__(self, curves: tuple[Nurbs, Nurbs], distances: tuple[mpq, mpq], *, alone: bool = False) -> None:
+        for curve in curves:
+            if curve_of(curve).dimension != 2:
+                raise ShapeError(f"a curve in R{curve.dimension}", remedy="offsets need curves in the plane")
+        self.curves, self.distances, self.alone = curves, distances, alone
         self.left_out: list[str] = []
         self.points: list[OffsetIntersection] = []
 
     def answer(self) -> Intersections:
         """All of it, in order."""
-        segments = [segment_forms(self.curve, i) for i in range(self.curve.segments)]
-        shift = shift_for(segments)
-        tree = BoxTree(segments, shift, ceil(abs(self.d) * (1 << shift)))
-        pairs = list(pairs_that_may_meet(tree, tree))
+        pairs = self._pairs()
         with drawing_on(Budget(QUESTION + PATCH * max(len(pairs) - 1, 0))):
-            for i, j in pairs:
-                sides = Box(*(Interval(*self.curve.breakpoints[k : k + 2]) for k in (i, j)))
+            for pair in pairs:
                 try:
-                    found = list(_OfSegments(self.curve, self.d, sides, i, j).points())
+                    found = list(_OfSegments(self, pair).points())
                 except ReachError as error:
-                    where = " and ".join(side.shortly for side in sides)
+                    where = " and ".join(side.shortly for side in self.over(pair))
                     self.left_out.append(f"the segments over {where}: {error.problem}")
                     continue
                 self.points += map(self._from_seam, found)
         ordered = groupby(sorted(self.points, key=_where), _where)
         return Intersections(tuple(_once(list(own)) for _, own in ordered), (), tuple(self.left_out))
 
+    def _pairs(self) -> list[tuple[int, int]]:
+        """The pairs of segments whose boxes, widened by the distances, meet."""
+        segments = [[segment_forms(curve, i) for i in range(curve.segments)] for curve in self.curves[: 2 - self.alone]]
+        shift = shift_for([segment for own in segments for segment in own])
+        wide = [ceil(abs(d) * (1 << shift)) for d in self.distances]
+        trees = [BoxTree(own, shift, by) for own, by in zip(segments, wide, strict=False)]
+        return list(pairs_that_may_meet(trees[0], trees[-1]))
+
+    def over(self, pair: tuple[int, int]) -> Box:
+        """The parameters of a pair of segments."""
+        return Box(*(Interval(*curve.breakpoints[k : k + 2]) for curve, k in zip(self.curves, pair, strict=True)))
+
     def _from_seam(self, point: OffsetIntersection) -> OffsetIntersection:
-        """A point whose second parameter is the end of a closed curve without a corner there, with the start instead
-        of it.
+        """A point with the start of a closed curve instead of its end, where there is no corner; of a curve and itself
+        the start comes first.
         """
-        low, high = self.curve.domain
-        if self.curve.closed and point.second == high and analyse(self.curve).tangent_continuous(0):
-            sides, at_knot = (Side.RIGHT, point.sides[0]), (True, point.at_knot[0])
-            return replace(point, first=Real(low), second=point.first, sides=sides, at_knot=at_knot)
+        for k, curve in enumerate(self.curves):
+            low, high = curve.domain
+            places, sides, knots = [point.first, point.second], list(point.sides), list(point.at_knot)
+            if curve.closed and places[k] == high and analyse(curve).tangent_continuous(0):
+                places[k], sides[k] = Real(low), Side.RIGHT
+                if self.alone:
+                    places, sides, knots = places[::-1], sides[::-1], knots[::-1]
+                at_knot = knots[0], knots[1]
+                point = replace(point, first=places[0], second=places[1], sides=(sides[0], sides[1]), at_knot=at_knot)
         return point
 
 
@@ -139,103 +195,147 @@ def _once(found: Sequence[OffsetIntersection]) -> OffsetIntersection:
 
 
 class _OfSegments:
-    """The points of the offsets of two segments."""
+    """The common points of the offsets of two segments."""
 
-    def __init__(self, curve: Nurbs, d: mpq, sides: Box, i: int, j: int) -> None:
-        self.curve, self.d, self.sides, self.segments, self.alone = curve, d, sides, (i, j), i == j
-        if any(piece(curve, k).stands_still or piece(curve, k).cusps for k in {i, j}):
+    def __init__(self, search: _Search, segments: tuple[int, int]) -> None:
+        self.search, self.curves, self.segments = search, search.curves, segments
+        self.sides, self.alone = search.over(segments), search.alone and segments[0] == segments[1]
+        own = list(zip(self.curves, segments, strict=True))
+        if any(piece(curve, k).stands_still or piece(curve, k).cusps for curve, k in own):
             raise ReachError("a segment on which the curve has a point without a tangent")
-        pair = PlanePair.of_segments(curve, i, j)
-        a, b, e, w, n, m = pair.a, pair.b, pair.chord, pair.weight, int(d.numerator), int(d.denominator)
-        side = pair.across * w * sign_of(d)
-        self.pair, self.equidistant = pair, pair.equidistant
-        #: Zero where the normals meet at the distance; those that are positive where it is on the side of the offset.
-        self.reach = dot(b, e) ** 2 * norm2(a) * (m * m) - (pair.across * w) ** 2 * (n * n)
-        self.beside = [dot(b, e) * side, dot(a, e) * side]
-        #: What decides where the normals are parallel.
-        self.square, self.opposite, self.normal = norm2(e), dot(a, b), det(a, e) * w * sign_of(d)
-        self.chord = self.square * (m * m) - (w * w) * (4 * n * n)
+        self.pair = pair = PlanePair.of_segments(*own)
+        a, b, e = pair.a, pair.b, pair.chord
+        one, other = search.distances
+        first, second = ((dot(b, e), a, one), (dot(a, e), b, other))
+        #: Zero where the normals meet at the distances.
+        self.equations = [self._distance(*first), self._distance(*second)]
+        if abs(one) == abs(other):
+            self.equations[1] = pair.equidistant
+        #: Positive where they meet on the side of each offset, unless it is the curve.
+        self.beside = [f * pair.across * pair.weight * sign_of(d) for f, _, d in (first, second) if d]
+        self.square, self.along, self.normal = norm2(e), dot(a, b), det(a, e) * pair.weight
+        self.triangle = self._triangle()
+
+    def _distance(self, f: fmpz_mpoly, velocity: Vector[fmpz_mpoly], d: mpq) -> fmpz_mpoly:
+        """Zero where the normals meet at a distance from one of the points."""
+        if not d:
+            return f
+        reached: fmpz_mpoly = self.pair.across * self.pair.weight * int(d.numerator)
+        value: fmpz_mpoly = f**2 * norm2(velocity) * int(d.denominator) ** 2 - reached**2
+        return value
+
+    def _chord(self, d: mpq) -> fmpz_mpoly:
+        """Zero where the chord has a length."""
+        weight: fmpz_mpoly = self.pair.weight
+        value: fmpz_mpoly = self.square * int(d.denominator) ** 2 - weight**2 * int(d.numerator) ** 2
+        return value
+
+    def _triangle(self) -> fmpz_mpoly:
+        """Zero where the chord is the third side of a triangle whose two others have the lengths of the distances and
+        are normals of the curves (law of cosines). It is not zero at most common normals and common points of the
+        curves, at which both equations vanish.
+        """
+        one, other = self.search.distances
+        m = int(one.denominator * other.denominator)
+        weight: fmpz_mpoly = self.pair.weight
+        left = self.square * m**2 - weight**2 * int((one**2 + other**2) * m**2)
+        right = weight**2 * self.along * int(2 * one * other * m**2)
+        value: fmpz_mpoly = left**2 * norm2(self.pair.a) * norm2(self.pair.b) - right**2
+        return value
 
     def points(self) -> Iterator[OffsetIntersection]:
         """All points."""
-        p, q = self.equidistant, self.reach
+        q, p = self.equations
         if not p:
             self._check_one_circle()
             return
         if not q:
             raise ReachError("offsets that may run along each other")
         if self.alone:
-            p, q = _without_diagonal(p), _without_diagonal(q)
+            p, q, self.triangle = map(_without_diagonal, (p, q, self.triangle))
         shared = greatest_common_divisor([p, q])
         pair = p / shared, q / shared
-        for zero in common_zeros(pair, self.sides):
+        for zero in common_zeros(pair, self.sides, [self.triangle]):
             if self._is_met(zero):
                 yield self._point(zero, pair)
         for factor in factorize(shared).bases if shared.total_degree() > 0 else ():
-            for zero in self._along(factor):
+            for zero in self._on(factor):
                 if self._is_met(zero):
                     yield self._point(zero, None)
 
     def _check_one_circle(self) -> None:
         """Arcs of one circle, or of one line: their offsets meet where the arcs do, or are one point."""
-        if not self.reach:
+        if not self.search.alone:
+            raise ReachError("arcs of one circle or line")
+        if not self.equations[0]:
             raise ReachError("the offset is a single point")
-        if self_intersections_of_curve(self.curve):
+        if self_intersections_of_curve(self.curves[0]):
             raise ReachError("arcs of one circle or line, of a curve that meets itself")
 
-    def _along(self, factor: fmpz_mpoly) -> list[CommonZero]:
+    def _between(self, same: int) -> mpq:
+        """By how much the offsets are apart where the tangents have the same direction (1), or opposite ones (−1)."""
+        one, other = self.search.distances
+        return one - same * other
+
+    def _on(self, factor: fmpz_mpoly) -> list[CommonZero]:
         """The pairs at which both equations vanish along a curve, and the chord has the length of a common normal."""
-        chord = self.chord
-        if greatest_common_divisor([factor, chord]).total_degree() > 0 or divmod(self.pair.across, factor)[1]:
+        chords = [self._chord(d) for d in dict.fromkeys(abs(self._between(same)) for same in (1, -1)) if d]
+        if divmod(self.pair.across, factor)[1] or any(
+            greatest_common_divisor([factor, chord]).total_degree() > 0 for chord in chords
+        ):
             if as_form(factor).part(self.sides).sign in (1, -1):
                 return []
             raise ReachError("offsets that may run along each other")
-        return common_zeros([factor, chord], self.sides)
+        return [zero for chord in chords for zero in common_zeros([factor, chord], self.sides)]
 
     def _is_met(self, zero: CommonZero) -> bool:
-        """Whether the normals of a pair, the first parameter below the second, meet on the side of the offset at its
-        distance.
+        """Whether the normals of a pair, of a curve and itself the first parameter below the second, meet on the sides
+        of the offsets at their distances.
         """
         s, t = zero.place
-        if not s < t or (self.curve.closed and (s, t) == self.curve.domain):
+        if self.search.alone and (not s < t or (self.curves[0].closed and (s, t) == self.curves[0].domain)):
             return False
-        signs = [_sign(f, zero) for f in self.beside]
-        if any(signs):
-            return signs == [1, 1]
-        # the normals are parallel: the offset touches itself in the middle of a chord, or where the curve does
-        if _vanishes(self.square, zero):
-            return _sign(self.opposite, zero) > 0
-        return _vanishes(self.chord, zero) and _sign(self.opposite, zero) < 0 and _sign(self.normal, zero) > 0
+        if not _vanishes(self.pair.across, zero):
+            return all(_sign(f, zero) > 0 for f in self.beside)
+        # the normals are parallel: the offsets meet on the common normal, or where the curves do
+        apart = self._between(_sign(self.along, zero))
+        if not apart:
+            return _vanishes(self.square, zero)
+        return _vanishes(self._chord(apart), zero) and _sign(self.normal, zero) == sign_of(apart)
 
     def _point(self, zero: CommonZero, pair: Sequence[fmpz_mpoly] | None) -> OffsetIntersection:
         first, second = (x if isinstance(x, Root) else Real(x) for x in zero.place)
         times = None
         if pair is not None and not _vanishes(self.pair.across, zero):
             times = multiplicity(zero, *pair)
-        at_knot = tuple(not isinstance(x, Root) and x in self.curve.breakpoints for x in zero.place)
+        knots = [
+            not isinstance(x, Root) and x in curve.breakpoints for curve, x in zip(self.curves, zero.place, strict=True)
+        ]
         kind = IntersectionKind.SPACE
-        if any(at_knot):
+        if any(knots):
             kind = IntersectionKind.KNOT
         elif times is not None:
             kind = IntersectionKind.CROSSING if times % 2 else IntersectionKind.TOUCHING
-        curves, (one, other) = (self.curve, self.curve), map(self._side, (0, 1), zero.place)
-        knots = at_knot[0], at_knot[1]
-        return OffsetIntersection(first, second, kind, times, curves, knots, distance=self.d, sides=(one, other))
+        one, other = map(self._side, (0, 1), zero.place)
+        at_knot, distances = (knots[0], knots[1]), self.search.distances
+        return OffsetIntersection(first, second, kind, times, self.curves, at_knot, distances, (one, other))
 
     def _side(self, k: int, x: Parameter) -> Side:
         """Left where a parameter is the end of its segment, and a corner."""
-        is_end = x == self.sides[k].high != self.curve.domain[1]
-        is_corner = is_end and not analyse(self.curve).tangent_continuous(self.segments[k] + 1)
+        curve = self.curves[k]
+        is_end = x == self.sides[k].high != curve.domain[1]
+        is_corner = is_end and not analyse(curve).tangent_continuous(self.segments[k] + 1)
         return Side.LEFT if is_corner else Side.RIGHT
 
 
 def _without_diagonal(p: fmpz_mpoly) -> fmpz_mpoly:
     """A polynomial divided by s − t as often as possible."""
-    while True:
+    while p:
         quotient, rest = divmod(p, S - T)
         if rest:
             return p
         p = quotient
+    return p
 
 
 def _vanishes(p: fmpz_mpoly, zero: CommonZero) -> bool:
@@ -246,4 +346,4 @@ def _sign(p: fmpz_mpoly, zero: CommonZero) -> int:
     return 0 if _vanishes(p, zero) else sign_at(p, zero)
 
 
-__all__ = ["OffsetIntersection", "self_intersections"]
+__all__ = ["OffsetIntersection", "intersections", "self_intersections"]

@@ -16,7 +16,7 @@ from functools import reduce
 
 from flint import ctx, fmpz_mpoly
 
-from exactspline.numbers.intervals import Box
+from exactspline.numbers.intervals import Box, sign_of_ball
 from exactspline.polynomials.factors import factorize_square_free, greatest_common_divisor
 from exactspline.polynomials.patch_forms import PatchForm
 from exactspline.polynomials.two_parameters import S, enclosed, over
@@ -121,7 +121,6 @@ def sign_at(p: fmpz_mpoly, zero: elimination.CommonZero) -> int:
     digits = DIGITS
     while True:
         with ctx.workprec(8 * digits + 64):
-            value = enclosed(p, *(ball(x, digits) for x in zero.place))
-            if not value.contains(0):
-                return 1 if value > 0 else -1
+            if sign := sign_of_ball(enclosed(p, *(ball(x, digits) for x in zero.place))):
+                return sign
         digits *= 2

@@ -175,7 +175,8 @@ def determinant(matrix: Matrix, degree: int) -> fmpz_poly:
     if size == 0:
         return fmpz_poly([1])
     if size == 1:
-        return matrix[0][0]
+        ((a,),) = matrix
+        return a
     if size == 2:
         (a, b), (c, d) = matrix
         return a * d - b * c

@@ -10,7 +10,7 @@ from flint import arb, arb_poly, fmpz_poly
 
 from exactspline.numbers.exact import mpq
 from exactspline.numbers.intervals import Interval
-from exactspline.polynomials.bernstein import quotient_slope
+from exactspline.polynomials.bernstein import ONE, quotient_slope
 from exactspline.polynomials.factors import greatest_common_divisor
 from exactspline.polynomials.isolation import isolate
 from exactspline.polynomials.refinement import sign_at
@@ -165,7 +165,7 @@ def common_arcs(carried: RationalMap, *, below: bool = False) -> Meetings:
     """
     inside = carried.top * carried.bottom
     # the sign of (value − parameter), a form of even degree
-    excess = (carried.top - carried.bottom.left_shift(1)) * carried.bottom if below else fmpz_poly([-1])
+    excess = (carried.top - carried.bottom.left_shift(1)) * carried.bottom if below else fmpz_poly([-ONE])
     product = inside * carried.slope * excess
     marks = [at(mpq(0)), *(Place(zero) for zero in isolate(product, product.degree()).inner), at(mpq(1))]
     on = [sign_at(inside, t) > 0 > sign_at(excess, t) for t in (between(a, b) for a, b in pairwise(marks))]

@@ -115,14 +115,13 @@ def local_multiplicity(
     if carried is not None:
         factor = S * lifted(carried.bottom, 1) - lifted(carried.top, 1)
         equations = [divided_out(p, factor) for p in equations]
-    least, slope = 0, 0
+    found = list[int]()
     while True:
-        slope += 1
+        slope = len(found) + 1
         eliminant = resultant(*[rows_of(p.compose(S, T - slope * S).compose(T, S)) for p in equations])
-        found = _multiplicity_of_sum(eliminant, s, t, slope)
-        least = min(least or found, found)
-        if least == 1 or slope > eliminant.degree():
-            return least
+        found.append(_multiplicity_of_sum(eliminant, s, t, slope))
+        if found[-1] == 1 or slope > eliminant.degree():
+            return min(found)
 
 
 def divided_out(p: fmpz_mpoly, factor: fmpz_mpoly) -> fmpz_mpoly:
@@ -146,5 +145,6 @@ def _multiplicity_of_sum(eliminant: fmpz_poly, s: Place, t: Place, slope: int) -
             value = t.z(bits) + s.z(bits) * slope
             possible = [e for g, e in powers if arb_poly(g)(value).contains(0)]
         if len(possible) == 1:
-            return possible[0]
+            (only,) = possible
+            return only
         bits *= 2

@@ -195,7 +195,6 @@ def _divisor_modulo(p: OverRoot, q: OverRoot, prime: int) -> list[nmod_poly] | N
         divisor, inverse, _ = second[-1].xgcd(modulus)
         if divisor.degree() != 0:
             return None
-        inverse = inverse * pow(int(divisor[0]), -1, prime)
         second = [c * inverse % modulus for c in second]
         while len(first) >= len(second):
             leading, shift = first[-1], len(first) - len(second)
@@ -221,9 +220,8 @@ def _modulo(p: OverRoot, prime: int) -> list[nmod_poly] | None:
 
 
 def _inverse(x: fmpq_poly, modulus: fmpq_poly) -> fmpq_poly:
-    """1/x; it exists because the modulus is irreducible."""
-    divisor, inverse, _ = x.xgcd(modulus)
-    return inverse / divisor[0]
+    """1/x; it exists because the modulus is irreducible, and FLINT's common divisor is 1."""
+    return x.xgcd(modulus)[1]
 
 
 def by_powers(polynomials: Sequence[OverRoot]) -> list[list[fmpz_poly]]:

@@ -18,6 +18,7 @@ from flint import arb, arb_mat, arb_poly, ctx, fmpz_poly
 
 from exactspline.errors import ReachError
 from exactspline.numbers.exact import mpq
+from exactspline.numbers.intervals import sign_of_ball
 from exactspline.polynomials import bezout
 from exactspline.polynomials.bezout import Matrix, PlaneForms, across, along
 from exactspline.polynomials.collinear_arcs import collinear_arcs
@@ -117,9 +118,8 @@ class Elimination:
         bits = FIRST
         while bits <= SUSPICIOUS and place.exact is None:
             with ctx.workprec(4 * bits):
-                value = self._entry(i, j, place.z(bits))
-                if not value.contains(0):
-                    return 1 if value > 0 else -1
+                if sign := sign_of_ball(self._entry(i, j, place.z(bits))):
+                    return sign
             bits *= 2
         return 0
 
@@ -188,6 +188,11 @@ class LineElimination(Elimination):
         if top * bottom < 0:
             return None
         return at(mpq(0)) if top == 0 else at(mpq(1)) if bottom == 0 else Image(place, self)
+
+
+def _of_itself(curve: PlaneForms) -> Elimination:
+    """That of a curve of degree 2 or more and itself, without the pairs of equal parameters."""
+    return Elimination(bezout.self_matrix(curve), curve.degree - 2)
 
 
 def elimination(first: PlaneForms, second: PlaneForms) -> Elimination:
@@ -302,13 +307,11 @@ def _degenerate(first: PlaneForms, second: PlaneForms) -> Meetings:
     lower, other = without_common_factor(first), without_common_factor(second)
     if lower.degree < first.degree or other.degree < second.degree:
         return meetings(lower, other)
-    if second.degree == 0:
-        return _of_point(second, first).exchanged()
     forward = elimination(first, second)
-    if first.degree == 1 or forward.first:
+    if forward.first:
         return _of_one_curve(first, second, forward)
     backward = elimination(second, first)
-    if second.degree == 1 or backward.first:
+    if backward.first:
         return _of_one_curve(second, first, backward).exchanged()
     if first.is_straight:
         return collinear_arcs(first, second)
@@ -326,10 +329,9 @@ def _of_one_curve(first: PlaneForms, second: PlaneForms, forward: Elimination) -
 
 def _crossings(first: PlaneForms, second: PlaneForms, carried: RationalMap) -> Iterator[Meeting]:
     """The points where other branches of the first curve pass through a point of the second."""
-    degree = (first.degree - 2) * carried.degree
-    crossed = Elimination(
-        bezout.substitute(bezout.self_matrix(first), first.degree - 2, carried.bottom, carried.top), degree
-    )
+    own = _of_itself(first)
+    matrix = bezout.substitute(own.matrix, own.degree, carried.bottom, carried.top)
+    crossed = Elimination(matrix, own.degree * carried.degree)
     for place in places(crossed.isolation):
         partner = crossed.partner(place)
         if partner is SEVERAL:
@@ -341,7 +343,7 @@ def _crossings(first: PlaneForms, second: PlaneForms, carried: RationalMap) -> I
 def _crossings_at(first: PlaneForms, second: PlaneForms, carried: RationalMap, place: Place) -> Iterator[Meeting]:
     """The same at a place where several other branches pass through the point."""
     fibre = Fibre(first, second, place, carried)
-    for candidate in places(Elimination(bezout.self_matrix(first), first.degree - 2).isolation):
+    for candidate in places(_of_itself(first).isolation):
         if fibre.contains(candidate):
             yield Meeting(candidate, place, local_multiplicity(first, second, candidate, place, carried))
 
@@ -374,7 +376,7 @@ def self_meetings(curve: PlaneForms) -> Meetings:
         return Meetings()
     if curve.is_straight:
         return collinear_arcs(curve)
-    crossed = Elimination(bezout.self_matrix(curve), curve.degree - 2)
+    crossed = _of_itself(curve)
     if crossed.determinant:
         return Meetings(list(_own_crossings(curve, crossed)))
     if not crossed.first:

@@ -10,7 +10,7 @@ from flint import arb, arb_poly, ctx, fmpq_poly, fmpz_poly
 
 from exactspline.numbers.exact import mpq, ratio, to_fmpq
 from exactspline.numbers.exact import sign as sign_of
-from exactspline.numbers.intervals import Interval
+from exactspline.numbers.intervals import Interval, sign_of_ball
 from exactspline.polynomials.factors import factorize, greatest_common_divisor
 from exactspline.polynomials.isolation import Isolation, LocalPolynomial, LocalZero, end_signs
 from exactspline.polynomials.refinement import enclosures, sign_at
@@ -62,19 +62,16 @@ class Place:
         """The exact sign of a form of degree n."""
         if not c:
             return 0
-        bits, suspected = max(FIRST, self.bits), False
+        bits = max(FIRST, self.bits)
         while True:
             low, high = self.refine(bits)
             if low == high:
                 return sign_of(c[n]) if low == 1 else sign_at(c, low)
             with ctx.workprec(2 * bits):
-                value = arb_poly(c)(self.z(bits))
-                if not value.contains(0):
-                    return 1 if value > 0 else -1
-            if bits >= SUSPICIOUS and not suspected:
-                if self._is_zero_of(c):
-                    return 0
-                suspected = True
+                if sign := sign_of_ball(arb_poly(c)(self.z(bits))):
+                    return sign
+            if bits >= SUSPICIOUS and self._is_zero_of(c):
+                return 0
             bits *= 2
 
     def z(self, bits: int) -> arb:
@@ -124,8 +121,7 @@ class Place:
 
     def sign_of_element(self, x: fmpq_poly) -> int:
         """The sign of a polynomial in ``z = t/(1 − t)`` with rational coefficients, for a parameter below 1."""
-        numerator = x.numer()
-        return self.sign(numerator, max(numerator.degree(), 0))
+        return self.sign(x.numer(), x.degree())
 
 
 def places(isolation: Isolation) -> list[Place]:

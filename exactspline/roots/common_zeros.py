@@ -19,12 +19,12 @@ from itertools import pairwise, product
 from math import ceil, floor
 from typing import NamedTuple
 
-from flint import arb, arb_poly, ctx, fmpq_poly, fmpz_mpoly, fmpz_poly
+from flint import arb_poly, ctx, fmpq_poly, fmpz_mpoly, fmpz_poly
 
 from exactspline.errors import ReachError
 from exactspline.numbers.exact import mpq, to_fmpq
 from exactspline.numbers.exact import sign as sign_of
-from exactspline.numbers.intervals import UNIT, Box, Interval, shifted
+from exactspline.numbers.intervals import UNIT, Box, Interval, shifted, sign_of_ball
 from exactspline.polynomials.bernstein import from_integers, in_parameter
 from exactspline.polynomials.certified_boxes import Isolated, isolate
 from exactspline.polynomials.cost import Priced, bounded, check_reach
@@ -45,10 +45,10 @@ ELIMINANTS = 2
 SUBDIVISION = 12
 #: The product of the degrees of a form up to which resultants are computed before simple rational numbers are tried.
 FEW = 9
-#: The first precision (decimal digits) at which a sign is tried.
-DIGITS = 15
-#: Bits to which a zero is refined before it is decided exactly whether another form vanishes there; and those with
-#: which it is tried where nearly all forms do not vanish.
+#: The first precision (decimal digits) at which a sign is tried, and that of a number over which forms are.
+DIGITS, OVER = 15, 60
+#: Bits to which a zero is refined before it is decided exactly whether another form vanishes there, or which of two it
+#: is; and those with which it is tried where nearly all forms do not vanish.
 BITS, TRIED = 400, (10, 20, 40, 80)
 
 
@@ -173,7 +173,7 @@ class CommonZero:
         """Whether both are one point of one patch, decided exactly. Raises `ReachError` where this would take too
         long.
         """
-        if not self.refine(8 * DIGITS).meets(other.refine(8 * DIGITS)):
+        if not self.refine(BITS).meets(other.refine(BITS)):
             return False
         return bool(self.local[0] == other.local[0] and self.local[1] == other.local[1])
 
@@ -358,16 +358,17 @@ class _Search:
                 sides = [
                     box.second for box in boxes if box.first.low <= s <= box.first.high and self._may_vanish(s, box)
                 ]
-                if sides and column is None:
-                    column = Column.of(polynomials, minimal)
-                if column is not None and any(column.may_be_in(s, side) for side in sides):
+                if not sides:
+                    continue
+                column = column or Column.of(polynomials, minimal)
+                if any(column.may_be_in(s, side) for side in sides):
                     own = [t for t in column.candidates if any(low <= t <= high for low, high in sides)]
                     found += [CommonZero(UNIT, (s, t)) for t in own if column.contains(s, t)]
         return [zero for zero in found if zero.is_inside]
 
     def _may_vanish(self, s: Parameter, box: Box) -> bool:
         """Whether no form is certainly not zero over a number s in a box."""
-        line = Box(enclosing(s, 4 * DIGITS), box.second)
+        line = Box(enclosing(s, OVER), box.second)
         return not any(rounded(f, line).sign in (1, -1) for f in (*self.forms, *self.also))
 
 
@@ -585,9 +586,8 @@ def _sign_over(x: fmpq_poly, s: Parameter) -> int:
         return sign_of(numerator(to_fmpq(s)))
     while True:
         with ctx.workprec(8 * digits + 64):
-            value: arb = arb_poly(numerator)(ball(s, digits))
-            if not value.contains(0):
-                return 1 if value > 0 else -1
+            if sign := sign_of_ball(arb_poly(numerator)(ball(s, digits))):
+                return sign
         digits *= 2
 
 

@@ -118,19 +118,17 @@ class ImageValue(ValueAt):
 
     def _enclosed(self, digits: int) -> Interval:
         """By balls around the entries of the adjugate."""
-        low, high = self._sides[0]
-        bits = max(digits, 0) * 10 // 3 + GUARD
-        limit = mpq(1, 10 ** max(digits, 0))
-        if (known := self._image.known) is not None and (high - low) * known.width <= limit:
-            return self._sides[0].part(known)
+        side, digits = self._sides[0], max(digits, 0)
+        bits, limit = digits * 10 // 3 + GUARD, mpq(1, 10**digits)
+        if (known := self._image.known) is not None and (enclosure := side.part(known)).width <= limit:
+            return enclosure
         while True:
             with ctx.workprec(3 * bits):
                 z = self._image.z(bits)
                 if z is not None:
                     local = z / (1 + z)
                     if local.is_finite():
-                        start, end = ball_ends(local)
-                        enclosure = Interval(low + (high - low) * start, low + (high - low) * end)
+                        enclosure = side.part(Interval(*ball_ends(local)))
                         if enclosure.width <= limit:
                             return enclosure
             bits *= 2

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 
-from flint import ctx, fmpz_mpoly, fmpz_poly
+from flint import arb, ctx, fmpz_mpoly, fmpz_poly
 
 from exactspline.numbers.exact import to_fmpq
 from exactspline.polynomials.cost import LONGEST as LONGEST_CALL
@@ -68,11 +68,10 @@ def _vanishes(p: fmpz_mpoly, s: Root, t: Root) -> bool:
     first, second = fmpz_poly(s.minimal_polynomial()), fmpz_poly(t.minimal_polynomial())
     for variable, minimal in enumerate((first, second)):
         if p.degrees()[1 - variable] == 0:
-            own = in_one(p, variable)
-            return not (own // own.content()) % minimal
-    bits, precision = least_value(p, first, second), SHORTEST
+            return not in_one(p, variable) % minimal
+    bits = least_value(p, first, second)
     products = len(p) + REFINED * (first.degree() + second.degree())
-    while True:
+    for precision in _precisions(bits):
         cost = products * (BALL + BALL_BITS * precision)
         longest = LONGEST_CALL if precision < LONGEST else 0
         check_reach(cost, lambda: "whether a polynomial vanishes at two irrational numbers", longest)
@@ -81,9 +80,16 @@ def _vanishes(p: fmpz_mpoly, s: Root, t: Root) -> bool:
             value = abs(enclosed(p, ball(s, digits), ball(t, digits)))
             if not value.contains(0):
                 return False
-            mantissa, exponent = value.upper().man_exp()
-            if mantissa == 0 or int(exponent) + int(mantissa).bit_length() < -bits:
+            if value < arb(2) ** -bits:
                 return True
+    raise AssertionError("there is a larger precision")
+
+
+def _precisions(bits: int) -> Iterator[int]:
+    """Growing precisions that do not pass by the one at which a value of ``2^−bits`` is told from 0."""
+    precision = SHORTEST
+    while True:
+        yield precision
         precision = max(2 * precision, min(bits + SHORTEST, 4 * precision))
 
 

@@ -15,6 +15,7 @@ from exactspline.interchange.examples import example
 from exactspline.interchange.files import read
 from tests.support.bisector_oracle import FAMILIES
 from tests.support.command import run
+from tests.support.sampled import sample
 
 
 def test_two_curves():
@@ -134,7 +135,7 @@ def test_coaxial_circles_at_80_columns(tmp_path):
     assert shown.endswith("complete: nothing is left out\n")
 
 
-@pytest.mark.parametrize("name", FAMILIES)
+@pytest.mark.parametrize("name", sample(list(FAMILIES), 12))
 def test_the_table_at_80_columns_loses_nothing(name, tmp_path):
     paths = files(tmp_path, name)
     wide, shown = shown_at(300, *paths), shown_at(80, *paths)

@@ -85,19 +85,9 @@ def test_status_1_when_a_verdict_differs_from_the_record(monkeypatch):
 GOOD = {"degree": 2, "knots": [0, 0, 0, 1, 1, 1], "control_points": [[0, 0], [1, 1], [2, 0]]}
 BAD = {
     "knots that decrease": (GOOD | {"knots": [0, 0, 0, 1, "1/2", 1]}, "knots[4]"),
-    "a multiplicity above degree + 1": (
-        GOOD | {"knots": [0, 0, 0, 0, 1, 1, 1, 1], "control_points": [[0, 0]] * 5},
-        "multiplicity 4",
-    ),
-    "wrong counts": (GOOD | {"control_points": [[0, 0], [1, 1]]}, "there must be 3"),
-    "weights of another number": (GOOD | {"weights": [1, 2]}, "2 weights for 3 control points"),
-    "an empty domain": (GOOD | {"knots": [0, 0, 1, 1, 2, 2], "degree": 2}, "empty"),
-    "mixed dimensions": (GOOD | {"control_points": [[0, 0], [1, 1, 1], [2, 0]]}, "control_points[1]"),
     "a weight function with a rational zero": (GOOD | {"weights": [1, -1, 1]}, "zero at the parameter 1/2"),
     "a weight function that changes sign": (GOOD | {"weights": [1, 1, -1]}, "between the parameters"),
-    "no number": (GOOD | {"control_points": [[0, 0], [1, "one"], [2, 0]]}, "control_points[1][1]"),
     "a zero denominator": (GOOD | {"knots": [0, 0, 0, "1/0", 1, 1]}, "zero denominator"),
-    "a huge degree": (GOOD | {"degree": 1000000}, "degree 1000000"),
     "a fractional degree": (GOOD | {"degree": "2.5"}, "is not a degree"),
     "a degree that is not a number": (GOOD | {"degree": None}, "is not a degree"),
     "a missing field": ({"degree": 2}, "'knots' is missing"),
@@ -105,8 +95,6 @@ BAD = {
     "a list": ([1, 2], "not an object"),
     "a point that is not a list": (GOOD | {"control_points": [0, 1, 2]}, "control_points[0]"),
     "knots that are not a list": (GOOD | {"knots": 3}, "not a list"),
-    "a true knot": (GOOD | {"knots": [0, 0, 0, True, 1, 1]}, "knots[3]"),
-    "one coordinate": (GOOD | {"control_points": [[0], [1], [2]]}, "at least 2"),
 }
 
 

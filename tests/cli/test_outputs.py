@@ -35,17 +35,6 @@ def test_a_full_disk_is_bad_output_and_no_verdict():
     assert "Traceback" not in done.stderr
 
 
-@pytest.mark.parametrize("field", ["knots", "control_points"])
-def test_null_is_no_list(tmp_path, field):
-    file = tmp_path / "null.json"
-    file.write_text(json.dumps(CURVE | {field: None}))
-    done = run("inspect", file)
-    assert done.returncode == 2
-    assert "is not a list" in done.stderr
-    file.write_text(json.dumps(CURVE | {"weights": None}))
-    assert run("inspect", file).returncode == 0
-
-
 def test_a_formula_has_two_forms():
     done = run("derive", "g2", "circle", "--variant", "best")
     assert done.returncode == 2

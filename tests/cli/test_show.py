@@ -9,7 +9,6 @@ from click.testing import CliRunner
 from exactspline.cli import app
 from exactspline.display.latex_prose import in_mathematics, prose
 from exactspline.display.theorem import theorem
-from exactspline.errors import ClaimError
 from exactspline.interchange.examples import example
 from exactspline.papers import papers
 from exactspline.verification.claims import claims_in, select
@@ -150,10 +149,3 @@ def test_programs_get_every_statement_with_both_sides(wanted):
         assert {side["name"] for side in s["sides"]} == set(claim.named)
         assert s["verdict"] == s["expected"]
         assert s["latex"]
-
-
-def test_an_unknown_claim_is_bad_input():
-    result = runner.invoke(app, ["show", "C4.9"])
-    assert isinstance(result.exception, ClaimError)
-    assert "C4" in str(result.exception)
-    assert len(str(result.exception)) < 200

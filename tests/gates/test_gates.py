@@ -59,7 +59,26 @@ SENTENCES = {
     "what is left without a word": "def f(row):\n    return row.message.replace('no ', '') == row.message",
     "another sentence": "def f(row, other):\n    return row.remark == other.remark",
     "a name in it": "def f(row):\n    return row.file in row.message",
+    "the beginning of a witness": "row.witness.startswith('the exact quotient is')",
+    "a pattern of a witness": "re.fullmatch(r'-?\\d+, not -?\\d+', row.witness)",
+    "a pattern of its text": "PATTERN.match(str(row.witness))",
+    "words in what is computed": "'not proportional' in finding.computed",
+    "the text of a factor": "finding.factor == '1'",
+    "a variable with the words of a witness": "def f(row):\n    told = worded(row.witness)\n    told.endswith('1/0')",
+    "a text with a witness in it": "def f(row):\n    told = f'{row.witness}'\n    return '1/0' in told",
+    "a witness of a row of JSON": "row['witness'].partition(': ')",
+    "a slice of the text of a witness": "str(finding.witness)[:5]",
+    "a case of what is computed": "match found.computed:\n    case '0 = 0':\n        pass",
+    "words that are split": "words(x).split(', not ')",
+    "the text of a verdict": "row.verdict != 'PROVED'",
 }
+DATA = (
+    "def f(text):\n    return text.startswith('a')",
+    "row.witness is Fact.NOT_SO",
+    "isinstance(row.witness, ExactQuotient)",
+    "row.verdict == REFUTED",
+    "f'{row.witness}'",
+)
 
 
 def test_no_sentence_decides():
@@ -72,9 +91,10 @@ def test_a_sentence_that_decides_is_found(code):
     assert planted(code, gates.decisions_by_sentences)
 
 
-def test_a_variable_of_another_function_holds_no_sentence():
-    code = "def f(row):\n    text = row.message\ndef g(text):\n    return text.startswith('a')"
-    assert planted(code, gates.decisions_by_sentences) == []
+@pytest.mark.parametrize("code", DATA)
+def test_what_reads_no_sentence_is_not_found(code):
+    """Nor is a variable of another function."""
+    assert planted(f"def g(row):\n    text = row.message\n{code}", gates.decisions_by_sentences) == []
 
 
 def test_no_part_of_a_name_decides():

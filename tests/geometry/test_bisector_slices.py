@@ -14,6 +14,7 @@ from tests.campaigns.bisectors import differences
 from tests.geometry.test_bisector_pairs import random_pair
 from tests.support.bisector_oracle import FAMILIES, bezier, circle, curve_of, mapped
 from tests.support.dials import over_dials
+from tests.support.sampled import FULL
 
 U = BSpline.identity(0, 1)
 
@@ -38,8 +39,10 @@ def test_slices_of_families(name):
 
 
 def test_slices_of_random_curves():
-    special = [is_special(found_without_differences(*random_pair(seed), seed)) for seed in range(5000, 5040)]
-    assert sum(special) > 20
+    special = [
+        is_special(found_without_differences(*random_pair(seed), seed)) for seed in range(5000, 5040 if FULL else 5024)
+    ]
+    assert sum(special) > len(special) / 2
 
 
 # ---- more families: both parameters of higher degree, spheres, irrational cusps, every size

@@ -39,13 +39,6 @@ def test_what_is_left_out_is_counted_by_family():
     assert above_ceiling(counted) == ["b"]
 
 
-def test_two_crossings_near_each_other_that_a_kernel_merges():
-    """Open CASCADE 8 reports one point for the two crossings 0.012 apart."""
-    found = intersections(bezier((2, 8), (2, 3), (3, 0), (2, 5)), bezier((2, 2), (8, 8), (5, 8), (10, 8)))
-    assert sorted(p.first.decimal(6) for p in found) == ["0.612913", "0.671842"]
-    assert kinds(found) == ["crossing", "crossing"]
-
-
 @pytest.mark.parametrize("k", range(1, 7))
 def test_orders_of_contact(k):
     """y = (t − 1/2)ᵏ⁺¹ and the axis touch to order k at one half."""
@@ -194,13 +187,6 @@ def test_a_curve_through_its_own_knot():
     bow = Nurbs(1, [0, 0, 1, 2, 3, 4, 4], [(0, 0), (2, 0), (2, 2), (1, 0), (1, -1)])
     (found,) = self_intersections(bow)
     assert (found.first, found.second, str(found.kind)) == (mpq(1, 2), 3, "crossing")
-
-
-def test_a_closed_curve_that_touches_its_seam():
-    """The point of the seam, met again by an inner point, is one pair."""
-    curve = Nurbs(1, [0, 0, 1, 2, 3, 4, 5, 6, 6], [(0, 0), (2, 2), (2, -2), (0, 0), (-2, -2), (-2, 2), (0, 0)])
-    (found,) = self_intersections(curve)
-    assert (found.first, found.second) == (0, 3)
 
 
 def test_an_arc_that_a_closed_curve_runs_over_again_and_that_ends_at_its_seam():

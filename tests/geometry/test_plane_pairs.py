@@ -10,7 +10,7 @@ import pytest
 from gmpy2 import mpq
 
 import exactspline as xs
-from exactspline import Nurbs, analyse, bisector, example, self_intersections
+from exactspline import Nurbs, analyse, bisector, example, intersections, self_intersections
 from exactspline.errors import ReachError, ShapeError
 from exactspline.geometry.bisector.plane_pair import tangent
 from tests.support.bisector_oracle import bezier
@@ -114,11 +114,18 @@ def _velocity(curve):
 
 def crossings(points):
     """How often a polygon crosses itself."""
-    count, sides = 0, list(pairwise(points))
-    for i, (a, b) in enumerate(sides):
-        for c, d in sides[i + 2 :]:
-            count += _side(a, b, c) * _side(a, b, d) < 0 and _side(c, d, a) * _side(c, d, b) < 0
-    return count
+    sides = list(pairwise(points))
+    return sum(_cross(side, other) for i, side in enumerate(sides) for other in sides[i + 2 :])
+
+
+def crossings_of(first, second):
+    """How often two polygons cross."""
+    return sum(_cross(side, other) for side in pairwise(first) for other in pairwise(second))
+
+
+def _cross(side, other):
+    (a, b), (c, d) = side, other
+    return _side(a, b, c) * _side(a, b, d) < 0 and _side(c, d, a) * _side(c, d, b) < 0
 
 
 def _side(a, b, c):
@@ -227,3 +234,46 @@ def test_without_an_offset_and_what_is_left_out():
     assert len(analyse(loop).offset_cusps(1)) == 2  # cusps are another question
     with pytest.raises(ShapeError):
         self_intersections(example("twisted_cubic"), offset=1)
+
+
+@pytest.mark.parametrize("dial", DIALS)
+@pytest.mark.parametrize("distances", [(1, 1), (1, -1), (mpq(1, 2), mpq(-3, 2)), (2, 0)])
+def test_offsets_of_two_curves_meet_as_polygons_do(distances, dial):
+    """There was no door for the common points of the offsets of two curves (OCCT#305: one of two was missed)."""
+    random = Random(f"B {distances}")
+    first, second = drawn(random, dial, 2), drawn(random, dial, 3)
+    found = intersections(first, second, offset=distances)
+    assert found.left_out == ()
+    polygons = [polygon(curve, float(d), 200) for curve, d in zip((first, second), distances, strict=True)]
+    assert len(found) == crossings_of(*polygons)
+    for point in found:
+        places = zip((first, second), (point.first, point.second), distances, strict=True)
+        there = [_offset(curve, t, mpq(d)) for curve, t, d in places]
+        assert all(abs(float(x) - y) < 1e-9 for each in there for x, y in zip(point.point, each, strict=True))
+    exchanged = intersections(second, first, offset=distances[::-1])
+    pairs = sorted((p.second, p.first, p.multiplicity) for p in exchanged)
+    assert pairs == [(p.first, p.second, p.multiplicity) for p in found]
+
+
+def test_offsets_of_two_ellipses_meet_in_both_points():
+    """Two arcs of ellipses side by side, as in OCCT#305: their outer offsets meet above and below."""
+    arcs = [example("ellipse").transform([["1641/1000", 0, x], [0, "3224/1000", -4]]) for x in (-10, -3)]
+    assert intersections(*arcs).points == ()
+    upper, lower = sorted((p.point for p in intersections(*arcs, offset=-1)), key=lambda p: -float(p[1]))
+    assert upper[0] == lower[0] == mpq(-13, 2)
+    assert upper[1] + lower[1] == -8
+
+
+def test_offsets_that_touch_on_a_common_normal_or_run_along_each_other():
+    line, far, back = (polyline((0, y), (x, y)) for x, y in ((4, 0), (4, 3), (-4, 3)))
+    arch = bezier((0, 4), (2, 0), (4, 4))  # its lowest point is (2, 2)
+    assert intersections(line, arch, offset=(1, -1)).points[0].point == (2, 1)
+    assert intersections(line, arch.reverse(), offset=1).points[0].point == (2, 1)
+    assert intersections(line, arch, offset=("1/2", -1)).points == ()
+    assert intersections(line, far, offset=1) == intersections(line, far, offset=(1, "1/2"))
+    assert "along each other" in intersections(line, far, offset=(1, -2)).left_out[0]
+    assert "along each other" in intersections(line, back, offset=(1, 2)).left_out[0]
+    corner = intersections(polyline((0, 0), (4, 0), (4, 4)), polyline((0, 2), (9, 2)), offset=(1, 0))
+    assert [(p.first, p.second, p.point) for p in corner] == [(mpq(3, 2), mpq(1, 3), (3, 2))]
+    with pytest.raises(ShapeError, match="offsets need curves in the plane"):
+        intersections(example("twisted_cubic"), example("twisted_cubic"), offset=1)

@@ -12,7 +12,7 @@ from mpmath import mp, mpf
 
 from exactspline import NurbsSurface, analyse, example
 from exactspline.geometry.surface import ridges
-from exactspline.geometry.surface.ridges import _bisected, _directions, _winds_once, other_family
+from exactspline.geometry.surface.ridges import RidgeSearch, _bisected, _directions, _winds_once, other_family
 from exactspline.numbers.exact import mpq, sign
 from exactspline.numbers.intervals import UNIT, Box, Interval
 from exactspline.polynomials.cost import Budget, drawing_on
@@ -256,5 +256,25 @@ def test_zeros_are_in_the_boxes_of_a_bisection(monkeypatch):
     for k in range(1, 40):
         for root in roots_in(at(as_polynomial(form), 0, mpq(k, 40)), mpq(0), mpq(1)):
             assert any(b.low <= mpq(k, 40) <= b.high and c.low <= root <= c.high for b, c in every)
+    assert _bisected(as_form((3 * S - 1) ** 2 + (2 * T - 1) ** 2 - 1))[1] == []
     with drawing_on(Budget(0)):
         assert _bisected(form) == ([], [UNIT])
+
+
+def test_a_node_is_proved_only_where_what_is_divided_out_has_no_zeros(monkeypatch):
+    """The product of both derivatives may have other factors: where one has a zero in the box, none is proved."""
+    proved, found = RidgeSearch._node, []
+
+    def node(self, form, whole, box):
+        cell = proved(self, form, whole, box)
+        if cell is not None:
+            middle = box.first.middle
+            line = int(middle.denominator) * S - int(middle.numerator)
+            assert proved(self, form, as_form(as_polynomial(whole) * line), box) is None
+            assert proved(self, form, as_form(as_polynomial(whole) * (S + 1)), box).box == cell.box == box
+            found.append(cell)
+        return cell
+
+    monkeypatch.setattr(RidgeSearch, "_node", node)
+    assert analyse(generic(2, 3, 1)).ridges.complete
+    assert len(found) == 1

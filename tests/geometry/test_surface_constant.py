@@ -2,19 +2,14 @@
 definitions that share no formula with them; and statements that are false.
 """
 
-import json
-
 import pytest
-from click.testing import CliRunner
 from gmpy2 import isqrt, mpq
 
 from exactspline import NurbsSurface, analyse, example
-from exactspline.cli import app
 from exactspline.geometry.surface.constant import constant_curvature, has_curvature
 from exactspline.geometry.surface.forms import SurfaceForms
 from exactspline.geometry.surface.joints import SurfaceJointKind
 from exactspline.geometry.surface.signs import Sign, sign_on_patch
-from exactspline.interchange.curve_files import surface_data
 from exactspline.language.arguments import Operands
 from exactspline.language.choices import Parameter
 from exactspline.language.kinds import FORMS, SURFACE
@@ -197,21 +192,6 @@ def test_the_normal_curvature_along_a_line_of_parameters_is_that_of_its_bending(
 
 
 # ---- the command line
-
-
-def test_a_surface_on_standard_input():
-    text = json.dumps(surface_data(example("sphere")))
-    told = CliRunner().invoke(app, ["inspect", "-", "-q"], input=text)
-    assert told.exit_code == 0
-    assert "K = 1, every point is an umbilic" in told.output
-    row = json.loads(CliRunner().invoke(app, ["inspect", "-", "--json"], input=text).output)["rows"][0]
-    assert (row["curvature"], {patch["curvature"] for patch in row["patches"]}) == ("1", {"1"})
-
-
-def test_a_broken_surface_on_standard_input_is_told():
-    told = CliRunner().invoke(app, ["inspect", "-"], input='{"degree": [1, 1], "knots": [[0, 0, 1, 1]]}')
-    assert told.exit_code == 2
-    assert "standard input" in told.output
 
 
 # ---- singular points that are not simple

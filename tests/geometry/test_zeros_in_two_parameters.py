@@ -1,5 +1,6 @@
 """Functions of two parameters: all their common zeros, and all zeros of one with their topology."""
 
+from dataclasses import replace
 from math import isqrt
 from random import Random
 
@@ -345,6 +346,97 @@ def test_a_zero_of_what_remains_on_a_common_line_is_no_single_one():
     assert (found.points, len(found.everywhere)) == ((), 1)
 
 
+def test_a_point_on_a_patch_that_vanishes_is_no_single_one():
+    """On the other side of a jump: (s − 1)² + (2t − 1)², beside a patch on which the function is zero."""
+    knots = [0, 0, 0, 1, 1, 1, 2, 2, 2]
+    sides = TensorSpline((2, 2), knots, [0, 0, 0, 1, 1, 1], [*[[0, 0, 0]] * 3, [1, -1, 1], [1, -1, 1], [2, 0, 2]])
+    found = zero_curve(sides)
+    assert (found.points, found.curves, [str(part) for part in found.everywhere]) == ((), (), ["[0, 1] × [0, 1]"])
+    turned = TensorSpline((2, 2), knots, [0, 0, 0, 1, 1, 1], [[2, 0, 2], [1, -1, 1], [1, -1, 1], *[[1, 1, 1]] * 3])
+    assert places(zero_curve(turned).points) == [(1, mpq(1, 2))]
+
+
+# ---- what does not depend on how functions are given
+
+PAIRS = [
+    (lambda s, t: 2 * s * s + t - 1, lambda s, t: 3 * t * t - s),
+    (lambda s, t: (2 * s - 1) ** 2 - t * t, lambda s, t: (2 * s - 1) * (3 * t - s)),  # on the border, at 1/2
+    (lambda s, t: (s - t) * (2 * t - 1), lambda s, t: s * (s - 1) * t),
+    (lambda s, t: (3 * s - 1) ** 2 - (2 * t - 1) ** 3, lambda s, t: (3 * s - 1) ** 3 - (2 * t - 1) ** 2),
+    (lambda s, t: (s + t - 1) * (2 * s * s - 1), lambda s, t: (s + t - 1) * (t - s)),  # on a curve
+    (lambda s, t: (2 * s - 1) * (s - t), lambda s, t: (2 * s - 1) * (3 * t - 1)),  # on a line
+    (lambda s, t: s * (2 * s - t), lambda s, t: s * (s + t - 1)),  # on an edge
+    (lambda s, t: ((2 * s - 1) ** 2 + t * t) * (t - s), lambda s, t: ((2 * s - 1) ** 2 + t * t) * (3 * t - 1)),
+]
+
+
+def facts(found):
+    return [(x.first, x.second, x.multiplicity, x.kind, x.where) for x in found]
+
+
+@pytest.mark.parametrize(("p", "q"), PAIRS)
+def test_common_zeros_of_exchanged_stretched_and_divided_functions(p, q):
+    """The parameters exchanged; other domains; knots where there is none; multiples of one and of both."""
+    f, g = function(p), function(q)
+    found = common_zeros(f, g)
+    assert facts(common_zeros(g, f)) == facts(found)
+    assert facts(common_zeros(f.scaled(mpq(-3, 7)), g.scaled(2))) == facts(found)
+    assert places(common_zeros(f, g, f + g)) == places(found)
+    turned = common_zeros(f.transposed(), g.transposed())
+    exchanged = [(x.second, x.first, x.multiplicity, x.kind, x.where) for x in turned]
+    assert sorted(exchanged, key=lambda x: x[:2]) == facts(found)
+    assert len(turned.everywhere) == len(found.everywhere)
+    stretched = common_zeros(
+        *(function(lambda s, t, r=r: r(s.scaled(mpq(1, 3)), t.scaled(mpq(1, 3))), 3) for r in (p, q))
+    )
+    assert [(x / 3, y / 3, *rest) for x, y, *rest in facts(stretched)] == facts(found)
+    for at in (mpq(3, 7), mpq(1, 2)):
+        cut = common_zeros(*(h.insert_knot(0, at).insert_knot(1, mpq(4, 9)) for h in (f, g)))
+        assert places(cut) == places(found)
+        for one, other in zip(found, cut, strict=True):
+            assert (one.multiplicity, one.kind) == (other.multiplicity, other.kind)
+            assert len(other.patches) == 1 + (other.first == at)
+        whole = {(part.sides, part.along_curve) for part in cut.everywhere}
+        assert bool(whole) == bool(found.everywhere)
+        # the edges are those of all patches together
+        edges = [part.sides for part in found.everywhere if not part.along_curve]
+        assert sum(len(set(map(tuple, sides))) > 1 for sides, along in whole if not along) >= len(edges)
+
+
+@pytest.mark.parametrize("p", [pair[0] for pair in PAIRS])
+def test_zeros_of_one_function_exchanged_and_divided(p):
+    f = function(p)
+    found, turned = zero_curve(f), zero_curve(f.transposed())
+    assert [(x.second, x.first, x.kind, x.multiplicity) for x in turned.singular_points] in (
+        [(x.first, x.second, x.kind, x.multiplicity) for x in found.singular_points],
+        [(x.first, x.second, x.kind, x.multiplicity) for x in found.singular_points][::-1],
+    )
+    assert len(found.lines) == len(turned.lines)
+    assert sorted(x.shape for x in found.curves) == sorted(x.shape for x in turned.curves)
+    assert [(x.second, x.first) for x in turned.points] == [(x.first, x.second) for x in found.points]
+    assert zero_curve(f.scaled(-2)) == found
+    cut = zero_curve(f.insert_knot(0, mpq(3, 7)).insert_knot(1, mpq(4, 9)))
+    assert sorted(x.shape for x in cut.curves) == sorted(x.shape for x in found.curves)
+    assert places(cut.singular_points) == places(found.singular_points)
+    assert [x.kind for x in cut.singular_points] == [x.kind for x in found.singular_points]
+    assert (len(cut.lines), len(cut.points)) == (len(found.lines), len(found.points))
+    ends = [{arc.start, arc.end} for arc in found.arcs]
+    assert sorted(map(str, ends)) == sorted(map(str, [{arc.start, arc.end} for arc in cut.arcs]))
+    assert found
+    assert found.complete
+
+
+@pytest.mark.parametrize("is_turned", [False, True])
+def test_isolated_points_of_a_common_factor_on_its_lines(is_turned):
+    """One on the line is part of it; one at another place is not."""
+    f, g = function(lambda s, t: s + t - 3), function(lambda s, t: 2 * s + t - 4)
+    for a, points in ((mpq(1, 2), []), (mpq(1, 3), [(mpq(1, 3), mpq(1, 2))])):
+        shared = function(lambda s, t, a=a: (2 * s - 1) * ((s - a) ** 2 + (2 * t - 1) ** 2))
+        found = common_zeros(*((shared.transposed() if is_turned else shared) * h for h in (f, g)))
+        assert places(found) == [place[::-1] if is_turned else place for place in points]
+        assert [part.along_curve for part in found.everywhere] == [True]
+
+
 def test_signs_at_points_that_are_all_but_zeros():
     """√(1/2) and √(1/3), and lines that pass them in the hundredth digit."""
     (zero,) = elimination.common_zeros([2 * S * S - 1, 3 * T * T - 1], UNIT)
@@ -352,6 +444,8 @@ def test_signs_at_points_that_are_all_but_zeros():
         one, other = isqrt(10 ** (2 * digits) // 2), isqrt(10 ** (2 * digits) // 3)
         assert [sign_at(10**digits * S - one - k, zero) for k in (0, 1)] == [1, -1]
         assert [sign_at(10**digits * T - other - k, zero) for k in (0, 1)] == [1, -1]
+    # much smaller than the coefficients
+    assert {sign_at((1000 * S - 707) ** k, zero) for k in range(30, 45)} == {1}
 
 
 def test_a_curve_that_ends_at_an_undecided_box_of_the_next_patch_is_open():
@@ -368,6 +462,11 @@ def test_a_curve_that_ends_at_an_undecided_box_of_the_next_patch_is_open():
         assert one.shape is shape
         (both,) = chained(whole.pieces, f.domain, (), [box])
         assert both.shape is (Shape.OPEN if shape is Shape.OPEN else Shape.ARC)
+    for shape in (Shape.OPEN, Shape.CROSSED):
+        first, second = whole.pieces
+        for pieces in ([first._replace(part=replace(first.part, shape=shape)), second], whole.pieces):
+            (both,) = chained(pieces, f.domain, ())
+            assert both.shape is (Shape.ARC if pieces is whole.pieces else shape)
 
 
 def test_three_arcs_that_meet_on_a_knot_line_cross():

@@ -111,11 +111,6 @@ def test_a_third_is_refused_or_rounded_when_asked(name):
     assert read(data).curves[0].curve.control_points[1][0] == mpq("0.3333333333333333")
 
 
-def test_json_holds_a_third():
-    third = Nurbs(1, [0, 0, 1, 1], [(0, 0), ("1/3", 1)])
-    assert same(read(encoded([third], "json")[0]).curves[0].curve, third)
-
-
 CONTROL_VECTOR = Nurbs.from_homogeneous(2, [0, 0, 0, 1, 1, 1], [(1, 0, 1), (0, 1, 0), (-1, 0, 1)])
 
 

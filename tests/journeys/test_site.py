@@ -42,13 +42,14 @@ def address() -> Iterator[str]:
 def browser() -> Iterator[Any]:
     playwright = pytest.importorskip("playwright.sync_api")
     with playwright.sync_playwright() as player, started(player) as found:
-        yield found
+        yield found.new_context()
 
 
 @contextmanager
 def opened(browser: Any, address: str, page: str, width: int = 1280) -> Iterator[Any]:
     """A page that may ask this host alone, and says nothing on its console."""
-    tab = browser.new_page(viewport={"width": width, "height": 900})
+    tab = browser.new_page()
+    tab.set_viewport_size({"width": width, "height": 900})
     foreign: list[str] = []
     told: list[str] = []
     tab.on("request", lambda r: r.url.startswith((address, "data:", "blob:")) or foreign.append(r.url))
@@ -185,6 +186,9 @@ def test_digits_at_a_click(curve_tab):
     told = in_this_python("digits", asked)
     assert tab.locator("#digits code").inner_text() == told["decimal"]
     assert told["polynomial"] in tab.locator("#digits").inner_text()
+    # these are digits of this curve: they do not stand beside another one
+    after(tab, lambda: tab.select_option("#examples", "1"))
+    assert tab.locator("#digits code").count() == 0
 
 
 def test_a_formula_that_is_typed_is_reduced(browser, address):
@@ -229,11 +233,18 @@ def test_common_points_of_two_curves_follow_a_control_point(browser, address):
         assert shown(tab, "points") == [[point["kind"], point["s"], point["t"]] for point in there]
 
 
-def test_de_boors_triangle_follows_the_point_and_the_curve_stays(browser, address):
+def test_de_boors_page_follows_the_point_multiplies_and_refines(browser, address):
     with opened(browser, address, "play/de-boor.html") as tab:
         curves = tab.evaluate("fetch('data/curves.json').then((r) => r.json())")
         curve = next(c for c in curves if c["name"] == "cubic_s")
         assert shown(tab, "triangle") == in_this_python("triangle", {"curve": curve, "share": "20/60"})
+        shown(tab, "product")
+        tab.evaluate("delete document.body.dataset.product")
+        tab.select_option("#right", "x")
+        told = shown(tab, "product")
+        assert told == in_this_python("product", {"curve": curve, "share": "20/60", "factors": ["x", "x"]})
+        assert told["same"] is True
+        assert tab.locator("#product tbody tr").count() == len(told["left"])
         tab.evaluate("delete document.body.dataset.triangle")
         tab.locator(".handle.q").focus()
         tab.locator(".handle.q").press("ArrowRight")
@@ -244,19 +255,6 @@ def test_de_boors_triangle_follows_the_point_and_the_curve_stays(browser, addres
         assert shown(tab, "same") is True
         finer = in_this_python("refined", {"curve": curve, "knot": there["t"]})["curve"]
         assert shown(tab, "triangle") == in_this_python("triangle", {"curve": finer, "share": "21/60"})
-
-
-def test_products_on_de_boors_page_are_those_of_the_library(browser, address):
-    with opened(browser, address, "play/de-boor.html") as tab:
-        shown(tab, "product")
-        curves = tab.evaluate("fetch('data/curves.json').then((r) => r.json())")
-        curve = next(c for c in curves if c["name"] == "cubic_s")
-        tab.evaluate("delete document.body.dataset.product")
-        tab.select_option("#right", "x")
-        told = shown(tab, "product")
-        assert told == in_this_python("product", {"curve": curve, "share": "20/60", "factors": ["x", "x"]})
-        assert told["same"] is True
-        assert tab.locator("#product tbody tr").count() == len(told["left"])
 
 
 def pictures(tab: Any) -> list[bytes]:
@@ -308,6 +306,27 @@ def test_surfaces_turn_together_by_mouse_and_keys_and_come_back(browser, address
         for name in names:
             tab.select_option("#surfaces", name)
             tab.wait_for_function(f"document.body.dataset.surface === '{name}'", timeout=PATIENCE)
+
+
+def test_a_surface_that_arrives_late_does_not_replace_one_chosen_after_it(browser, address):
+    with opened(browser, address, "play/surface.html") as tab:
+        tab.wait_for_function("document.body.dataset.surface", timeout=PATIENCE)
+        names = tab.locator("#surfaces option").evaluate_all("all => all.map((o) => o.value)")
+        held: list[Any] = []
+
+        def hold(route: Any) -> None:
+            held.append(route)
+
+        tab.route(f"**/surfaces/{names[1]}.json", hold)
+        with tab.expect_request(f"**/surfaces/{names[1]}.json"):
+            tab.select_option("#surfaces", names[1])
+        tab.select_option("#surfaces", names[2])
+        tab.wait_for_function(f"document.body.dataset.surface === '{names[2]}'", timeout=PATIENCE)
+        with tab.expect_response(f"**/surfaces/{names[1]}.json") as late:
+            held[0].continue_()
+        late.value.finished()
+        tab.evaluate("new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))")
+        assert tab.evaluate("document.body.dataset.surface") == names[2]
 
 
 def test_the_curve_stands_in_a_page_of_somebody_else(browser, address, tmp_path):

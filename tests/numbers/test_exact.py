@@ -154,12 +154,6 @@ def test_numpy_scalars_are_refused(kind):
         rational(numpy.array(1))
 
 
-@pytest.mark.parametrize("value", [0.1, -0.0, 5e-324, 1.7976931348623157e308, 0.5])
-def test_from_float_is_the_binary_value(value):
-    assert from_float(value) == Fraction(value)
-    assert rational(value.hex()) == Fraction(value)
-
-
 @pytest.mark.parametrize("value", [float("nan"), float("inf"), 1, True, "0.1", None, mpq(1, 2), Decimal(1)])
 def test_from_float_refuses_the_rest(value):
     with pytest.raises(NumberError):

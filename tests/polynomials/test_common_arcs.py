@@ -9,7 +9,7 @@ from flint import fmpq, fmpz_poly
 from exactspline.numbers.exact import mpq
 from exactspline.polynomials.bezout import PlaneForms
 from exactspline.polynomials.collinear_arcs import Coordinate, collinear_arcs, compared
-from exactspline.polynomials.common_arcs import Image, RationalMap, common_arcs, lowest_terms
+from exactspline.polynomials.common_arcs import Image, Meeting, RationalMap, Rest, common_arcs, lowest_terms
 from exactspline.polynomials.isolation import isolate
 from exactspline.polynomials.zero_places import Place, at, places
 
@@ -63,6 +63,7 @@ TOUCHING = [
     ([1, 0, 1], [-1, 2, -1], [(1, mpq(1, 2))], []),
     ([0, -1], [1], [(0, 0), (1, 1)], []),
     ([1], [0, -1], [(1, 0), (0, 1)], [(0, 1)]),
+    ([-1, -1], [1, 0, 1], [(0, 1)], [(0, 1)]),
     ([0, -1, 2, -1], [1], [(0, 0), (0, mpq(1, 2)), (1, 1)], [(0, mpq(1, 2))]),
 ]
 
@@ -74,6 +75,21 @@ def test_a_value_that_is_only_touched_is_a_point(top, bottom, every, smaller):
         found = common_arcs(carried, below=below)
         assert [(point.first.exact, point.second.exact) for point in found.points] == expected
         assert not found.arcs
+
+
+def test_what_is_exchanged_twice_is_the_same():
+    carried = RationalMap(2, fmpz_poly([1, -2, 1]), fmpz_poly([1]))
+    found = common_arcs(carried)
+    found.rests.append(Rest(at(mpq(1, 3))))
+    found.points.append(Meeting(at(mpq(1, 4)), at(mpq(1, 5)), 3))
+    other = found.exchanged()
+    assert [arc.exchanged for arc in other.arcs] == [True, True] == [not arc.exchanged for arc in found.arcs]
+    assert [(arc.first, arc.second) for arc in other.arcs] == [(arc.second, arc.first) for arc in found.arcs]
+    assert [rest.exchanged for rest in other.rests] == [True]
+    assert [(x.second, x.first, x.multiplicity) for x in other.points] == [
+        (found.points[0].first, found.points[0].second, 3)
+    ]
+    assert other.exchanged() == found
 
 
 def straight(points, weights=None):
@@ -134,7 +150,9 @@ def test_ends_that_are_on_no_arc():
     z = fmpz_poly([0, 1])
     root = [((k * z**2 - (1 + z) ** 2) ** 2, sign) for k, sign in ((2, 1), (3, -1))]  # ±(k t² − 1)²
     least, greatest = (PlaneForms(4, sign * x, 2 * sign * x, (1 + z) ** 4) for x, sign in root)
+    twice = 8 * (1 + z) ** 4 + (4 * (z - 1) ** 2 - (1 + z) ** 2) ** 2  # 1/2 + (4 t − 1)² (4 t − 3)²/16
     for first, second, places_of in (
+        (straight([0, 1, 0]), PlaneForms(4, twice, 2 * twice, 16 * (1 + z) ** 4), [(0.5, 0.25), (0.5, 0.75)]),
         (straight([0, 1, 0]), straight([1, 0, 1]), [(0.5, 0.5)]),
         (least, greatest, [(0.707107, 0.57735)]),
         (straight([3, 1, 4]), straight([3, 9, 9]), [(0, 0)]),

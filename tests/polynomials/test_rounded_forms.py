@@ -80,6 +80,7 @@ def test_few_bits_are_exact_until_they_are_halved():
     one = rounded(PatchForm.of_net([[1, 1], [2, 3]]))
     assert (one.error, one.sign) == (0, 1)
     assert max(one.entries).bit_length() == BITS
+    assert [rounded(PatchForm.of_net([[1, 2**k]])).error for k in (BITS - 2, BITS - 1, BITS)] == [0, 0, 1]
 
 
 def test_a_sign_that_the_error_hides_is_not_told():
@@ -106,6 +107,7 @@ def test_slopes_are_the_range_of_the_derivative():
 def test_combinations_and_copies_keep_their_errors():
     f, g = (rounded(PatchForm.of_net([[2**90 + k, -1], [5, 7]])) for k in (0, 1))
     assert f.combined(3, g, -2).error == 3 * f.error + 2 * g.error == 5
+    assert f.combined(3, g.halves(0)[0], -2).error == 3 * 1 + 2 * 2 == f.halves(0)[0].combined(2, g, 3).error
     again = pickle.loads(pickle.dumps(f.halves(0)[1]))
     assert isinstance(again, RoundedForm)
     assert again.error >= 1
@@ -134,3 +136,16 @@ def test_a_restriction_in_few_bits_is_the_exact_one_but_for_its_error(bits, widt
             for x, y in zip(few.entries, whole.entries, strict=True):
                 assert abs(int(x) - scale * mpq(int(y), bottom)) <= int(few.error)
         assert one.sign in (None, exact.sign)
+
+
+def test_ranges_of_combinations_hold_for_the_forms_themselves():
+    """Errors of one sign have both where one form is subtracted."""
+    chance, shift = Random(7), mpq(1) / 2**40
+    for _ in range(30):
+        nets = [[[chance.randint(2**99, 2**100 - 1) for _ in range(2)] for _ in range(3)] for _ in range(2)]
+        forms = [PatchForm.of_net([*net[:2], [2**100 - 1] * 2]) for net in nets]
+        own = [rounded(form) for form in forms]
+        for a, b in ((1, -1), (-2, 3), (1, 2)):
+            given, exact = own[0].combined(a, own[1], b), forms[0].combined(a, forms[1], b)
+            assert int(given.range[0]) <= shift * int(exact.range[0])
+            assert shift * int(exact.range[1]) <= int(given.range[1])

@@ -123,7 +123,7 @@ SANITIZED = ("-fsanitize=address,undefined", "-fno-sanitize-recover=undefined", 
 
 
 @pytest.mark.skipif(sys.platform != "linux", reason="the sanitizer is loaded before Python as on Linux")
-@pytest.mark.parametrize("campaign_of", ["filter 400", "certain_pairs 2000"])
+@pytest.mark.parametrize("campaign_of", ["filter 400", "certain_pairs 660"])
 def test_no_memory_but_its_own_is_touched(tmp_path, campaign_of):
     sys.path.insert(0, str(ROOT))
     try:

@@ -32,7 +32,7 @@ def test_it_is_the_zero_that_isolation_finds(p):
     """Also where it is rational, and hit by a midpoint or not."""
     for number, own in enumerate(isolate(p, p.degree()).inner):
         late = LateZero(Given(p), number, own.signs[0])
-        assert (late.signs, late.multiplicity) == (own.signs, 1)
+        assert (late.signs, late.multiplicity) == (own.signs, 1) == (late.exactly.signs, late.exactly.multiplicity)
         (factor, sign), middle = late.changing, (own.low + own.high) / 2
         assert sign == own.signs[0] if factor is late.form.form else sign in (1, -1)
         assert 0 <= late.low < late.high <= 1

@@ -43,17 +43,3 @@ def test_products_over_knots_of_every_multiplicity(n, m, clamped):
         f = with_multiplicity(n, [(1, k)], clamped)
         g = with_multiplicity(m, [(1, j), (2, 1)], not clamped)
         assert_product(f, g)
-
-
-def test_a_product_known_by_heart():
-    """(1 − t)·t on [0, 1] and the square of the hat function."""
-    assert (BSpline.bezier([1, 0]) * BSpline.bezier([0, 1])).control_points == (0, mpq(1, 2), 0)
-    hat = BSpline(1, [0, 0, 1, 2, 2], [0, 1, 0])
-    assert (hat * hat).control_points == (0, 0, 1, 0, 0)
-    assert tuple((hat * hat).knots) == (0, 0, 0, 1, 1, 2, 2, 2)
-
-
-def test_the_oracles_agree_on_a_square_of_a_jump():
-    jump = BSpline(1, [0, 0, 1, 1, 2, 2], [0, 1, 5, 2])
-    assert_product(jump, jump)
-    assert (jump * jump).control_points == (0, 0, 1, 25, 10, 4)

@@ -16,7 +16,7 @@ import exactspline as xs
 from exactspline.errors import ExactSplineError
 from exactspline.papers import find
 from exactspline.reals.real import Real, square_root
-from tests.support.strategies import nurbs, splines, tensor_splines
+from tests.support.strategies import nurbs, splines
 
 T = xs.BSpline.identity(-2, 2)
 CURVE = xs.example("rational_cubic_spline")
@@ -159,16 +159,6 @@ def test_equal_splines_and_quotients_have_equal_hashes(f, common):
     assert plain == lifted
     assert hash(plain) == hash(lifted)
     assert plain != (f + 1) / (t - a + 1)
-
-
-@given(tensor_splines())
-def test_equal_surfaces_have_equal_hashes(f):
-    assert f.elevate_degree(1, 2) == f
-    assert hash(f.elevate_degree(1, 2)) == hash(f)
-    quotient = f / f.constant(3)
-    same = (f * f.constant(2)) / f.constant(6)
-    assert quotient == same
-    assert hash(quotient) == hash(same)
 
 
 def test_nothing_is_equal_to_zero_over_zero():

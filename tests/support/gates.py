@@ -30,12 +30,14 @@ def found_in(files: dict[str, ast.Module], finder: Finder, rooms: Iterable[str] 
 
 
 def scopes(tree: ast.AST, owner: str = "") -> Iterator[tuple[str, ast.AST]]:
-    """Every node with the class and function in which it stands."""
-    for child in ast.iter_child_nodes(tree):
-        named = isinstance(child, (ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef))
-        inner = f"{owner}.{child.name}".lstrip(".") if named else owner  # type: ignore[attr-defined]  # as asked
-        yield inner, child
-        yield from scopes(child, inner)
+    """Every node, in the order of the text, with the class and function in which it stands."""
+    waiting = [(child, owner) for child in ast.iter_child_nodes(tree)][::-1]
+    while waiting:
+        node, place = waiting.pop()
+        if isinstance(node, (ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef)):
+            place = f"{place}.{node.name}".lstrip(".")
+        yield place, node
+        waiting += [(child, place) for child in ast.iter_child_nodes(node)][::-1]
 
 
 # ---- law 3: no code reads a sentence
@@ -85,15 +87,35 @@ PARTLY = {"get", "len"}
 TWO_WORDS = re.compile(r"[^\W\d_]{2,} [^\W\d_]{2,}")
 
 
+#: The parts of a finding: data, which are compared as such; their texts are for people.
+FOUND = {"evidence", "factor", "finding", "verdict", "witness"}
+#: Functions that say something in words.
+WORDED = {"opinion", "worded", "words"}
+
+
 def is_sentence(node: ast.AST) -> bool:
-    """Whether an expression is a text for people: an attribute that holds one, the text of an error, two words."""
+    """Whether an expression is a text for people: an attribute that holds one, the text of an error or of a part of a
+    finding, two words.
+    """
     if isinstance(node, ast.Constant):
         return isinstance(node.value, str) and bool(TWO_WORDS.search(node.value))
     if isinstance(node, ast.Attribute):
         return node.attr in SENTENCES
-    if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id in ("str", "repr") and node.args:
-        return ast.unparse(node.args[0]) in ("error", "problem", "failure", "e")
+    if isinstance(node, ast.Subscript):
+        return isinstance(node.slice, ast.Constant) and node.slice.value in SENTENCES | FOUND
+    if isinstance(node, ast.JoinedStr):
+        return any(isinstance(each, ast.FormattedValue) and is_found(each.value) for each in node.values)
+    if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.args:
+        made = node.func.id in ("str", "repr", "format")
+        own = is_found(node.args[0]) or ast.unparse(node.args[0]) in ("error", "problem", "failure", "e")
+        return node.func.id in WORDED or (made and own)
     return False
+
+
+def is_found(node: ast.AST) -> bool:
+    """Whether an expression is a part of what was found, or its text; a claim states its own factor."""
+    of_claim = isinstance(node, ast.Attribute) and ast.unparse(node.value) in ("self", "claim")
+    return is_sentence(node) or (isinstance(node, ast.Attribute) and node.attr in FOUND and not of_claim)
 
 
 def holders(tree: ast.Module) -> dict[str, set[str]]:
@@ -101,16 +123,18 @@ def holders(tree: ast.Module) -> dict[str, set[str]]:
     such a text, through any number of steps.
     """
     held: dict[str, set[str]] = {}
+    assigned = []
+    for place, node in scopes(tree):
+        if isinstance(node, (ast.FunctionDef, ast.AsyncFunctionDef)):
+            given = [*node.args.posonlyargs, *node.args.args, *node.args.kwonlyargs]
+            held.setdefault(place, set()).update({each.arg for each in given} & TEXTS)
+        assigned += [(place, *pair) for pair in assignments(node)]
     size = -1
     while size != (size := sum(map(len, held.values()))):
-        for place, node in scopes(tree):
-            if isinstance(node, (ast.FunctionDef, ast.AsyncFunctionDef)):
-                given = [*node.args.posonlyargs, *node.args.args, *node.args.kwonlyargs]
-                held.setdefault(place, set()).update({each.arg for each in given} & TEXTS)
-            for target, value in assignments(node):
-                names = held.setdefault(place, set()) if place else set[str]()
-                if isinstance(target, ast.Name) and target.id.islower() and is_made_of_sentence(value, names):
-                    names.add(target.id)
+        for place, target, value in assigned:
+            names = held.setdefault(place, set()) if place else set[str]()
+            if isinstance(target, ast.Name) and target.id.islower() and is_made_of_sentence(value, names):
+                names.add(target.id)
     return held
 
 
@@ -180,6 +204,23 @@ def decisions_by_sentences(tree: ast.Module) -> Iterator[str]:
                 yield place
         elif isinstance(node, ast.MatchValue) and is_sentence(node.value):
             yield place
+        if reads_what_was_found(node):
+            yield place
+
+
+def reads_what_was_found(node: ast.AST) -> bool:
+    """Whether a part of a finding is searched, cut or compared as a text."""
+    if isinstance(node, ast.Call) and isinstance(node.func, ast.Attribute):
+        looks = node.func.attr in LOOKS - PLACES - PARTLY and (node.args or node.func.attr != "split")
+        return bool(looks) and any(map(is_found, [node.func.value, *node.args]))
+    if isinstance(node, ast.Compare):
+        sides = [node.left, *node.comparators]
+        return any(isinstance(x, ast.Constant) and isinstance(x.value, str) for x in sides) and any(
+            map(is_found, sides)
+        )
+    if isinstance(node, ast.Subscript):
+        return isinstance(node.slice, ast.Slice) and is_found(node.value)
+    return isinstance(node, ast.Match) and is_found(node.subject) and "MatchValue(value=Constant" in ast.dump(node)
 
 
 #: Where a thing stands in a list, as well.

@@ -47,8 +47,9 @@ def served(folder: Path) -> Iterator[str]:
 
 @contextmanager
 def started(player: Any) -> Iterator[Any]:
-    """A browser."""
-    browser = player.chromium.launch(executable_path=CHROMIUM, args=["--no-sandbox", "--disable-background-networking"])
+    """A browser, in which pages of one context share a process, and so what is compiled of the library."""
+    options = ["--no-sandbox", "--disable-background-networking", "--process-per-site"]
+    browser = player.chromium.launch(executable_path=CHROMIUM, args=options)
     yield browser
     browser.close()
 
@@ -84,16 +85,18 @@ def look(
     """
     seen, slow = Seen(), set(slow)
     pages = [*(page for page in pages if page not in slow), *slow]
-    computing = {page: _opened(_tab(browser), address, page) for page in slow}
-    idle, loading = [_tab(browser), _tab(browser)], deque[tuple[str, Any]]()
+    together = _context(browser)
+    computing = {page: _opened(together.new_page(), address, page) for page in slow}
+    # each laid out in a process of its own
+    idle, loading = [_context(browser).new_page() for _ in range(2)], deque[tuple[str, Any]]()
     for page in pages:
         loading.append((page, computing.get(page) or _opened(idle.pop(), address, page)))
         if len(loading) > 1:
             idle.append(_looked_at(*loading.popleft(), seen, ready))
     for page, tab in loading:
         _looked_at(page, tab, seen, ready)
-    for tab in {*idle, *(tab for _, tab in loading)}:
-        tab.context.close()
+    for context in browser.contexts:
+        context.close()
     return seen
 
 
@@ -114,11 +117,10 @@ def look_side_by_side(address: str, pages: list[str], ready: Ready | None = None
     return found
 
 
-def _tab(browser: Any) -> Any:
-    """A tab whose pages are laid out in a process of their own."""
-    tab = browser.new_context(reduced_motion="reduce").new_page()
-    tab.set_default_timeout(PATIENCE)
-    return tab
+def _context(browser: Any) -> Any:
+    context = browser.new_context(reduced_motion="reduce")
+    context.set_default_timeout(PATIENCE)
+    return context
 
 
 def _opened(tab: Any, address: str, page: str) -> Any:

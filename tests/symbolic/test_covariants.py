@@ -9,7 +9,7 @@ from gmpy2 import mpq
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from exactspline import BSpline, Nurbs
+from exactspline import BSpline
 from exactspline.errors import FormulaError, ReachError
 from exactspline.language import Vector
 from exactspline.language.arguments import Curve
@@ -22,6 +22,7 @@ from exactspline.readings.leading_terms import LeadingTermsReading
 from exactspline.symbolic import covariants
 from exactspline.symbolic.covariants import TrueDegree, generic_degree, graded, product_of, true_degree
 from exactspline.symbolic.substitution import substitute
+from tests.support.bisector_oracle import bezier
 
 DIMENSIONS = {"plane": (2,), "space": (3,), "curve": (2, 3)}
 POLYNOMIAL = [
@@ -58,11 +59,6 @@ def test_two_readings_agree_on_every_polynomial_formula(name, dimension, polynom
         found = true_degree(jet)
         k, m, drop = at_infinity(name, i, dimension, polynomial=polynomial)
         assert (k, m, m - drop) == (found.k, found.m, found.j)
-
-
-def bezier(points, weights):
-    n = len(points) - 1
-    return Nurbs(n, [0] * (n + 1) + [1] * (n + 1), points, weights)
 
 
 def random_curve(draw_numbers, d, dimension):
@@ -199,7 +195,7 @@ def test_mixed_gradings_take_the_maximum():
     numbers = random.Random(7)
     for d in (1, 2, 3, 4):
         points = [(numbers.randint(-99, 99), numbers.randint(-99, 99)) for _ in range(d + 1)]
-        value = substitute(mixed, bezier(points, None))
+        value = substitute(mixed, bezier(*points))
         assert value.true_degree == generic_degree([mixed]).at({"d": d})
 
 

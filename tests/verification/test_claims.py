@@ -3,14 +3,13 @@
 from dataclasses import replace
 
 import pytest
-import sympy
 
 from exactspline.display.evidence import worded
 from exactspline.errors import ClaimError
 from exactspline.interchange.examples import example
 from exactspline.papers import find, papers
 from exactspline.readings.degree import Degree, equal_from, parse_degree
-from exactspline.symbolic.factorization import find_factor, jets_for
+from exactspline.symbolic.factorization import jets_for
 from exactspline.verification.claims import select
 from exactspline.verification.ledger import audit
 from exactspline.verification.notation import factor_of_text
@@ -82,30 +81,6 @@ def test_a_zero_set_that_differs_is_seen_on_the_curve():
     false = replace(claim("C4.1b"), formulas=("f2", "velocity_jerk"))
     assert false.check(example("rational_cubic_s")).verdict == "REFUTED"
     assert claim("C4.1b").check(example("rational_cubic_s")).verdict == "VERIFIED"
-
-
-def sympy_naive_derivative(p, w, t, order):
-    """The quotient rule by sympy, in undetermined functions: an independent hand for the jet proofs."""
-    value = p / w
-    for _ in range(order):
-        value = sympy.diff(value, t)
-    return value
-
-
-def test_the_jet_proofs_agree_with_sympy():
-    t = sympy.Symbol("t")
-    x, y, w = (sympy.Function(name)(t) for name in "xyw")
-    first = [sympy_naive_derivative(p, w, t, 1) for p in (x, y)]
-    second = [sympy_naive_derivative(p, w, t, 2) for p in (x, y)]
-    naive = first[0] * second[1] - first[1] * second[0]
-    xs, ys, ws = ([f, f.diff(t), f.diff(t, 2)] for f in (x, y, w))
-    reduced = (
-        (xs[1] * ys[2] - ys[1] * xs[2]) * ws[0]
-        - (xs[0] * ys[2] - ys[0] * xs[2]) * ws[1]
-        - (xs[1] * ys[0] - ys[1] * xs[0]) * ws[2]
-    )
-    assert sympy.expand(sympy.numer(sympy.together(naive * w**3 - reduced))) == 0
-    assert str(find_factor(find("f0")(jets_for(("f0",), 2)), find("f2")(jets_for(("f0",), 2)))) == "w⁻³"
 
 
 def test_factors_are_read_as_they_are_written():

@@ -35,6 +35,7 @@ from exactspline.verification.coq.emission import BY_HAND, ROOT, library
 from exactspline.verification.coq.formulas import Formulas
 from exactspline.verification.coq.meetings import _determinant, meeting_theorem
 from exactspline.verification.vocabulary import Verdict
+from tests.support.bisector_oracle import bezier
 from tests.support.command import run
 from workshop.mutation import kernel
 
@@ -269,11 +270,6 @@ def test_a_theorem_is_refused_for_every_change_of_a_formula_on_record() -> None:
 
 
 # ---- two curves
-
-
-def bezier(*points: tuple[object, ...]) -> Nurbs:
-    n = len(points) - 1
-    return Nurbs(n, [0] * (n + 1) + [1] * (n + 1), points)
 
 
 #: Two crossings 0.012 apart; a point where two curves touch; one at rational parameters; one of

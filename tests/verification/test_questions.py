@@ -73,31 +73,6 @@ def test_a_formula_of_other_curves_is_refused_by_name(name):
         xs.verify(name, name, xs.example("circle"))
 
 
-@pytest.mark.parametrize("factor", ["2", "-1", "w^2", "w^-1", "f2", "1/2 w"])
-def test_a_wrong_factor_is_neither_proved_nor_verified(factor):
-    assert not xs.prove("f1", "f2", factor)
-    assert not xs.verify("f1", "f2", xs.example("rational_cubic"), factor)
-
-
-@pytest.mark.parametrize(
-    ("text", "told"),
-    [
-        (
-            '{"degree": 1, "degree": 2, "knots": [0, 0, 1, 1], "control_points": [[1, 0], [1, 1]]}',
-            "'degree' is written",
-        ),
-        (
-            '{"degree": 1, "knots": [0, 0, 1, 1], "control_points": [[1, 0], [1, null]]}',
-            r"control_points\[1\]\[1\]: null is not a number",
-        ),
-    ],
-)
-def test_a_curve_file_that_means_no_curve_is_refused(text, told):
-    """Of two fields of one name neither is meant more than the other."""
-    with pytest.raises(xs.ExactSplineError, match=told):
-        _ = xs.read(text.encode()).curve
-
-
 def test_sides_that_are_not_proportional_have_no_factor():
     """The last height of (34) as printed: no factor makes both sides equal, and none is shown."""
     (printed,) = [claim for claim in xs.claims("C6.2g") if claim.expected == xs.Verdict.REFUTED]

@@ -51,16 +51,18 @@ def read(path: Path) -> Known:
 
 
 def explained() -> dict[str, str]:
-    """The known survivors: name and explanation."""
+    """The known survivors: name and explanation, and the functions on which no answer depends, whatever they return."""
     if not SURVIVORS.is_file():
         return {}
-    entries = tomllib.loads(SURVIVORS.read_text(encoding="utf-8")).get("survivor", [])
-    return {entry["mutant"]: entry["because"] for entry in entries}
+    data = tomllib.loads(SURVIVORS.read_text(encoding="utf-8"))
+    return {entry["mutant"]: entry["because"] for entry in data.get("survivor", [])} | {
+        entry["of"]: entry["because"] for entry in data.get("function", [])
+    }
 
 
 def is_explained(mutant: Mutant, why: dict[str, str]) -> bool:
     """Whether it is known by its name or by its place that no answer depends on a change."""
-    return mutant.stable in why or neutral(mutant) is not None
+    return mutant.stable in why or f"{mutant.file}:{mutant.function}" in why or neutral(mutant) is not None
 
 
 def arguments() -> argparse.Namespace:

@@ -1,6 +1,6 @@
 """Changes on which no answer depends, by where they stand: in an estimate of the cost of a computation, which decides
 what is refused, and in the precision at which a loop begins or by which it grows, since it ends when its answer is
-certain.
+certain; where a few precisions are tried in turn, in all of it.
 """
 
 from __future__ import annotations
@@ -25,7 +25,9 @@ def neutral(mutant: Mutant) -> str | None:
     old, (_, _, new) = list(changes(function))[mutant.number]
     if id(old) in _estimates(mutant.file):
         return ESTIMATE
-    return PRECISION if _is_precision(function, old, new) else None
+    loops = [node for loop in ast.walk(function) if isinstance(loop, ast.For) for node in ast.walk(loop)]
+    is_tried = id(old) in {id(x) for node in loops for x in _working(node)}
+    return PRECISION if is_tried or _is_precision(function, old, new) else None
 
 
 # ---- estimates
@@ -114,8 +116,7 @@ def _is_precision(function: ast.FunctionDef, old: ast.AST, new: ast.expr) -> boo
     least = {id(x): 1 for x in first} | {
         id(x): 2 if isinstance(s.op, ast.Mult) else 1 for s in steps for x in _of_precision(s, grown)
     }
-    repeated = [s for loop in ast.walk(function) if isinstance(loop, (ast.While, ast.For)) for s in ast.walk(loop)]
-    least |= {id(x): 1 for s in repeated for x in _working(s)}
+    least |= {id(x): 1 for loop in loops for s in ast.walk(loop) for x in _working(s)}
     return id(old) in least and isinstance(new.value, int) and new.value >= least[id(old)]
 
 
@@ -138,7 +139,7 @@ def _of_precision(statement: ast.AST, grown: set[str]) -> Iterator[ast.expr]:
 
 
 def _working(node: ast.AST) -> Iterator[ast.AST]:
-    """The constants in a working precision of balls."""
+    """The expressions in a working precision of balls."""
     if isinstance(node, ast.Call) and isinstance(node.func, ast.Attribute) and node.func.attr == "workprec":
         for argument in node.args:
             yield from ast.walk(argument)

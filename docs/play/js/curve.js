@@ -23,6 +23,7 @@ const kernel = new Kernel(say);
 const plane = new Plane(element("plane"), { label: "the curve with its control points" });
 for (const layer of ["comb", "evolute", "osculating", "polygon", "curve", "marks", "handles"]) plane.layer(layer);
 const editor = new Editor(plane, changed);
+const hint = element("digits").textContent;
 let at = null;
 let idle = 0;
 
@@ -31,6 +32,7 @@ const style = (f) => (f.group === "extremum" ? f.kind : f.group);
 function changed(why) {
   if (why === "selected") return showPoint();
   at = preview(editor.curve);
+  element("digits").textContent = hint;
   draw();
   showPoint(why === "typed");
   if (why === "done") history.replaceState(null, "", `#${toHash(editor.curve)}`);
@@ -104,7 +106,9 @@ function complain(problem) {
 async function askDigits(group, index, digits = 50) {
   const note = element("digits");
   try {
-    const { answer } = await kernel.ask("digits", { curve: editor.curve, group, index, digits });
+    const { curve } = editor;
+    const { answer } = await kernel.ask("digits", { curve, group, index, digits });
+    if (editor.curve !== curve) return; // it has changed meanwhile
     const exact = answer.exact ? `t = ${answer.exact} exactly. ` : `a root of ${answer.polynomial} (coefficients from the lowest). `;
     const again = html("button", { type: "button", onclick: () => askDigits(group, index, digits * 2) }, `${digits * 2} digits`);
     note.replaceChildren(html("code", {}, answer.decimal), html("br"), exact, again);

@@ -13,7 +13,9 @@ async function show(name) {
   const { caption } = listed.find((one) => one.name === name);
   element("caption").textContent = caption;
   try {
-    turning(element("scenes"), await data(`surfaces/${name}`));
+    const scenes = await data(`surfaces/${name}`);
+    if (choice.value !== name) return; // another was chosen meanwhile
+    turning(element("scenes"), scenes);
     document.body.dataset.surface = name;
     say("");
   } catch (problem) {

@@ -37,10 +37,10 @@ class PlanePair(Generic[R]):
         self.weight, self.chord = w * v, Vector(*[w * y - v * x for x, y in zip(p, q, strict=True)])
 
     @classmethod
-    def of_segments(cls, curve: Nurbs, i: int, j: int) -> PlanePair[fmpz_mpoly]:
-        """Two segments of a curve, as polynomials in their parameters."""
+    def of_segments(cls, one: tuple[Nurbs, int], other: tuple[Nurbs, int]) -> PlanePair[fmpz_mpoly]:
+        """Two segments, each as a curve and a number, as polynomials in their parameters."""
         lists = []
-        for k, segment in enumerate((i, j)):
+        for k, (curve, segment) in enumerate((one, other)):
             forms = segment_polynomials((*curve.p, curve.w), segment)
             *p, w = forms
             velocity = [f.derivative() * w - f * w.derivative() for f in p]

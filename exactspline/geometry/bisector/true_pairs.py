@@ -54,7 +54,7 @@ class TruePairs:
 
 @dataclass(frozen=True)
 class _Segment:
-    """A segment of a curve, its weight positive."""
+    """A segment of a curve."""
 
     sides: Interval
     p: Vector[fmpz_poly]
@@ -63,9 +63,9 @@ class _Segment:
     @classmethod
     def all_of(cls, curve: Nurbs) -> list[_Segment]:
         """The segments of a curve."""
-        sign, found = 1 if curve.w(curve.domain[0]) > 0 else -1, []
+        found = []
         for i, sides in enumerate(pairwise(curve.breakpoints)):
-            *p, w = [f * sign for f in segment_polynomials((*curve.p, curve.w), i)]
+            *p, w = segment_polynomials((*curve.p, curve.w), i)
             found.append(cls(Interval(*sides), Vector(*p), w))
         return found
 
@@ -80,7 +80,7 @@ class _Segment:
         return point, tangent
 
     def homogeneous(self, t: mpq) -> list[int]:
-        """Integers x, y and w > 0 of a point."""
+        """Integers x, y and w of a point."""
         n = max(f.degree() for f in (*self.p, self.w))
         top, bottom = int(t.numerator), int(t.denominator)
         return [sum(int(x) * top**k * bottom ** (n - k) for k, x in enumerate(f.coeffs())) for f in (*self.p, self.w)]
@@ -157,10 +157,10 @@ def _verdict(
         low = square.range[0] if square.range[0] > 0 else fmpz(0)
         if low * min(sizes) >= max(sign * x * y for x in twice.range for y in along.range):
             continue
-        # the corners are in the order of the common parameter
+        # for one u that is so however often the other parameter is bisected
         fails = any(
-            sign * (square.corners[k + u] * across.corners[k + t] - twice.corners[k + u] * along.corners[k + t]) < 0
-            for k, u, t in product((0, 2), (0, 1), (0, 1))
+            min(square.corners[u::2]) * min(sizes) < max(sign * x * y for x in twice.corners[u::2] for y in along.range)
+            for u in (0, 1)
         )
         if fails or depth == DEPTH_OF_OTHER:
             break

@@ -188,7 +188,7 @@ class ZeroCurve:
             ends = list(dict.fromkeys(self._on_border(cell.box)))
             if cell.crossing is Crossing.POINT:
                 self._points.append(cell)
-            elif len(ends) == BRANCHES and not self._vanishes_around(cell.box):
+            elif len(ends) == BRANCHES:  # a side along which the form vanishes would have two more at its ends
                 self._crossings.append(Joint(cell.box, cell.zero, ends))
             else:
                 self.undecided.append(cell.box)
