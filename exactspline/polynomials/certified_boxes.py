@@ -91,7 +91,7 @@ class Isolated:
         The pair preconditioned on the box contracts each side by the factor `KEPT`, later quadratically. If it does
         not, the pair preconditioned on the region contracts the longer side, relative to the sides of the region.
         """
-        pair = preconditioned(*(f.part(box) for f in self.forms))
+        pair = preconditioned(*(rounded(f, box) for f in self.forms))
         ranges = pair and _contracting(pair)
         if pair is None or ranges is None:
             pair = _preconditioned_on(self.forms, self.region, box)
@@ -100,7 +100,7 @@ class Isolated:
         sides = []
         for g, (diagonal, off_diagonal) in zip(pair, ranges, strict=True):
             scale = mpq(int(diagonal[0] + diagonal[1]), 2)
-            radius = (int(diagonal[1]) - scale + int(max(-off_diagonal[0], off_diagonal[1]))) / scale / 2
+            radius = (int(diagonal[1]) - scale + int(max(-off_diagonal[0], off_diagonal[1]) + 2 * g.error)) / scale / 2
             middle = half - g.value(half, half) / scale
             sides.append(Interval(max(mpq(0), middle - radius), min(mpq(1), middle + radius)))
         first, second = (_rounded(side.part(local), side) for local, side in zip(sides, box, strict=True))
@@ -132,29 +132,40 @@ def isolate(
     """
     result = Isolation([] if before is None else before.zeros, [])
     start = [UNIT] if before is None else before.undecided
-    boxes, small, vanishing = 0, 0, len(forms)
-    most = BOXES if before else PER_SQUARE * max(len(f.entries) for f in forms) ** 2
+    vanishing, effort = len(forms), _Effort(forms, BOXES if before else None)
     given = {(i, j): _pair(forms[i], forms[j]) for i, j in combinations(range(vanishing - also), 2)}
     searched = [*_of_one_degree(*forms[: vanishing - also]), *forms[vanishing - also :], *not_positive]
     todo = deque(Sized(box, [rounded(f, box) for f in searched], 0) for box in start)
-    cost = sum(map(_halving, forms))
     while todo:
         part = todo.popleft()
         if is_known(part.box, result.zeros) or any(f.sign is not None for f in part.forms[:vanishing]):
             continue
         if any(f.sign == 1 for f in part.forms[vanishing:]):
             continue
-        boxes += 1
         order = sorted(given, key=partial(_dependence, part.forms)) if len(given) > 1 else given
         tried = order if part.depth > FEW else islice(order, 1)
         if any(_is_decided(part, given[at], at, result.zeros) for at in tried):
             continue
-        small += part.depth > SMALL
-        if part.depth >= DEPTH or boxes > BOXES or small > most or not affords(cost):
-            result.undecided.append(part.box)
-        else:
+        if effort.allows(part.depth):
             todo.extend(halved(part))
+        else:
+            result.undecided.append(part.box)
     return result
+
+
+class _Effort:
+    """How many boxes are bisected: what remains is left to elimination, or as undecided."""
+
+    def __init__(self, forms: Sequence[PatchForm], most: int | None) -> None:
+        self.cost = sum(map(_halving, forms))
+        self.most = most or PER_SQUARE * max(len(f.entries) for f in forms) ** 2
+        self.boxes = self.small = 0
+
+    def allows(self, depth: int) -> bool:
+        """Whether one more box, bisected this many times already, is."""
+        self.boxes += 1
+        self.small += depth > SMALL
+        return depth < DEPTH and self.boxes <= BOXES and self.small <= self.most and affords(self.cost)
 
 
 def _is_decided(part: Sized, given: Pair, at: tuple[int, int], zeros: list[Isolated]) -> bool:
@@ -244,10 +255,10 @@ def _certified(forms: Pair, box: Box) -> Box | None:
     """A box around this one that is proved to contain exactly one zero, or None."""
     first, second = (side.grown(side.width * MARGIN) for side in box)
     region = Box(first, second)
-    pair = preconditioned(*(f.part(region) for f in forms))
+    pair = preconditioned(*(rounded(f, region) for f in forms))
     if pair is None or not _contracting(pair):
         return None
-    crossed = all(max(g.edge(k, 0)) < 0 < min(g.edge(k, 1)) for k, g in enumerate(pair))
+    crossed = all(max(g.edge(k, 0)) < -g.error and g.error < min(g.edge(k, 1)) for k, g in enumerate(pair))
     return region if crossed else None
 
 

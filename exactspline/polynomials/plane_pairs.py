@@ -106,25 +106,26 @@ class Elimination:
         """The parameter of the first curve as a function of that of the second, where it is a zero of F."""
         return RationalMap((self.size - 1) * self.degree, self.second, self.first)
 
-    def sign(self, i: int, j: int, place: Place) -> int:
-        """The sign of an entry of the adjugate at a place."""
-        if self.size >= BY_BALLS and (sign := self._by_balls(i, j, place)):
+    def sign(self, entry: str, place: Place) -> int:
+        """The sign of an entry of the adjugate, `first`, `second` or `last`, at a place."""
+        if self.size >= BY_BALLS and (sign := self._by_balls(entry, place)):
             return sign
-        entry = {(0, 0): "first", (0, 1): "second"}.get((i, j), "last")
         return place.sign(getattr(self, entry), (self.size - 1) * self.degree)
 
-    def _by_balls(self, i: int, j: int, place: Place) -> int:
+    def _by_balls(self, entry: str, place: Place) -> int:
         """The sign, if balls decide it, else 0."""
         bits = FIRST
         while bits <= SUSPICIOUS and place.exact is None:
             with ctx.workprec(4 * bits):
-                if sign := sign_of_ball(self._entry(i, j, place.z(bits))):
+                if sign := sign_of_ball(self._entry(entry, place.z(bits))):
                     return sign
             bits *= 2
         return 0
 
-    def _entry(self, i: int, j: int, z: arb) -> arb:
+    def _entry(self, entry: str, z: arb) -> arb:
         """A ball around an entry of the adjugate."""
+        last = self.size - 1
+        i, j = {"first": (0, 0), "second": (0, 1), "last": (last, last)}[entry]
         minor = arb_mat([[arb_poly(x)(z) for x in row] for row in bezout.without(self.matrix, i, j)]).det()
         return -minor if (i + j) % 2 else minor
 
@@ -134,22 +135,22 @@ class Elimination:
         if self.size < BY_BALLS:
             value = arb_poly(self.second)(z) / arb_poly(self.first)(z)
         else:
-            value = self._entry(0, 1, z) / self._entry(0, 0, z)
+            value = self._entry("second", z) / self._entry("first", z)
         return value if value.is_finite() else None
 
     def is_simple(self, place: Place) -> bool:
         """Whether there is exactly one parameter s at a zero of F, on the segment or not."""
-        return bool(self.sign(0, 0, place) or self.sign(self.size - 1, self.size - 1, place))
+        return bool(self.sign("first", place) or self.sign("last", place))
 
     def partner(self, place: Place) -> Local | Several | None:
         """The parameter s of a zero of F on the segment; None if it is outside the segment, and `SEVERAL` if there
         is not exactly one.
         """
-        bottom = self.sign(0, 0, place)
+        bottom = self.sign("first", place)
         if bottom:
-            top = self.sign(0, 1, place) * bottom
+            top = self.sign("second", place) * bottom
             return None if top < 0 else at(mpq(0)) if top == 0 else Image(place, self)
-        return at(mpq(1)) if self.sign(self.size - 1, self.size - 1, place) else SEVERAL
+        return at(mpq(1)) if self.sign("last", place) else SEVERAL
 
 
 class LineElimination(Elimination):

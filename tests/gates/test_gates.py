@@ -294,6 +294,7 @@ ROUNDED = {
     "programs/masses.py: factors": "the certified filter",
     "programs/doubles.py: _carried_out": "the certified filter",
     "polynomials/doubles.py: ordinates": "a guess, certified afterwards",
+    "polynomials/proposed.py: proposed": "a guess, certified afterwards",
     "reals/digits.py: Digits.__float__": "rounds to a double, on request",
     "reals/real.py: RationalNumber.double": "rounds to a double, on request",
     "verification/conditioning/compare.py: _at_root": "what is measured is the error of doubles",

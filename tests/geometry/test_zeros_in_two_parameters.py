@@ -415,7 +415,7 @@ def test_zeros_of_one_function_exchanged_and_divided(p):
     assert sorted(x.shape for x in found.curves) == sorted(x.shape for x in turned.curves)
     assert [(x.second, x.first) for x in turned.points] == [(x.first, x.second) for x in found.points]
     assert zero_curve(f.scaled(-2)) == found
-    cut = zero_curve(f.insert_knot(0, mpq(3, 7)).insert_knot(1, mpq(4, 9)))
+    cut = zero_curve(f.insert_knot(0, mpq(3, 7)).insert_knot(0, mpq(2, 3)).insert_knot(1, mpq(4, 9)))
     assert sorted(x.shape for x in cut.curves) == sorted(x.shape for x in found.curves)
     assert places(cut.singular_points) == places(found.singular_points)
     assert [x.kind for x in cut.singular_points] == [x.kind for x in found.singular_points]
@@ -430,8 +430,8 @@ def test_zeros_of_one_function_exchanged_and_divided(p):
 def test_isolated_points_of_a_common_factor_on_its_lines(is_turned):
     """One on the line is part of it; one at another place is not."""
     f, g = function(lambda s, t: s + t - 3), function(lambda s, t: 2 * s + t - 4)
-    for a, points in ((mpq(1, 2), []), (mpq(1, 3), [(mpq(1, 3), mpq(1, 2))])):
-        shared = function(lambda s, t, a=a: (2 * s - 1) * ((s - a) ** 2 + (2 * t - 1) ** 2))
+    for a, points in ((mpq(1, 2), []), (mpq(1, 3), [(mpq(1, 3), mpq(1, 5))])):
+        shared = function(lambda s, t, a=a: (2 * s - 1) * ((s - a) ** 2 + (5 * t - 1) ** 2))
         found = common_zeros(*((shared.transposed() if is_turned else shared) * h for h in (f, g)))
         assert places(found) == [place[::-1] if is_turned else place for place in points]
         assert [part.along_curve for part in found.everywhere] == [True]

@@ -201,8 +201,8 @@ def test_a_map_and_its_signs_are_those_of_points_on_the_curve():
         eliminated = Elimination(elimination(first, first).matrix, n)
         assert not eliminated.determinant
         for place in places(elimination(first, forms(any_rows(draw, 3, 9))).isolation):
-            assert eliminated.sign(0, 1, place) == eliminated.sign(0, 0, place) != 0
-            assert eliminated.sign(n - 1, n - 1, place) != 0
+            assert eliminated.sign("second", place) == eliminated.sign("first", place) != 0
+            assert eliminated.sign("last", place) != 0
 
 
 @pytest.mark.parametrize(("low", "high"), [(0, 1), (2, 5), (-3, mpq(-5, 2)), (-1, mpq(1, 3))])
@@ -261,9 +261,21 @@ def test_a_curve_and_itself_have_no_common_end_without_a_crossing(n):
 
 def test_a_parameter_close_to_the_end_belongs_to_a_fibre():
     """A mutant divided by zero: the interval of the parameter ends at 1."""
-    far = mpq(10**14)
-    curve = through(Random(1), 3, [mpq(1), far])
-    assert [Fibre(curve, curve, of_z(mpq(1))).contains(irrationally(z)) for z in (far, far + 1)] == [True, False]
+    for far in (mpq(10**14), mpq(10**30)):
+        curve = through(Random(1), 3, [mpq(1), far])
+        assert [Fibre(curve, curve, of_z(mpq(1))).contains(irrationally(z)) for z in (far, far + 1)] == [True, False]
+        assert [irrationally(far).sign(fmpz_poly([-int(far) + k, 1]), 1) for k in (-1, 0, 1)] == [-1, 0, 1]
+
+
+def test_a_parameter_whose_interval_ends_in_another_one():
+    """A mutant passed: the fibre contains z = 1, at which the interval of another parameter begins or ends."""
+    curve = through(Random(1), 3, [mpq(1), mpq(5)])
+    for distance in (10**14, 10**40):
+        for sign in (1, -1):
+            both = fmpz_poly([-1, 1]) * fmpz_poly([-(distance + sign), distance])
+            one, other = map(Place, isolate(both, 2).inner)
+            expected = [True, False] if sign == 1 else [False, True]
+            assert [Fibre(curve, curve, of_z(mpq(5))).contains(x) for x in (one, other)] == expected
 
 
 @pytest.mark.parametrize("n", [3, 4, 5])
@@ -277,8 +289,9 @@ def test_entries_of_an_adjugate(n):
         for j in range(n):
             total = sum((x * other[j] for x, other in zip(row, eliminated.matrix, strict=True)), fmpz_poly([]))
             assert total == (eliminated.determinant if i == j else fmpz_poly([]))
-            assert eliminated._entry(j, i, arb(3)).contains(row[j](3))
     assert [eliminated.first, eliminated.second, eliminated.last] == [rows[0][0], rows[1][0], rows[-1][-1]]
+    for entry in ("first", "second", "last"):
+        assert eliminated._entry(entry, arb(3)).contains(getattr(eliminated, entry)(3))
 
 
 @pytest.mark.parametrize("n", [2, 3, 4, 5])
@@ -297,3 +310,14 @@ def test_the_end_of_one_curve_on_another_one(n):
             isolated = [Place(x.zero) for x in found]
             assert all(eliminated.is_simple(x) for x in (*found, *isolated))
             assert [eliminated.partner(x).exact for x in (*found, *isolated)] == [1 - other] * 2
+
+
+def test_a_curve_of_degree_2_that_turns_back():
+    (arc,) = self_meetings(forms([(0, 0, 1), (4, 0, 1), (0, 0, 1)])).arcs
+    assert [place.exact for place in arc.second] == [mpq(1, 2), 1]
+
+
+def test_a_sign_at_a_place_close_to_the_end():
+    """A mutant did not end: the interval of the first precision ends at 1, where z is infinite."""
+    (zero,) = isolate(fmpz_poly([-2 * 10**60, 0, 1]), 2).inner
+    assert [Place(zero).sign(fmpz_poly([-k * 10**30, 1]), 1) for k in (1, 2)] == [1, -1]

@@ -112,6 +112,8 @@ def test_elimination_finds_what_boxes_find(seed, monkeypatch):
                 if all(low <= x <= high for x, (low, high) in zip(place, zero.region, strict=True))
             ]
             assert len(own) <= 1
+            again = Isolated(zero.forms, zero.region, zero.at)
+            assert all(again.refine(bits).longest <= mpq(1, 1 << bits) for bits in range(12))
             for place in own:
                 box = zero.refine(50)
                 assert box.longest <= mpq(1, 1 << 50)
@@ -156,6 +158,10 @@ def test_the_parts_of_a_zero_say_the_same():
             assert not one.is_zero_of(as_form(local[0] * 10**40 + 1))
         assert (zero.exact is None) == (name != "rational")
     assert zero.exact == (mpq(5, 2), mpq(-1, 3))
+    for k in (0, 1):
+        (fresh,) = zeros_of([as_form(2 * S * S - 1), as_form(3 * T * T - 1)]).zeros
+        assert (fresh.s, fresh.t)[k].minimal_polynomial() == [-1, 0, 2 + k]
+        assert fresh._number(k) == fresh.place[k]
     assert repr(zero) == "<common zero near 2.500000 and -0.333333>"
 
 
@@ -313,3 +319,18 @@ def test_what_several_forms_leave_out():
     assert sorted(zero.exact for zero in zeros_of([f, h]).zeros) == [(mpq(1, 3), mpq(1, 3)), (mpq(1, 2), mpq(3, 4))]
     assert [zero.exact for zero in zeros_of([g, f, h]).zeros] == [(mpq(1, 2), mpq(3, 4))]
     assert [zero.exact for zero in zeros_of([f, h], also=[as_form(2 * S - 1)]).zeros] == [(mpq(1, 2), mpq(3, 4))]
+
+
+def test_points_that_differ_in_one_number_are_two():
+    """By less than boxes of 400 bits show."""
+    far = 10**150
+    one, other = common_zeros([2 * S * S - 1, (3 * T - 1) * (3 * far * T - far - 1)], UNIT)
+    for first, second in ((one, other), (other, one)):
+        assert not first.is_at(second)
+        assert first.is_at(first)
+
+
+def test_a_value_that_is_all_but_zero_at_an_irrational_and_a_rational_number():
+    (s,) = roots_in(fmpz_poly([-1, 0, 2]), mpq(0), mpq(1))
+    assert is_certainly_not_zero(10**300 * (2 * S * S - 1) + 3 * T, s, mpq(1, 3))
+    assert is_certainly_not_zero(10**300 * (2 * T * T - 1) + 3 * S, mpq(1, 3), s)

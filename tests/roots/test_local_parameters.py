@@ -6,6 +6,7 @@ import pytest
 from flint import fmpz_poly
 
 from exactspline import BSpline, Nurbs
+from exactspline.errors import ShapeError
 from exactspline.numbers.exact import mpq, to_fmpq
 from exactspline.numbers.intervals import UNIT, Interval
 from exactspline.polynomials.common_arcs import Image, RationalMap
@@ -21,7 +22,7 @@ from exactspline.roots.local_parameters import (
     segment_forms,
     segment_rows,
 )
-from exactspline.roots.zero_set import zeros
+from exactspline.roots.zero_set import ZeroSet, zeros
 
 SIDES = [(0, 1), (2, 5), (-3, mpq(-5, 2)), (-1, mpq(1, 3)), (mpq(-1, 2), mpq(1, 6)), (0, 7)]
 
@@ -123,5 +124,7 @@ def test_zero_sets_are_equal_where_their_zeros_are():
     assert hash(zeros(one)) == hash(same)
     assert zeros(one) != other
     assert other not in (0, (), list(other))
+    with pytest.raises(ShapeError, match="isolations"):
+        ZeroSet(one, False, [3])
     assert zeros(BSpline.bezier([-1, 2, -1])) != same  # the same parameters, other signs
     assert zeros(BSpline.bezier([0, 0])) != zeros(BSpline.bezier([0, 0, 1]))
