@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
-from typing import ClassVar, Protocol
+from dataclasses import dataclass
+from enum import Enum
+from typing import ClassVar, Protocol, dataclass_transform
 
 #: From the name of a format (``html``, ``latex``, ``short``, ``words``) and an object to a text, None where there is
 #: none.
@@ -54,7 +56,8 @@ class Displayed:
 
 class Worded:
     """What a sentence is made of: `str` puts it into words, as `display` writes them: those given with a class, with
-    fields between braces, where ``{name?yes|no}`` is one of two texts, as the field is true.
+    fields between braces: ``{name?yes|no}`` is one of two such texts, as the field is true, ``{name:, }`` its parts
+    with commas between them.
     """
 
     __slots__ = ()
@@ -65,6 +68,18 @@ class Worded:
 
     def __str__(self) -> str:
         return _printers[0]("words", self) or repr(self)
+
+
+@dataclass_transform(frozen_default=True)
+class WordedData(Worded):
+    """The same, as a base of kinds of things, every class of which is a frozen dataclass or an enumeration."""
+
+    __slots__ = ()
+
+    def __init_subclass__(cls, words: str = "") -> None:
+        super().__init_subclass__(words)
+        if WordedData not in cls.__bases__ and not issubclass(cls, Enum):
+            dataclass(frozen=True)(cls)
 
 
 class _FunctionOutside:

@@ -2,16 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable
 from dataclasses import dataclass
-from functools import partial
-from time import process_time
+from typing import Any
 
 from exactspline.batch.backends import ALONE
-from exactspline.batch.corpus import Item, Problem
-from exactspline.batch.lines import Line
+from exactspline.batch.corpus import Item
 from exactspline.batch.surface_oracle import applies, inspection_of, surface_answer, surface_question
-from exactspline.batch.work import DIGITS, MOST_DIGITS
+from exactspline.batch.work import DIGITS, MOST_DIGITS, OneByOne
 from exactspline.errors import as_integer, as_texts
 from exactspline.geometry.registry import REGISTRY
 from exactspline.questions.entry import Of
@@ -19,7 +17,7 @@ from exactspline.splines.surface import NurbsSurface
 
 
 @dataclass(frozen=True)
-class SurfaceWork:
+class SurfaceWork(OneByOne):
     """The questions to ask of each surface, and the digits of irrational parameters.
 
     >>> from exactspline import example
@@ -56,42 +54,20 @@ class SurfaceWork:
         """On what the lines depend, as data."""
         return {"find": list(self.find), "claims": [], "digits": self.digits, "values": False}
 
-    def lines(self, group: list[Item]) -> Iterator[Line]:
-        """The lines of several surfaces, which are removed from the list."""
-        while group:
-            yield self.line(group.pop(0))
-
     def weight(self, item: Item) -> int:
         """Surfaces are computed one by one."""
         return ALONE
 
-    def line(self, item: Item) -> Line:
-        """The line of one surface. An error is recorded in the line, so that others are not affected; questions that do
-        not apply to surfaces of its dimension are skipped.
+    def _fill(self, fields: dict[str, Any], item: Item) -> None:
+        """What is known of the surface, and the answers; questions that do not apply to surfaces of its dimension are
+        skipped.
         """
-        begun = partial(Line, item.index, item.source, item.name, notes=item.notes, curve_digest=item.digest)
         surface = item.given
-        if not isinstance(surface, NurbsSurface):
-            assert isinstance(surface, Problem)  # no other is given to this work
-            return begun(error=surface)
-        start, error, answers = process_time(), None, dict[str, object]()
+        assert isinstance(surface, NurbsSurface)  # no other is given to this work
         first, second = (len(mesh.breaks) - 1 for mesh in surface.meshes)
-        try:
-            found = inspection_of(surface)
-            answers = {
-                asked: surface_answer(surface, asked, self.digits, found)
-                for asked in self.find
-                if applies(surface, asked)
-            }
-        # one surface must not end a sweep of many: an unexpected exception is recorded by its type
-        except Exception as failure:
-            error = Problem.of(failure)
-        return begun(
-            dimension=surface.dimension,
-            polynomial=surface.polynomial,
-            degrees=surface.degree,
-            patches=first * second,
-            answers=answers,
-            error=error,
-            seconds=process_time() - start,
-        )
+        fields |= {"dimension": surface.dimension, "polynomial": surface.polynomial, "degrees": surface.degree}
+        fields["patches"] = first * second
+        found = inspection_of(surface)
+        fields["answers"] = {
+            asked: surface_answer(surface, asked, self.digits, found) for asked in self.find if applies(surface, asked)
+        }

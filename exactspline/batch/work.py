@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+from abc import ABC, abstractmethod
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
-from functools import cache, partial
+from functools import cache
 from time import process_time
 from typing import TYPE_CHECKING, Any
 
@@ -28,8 +29,35 @@ QUICK = (Answered.PLACES, Answered.PIECES, Answered.JOINTS)
 DIGITS, MOST_DIGITS = 10, 10_000
 
 
+class OneByOne(ABC):
+    """Work that gives a line for each curve or surface."""
+
+    def line(self, item: Item) -> Line:
+        """The line of one. An error is recorded in the line, so that others are not affected."""
+        start, fields = process_time(), dict[str, Any]()
+        try:
+            if isinstance(item.given, Problem):
+                fields["error"] = item.given
+            else:
+                self._fill(fields, item)
+        # one curve must not end a sweep of a million: an unexpected exception is recorded by its type
+        except Exception as failure:
+            fields["error"] = Problem.of(failure)
+        fields |= {"notes": item.notes, "curve_digest": item.digest, "seconds": process_time() - start}
+        return Line(item.index, item.source, item.name, **fields)
+
+    @abstractmethod
+    def _fill(self, fields: dict[str, Any], item: Item) -> None:
+        """Put what is known of one into the fields of its line."""
+
+    def lines(self, group: list[Item]) -> Iterator[Line]:
+        """The lines of several, which are removed from the list so that none is kept when its line is done."""
+        while group:
+            yield self.line(group.pop(0))
+
+
 @dataclass(frozen=True)
-class Work:
+class Work(OneByOne):
     """The features to search for on each curve, by the names of questions; the claims that are checked on it, by
     paper and key; the digits of irrational parameters; and whether points get their coordinates and curvature.
 
@@ -72,31 +100,11 @@ class Work:
             "values": self.values,
         }
 
-    def line(self, item: Item) -> Line:
-        """The line of one curve. An error is recorded in the line, so that other curves are not affected."""
-        start = process_time()
-        shape: dict[str, Any] = {}
-        found: dict[str, tuple[Found, ...]] = {}
-        judged: tuple[Judged, ...] = ()
-        error = way = None
-        try:
-            if isinstance(item.given, Problem):
-                error = item.given
-            else:
-                curve = item.curve()
-                shape = {name: getattr(curve, name) for name in ("degree", "dimension", "segments", "polynomial")}
-                found, judged, way = self._answered(curve)
-        # one curve must not end a sweep of a million: an unexpected exception is recorded by its type
-        except Exception as failure:
-            error = Problem.of(failure)
-        seconds = process_time() - start
-        begun = partial(Line, item.index, item.source, item.name, notes=item.notes, curve_digest=item.digest)
-        return begun(**shape, found=found, claims=judged, error=error, seconds=seconds, way=way)
-
-    def lines(self, group: list[Item]) -> Iterator[Line]:
-        """The lines of several curves, which are removed from the list so that none is kept when its line is done."""
-        while group:
-            yield self.line(group.pop(0))
+    def _fill(self, fields: dict[str, Any], item: Item) -> None:
+        """What is known of the curve, and what is found on it."""
+        curve = item.curve()
+        fields |= {name: getattr(curve, name) for name in ("degree", "dimension", "segments", "polynomial")}
+        fields["found"], fields["claims"], fields["way"] = self._answered(curve)
 
     def weight(self, item: Item) -> int:
         """How much of a group a curve fills: for a plane curve of which only quick questions are asked its number of

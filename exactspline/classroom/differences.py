@@ -2,20 +2,24 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from enum import Enum
+from typing import ClassVar
 
 from exactspline.classroom.parts import Point
-from exactspline.hooks import Worded
+from exactspline.hooks import WordedData
 from exactspline.numbers.exact import mpq
 from exactspline.verification.questions import Proof
 from exactspline.verification.vocabulary import Name
 
 
-class Difference(Worded):
-    """One thing that is wrong."""
+class Difference(WordedData):
+    """One thing that is wrong; its `hint` does not tell what would be right."""
 
-    __slots__ = ()
+    hint: ClassVar[str] = ""
+
+    def __init_subclass__(cls, words: str = "", hint: str = "") -> None:
+        super().__init_subclass__(words)
+        cls.hint = hint
 
 
 class Entries(Enum):
@@ -34,7 +38,6 @@ class Shape(Difference, Enum):
     REVERSED = "it is reversed"
 
 
-@dataclass(frozen=True)
 class OtherCount(Difference):
     """The answer has another number of entries."""
 
@@ -43,8 +46,7 @@ class OtherCount(Difference):
     given: int
 
 
-@dataclass(frozen=True)
-class OtherNumber(Difference, words="{name} is {right}, not {given}"):
+class OtherNumber(Difference, words="{name} is {right}, not {given}", hint="{name} is not {given}"):
     """A named number is wrong."""
 
     name: Name
@@ -52,8 +54,9 @@ class OtherNumber(Difference, words="{name} is {right}, not {given}"):
     given: mpq
 
 
-@dataclass(frozen=True)
-class OtherPoint(Difference, words="control point {index} is {right}, not {given}"):
+class OtherPoint(
+    Difference, words="control point {index} is {right}, not {given}", hint="control point {index} is not {given}"
+):
     """The control point of an index, from 0, is wrong."""
 
     index: int
@@ -61,8 +64,11 @@ class OtherPoint(Difference, words="control point {index} is {right}, not {given
     given: Point
 
 
-@dataclass(frozen=True)
-class OtherCoefficient(Difference, words="{name}: the coefficient of t^{power} is {right}, not {given}"):
+class OtherCoefficient(
+    Difference,
+    words="{name}: the coefficient of t^{power} is {right}, not {given}",
+    hint="{name}: the coefficient of t^{power} is not {given}",
+):
     """The coefficient of a power of t in a named polynomial is wrong."""
 
     name: Name
@@ -71,8 +77,11 @@ class OtherCoefficient(Difference, words="{name}: the coefficient of t^{power} i
     given: mpq
 
 
-@dataclass(frozen=True)
-class OtherValue(Difference, words="{name}{name?: }at t = {at} it gives {given} instead of {right}"):
+class OtherValue(
+    Difference,
+    words="{name}{name?: }at t = {at} it gives {given} instead of {right}",
+    hint="{name}{name?|it} is not {given} at t = {at}",
+):
     """At a parameter the value (of a polynomial that has a name) is wrong."""
 
     at: mpq
@@ -81,28 +90,24 @@ class OtherValue(Difference, words="{name}{name?: }at t = {at} it gives {given} 
     name: Name | None = None
 
 
-@dataclass(frozen=True)
-class Missing(Difference, words="t = {parameter} is missing"):
+class Missing(Difference, words="t = {parameter} is missing", hint="a parameter is missing"):
     """A parameter is missing."""
 
     parameter: mpq
 
 
-@dataclass(frozen=True)
 class Invented(Difference, words="t = {parameter} is not one of them"):
     """A parameter is not one of those asked for."""
 
     parameter: mpq
 
 
-@dataclass(frozen=True)
 class OtherCoordinates(Difference):
     """The points need this many coordinates."""
 
     right: int
 
 
-@dataclass(frozen=True)
 class OtherDimension(Difference, words="it is in R{given}, not in R{right}"):
     """The curve is in a space of another dimension."""
 
@@ -110,23 +115,24 @@ class OtherDimension(Difference, words="it is in R{given}, not in R{right}"):
     given: int
 
 
-@dataclass(frozen=True)
-class OtherDomain(Difference):
+class OtherDomain(Difference, words="its domain is [{given:, }], not [{right:, }]"):
     """The curve has another domain."""
 
     right: tuple[mpq, mpq]
     given: tuple[mpq, mpq]
 
 
-@dataclass(frozen=True)
 class NotProved(Difference, words="{proof}"):
     """The formula is not the reference."""
 
     proof: Proof
 
 
-@dataclass(frozen=True)
-class OtherOnExample(Difference):
+class OtherOnExample(
+    Difference,
+    words="on the example curve {curve} at t = {at} it gives {given?{given}|no value} instead of {factor?{factor} · }"
+    "{right?{right}|no value}",
+):
     """A formula differs from a factor (None: 1) times the reference at a parameter of an example curve; a value that
     does not exist there is None.
     """

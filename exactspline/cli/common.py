@@ -17,10 +17,12 @@ from exactspline.numbers.exact import rational
 if TYPE_CHECKING:
     from exactspline.interchange.records import Reading
     from exactspline.splines.nurbs import Nurbs
+    from exactspline.splines.surface import NurbsSurface
     from exactspline.verification.claim import Claim
 
 G = TypeVar("G")
 V = TypeVar("V")
+C = TypeVar("C", "Nurbs", "NurbsSurface")
 
 CURVE_HELP = "A file of curves (JSON, SVG, DXF, STEP, font.ttf:glyph, …), an example curve by its name, or -."
 #: How the arguments that name places of a paper are given by other commands.
@@ -72,13 +74,17 @@ def claims_of_papers(names: Sequence[str] | None, trust: bool) -> tuple[Claim, .
 
 def load_curve(name: str) -> Nurbs:
     """The one curve that a name, a file or standard input (``-``) means."""
-    found, _ = curves_in(name, reading_of(name))
+    return only_one(curves_in(name, reading_of(name))[0], "curve", name)
+
+
+def only_one(found: Sequence[C], what: str, name: str, options: str = "") -> C:
+    """The only curve or surface (`what`) of a file; the error for several says how `convert` takes one."""
     if len(found) > 1:
-        names = ", ".join(c.name for c in found[:8]) + (", …" if len(found) > 8 else "")
+        names = ", ".join(each.name for each in found[:8]) + (", …" if len(found) > 8 else "")
         raise CurveFileError(
-            f"{counted(len(found), 'curve')}, where one is expected",
+            f"{counted(len(found), what)}, where one is expected",
             where=name,
-            remedy=f"take one: {command_name()} convert {name} one.json --only NAME, of {names}",
+            remedy=f"take one: {command_name()} convert {name} one.json {options}--only NAME, of {names}",
         )
     return found[0]
 

@@ -18,6 +18,7 @@ from exactspline.cli.common import (
 )
 from exactspline.cli.output import OptionsError, Output, leave_out, printing
 from exactspline.cli.parameters import Argument, Exit, Option
+from exactspline.cli.surfaces import surfaces_in
 from exactspline.display.data import picked
 from exactspline.display.sheet import Sheet
 from exactspline.errors import CurveFileError, ShapeError, counted
@@ -127,15 +128,12 @@ def _chosen(reading: Reading, what: str, source: str, only: Sequence[str]) -> li
     """The curves or surfaces to convert, those with the names in `only`; what is not taken is named on standard
     error.
     """
-    as_surfaces = what == "surface"
-    if as_surfaces and reading.curves:
-        leave_out()
-        sys.stderr.write(
-            f"skipped: {source}: {counted(len(reading.curves), 'curve')}: without --surfaces these are taken\n"
-        )
-    tell_skipped(reading, source, surfaces=not as_surfaces)
-    tell_notes(reading, curves=not as_surfaces)
-    known = [*reading.surfaces] if as_surfaces else [*reading.curves]
+    known: Sequence[NamedCurve | NurbsSurface] = reading.curves
+    if what == "surface":
+        known = surfaces_in(source, reading)
+    else:
+        tell_skipped(reading, source)
+        tell_notes(reading)
     chosen = [named for named in known if not only or named.name in only]
     if not chosen:
         names = ", ".join(named.name for named in known[:10]) or "none"

@@ -6,10 +6,10 @@ import sys
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
-from exactspline.cli.common import each_read, reading_of, tell_notes, tell_skipped, tell_written
+from exactspline.cli.common import each_read, only_one, reading_of, tell_notes, tell_skipped, tell_written
 from exactspline.cli.output import OptionsError, Output, leave_out
 from exactspline.cli.parameters import Exit
-from exactspline.errors import CurveFileError, command_name, counted
+from exactspline.errors import CurveFileError, counted
 
 if TYPE_CHECKING:
     from exactspline.display.sheet import Sheet
@@ -36,15 +36,7 @@ def read_surfaces(name: str) -> Sequence[NurbsSurface]:
 
 def read_surface(name: str) -> NurbsSurface:
     """The one surface that a name, a file or standard input means."""
-    found = read_surfaces(name)
-    if len(found) > 1:
-        raise CurveFileError(
-            f"{counted(len(found), 'surface')}, where one is expected",
-            where=name,
-            remedy=f"take one: {command_name()} convert {name} one.json --surfaces --only NAME, of "
-            f"{', '.join(surface.name for surface in found[:8])}{', …' if len(found) > 8 else ''}",
-        )
-    return found[0]
+    return only_one(read_surfaces(name), "surface", name, "--surfaces ")
 
 
 def surfaces_in(name: str, reading: Reading, why: str = "without --surfaces these are taken") -> Sequence[NurbsSurface]:
@@ -53,8 +45,7 @@ def surfaces_in(name: str, reading: Reading, why: str = "without --surfaces thes
         leave_out()
         sys.stderr.write(f"skipped: {name}: {counted(len(reading.curves), 'curve')}: {why}\n")
     tell_skipped(reading, name, surfaces=False)
-    if reading.format != "json":
-        tell_notes(reading, curves=False)
+    tell_notes(reading, curves=False)
     return reading.surfaces
 
 

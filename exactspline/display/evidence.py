@@ -12,7 +12,6 @@ from types import NoneType
 
 from exactspline.classroom import differences as wrong
 from exactspline.classroom.answers import shown
-from exactspline.classroom.parts import Point
 from exactspline.display.numbers import EXACT, Numbers
 from exactspline.errors import ExactSplineError, counted
 from exactspline.language.kinds import constant_text
@@ -27,8 +26,9 @@ from exactspline.verification.questions import Check, Proof
 from exactspline.verification.verdict import Finding
 from exactspline.verification.vocabulary import Counter, Verdict
 
-#: A field in a template: its name, and the texts between which it chooses.
-_FIELD = re.compile(r"\{([\w.]+)(?:\?([^|}]*)\|?([^}]*))?\}")
+_INNER = r"(?:[^{}|]|\{(?:[^{}]|\{[^{}]*\})*\})*"
+#: A field in a template: its name, and the templates between which it chooses, or what stands between its parts.
+_FIELD = re.compile(rf"\{{([\w.]+)(?:\?({_INNER})\|?({_INNER})|:([^{{}}]*))?\}}")
 
 
 def worded(item: Found | None, numbers: Numbers = EXACT) -> str:
@@ -73,13 +73,21 @@ def _(item: ExactSplineError, numbers: Numbers = EXACT) -> str:
 @words.register(Evidence)
 @words.register(wrong.Difference)
 def _(item: Evidence | wrong.Difference, numbers: Numbers = EXACT) -> str:
+    return str(item.value) if isinstance(item, Enum) else filled(item.template, item, numbers)
+
+
+def filled(template: str, item: Evidence | wrong.Difference, numbers: Numbers = EXACT) -> str:
+    """A template with the fields of a piece of evidence in words."""
+
     def field(match: re.Match[str]) -> str:
         value = attrgetter(match[1])(item)
         if match[2] is not None:
-            return match[2] if value else match[3]
+            return filled(match[2] if value else match[3], item, numbers)
+        if match[4] is not None:
+            return match[4].join(words(each, numbers) for each in value)
         return words(value, numbers)
 
-    return str(item.value) if isinstance(item, Enum) else _FIELD.sub(field, item.template)
+    return _FIELD.sub(field, template)
 
 
 @words.register
@@ -123,14 +131,6 @@ def _(item: e.AnyOperands, numbers: Numbers = EXACT) -> str:
 def _(item: e.HeldOn, numbers: Numbers = EXACT) -> str:
     stopped = f": {numbers.within(item.error.problem)}" if item.error else ""
     return f"it holds, but was tried on a part only: {words(item.part, numbers)}{stopped}"
-
-
-# ---- proof assistants
-
-
-@words.register
-def _(item: e.Theorem, numbers: Numbers = EXACT) -> str:
-    return f"axioms {', '.join(item.axioms)}" if item.axioms else "no axioms"
 
 
 #: The number of terms shown of a polynomial.
@@ -227,24 +227,7 @@ def _(item: e.Quotients, numbers: Numbers = EXACT) -> str:
     return ", ".join(quotients)
 
 
-@words.register
-def _(item: e.OddPowers, numbers: Numbers = EXACT) -> str:
-    return f"odd powers of {'·'.join(item.names)}"
-
-
-@words.register
-def _(item: e.Squares, numbers: Numbers = EXACT) -> str:
-    zero = f", 0 on {item.zero}" if item.zero else ""
-    segments = f"{item.squares} of {item.segments} segments"
-    return f"{item.formula} is a square up to a constant on {segments}{zero}"
-
-
 # ---- surfaces
-
-
-@words.register
-def _(item: e.OneSurface, numbers: Numbers = EXACT) -> str:
-    return f"one surface, except where {' or '.join(item.but)} vanishes" if item.but else "one surface"
 
 
 @words.register
@@ -260,13 +243,6 @@ def _(item: e.Rulings, numbers: Numbers = EXACT) -> str:
 @words.register
 def _(item: e.ContactOrder, numbers: Numbers = EXACT) -> str:
     return "none: it does not pass through the point" if item.order < 0 else item.relation.bound(item.order)
-
-
-@words.register
-def _(item: e.DerivativeAt, numbers: Numbers = EXACT) -> str:
-    what = f"the derivative of order {item.order} in s̄" if item.order else "the value"
-    place = f" {words(item.place, numbers)}" if item.place else " on every curve" if item.is_zero else ""
-    return f"{what} is {'= 0' if item.is_zero else '≠ 0'} at s̄ = s{place}"
 
 
 @words.register
@@ -295,13 +271,6 @@ def _(item: e.Conditions, numbers: Numbers = EXACT) -> str:
 def _middle(enclosure: e.Enclosure) -> str:
     low, high = enclosure
     return f"{float(mpq((low + high) / 2)):.4g}"
-
-
-@words.register
-def _(item: e.TypeOnExample, numbers: Numbers = EXACT) -> str:
-    where = f"on the example curve {item.curve}" if item.curve else "for cubic polynomials"
-    why = f"; {words(e.Fact.MADE_BY_ARITHMETIC, numbers)}" if item.rational_everywhere else ""
-    return f"{item.type} {where}{why}"
 
 
 def opinion(item: Finding) -> str:
@@ -344,19 +313,3 @@ def _(item: wrong.OtherCount, numbers: Numbers = EXACT) -> str:
 @words.register
 def _(item: wrong.OtherCoordinates, numbers: Numbers = EXACT) -> str:
     return f"points with {counted(item.right, 'coordinate')} are required"
-
-
-@words.register
-def _(item: wrong.OtherDomain, numbers: Numbers = EXACT) -> str:
-    here, there = (", ".join(map(text, domain)) for domain in (item.given, item.right))
-    return f"its domain is [{here}], not [{there}]"
-
-
-@words.register
-def _(item: wrong.OtherOnExample, numbers: Numbers = EXACT) -> str:
-    right = f"{item.factor} · {_value(item.right)}" if item.factor else _value(item.right)
-    return f"on the example curve {item.curve} at t = {text(item.at)} it gives {_value(item.given)} instead of {right}"
-
-
-def _value(value: Point | None) -> str:
-    return "no value" if value is None else shown(value)

@@ -4,16 +4,16 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
-from functools import singledispatch
 from html import escape
 
 from exactspline.classroom.answers import shown
-from exactspline.classroom.differences import Difference, Missing, OtherCoefficient, OtherNumber, OtherPoint, OtherValue
+from exactspline.classroom.differences import Difference
 from exactspline.classroom.exercises import Exercise
 from exactspline.classroom.parts import Math, Part, Polynomial, Value
 from exactspline.classroom.topics import about
 from exactspline.classroom.triangles import Triangle
 from exactspline.display import mathml
+from exactspline.display.evidence import filled
 from exactspline.display.latex import fraction, mathematics, unicode_latex
 from exactspline.display.latex_prose import prose
 from exactspline.display.numbers import polynomial_text
@@ -206,7 +206,6 @@ def html_page(made: Sequence[Exercise], *, solutions: bool) -> str:
 # ---- answers
 
 
-@singledispatch
 def hinted(difference: Difference) -> str:
     """What is wrong, without the right value.
 
@@ -215,32 +214,7 @@ def hinted(difference: Difference) -> str:
     >>> hinted(OtherNumber("x", mpq(1), mpq(2)))
     'x is not 2'
     """
-    return str(difference)
-
-
-@hinted.register
-def _(difference: OtherNumber) -> str:
-    return f"{difference.name} is not {text(difference.given)}"
-
-
-@hinted.register
-def _(difference: OtherPoint) -> str:
-    return f"control point {difference.index} is not {shown(difference.given)}"
-
-
-@hinted.register
-def _(difference: OtherCoefficient) -> str:
-    return f"{difference.name}: the coefficient of t^{difference.power} is not {text(difference.given)}"
-
-
-@hinted.register
-def _(difference: OtherValue) -> str:
-    return f"{difference.name or 'it'} is not {shown(difference.given)} at t = {text(difference.at)}"
-
-
-@hinted.register
-def _(difference: Missing) -> str:
-    return "a parameter is missing"
+    return filled(difference.hint, difference) or str(difference)
 
 
 # ---- data

@@ -23,9 +23,10 @@ from exactspline.hooks import Displayed
 from exactspline.numbers.exact import common_divisor, mpq
 from exactspline.numbers.intervals import Interval
 from exactspline.polynomials.bezout import PlaneForms
-from exactspline.polynomials.common_arcs import Arc, Meetings
+from exactspline.polynomials.common_arcs import Arc, Local, Meeting, Meetings
 from exactspline.polynomials.cost import PATCH, QUESTION, Budget, drawing_on
 from exactspline.polynomials.plane_pairs import meetings, self_meetings
+from exactspline.polynomials.zero_places import Place
 from exactspline.programs.certain_pairs import certain_pairs
 from exactspline.questions.answers import Answer
 from exactspline.reals.real import Real
@@ -208,7 +209,8 @@ class _Collected:
     def __init__(self, first: Nurbs, second: Nurbs, *, alone: bool = False) -> None:
         self.curves, self.alone, self.in_space = (first, second), alone, first.dimension == 3
         self.segments = [[segment_rows(curve, i) for i in range(curve.segments)] for curve in self.curves[: 2 - alone]]
-        self.inner: list[_Found] = []
+        #: The common points inside two segments.
+        self.inner: list[tuple[tuple[int, int], Meeting]] = []
         self.at_knots: dict[tuple[object, object], list[list[_Found]]] = {}
         self.arcs: list[Overlap] = []
         self.left_out: list[str] = []
@@ -270,8 +272,11 @@ class _Collected:
     def _add(self, found: Meetings, i: int, j: int) -> None:
         sides = self._side(0, i), self._side(1, j)
         for point in found.points:
-            s, t = parameter(point.first, *sides), parameter(point.second, *sides[::-1])
-            self._put(_Found((i, j), (s, t), (self._knot(0, i, s), self._knot(1, j, t)), point.multiplicity))
+            knots = self._knot(0, i, point.first), self._knot(1, j, point.second)
+            if knots == (None, None):
+                self.inner.append(((i, j), point))
+            else:
+                self._put(_Found((i, j), _parameters(point, *sides), knots, point.multiplicity))
         for arc in found.arcs:
             self.arcs.append(_overlap(arc, *sides))
         for rest in found.rests:
@@ -283,19 +288,15 @@ class _Collected:
             first, second = (place, still) if rest.exchanged else (still, place)
             self.arcs.append(Overlap(first, second, None, None))
 
-    def _knot(self, k: int, i: int, t: Real) -> int | None:
+    def _knot(self, k: int, i: int, local: Local) -> int | None:
         """The index of the knot that a parameter on segment i is; that of the seam of a closed curve is 0."""
-        value = t._exact
-        for index in (i, i + 1):
-            if value == self.curves[k].breakpoints[index] and not isinstance(value, bool):
-                return 0 if index == self.curves[k].segments and self.curves[k].closed else index
-        return None
+        if not isinstance(local, Place) or local.exact not in (0, 1):
+            return None
+        index = i + int(local.exact)
+        return 0 if index == self.curves[k].segments and self.curves[k].closed else index
 
     def _put(self, point: _Found) -> None:
         s, t = point.knots
-        if s is None and t is None:
-            self.inner.append(point)
-            return
         if self.alone:
             if s == t:
                 return
@@ -327,17 +328,18 @@ class _Collected:
         """All common points, in the order of the first curve."""
         for pair, found in self.certain:
             forms = PairForm.of(self.segments[0][pair[0]], self.segments[-1][pair[1]])
-            self._add(Meetings([forms.meeting(each) for each in found]), *pair)
+            self.inner += [(pair, forms.meeting(each)) for each in found]
         self.certain = []
-        points = [*at_knots, *map(self._inside, self.inner)]
+        points = [*at_knots, *(self._inside(*found) for found in self.inner)]
         return tuple(sorted(points, key=lambda point: point.first) if len(points) > 1 else points)
 
-    def _inside(self, point: _Found) -> Intersection:
+    def _inside(self, pair: tuple[int, int], point: Meeting) -> Intersection:
         times = point.multiplicity
+        parameters = _parameters(point, *(self._side(k, i) for k, i in enumerate(pair)))
         if self.in_space:
-            return Intersection(*point.parameters, IntersectionKind.SPACE, None, self.curves)
+            return Intersection(*parameters, IntersectionKind.SPACE, None, self.curves)
         kind = IntersectionKind.CROSSING if times is not None and times % 2 else IntersectionKind.TOUCHING
-        return Intersection(*point.parameters, kind, times, self.curves)
+        return Intersection(*parameters, kind, times, self.curves)
 
     def _ends_an_arc(self, point: _Found) -> bool:
         place = tuple(self._at(k, point) for k in (0, 1))
@@ -403,6 +405,11 @@ class _Collected:
             half_branches(self._form(k, self._before(k, knot)), self._form(k, knot)) for k, knot in enumerate((s, t))
         )
         return interlace(one, other)
+
+
+def _parameters(point: Meeting, first: Interval, second: Interval) -> tuple[Real, Real]:
+    """The parameters of a common point of segments over two intervals."""
+    return parameter(point.first, first, second), parameter(point.second, second, first)
 
 
 def _overlap(arc: Arc, first: Interval, second: Interval) -> Overlap:

@@ -45,15 +45,15 @@ def sections(text: str) -> dict[str, list[str]]:
     return by_letter
 
 
-def delimiters(lines: list[str]) -> tuple[str, str]:
-    """The parameter delimiter and the record delimiter, from the global section."""
+def delimiters(lines: list[str]) -> tuple[str, str, str]:
+    """The parameter delimiter and the record delimiter, from the global section, and what follows them there."""
     text = "".join(line[:72] for line in lines).lstrip()
     separator = text[2:3] if text[:2] == "1H" else ","
     rest = text[4:] if text[:2] == "1H" else text[1:]
     ending = rest[2:3] if rest[:2] == "1H" else ";"
     if not separator.strip() or not ending.strip() or separator == ending:
         raise CurveFileError("unusable delimiters", where="global section", remedy='the usual ones are "," and ";"')
-    return separator, ending
+    return separator, ending, rest[4:] if rest[:2] == "1H" else rest[1:]
 
 
 def parameters(text: str, separator: str, ending: str, limits: Limits) -> list[str]:
@@ -91,14 +91,9 @@ UNITS = {"1": "inches", "2": "millimetres", "4": "feet", "5": "miles", "6": "met
 
 def unit_of(text: str) -> str:
     """The unit of length given in the global section, "" if there is none."""
-    lines = sections(text)["G"]
-    separator, ending = delimiters(lines)
-    # the two delimiters are written as Hollerith strings, which contain them
-    words = "".join(line[:72] for line in lines).lstrip()
-    position = 4 if words[:2] == "1H" else 1
-    position += 4 if words[position : position + 2] == "1H" else 1
+    separator, ending, rest = delimiters(sections(text)["G"])
     try:
-        values = parameters(words[position:], separator, ending, Limits())
+        values = parameters(rest, separator, ending, Limits())
     except CurveFileError:
         return ""
     # parameters 14 and 15 of the section, the first two of which are the delimiters
@@ -111,7 +106,7 @@ def entries(text: str, limits: Limits) -> list[Entry]:
     lines = sections(text)
     if len(lines["D"]) % 2:
         raise CurveFileError("an odd number of directory lines", remedy="each entry takes two lines")
-    separator, ending = delimiters(lines["G"])
+    separator, ending, _ = delimiters(lines["G"])
     blocks: dict[int, list[str]] = {}
     for line in lines["P"]:
         pointer = line[64:72].strip() or "0"

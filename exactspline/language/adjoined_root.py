@@ -82,15 +82,10 @@ class Adjoined(FieldOperand):
         """The element times an exact constant."""
         return Adjoined(self.plain.scaled(constant), self.rooted.scaled(constant), self.square)
 
-    def d(self, order: int = 1, *, by: str | None = None) -> Adjoined:
+    def _first_derivative(self, by: str | None) -> Adjoined:
         """The derivative: ``a′ + (b′ + b S′/(2 S)) σ``."""
-        result = self
-        for _ in range(order):
-            log_derivative = self.square.d(1, by=by) / (self.square * 2)
-            result = Adjoined(
-                result.plain.d(1, by=by), result.rooted.d(1, by=by) + result.rooted * log_derivative, self.square
-            )
-        return result
+        log_derivative = self.square.d(1, by=by) / (self.square * 2)
+        return Adjoined(self.plain.d(1, by=by), self.rooted.d(1, by=by) + self.rooted * log_derivative, self.square)
 
     @property
     def is_zero(self) -> bool:

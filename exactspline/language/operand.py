@@ -180,9 +180,16 @@ class Operand(Displayed, ABC):
     def constant(self, value: Constant, /) -> Self:
         """An exact constant in this reading."""
 
-    @abstractmethod
     def d(self, order: int = 1, *, by: str | None = None) -> Self:
         """The derivative of an order, by the only parameter or by the one that is named."""
+        result = self
+        for _ in range(order):
+            result = result._first_derivative(by)
+        return result
+
+    def _first_derivative(self, by: str | None) -> Self:
+        """The first derivative: what a reading implements, if not `d` itself."""
+        raise NotImplementedError
 
     def __neg__(self) -> Self:
         return self.scaled(-1)

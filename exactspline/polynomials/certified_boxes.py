@@ -91,7 +91,7 @@ class Isolated:
         The pair preconditioned on the box contracts each side by the factor `KEPT`, later quadratically. If it does
         not, the pair preconditioned on the region contracts the longer side, relative to the sides of the region.
         """
-        pair = preconditioned(*(f.part(box) for f in self.forms))
+        pair = preconditioned(*(rounded(f, box) for f in self.forms))
         ranges = pair and _contracting(pair)
         if pair is None or ranges is None:
             pair = _preconditioned_on(self.forms, self.region, box)
@@ -100,7 +100,7 @@ class Isolated:
         sides = []
         for g, (diagonal, off_diagonal) in zip(pair, ranges, strict=True):
             scale = mpq(int(diagonal[0] + diagonal[1]), 2)
-            radius = (int(diagonal[1]) - scale + int(max(-off_diagonal[0], off_diagonal[1]))) / scale / 2
+            radius = (int(diagonal[1]) - scale + int(max(-off_diagonal[0], off_diagonal[1]) + 2 * g.error)) / scale / 2
             middle = half - g.value(half, half) / scale
             sides.append(Interval(max(mpq(0), middle - radius), min(mpq(1), middle + radius)))
         first, second = (_rounded(side.part(local), side) for local, side in zip(sides, box, strict=True))
@@ -255,10 +255,10 @@ def _certified(forms: Pair, box: Box) -> Box | None:
     """A box around this one that is proved to contain exactly one zero, or None."""
     first, second = (side.grown(side.width * MARGIN) for side in box)
     region = Box(first, second)
-    pair = preconditioned(*(f.part(region) for f in forms))
+    pair = preconditioned(*(rounded(f, region) for f in forms))
     if pair is None or not _contracting(pair):
         return None
-    crossed = all(max(g.edge(k, 0)) < 0 < min(g.edge(k, 1)) for k, g in enumerate(pair))
+    crossed = all(max(g.edge(k, 0)) < -g.error and g.error < min(g.edge(k, 1)) for k, g in enumerate(pair))
     return region if crossed else None
 
 

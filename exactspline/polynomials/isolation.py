@@ -23,7 +23,7 @@ from exactspline.numbers.exact import mpq, ratio
 from exactspline.numbers.exact import sign as sign_of
 from exactspline.numbers.intervals import Interval
 from exactspline.polynomials.annihilating import without_rational_zero
-from exactspline.polynomials.bernstein import ONE, backwards, divide_u_plus_v, halves, restrict, value, variations
+from exactspline.polynomials.bernstein import ONE, ONE_PLUS_2Z, backwards, divide_u_plus_v, restrict, value, variations
 from exactspline.polynomials.factorization import Factorization, multiplied
 from exactspline.polynomials.factors import certainly_square_free, factorize, factorize_square_free
 
@@ -134,14 +134,15 @@ def isolate(c: fmpz_poly, n: int) -> Isolation:
     >>> [(str(zero.low), str(zero.high)) for zero in found.inner]
     [('0', '1/2'), ('1/2', '1')]
     """
-    signs_of_all = [sign_of(x) for x in c.coeffs()]
-    at_left = 0 if signs_of_all[0] else next(i for i, x in enumerate(signs_of_all) if x)
-    at_right = n + 1 - len(signs_of_all)
-    signs = signs_of_all[at_left], signs_of_all[-1]
-    if 1 not in signs_of_all or -1 not in signs_of_all:
+    coefficients = c.coeffs()
+    at_left = 0 if coefficients[0] else next(i for i, x in enumerate(coefficients) if x)
+    at_right = n + 1 - len(coefficients)
+    signs = sign_of(coefficients[at_left]), sign_of(coefficients[-1])
+    positive = signs[0] > 0
+    if all((x > 0) is positive for x in coefficients if x):
         return Isolation(at_left, at_right, signs, [], NO_CHANGE, [], None)
-    inner = c.right_shift(at_left) if at_left else c
-    inner, _ = divide_u_plus_v(inner // inner.content(), inner.degree())
+    inner, content = c.right_shift(at_left) if at_left else c, c.content()
+    inner, _ = divide_u_plus_v(inner if content == 1 else inner // content, inner.degree())
     search = _Search(inner, DEPTH)
     if search.finished:
         return Isolation(at_left, at_right, signs, search.zeros(), search.leaves, search.points(), None)
@@ -166,28 +167,29 @@ class _Search:
         self.finished = self._run(polynomial)
 
     def _run(self, polynomial: fmpz_poly) -> bool:
-        todo = [(0, 0, polynomial)]
+        todo = [(0, 0, polynomial, False)]
         while todo:
-            level, k, part = todo.pop()
+            level, k, part, flipped = todo.pop()
             changes = variations(part)
             if changes <= 1:
                 self.leaves.append(Leaf(level, k, changes))
                 if changes:
-                    sign = sign_of(part[0])
+                    sign = sign_of(part.leading_coefficient() if flipped else part[0])
                     self._found.append((level, k, 0, (sign, -sign)))
                 continue
             if level == self.cap:
                 if not certainly_square_free(polynomial):
                     return False
                 self.cap = None
-            n = part.degree()
-            left, right = halves(part, n)
+            other = backwards(part, part.degree())
+            # the left half is kept backwards, so that both begin at the midpoint
+            left, right = (x(ONE_PLUS_2Z) for x in ((part, other) if flipped else (other, part)))
             level, k = level + 1, 2 * k
             if right[0] == 0:
-                times = n - left.degree()
-                right = right.right_shift(times)
-                self._found.append((level, k + 1, times, (sign_of(left[n - times]), sign_of(right[0]))))
-            todo += [(level, k + 1, right), (level, k, left)]
+                times = next(i for i, x in enumerate(right.coeffs()) if x)
+                left, right = left.right_shift(times), right.right_shift(times)
+                self._found.append((level, k + 1, times, (sign_of(left[0]), sign_of(right[0]))))
+            todo += [(level, k + 1, right, False), (level, k, left, True)]
         return True
 
     def points(self) -> list[tuple[int, int]]:

@@ -16,7 +16,7 @@ from typing import NamedTuple
 from flint import fmpz, fmpz_mat, fmpz_poly
 
 from exactspline.numbers.exact import common_divisor, lcm, mpq
-from exactspline.numbers.intervals import Box, hull
+from exactspline.numbers.intervals import UNIT, Box, hull
 
 
 class PatchForm:
@@ -30,6 +30,8 @@ class PatchForm:
     """
 
     __slots__ = ("_entries", "_range", "matrix")
+    #: A bound of the errors of its coefficients.
+    error: fmpz = fmpz(0)
 
     def __init__(self, matrix: fmpz_mat) -> None:
         self.matrix = matrix
@@ -108,6 +110,8 @@ class PatchForm:
 
     def part(self, box: Box) -> PatchForm:
         """The form on a box, which may extend beyond the square; the constant depends only on box and degree."""
+        if box == UNIT:
+            return self
         left, right = (_restriction(n, *side) for n, side in zip(self.degree, box, strict=True))
         return PatchForm(left * self.matrix * right.transpose())
 
@@ -367,6 +371,13 @@ def _restriction(n: int, a: mpq, b: mpq) -> fmpz_mat:
     at_a, at_b = (_powers(fmpz_poly([int(m - x), int(x)]), n) for x in (a * m, b * m))
     # the blossom at n − i times a and i times b: its weights are the coefficients of a product of two polynomials
     return fmpz_mat([_padded(at_a[n - i] * at_b[i], n) for i in range(n + 1)])
+
+
+@lru_cache(maxsize=64)
+def restriction_rounded(n: int, a: mpq, b: mpq, bits: int) -> fmpz_mat:
+    """The weights with which coefficients over [a, b] are means, times ``2^bits`` and rounded down."""
+    bottom = fmpz(int(lcm(a.denominator, b.denominator))) ** n
+    return fmpz_mat(n + 1, n + 1, [(x << bits) // bottom for x in _restriction(n, a, b).entries()])
 
 
 @lru_cache(maxsize=64)

@@ -24,6 +24,7 @@ from flint import arb, arb_poly, ctx, fmpq, fmpz_poly
 from exactspline.numbers.exact import mpq, mpz, sign, to_fmpq
 from exactspline.numbers.intervals import Interval
 from exactspline.polynomials.isolation import LocalPolynomial
+from exactspline.polynomials.proposed import proposed
 
 #: The initial working precision, and the guard bits of every later step.
 START, GUARD = 64, 12
@@ -31,6 +32,8 @@ START, GUARD = 64, 12
 EXACTLY = 3000
 #: The precision (bits) from which every step is worth storing: lower ones are quickly recomputed.
 KEEP = 1500
+#: Up to this many bits, doubles are tried first; the units in which they propose a parameter.
+QUICK, UNITS = 40, 1 << 42
 
 
 def sign_at(c: fmpz_poly, t: mpq) -> int:
@@ -70,12 +73,31 @@ def enclosures(factor: LocalPolynomial, low: mpq, high: mpq, sign: int, bits: in
         low, high = (half, high) if at_half > 0 else (low, half)
         yield Interval(low, high)
     flipped = low + high > 1
+    if bits <= QUICK and (near := _near(factor.polynomial, low, high, sign)):
+        yield near
+        return
     if flipped:
         chart = _Chart(factor.reversed, factor.reversed_slope, 1 - high, 1 - low, -sign)
     else:
         chart = _Chart(factor.polynomial, factor.slope, low, high, sign)
     for a, b in chart.run(bits):
         yield Interval(1 - b, 1 - a) if flipped else Interval(a, b)
+
+
+def _near(g: fmpz_poly, low: mpq, high: mpq, sign: int) -> Interval | None:
+    """An interval at most ``2^−QUICK`` wide around a number that doubles propose, where certain signs at its ends prove
+    that it contains the zero; None if they do not. The interval is in one half of the segment.
+    """
+    k = proposed(g, low, high, sign, UNITS)
+    if k is None:
+        return None
+    around = Interval(mpq(k - 1, UNITS), mpq(k + 2, UNITS))
+    if not (low < around.low and around.high < high):
+        return None
+    with ctx.workprec(START):
+        p = arb_poly(g)
+        before, behind = (p(arb(t) / (UNITS - t)) * sign for t in (k - 1, k + 2))
+        return around if before > 0 and behind < 0 else None
 
 
 class _Chart:

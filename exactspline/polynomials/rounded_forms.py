@@ -11,11 +11,13 @@ from flint import fmpz, fmpz_mat
 
 from exactspline.numbers.intervals import UNIT, Box
 from exactspline.polynomials.cost import height_bits
-from exactspline.polynomials.patch_forms import PatchForm, halving
+from exactspline.polynomials.patch_forms import PatchForm, halving, restriction_rounded
 
 #: The bits of a coefficient: products with binomial coefficients fit into two words; and the bits by which the largest
 #: must exceed the error.
 BITS, KEPT = 60, 24
+#: The number of precisions, each twice the former one, at which a form is restricted before this is done exactly.
+TRIED = 3
 
 
 class RoundedForm(PatchForm):
@@ -71,6 +73,10 @@ class RoundedForm(PatchForm):
         assert isinstance(other, RoundedForm), "both are rounded"
         return RoundedForm(super().combined(a, other, b).matrix, abs(a) * self.error + abs(b) * other.error)
 
+    def derivative(self, direction: int) -> RoundedForm:
+        """The derivative with respect to x (direction 0) or y, with the same constant."""
+        return RoundedForm(super().derivative(direction).matrix, 2 * self.degree[direction] * self.error)
+
     def primitive(self) -> RoundedForm:
         """Itself: the constant is that of the error."""
         return self
@@ -78,10 +84,38 @@ class RoundedForm(PatchForm):
 
 def rounded(form: PatchForm, box: Box = UNIT) -> PatchForm:
     """A form on a box, in few bits; the zero form itself."""
-    part = form if box == UNIT else form.part(box)
+    if box != UNIT and box.longest and UNIT.contains(box):
+        low, high = form.range
+        known, bits = int(max(-low, high)).bit_length(), 2 * (BITS + int(1 / box.longest).bit_length())
+        for _ in range(TRIED):
+            matrix = _restricted(form, box, known - bits, bits)
+            spare = height_bits(matrix.entries()) - BITS
+            if spare >= 2:
+                return RoundedForm(_shifted(matrix, spare), fmpz(2), (form, box))
+            bits *= 2
+    part = form.part(box)
     if part.is_zero:
         return part
     bits = height_bits(part.entries) - BITS
+    return RoundedForm(_shifted(part.matrix, bits), fmpz(int(bits > 0)), (form, box))
+
+
+def _shifted(matrix: fmpz_mat, bits: int) -> fmpz_mat:
+    """Every entry over a power of two, rounded down."""
     if bits <= 0:
-        return RoundedForm(part.matrix * (1 << -bits), fmpz(0), (form, box))
-    return RoundedForm(fmpz_mat(*part._shape, [x >> bits for x in part.entries]), fmpz(1), (form, box))
+        return matrix * (1 << -bits)
+    return fmpz_mat(matrix.nrows(), matrix.ncols(), [x >> bits for x in matrix.entries()])
+
+
+def _restricted(form: PatchForm, box: Box, dropped: int, bits: int) -> fmpz_mat:
+    """The coefficients on a part of the square over a power of two, less errors from −1/2 to 7/2: those of the form
+    have this many bits, and means of them have weights that are rounded down.
+
+    Each of both products adds at most a quarter on either side for the weights, and a unit for its own rounding; the
+    coefficients of the form add the first unit, which means do not enlarge.
+    """
+    m, n = form.degree
+    scale = bits + max(m, n).bit_length() + 4
+    left, right = (restriction_rounded(k, *side, scale) for k, side in zip((m, n), box, strict=True))
+    middle = _shifted(left * _shifted(form.matrix, dropped), scale)
+    return _shifted(middle * right.transpose(), scale)

@@ -64,17 +64,14 @@ class Monomials(RingOperand):
         q = to_fmpq(rational(constant))
         return Monomials(self.exponents, {shift: c * q for shift, c in self.terms.items()})
 
-    def d(self, order: int = 1, *, by: str | None = None) -> Monomials:
+    def _first_derivative(self, by: str | None) -> Monomials:
         """``(∂v − ∂u)``, the derivative with respect to the local parameter, term by term."""
         self.only_parameter(by)
-        result, (u, v) = self, self.exponents
-        for _ in range(order):
-            terms = self._no_terms()
-            for (i, j), c in result.terms.items():
-                terms[i, j + 1] += c * (v - j)
-                terms[i + 1, j] -= c * (u - i)
-            result = Monomials(self.exponents, terms)
-        return result
+        terms, (u, v) = self._no_terms(), self.exponents
+        for (i, j), c in self.terms.items():
+            terms[i, j + 1] += c * (v - j)
+            terms[i + 1, j] -= c * (u - i)
+        return Monomials(self.exponents, terms)
 
     @property
     def is_zero(self) -> bool:

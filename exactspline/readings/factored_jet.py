@@ -98,18 +98,14 @@ class FactoredJet(RingOperand):
             self.ring, unit, self.powers if unit else ONE, (MULTIPLE, self.provenance, rational(constant))
         )
 
-    def d(self, order: int = 1, *, by: str | None = None) -> FactoredJet:
+    def _first_derivative(self, by: str | None) -> FactoredJet:
         """The total derivative, by the product rule for all factors."""
-        result = self
-        for _ in range(order):
-            ring, provenance = result.ring, (DERIVATIVE, result.provenance)
-            total = ring.context.constant(0)
-            for i, (p, e) in enumerate(result.powers):
-                others = Powers((q, 1) for j, (q, _) in enumerate(result.powers) if j != i)
-                total += e * bounded_product(Jet(ring, p).d(by=by).polynomial, multiplied(ring, others))
-            lowered = Powers((p, e - 1) for p, e in result.powers)
-            result = _product(ring, total * result.unit, lowered, provenance)
-        return result
+        ring, total = self.ring, self.ring.context.constant(0)
+        for i, (p, e) in enumerate(self.powers):
+            others = Powers((q, 1) for j, (q, _) in enumerate(self.powers) if j != i)
+            total += e * bounded_product(Jet(ring, p).d(by=by).polynomial, multiplied(ring, others))
+        lowered = Powers((p, e - 1) for p, e in self.powers)
+        return _product(ring, total * self.unit, lowered, (DERIVATIVE, self.provenance))
 
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, FactoredJet):

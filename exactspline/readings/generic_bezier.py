@@ -73,14 +73,11 @@ class Generic(RingOperand):
         q = to_fmpq(rational(constant))
         return Generic(self.context, [q * x for x in self.coefficients])
 
-    def d(self, order: int = 1, *, by: str | None = None) -> Generic:
+    def _first_derivative(self, by: str | None) -> Generic:
         """The derivative with respect to the parameter of the segment."""
         self.only_parameter(by)
-        result = self
-        for _ in range(order):
-            c, n = result.coefficients, result.degree
-            result = Generic(self.context, [(i + 1) * c[i + 1] - (n - i) * c[i] for i in range(n)])
-        return result
+        c, n = self.coefficients, self.degree
+        return Generic(self.context, [(i + 1) * c[i + 1] - (n - i) * c[i] for i in range(n)])
 
 
 class GenericReading(Reading):

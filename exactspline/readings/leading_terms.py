@@ -36,15 +36,13 @@ class Across(NamedTuple):
     parameter: Parameter
     follows: dict[int, fmpq_mpoly]
 
-    def __call__(self, coefficient: fmpq_mpoly, order: int = 1) -> fmpq_mpoly:
+    def __call__(self, coefficient: fmpq_mpoly) -> fmpq_mpoly:
         """The derivative of a polynomial in the coefficients."""
-        for _ in range(order):
-            total = coefficient.context().constant(0)
-            for i, used in enumerate(coefficient.degrees()):
-                if int(used):
-                    total += coefficient.derivative(i) * self.follows[i] if i else 0
-            coefficient = total
-        return coefficient
+        total = coefficient.context().constant(0)
+        for i, used in enumerate(coefficient.degrees()):
+            if int(used):
+                total += coefficient.derivative(i) * self.follows[i] if i else 0
+        return total
 
 
 class Expansion(RingOperand):
@@ -111,26 +109,23 @@ class Expansion(RingOperand):
         parts = {grading: [q * a for a in terms] for grading, terms in self.parts.items()} if q else {}
         return self._made(parts)
 
-    def d(self, order: int = 1, *, by: str | None = None) -> Expansion:
+    def _first_derivative(self, by: str | None) -> Expansion:
         """The derivative, term by term; that of a constant is exactly zero. For the other parameter of a surface, the
         coefficients are differentiated, which are functions of it.
         """
         if self.across is None:
             self.only_parameter(by)
         elif by == self.across.parameter:
-            parts = {g: [self.across(a, order) for a in terms] for g, terms in self.parts.items() if g[0]}
-            return self._made(parts)
+            return self._made({g: [self.across(a) for a in terms] for g, terms in self.parts.items() if g[0]})
         elif by is None:
             raise FormulaError("the derivative of a function of two parameters", remedy="name the parameter")
-        result, d = self, self.context.gens()[0]
-        for _ in range(order):
-            parts = {
-                (k, m + 1): [(k * d - (m + i)) * a for i, a in enumerate(terms)]
-                for (k, m), terms in result.parts.items()
-                if k or m or any(terms[1:])
-            }
-            result = self._made(parts)
-        return result
+        d = self.context.gens()[0]
+        parts = {
+            (k, m + 1): [(k * d - (m + i)) * a for i, a in enumerate(terms)]
+            for (k, m), terms in self.parts.items()
+            if k or m or any(terms[1:])
+        }
+        return self._made(parts)
 
     @property
     def leading(self) -> dict[tuple[int, int], tuple[int, fmpq_mpoly]] | None:

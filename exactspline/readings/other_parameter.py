@@ -45,12 +45,9 @@ class InOtherParameter(FieldOperand):
         """The operand times an exact constant."""
         return self._made(self.value.scaled(constant))
 
-    def d(self, order: int = 1, *, by: str | None = None) -> InOtherParameter:
+    def _first_derivative(self, by: str | None) -> InOtherParameter:
         """The derivative with respect to the other parameter."""
-        value = self.value
-        for _ in range(order):
-            value = value.d(1, by=by) * self.speed
-        return self._made(value)
+        return self._made(self.value.d(1, by=by) * self.speed)
 
     @property
     def is_zero(self) -> bool:

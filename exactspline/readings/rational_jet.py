@@ -81,19 +81,16 @@ class JetFraction(FieldOperand):
         factor = to_fmpq(rational(constant))
         return JetFraction(self.ring, self.top * factor, self.bottom if factor else self.ring.context.constant(1))
 
-    def d(self, order: int = 1, *, by: str | None = None) -> JetFraction:
+    def _first_derivative(self, by: str | None) -> JetFraction:
         """The total derivative."""
+        top, bottom = Jet(self.ring, self.top), Jet(self.ring, self.bottom)
         if self.bottom.is_one():
-            return JetFraction(self.ring, Jet(self.ring, self.top).d(order, by=by).polynomial, self.bottom)
-        result = self
-        for _ in range(order):
-            top, bottom = Jet(result.ring, result.top), Jet(result.ring, result.bottom)
-            numerator = (top.d(by=by) * bottom - top * bottom.d(by=by)).polynomial
-            shared = _gcd(numerator, result.bottom)
-            rest = result.bottom / shared
-            again = _gcd(numerator / shared, result.bottom)
-            result = JetFraction(result.ring, numerator / shared / again, bounded_product(rest, result.bottom / again))
-        return result
+            return JetFraction(self.ring, top.d(by=by).polynomial, self.bottom)
+        numerator = (top.d(by=by) * bottom - top * bottom.d(by=by)).polynomial
+        shared = _gcd(numerator, self.bottom)
+        rest = self.bottom / shared
+        again = _gcd(numerator / shared, self.bottom)
+        return JetFraction(self.ring, numerator / shared / again, bounded_product(rest, self.bottom / again))
 
     @property
     def is_zero(self) -> bool:

@@ -32,6 +32,7 @@ from exactspline.polynomials.elimination import resultant
 from exactspline.polynomials.factors import factorize, factorize_square_free, greatest_common_divisor
 from exactspline.polynomials.over_root import OverRoot, by_powers
 from exactspline.polynomials.patch_forms import PatchForm
+from exactspline.polynomials.rounded_forms import rounded
 from exactspline.polynomials.two_parameters import S, T, as_form, as_polynomial, lifted, rows_of
 from exactspline.roots.of_polynomials import Parameter, Place, ball, enclosing, exactly, roots_in
 from exactspline.roots.root import Root
@@ -151,7 +152,7 @@ class CommonZero:
 
     def is_zero_of(self, form: PatchForm) -> bool:
         """Whether a form vanishes here too, decided exactly. Raises `ReachError` where this would take too long."""
-        if any(form.part(self.refine(bits)).sign in (1, -1) for bits in TRIED):
+        if any(rounded(form, self.refine(bits)).sign in (1, -1) for bits in TRIED):
             return False
         if self.isolated is not None and self.isolated.exact is not None:
             return bool(form.value(*self.isolated.exact) == 0)
@@ -289,7 +290,7 @@ class _Search:
         inside += [x for x in others if not any(x.is_in_region_of(zero) for zero in inside)]
         zeros = [zero.on(sides) for zero in (*self.border, *inside)]
         excluding = [(f, (1, -1)) for f in self.also] + [(f, (1,)) for f in not_positive]
-        kept = [x for x in zeros if not any(f.part(x.refine(BITS)).sign in signs for f, signs in excluding)]
+        kept = [x for x in zeros if not any(rounded(f, x.refine(BITS)).sign in signs for f, signs in excluding)]
         return Found(kept, undecided, reason if undecided else None)
 
     def _on_border(self) -> Iterator[CommonZero]:
@@ -312,7 +313,7 @@ class _Search:
                 return False
             if any(zero.region.contains(one.refine(bits)) for one in self.border):
                 return False
-            if any(f.part(box).sign in (1, -1) for f in self.forms):
+            if any(rounded(f, box).sign in (1, -1) for f in self.forms):
                 return False
             bits, box = 2 * bits, zero.refine(bits)
         return True
@@ -324,11 +325,11 @@ class _Search:
         others = [k for k in range(len(self.forms)) if k not in isolated.at]
         bits, box = 8, isolated.box
         while others and bits <= BITS:
-            if any(self.forms[k].part(box).sign in (1, -1) for k in others):
+            if any(rounded(self.forms[k], box).sign in (1, -1) for k in others):
                 return False
             if any(isolated.region.contains(one.refine(bits)) for one in self.known):
                 return True
-            others = [k for k in others if not any(e.part(box).sign in (1, -1) for e in self.cofactors[k])]
+            others = [k for k in others if not any(rounded(e, box).sign in (1, -1) for e in self.cofactors[k])]
             bits, box = 2 * bits, isolated.refine(bits)
         return not others or self._is_of_all(zero)
 
@@ -368,7 +369,7 @@ class _Search:
     def _may_vanish(self, s: Parameter, box: Box) -> bool:
         """Whether no form is certainly not zero over a number s in a box."""
         line = Box(enclosing(s, OVER), box.second)
-        return not any(f.part(line).sign in (1, -1) for f in (*self.forms, *self.also))
+        return not any(rounded(f, line).sign in (1, -1) for f in (*self.forms, *self.also))
 
 
 def multiplicity(zero: CommonZero, f: fmpz_mpoly, g: fmpz_mpoly) -> int:

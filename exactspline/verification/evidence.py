@@ -6,12 +6,10 @@ The fields are numbers, names, members of enumerations, and objects of algebra.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from enum import Enum
-from typing import dataclass_transform
 
 from exactspline.errors import ExactSplineError
-from exactspline.hooks import Worded
+from exactspline.hooks import WordedData
 from exactspline.language.choices import Parameter
 from exactspline.numbers.exact import mpq
 from exactspline.readings.degree import Degree
@@ -21,17 +19,8 @@ from exactspline.symbolic.factorization import Factor
 from exactspline.verification.vocabulary import Counter, Group, Name, Relation, Sign, ValueType
 
 
-@dataclass_transform(frozen_default=True)
-class Evidence(Worded):
-    """A computed value, a witness, a place, or a part of the arguments of a claim; `str` puts it into words.
-
-    Every kind of evidence is a frozen dataclass.
-    """
-
-    def __init_subclass__(cls, words: str = "") -> None:
-        super().__init_subclass__(words)
-        if not issubclass(cls, Enum):
-            dataclass(frozen=True)(cls)
+class Evidence(WordedData):
+    """A computed value, a witness, a place, or a part of the arguments of a claim; `str` puts it into words."""
 
 
 class Fact(Evidence, Enum):
@@ -289,7 +278,7 @@ class UndefinedAt(Evidence, words="it does not exist {where}: 1/0"):
 # ---- proof assistants
 
 
-class Theorem(Evidence):
+class Theorem(Evidence, words="{axioms?axioms {axioms:, }|no axioms}"):
     """A theorem that a kernel accepted, and the axioms that it uses."""
 
     name: Name
@@ -501,13 +490,15 @@ class Quotients(Evidence):
     by: tuple[tuple[Name, Factor | None], ...]
 
 
-class OddPowers(Evidence):
+class OddPowers(Evidence, words="odd powers of {names:·}"):
     """Irreducible factors that occur an odd number of times."""
 
     names: tuple[Name, ...]
 
 
-class Squares(Evidence):
+class Squares(
+    Evidence, words="{formula} is a square up to a constant on {squares} of {segments} segments{zero?, 0 on {zero}}"
+):
     """The number of segments on which a formula is a square up to a constant, and of those on which it is 0."""
 
     formula: Name
@@ -525,7 +516,7 @@ class SquareOnSegment(Evidence, words="on segment {segment} one is a square and 
 # ---- surfaces
 
 
-class OneSurface(Evidence):
+class OneSurface(Evidence, words="one surface{but?, except where {but: or } vanishes}"):
     """One surface, except where irreducible factors vanish."""
 
     but: tuple[Name, ...] = ()
@@ -573,7 +564,11 @@ class Vanishes(Evidence, words="0 {where}"):
     where: On
 
 
-class DerivativeAt(Evidence):
+class DerivativeAt(
+    Evidence,
+    words="{order?the derivative of order {order} in s̄|the value} is {is_zero?= 0|≠ 0} at s̄ = s"
+    "{place? {place}|{is_zero? on every curve}}",
+):
     """A derivative with respect to s̄ at s̄ = s that is zero on every curve, or one that is not (at a place, on one
     curve).
     """
@@ -625,7 +620,11 @@ class OfType(Evidence, words="{type}"):
     type: ValueType
 
 
-class TypeOnExample(Evidence):
+class TypeOnExample(
+    Evidence,
+    words="{type} {curve?on the example curve {curve}|for cubic polynomials}{rational_everywhere?; "
+    f"{Fact.MADE_BY_ARITHMETIC.value}}}",
+):
     """The type on an example curve, or on cubic polynomials where the name is empty; `rational_everywhere` where the
     value is a quotient of polynomials on every curve.
     """

@@ -161,7 +161,7 @@ def test_a_stretch_across_the_seam_is_drawn_in_the_domain_in_two_parts():
     f = BSpline(1, [0, 0, 1, 2, 3, 4, 4], [0, 0, 1, 0, 0])
     found = zeros(f, periodic=True)
     for ax in (plot_roots(found), plot_function(f, roots=found)):
-        stretches = [line for line in ax.lines if line.get_label() in ("zero throughout", "_stretch")]
+        stretches = [line for line in ax.lines if line.get_label() in ("zero throughout", "_zero throughout")]
         assert [tuple(line.get_xdata()) for line in stretches] == [(3, 4), (0, 1)]
 
 
@@ -170,7 +170,7 @@ def test_approaches_are_compared_by_what_they_cost():
     entries = legend(ax)
     assert "squaring: degree 96, 388 control points" in entries
     assert "paper: degree 12, 52 control points" in entries
-    graphs = [line for line in ax.lines if not line.get_label().startswith(("_form", "_child", "4 roots"))]
+    graphs = [line for line in ax.lines if not line.get_label().startswith(("_child", "4 roots"))]
     assert all(-1 <= y <= 1 for line in graphs for y in line.get_ydata())
     assert legend(plot_approaches(example("cubic_s"), name="zero_curvature", forms=["naive", "paper"]))[:2] == [
         "naive: degree 3, 4 control points",

@@ -7,8 +7,9 @@ from flint import fmpq, fmpq_poly, fmpz_poly
 from gmpy2 import mpq
 
 from exactspline.errors import DomainError
-from exactspline.polynomials import cells
+from exactspline.polynomials import cells, refinement
 from exactspline.polynomials.isolation import LocalPolynomial, isolate
+from exactspline.polynomials.proposed import proposed
 from exactspline.polynomials.refinement import enclosures
 from exactspline.polynomials.zero_places import Place
 
@@ -79,3 +80,23 @@ def test_a_place_is_rational_where_its_irreducible_factor_is_linear():
     assert [place.exact for place in found] == [None] * 3
     assert [place.rational for place in found] == [mpq(1, 3), None, mpq(7, 10)]
     assert [place.exact for place in found] == [mpq(1, 3), None, mpq(7, 10)]
+
+
+def test_a_wrong_proposal_of_doubles_changes_no_interval_beyond_its_bounds(monkeypatch):
+    """A zero that is proposed where it is not is refuted by a sign; what is found contains the zero all the same."""
+    chance = random.Random(11)
+    for shift in (0, 1, -1, 2, -3, 10**6):
+        monkeypatch.setattr(refinement, "proposed", lambda *given, by=shift: (proposed(*given) or 0) + by)
+        for _ in range(20):
+            form = fmpz_poly([chance.randint(-99, 99) or 1 for _ in range(7)])
+            for zero in isolate(form, 6).inner:
+                if zero.low == zero.high:
+                    continue
+                *_, (low, high) = enclosures(zero.factor, zero.low, zero.high, zero.sign, 40)
+                assert zero.low <= low <= high <= zero.high
+                assert high - low <= mpq(1, 2**40)
+                if low < high:
+                    g = zero.factor.polynomial
+                    before = zero.sign if low == zero.low else refinement.sign_at(g, low)
+                    behind = -zero.sign if high == zero.high else refinement.sign_at(g, high)
+                    assert (before, behind) == (zero.sign, -zero.sign)

@@ -8,7 +8,7 @@ from random import Random
 import pytest
 
 from exactspline.numbers.exact import mpq
-from exactspline.numbers.intervals import UNIT
+from exactspline.numbers.intervals import UNIT, Box, Interval
 from exactspline.polynomials.cost import height_bits
 from exactspline.polynomials.patch_forms import PatchForm
 from exactspline.polynomials.rounded_forms import BITS, KEPT, RoundedForm, rounded
@@ -112,6 +112,30 @@ def test_combinations_and_copies_keep_their_errors():
     assert isinstance(again, RoundedForm)
     assert again.error >= 1
     assert rounded(PatchForm.of_net([[0, 0]])).sign == 0
+
+
+@pytest.mark.parametrize("bits", [8, 50, 200, 900])
+@pytest.mark.parametrize("width", [1, 12, 70])
+def test_a_restriction_in_few_bits_is_the_exact_one_but_for_its_error(bits, width):
+    """By one power of two for all coefficients; second differences, too."""
+    chance = Random(bits * width)
+    for _ in range(12):
+        form, unit = drawn(chance, bits), mpq(1, 3 * 2**width)
+        low = [mpq(chance.randint(0, 3 * 2**width - 1), 3 * 2**width) for _ in range(2)]
+        box = Box(*(Interval(x, x + unit) for x in low))
+        exact, one = form.part(box), rounded(form, box)
+        k = max(range(len(exact.entries)), key=lambda k: abs(exact.entries[k]))
+        # rounded to the nearest power of two times the common denominator
+        bottom = (3 * 2**width) ** sum(form.degree)
+        ratio = mpq(int(one.entries[k])) / mpq(int(exact.entries[k]), bottom)
+        power = mpq(2) ** (ratio.numerator.bit_length() - ratio.denominator.bit_length())
+        scale = min((power / 2, power, power * 2), key=lambda x: abs(x / ratio - 1))
+        found = [(one, exact)]
+        found += [(one.derivative(i).derivative(j), exact.derivative(i).derivative(j)) for i, j in ((0, 0), (0, 1))]
+        for few, whole in found:
+            for x, y in zip(few.entries, whole.entries, strict=True):
+                assert abs(int(x) - scale * mpq(int(y), bottom)) <= int(few.error)
+        assert one.sign in (None, exact.sign)
 
 
 def test_ranges_of_combinations_hold_for_the_forms_themselves():

@@ -19,7 +19,7 @@ from exactspline.display.plot.canvas import (
     axes_for,
     draw,
     joined,
-    legend_below,
+    legend_once,
     parameter,
     sampled,
 )
@@ -28,7 +28,7 @@ from exactspline.display.plot.frames import Box, box_around, clipped, grown, kep
 from exactspline.display.plot.meshes import SurfaceMesh, tensor_mesh
 from exactspline.display.plot.surfaces import mark_points, plot_mesh, show_box
 from exactspline.errors import ReachError
-from exactspline.geometry.bisector.components import Correspondence, LineComponent, LinePiece, SinglePair, Solutions
+from exactspline.geometry.bisector.components import Correspondence, LineComponent, SinglePair, Solutions
 from exactspline.geometry.bisector.plane_curves import PlaneBisector
 from exactspline.geometry.bisector.point_and_curve import PointBisector
 from exactspline.geometry.bisector.trimmed import TrimmedBisector
@@ -39,6 +39,7 @@ from exactspline.numbers.exact import Number, mpq, rational
 from exactspline.numbers.intervals import Box as Intervals
 from exactspline.reals.real import real
 from exactspline.roots.root import Root
+from exactspline.splines.bspline import BSpline
 from exactspline.splines.nurbs import Nurbs
 
 if TYPE_CHECKING:
@@ -81,7 +82,7 @@ def plot_curve_bisector(bisector: CurveBisector, ax: Axes | None = None, *, box:
     for pair in bisector.pairs:
         _plot_pair(ax, pair, box)
     show_box(ax, box)
-    _legend_once(ax)
+    legend_once(ax)
     return ax
 
 
@@ -104,17 +105,6 @@ def _plot(ax: Axes, mesh: SurfaceMesh, label: str, color: str) -> None:
     """Draw a surface, unless no part of it is in the box."""
     if mesh.faces:
         plot_mesh(mesh, ax, label=label, color=color, control_net=False)
-
-
-def _legend_once(ax: Axes) -> None:
-    """The legend, with each label once."""
-    seen: set[str] = set()
-    for artist in [*ax.lines, *ax.collections]:
-        label = str(artist.get_label())
-        if label in seen:
-            artist.set_label(f"_{label}")
-        seen.add(str(artist.get_label()))
-    legend_below(ax)
 
 
 def lines_mesh(rulings: Sequence[Ruling | None], box: Box) -> SurfaceMesh:
@@ -148,7 +138,9 @@ def _turned(ruling: Ruling, before: Point | None) -> Ruling:
 
 def _rulings(line: LineComponent) -> list[list[Ruling | None]]:
     """The lines of a component, run by run."""
-    runs = [_piece_rulings(one) for one in line.pieces]
+    runs = [
+        _rulings_over(one.surface.directrix, one.surface.generator.vector, one.low, one.high) for one in line.pieces
+    ]
     for branch in line.real.branches:
         run: list[Ruling | None] = []
         for s in _between(branch.low, branch.high):
@@ -163,12 +155,15 @@ def _rulings(line: LineComponent) -> list[list[Ruling | None]]:
     return runs
 
 
-def _piece_rulings(one: LinePiece) -> list[Ruling | None]:
-    directrix, generator = one.surface.directrix, one.surface.generator.vector
+def _rulings_over(directrix: Rational[BSpline], generator: Any, low: Any, high: Any) -> list[Ruling | None]:
+    """The lines of a ruled surface over an interval."""
     return [
-        (directrix.point(u), tuple(g(u) for g in generator)) if directrix.denominator(u) else None
-        for u in _between(one.low, one.high)
+        (directrix.point(u), _value(generator, u)) if directrix.denominator(u) else None for u in _between(low, high)
     ]
+
+
+def _value(generator: Any, u: mpq) -> Point:
+    return generator.point(u) if isinstance(generator, Rational) else tuple(g(u) for g in generator)
 
 
 def _between(low: Any, high: Any) -> list[mpq]:
@@ -224,24 +219,13 @@ def plot_point_bisector(bisector: PointBisector, curve: Nurbs, point: Sequence[N
     box = _box_of([curve], [place])
     plot_curve(curve, ax, control_polygon=False, knots=False)
     for piece in bisector.pieces:
-        directrix, generator = piece.surface.directrix, piece.surface.generator
+        directrix = piece.surface.directrix
         assert isinstance(directrix, Rational)
-        rulings: list[Ruling | None] = []
-        for u in _between(*piece.interval):
-            w = directrix.denominator(u)
-            line = (
-                (
-                    directrix.point(u),
-                    generator.point(u) if isinstance(generator, Rational) else tuple(g(u) for g in generator),
-                )
-                if w
-                else None
-            )
-            rulings.append(line)
+        rulings = _rulings_over(directrix, piece.surface.generator, *piece.interval)
         _plot(ax, lines_mesh(rulings, box), "bisector", SKY)
     mark_points(ax, [place], "point")
     show_box(ax, box)
-    _legend_once(ax)
+    legend_once(ax)
     return ax
 
 
@@ -307,5 +291,5 @@ def plot_trimmed_bisector(
             draw(ax, run, color=color, linewidth=1.5, label=str(piece.kind), zorder=3)
     draw(ax, [place], "o", color=BLACK, markersize=5, label="point", zorder=5)
     ax.set_aspect("equal")
-    _legend_once(ax)
+    legend_once(ax)
     return ax

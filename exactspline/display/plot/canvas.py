@@ -110,6 +110,12 @@ def draw(ax: Axes, points: Iterable[Sequence[mpq]], style: str = "", **how: obje
     ax.plot(*[[float(x) for x in column] for column in columns], *([style] if style else []), **options)
 
 
+def draw_runs(ax: Axes, runs: Iterable[Iterable[Sequence[mpq]]], label: str, style: str = "", **how: object) -> None:
+    """Runs of points, each as a line; the legend names them once."""
+    for i, run in enumerate(runs):
+        draw(ax, run, style, label=f"_{label}" if i else label, **how)
+
+
 def legend_below(ax: Axes, columns: int = 3) -> None:
     """A legend under the axes, where it hides nothing; in at most `columns` columns, as far as there is room."""
     handles, labels = ax.get_legend_handles_labels()
@@ -119,6 +125,17 @@ def legend_below(ax: Axes, columns: int = 3) -> None:
     )
     place = {"loc": "upper center", "bbox_to_anchor": (0.5, 0), "bbox_transform": below}
     ax.legend(handles, labels, ncols=columns, fontsize="small", frameon=False, **place)
+
+
+def legend_once(ax: Axes) -> None:
+    """The same legend, with each label once."""
+    seen: set[str] = set()
+    for artist in [*ax.lines, *ax.collections]:
+        label = str(artist.get_label())
+        if label in seen:
+            artist.set_label(f"_{label}")
+        seen.add(label)
+    legend_below(ax)
 
 
 def _width(ax: Axes) -> float:

@@ -19,8 +19,9 @@ from exactspline.display.plot.canvas import (
     SKY,
     VERMILLION,
     axes_for,
-    draw,
+    draw_runs,
     legend_below,
+    legend_once,
     new_figure,
     shown_name,
 )
@@ -180,13 +181,7 @@ def features_figure(curves: Sequence[Nurbs], title: str = "") -> Figure:
         label = f"{name.replace('_', ' ')} ({sum(len(places) for _, places in answers)})"
         for curve, places in answers:
             plot_features(curve, places, ax, marker=marker, color=color, label=label, size=size)
-    seen = set()
-    for line in ax.lines:
-        # a legend names each kind of mark once
-        if line.get_label() in seen:
-            line.set_label("_again")
-        seen.add(line.get_label())
-    legend_below(ax)
+    legend_once(ax)
     ax.set_title(title or shown_name(curves[0]))
     return figure
 
@@ -216,8 +211,7 @@ def plot_approaches(
         f = solved.form
         color, dashes = LINES[i % len(LINES)]
         label = f"{variant}: degree {f.degree}, {control_point_count(f)} control points"
-        for j, run in enumerate(_normalized(f)):
-            draw(ax, run, color=color, linestyle=dashes, linewidth=1.6, label="_form" if j else label, zorder=3 + i)
+        draw_runs(ax, _normalized(f), label, color=color, linestyle=dashes, linewidth=1.6, zorder=3 + i)
     draw_roots(ax, solved.zeros, f.domain, *MARKS[0])
     ax.set_xlabel("parameter")
     ax.set_ylabel("∛(value / largest)")

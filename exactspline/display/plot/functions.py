@@ -15,9 +15,11 @@ from exactspline.display.plot.canvas import (
     SILVER,
     PlotError,
     Point,
+    Run,
     axes_for,
     draw,
     draw_polygons,
+    draw_runs,
     joined,
     legend_below,
     library,
@@ -40,6 +42,8 @@ if TYPE_CHECKING:
 POLYGON_ABOVE_GRAPH, GRAPH_ABOVE_MEDIAN = 10, 50
 #: The number of pieces of a leg of a control polygon on a nonlinear scale.
 BENDS = 64
+#: The label of intervals on which a function vanishes.
+ZERO = "zero throughout"
 SCALES = ("linear", "symlog", "clip")
 
 
@@ -112,8 +116,7 @@ def _runs(f: BSpline) -> list[list[Point]]:
 
 def _draw_graph(ax: Axes, graph: Sequence[Sequence[Point]], color: str, label: str) -> None:
     """Draw the runs of a graph, and at jumps the limit and the value."""
-    for i, run in enumerate(graph):
-        draw(ax, run, color=color, linewidth=1.8, label="_graph" if i else label, zorder=3)
+    draw_runs(ax, graph, label, color=color, linewidth=1.8, zorder=3)
     for left, right in pairwise(graph):
         draw(ax, left[-1:], "o", color=color, markerfacecolor="white", markersize=5, label="_limit", zorder=4)
         draw(ax, right[:1], "o", color=color, markersize=5, label="_value", zorder=4)
@@ -179,14 +182,13 @@ def draw_roots(
                 label=counted,
                 zorder=5,
             )
-    for i, (low, high) in enumerate(zero_intervals(roots)):
-        ends = [(low, mpq(0)), (high, mpq(0))]
-        draw(ax, ends, color=color, linewidth=5, label="_stretch" if i else "zero throughout", zorder=2.5)
+    draw_runs(ax, zero_runs(roots, 0), ZERO, color=color, linewidth=5, zorder=2.5)
 
 
-def zero_intervals(roots: ZeroSet | Sequence[Root] | None) -> list[tuple[mpq, mpq]]:
-    """The intervals on which the function vanishes, cut at the seam."""
-    return [part for interval in getattr(roots, "intervals", []) for part in interval.parts]
+def zero_runs(roots: ZeroSet | Sequence[Root] | None, height: int) -> list[Run]:
+    """The intervals on which the function vanishes, cut at the seam, at a height."""
+    parts = [part for interval in getattr(roots, "intervals", []) for part in interval.parts]
+    return [[(t, mpq(height)) for t in part] for part in parts]
 
 
 def marked(roots: ZeroSet | Sequence[Root] | None) -> tuple[list[Root], list[Root]]:
@@ -231,9 +233,7 @@ def plot_roots(roots: ZeroSet | Sequence[Root], ax: Axes | None = None, *, color
         draw(ax, [(at[i], mpq(i))], "o", color=color, markerfacecolor=kind, markersize=7, label="_root", zorder=3)
     empty: list[float] = []
     ax.plot(empty, empty, "o", color=color, label="root (filled: the sign changes)")
-    for i, (low, high) in enumerate(zero_intervals(roots)):
-        ends = [(low, mpq(-1)), (high, mpq(-1))]
-        draw(ax, ends, color=color, linewidth=6, label="_stretch" if i else "zero throughout")
+    draw_runs(ax, zero_runs(roots, -1), ZERO, color=color, linewidth=6)
     ax.set_yticks(range(len(bars)), [f"{float(t):.3g}" for t in at])
     ax.set_ylabel("root")
     ax.set_xlabel("parameter")

@@ -24,6 +24,7 @@ from exactspline.numbers.intervals import UNIT, Box, Interval, joined
 from exactspline.polynomials.cost import bounded
 from exactspline.polynomials.elimination import discriminant
 from exactspline.polynomials.patch_forms import PatchForm
+from exactspline.polynomials.rounded_forms import rounded
 from exactspline.polynomials.two_parameters import as_polynomial, at, rows_of
 from exactspline.roots.common_zeros import Column, CommonZero, zeros_of
 from exactspline.roots.of_polynomials import Parameter, enclosing, exactly, roots_in
@@ -118,7 +119,7 @@ def kind_on(form: PatchForm, box: Box) -> Crossing | None:
     branches leave the point; if there are only four zeros on the border, they are their ends, and nothing else is in
     the box.
     """
-    own = form.part(box)
+    own = rounded(form, box)
     second = {(i, j): own.derivative(i).derivative(j) for i, j in ((0, 0), (0, 1), (1, 1))}
     (a, b), (c, d), (e, f) = (second[key].range for key in ((0, 0), (0, 1), (1, 1)))
     products = [x * y for x in (a, b) for y in (e, f)]

@@ -21,6 +21,7 @@ from exactspline.geometry.surface.zero_curve import ZeroCurve
 from exactspline.numbers.exact import mpq
 from exactspline.numbers.intervals import Box
 from exactspline.polynomials.patch_forms import PatchForm
+from exactspline.polynomials.rounded_forms import rounded
 from exactspline.polynomials.two_parameters import as_form, as_polynomial
 from exactspline.roots.common_zeros import CommonZero, zeros_of
 from exactspline.roots.of_polynomials import exactly
@@ -135,7 +136,7 @@ class _Search:
         if factor is not None:
             given = {k: divided(f, factor) for k, f in given.items()}
         for f in ([] if singular is None else [singular.form]) + ([] if factor is None else [factor]):
-            known = [zero for zero in known if f.part(zero.refine(FAR)).sign in (1, -1)]
+            known = [zero for zero in known if rounded(f, zero.refine(FAR)).sign in (1, -1)]
         # A G − B F + C E = 0
         cofactors = [[self.first[2 - k]] for k in given]
         found = zeros_of(list(given.values()), self.sides, cofactors=cofactors, known=known)
@@ -179,7 +180,7 @@ class _Search:
         for bits, (f, g, length) in product(KIND_BITS, pairs):
             first, second = (side.grown(mpq(1, 1 << bits)) for side in zero.refine(bits))
             box = Box(first, second)
-            if length.part(box).sign == 1 and (sign := jacobian_sign(f, g, box)):
+            if rounded(length, box).sign == 1 and (sign := jacobian_sign(f, g, box)):
                 return UmbilicKind.POSITIVE if sign > 0 else UmbilicKind.NEGATIVE
         try:
             multiple = zero.isolated is None and all(zero.is_zero_of(jacobian(f, g)) for f, g, _ in pairs)
@@ -196,7 +197,7 @@ def jacobian(f: PatchForm, g: PatchForm) -> PatchForm:
 
 def jacobian_sign(f: PatchForm, g: PatchForm, box: Box) -> int:
     """The sign of the Jacobian determinant on a box, not a point, where its range excludes 0, otherwise 0."""
-    (a, b), (c, d) = ([h.slopes(i) for i in (0, 1)] for h in (f.part(box), g.part(box)))
+    (a, b), (c, d) = ([h.slopes(i) for i in (0, 1)] for h in (rounded(f, box), rounded(g, box)))
     first = [x * y for x in a for y in d]
     second = [x * y for x in b for y in c]
     if min(first) > max(second):
