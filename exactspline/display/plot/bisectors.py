@@ -249,7 +249,7 @@ def plot_plane_bisector(bisector: PlaneBisector, ax: Axes | None = None) -> Axes
             for part in joined(kept(point, box) for point in points):
                 draw(ax, part, color=color, linewidth=1.5, label=label, zorder=3)
     ax.set_aspect("equal")
-    _legend_once(ax)
+    legend_once(ax)
     return ax
 
 
