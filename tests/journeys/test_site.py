@@ -19,7 +19,7 @@ import pytest
 
 from exactspline.papers import papers
 from exactspline.verification.claims import claims_in
-from tests.support.looking import CHROMIUM, PATIENCE, served, started
+from tests.support.looking import CHROMIUM, PATIENCE, Seen, looked_at, served, started
 from tests.support.page_picture import PAGE, PICTURE, words
 
 ROOT = Path(__file__).parents[2]
@@ -47,7 +47,7 @@ def browser() -> Iterator[Any]:
 
 @contextmanager
 def opened(browser: Any, address: str, page: str, width: int = 1280) -> Iterator[Any]:
-    """A page that may ask this host alone, and says nothing on its console."""
+    """A page that may ask this host alone, says nothing on its console, and in the end has nothing wrong to be seen."""
     tab = browser.new_page()
     tab.set_viewport_size({"width": width, "height": 900})
     foreign: list[str] = []
@@ -57,8 +57,10 @@ def opened(browser: Any, address: str, page: str, width: int = 1280) -> Iterator
     tab.on("console", lambda message: message.type == "error" and told.append(message.text))
     tab.goto(f"{address}/{page}")
     yield tab
+    seen = Seen()
+    looked_at(page, tab, seen)
     tab.close()
-    assert (foreign, told) == ([], [])
+    assert (foreign, told, [*filter(None, seen.wrong.values())]) == ([], [], [])
 
 
 def in_this_python(question: str, data: Any) -> Any:

@@ -77,38 +77,31 @@ class Seen:
         self.anchors.update(other.anchors)
 
 
-def look(
-    browser: Any, address: str, pages: Iterable[str], ready: Ready | None = None, slow: Iterable[str] = ()
-) -> Seen:
+def look(browser: Any, address: str, pages: Iterable[str], ready: Ready | None = None) -> Seen:
     """Visit each page once, wide and narrow, by day and by night; `ready` waits for what a page itself computes, and
-    opens what is folded. While one page is looked at the next one loads in another tab, and all along the `slow` ones.
+    opens what is folded. While one page is looked at the next one loads in another tab.
     """
-    seen, slow = Seen(), set(slow)
-    pages = [*(page for page in pages if page not in slow), *slow]
-    together = _context(browser)
-    computing = {page: _opened(together.new_page(), address, page) for page in slow}
+    seen = Seen()
     # each laid out in a process of its own
     idle, loading = [_context(browser).new_page() for _ in range(2)], deque[tuple[str, Any]]()
     for page in pages:
-        loading.append((page, computing.get(page) or _opened(idle.pop(), address, page)))
+        loading.append((page, _opened(idle.pop(), address, page)))
         if len(loading) > 1:
-            idle.append(_looked_at(*loading.popleft(), seen, ready))
+            idle.append(looked_at(*loading.popleft(), seen, ready))
     for page, tab in loading:
-        _looked_at(page, tab, seen, ready)
+        looked_at(page, tab, seen, ready)
     for context in browser.contexts:
         context.close()
     return seen
 
 
-def look_side_by_side(address: str, pages: list[str], ready: Ready | None = None, slow: Iterable[str] = ()) -> Seen:
+def look_side_by_side(address: str, pages: list[str], ready: Ready | None = None) -> Seen:
     """The same in two browsers, each with every second page."""
     from playwright.sync_api import sync_playwright
 
-    slow = set(slow)
-
     def share(own: list[str]) -> Seen:
         with sync_playwright() as player, started(player) as browser:
-            return look(browser, address, own, ready, [page for page in own if page in slow])
+            return look(browser, address, own, ready)
 
     found = Seen()
     with ThreadPoolExecutor() as pool:
@@ -132,7 +125,7 @@ def _opened(tab: Any, address: str, page: str) -> Any:
     return tab
 
 
-def _looked_at(page: str, tab: Any, seen: Seen, ready: Ready | None) -> Any:
+def looked_at(page: str, tab: Any, seen: Seen, ready: Ready | None = None) -> Any:
     """Note what is seen on the page of a tab, and leave the tab to another."""
     tab.wait_for_load_state("load")
     if ready:
