@@ -68,9 +68,8 @@ def test_two_plane_curves():
                 assert low <= number <= high
     assert row["complete"]
     assert row["true_feet"] == [[[str(x) for x in side] for side in box] for box in found.trimmed.kept]
-    shown = shown_at(80, "circle", "circle")
-    assert shown.count("rectangle of pairs") == 16
-    assert "s in [3, 4], t in [0, 1]" in shown
+    shown = shown_at(80, "straight_line", "straight_line")
+    assert "rectangle of pairs  s in [0, 1], t in [0, 1]" in shown
     assert max(map(len, shown.splitlines())) <= 80
 
 
