@@ -11,6 +11,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
+from functools import cached_property
 from itertools import groupby
 from math import ceil
 
@@ -144,6 +145,11 @@ class _Search:
         self.left_out: list[str] = []
         self.points: list[OffsetIntersection] = []
 
+    @cached_property
+    def met(self) -> Intersections:
+        """Where the curves themselves meet."""
+        return self_intersections_of_curve(self.curves[0]) if self.alone else intersections_of_curves(*self.curves)
+
     def answer(self) -> Intersections:
         """All of it, in order."""
         pairs = self._pairs()
@@ -249,11 +255,9 @@ class _OfSegments:
     def points(self) -> Iterator[OffsetIntersection]:
         """All points."""
         q, p = self.equations
-        if not p:
-            self._check_one_circle()
+        if not (p and q):
+            self._check_circles()
             return
-        if not q:
-            raise ReachError("offsets that may run along each other")
         if self.alone:
             p, q, self.triangle = map(_without_diagonal, (p, q, self.triangle))
         shared = greatest_common_divisor([p, q])
@@ -266,14 +270,29 @@ class _OfSegments:
                 if self._is_met(zero):
                     yield self._point(zero, None)
 
-    def _check_one_circle(self) -> None:
-        """Arcs of one circle, or of one line: their offsets meet where the arcs do, or are one point."""
-        if not self.search.alone:
-            raise ReachError("arcs of one circle or line")
-        if not self.equations[0]:
-            raise ReachError("the offset is a single point")
-        if self_intersections_of_curve(self.curves[0]):
-            raise ReachError("arcs of one circle or line, of a curve that meets itself")
+    def _check_circles(self) -> None:
+        """Where an equation is zero everywhere: an arc of a circle whose radius is its distance, or two arcs of one
+        circle or line at one distance, whose offsets meet only where the arcs do.
+        """
+        one, other = self.search.distances
+        if not self.equations[0] or abs(one) != abs(other):
+            raise ReachError("an arc of a circle with its radius as the distance, whose offset may be a single point")
+        met = self.search.met
+        ranges = [((p.first,) * 2, (p.second,) * 2) for p in met] + [(arc.first, arc.second) for arc in met.everywhere]
+        if met.left_out or any(self._reached(*own) for own in ranges):
+            raise ReachError("arcs of one circle or line, of curves that meet")
+
+    def _reached(self, one: tuple[Real, Real], other: tuple[Real, Real], *, inside: bool = False) -> bool:
+        """Whether two ranges of parameters meet the segments, `inside`: in more than their ends."""
+        pairs = ((one, other), (other, one)) if self.search.alone else ((one, other),)
+        return any(
+            all(
+                low < high if inside else low <= high
+                for ends, side in zip(pair, self.sides, strict=True)
+                for low, high in ((min(ends), side.high), (side.low, max(ends)))
+            )
+            for pair in pairs
+        )
 
     def _between(self, same: int) -> mpq:
         """By how much the offsets are apart where the tangents have the same direction (1), or opposite ones (−1)."""
@@ -281,15 +300,39 @@ class _OfSegments:
         return one - same * other
 
     def _on(self, factor: fmpz_mpoly) -> list[CommonZero]:
-        """The pairs at which both equations vanish along a curve, and the chord has the length of a common normal."""
-        chords = [self._chord(d) for d in dict.fromkeys(abs(self._between(same)) for same in (1, -1)) if d]
-        if divmod(self.pair.across, factor)[1] or any(
-            greatest_common_divisor([factor, chord]).total_degree() > 0 for chord in chords
-        ):
-            if as_form(factor).part(self.sides).sign in (1, -1):
-                return []
+        """The pairs at which both equations vanish along a curve, and the chord is a common normal with the length by
+        which the offsets are apart.
+        """
+        if divmod(self.pair.across, factor)[1]:
+            self._exclude(factor)
+            return []
+        return [zero for same in (1, -1) for zero in self._on_common_normals(factor, same)]
+
+    def _exclude(self, factor: fmpz_mpoly) -> None:
+        if not as_form(factor).part(self.sides).sign:
             raise ReachError("offsets that may run along each other")
-        return [zero for chord in chords for zero in common_zeros([factor, chord], self.sides)]
+
+    def _on_common_normals(self, factor: fmpz_mpoly, same: int) -> list[CommonZero]:
+        """Those where the tangents have the same direction (1), or opposite ones (−1)."""
+        apart = self._between(same)
+        signs = [(self.along, same), (self.normal, sign_of(apart))]
+        if any(wanted and as_form(f).part(self.sides).sign == -wanted for f, wanted in signs):
+            return []
+        conditions = [self._chord(apart)] if apart else list(self.pair.chord)
+        along = greatest_common_divisor([factor, *conditions])
+        if along.total_degree() == 0:
+            return common_zeros([factor, *conditions], self.sides)
+        if apart:
+            self._exclude(along)
+            return common_zeros([factor / along, *conditions], self.sides)
+        met = self.search.met
+        arcs = [arc for arc in met.everywhere if arc.reversed == (same < 0)]
+        if met.left_out or any(self._reached(arc.first, arc.second, inside=True) for arc in arcs):
+            raise ReachError("offsets that may run along each other")
+        # arcs that continue each other have an end in common
+        ends = [S * int(x.denominator) - int(x.numerator) for x in self.sides.first]
+        zeros = common_zeros([factor / along, *conditions], self.sides)
+        return zeros + common_zeros([along, ends[0] * ends[1]], self.sides)
 
     def _is_met(self, zero: CommonZero) -> bool:
         """Whether the normals of a pair, of a curve and itself the first parameter below the second, meet on the sides

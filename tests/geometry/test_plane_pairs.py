@@ -279,3 +279,48 @@ def test_offsets_that_touch_on_a_common_normal_or_run_along_each_other():
         intersections(example("twisted_cubic"), example("twisted_cubic"), offset=1)
     with pytest.raises(ShapeError, match="3 offsets"):
         intersections(line, far, offset=(1, 2, 3))
+
+
+def test_offsets_of_curves_with_an_arc_in_common():
+    """They were left out without a word: a curve and itself, a part of it, a curve that is covered twice."""
+    parabola = bezier((-2, 4), (0, -4), (2, 4))
+    for other, distances in (
+        (parabola, (1, 1)),
+        (parabola.restrict("1/4", 1), ("1/3", "1/3")),
+        (parabola.restrict("1/4", 1).reverse(), (1, -1)),
+    ):
+        assert "along each other" in intersections(parabola, other, offset=distances).left_out[0]
+    twice = Nurbs(3, [0] * 4 + [1] * 3 + [2] * 4, [(0, 0), (4, 0), (0, 4), (0, 0), (4, 0), (0, 4), (0, 0)])
+    assert "along each other" in self_intersections(twice, offset="1/5").left_out[0]
+
+
+def test_offsets_on_both_sides_of_an_arc_in_common():
+    parabola = bezier((-2, 4), (0, -4), (2, 4))
+    retraced = Nurbs(2, [0, 0, 0, 1, 1, 2, 2, 2], [(-2, 4), (0, -4), (2, 4), (0, -4), (-2, 4)])
+    assert self_intersections(retraced).everywhere
+    (only,) = self_intersections(parabola, offset="5/4")
+    (still,) = self_intersections(retraced, offset="5/4")
+    assert (still.first, still.second) == (only.first, only.second)
+    assert intersections(parabola, parabola.reverse(), offset="1/3") == intersections(
+        parabola, parabola, offset=(3, -1)
+    )
+    halves = parabola.restrict(0, "1/2"), parabola.restrict("1/2", 1)
+    (joint,) = intersections(*halves, offset="1/3")
+    assert (joint.first, joint.second, joint.point) == (mpq(1, 2), mpq(1, 2), (0, mpq(1, 3)))
+    (joint,) = intersections(halves[0], halves[1].reverse(), offset=("1/3", "-1/3"))
+    assert (joint.first, joint.second, joint.point) == (mpq(1, 2), 1, (0, mpq(1, 3)))
+    assert intersections(parabola.restrict(0, "1/3"), halves[1], offset="1/3").points == ()
+
+
+def test_offsets_of_arcs_of_one_circle():
+    circle = example("circle")
+    assert not intersections(circle.restrict(0, 1), circle.restrict(2, 3), offset="1/2")  # nothing left out, either
+    assert not intersections(circle, circle.transform([[2, 0, 0], [0, 2, 0]]), offset=("-1/3", "1/3"))
+    for other, distances in (
+        (circle.restrict(1, 2), ("1/2", "1/2")),
+        (circle.restrict("1/2", 2), ("1/2", "1/2")),
+        (circle.transform([[2, 0, 0], [0, 2, 0]]), ("-1/2", "1/2")),
+        (circle.restrict(1, 2), (1, "1/2")),
+        (circle.restrict(1, 2), (1, 1)),
+    ):
+        assert intersections(circle.restrict(0, 1), other, offset=distances).left_out
