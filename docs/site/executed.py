@@ -22,8 +22,8 @@ import nbformat
 from nbformat.v4 import new_output
 
 LIBRARIES = ["IPython.core.interactiveshell", "matplotlib.pyplot", "exactspline.display.notebook", "exactspline.tables"]
-#: A folder with notebooks that were executed before, by the tests of the same sources.
-KEPT = "EXACTSPLINE_NOTEBOOKS"
+#: Names a folder with what the tests of the same sources have computed: notebooks, claims.
+KEPT = "EXACTSPLINE_KEPT"
 
 
 @dataclass(frozen=True)
@@ -46,6 +46,11 @@ class Shown:
         return "".join(each.text for cell in self.outputs for each in cell if each.get("name") == "stderr")
 
 
+def kept(name: str) -> Path:
+    """Where tests keep a file, if they do."""
+    return Path(os.environ.get(KEPT, os.devnull), name)
+
+
 def execute(folder: Path) -> None:
     """Execute all notebooks of a folder and store their outputs in them; what tests have kept is taken from there.
 
@@ -57,11 +62,11 @@ def execute(folder: Path) -> None:
 
 def _execute(file: Path) -> None:
     book = nbformat.read(file, as_version=4)
-    before = Path(os.environ.get(KEPT, file.parent / "executed"), file.name)
+    before = kept(file.name)
     if before.exists():
-        kept = nbformat.read(before, as_version=4)
-        if [cell.source for cell in kept.cells] == [cell.source for cell in book.cells]:
-            nbformat.write(kept, file)
+        done = nbformat.read(before, as_version=4)
+        if [cell.source for cell in done.cells] == [cell.source for cell in book.cells]:
+            nbformat.write(done, file)
             return
     with TemporaryDirectory() as place:
         shown = shown_by(code_cells(book), place)

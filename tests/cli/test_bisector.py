@@ -8,6 +8,7 @@ from gmpy2 import mpq
 
 from exactspline import Nurbs, bisector
 from exactspline.cli import app
+from exactspline.display.bisector_sheet import of_plane_curves
 from exactspline.display.plot.depth import REMARK, knows_depth
 from exactspline.geometry.bisector.two_curves import curve_bisector
 from exactspline.interchange.curve_files import curve_data, write_json
@@ -71,6 +72,26 @@ def test_two_plane_curves():
     shown = shown_at(80, "straight_line", "straight_line")
     assert "rectangle of pairs  s in [0, 1], t in [0, 1]" in shown
     assert max(map(len, shown.splitlines())) <= 80
+
+
+def test_pairs_of_plane_curves_are_shown_by_their_kind():
+    """An arc that ends in an undecided box was shown like one that ends at its start."""
+    pair, one = [{"exact": text, "decimal": ""} for text in ("0", "1/3")], {"exact": None, "decimal": "0.5"}
+    pieces = [
+        {"piece": "arc of pairs", "start": None, "end": pair, "sides": None},
+        {"piece": "loop of pairs", "start": None, "end": None, "sides": None},
+        {"piece": "pair", "start": pair, "end": pair, "sides": None},
+        {"piece": "line of pairs", "start": None, "end": None, "sides": [[one, one], pair]},
+    ]
+    box = {"sides": [["0", "1/2"], ["0", "1"]], "reason": "the pairs are not decided"}
+    rows, notes = of_plane_curves({"pieces": pieces, "true_feet": [], "undecided": [], "missing": [box]})
+    assert [row.where for row in rows] == [
+        "an undecided box to s = 0, t = 1/3",
+        "",
+        "s = 0, t = 1/3",
+        "s = 0.5, t in [0, 1/3]",
+    ]
+    assert notes[1] == "undecided: [0, 1/2] × [0, 1]"
 
 
 @pytest.mark.parametrize(
