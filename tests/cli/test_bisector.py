@@ -59,8 +59,8 @@ def test_a_point_and_a_plane_curve_is_trimmed():
 
 def test_two_plane_curves():
     """They were refused, with the advice to write Python."""
-    row = json.loads(run("bisector", "cubic_s", "parabola", "--json").stdout)["rows"][0]
-    found = bisector(example("cubic_s"), example("parabola"))
+    row = json.loads(run("bisector", "parabola", "straight_line", "--json").stdout)["rows"][0]
+    found = bisector(example("parabola"), example("straight_line"))
     assert [piece["piece"] for piece in row["pieces"]] == ["arc of pairs"] * len(found.pieces)
     for piece, arc in zip(row["pieces"], found.pieces, strict=True):
         for end, place in (("start", arc.start), ("end", arc.end)):
@@ -251,7 +251,8 @@ def test_an_arc_with_an_irrational_end_is_refused_by_the_reader(tmp_path):
 
 
 @pytest.mark.parametrize(
-    "arguments", [("ellipse_in_space", "ellipse_in_space"), ("ellipse", "--point", "-1,1/3"), ("cubic_s", "parabola")]
+    "arguments",
+    [("ellipse_in_space", "ellipse_in_space"), ("ellipse", "--point", "-1,1/3"), ("parabola", "straight_line")],
 )
 def test_a_picture_is_written(arguments, tmp_path):
     file = tmp_path / "picture.svg"
