@@ -460,8 +460,7 @@ class Column:
         """
         modulus = fmpq_poly(minimal)
         common = reduce(lambda p, q: p.gcd(q), [OverRoot.of(p, modulus) for p in polynomials])
-        slope = OverRoot([c * k for k, c in enumerate(common.coefficients)][1:], modulus)
-        return cls(minimal, common // common.gcd(slope) if slope else common, common.degree)
+        return cls(minimal, common.radical, common.degree)
 
     @cached_property
     def candidates(self) -> list[Parameter]:
@@ -482,10 +481,7 @@ class Column:
 
     def sign(self, s: Parameter, t: mpq) -> int:
         """The sign over one of the roots at a rational t."""
-        x, value = to_fmpq(t), fmpq_poly([])
-        for c in reversed(self.zeros.coefficients):
-            value = value * x + c
-        return _sign_over(value, s)
+        return _sign_over(self.zeros(t), s)
 
     def may_be_in(self, s: Parameter, side: Interval) -> bool:
         """Whether a zero over one of the roots may be in an interval: a single one is there if the sign changes, which
