@@ -381,6 +381,3 @@ def _vanishes(p: fmpz_mpoly, zero: CommonZero) -> bool:
 
 def _sign(p: fmpz_mpoly, zero: CommonZero) -> int:
     return 0 if _vanishes(p, zero) else sign_at(p, zero)
-
-
-__all__ = ["OffsetIntersection", "intersections", "self_intersections"]

@@ -243,6 +243,3 @@ def _part_at(p: OverRoot, cell: Cell) -> tuple[OverRoot, int]:
         if part.degree > 0 and signs[0] * signs[1] <= 0:
             return part.gcd(OverRoot([], part.modulus)), power
         rest, common, power = following, common // following, power + 1
-
-
-__all__ = ["zero_curve_certificate"]

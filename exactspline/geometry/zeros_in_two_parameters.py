@@ -18,7 +18,6 @@ from flint import fmpz_mpoly
 from exactspline.errors import ReachError
 from exactspline.geometry.common_zeros_certificate import common_zeros_certificate
 from exactspline.geometry.singular_points import PointKind, SingularPoint, singular_on_patch
-from exactspline.geometry.surface.borders import EDGES
 from exactspline.geometry.surface.chains import Piece, ZeroComponent, chained, place_of
 from exactspline.geometry.surface.common_factor import square_free
 from exactspline.geometry.surface.forms import Patch
@@ -34,6 +33,7 @@ from exactspline.polynomials.two_parameters import as_form, over
 from exactspline.questions.answers import SurfacePart, SurfacePlaces
 from exactspline.reals.real import Real, real
 from exactspline.roots import common_zeros as elimination
+from exactspline.roots.borders import EDGES
 from exactspline.roots.of_polynomials import Parameter, Place
 from exactspline.roots.root import Root
 from exactspline.roots.vanishing import vanish_at
@@ -488,6 +488,3 @@ def _where(place: Place, f: TensorSpline) -> tuple[ZeroPlace, int]:
     if ends:
         return (ZeroPlace.CORNER if ends == 2 else ZeroPlace.BORDER), 1 << knots
     return (ZeroPlace.KNOT if knots else ZeroPlace.INSIDE), 1 << knots
-
-
-__all__ = ["CommonZero", "CommonZeros", "ZeroArc", "ZeroCurves", "ZeroKind", "ZeroPlace", "common_zeros", "zero_curve"]

@@ -8,10 +8,11 @@ from collections.abc import Iterable, Sequence
 from dataclasses import replace
 from itertools import product
 
-from exactspline.geometry.surface.borders import EDGES, vanishes_at
-from exactspline.geometry.surface.places import Parameter, Place
+from exactspline.geometry.surface.places import Place
 from exactspline.geometry.surface.umbilics import Umbilic, UmbilicKind, UmbilicsOfPatch
 from exactspline.numbers.intervals import Box
+from exactspline.roots.borders import EDGES, vanishes_at
+from exactspline.roots.of_polynomials import Parameter
 from exactspline.splines.surface import Along
 
 #: A point by its parameters.
@@ -117,6 +118,3 @@ def _has(own: UmbilicsOfPatch, spot: Spot, box: Box) -> bool:
     if own.everywhere or any(edge in own.edges for edge in edges):
         return True
     return own.curve is not None and vanishes_at(own.curve.form, spot, box)
-
-
-__all__ = ["are_one", "is_in", "merged_places", "merged_umbilics"]

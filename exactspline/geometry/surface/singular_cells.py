@@ -204,6 +204,3 @@ def _around(t: Parameter, others: Sequence[Parameter], bits: int) -> Interval | 
     if any(wide.low <= end <= wide.high and t != end for end in UNIT.first):
         return None
     return Interval(max(mpq(0), low - width), min(mpq(1), high + width))
-
-
-__all__ = ["Cell", "Crossing", "kind_on", "singular_cells"]
