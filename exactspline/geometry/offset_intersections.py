@@ -32,9 +32,10 @@ from exactspline.numbers.exact import sign as sign_of
 from exactspline.numbers.intervals import Box, Interval
 from exactspline.numbers.sides import Side
 from exactspline.polynomials.cost import PATCH, QUESTION, Budget, drawing_on
+from exactspline.polynomials.factorization import divided_out
 from exactspline.polynomials.factors import factorize, greatest_common_divisor
 from exactspline.polynomials.two_parameters import S, T, as_form
-from exactspline.reals.real import Real, square_root
+from exactspline.reals.real import Real, real, square_root
 from exactspline.roots.common_zeros import CommonZero, common_zeros, multiplicity
 from exactspline.roots.local_parameters import segment_forms
 from exactspline.roots.of_polynomials import Parameter
@@ -259,7 +260,7 @@ class _OfSegments:
             self._check_circles()
             return
         if self.alone:
-            p, q, self.triangle = map(_without_diagonal, (p, q, self.triangle))
+            p, q, self.triangle = (divided_out(f, S - T) for f in (p, q, self.triangle))
         shared = greatest_common_divisor([p, q])
         pair = p / shared, q / shared
         for zero in common_zeros(pair, self.sides, [self.triangle]):
@@ -277,10 +278,15 @@ class _OfSegments:
         one, other = self.search.distances
         if not self.equations[0] or abs(one) != abs(other):
             raise ReachError("an arc of a circle with its radius as the distance, whose offset may be a single point")
-        met = self.search.met
-        ranges = [((p.first,) * 2, (p.second,) * 2) for p in met] + [(arc.first, arc.second) for arc in met.everywhere]
-        if met.left_out or any(self._reached(*own) for own in ranges):
+        points = [((p.first,) * 2, (p.second,) * 2) for p in self.search.met]
+        if self._run_along() or any(self._reached(*own) for own in points):
             raise ReachError("arcs of one circle or line, of curves that meet")
+
+    def _run_along(self) -> bool:
+        """Whether the offsets may run along each other since the curves do so."""
+        met = self.search.met
+        arcs = [arc for arc in met.everywhere if not self._between(-1 if arc.reversed else 1)]
+        return bool(met.left_out) or any(self._reached(arc.first, arc.second, inside=True) for arc in arcs)
 
     def _reached(self, one: tuple[Real, Real], other: tuple[Real, Real], *, inside: bool = False) -> bool:
         """Whether two ranges of parameters meet the segments, `inside`: in more than their ends."""
@@ -325,9 +331,7 @@ class _OfSegments:
         if apart:
             self._exclude(along)
             return common_zeros([factor / along, *conditions], self.sides)
-        met = self.search.met
-        arcs = [arc for arc in met.everywhere if arc.reversed == (same < 0)]
-        if met.left_out or any(self._reached(arc.first, arc.second, inside=True) for arc in arcs):
+        if self._run_along():
             raise ReachError("offsets that may run along each other")
         # arcs that continue each other have an end in common
         ends = [S * int(x.denominator) - int(x.numerator) for x in self.sides.first]
@@ -350,7 +354,7 @@ class _OfSegments:
         return _vanishes(self._chord(apart), zero) and _sign(self.normal, zero) == sign_of(apart)
 
     def _point(self, zero: CommonZero, pair: Sequence[fmpz_mpoly] | None) -> OffsetIntersection:
-        first, second = (x if isinstance(x, Root) else Real(x) for x in zero.place)
+        first, second = map(real, zero.place)
         times = None
         if pair is not None and not _vanishes(self.pair.across, zero):
             times = multiplicity(zero, *pair)
@@ -374,22 +378,9 @@ class _OfSegments:
         return Side.LEFT if is_corner else Side.RIGHT
 
 
-def _without_diagonal(p: fmpz_mpoly) -> fmpz_mpoly:
-    """A polynomial divided by s − t as often as possible."""
-    while p:
-        quotient, rest = divmod(p, S - T)
-        if rest:
-            return p
-        p = quotient
-    return p
-
-
 def _vanishes(p: fmpz_mpoly, zero: CommonZero) -> bool:
     return not p or vanish_at([p], *zero.place)
 
 
 def _sign(p: fmpz_mpoly, zero: CommonZero) -> int:
     return 0 if _vanishes(p, zero) else sign_at(p, zero)
-
-
-__all__ = ["OffsetIntersection", "intersections", "self_intersections"]
