@@ -160,6 +160,9 @@ def test_values_quotients_and_signs(seed):
     # at the root of 2x² − 1 between 0 and 1
     around = total(product_of([-1, 0, 2], q), [random.choice([-1, 1])])
     assert sign_at_root(around, [-1, 0, 2], Fraction(0), Fraction(1)) == (1 if around[0] + q[0] > 0 else -1)
+
+
+def test_a_polynomial_has_the_sign_zero_at_its_own_root():
     assert sign_at_root([-1, 0, 2], [-1, 0, 2], Fraction(0), Fraction(1)) == 0
     assert sign_at_root([1, -2], [-1, 2], Fraction(1, 2), Fraction(1, 2)) == 0
 
