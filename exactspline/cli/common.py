@@ -306,7 +306,6 @@ def _see_that_it_is_positive(option: str, given: str, otherwise: str = "") -> No
 def see_that_coq_can_name(path: str) -> None:
     """See that a file has a name that Coq accepts as that of a module."""
     import re
-    from pathlib import Path
 
     if not Path(path).name:
         raise OptionsError(f"--emit-coq {path!r} is a folder", remedy="name a file in it")
