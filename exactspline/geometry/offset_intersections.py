@@ -316,7 +316,7 @@ class _OfSegments:
         """Those where the tangents have the same direction (1), or opposite ones (−1)."""
         apart = self._between(same)
         signs = [(self.along, same), (self.normal, sign_of(apart))]
-        if any(wanted and as_form(f).part(self.sides).sign == -wanted for f, wanted in signs):
+        if any(required and as_form(f).part(self.sides).sign == -required for f, required in signs):
             return []
         conditions = [self._chord(apart)] if apart else list(self.pair.chord)
         along = greatest_common_divisor([factor, *conditions])
