@@ -19,6 +19,7 @@ class TextPrinter(Printer):
     """``[p′ p″] w − [p p″] w′``."""
 
     minus, cross, dot, between, ruling = "−", "×", "·", " ", "ζ"
+    parentheses, norm2, bracket, apart, wedge = "({})", "‖{}‖²", "[{}]", " ", "⋀({})"
 
     def atom(self, n: Expression) -> tuple[str, int]:
         """A name or a number."""
@@ -54,25 +55,9 @@ class TextPrinter(Printer):
         """``a[i]``."""
         return f"{base}[{index}]"
 
-    def parentheses(self, text: str) -> str:
-        """``(a)``."""
-        return f"({text})"
-
-    def norm2(self, text: str) -> str:
-        """``‖a‖²``."""
-        return f"‖{text}‖²"
-
-    def bracket(self, parts: list[str]) -> str:
-        """``[a b]``."""
-        return f"[{' '.join(parts)}]"
-
     def perp(self, text: str) -> str:
         """``a⊥``."""
         return f"{text}⊥"
-
-    def wedge(self, parts: list[str]) -> str:
-        """``⋀(a, b)``."""
-        return f"⋀({', '.join(parts)})"
 
 
 def _barred(text: str, barred: bool) -> str:
