@@ -243,13 +243,6 @@ def also_in_their_planes(curves: list[Nurbs]) -> list[Nurbs]:
     return with_plane_curves(curves)
 
 
-def quiet_fonts() -> None:
-    """Silence fontTools' remarks on dates in fonts: they do not concern outlines."""
-    import logging
-
-    logging.getLogger("fontTools").setLevel(logging.ERROR)
-
-
 def check_output(output: str, *inputs: str) -> None:
     """Raise `CurveFileError` when an output is one of the files that are read."""
     for name in inputs:
