@@ -113,7 +113,8 @@ class Sheet:
         least = list(map(max, cells, headings))
         for i, name in enumerate(self.columns):
             if name in self.prose:
-                least[i] = min(least[i], max(NARROWEST, longest_word(row[i] for row in self.rows), headings[i]))
+                longest = max((cell_len(word) for row in self.rows for word in words_in(row[i])), default=0)
+                least[i] = min(least[i], max(NARROWEST, longest, headings[i]))
         spare = free - sum(least)
         if spare < 0:
             return None
@@ -222,11 +223,6 @@ def in_csv(text: str) -> str:
     ("'=1+1", "'-x", '-1/2', 'x = 1')
     """
     return f"'{text}" if text[:1] in _COMPUTED and not _NUMBER.fullmatch(text) else text
-
-
-def longest_word(cells: Iterable[str]) -> int:
-    """The width of the longest word in the cells."""
-    return max((cell_len(word) for cell in cells for word in words_in(cell)), default=0)
 
 
 def csv_of(sheets: Sequence[Sheet], by: str = "", unchecked: Sequence[str] = ()) -> str:
