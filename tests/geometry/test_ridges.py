@@ -3,6 +3,7 @@ sixty digits of the eigenvalues of the shape operator of `tests.support.surface_
 """
 
 import pickle
+from functools import cache
 from itertools import pairwise
 from math import hypot
 from random import Random
@@ -74,6 +75,12 @@ def generic(seed, m, n, weights=0):
     return NurbsSurface((m, n), [0] * (m + 1) + [1] * (m + 1), [0] * (n + 1) + [1] * (n + 1), net, own)
 
 
+@cache
+def a_node():
+    """A surface whose ridges have a node, with its answers."""
+    return analyse(generic(2, 3, 1))
+
+
 def beside(place, direction, by):
     """The two points on both sides of another one."""
     return [tuple(x + by * side * (k == direction) for k, x in enumerate(place)) for side in (-1, 1)]
@@ -133,7 +140,7 @@ def test_ridges_of_higher_degree_are_true_and_complete(surface):
 
 def test_the_ridges_of_both_curvatures_cross_in_a_node():
     """Would be an open box otherwise: it is proved by signs alone, the degree is too high for elimination."""
-    found = analyse(generic(2, 3, 1)).ridges
+    found = a_node().ridges
     pieces = [piece for curve in found.curves for piece in curve.pieces]
     (node,) = [joint for piece in pieces for joint in piece.part.joints]
     assert found.complete
@@ -185,10 +192,9 @@ def test_what_exceeds_the_bound_is_undecided(monkeypatch):
     assert not found.complete
     covered = [box.sides for box in found.undecided]
     covered += [x.sides.part(a.box) for c in found.curves for x in c.pieces for a in x.part.arcs]
-    whole = analyse(generic(2, 3, 1))
     assert covered
     monkeypatch.undo()
-    for curve in whole.ridges.curves:
+    for curve in a_node().ridges.curves:
         for piece in curve.pieces:
             for arc in piece.part.arcs:
                 u, v = piece.sides.at(*piece.curve.points(arc, 2)[1])

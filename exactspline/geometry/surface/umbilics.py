@@ -19,7 +19,7 @@ from exactspline.geometry.surface.places import Parameter, Place
 from exactspline.geometry.surface.singular import FAR, SingularPoints, curve_of, singular_points, without_known
 from exactspline.geometry.surface.zero_curve import ZeroCurve
 from exactspline.numbers.exact import mpq
-from exactspline.numbers.intervals import Box
+from exactspline.numbers.intervals import UNIT, Box
 from exactspline.polynomials.patch_forms import PatchForm
 from exactspline.polynomials.rounded_forms import rounded
 from exactspline.polynomials.two_parameters import as_form, as_polynomial
@@ -178,8 +178,8 @@ class _Search:
         lengths = self.first[0], self.first[2]
         pairs = [(f.whole, g.whole, e) for (f, g), e in zip(pairwise(self.own), lengths, strict=True) if f and g]
         for bits, (f, g, length) in product(KIND_BITS, pairs):
-            first, second = (side.grown(mpq(1, 1 << bits)) for side in zero.refine(bits))
-            box = Box(first, second)
+            around = (side.grown(mpq(1, 1 << bits)) for side in zero.refine(bits))
+            box = Box(*(side.inside(whole) for side, whole in zip(around, UNIT, strict=True)))
             if rounded(length, box).sign == 1 and (sign := jacobian_sign(f, g, box)):
                 return UmbilicKind.POSITIVE if sign > 0 else UmbilicKind.NEGATIVE
         try:
