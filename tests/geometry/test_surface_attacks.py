@@ -8,8 +8,8 @@ from gmpy2 import mpq
 from exactspline import NurbsSurface, analyse, example
 from exactspline.display.surface_data import surface_inspection_data
 from exactspline.geometry.planar_maps import MapKind
-from exactspline.geometry.surface.borders import Edge
 from exactspline.geometry.surface.inspection import PatchKind
+from exactspline.roots.borders import Edge
 from tests.support.squares import parameters
 from tests.support.surface_oracle import gaussian_curvature
 

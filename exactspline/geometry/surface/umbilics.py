@@ -12,10 +12,9 @@ from enum import StrEnum
 from itertools import pairwise, product
 
 from exactspline.errors import ReachError
-from exactspline.geometry.surface.borders import EDGES, Edge, along, common_along, roots_along
 from exactspline.geometry.surface.common_factor import common_factor, divided, without_powers
 from exactspline.geometry.surface.forms import Patch, Reduced, SurfaceForms, on_patch, sides_of
-from exactspline.geometry.surface.places import Parameter, Place
+from exactspline.geometry.surface.places import Place
 from exactspline.geometry.surface.singular import FAR, SingularPoints, curve_of, singular_points, without_known
 from exactspline.geometry.surface.zero_curve import ZeroCurve
 from exactspline.numbers.exact import mpq
@@ -23,8 +22,9 @@ from exactspline.numbers.intervals import UNIT, Box
 from exactspline.polynomials.patch_forms import PatchForm
 from exactspline.polynomials.rounded_forms import rounded
 from exactspline.polynomials.two_parameters import as_form, as_polynomial
+from exactspline.roots.borders import EDGES, Edge, along, common_along, roots_along
 from exactspline.roots.common_zeros import CommonZero, zeros_of
-from exactspline.roots.of_polynomials import exactly
+from exactspline.roots.of_polynomials import Parameter, exactly
 
 #: Bits of a point at which the kind of an umbilic is read off, the last for surfaces 10³⁰⁰ times as high as wide.
 KIND_BITS = 20, 40, 130, 2400
