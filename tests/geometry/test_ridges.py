@@ -22,6 +22,7 @@ from exactspline.polynomials.two_parameters import S, T, as_form, as_polynomial,
 from exactspline.roots.of_polynomials import roots_in
 from tests.support.sampled import FULL
 from tests.support.surface_oracle import shape_operator
+from tests.support.vectors import mpf_of
 
 STEP = mpf(10) ** -20
 #: Half the distance of two points on both sides of a ridge.
@@ -54,7 +55,7 @@ def slopes(surface, place, before=((1, 0), (1, 0))):
 
 
 def as_mpf(place):
-    return [mpf(int(x.numerator)) / int(x.denominator) for x in place]
+    return [mpf_of(x) for x in place]
 
 
 def changes(surface, start, end):

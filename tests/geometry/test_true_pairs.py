@@ -13,8 +13,9 @@ from exactspline.numbers.exact import sign
 from exactspline.numbers.intervals import UNIT, Box, Interval
 from exactspline.polynomials.patch_forms import PatchForm
 from exactspline.roots.zero_set import zeros
-from tests.support.bisector_oracle import bezier, dot
+from tests.support.bisector_oracle import bezier
 from tests.support.dials import over_dials
+from tests.support.vectors import dot
 
 
 def is_in(boxes, s, t):
