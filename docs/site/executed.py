@@ -9,6 +9,7 @@ import os
 import warnings
 from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
+from contextlib import AbstractContextManager, nullcontext
 from dataclasses import dataclass
 from io import BytesIO
 from multiprocessing import get_context
@@ -21,8 +22,8 @@ import nbformat
 from nbformat.v4 import new_output
 
 LIBRARIES = ["IPython.core.interactiveshell", "matplotlib.pyplot", "exactspline.display.notebook", "exactspline.tables"]
-#: A folder with notebooks that were executed before, by the tests of the same sources.
-KEPT = "EXACTSPLINE_NOTEBOOKS"
+#: Names a folder with what the tests of the same sources have computed: notebooks, claims.
+KEPT = "EXACTSPLINE_KEPT"
 
 
 @dataclass(frozen=True)
@@ -45,6 +46,11 @@ class Shown:
         return "".join(each.text for cell in self.outputs for each in cell if each.get("name") == "stderr")
 
 
+def kept(name: str) -> Path:
+    """Where tests keep a file, if they do."""
+    return Path(os.environ.get(KEPT, os.devnull), name)
+
+
 def execute(folder: Path) -> None:
     """Execute all notebooks of a folder and store their outputs in them; what tests have kept is taken from there.
 
@@ -56,11 +62,11 @@ def execute(folder: Path) -> None:
 
 def _execute(file: Path) -> None:
     book = nbformat.read(file, as_version=4)
-    before = Path(os.environ.get(KEPT, file.parent / "executed"), file.name)
+    before = kept(file.name)
     if before.exists():
-        kept = nbformat.read(before, as_version=4)
-        if [cell.source for cell in kept.cells] == [cell.source for cell in book.cells]:
-            nbformat.write(kept, file)
+        done = nbformat.read(before, as_version=4)
+        if [cell.source for cell in done.cells] == [cell.source for cell in book.cells]:
+            nbformat.write(done, file)
             return
     with TemporaryDirectory() as place:
         shown = shown_by(code_cells(book), place)
@@ -83,12 +89,21 @@ def store(book: Any, shown: Shown, file: Path) -> None:
     nbformat.write(book, file)
 
 
-def shown_by(cells: Sequence[str], folder: str | Path, look: Callable[[Any], list[str]] | None = None) -> Shown:
-    """Run cells one after the other, as a kernel does that was just started; `look` notes something of each picture."""
+def shown_by(
+    cells: Sequence[str],
+    folder: str | Path,
+    look: Callable[[Any], list[str]] | None = None,
+    within: Callable[[], AbstractContextManager[None]] = nullcontext,
+    *,
+    narrow: bool = True,
+) -> Shown:
+    """Run cells one after the other, as a kernel does that was just started; `look` notes something of each picture,
+    all cells run `within` a context, and pictures are also drawn `narrow`.
+    """
     context = get_context("forkserver")
     context.set_forkserver_preload([*LIBRARIES, *([look.__module__] if look else [])])
     ours, theirs = context.Pipe(duplex=False)
-    process = context.Process(target=_run, args=(cells, str(folder), look, theirs))
+    process = context.Process(target=_run, args=(cells, str(folder), look, within, narrow, theirs))
     process.start()
     theirs.close()
     try:
@@ -98,7 +113,14 @@ def shown_by(cells: Sequence[str], folder: str | Path, look: Callable[[Any], lis
     return shown
 
 
-def _run(cells: Sequence[str], folder: str, look: Callable[[Any], list[str]] | None, answer: Connection) -> None:
+def _run(
+    cells: Sequence[str],
+    folder: str,
+    look: Callable[[Any], list[str]] | None,
+    within: Callable[[], AbstractContextManager[None]],
+    narrow: bool,
+    answer: Connection,
+) -> None:
     os.chdir(folder)
     os.environ["IPYTHONDIR"] = os.path.join(folder, "ipython")
     warnings.resetwarnings()
@@ -109,35 +131,42 @@ def _run(cells: Sequence[str], folder: str, look: Callable[[Any], list[str]] | N
     from docs.site.narrow import narrowed, png, saved
 
     looked_at, noted = [], []
-    narrow: dict[bytes, bytes] = {}
+    small: dict[bytes, bytes] = {}
 
     def seen(figure: Any, target: Any) -> None:
         looked_at.append(figure)
         noted.extend(look(figure) if look else [])
-        if isinstance(target, BytesIO):
-            narrow[target.getvalue()] = png(narrowed(figure))
+        if narrow and isinstance(target, BytesIO):
+            small[target.getvalue()] = png(narrowed(figure))
 
     class Shell(InteractiveShell):
         def enable_gui(self, gui: Any = None) -> None:
             """There is no window: pictures are shown inline."""
 
     shell, outputs, error = Shell.instance(), [], ""
-    for cell in cells:
-        with capture_output() as captured, saved(seen):
-            # what the last line returns comes after what was displayed before it
-            shell.display_trap.hook = CapturingDisplayHook(shell=shell, outputs=shell.display_pub.outputs)
-            done = shell.run_cell(cell)
-        streams = [("stdout", captured.stdout), ("stderr", captured.stderr)]
-        outputs.append([new_output("stream", name=name, text=text) for name, text in streams if text])
-        for each in captured.outputs:
-            shown = {kind: _encoded(data) for kind, data in each.data.items()}
-            outputs[-1].append(new_output("display_data", data=shown))
-            if small := narrow.get(each.data.get("image/png")):
-                outputs[-1].append(new_output("display_data", data={"image/png": _encoded(small)}))
-        if not done.success:
-            error = f"{done.error_before_exec or done.error_in_exec!r} in:\n{cell}"
-            break
+    with within():
+        for cell in cells:
+            with capture_output() as captured, saved(seen):
+                # what the last line returns comes after what was displayed before it
+                shell.display_trap.hook = CapturingDisplayHook(shell=shell, outputs=shell.display_pub.outputs)
+                done = shell.run_cell(cell)
+            outputs.append(_outputs(captured, small))
+            if not done.success:
+                error = f"{done.error_before_exec or done.error_in_exec!r} in:\n{cell}"
+                break
     answer.send(Shown(tuple(outputs), len(looked_at), tuple(noted), error))
+
+
+def _outputs(captured: Any, small: dict[bytes, bytes]) -> list[Any]:
+    """What a cell wrote and displayed, each picture followed by the one for narrow windows, where there is one."""
+    streams = [("stdout", captured.stdout), ("stderr", captured.stderr)]
+    outputs = [new_output("stream", name=name, text=text) for name, text in streams if text]
+    for each in captured.outputs:
+        shown = {kind: _encoded(data) for kind, data in each.data.items()}
+        outputs.append(new_output("display_data", data=shown))
+        if picture := small.get(each.data.get("image/png")):
+            outputs.append(new_output("display_data", data={"image/png": _encoded(picture)}))
+    return outputs
 
 
 def _encoded(data: Any) -> Any:

@@ -7,7 +7,7 @@ from types import NoneType
 from typing import Any, get_args, get_type_hints
 
 from exactspline.display import bisector_data, surface_data
-from exactspline.display.bisector_data import FORMS_OF_POINT, MISSING, PARAMETER, PLANE_PIECE, SIDES_MISSING
+from exactspline.display.bisector_data import FORMS_OF_POINT, MISSING, PAIRS, PARAMETER, SIDES_MISSING
 from exactspline.display.forms import (
     FLAG,
     INTEGER,
@@ -76,7 +76,7 @@ FORMS_BESIDE: dict[str, dict[str, Form]] = {
         "left_out": TEXTS,
         "singular": list_of(PARAMETER),
         "missing": list_of(_any_of(TEXT, MISSING, SIDES_MISSING)),
-        "pieces": list_of(_any_of(*FORMS_OF_POINT.values(), PLANE_PIECE)),
+        "pieces": list_of(_any_of(*FORMS_OF_POINT.values(), PAIRS)),
         **dict.fromkeys(("true_feet", "undecided"), list_of(pair_of(INTERVAL))),
     },
     "between": {"meetings": list_of(FORMS[NearbyMeeting])},

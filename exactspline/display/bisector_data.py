@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from enum import StrEnum
 from operator import itemgetter
 from typing import Any, NamedTuple, cast
 
@@ -238,33 +239,44 @@ FORMS: dict[type, Form] = {
 # ---- two plane curves
 
 
-class PlanePiece(NamedTuple):
-    """Pairs of parameters of the bisector of two plane curves: from one to another one, or all of a rectangle; a single
-    pair, and a loop, has no end.
+class PairsKind(StrEnum):
+    """What pairs of parameters of the bisector of two plane curves are."""
+
+    ARC = "arc of pairs"
+    LOOP = "loop of pairs"
+    PAIR = "pair"
+    LINE = "line of pairs"
+    RECTANGLE = "rectangle of pairs"
+
+
+class Pairs(NamedTuple):
+    """Pairs of parameters of the bisector of two plane curves: an arc by its ends, of which one in an undecided box is
+    None; a single pair as both ends; a line or a rectangle by its `sides`.
     """
 
-    piece: str
-    start: Sequence[object] | None
-    end: Sequence[object] | None
+    piece: PairsKind
+    start: Sequence[object] | None = None
+    end: Sequence[object] | None = None
+    sides: Sequence[Sequence[object]] | None = None
 
 
-def _plane_pieces(bisector: PlaneBisector) -> list[PlanePiece]:
+def _pairs_of(bisector: PlaneBisector) -> list[Pairs]:
     pairs = bisector.pairs
-    pieces = [PlanePiece("loop of pairs" if arc.closed else "arc of pairs", arc.start, arc.end) for arc in pairs.arcs]
-    pieces += [PlanePiece("pair", (x.first, x.second), None) for x in pairs.points]
-    rectangles = [("line of pairs", line.box) for line in pairs.lines]
-    rectangles += [("rectangle of pairs", (part.sides[0], part.sides[1])) for part in pairs.everywhere]
-    return pieces + [PlanePiece(kind, (a, c), (b, d)) for kind, ((a, b), (c, d)) in rectangles]
+    found = [Pairs(PairsKind.LOOP if arc.closed else PairsKind.ARC, arc.start, arc.end) for arc in pairs.arcs]
+    found += [Pairs(PairsKind.PAIR, (x.first, x.second), (x.first, x.second)) for x in pairs.points]
+    found += [Pairs(PairsKind.LINE, sides=line.box) for line in pairs.lines]
+    return found + [Pairs(PairsKind.RECTANGLE, sides=(part.sides[0], part.sides[1])) for part in pairs.everywhere]
 
 
 SIDES_MISSING = record(sides=pair_of(INTERVAL), reason=TEXT)
-PLANE_PIECE = record(piece=TEXT, start=or_null(pair_of(REAL)), end=or_null(pair_of(REAL)))
+_END = or_null(pair_of(REAL))
+PAIRS = record(piece=one_of(PairsKind), start=_END, end=_END, sides=or_null(pair_of(pair_of(REAL))))
 
 
 def plane_bisector_data(bisector: PlaneBisector, digits: int) -> Data:
     """The pairs of the bisector of two plane curves, and the boxes in which no point of either curve is nearer."""
     form = record(
-        pieces=(list_of(PLANE_PIECE), _plane_pieces),
+        pieces=(list_of(PAIRS), _pairs_of),
         true_feet=(list_of(_SIDES), "trimmed.kept"),
         undecided=(list_of(_SIDES), "trimmed.undecided"),
     )

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import Any, NamedTuple
 
-from exactspline.display.bisector_data import control_points, degree_of, shown
+from exactspline.display.bisector_data import PairsKind, control_points, degree_of, shown
 from exactspline.display.data import Data
 from exactspline.display.sheet import Sheet
 from exactspline.errors import counted
@@ -55,19 +55,30 @@ def of_two_curves(found: CurveBisector, digits: int) -> tuple[list[Row], list[st
 def of_plane_curves(data: Data) -> tuple[list[Row], list[str]]:
     """The pairs of the bisector of two plane curves, from its data, and notes on which of them are nearest."""
     facts: Any = data
-    rows = [Row(piece["piece"], _from_to(piece), "–", "") for piece in facts["pieces"]]
+    rows = [Row(piece["piece"], _pairs_shown(piece), "–", "") for piece in facts["pieces"]]
     kept, undecided = (counted(len(facts[name]), "box") for name in ("true_feet", "undecided"))
     notes = [f"no point of either curve is nearer: proved in {kept} of pairs, undecided in {undecided}"]
-    return rows, notes + [f"undecided: {' × '.join(map(str, one['sides']))}" for one in facts["missing"]]
+    missing = (" × ".join(f"[{low}, {high}]" for low, high in one["sides"]) for one in facts["missing"])
+    return rows, notes + [f"undecided: {sides}" for sides in missing]
 
 
-def _from_to(piece: dict[str, Any]) -> str:
+def _pairs_shown(piece: Any) -> str:
     """Where pairs are: from one end to the other, or the ranges of both parameters."""
-    start, end = ([x["exact"] or x["decimal"] for x in piece[name] or ()] for name in ("start", "end"))
-    if piece["piece"].startswith(("line", "rectangle")):
-        ends = zip("st", start, end, strict=True)
-        return ", ".join(f"{name} = {low}" if low == high else f"{name} in [{low}, {high}]" for name, low, high in ends)
-    return " to ".join(", ".join(map("{} = {}".format, "st", place)) for place in (start, end) if place)
+    if piece["sides"]:
+        ends = zip("st", ([x["exact"] or x["decimal"] for x in side] for side in piece["sides"]), strict=True)
+        return ", ".join(
+            f"{name} = {low}" if low == high else f"{name} in [{low}, {high}]" for name, (low, high) in ends
+        )
+    if piece["piece"] == PairsKind.LOOP:
+        return ""
+    start, end = (_pair_shown(piece[name]) for name in ("start", "end"))
+    return start if piece["piece"] == PairsKind.PAIR else f"{start} to {end}"
+
+
+def _pair_shown(pair: Any) -> str:
+    if pair is None:
+        return "an undecided box"
+    return ", ".join(f"{name} = {x['exact'] or x['decimal']}" for name, x in zip("st", pair, strict=True))
 
 
 def of_point_in_plane(found: TrimmedBisector, digits: int) -> tuple[list[Row], list[str]]:

@@ -277,10 +277,15 @@ class _OfSegments:
         one, other = self.search.distances
         if not self.equations[0] or abs(one) != abs(other):
             raise ReachError("an arc of a circle with its radius as the distance, whose offset may be a single point")
-        met = self.search.met
-        ranges = [((p.first,) * 2, (p.second,) * 2) for p in met] + [(arc.first, arc.second) for arc in met.everywhere]
-        if met.left_out or any(self._reached(*own) for own in ranges):
+        points = [((p.first,) * 2, (p.second,) * 2) for p in self.search.met]
+        if self._run_along() or any(self._reached(*own) for own in points):
             raise ReachError("arcs of one circle or line, of curves that meet")
+
+    def _run_along(self) -> bool:
+        """Whether the offsets may run along each other since the curves do so."""
+        met = self.search.met
+        arcs = [arc for arc in met.everywhere if not self._between(-1 if arc.reversed else 1)]
+        return bool(met.left_out) or any(self._reached(arc.first, arc.second, inside=True) for arc in arcs)
 
     def _reached(self, one: tuple[Real, Real], other: tuple[Real, Real], *, inside: bool = False) -> bool:
         """Whether two ranges of parameters meet the segments, `inside`: in more than their ends."""
@@ -316,7 +321,7 @@ class _OfSegments:
         """Those where the tangents have the same direction (1), or opposite ones (−1)."""
         apart = self._between(same)
         signs = [(self.along, same), (self.normal, sign_of(apart))]
-        if any(wanted and as_form(f).part(self.sides).sign == -wanted for f, wanted in signs):
+        if any(required and as_form(f).part(self.sides).sign == -required for f, required in signs):
             return []
         conditions = [self._chord(apart)] if apart else list(self.pair.chord)
         along = greatest_common_divisor([factor, *conditions])
@@ -325,9 +330,7 @@ class _OfSegments:
         if apart:
             self._exclude(along)
             return common_zeros([factor / along, *conditions], self.sides)
-        met = self.search.met
-        arcs = [arc for arc in met.everywhere if arc.reversed == (same < 0)]
-        if met.left_out or any(self._reached(arc.first, arc.second, inside=True) for arc in arcs):
+        if self._run_along():
             raise ReachError("offsets that may run along each other")
         # arcs that continue each other have an end in common
         ends = [S * int(x.denominator) - int(x.numerator) for x in self.sides.first]

@@ -221,8 +221,8 @@ class ZeroCurves:
             )
 
     def sampled(self, steps: int = 40) -> list[list[tuple[mpq, mpq]]]:
-        """The `lines` and `curves` as runs of rational points on or near them, for pictures; on an arc about as many
-        steps as are asked for along each unit of a parameter.
+        """The `lines` and `curves` as runs of rational points on or near them, for pictures; on an arc as many steps as
+        are asked for along a side of a patch, fewer where it is shorter.
 
         >>> from exactspline import TensorSpline
         >>> line = TensorSpline((1, 1), [0, 0, 1, 1], [0, 0, 1, 1], [[-1, -1], [1, 1]])  # 2s − 1

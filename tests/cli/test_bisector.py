@@ -8,6 +8,7 @@ from gmpy2 import mpq
 
 from exactspline import Nurbs, bisector
 from exactspline.cli import app
+from exactspline.display.bisector_sheet import of_plane_curves
 from exactspline.display.plot.depth import REMARK, knows_depth
 from exactspline.geometry.bisector.two_curves import curve_bisector
 from exactspline.interchange.curve_files import curve_data, write_json
@@ -58,8 +59,8 @@ def test_a_point_and_a_plane_curve_is_trimmed():
 
 def test_two_plane_curves():
     """They were refused, with the advice to write Python."""
-    row = json.loads(run("bisector", "cubic_s", "parabola", "--json").stdout)["rows"][0]
-    found = bisector(example("cubic_s"), example("parabola"))
+    row = json.loads(run("bisector", "parabola", "straight_line", "--json").stdout)["rows"][0]
+    found = bisector(example("parabola"), example("straight_line"))
     assert [piece["piece"] for piece in row["pieces"]] == ["arc of pairs"] * len(found.pieces)
     for piece, arc in zip(row["pieces"], found.pieces, strict=True):
         for end, place in (("start", arc.start), ("end", arc.end)):
@@ -71,6 +72,26 @@ def test_two_plane_curves():
     shown = shown_at(80, "straight_line", "straight_line")
     assert "rectangle of pairs  s in [0, 1], t in [0, 1]" in shown
     assert max(map(len, shown.splitlines())) <= 80
+
+
+def test_pairs_of_plane_curves_are_shown_by_their_kind():
+    """An arc that ends in an undecided box was shown like one that ends at its start."""
+    pair, one = [{"exact": text, "decimal": ""} for text in ("0", "1/3")], {"exact": None, "decimal": "0.5"}
+    pieces = [
+        {"piece": "arc of pairs", "start": None, "end": pair, "sides": None},
+        {"piece": "loop of pairs", "start": None, "end": None, "sides": None},
+        {"piece": "pair", "start": pair, "end": pair, "sides": None},
+        {"piece": "line of pairs", "start": None, "end": None, "sides": [[one, one], pair]},
+    ]
+    box = {"sides": [["0", "1/2"], ["0", "1"]], "reason": "the pairs are not decided"}
+    rows, notes = of_plane_curves({"pieces": pieces, "true_feet": [], "undecided": [], "missing": [box]})
+    assert [row.where for row in rows] == [
+        "an undecided box to s = 0, t = 1/3",
+        "",
+        "s = 0, t = 1/3",
+        "s = 0.5, t in [0, 1/3]",
+    ]
+    assert notes[1] == "undecided: [0, 1/2] × [0, 1]"
 
 
 @pytest.mark.parametrize(
@@ -230,7 +251,8 @@ def test_an_arc_with_an_irrational_end_is_refused_by_the_reader(tmp_path):
 
 
 @pytest.mark.parametrize(
-    "arguments", [("ellipse_in_space", "ellipse_in_space"), ("ellipse", "--point", "-1,1/3"), ("cubic_s", "parabola")]
+    "arguments",
+    [("ellipse_in_space", "ellipse_in_space"), ("ellipse", "--point", "-1,1/3"), ("parabola", "straight_line")],
 )
 def test_a_picture_is_written(arguments, tmp_path):
     file = tmp_path / "picture.svg"

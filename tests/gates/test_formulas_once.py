@@ -27,7 +27,7 @@ from exactspline.readings.rational_jet import RationalJetReading
 from exactspline.readings.taylor import Series
 from exactspline.readings.taylor_surface import DoubleSeries
 from exactspline.verification.claims import claims_in
-from tests.support.import_graph import imported, trees
+from tests.support.import_graph import imported, nodes, trees
 from workshop.mutation.formulas import every_formula, home, reached, spoken_of
 
 
@@ -80,7 +80,7 @@ def makers(modules: dict[str, ast.Module]) -> set[str]:
         name
         for name, tree in modules.items()
         if name.split(".")[0] != "formulas" and not (name.startswith("papers.") and name.count(".") > 1)
-        for node in ast.walk(tree)
+        for node in nodes(tree)
         for call in [node, *getattr(node, "decorator_list", ())]
         if isinstance(call, ast.Call) and getattr(call.func, "id", "") == ("Formula" if call is node else "formula")
     }
@@ -286,8 +286,8 @@ def _asks(function: ast.AST) -> bool:
 def asking(modules: dict[str, ast.Module]) -> Iterator[str]:
     """Functions that compute and ask for the reading of an operand, methods of the readings' own scalars apart."""
     for name, tree in modules.items():
-        own = {n for c in ast.walk(tree) if isinstance(c, ast.ClassDef) and c.name in readings() for n in ast.walk(c)}
-        for node in ast.walk(tree):
+        own = {n for c in nodes(tree) if isinstance(c, ast.ClassDef) and c.name in readings() for n in ast.walk(c)}
+        for node in nodes(tree):
             if isinstance(node, ast.FunctionDef) and node not in own and _asks(node) and _computes(node):
                 yield f"{name}:{node.name}"
 

@@ -316,6 +316,8 @@ def test_offsets_of_arcs_of_one_circle():
     circle = example("circle")
     assert not intersections(circle.restrict(0, 1), circle.restrict(2, 3), offset="1/2")  # nothing left out, either
     assert not intersections(circle, circle.transform([[2, 0, 0], [0, 2, 0]]), offset=("-1/3", "1/3"))
+    line = polyline((0, 0), (4, 0))
+    assert not intersections(line, line.restrict("1/3", 1).reverse(), offset=1)
     for other, distances in (
         (circle.restrict(1, 2), ("1/2", "1/2")),
         (circle.restrict("1/2", 2), ("1/2", "1/2")),

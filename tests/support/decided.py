@@ -1,14 +1,16 @@
 """What takes long to decide, decided once for all tests of a process that read it."""
 
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from contextlib import AbstractContextManager, contextmanager
 from functools import cache, partial
 from unittest import mock
 
 from exactspline.display import tables
+from exactspline.papers.folder import Paper
 from exactspline.verification import degree_tables, errata
+from exactspline.verification.claim import Claim
 from exactspline.verification.claims import claims_of
-from exactspline.verification.combined import Proofs, computed_once
+from exactspline.verification.combined import Decided, Proofs, computed_once
 from exactspline.verification.errata import Erratum
 from exactspline.verification.ledger import audit
 from exactspline.verification.rows import Row
@@ -18,6 +20,19 @@ from exactspline.verification.rows import Row
 def proofs() -> Proofs:
     """The proofs of the claims of all papers, by an engine in which no test has changed anything."""
     return Proofs()
+
+
+def handed_on() -> Callable[[], AbstractContextManager[None]]:
+    """A context for another process, in which no claim is decided that was so in this one."""
+    return partial(_going_on, proofs()._made, proofs()._combined)
+
+
+@contextmanager
+def _going_on(made: dict[tuple[Paper, Claim], Decided], combined: dict[tuple[Paper, Claim], Decided]) -> Iterator[None]:
+    own = Proofs()
+    own._made, own._combined = made, combined
+    with computed_once(own):
+        yield
 
 
 MEASURED = degree_tables.generic_table

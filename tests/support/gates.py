@@ -7,8 +7,9 @@ from __future__ import annotations
 import ast
 import re
 from collections.abc import Callable, Iterable, Iterator
+from functools import cache
 
-from tests.support.import_graph import ROOT, files
+from tests.support.import_graph import ROOT, files, nodes
 
 #: Looks for violations in one file: each by its place in the file.
 Finder = Callable[[ast.Module], Iterable[str]]
@@ -29,15 +30,17 @@ def found_in(files: dict[str, ast.Module], finder: Finder, rooms: Iterable[str] 
     }
 
 
-def scopes(tree: ast.AST, owner: str = "") -> Iterator[tuple[str, ast.AST]]:
+@cache
+def scopes(tree: ast.Module) -> tuple[tuple[str, ast.AST], ...]:
     """Every node, in the order of the text, with the class and function in which it stands."""
-    waiting = [(child, owner) for child in ast.iter_child_nodes(tree)][::-1]
+    found, waiting = [], [("", child) for child in ast.iter_child_nodes(tree)][::-1]
     while waiting:
-        node, place = waiting.pop()
+        place, node = waiting.pop()
         if isinstance(node, (ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef)):
             place = f"{place}.{node.name}".lstrip(".")
-        yield place, node
-        waiting += [(child, place) for child in ast.iter_child_nodes(node)][::-1]
+        found.append((place, node))
+        waiting += [(place, child) for child in ast.iter_child_nodes(node)][::-1]
+    return tuple(found)
 
 
 # ---- law 3: no code reads a sentence
@@ -397,7 +400,7 @@ def rounding(tree: ast.Module) -> Iterator[str]:
     """Where a number is rounded: `float(x)`, `round`, functions of `math` that are not exact."""
     inexact = {
         alias.asname or alias.name
-        for node in ast.walk(tree)
+        for node in nodes(tree)
         if isinstance(node, ast.ImportFrom) and node.module in ROUNDED_MODULES
         for alias in node.names
     } - EXACT_FUNCTIONS

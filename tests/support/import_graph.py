@@ -41,6 +41,12 @@ def files() -> dict[Path, ast.Module]:
     return {p: ast.parse(p.read_text(encoding="utf-8")) for p in sorted(ROOT.rglob("*.py"))}
 
 
+@cache
+def nodes(tree: ast.AST) -> tuple[ast.AST, ...]:
+    """All nodes of a syntax tree, gone through once."""
+    return tuple(ast.walk(tree))
+
+
 def trees() -> dict[str, ast.Module]:
     """The syntax tree of every module."""
     return {module_name(path): tree for path, tree in files().items()}
@@ -51,7 +57,7 @@ def imported(tree: ast.AST, modules: set[str], own: str = "") -> set[str]:
     a text (not that of a package around it: so its own files are found).
     """
     found = set()
-    for node in ast.walk(tree):
+    for node in nodes(tree):
         if isinstance(node, ast.Import):
             found |= {a.name.partition(".")[2] for a in node.names if a.name.split(".")[0] == "exactspline"}
         elif isinstance(node, ast.ImportFrom) and (node.module or "").split(".")[0] == "exactspline":
@@ -64,9 +70,9 @@ def imported(tree: ast.AST, modules: set[str], own: str = "") -> set[str]:
 
 def named(tree: ast.AST, modules: set[str]) -> set[str]:
     """The modules that a module names in its texts, and the papers where it looks up a formula by its name."""
-    prose = {id(node.value) for node in ast.walk(tree) if isinstance(node, ast.Expr)}
+    prose = {id(node.value) for node in nodes(tree) if isinstance(node, ast.Expr)}
     found = set()
-    for node in ast.walk(tree):
+    for node in nodes(tree):
         if isinstance(node, ast.Constant) and isinstance(node.value, str) and id(node) not in prose:
             text = node.value
             if (

@@ -10,7 +10,6 @@ from contextlib import contextmanager
 from dataclasses import dataclass, field
 from functools import partial
 from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
-from io import BytesIO
 from pathlib import Path
 from threading import Thread
 from typing import Any
@@ -173,11 +172,11 @@ COLUMN, LEAST_TEXT = 736, 9
 
 
 def laid_out(figure: Any) -> Any:
-    """The figure, laid out and drawn as it is for a page."""
+    """The figure, laid out as it is for a page."""
     from exactspline.display.plot.canvas import settle
 
     settle(figure)
-    figure.savefig(BytesIO(), format="png", dpi=80)
+    figure.draw_without_rendering()
     return figure
 
 

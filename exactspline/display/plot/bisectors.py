@@ -244,9 +244,9 @@ def plot_plane_bisector(bisector: PlaneBisector, ax: Axes | None = None) -> Axes
         plot_curve(curve, ax, control_polygon=False, knots=False, label=label, color=color)
     feet = bisector.trimmed.kept
     for run in bisector.pairs.sampled(SAMPLES):
+        points = [(_point_of(bisector, pair), _is_in(pair, feet)) for pair in run]
         for color, label, is_true in ((SILVER, "not nearest, or undecided", False), (GREEN, "bisector", True)):
-            points = [_point_of(bisector, pair) if _is_in(pair, feet) == is_true else None for pair in run]
-            for part in joined(kept(point, box) for point in points):
+            for part in joined(kept(point, box) if true == is_true else None for point, true in points):
                 draw(ax, part, color=color, linewidth=1.5, label=label, zorder=3)
     ax.set_aspect("equal")
     legend_once(ax)

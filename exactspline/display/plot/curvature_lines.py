@@ -5,10 +5,13 @@ Source: Jobard and Lefer, Creating evenly-spaced streamlines of arbitrary densit
 
 from __future__ import annotations
 
+from bisect import bisect
 from collections.abc import Iterable
 from dataclasses import dataclass
-from math import comb
-from typing import TYPE_CHECKING, Any
+from functools import cached_property
+from itertools import product
+from math import atan2, comb, cos, dist, hypot, inf, sin
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from exactspline.display.plot.canvas import GREY, library
 from exactspline.formulas.surfaces.by_forms import area_of_forms, minimality_of_forms, parabolic_of_forms
@@ -24,6 +27,8 @@ if TYPE_CHECKING:
 
     Floats = NDArray[numpy.float64]
 
+#: Lists of tuples of numbers, row by row of a grid.
+Rows = list[list[list[float]]]
 #: Distance between lines and length of a step, as fractions of the size of the surface; the largest number of steps of
 #: a line.
 APART, STEP, MOST = 1 / 26, 1 / 400, 1200
@@ -31,6 +36,13 @@ APART, STEP, MOST = 1 / 26, 1 / 400, 1200
 LEAST = 12
 #: A line ends where it comes nearer to another one than this fraction of their distance.
 NEAR = 0.55
+
+
+class _Lists(NamedTuple):
+    us: list[float]
+    vs: list[float]
+    points: Rows
+    directions: tuple[Rows, Rows]
 
 
 @dataclass
@@ -81,25 +93,29 @@ class Samples:
         us, vs = (np.concatenate([*[t[:-1] for t in own[:-1]], own[-1]]) for own in ts)
         return cls(surface, ts[0], ts[1], points, signs, (us, vs), whole[0, 0], _principal(np, whole))
 
-    def lifted(self, line: Iterable[tuple[float, float]]) -> Floats:
+    @cached_property
+    def _lists(self) -> _Lists:
+        """The grid lines, the points and the directions as lists: single numbers are read faster from these."""
+        us, vs, points, first, second = (each.tolist() for each in (*self.grid, self.whole, *self.directions))
+        return _Lists(us, vs, points, (first, second))
+
+    def lifted(self, line: Floats) -> list[list[float]]:
         """Points on the surface for points of the rectangle."""
-        np: Any = library("numpy")
-        points: Floats = np.array([_between(self.whole, *self._cell(u, v)) for u, v in line])
-        return points
+        return [self.point(u, v) for u, v in line.tolist()]
+
+    def point(self, u: float, v: float) -> list[float]:
+        """The point on the surface for a point of the rectangle."""
+        return _between(self._lists.points, *self._cell(u, v))
 
     def _cell(self, u: float, v: float) -> tuple[int, int, float, float]:
         """The grid cell that contains a point, and the point's position in it."""
-        cell: list[Any] = []
-        for t, breaks in ((u, self.grid[0]), (v, self.grid[1])):
-            i = min(max(int(breaks.searchsorted(t, side="right")) - 1, 0), len(breaks) - 2)
-            cell.append((i, (t - breaks[i]) / (breaks[i + 1] - breaks[i])))
-        return cell[0][0], cell[1][0], cell[0][1], cell[1][1]
+        us, vs = self._lists.us, self._lists.vs
+        i, j = (min(max(bisect(own, t) - 1, 0), len(own) - 2) for t, own in ((u, us), (v, vs)))
+        return i, j, (u - us[i]) / (us[i + 1] - us[i]), (v - vs[j]) / (vs[j + 1] - vs[j])
 
     def direction(self, family: int, u: float, v: float) -> tuple[float, float]:
         """A principal direction in the parameters, of length 1 or zero."""
-        from math import atan2, cos, sin
-
-        x, y = _between(self.directions[family], *self._cell(u, v))
+        x, y = _between(self._lists.directions[family], *self._cell(u, v))
         if x * x + y * y < 1e-4:
             return 0.0, 0.0
         angle = atan2(y, x) / 2
@@ -108,13 +124,13 @@ class Samples:
     def velocity(self, u: float, v: float, du: float, dv: float) -> float:
         """The approximate length on the surface of a step of the parameters."""
         e = 1e-3
-        (a, b), (c, d) = ((own[0], own[-1]) for own in self.grid)
+        us, vs, p, _ = self._lists
+        (a, b), (c, d) = ((own[0], own[-1]) for own in (us, vs))
         u, v = min(max(u, a), b - e * (b - a)), min(max(v, c), d - e * (d - c))
         i, j, _, _ = self._cell(u, v)
-        p = self.whole
-        su = (p[i + 1, j] - p[i, j]) / (self.grid[0][i + 1] - self.grid[0][i])
-        sv = (p[i, j + 1] - p[i, j]) / (self.grid[1][j + 1] - self.grid[1][j])
-        return float(sum((su * du + sv * dv) ** 2) ** 0.5)
+        along_u, along_v = du / (us[i + 1] - us[i]), dv / (vs[j + 1] - vs[j])
+        corners = zip(p[i][j], p[i + 1][j], p[i][j + 1], strict=True)
+        return hypot(*((x - o) * along_u + (y - o) * along_v for o, x, y in corners))
 
 
 _ORDERS = ((0, 0), (1, 0), (0, 1), (2, 0), (1, 1), (0, 2))
@@ -171,10 +187,10 @@ def _principal(np: Any, s: dict[tuple[int, int], Any]) -> tuple[Any, Any]:
     return families[0], families[1]
 
 
-def _between(values: Any, i: int, j: int, x: float, y: float) -> Any:
+def _between(rows: Rows, i: int, j: int, x: float, y: float) -> list[float]:
     """Bilinear interpolation in a cell."""
-    low = values[i, j] * (1 - x) + values[i + 1, j] * x
-    return low * (1 - y) + (values[i, j + 1] * (1 - x) + values[i + 1, j + 1] * x) * y
+    corners = zip(rows[i][j], rows[i + 1][j], rows[i][j + 1], rows[i + 1][j + 1], strict=True)
+    return [(a * (1 - x) + b * x) * (1 - y) + (c * (1 - x) + d * x) * y for a, b, c, d in corners]
 
 
 #: What the two families are called, and their colours.
@@ -193,7 +209,7 @@ def _family(samples: Samples, family: int) -> list[Floats]:
     np: Any = library("numpy")
     flat = samples.whole.reshape(-1, 3)
     size = float(np.linalg.norm(flat.max(axis=0) - flat.min(axis=0)))
-    us, vs = samples.grid
+    us, vs, *_ = samples._lists
     seeds = [(us[i], vs[j]) for j in range(1, len(vs) - 1, 3) for i in range(1, len(us) - 1, 3)]
     # from the middle outwards
     middle = (us[0] + us[-1]) / 2, (vs[0] + vs[-1]) / 2
@@ -203,7 +219,7 @@ def _family(samples: Samples, family: int) -> list[Floats]:
     near = _Neighbours(size * APART)
     lines = []
     for seed in seeds:
-        if near.distance(samples.lifted(np.array([seed]))[0]) < size * APART:
+        if near.distance(samples.point(*seed)) < size * APART:
             continue
         first, closed = _half(samples, family, seed, 1.0, near, size)
         second, _ = ([], True) if closed else _half(samples, family, seed, -1.0, near, size)
@@ -220,12 +236,12 @@ def _half(
     """A line from a seed to one side, until it leaves the rectangle, comes near another line, or returns to the seed:
     then it is closed.
     """
-    (a, b), (c, d) = ((own[0], own[-1]) for own in samples.grid)
+    (a, b), (c, d) = ((own[0], own[-1]) for own in samples._lists[:2])
     u, v = seed
     du, dv = samples.direction(family, u, v)
     last = (du * sign, dv * sign)
     points: list[tuple[float, float]] = []
-    start = samples.lifted([seed])[0]
+    start = samples.point(u, v)
     for step in range(MOST):
         speed = samples.velocity(u, v, *last)
         length = size * STEP / speed if speed > 0 else 0.0
@@ -235,8 +251,8 @@ def _half(
         if middle == (0.0, 0.0) or not (a <= u <= b and c <= v <= d):
             break
         points.append((u, v))
-        point = samples.lifted([(u, v)])[0]
-        if step > LEAST and sum((point - start) ** 2) < (size * STEP) ** 2:
+        point = samples.point(u, v)
+        if step > LEAST and dist(point, start) < size * STEP:
             return [*points, seed], True
         if step % 4 == 3 and near.distance(point) < size * APART * NEAR:
             break
@@ -257,19 +273,17 @@ class _Neighbours:
 
     def __init__(self, size: float) -> None:
         self.size = size
-        self.cells: dict[tuple[int, ...], list[Any]] = {}
+        self.cells: dict[tuple[int, ...], list[list[float]]] = {}
 
-    def _key(self, point: Any) -> tuple[int, ...]:
+    def _key(self, point: list[float]) -> tuple[int, ...]:
         return tuple(int(x // self.size) for x in point)
 
-    def add(self, points: Any) -> None:
+    def add(self, points: Iterable[list[float]]) -> None:
         """Keep points."""
         for point in points:
             self.cells.setdefault(self._key(point), []).append(point)
 
-    def distance(self, point: Any) -> float:
+    def distance(self, point: list[float]) -> float:
         """The distance to the nearest point, if that is within one cell; otherwise infinite."""
-        i, j, k = self._key(point)
-        cells = [(i + a, j + b, k + c) for a in (-1, 0, 1) for b in (-1, 0, 1) for c in (-1, 0, 1)]
-        squares = [((point - other) ** 2).sum() for cell in cells for other in self.cells.get(cell, [])]
-        return float(min(squares)) ** 0.5 if squares else float("inf")
+        cells = product(*((i - 1, i, i + 1) for i in self._key(point)))
+        return min((dist(point, other) for cell in cells for other in self.cells.get(cell, ())), default=inf)

@@ -7,7 +7,6 @@ Regions, curves and points are certified; colours between them and lines of curv
 from __future__ import annotations
 
 from collections.abc import Iterator
-from itertools import pairwise
 from math import cos, pi, radians, sin
 from typing import TYPE_CHECKING, Any
 
@@ -151,14 +150,12 @@ class _Paint:
     def line(self, points: Any, width: float) -> list[Any]:
         """A line of a width in points."""
         own = self.np.array([[float(x) for x in p] for p in points])
-        ribbon = []
-        for p, q in pairwise(own):
-            across = self.np.cross(q - p, self.view)
-            length = float(self.np.linalg.norm(across))
-            if length:
-                half = across / length * self.point * (width - EDGE) / 2
-                ribbon.append(self.np.array([p - half, p + half, q + half, q - half]) + self.lift)
-        return ribbon
+        across = self.np.cross(own[1:] - own[:-1], self.view)
+        length = self.np.linalg.norm(across, axis=1)
+        seen = length > 0
+        half = across[seen] / length[seen, None] * self.point * (width - EDGE) / 2
+        p, q = own[:-1][seen], own[1:][seen]
+        return [*(self.np.stack([p - half, p + half, q + half, q - half], axis=1) + self.lift)]
 
     def spot(self, place: Any, width: float, sides: int) -> list[Any]:
         """A regular polygon around a point."""
