@@ -41,8 +41,7 @@ IN_CODE = {
     r"left to exact": "decided by exact arithmetic",
     r"beside (the|its|it|their|them|each|one)": "next to, in addition to",
 }  # fmt: skip
-ROOMS = ("batch", "classroom", "cli", "display", "geometry", "interchange", "programs", "splines", "testing")
-FOLDERS = ("workshop/", *(f"exactspline/{room}/" for room in (*ROOMS, "verification")))
+FOLDERS = ("exactspline/", "workshop/")
 TEXTS = ("*.py", "*.pyi", "*.md", "*.ipynb", "*.js", "*.html")
 
 
