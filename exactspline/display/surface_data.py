@@ -34,7 +34,7 @@ from exactspline.geometry.surface.degenerate import Gap, Pole
 from exactspline.geometry.surface.forms import Patch, lowest
 from exactspline.geometry.surface.inspection import PatchInspection, PatchKind, SurfaceInspection
 from exactspline.geometry.surface.joints import SurfaceJoint, SurfaceJointKind
-from exactspline.geometry.surface.places import Parameter, Place
+from exactspline.geometry.surface.places import Place
 from exactspline.geometry.surface.recognized import RecognizedPart
 from exactspline.geometry.surface.ridges import Ridges
 from exactspline.geometry.surface.umbilics import Umbilic, UmbilicKind
@@ -49,7 +49,7 @@ from exactspline.numbers.intervals import Box, Interval, hull, joined
 from exactspline.polynomials.patch_forms import clusters
 from exactspline.questions.answers import SurfacePlaces
 from exactspline.questions.entry import questions_of
-from exactspline.roots.of_polynomials import enclosing
+from exactspline.roots.of_polynomials import Parameter, enclosing
 from exactspline.roots.root import Root
 from exactspline.splines.surface import Along, NurbsSurface
 from exactspline.splines.tensor import TensorSpline

@@ -14,13 +14,14 @@ from exactspline.certificates import COMMON_ZEROS
 from exactspline.certificates import certificate as written
 from exactspline.certificates.common_zeros import CROSSED, EDGE, ELIMINATED, FIRST, POINT, SECOND
 from exactspline.errors import ReachError
-from exactspline.geometry.surface.borders import EDGES
 from exactspline.numbers.exact import mpq, text, to_fmpq
 from exactspline.numbers.intervals import UNIT, Box, Interval
 from exactspline.polynomials.elimination import resultant
+from exactspline.polynomials.factorization import divided_out
 from exactspline.polynomials.factors import greatest_common_divisor
 from exactspline.polynomials.patch_forms import PatchForm, Sized, halved, powers_of
 from exactspline.polynomials.two_parameters import CONTEXT, S, T, as_form, lifted, rows_of
+from exactspline.roots.borders import EDGES
 from exactspline.roots.common_zeros import CommonZero, Projection, projected
 from exactspline.roots.of_polynomials import Place, enclosing
 from exactspline.roots.root import Root
@@ -127,10 +128,7 @@ class ZeroOnPatch:
             raise ReachError("a certificate of a multiple zero of functions of these degrees", remedy=REMEDY)
         found = projected(self.local, first, second)
         rows = [rows_of(p.compose(T, S - found.slope * T)) for p in (first, second)]
-        rest = resultant(*rows)
-        while not rest % found.minimal:
-            rest //= found.minimal
-        return found, pair, rest
+        return found, pair, divided_out(resultant(*rows), found.minimal)
 
     @cached_property
     def exact(self) -> tuple[mpq, ...] | None:

@@ -21,7 +21,7 @@ from exactspline.language.parts import joined, numerator
 from exactspline.papers import default_papers, find
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.lowest_terms import SplineValue, SplineVector, in_lowest_terms, primitive, without_factor
-from exactspline.symbolic.factorization import Factor, find_factor, jets_for
+from exactspline.symbolic.factorization import find_factor, jets_for
 from exactspline.words import Word, choice
 
 #: What evaluates formulas on a curve.
@@ -139,28 +139,16 @@ class Construction:
             form = -form
         return primitive(in_lowest_terms(without_factor(form, curve.w, power)))
 
-    @property
-    def _first(self) -> tuple[str, str, int]:
-        return self.name, next(iter(self.variants.values())), self.dimension
-
     def power_of_w(self, variant: Variant | str) -> int:
         """The e with ``form = constant · wᵉ · first form`` and a positive constant, of a zero-set problem."""
-        return _power_of_w(self.formula(variant).name, *self._first)
-
-    def sign(self, curve: Curve[BSpline], variant: Variant | str) -> int:
-        """The sign of a form where the first form is positive: −1 for an odd power of a negative w."""
-        return -1 if self.power_of_w(variant) % 2 and curve.w.polynomials[0][0] < 0 else 1
-
-
-@cache
-def _factor(left: str, right: str, dimension: int) -> Factor | None:
-    jets = jets_for((left, right), dimension)
-    return find_factor(find(left)(jets), find(right)(jets))
+        first = next(iter(self.variants.values()))
+        return _power_of_w(self.formula(variant).name, self.name, first, self.dimension)
 
 
 @cache
 def _power_of_w(form: str, construction: str, first: str, dimension: int) -> int:
-    factor = _factor(form, first, dimension)
+    jets = jets_for((form, first), dimension)
+    factor = find_factor(find(form)(jets), find(first)(jets))
     if factor is None or not factor.names <= {"w"} or factor.constant < 0:
         raise FormulaError(
             f"the form {form!r} of {construction} is not the first form times a power of w",

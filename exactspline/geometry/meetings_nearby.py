@@ -256,7 +256,7 @@ class _Meetings:
         """Whether each pair of curves has one common point near a box and at most one in a larger box around it."""
         if self.first.curve.dimension > 2 or not _crosses([a], [b]):
             return False
-        around = Box(*(_grown(side, whole) for side, whole in zip(box, self.domain, strict=True)))
+        around = Box(*(side.grown(side.width).inside(whole) for side, whole in zip(box, self.domain, strict=True)))
         apart = self.first is not self.second or not around.first.meets(around.second)
         if not apart or self.first.jumps_in(around.first) or self.second.jumps_in(around.second):
             return False
@@ -378,11 +378,6 @@ def _crosses(first: Sequence[_Part], second: Sequence[_Part]) -> bool:
 
 def _around(a: Interval, b: Interval) -> Interval:
     return Interval(min(a.low, b.low), max(a.high, b.high))
-
-
-def _grown(side: Interval, whole: Interval) -> Interval:
-    """An interval with its neighbours of the same width, inside of the domain."""
-    return Interval(max(side.low - side.width, whole.low), min(side.high + side.width, whole.high))
 
 
 def _rounded(x: mpq) -> mpq:

@@ -11,14 +11,16 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
 from functools import cached_property, reduce
 
-from flint import arb, arb_poly, ctx, fmpz, fmpz_poly
+from flint import ctx, fmpz, fmpz_poly
 
 from exactspline.errors import ShapeError, as_items, counted
 from exactspline.geometry.box_tree import IntegerBox, box_of, shift_for
 from exactspline.hooks import Displayed
-from exactspline.numbers.exact import Number, lcm, mpq, rational, to_fmpq
+from exactspline.numbers.exact import Number, lcm, mpq, rational
 from exactspline.numbers.intervals import Interval, joined
-from exactspline.polynomials.bernstein import ONE, divide_u_plus_v, value
+from exactspline.polynomials.bernstein import ONE, divide_u_plus_v
+from exactspline.polynomials.collinear_arcs import Coordinate
+from exactspline.polynomials.common_arcs import RationalMap
 from exactspline.polynomials.isolation import isolate
 from exactspline.polynomials.zero_places import FIRST, SUSPICIOUS, Place
 from exactspline.polynomials.zero_places import at as at_rational
@@ -140,8 +142,8 @@ def _bounds(box: IntegerBox, point: list[mpq]) -> tuple[mpq, mpq | None]:
 class _Candidate:
     """A local minimum of the distance on a segment (without a place: the whole segment, on which it is constant)."""
 
-    def __init__(self, place: Place | None, side: Interval, top: fmpz_poly, bottom: fmpz_poly, degree: int) -> None:
-        self.place, self.side, self.top, self.bottom, self.degree = place, side, top, bottom, degree
+    def __init__(self, place: Place | None, side: Interval, squared: RationalMap) -> None:
+        self.place, self.side, self.value = place, side, Coordinate(squared, place or at_rational(mpq(0)))
 
     @property
     def parameter(self) -> Real:
@@ -151,27 +153,11 @@ class _Candidate:
     @cached_property
     def squared(self) -> Real:
         """The squared distance."""
-        if (exact := self.exact) is not None:
+        if (exact := self.value.exact) is not None:
             return Real(exact)
-        mesh = Mesh(self.side)
-        top, bottom = (BSpline.from_forms(self.degree, mesh, (), [(c, ONE)]) for c in (self.top, self.bottom))
+        mesh, of = Mesh(self.side), self.value.function
+        top, bottom = (BSpline.from_forms(of.degree, mesh, (), [(c, ONE)]) for c in (of.top, of.bottom))
         return value_at(top, bottom, self.parameter)
-
-    @cached_property
-    def exact(self) -> mpq | None:
-        """The squared distance at a rational parameter."""
-        t = mpq(0) if self.place is None else self.place.exact
-        if t is None:
-            return None
-        return value((self.top, ONE), self.degree, t) / value((self.bottom, ONE), self.degree, t)
-
-    def near(self, bits: int) -> arb:
-        """A ball around the squared distance."""
-        if (exact := self.exact) is not None:
-            return arb(to_fmpq(exact))
-        assert self.place is not None, "a whole segment has an exact distance"
-        z = self.place.z(bits)
-        return arb_poly(self.top)(z) / arb_poly(self.bottom)(z)
 
 
 def _candidates(curve: Nurbs, i: int, segment: SegmentForms, delta: tuple[mpq, ...]) -> Iterator[_Candidate]:
@@ -182,19 +168,20 @@ def _candidates(curve: Nurbs, i: int, segment: SegmentForms, delta: tuple[mpq, .
     top, bottom = sum((e * e for e in chord), fmpz_poly([])), w * w * (scale * scale)
     # the derivative of top/w², times w³
     slope, times = divide_u_plus_v(top.derivative() * w - 2 * top * w.derivative(), max(3 * n - 2, 0))
+    squared = RationalMap(2 * n, top, bottom)
     if not slope:
-        yield _Candidate(None, side, top, bottom, 2 * n)
+        yield _Candidate(None, side, squared)
         return
     if w[0] < 0:
         slope = -slope
     isolation = isolate(slope, 3 * n - 2 - times)
     if isolation.signs[0] > 0:
-        yield _Candidate(at_rational(mpq(0), 0), side, top, bottom, 2 * n)
+        yield _Candidate(at_rational(mpq(0)), side, squared)
     for zero in isolation.inner:
         if zero.signs == (-1, 1):
-            yield _Candidate(Place(zero), side, top, bottom, 2 * n)
+            yield _Candidate(Place(zero), side, squared)
     if isolation.signs[1] < 0:
-        yield _Candidate(at_rational(mpq(1), 0), side, top, bottom, 2 * n)
+        yield _Candidate(at_rational(mpq(1)), side, squared)
 
 
 def _least(found: list[_Candidate]) -> list[_Candidate]:
@@ -202,7 +189,7 @@ def _least(found: list[_Candidate]) -> list[_Candidate]:
     bits = FIRST
     while len(found) > 1 and bits <= SUSPICIOUS:
         with ctx.workprec(3 * bits):
-            balls = [c.near(bits) for c in found]
+            balls = [c.value.near(bits) for c in found]
             bound = min((ball.upper() for ball in balls if ball.is_finite()), default=None)
             if bound is not None:
                 found = [c for c, ball in zip(found, balls, strict=True) if not ball.lower() > bound]

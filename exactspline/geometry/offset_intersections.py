@@ -32,9 +32,10 @@ from exactspline.numbers.exact import sign as sign_of
 from exactspline.numbers.intervals import Box, Interval
 from exactspline.numbers.sides import Side
 from exactspline.polynomials.cost import PATCH, QUESTION, Budget, drawing_on
+from exactspline.polynomials.factorization import divided_out
 from exactspline.polynomials.factors import factorize, greatest_common_divisor
 from exactspline.polynomials.two_parameters import S, T, as_form
-from exactspline.reals.real import Real, square_root
+from exactspline.reals.real import Real, real, square_root
 from exactspline.roots.common_zeros import CommonZero, common_zeros, multiplicity
 from exactspline.roots.local_parameters import segment_forms
 from exactspline.roots.of_polynomials import Parameter
@@ -259,7 +260,7 @@ class _OfSegments:
             self._check_circles()
             return
         if self.alone:
-            p, q, self.triangle = map(_without_diagonal, (p, q, self.triangle))
+            p, q, self.triangle = (divided_out(f, S - T) for f in (p, q, self.triangle))
         shared = greatest_common_divisor([p, q])
         pair = p / shared, q / shared
         for zero in common_zeros(pair, self.sides, [self.triangle]):
@@ -353,7 +354,7 @@ class _OfSegments:
         return _vanishes(self._chord(apart), zero) and _sign(self.normal, zero) == sign_of(apart)
 
     def _point(self, zero: CommonZero, pair: Sequence[fmpz_mpoly] | None) -> OffsetIntersection:
-        first, second = (x if isinstance(x, Root) else Real(x) for x in zero.place)
+        first, second = map(real, zero.place)
         times = None
         if pair is not None and not _vanishes(self.pair.across, zero):
             times = multiplicity(zero, *pair)
@@ -377,22 +378,9 @@ class _OfSegments:
         return Side.LEFT if is_corner else Side.RIGHT
 
 
-def _without_diagonal(p: fmpz_mpoly) -> fmpz_mpoly:
-    """A polynomial divided by s − t as often as possible."""
-    while p:
-        quotient, rest = divmod(p, S - T)
-        if rest:
-            return p
-        p = quotient
-    return p
-
-
 def _vanishes(p: fmpz_mpoly, zero: CommonZero) -> bool:
     return not p or vanish_at([p], *zero.place)
 
 
 def _sign(p: fmpz_mpoly, zero: CommonZero) -> int:
     return 0 if _vanishes(p, zero) else sign_at(p, zero)
-
-
-__all__ = ["OffsetIntersection", "intersections", "self_intersections"]

@@ -8,6 +8,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from functools import reduce
 from itertools import pairwise, product
 from math import lcm
+from operator import attrgetter
 from typing import Any
 
 from flint import fmpq_poly, fmpz_mpoly, fmpz_poly
@@ -24,10 +25,12 @@ from exactspline.geometry.surface.zero_curve import BOXES, DEPTH, grid
 from exactspline.numbers.exact import mpq, text
 from exactspline.numbers.intervals import Box, Interval
 from exactspline.polynomials.bernstein import ONE, from_integers
+from exactspline.polynomials.factorization import divided_out
 from exactspline.polynomials.factors import factorize_square_free
 from exactspline.polynomials.over_root import OverRoot
 from exactspline.polynomials.patch_forms import PatchForm, Sized, halved
 from exactspline.polynomials.two_parameters import S, T, as_form, as_polynomial, lifted
+from exactspline.reals.real import real
 from exactspline.roots.common_zeros import Column
 from exactspline.roots.of_polynomials import as_splines, enclosing
 from exactspline.roots.root import Root
@@ -154,7 +157,7 @@ class _Subdivision:
             for k, root in enumerate(roots):
                 place, digits = self.places[key][k], 1
                 while place.low < place.high and any(place.low <= end <= place.high for end in (low, high)):
-                    place, digits = min(place, _place(root, digits), key=_width), 2 * digits
+                    place, digits = min(place, _place(root, digits), key=attrgetter("width")), 2 * digits
                 self.places[key][k] = place
                 if low <= place.low and place.high <= high:
                     found.append((key, k))
@@ -171,7 +174,7 @@ class _Subdivision:
             digits *= 2
             for key, k in own:
                 own_place = self.places[key][k], _place(self.lines[key].roots[k], digits)
-                self.places[key][k] = min(own_place, key=_width)
+                self.places[key][k] = min(own_place, key=attrgetter("width"))
 
     # ---- singular points
 
@@ -192,14 +195,12 @@ class _Subdivision:
         p, (x, _) = as_polynomial(self.form), cell.zero.local
         if int(p.degrees()[1]) * (2 * int(p.degrees()[0]) + int(p.degrees()[1])) > DEGREES:
             raise ReachError("a certificate of a singular point of a function of this degree", remedy=REMEDY)
-        minimal = fmpz_poly(x.minimal_polynomial() if isinstance(x, Root) else [-int(x.numerator), int(x.denominator)])
-        factor, power = _part_at(OverRoot.of(p, fmpq_poly(minimal)), cell)
-        other = OverRoot.of(p, fmpq_poly(minimal))
-        for _ in range(power):
-            other = other // factor
-        slope = OverRoot([c * k for k, c in enumerate(factor.coefficients)][1:], factor.modulus)
+        minimal = fmpz_poly(real(x).minimal_polynomial())
+        whole = OverRoot.of(p, fmpq_poly(minimal))
+        factor, power = _part_at(whole, cell)
+        others = divided_out(whole, factor), factor.derivative
         at, digits = enclosing(x, 1), 1
-        while not (cell.box.first.contains(at) and all(_sign_over(f, at, cell.box.second) for f in (other, slope))):
+        while not (cell.box.first.contains(at) and all(_sign_over(f, at, cell.box.second) for f in others)):
             digits *= 2
             if digits > BITS[-1] or not isinstance(x, Root):
                 raise ReachError("a certificate of a singular point with another zero close to it", remedy=REMEDY)
@@ -212,10 +213,6 @@ class _Subdivision:
             "below": str(bottom),
             "power": power,
         }
-
-
-def _width(side: Interval) -> mpq:
-    return side.width
 
 
 def _place(root: Root, digits: int) -> Interval:
@@ -233,15 +230,11 @@ def _denominator(p: OverRoot) -> int:
     return lcm(*(int(c.denom()) for c in p.coefficients))
 
 
-def _slope(p: OverRoot) -> OverRoot:
-    return OverRoot([c * k for k, c in enumerate(p.coefficients)][1:], p.modulus)
-
-
 def _part_at(p: OverRoot, cell: Cell) -> tuple[OverRoot, int]:
     """The monic polynomial whose zeros are those of the multiplicity that the point of a cell has, the only one on its
     second side, and this multiplicity.
     """
-    common, power = p.gcd(_slope(p)), 1
+    common, power = p.gcd(p.derivative), 1
     rest = p // common
     while True:
         following = rest.gcd(common)
@@ -250,6 +243,3 @@ def _part_at(p: OverRoot, cell: Cell) -> tuple[OverRoot, int]:
         if part.degree > 0 and signs[0] * signs[1] <= 0:
             return part.gcd(OverRoot([], part.modulus)), power
         rest, common, power = following, common // following, power + 1
-
-
-__all__ = ["zero_curve_certificate"]

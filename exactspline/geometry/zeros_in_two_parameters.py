@@ -18,7 +18,6 @@ from flint import fmpz_mpoly
 from exactspline.errors import ReachError
 from exactspline.geometry.common_zeros_certificate import common_zeros_certificate
 from exactspline.geometry.singular_points import PointKind, SingularPoint, singular_on_patch
-from exactspline.geometry.surface.borders import EDGES
 from exactspline.geometry.surface.chains import Piece, ZeroComponent, chained, place_of
 from exactspline.geometry.surface.common_factor import square_free
 from exactspline.geometry.surface.forms import Patch
@@ -32,8 +31,9 @@ from exactspline.polynomials.factors import greatest_common_divisor
 from exactspline.polynomials.patch_forms import PatchForm
 from exactspline.polynomials.two_parameters import as_form, over
 from exactspline.questions.answers import SurfacePart, SurfacePlaces
-from exactspline.reals.real import Real
+from exactspline.reals.real import Real, real
 from exactspline.roots import common_zeros as elimination
+from exactspline.roots.borders import EDGES
 from exactspline.roots.of_polynomials import Parameter, Place
 from exactspline.roots.root import Root
 from exactspline.roots.vanishing import vanish_at
@@ -193,7 +193,7 @@ class ZeroCurves:
             for patch, sides in _patches(self.function):
                 form = self.function.patch_form(*patch)
                 for place, kind, order, milnor in () if form.is_zero else singular_on_patch(form, sides, single):
-                    s, t = map(_real, place)
+                    s, t = map(real, place)
                     found.setdefault(place, []).append(SingularPoint(s, t, kind, order, milnor, (patch,)))
         points = [_of_all_patches(own) for own in found.values()]
         return tuple(sorted(points, key=lambda point: (point.first, point.second)))
@@ -360,12 +360,8 @@ def _of_all_patches(own: Sequence[SingularPoint]) -> SingularPoint:
     return SingularPoint(first.first, first.second, PointKind.KNOT, least, None, patches)
 
 
-def _real(x: Parameter) -> Real:
-    return x if isinstance(x, Root) else Real(x)
-
-
 def _reals(place: Place | None) -> tuple[Real, Real] | None:
-    return None if place is None else (_real(place[0]), _real(place[1]))
+    return None if place is None else (real(place[0]), real(place[1]))
 
 
 def _plain(x: Real) -> Parameter:
@@ -473,7 +469,7 @@ def _each_once(found: Sequence[_Zero], f: TensorSpline) -> tuple[CommonZero, ...
             inner.append([zero])
     points = []
     for group in (*inner, *at_knots.values()):
-        first, second = map(_real, group[0].place)
+        first, second = map(real, group[0].place)
         times = min((zero.multiplicity for zero in group if zero.multiplicity is not None), default=None)
         patches, kinds = tuple(zero.patch for zero in group), {zero.kind for zero in group}
         where, around = _where(group[0].place, f)
@@ -492,6 +488,3 @@ def _where(place: Place, f: TensorSpline) -> tuple[ZeroPlace, int]:
     if ends:
         return (ZeroPlace.CORNER if ends == 2 else ZeroPlace.BORDER), 1 << knots
     return (ZeroPlace.KNOT if knots else ZeroPlace.INSIDE), 1 << knots
-
-
-__all__ = ["CommonZero", "CommonZeros", "ZeroArc", "ZeroCurves", "ZeroKind", "ZeroPlace", "common_zeros", "zero_curve"]

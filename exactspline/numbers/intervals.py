@@ -65,6 +65,10 @@ class Interval(NamedTuple):
         """The interval enlarged by this amount on both sides."""
         return Interval(mpq(self.low - by), mpq(self.high + by))
 
+    def inside(self, outer: Interval) -> Interval:
+        """The part of the interval that lies in another one, which it meets."""
+        return Interval(max(self.low, outer.low), min(self.high, outer.high))
+
     def contains(self, other: Interval) -> bool:
         """Whether another one is inside or equal."""
         return self.low <= other.low and other.high <= self.high

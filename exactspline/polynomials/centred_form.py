@@ -1,22 +1,23 @@
-"""Bounds of a polynomial over a narrow interval, in integers of about as many bits as the interval has.
+"""Bounds of a polynomial over a narrow interval, in balls of about as many bits as the interval has.
 
 At a root known to many digits, the exact value of a form of high degree, or its exact Bézier points over the interval,
-have as many bits times the degree, of which only the leading ones matter. Here every operation is rounded outwards to a
-fixed number of binary places. (FLINT's balls could do the same, but their precision is a global setting of all
-threads.)
+have as many bits times the degree, of which only the leading ones matter.
 
 Reference: Moore, Kearfott and Cloud, *Introduction to Interval Analysis*, section 6.4 (the mean value form).
 """
 
 from __future__ import annotations
 
-from flint import fmpz, fmpz_poly
+from flint import arb, arb_poly, ctx, fmpz, fmpz_poly
 
-from exactspline.numbers.exact import mpq, mpz
-from exactspline.polynomials.bernstein import Form, derivative, value
+from exactspline.numbers.exact import mpq
+from exactspline.numbers.intervals import Interval, ball_around, ball_ends
+from exactspline.polynomials.bernstein import Form, backwards, derivative, value
 
 #: Guard bits in addition to those of the interval: rounding widens the bounds by this factor less than their width.
 GUARD = 64
+#: On wider intervals balls are much too large.
+WIDE = mpq(1, 16)
 
 
 def bounds_over(form: Form, n: int, low: mpq, high: mpq) -> tuple[mpq, mpq]:
@@ -34,44 +35,17 @@ def bounds_over(form: Form, n: int, low: mpq, high: mpq) -> tuple[mpq, mpq]:
     if low == high or n == 0:
         exact = value(form, n, low)
         return exact, exact
-    bits = GUARD + int(1 / (high - low)).bit_length()
-    middle = _rounded_down((low + high) / 2, bits)
-    least, most = _values(c, n, middle, middle, bits)
-    slope = max(map(abs, _values(derivative(c, fmpz(n)), n - 1, low, high, bits)))
-    reach = slope * max(middle - low, high - middle)
-    return (least - reach) / int(m), (most + reach) / int(m)
+    if high - low > WIDE:
+        parts = [bounds_over(form, n, *half) for half in Interval(low, high).halves]
+        return min(least for least, _ in parts), max(most for _, most in parts)
+    if low + high > 1:  # so that t/(1 − t) is finite
+        c, low, high = backwards(c, n), 1 - high, 1 - low
+    with ctx.workprec(GUARD + int(1 / (high - low)).bit_length()):
+        t = ball_around(low, high)
+        bounds = _at(c, n, t.mid()) + _at(derivative(c, fmpz(n)), n - 1, t) * (t - t.mid())
+    least, most = ball_ends(bounds)
+    return least / int(m), most / int(m)
 
 
-def _rounded_down(t: mpq, bits: int) -> mpq:
-    return mpq((t * (mpz(1) << bits)) // 1, mpz(1) << bits)
-
-
-def _values(c: fmpz_poly, n: int, low: mpq, high: mpq, bits: int) -> tuple[mpq, mpq]:
-    """Bounds of ``Σ c_i (1 − t)ⁿ⁻ⁱ tⁱ`` over [low, high], by Horner's rule; every product is rounded outwards to `bits`
-    binary places, relative to the largest coefficient.
-    """
-    one = mpz(1) << bits
-    v = (low * one) // 1, -((-high * one) // 1)
-    u = one - v[1], one - v[0]
-    scale = max(c.height_bits(), 1) - bits
-    least = most = mpz(0)
-    power = one, one
-    for i in range(n, -1, -1):
-        below, above = _shifted(c[i], scale)
-        least = (least * v[least < 0] >> bits) + (below * power[below < 0] >> bits)
-        most = -(-most * v[most >= 0] >> bits) - (-above * power[above >= 0] >> bits)
-        power = power[0] * u[0] >> bits, -(-power[1] * u[1] >> bits)
-    return _times_power(least, scale), _times_power(most, scale)
-
-
-def _shifted(c: fmpz, scale: int) -> tuple[mpz, mpz]:
-    """Integer lower and upper bounds of ``c / 2^scale``, at most 1 apart."""
-    if scale <= 0:
-        exact = mpz(int(c)) << -scale
-        return exact, exact
-    below = mpz(int(c >> scale))
-    return below, below + 1
-
-
-def _times_power(x: mpz, scale: int) -> mpq:
-    return mpq(x << scale) if scale > 0 else mpq(x, mpz(1) << -scale)
+def _at(c: fmpz_poly, n: int, t: arb) -> arb:
+    return arb_poly(c)(t / (1 - t)) * (1 - t) ** n

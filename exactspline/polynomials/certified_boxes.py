@@ -301,6 +301,3 @@ def simplest(low: mpq, high: mpq) -> mpq:
         return mpq(whole)
     base = low // 1
     return base + 1 / simplest(1 / (high - base), 1 / (low - base))
-
-
-__all__ = ["Isolated", "Isolation", "is_known", "isolate", "preconditioned", "simplest"]

@@ -51,7 +51,7 @@ def collinear_arcs(first: PlaneForms, second: PlaneForms | None = None) -> Meeti
 
 
 class Coordinate(NamedTuple):
-    """The coordinate of a straight curve at a place."""
+    """A quotient of forms at a place, such as the coordinate of a straight curve."""
 
     function: RationalMap
     place: Place

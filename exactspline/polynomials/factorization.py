@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
-from typing import Generic, Protocol, Self, TypeVar
+from typing import Any, Generic, Protocol, Self, TypeVar
 
 
 class Multiplicative(Protocol):
@@ -19,6 +19,8 @@ _SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 P = TypeVar("P")
 Q = TypeVar("Q")
 M = TypeVar("M", bound=Multiplicative)
+#: Polynomials that are divided with a remainder.
+D = TypeVar("D", bound=Any)
 
 
 def superscript(number: int) -> str:
@@ -124,3 +126,18 @@ def multiplied(factorization: Factorization[M], one: M) -> M:
     for base, e in factorization:
         result = result * base**e
     return result
+
+
+def divided_out(p: D, factor: D) -> D:
+    """A polynomial divided by a factor, not a constant, as often as this divides it; 0 for 0.
+
+    >>> from flint import fmpz_poly
+    >>> divided_out(fmpz_poly([0, 0, 1, 1]), fmpz_poly([0, 1]))
+    x + 1
+    """
+    while p:
+        quotient, rest = divmod(p, factor)
+        if rest:
+            break
+        p = quotient
+    return p

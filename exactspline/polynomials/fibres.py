@@ -6,13 +6,14 @@ from __future__ import annotations
 
 from functools import reduce
 
-from flint import arb_poly, ctx, fmpq_poly, fmpz_mpoly, fmpz_poly
+from flint import arb_poly, ctx, fmpq_poly, fmpz_poly
 
 from exactspline.numbers.exact import mpq, to_fmpq
 from exactspline.polynomials.bernstein import backwards
 from exactspline.polynomials.bezout import PlaneForms
 from exactspline.polynomials.common_arcs import RationalMap
 from exactspline.polynomials.elimination import resultant
+from exactspline.polynomials.factorization import divided_out
 from exactspline.polynomials.factors import factorize_square_free
 from exactspline.polynomials.over_root import OverRoot
 from exactspline.polynomials.two_parameters import S, T, lifted, rows_of
@@ -36,8 +37,7 @@ class Fibre:
             common = self._without(common, carried)
         self.at_start = not common.coefficients[0]
         common = OverRoot(common.coefficients[next(i for i, c in enumerate(common.coefficients) if c) :], self.modulus)
-        slope = OverRoot([c * k for k, c in enumerate(common.coefficients)][1:], self.modulus)
-        self.polynomial = common // common.gcd(slope) if slope else common
+        self.polynomial = common.radical
 
     @property
     def size(self) -> int:
@@ -60,11 +60,7 @@ class Fibre:
         if factor.degree == 0:
             self.at_end = False
             return common
-        while True:
-            quotient, rest = divmod(common, factor)
-            if rest:
-                return common
-            common = quotient
+        return divided_out(common, factor)
 
     def contains(self, s: Place) -> bool:
         """Whether a parameter belongs to it. All real zeros of the polynomial must be among the zeros from which the
@@ -83,10 +79,7 @@ class Fibre:
         return self._sign(t / (1 - t)) == 0
 
     def _sign(self, z: mpq) -> int:
-        total, x = fmpq_poly([]), to_fmpq(z)
-        for c in reversed(self.polynomial.coefficients):
-            total = total * x + c
-        return self.place.sign_of_element(total)
+        return self.place.sign_of_element(self.polynomial(z))
 
 
 # ---- multiplicity
@@ -122,15 +115,6 @@ def local_multiplicity(
         found.append(multiplicity_of_sum(eliminant, s, t, slope))
         if found[-1] == 1 or slope > eliminant.degree():
             return min(found)
-
-
-def divided_out(p: fmpz_mpoly, factor: fmpz_mpoly) -> fmpz_mpoly:
-    """The polynomial divided by a factor as often as it divides it."""
-    while True:
-        quotient, rest = divmod(p, factor)
-        if rest:
-            return p
-        p = quotient
 
 
 def _reversed(curve: PlaneForms) -> PlaneForms:

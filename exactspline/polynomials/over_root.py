@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from functools import reduce
 from itertools import zip_longest
 from math import gcd, lcm
 
 from flint import fmpq, fmpq_poly, fmpz, fmpz_mpoly, fmpz_poly, nmod_poly
 
+from exactspline.numbers.exact import mpq, to_fmpq
 from exactspline.polynomials.cost import QUESTION, check_reach
 from exactspline.polynomials.two_parameters import rows_of
 
@@ -85,6 +87,22 @@ class OverRoot:
 
     def __floordiv__(self, other: OverRoot) -> OverRoot:
         return divmod(self, other)[0]
+
+    def __call__(self, t: mpq) -> fmpq_poly:
+        """The value, a polynomial in s."""
+        x = to_fmpq(t)
+        return reduce(lambda value, c: value * x + c, reversed(self.coefficients), ZERO)
+
+    @property
+    def derivative(self) -> OverRoot:
+        """The derivative by t."""
+        return OverRoot([c * k for k, c in enumerate(self.coefficients)][1:], self.modulus)
+
+    @property
+    def radical(self) -> OverRoot:
+        """A polynomial with the same zeros, all simple; 0 for 0."""
+        slope = self.derivative
+        return self // self.gcd(slope) if slope else self
 
     def gcd(self, other: OverRoot) -> OverRoot:
         """The greatest common divisor, its first coefficient 1, computed modulo primes: a polynomial of the degree that

@@ -27,7 +27,7 @@ from exactspline.programs.given import Given, operands_of
 from exactspline.programs.instructions import Instructions
 from exactspline.programs.reading import ProgramReading, Signature
 from exactspline.programs.term import Term
-from exactspline.splines.bspline import BSpline
+from exactspline.splines.bspline import BSpline, from_parts
 from exactspline.splines.lowest_terms import SplineValue
 from exactspline.splines.tensor import TensorSpline, make
 from exactspline.splines.tensor_patches import Degrees, spread
@@ -163,7 +163,7 @@ class Program:
         inner, count = len(mesh.widths) - 1, len(self.terms)
         continuities = [f.continuity for f in operands] if inner else ()
         return [
-            BSpline.from_parts(
+            from_parts(
                 term.degrees[0],
                 mesh,
                 term.continuity_of(continuities, inner) if inner else (),

@@ -15,7 +15,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property, lru_cache, partial, reduce
-from itertools import pairwise, product
+from itertools import pairwise
 from math import ceil, floor
 from typing import NamedTuple
 
@@ -25,7 +25,6 @@ from exactspline.errors import ReachError
 from exactspline.numbers.exact import mpq, to_fmpq
 from exactspline.numbers.exact import sign as sign_of
 from exactspline.numbers.intervals import UNIT, Box, Interval, shifted, sign_of_ball
-from exactspline.polynomials.bernstein import from_integers, in_parameter
 from exactspline.polynomials.certified_boxes import Isolated, isolate
 from exactspline.polynomials.cost import Priced, bounded, check_reach
 from exactspline.polynomials.elimination import resultant
@@ -34,6 +33,7 @@ from exactspline.polynomials.over_root import OverRoot, by_powers
 from exactspline.polynomials.patch_forms import PatchForm
 from exactspline.polynomials.rounded_forms import rounded
 from exactspline.polynomials.two_parameters import S, T, as_form, as_polynomial, lifted, rows_of
+from exactspline.roots.borders import EDGES, common_along, roots_along
 from exactspline.roots.of_polynomials import Parameter, Place, ball, enclosing, exactly, roots_in
 from exactspline.roots.root import Root
 from exactspline.roots.vanishing import vanish_at
@@ -296,11 +296,10 @@ class _Search:
     def _on_border(self) -> Iterator[CommonZero]:
         """The zeros on the border, each once."""
         seen = set[Place]()
-        for direction, end in product((0, 1), (0, 1)):
-            p = common_along(self.forms, direction, end)
-            for root in roots_in(p, mpq(0), mpq(1)):
-                other, value = exactly(root), mpq(end)
-                place = (value, other) if direction == 0 else (other, value)
+        for edge in EDGES:
+            for root in roots_along(common_along(self.forms, edge, UNIT), edge, UNIT):
+                other = exactly(root)
+                place = edge.place(UNIT, other)
                 if isinstance(other, Root) or place not in seen:
                     seen.add(place)
                     yield CommonZero(UNIT, place)
@@ -432,13 +431,6 @@ def _factor_at(eliminant: fmpz_poly, zero: CommonZero, slope: int) -> tuple[fmpz
     return factors[0]
 
 
-def common_along(forms: Sequence[PatchForm], direction: int, end: int) -> fmpz_poly:
-    """The greatest common divisor of forms along an edge of the unit square: zero where all of them vanish on it."""
-    return greatest_common_divisor(
-        in_parameter(from_integers(f.edge(direction, end)), f.degree[1 - direction], UNIT.first)[0] for f in forms
-    )
-
-
 # ---- elimination
 
 
@@ -460,8 +452,7 @@ class Column:
         """
         modulus = fmpq_poly(minimal)
         common = reduce(lambda p, q: p.gcd(q), [OverRoot.of(p, modulus) for p in polynomials])
-        slope = OverRoot([c * k for k, c in enumerate(common.coefficients)][1:], modulus)
-        return cls(minimal, common // common.gcd(slope) if slope else common, common.degree)
+        return cls(minimal, common.radical, common.degree)
 
     @cached_property
     def candidates(self) -> list[Parameter]:
@@ -482,10 +473,7 @@ class Column:
 
     def sign(self, s: Parameter, t: mpq) -> int:
         """The sign over one of the roots at a rational t."""
-        x, value = to_fmpq(t), fmpq_poly([])
-        for c in reversed(self.zeros.coefficients):
-            value = value * x + c
-        return _sign_over(value, s)
+        return _sign_over(self.zeros(t), s)
 
     def may_be_in(self, s: Parameter, side: Interval) -> bool:
         """Whether a zero over one of the roots may be in an interval: a single one is there if the sign changes, which
@@ -589,16 +577,3 @@ def _sign_over(x: fmpq_poly, s: Parameter) -> int:
             if sign := sign_of_ball(arb_poly(numerator)(ball(s, digits))):
                 return sign
         digits *= 2
-
-
-__all__ = [
-    "Column",
-    "CommonZero",
-    "Found",
-    "Projection",
-    "common_along",
-    "common_zeros",
-    "multiplicity",
-    "projected",
-    "zeros_of",
-]

@@ -91,6 +91,3 @@ def _precisions(bits: int) -> Iterator[int]:
     while True:
         yield precision
         precision = max(2 * precision, min(bits + SHORTEST, 4 * precision))
-
-
-__all__ = ["is_certainly_not_zero", "vanish_at"]

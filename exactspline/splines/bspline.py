@@ -115,24 +115,9 @@ class BSpline(Immutable, _Parts, RingOperand, FunctionsOutside):
     ) -> BSpline:
         """The spline with these forms, of which it takes ownership; the caller is responsible for the continuity."""
         polynomials, denominators = zip(*forms, strict=True)
-        return _make(degree, mesh, continuity, polynomials, denominators, leaf() if provenance is None else provenance)
-
-    @classmethod
-    def from_parts(
-        cls,
-        degree: int,
-        mesh: Mesh,
-        continuity: tuple[int, ...],
-        polynomials: tuple[fmpz_poly, ...],
-        denominators: tuple[fmpz, ...],
-        provenance: Provenance,
-        knots: KnotVector | None = None,
-        points: tuple[mpq, ...] | None = None,
-    ) -> BSpline:
-        """The spline with these forms, polynomials and denominators separate, and its knots and control points where
-        they are known; the caller is responsible for the other fields.
-        """
-        return _make(degree, mesh, continuity, polynomials, denominators, provenance, knots, points)
+        return from_parts(
+            degree, mesh, continuity, polynomials, denominators, leaf() if provenance is None else provenance
+        )
 
     def over_forms(self, mesh: Mesh, forms: Iterable[Form]) -> BSpline:
         """This spline with its forms over other denominators; the caller ensures that they are the same functions."""
@@ -232,7 +217,9 @@ class BSpline(Immutable, _Parts, RingOperand, FunctionsOutside):
         """The constant spline of degree 0 on this domain."""
         q, segments = rational(number), len(self.mesh)
         c, m = fmpz_poly([int(q.numerator)]), to_fmpz(q.denominator)
-        return _make(0, self.mesh, (SMOOTH,) * (segments - 1), (c,) * segments, (m,) * segments, (MULTIPLE, UNIT, q))
+        return from_parts(
+            0, self.mesh, (SMOOTH,) * (segments - 1), (c,) * segments, (m,) * segments, (MULTIPLE, UNIT, q)
+        )
 
     def __add__(self, other: BSpline | Constant) -> BSpline:
         return self._sum(other, plus, SUM)
@@ -258,7 +245,7 @@ class BSpline(Immutable, _Parts, RingOperand, FunctionsOutside):
         if denominators != b.denominators:
             p, q, denominators = common_denominators(p, denominators, q, b.denominators)
         continuity = a.continuity if a.continuity == b.continuity else tuple(map(min, a.continuity, b.continuity))
-        return _make(
+        return from_parts(
             n, a.mesh, continuity, tuple(map(operation, p, q)), denominators, (name, self.provenance, other.provenance)
         )
 
@@ -266,7 +253,7 @@ class BSpline(Immutable, _Parts, RingOperand, FunctionsOutside):
         if type(other) is not BSpline:
             return self.scaled(other) if isinstance(other, CONSTANTS) else NotImplemented
         a, b = (self, other) if self.mesh is other.mesh else refinement.aligned(self, other)
-        return _make(
+        return from_parts(
             a.degree + b.degree,
             a.mesh,
             a.continuity if a.continuity == b.continuity else tuple(map(min, a.continuity, b.continuity)),
@@ -285,7 +272,7 @@ class BSpline(Immutable, _Parts, RingOperand, FunctionsOutside):
             top, bottom = to_fmpz(q.numerator), to_fmpz(q.denominator)
             denominators = self.denominators if bottom == 1 else tuple([m * bottom for m in self.denominators])
         polynomials = tuple([c * top for c in self._polynomials])
-        return _make(self.degree, self.mesh, self.continuity, polynomials, denominators, provenance)
+        return from_parts(self.degree, self.mesh, self.continuity, polynomials, denominators, provenance)
 
     def d(self, order: int = 1, *, by: str | None = None) -> BSpline:
         """The derivative of the given order.
@@ -379,7 +366,7 @@ class BSpline(Immutable, _Parts, RingOperand, FunctionsOutside):
 _new = object.__new__
 
 
-def _make(
+def from_parts(
     degree: int,
     mesh: Mesh,
     continuity: tuple[int, ...],
@@ -389,6 +376,9 @@ def _make(
     knots: KnotVector | None = None,
     points: tuple[mpq, ...] | None = None,
 ) -> BSpline:
+    """The spline with these forms, polynomials and denominators separate, and its knots and control points where
+    they are known: it takes ownership of them, and the caller is responsible for the continuity.
+    """
     spline: Any = _new(_Parts)
     spline.degree, spline.mesh, spline.continuity, spline.provenance = degree, mesh, continuity, provenance
     spline._polynomials, spline.denominators = polynomials, denominators
@@ -417,13 +407,13 @@ def _differentiated(f: BSpline) -> BSpline:
     n, provenance = f.degree, (DERIVATIVE, f.provenance)
     continuity = tuple([max(c - 1, -1) for c in f.continuity]) if f.continuity else ()
     if n <= 0:
-        return _make(n - 1, f.mesh, continuity, (fmpz_poly([]),) * len(f.mesh), (ONE,) * len(f.mesh), provenance)
+        return from_parts(n - 1, f.mesh, continuity, (fmpz_poly([]),) * len(f.mesh), (ONE,) * len(f.mesh), provenance)
     order = fmpz(n)
     polynomials = tuple([derivative(c, order) for c in f._polynomials])
     if f.mesh.unit:
-        return _make(n - 1, f.mesh, continuity, polynomials, f.denominators, provenance)
+        return from_parts(n - 1, f.mesh, continuity, polynomials, f.denominators, provenance)
     widths = f.mesh.widths
-    return _make(
+    return from_parts(
         n - 1,
         f.mesh,
         continuity,

@@ -11,7 +11,7 @@ from exactspline.language.provenance import leaf
 from exactspline.numbers.exact import mpq
 from exactspline.polynomials.bernstein import over_common_denominator
 from exactspline.splines.blossom import CommonRows, common_rows
-from exactspline.splines.bspline import BSpline
+from exactspline.splines.bspline import BSpline, from_parts
 from exactspline.splines.knots import KnotVector, mesh_of
 from exactspline.splines.tensor import TensorSpline, make
 from exactspline.splines.tensor_patches import named
@@ -56,9 +56,7 @@ def splines_over(
         return with_common_denominators([BSpline(degree, knots, column) for column in columns])
     below = tuple([fmpz(m) for _, m in forms])
     return [
-        BSpline.from_parts(
-            degree, mesh, continuity, tuple([fmpz_poly(list(c)) for c in own]), below, leaf(), knots, column
-        )
+        from_parts(degree, mesh, continuity, tuple([fmpz_poly(list(c)) for c in own]), below, leaf(), knots, column)
         for own, column in zip(zip(*[own for own, _ in forms], strict=True), columns, strict=True)
     ]
 

@@ -18,7 +18,7 @@ from exactspline.language.vector import Vector
 from exactspline.numbers.exact import common_divisor, text
 from exactspline.polynomials.bernstein import ONE, divide_u_plus_v, over_common_denominator, raiser
 from exactspline.polynomials.factors import certainly_coprime, greatest_common_divisor
-from exactspline.splines.bspline import BSpline
+from exactspline.splines.bspline import BSpline, from_parts
 from exactspline.splines.common import with_common_knots
 from exactspline.splines.expected import spline_of
 
@@ -177,7 +177,7 @@ def primitive(f: BSpline) -> BSpline:
     if content != 1:
         polynomials = [c // content for c in polynomials]
     ones = (ONE,) * len(polynomials)
-    return BSpline.from_parts(f.degree, f.mesh, f.continuity, tuple(polynomials), ones, leaf())
+    return from_parts(f.degree, f.mesh, f.continuity, tuple(polynomials), ones, leaf())
 
 
 V = TypeVar("V", bound=SplineValue)

@@ -32,72 +32,6 @@ from exactspline.splines.nurbs_operations import mapped, same_quotients
 from exactspline.splines.refinement import insertable
 
 
-class ValuesAlong:
-    """The methods of a `Nurbs` that take a parameter."""
-
-    __slots__ = ()
-    p: Vector[BSpline]
-    w: BSpline
-    polynomial: bool
-    dimension: int
-
-    @cached_property
-    def _evaluation(self) -> Evaluation:
-        return Evaluation(self.p.components, None if self.polynomial else self.w)
-
-    def derivative(self, order: int, t: Number, side: Side | str = Side.RIGHT) -> tuple[mpq, ...]:
-        """The derivative of the given order at a rational parameter, exactly; at a knot the limit from the `side`.
-
-        >>> from exactspline import Nurbs
-        >>> arc = Nurbs(2, [0, 0, 0, 1, 1, 1], [(1, 0), (1, 1), (0, 1)], weights=[1, 1, 2])
-        >>> arc.derivative(1, 0), arc.derivative(2, 0)
-        ((mpq(0,1), mpq(2,1)), (mpq(-4,1), mpq(0,1)))
-
-        Raises `FormulaError` for a negative order, `DomainError` outside the domain.
-        """
-        return self._evaluation.jet(rational(t), checked_order(order), left=checked_side(side))[-1]
-
-    def tangent(self, t: Number, side: Side | str = Side.RIGHT) -> tuple[mpq, ...]:
-        """γ′ at a rational parameter (see `unit_tangent`).
-
-        >>> from exactspline import Nurbs
-        >>> Nurbs(1, [0, 0, 1, 1], [(0, 0), (1, 2)]).tangent(0)
-        (mpq(1,1), mpq(2,1))
-        """
-        return self.derivative(1, t, side)
-
-    def unit_tangent(self, t: Number, side: Side | str = Side.RIGHT) -> tuple[Real, ...]:
-        """γ′/‖γ′‖ at a rational parameter, exactly.
-
-        >>> from exactspline import Nurbs
-        >>> [str(x) for x in Nurbs(1, [0, 0, 1, 1], [(0, 0), (1, 2)]).unit_tangent(0)]
-        ['√5/5', '2√5/5']
-
-        Raises `DomainError` where γ′ = 0.
-        """
-        return _normalized(self.tangent(t, side), f"γ′ = 0 at the parameter {text(rational(t))}")
-
-    def normal(self, t: Number, side: Side | str = Side.RIGHT) -> tuple[Real, ...]:
-        """The unit normal at a rational parameter, exactly: in the plane γ′⊥/‖γ′‖, to the left of the curve; in space
-        the principal normal, towards the centre of curvature.
-
-        >>> from exactspline import Nurbs
-        >>> arc = Nurbs(2, [0, 0, 0, 1, 1, 1], [(1, 0), (1, 1), (0, 1)], weights=[1, 1, 2])
-        >>> arc.normal("1/2")
-        (<Real -3/5>, <Real -4/5>)
-
-        Raises `DomainError` where γ′ = 0, in space also where κ = 0, and `ShapeError` in other dimensions.
-        """
-        where = f"at the parameter {text(rational(t))}"
-        first = self.tangent(t, side)
-        if self.dimension == 2:
-            return _normalized(perp(Vector(*first)).components, f"γ′ = 0 {where}")
-        if self.dimension != 3:
-            raise ShapeError(f"the normal of a curve in R{self.dimension}", remedy="it is defined in plane and space")
-        bent = across(Vector(*first), Vector(*self.derivative(2, t, side)))
-        return _normalized(bent.components, f"γ′ × γ″ = 0 {where}")
-
-
 def _normalized(v: tuple[mpq, ...], problem: str) -> tuple[Real, ...]:
     length = norm2(Vector(*v))
     if not length:
@@ -106,7 +40,7 @@ def _normalized(v: tuple[mpq, ...], problem: str) -> tuple[Real, ...]:
     return tuple(x * inverse for x in v)
 
 
-class Nurbs(Immutable, ValuesAlong, Curve[BSpline], FunctionsOutside):
+class Nurbs(Immutable, Curve[BSpline], FunctionsOutside):
     """A polynomial or rational B-spline curve with exact data.
 
     `control_points` are Cartesian, all of one dimension, or a `Direction`; `weights` are optional. The curve is ``Σ wᵢ
@@ -262,6 +196,62 @@ class Nurbs(Immutable, ValuesAlong, Curve[BSpline], FunctionsOutside):
         """
         return self._evaluation.points(exact_row(as_items(ts, "parameters"), "parameters"), left=checked_side(side))
 
+    @cached_property
+    def _evaluation(self) -> Evaluation:
+        return Evaluation(self.p.components, None if self.polynomial else self.w)
+
+    def derivative(self, order: int, t: Number, side: Side | str = Side.RIGHT) -> tuple[mpq, ...]:
+        """The derivative of the given order at a rational parameter, exactly; at a knot the limit from the `side`.
+
+        >>> from exactspline import Nurbs
+        >>> arc = Nurbs(2, [0, 0, 0, 1, 1, 1], [(1, 0), (1, 1), (0, 1)], weights=[1, 1, 2])
+        >>> arc.derivative(1, 0), arc.derivative(2, 0)
+        ((mpq(0,1), mpq(2,1)), (mpq(-4,1), mpq(0,1)))
+
+        Raises `FormulaError` for a negative order, `DomainError` outside the domain.
+        """
+        return self._evaluation.jet(rational(t), checked_order(order), left=checked_side(side))[-1]
+
+    def tangent(self, t: Number, side: Side | str = Side.RIGHT) -> tuple[mpq, ...]:
+        """γ′ at a rational parameter (see `unit_tangent`).
+
+        >>> from exactspline import Nurbs
+        >>> Nurbs(1, [0, 0, 1, 1], [(0, 0), (1, 2)]).tangent(0)
+        (mpq(1,1), mpq(2,1))
+        """
+        return self.derivative(1, t, side)
+
+    def unit_tangent(self, t: Number, side: Side | str = Side.RIGHT) -> tuple[Real, ...]:
+        """γ′/‖γ′‖ at a rational parameter, exactly.
+
+        >>> from exactspline import Nurbs
+        >>> [str(x) for x in Nurbs(1, [0, 0, 1, 1], [(0, 0), (1, 2)]).unit_tangent(0)]
+        ['√5/5', '2√5/5']
+
+        Raises `DomainError` where γ′ = 0.
+        """
+        return _normalized(self.tangent(t, side), f"γ′ = 0 at the parameter {text(rational(t))}")
+
+    def normal(self, t: Number, side: Side | str = Side.RIGHT) -> tuple[Real, ...]:
+        """The unit normal at a rational parameter, exactly: in the plane γ′⊥/‖γ′‖, to the left of the curve; in space
+        the principal normal, towards the centre of curvature.
+
+        >>> from exactspline import Nurbs
+        >>> arc = Nurbs(2, [0, 0, 0, 1, 1, 1], [(1, 0), (1, 1), (0, 1)], weights=[1, 1, 2])
+        >>> arc.normal("1/2")
+        (<Real -3/5>, <Real -4/5>)
+
+        Raises `DomainError` where γ′ = 0, in space also where κ = 0, and `ShapeError` in other dimensions.
+        """
+        where = f"at the parameter {text(rational(t))}"
+        first = self.tangent(t, side)
+        if self.dimension == 2:
+            return _normalized(perp(Vector(*first)).components, f"γ′ = 0 {where}")
+        if self.dimension != 3:
+            raise ShapeError(f"the normal of a curve in R{self.dimension}", remedy="it is defined in plane and space")
+        bent = across(Vector(*first), Vector(*self.derivative(2, t, side)))
+        return _normalized(bent.components, f"γ′ × γ″ = 0 {where}")
+
     # the splines are computed when they are asked for: a curve that was only read has control points alone
 
     @cached_property
@@ -309,7 +299,7 @@ class Nurbs(Immutable, ValuesAlong, Curve[BSpline], FunctionsOutside):
         return self.p if self.polynomial else self.p / self.w
 
     @property
-    def dimension(self) -> int:  # type: ignore[override]  # computed when asked for
+    def dimension(self) -> int:
         """Number of coordinates."""
         return len(self.control_points[0])
 

@@ -21,6 +21,7 @@ from gmpy2 import mpq
 
 from exactspline import NurbsSurface, TensorSpline, analyse
 from exactspline.geometry.surface.inspection import PatchKind
+from tests.support.squares import parameters
 from tests.support.surface_oracle import forms, gaussian_curvature
 
 SEED = 2027
@@ -60,17 +61,13 @@ def weighted(random: Random, setting: str) -> NurbsSurface:
     return NurbsSurface((1, 2), [0, 0, 1, 1], [0] * 3 + [1] * 3, rows, weights)
 
 
-def _parameters() -> tuple[TensorSpline, TensorSpline]:
-    return TensorSpline((1, 0), [0, 0, 1, 1], [0, 1], [[0], [1]]), TensorSpline((0, 1), [0, 1], [0, 0, 1, 1], [[0, 1]])
-
-
 def _size(setting: str) -> mpq:
     return {"huge": mpq(1e300), "tiny": mpq(1e-300)}.get(setting, mpq(1))
 
 
 def _graph(height: TensorSpline, setting: str) -> NurbsSurface:
     """A graph, all of it times the size of the setting."""
-    u, v = _parameters()
+    u, v = parameters()
     size = _size(setting)
     return NurbsSurface.from_splines([u * size, v * size, height * size])
 
@@ -82,7 +79,7 @@ def _small(random: Random, setting: str) -> mpq:
 
 def translation(random: Random, setting: str) -> NurbsSurface:
     """z = f(u) + g(v): K vanishes on lines in both directions, which cross."""
-    u, v = _parameters()
+    u, v = parameters()
     c = [_small(random, setting) for _ in range(6)]
     f, g = (t * t * a + t * t * t * b + t * t * t * t * d for t, a, b, d in ((u, *c[:3]), (v, *c[3:])))
     return _graph(f + g, setting)
@@ -90,7 +87,7 @@ def translation(random: Random, setting: str) -> NurbsSurface:
 
 def even(random: Random, setting: str) -> NurbsSurface:
     """z = (u − a)⁴ b + v² c: K vanishes twice on a line, at a rational place that is a corner, a knot or any."""
-    u, v = _parameters()
+    u, v = parameters()
     a = random.choice([mpq(0), mpq(1), mpq(1, 2), mpq(29, 61), abs(_small(random, setting)) % 1])
     s = (u - a) * (u - a)
     surface = _graph(s * s * _small(random, setting) + v * v * _small(random, setting), setting)
@@ -99,7 +96,7 @@ def even(random: Random, setting: str) -> NurbsSurface:
 
 def corners(random: Random, setting: str) -> NurbsSurface:
     """K vanishes at corners alone or nearly: z = a(u) b + a(v) c + bump d."""
-    u, v = _parameters()
+    u, v = parameters()
     b, c, d = (_small(random, setting) for _ in range(3))
     first, second = (t * t * t * mpq(1, 6) - t * t * t * t * mpq(1, 12) for t in (u, v))
     bump = u * (1 - u) * v * (1 - v)
@@ -108,7 +105,7 @@ def corners(random: Random, setting: str) -> NurbsSurface:
 
 def irrational(random: Random, setting: str) -> NurbsSurface:
     """z = h(2u² − 1, v): K vanishes on lines at irrational places, once or twice."""
-    u, v = _parameters()
+    u, v = parameters()
     a = mpq(random.randint(1, 4), random.choice((2, 3)))
     power = random.choice((1, 2))
     second = {1: u * u * u * u * (a / 12) - u * u * mpq(1, 2), 2: None}[power]

@@ -233,7 +233,6 @@ BARE_LISTS = {
     "geometry/space_features.py: torsion_zeros": "the points of an entry's answer, which adds the pieces",
     "geometry/prominence.py: prominences": "one for each extremum of the answer of an entry",
     "geometry/singular_points.py: singular_on_patch": "isolated, of a square-free function: there are no pieces",
-    "geometry/surface/borders.py: roots_along": "on a border where the form does not vanish throughout",
     "geometry/surface/merged.py: merged_places": "the points of an entry's answer, which adds the parts of patches",
     "geometry/surface/merged.py: merged_umbilics": "the points of an entry's answer, which adds the parts of patches",
 }
@@ -356,6 +355,7 @@ UNBOUNDED = {
     "polynomials/factors.py: prime_factors": "integers, of a bounded number of bits",
     "polynomials/fibres.py: Fibre.__init__": "over the field of a place: Euclid's algorithm, bounded",
     "polynomials/over_root.py: _inverse": "a step of Euclid's algorithm, whose cost is bounded as a whole",
+    "polynomials/over_root.py: OverRoot.radical": "over the field of a root: a door with an estimated cost",
     "polynomials/over_root.py: _divisor_modulo": "modulo a prime, in one variable",
     "roots/common_zeros.py: Column.of": "over the field of a root: a door with an estimated cost",
     "verification/minimality.py: bezout_combination": "modulo a prime, in one variable",

@@ -19,20 +19,11 @@ from exactspline.geometry.bisector.two_curves import curve_bisector
 from exactspline.language.rational import Rational
 from exactspline.numbers.exact import to_fmpq
 from exactspline.roots.root import Root
-from tests.support.bisector_oracle import (
-    FAMILIES,
-    bezier,
-    cross,
-    dimension,
-    dot,
-    holds,
-    mapped,
-    planes,
-    point_and_tangent,
-    spans,
-)
-from tests.support.dials import ALWAYS, factors, over_dials
+from tests.support.bisector_answers import of_family, of_random_pair, random_pair
+from tests.support.bisector_oracle import FAMILIES, bezier, dimension, holds, planes, point_and_tangent, spans
+from tests.support.dials import ALWAYS, over_dials
 from tests.support.sampled import sample
+from tests.support.vectors import cross, dot
 
 over_families = pytest.mark.parametrize("name", FAMILIES)
 DIMENSIONS = {Solutions.LINE: 1, Solutions.PLANE: 2, Solutions.SPACE: 3}
@@ -156,7 +147,7 @@ def assert_complete_on_a_grid(found, first, second, parts):
 
 @over_families
 def test_every_pair_of_a_grid_has_what_the_answer_says(name):
-    assert_complete_on_a_grid(curve_bisector(*FAMILIES[name]), *FAMILIES[name], 6)
+    assert_complete_on_a_grid(of_family(name), *FAMILIES[name], 6)
 
 
 # ---- known answers
@@ -164,7 +155,7 @@ def test_every_pair_of_a_grid_has_what_the_answer_says(name):
 
 def test_curves_in_one_plane_have_a_cylinder():
     """Every line is perpendicular to the plane of the curves."""
-    found = curve_bisector(*FAMILIES["parabolas in one plane"])
+    found = of_family("parabolas in one plane")
     assert found.patches == ()
     assert found.lines
     for line in found.lines:
@@ -175,9 +166,9 @@ def test_curves_in_one_plane_have_a_cylinder():
 
 
 def test_what_lies_beside_the_surface_survives_pickle():
-    pair = curve_bisector(*FAMILIES["a cusp and a curve through it"]).pairs[0]
+    pair = of_family("a cusp and a curve through it").pairs[0]
     assert pickle.loads(pickle.dumps(pair)).exact == pair.exact
-    equation = curve_bisector(*FAMILIES["parallel lines"]).lines[0].equation
+    equation = of_family("parallel lines").lines[0].equation
     assert pickle.loads(pickle.dumps(equation)) == equation
 
 
@@ -273,47 +264,16 @@ def gauss_newton(first, second, start, steps=15):
 # ---- random curves of small integers, most of them special
 
 
-def random_pair(seed, number=None):
-    """Two curves with control points among few small integers, times a number of a dial on each axis: straight, plane,
-    cusped, standing, copies, mirror images.
-    """
-    random = Random(seed)
-    scales = [1, 1, 1] if number is None else factors(number, random, 3)
-
-    def curve():
-        degree, segments, size = random.choice([1, 1, 2, 2, 3]), random.choice([1, 1, 2]), random.choice([1, 1, 2])
-        points = [[mpq(random.randint(-size, size)) for _ in range(3)] for _ in range(degree + segments)]
-        zeros_from = random.choice([3, 3, 2, 1])
-        points = [[x if k < zeros_from else mpq(0) for k, x in enumerate(p)] for p in points]
-        points = [[x * scale for x, scale in zip(p, scales, strict=True)] for p in points]
-        sign = random.choice([1, 1, -1])
-        weights = [sign * random.choice([1, 1, 2, 3]) for _ in points] if random.random() < 0.4 else None
-        knots = [0] * (degree + 1) + [1] * (segments - 1) + [segments] * (degree + 1)
-        return Nurbs(degree, knots, points, weights)
-
-    first, second = curve(), curve()
-    maps = [
-        lambda x, y, z: (x, y, z),
-        lambda x, y, z: (y, x, z),
-        lambda x, y, z: (x, y, 1 - z),
-        lambda x, y, z: (x + 1, y, z),
-    ]
-    return (first, mapped(first, random.choice(maps))) if random.random() < 0.3 else (first, second)
-
-
-@pytest.mark.parametrize("start", range(0, 40, 10))
-def test_every_pair_of_a_grid_of_random_curves(start):
-    for seed in range(start, start + 10):
-        first, second = random_pair(seed)
-        assert_complete_on_a_grid(curve_bisector(first, second), first, second, 4)
+@pytest.mark.parametrize("seed", range(40))
+def test_every_pair_of_a_grid_of_random_curves(seed):
+    assert_complete_on_a_grid(of_random_pair(seed), *random_pair(seed), 4)
 
 
 @over_dials
 def test_every_pair_of_a_grid_of_random_curves_at_every_dial(number):
     """Before: small integers alone; most pairs of doubles in a special position were a traceback."""
     for seed in range(6):
-        first, second = random_pair(seed, number)
-        assert_complete_on_a_grid(curve_bisector(first, second), first, second, 3)
+        assert_complete_on_a_grid(of_random_pair(seed, number), *random_pair(seed, number), 3)
 
 
 #: Small integers, and every dial.
@@ -323,8 +283,7 @@ EXCHANGED |= {f"{name} {seed}": (seed, number) for name, number in ALWAYS.items(
 
 @pytest.mark.parametrize(("seed", "number"), EXCHANGED.values(), ids=EXCHANGED)
 def test_exchanging_the_curves_exchanges_the_parameters(seed, number):
-    first, second = random_pair(seed, number)
-    one, other = curve_bisector(first, second), curve_bisector(second, first)
+    one, other = of_random_pair(seed, number), of_random_pair(seed, number, exchanged=True)
     assert len(one.left_out) == len(other.left_out)
     assert sorted(x.equation.text if x.equation else "" for x in one.lines) == sorted(
         x.equation.transposed().text if x.equation else "" for x in other.lines

@@ -4,7 +4,6 @@ The oracle runs Newton's method on a random line for both feet and the point, in
 knows the curves by their power basis alone.
 """
 
-import os
 from itertools import product
 from random import Random
 
@@ -16,9 +15,10 @@ from exactspline.geometry.bisector.components import Solutions
 from exactspline.geometry.bisector.two_curves import curve_bisector
 from exactspline.language.rational import Rational
 from exactspline.roots.root import Root
-from tests.geometry.test_bisector_pairs import random_pair
-from tests.support.bisector_oracle import FAMILIES, bezier, dot, power_basis, spans
-from tests.support.sampled import sample
+from tests.support.bisector_answers import of_family, of_random_pair, random_pair
+from tests.support.bisector_oracle import FAMILIES, bezier, power_basis, spans
+from tests.support.sampled import FULL, sample
+from tests.support.vectors import dot, mpf_of
 
 with mpmath.workdps(60):
     NEAR = mpmath.mpf(10) ** -25
@@ -131,7 +131,7 @@ def on_line(b, point, direction):
 
 def number(x):
     """A rational, or what has digits already."""
-    return x if isinstance(x, mpmath.mpf) else mpmath.mpf(int(x.numerator)) / int(x.denominator)
+    return x if isinstance(x, mpmath.mpf) else mpf_of(x)
 
 
 def digits(ball):
@@ -201,9 +201,9 @@ def at(pair, s, t):
 # ---- the tests
 
 
-def unexplained(first, second, seed, tries):
+def unexplained(answer, first, second, seed, tries):
     """How many points were found, and those of which the answer says nothing."""
-    answer, random = curve_bisector(first, second), Random(seed)
+    random = Random(seed)
     assert answer.left_out == ()
     number_found, left = 0, []
     for (i, one), (j, other) in product(spans(first), spans(second)):
@@ -224,14 +224,14 @@ WITHOUT = {
 
 @pytest.mark.parametrize("name", sample([name for name in FAMILIES if name not in WITHOUT], 12))
 def test_points_of_families_lie_on_a_piece(name):
-    count, left = unexplained(*FAMILIES[name], 1, 30)
+    count, left = unexplained(of_family(name), *FAMILIES[name], 1, 30)
     assert not left
     assert count
 
 
-@pytest.mark.parametrize("seed", range(2000, 2000 + int(os.environ.get("EXACTSPLINE_POINTS", "12"))))
+@pytest.mark.parametrize("seed", range(40 if FULL else 12))
 def test_points_of_random_curves_lie_on_a_piece(seed):
-    assert not unexplained(*random_pair(seed), seed, 6)[1]
+    assert not unexplained(of_random_pair(seed), *random_pair(seed), seed, 6)[1]
 
 
 @pytest.mark.parametrize("seed", range(4))
@@ -244,7 +244,8 @@ def test_points_of_generic_curves_lie_on_a_piece(seed):
         weights = [1, random.choice([0, 2]), random.randint(1, 3), 1] if seed % 2 else None
         return bezier(*control_points, weights=weights)
 
-    count, left = unexplained(curve(), curve(), seed, 25)
+    pair = curve(), curve()
+    count, left = unexplained(curve_bisector(*pair), *pair, seed, 25)
     assert not left
     assert count
 
@@ -254,7 +255,7 @@ def test_points_of_generic_curves_lie_on_a_piece(seed):
 )
 def test_a_point_beside_is_told_from_one_that_lies_on_a_piece(name):
     first, second = FAMILIES[name]
-    answer, random = curve_bisector(first, second), Random(3)
+    answer, random = of_family(name), Random(3)
     (i, one), (j, other) = next(iter(spans(first))), next(iter(spans(second)))
     s, t, b = next(points((power_basis(first, i), power_basis(second, j)), (one, other), random, 200))
     assert explained(answer, (one, other), s, t, b)

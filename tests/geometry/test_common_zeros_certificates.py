@@ -12,7 +12,7 @@ from gmpy2 import mpq
 from exactspline import check_certificate, common_zeros
 from exactspline.errors import ReachError
 from tests.campaigns.certificates import of_common_zeros, of_multiple_zeros
-from tests.geometry.test_zeros_in_two_parameters import function
+from tests.support.squares import function
 
 
 def certificate_of(*functions):

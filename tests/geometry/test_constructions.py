@@ -123,15 +123,3 @@ def test_the_minimal_form_has_the_sign_of_the_first_whatever_that_of_w(name):
             t = mpq(k, 12)
             assert minimal(t) * form(t) >= 0
             assert bool(minimal(t)) or not form(t)
-
-
-@pytest.mark.parametrize("name", [c.name for c in all_constructions().values() if c.zero_set])
-def test_the_sign_of_a_form_is_that_of_an_odd_power_of_w(name):
-    """Also where w > 0 has a negative weight in the middle."""
-    made = all_constructions()[name]
-    points = [(0, 0, 0)[: made.dimension], (1, 2, 0)[: made.dimension], (3, 1, 1)[: made.dimension]]
-    for sign in (1, -1):
-        net = [(*p, sign * w) for p, w in zip(points, (4, -1, 4), strict=True)]
-        curve = Nurbs.from_homogeneous(2, [0] * 3 + [1] * 3, net)
-        for variant in (*[v for v in made.variants if v != "squaring"], Variant.LIFTED):
-            assert made.sign(curve, variant) == sign ** (made.power_of_w(variant) % 2)

@@ -14,14 +14,14 @@ from exactspline import Nurbs, analyse, bisector, example, intersections, self_i
 from exactspline.errors import ReachError, ShapeError
 from exactspline.geometry.bisector.plane_pair import tangent
 from tests.support.bisector_oracle import bezier
+from tests.support.bisector_oracle import line as polyline
 
 
 def drawn(random, dial, n, rational=False):
     """A random curve, in small integers or in doubles."""
     number = (lambda: random.randint(-5, 5)) if dial == "small" else (lambda: mpq(random.uniform(-5, 5)))
     points = [(number(), number()) for _ in range(n + 1)]
-    weights = [random.randint(1, 4) for _ in points] if rational else None
-    return Nurbs(n, [0] * (n + 1) + [1] * (n + 1), points, weights=weights)
+    return bezier(*points, weights=[random.randint(1, 4) for _ in points] if rational else None)
 
 
 DIALS = ("small", "doubles")
@@ -130,10 +130,6 @@ def _cross(side, other):
 
 def _side(a, b, c):
     return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
-
-
-def polyline(*points):
-    return Nurbs(1, [0, *range(len(points)), len(points) - 1], points)
 
 
 def test_the_bisector_at_corners_and_where_a_curve_has_no_tangent():

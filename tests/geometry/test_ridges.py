@@ -3,6 +3,7 @@ sixty digits of the eigenvalues of the shape operator of `tests.support.surface_
 """
 
 import pickle
+from functools import cache
 from itertools import pairwise
 from math import hypot
 from random import Random
@@ -21,6 +22,7 @@ from exactspline.polynomials.two_parameters import S, T, as_form, as_polynomial,
 from exactspline.roots.of_polynomials import roots_in
 from tests.support.sampled import FULL
 from tests.support.surface_oracle import shape_operator
+from tests.support.vectors import mpf_of
 
 STEP = mpf(10) ** -20
 #: Half the distance of two points on both sides of a ridge.
@@ -53,7 +55,7 @@ def slopes(surface, place, before=((1, 0), (1, 0))):
 
 
 def as_mpf(place):
-    return [mpf(int(x.numerator)) / int(x.denominator) for x in place]
+    return [mpf_of(x) for x in place]
 
 
 def changes(surface, start, end):
@@ -72,6 +74,12 @@ def generic(seed, m, n, weights=0):
     ]
     own = [[random.randint(1, weights) for _ in range(n + 1)] for _ in range(m + 1)] if weights else None
     return NurbsSurface((m, n), [0] * (m + 1) + [1] * (m + 1), [0] * (n + 1) + [1] * (n + 1), net, own)
+
+
+@cache
+def a_node():
+    """A surface whose ridges have a node, with its answers."""
+    return analyse(generic(2, 3, 1))
 
 
 def beside(place, direction, by):
@@ -133,7 +141,7 @@ def test_ridges_of_higher_degree_are_true_and_complete(surface):
 
 def test_the_ridges_of_both_curvatures_cross_in_a_node():
     """Would be an open box otherwise: it is proved by signs alone, the degree is too high for elimination."""
-    found = analyse(generic(2, 3, 1)).ridges
+    found = a_node().ridges
     pieces = [piece for curve in found.curves for piece in curve.pieces]
     (node,) = [joint for piece in pieces for joint in piece.part.joints]
     assert found.complete
@@ -185,10 +193,9 @@ def test_what_exceeds_the_bound_is_undecided(monkeypatch):
     assert not found.complete
     covered = [box.sides for box in found.undecided]
     covered += [x.sides.part(a.box) for c in found.curves for x in c.pieces for a in x.part.arcs]
-    whole = analyse(generic(2, 3, 1))
     assert covered
     monkeypatch.undo()
-    for curve in whole.ridges.curves:
+    for curve in a_node().ridges.curves:
         for piece in curve.pieces:
             for arc in piece.part.arcs:
                 u, v = piece.sides.at(*piece.curve.points(arc, 2)[1])

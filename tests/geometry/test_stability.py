@@ -14,6 +14,8 @@ from exactspline.geometry.nearby import features_nearby
 from exactspline.geometry.stability import stability
 from tests.campaigns.nearby import drawn, moved
 
+CORNER = xs.Nurbs(1, [0, 0, 1, 2, 2], [(0, 0), (1, 0), (1, 1)])
+
 
 def kinds(curve):
     """How often each kind of feature occurs."""
@@ -26,7 +28,8 @@ def kinds(curve):
 def small_curves():
     """Curves of degree 2 and 3, of which everything is found quickly, with their stability."""
     random = Random(11)
-    small = (curve for curve in iter(lambda: drawn(random), None) if curve.degree <= 3 and curve.segments <= 3)
+    every = (curve for curve in iter(lambda: drawn(random), None) if curve.degree <= 3 and curve.segments <= 3)
+    small = (curve for curve in every if curve.polynomial or curve.segments == 1)
     return [(curve, stability(curve)) for curve in islice(small, 3)]
 
 
@@ -74,7 +77,7 @@ def test_the_inflection_of_a_symmetric_cubic_and_a_corner():
     """The bounds are a factor of 6 apart here; a corner of 90° in a polyline is gone at a quarter of its legs."""
     (inflection,) = [f for f in stability(xs.example("cubic_s")) if f.kind is FeatureKind.INFLECTION]
     assert mpq(1, 8) <= inflection.radius < inflection.gone < 1
-    (corner,) = stability(xs.Nurbs(1, [0, 0, 1, 2, 2], [(0, 0), (1, 0), (1, 1)]))
+    (corner,) = stability(CORNER)
     assert corner.kind is FeatureKind.CORNER
     assert mpq(1, 8) <= corner.radius < corner.gone == mpq(1, 4)
 
@@ -86,8 +89,7 @@ def test_what_every_change_destroys_has_no_radius():
 
 
 def test_questions_and_errors():
-    curve = xs.example("cubic_s")
-    assert xs.analyse(curve).stability == stability(curve)
+    assert xs.analyse(CORNER).stability == stability(CORNER)
     with pytest.raises(ShapeError, match="in the plane or in space"):
         stability(xs.Nurbs(1, [0, 0, 1, 1], [(0, 0, 0, 0), (1, 1, 1, 1)]))
 

@@ -5,19 +5,13 @@ from fractions import Fraction
 import pytest
 from gmpy2 import mpq
 
-from exactspline import NurbsSurface, TensorSpline, analyse, example
+from exactspline import NurbsSurface, analyse, example
 from exactspline.display.surface_data import surface_inspection_data
 from exactspline.geometry.planar_maps import MapKind
-from exactspline.geometry.surface.borders import Edge
 from exactspline.geometry.surface.inspection import PatchKind
+from exactspline.roots.borders import Edge
+from tests.support.squares import parameters
 from tests.support.surface_oracle import gaussian_curvature
-
-
-def parameters(low=-1, high=1):
-    """The two parameters of a square, as splines."""
-    knots, ends = [low, low, high, high], [low, high]
-    return (TensorSpline((1, 0), knots, ends, [[low], [high]]), TensorSpline((0, 1), ends, knots, [[low, high]]))
-
 
 # ---- patches are those of the surface, also where forms have no knot
 
@@ -39,7 +33,7 @@ def test_knots_of_raised_degrees_change_nothing(name):
 def test_patches_of_a_planar_map_that_is_less_than_its_degree():
     surface = example("planar_map").elevate_degree(2, 2).insert_knot("u", "1/2").insert_knot("v", "1/2")
     assert analyse(surface).kind is MapKind.POSITIVE
-    u, v = parameters()
+    u, v = parameters(-1, 1)
     shear = NurbsSurface.from_splines([u, v + u * u]).elevate_degree(1, 2).insert_knot("u", 0).insert_knot("v", 0)
     assert analyse(shear).kind is MapKind.POSITIVE
 
@@ -67,7 +61,7 @@ def sphere(a, b):
 
 
 def test_a_sphere_without_a_tangent_plane_in_the_middle_of_a_patch():
-    u, v = parameters()
+    u, v = parameters(-1, 1)
     folded = analyse(sphere(u * u * u, v))
     assert [(one.kind, one.radius_squared) for one in folded.patches] == [(PatchKind.SPHERICAL, 1)]
     assert folded.patches[0].singular.along_curve
@@ -80,7 +74,7 @@ def test_a_sphere_without_a_tangent_plane_in_the_middle_of_a_patch():
 @pytest.mark.parametrize("height", [lambda a, b: 3 * a, lambda a, b: a * b])
 def test_a_branch_point_is_a_point_and_no_curve(height):
     """The normal has the factor (u − 1/3)² + (v − 1/5)², whose only zero is a point."""
-    u, v = parameters()
+    u, v = parameters(-1, 1)
     s, t = u - mpq(1, 3), v - mpq(1, 5)
     a, b = s * s - t * t, 2 * s * t
     found = analyse(NurbsSurface.from_splines([a, b, height(a, b)]))
@@ -95,7 +89,7 @@ def test_a_branch_point_is_a_point_and_no_curve(height):
 )
 def test_a_singular_point_is_no_parabolic_one(bend, kind, corner):
     """(p, pq, q² ± p² + …) near p = q = 0: K has one sign wherever there is a tangent plane."""
-    u, v = parameters(0)
+    u, v = parameters()
     p, q = (u + v, u - v) if corner else (u - mpq(1, 2), v - mpq(1, 2))
     found = analyse(NurbsSurface.from_splines([p, p * q, q * q + p * p * bend + p * p * p * bend / 9]))
     assert [place.exact for place in found.singular_points] == [(0, 0) if corner else (mpq(1, 2), mpq(1, 2))]
@@ -115,7 +109,7 @@ def curvatures(surface):
 
 def bowl(profile, at=(0, 0)):
     """A graph over the square whose height depends on the distance from a point."""
-    u, v = parameters()
+    u, v = parameters(-1, 1)
     s, t = u - at[0], v - at[1]
     return NurbsSurface.from_splines([u, v, profile(s * s + t * t)])
 
@@ -139,7 +133,7 @@ def test_a_circle_of_umbilics_that_leaves_the_patch_has_no_single_ones():
 
 def test_the_ends_of_an_edge_of_umbilics_are_no_single_ones():
     """z = (1 − v)³: a cylinder, both of whose curvatures vanish along v = 1."""
-    u, v = parameters(0)
+    u, v = parameters()
     edge = NurbsSurface.from_splines([u, v, (1 - v) * (1 - v) * (1 - v)])
     for surface in (edge, edge.insert_knot("u", "3/7")):
         found = analyse(surface)

@@ -4,7 +4,6 @@ import pytest
 from gmpy2 import mpq
 
 from exactspline import BSpline, NurbsSurface, zeros
-from exactspline.geometry.surface.borders import EDGES, vanishes_at
 from exactspline.geometry.surface.forms import lowest
 from exactspline.geometry.surface.inspection import inspect_surface
 from exactspline.geometry.surface.joints import SurfaceJointKind
@@ -14,6 +13,7 @@ from exactspline.numbers.intervals import UNIT, Box, Interval
 from exactspline.polynomials.patch_forms import PatchForm
 from exactspline.polynomials.two_parameters import S, T, as_form
 from exactspline.roots import common_zeros
+from exactspline.roots.borders import EDGES, vanishes_at
 from exactspline.roots.common_zeros import CommonZero, zeros_of
 from exactspline.splines.tensor import TensorSpline
 

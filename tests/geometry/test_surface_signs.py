@@ -16,7 +16,7 @@ import pytest
 from click.testing import CliRunner
 from gmpy2 import mpq
 
-from exactspline import NurbsSurface, TensorSpline, analyse, example
+from exactspline import NurbsSurface, analyse, example
 from exactspline.cli import app
 from exactspline.cli.output import OptionsError
 from exactspline.display.surface_data import map_sheet, surface_inspection_data, surface_sheet
@@ -32,18 +32,8 @@ from exactspline.polynomials.two_parameters import S, T, as_form
 from exactspline.roots.common_zeros import Found, zeros_of
 from tests.campaigns.surfaces import is_good, run
 from tests.support.dials import factors, over_dials
+from tests.support.squares import graph, parameters
 from tests.support.surface_oracle import gaussian_curvature
-
-
-def parameters(low=0, high=1):
-    knots, ends = [low, low, high, high], [low, high]
-    return (TensorSpline((1, 0), knots, ends, [[low], [high]]), TensorSpline((0, 1), ends, knots, [[low, high]]))
-
-
-def graph(height, low=0, high=1):
-    """(u, v, height) over a square."""
-    u, v = parameters(low, high)
-    return NurbsSurface.from_splines([u, v, height(u, v)])
 
 
 @contextmanager

@@ -13,12 +13,9 @@ from exactspline.numbers.exact import sign
 from exactspline.numbers.intervals import UNIT, Box, Interval
 from exactspline.polynomials.patch_forms import PatchForm
 from exactspline.roots.zero_set import zeros
+from tests.support.bisector_oracle import bezier
 from tests.support.dials import over_dials
-
-
-def bezier(points, weights=None):
-    n = len(points) - 1
-    return xs.Nurbs(n, [0] * (n + 1) + [1] * (n + 1), points, weights)
+from tests.support.vectors import dot
 
 
 def is_in(boxes, s, t):
@@ -47,7 +44,9 @@ def test_pairs_are_kept_where_no_point_is_nearer(number):
     random, seen = Random(3), set()
     for degrees in ((1, 2), (2, 2), (3, 2), (2, 3)):
         first, second = (
-            bezier([(number(random), number(random)) for _ in range(n + 1)], random.choices((1, 2, 3), k=n + 1))
+            bezier(
+                *[(number(random), number(random)) for _ in range(n + 1)], weights=random.choices((1, 2, 3), k=n + 1)
+            )
             for n in degrees
         )
         found = xs.bisector(first, second)
@@ -69,17 +68,17 @@ def test_the_axis_of_a_lens():
     """Between y = 1 − x² and y = x² − 1 a point (2x³ − x, 0) has its feet at x where x² ≥ 1/2: the centre is nearer to
     four points than to the two apexes. Behind each other the parabolas have all their feet.
     """
-    inside = xs.bisector(bezier([(-1, 0), (0, 2), (1, 0)]), bezier([(-1, 0), (0, -2), (1, 0)])).trimmed
+    inside = xs.bisector(bezier((-1, 0), (0, 2), (1, 0)), bezier((-1, 0), (0, -2), (1, 0))).trimmed
     places = [xs.rational(k) / 10 for k in range(1, 10)]
     assert [is_in(inside.kept, s, s) for s in places] == [(2 * s - 1) ** 2 >= 0.5 for s in places]
     assert not any(is_in(inside.undecided, s, s) for s in places)
-    outside = xs.bisector(bezier([(-1, 2), (0, 0), (1, 2)]), bezier([(-1, -2), (0, 0), (1, -2)])).trimmed
+    outside = xs.bisector(bezier((-1, 2), (0, 0), (1, 2)), bezier((-1, -2), (0, 0), (1, -2))).trimmed
     assert all(is_in(outside.kept, s, s) for s in (xs.rational(k) / 7 for k in range(1, 7)))
 
 
 def test_a_point_of_another_segment_is_nearer():
     """The line y = 0 and y = 4 have all their pairs (s, s), until the second one comes down again."""
-    line, bent = bezier([(-4, 0), (4, 0)]), xs.Nurbs(1, [0, 0, 1, 2, 2], [(-4, 4), (4, 4), (1, 2)])
+    line, bent = bezier((-4, 0), (4, 0)), xs.Nurbs(1, [0, 0, 1, 2, 2], [(-4, 4), (4, 4), (1, 2)])
     found = xs.bisector(line, bent)
     kept = [is_in(found.trimmed.kept, s, s) for s in map(xs.rational, ("1/16", "1/8", "1/2", "7/8"))]
     assert kept == [True, True, False, False]
@@ -107,10 +106,6 @@ def as_numbers(curve, t):
     return at, [n * (y * w - x * v) for x, y in zip(p, q, strict=True)]
 
 
-def dot(a, b):
-    return a[0] * b[0] + a[1] * b[1]
-
-
 def difference(a, b):
     return [a[0] - b[0], a[1] - b[1]]
 
@@ -133,7 +128,9 @@ def test_forms_have_the_signs_of_differences_of_distances():
     random, seen = Random(8), set()
     for weights in (None, [2, 1, 3], [xs.rational("-1/2"), xs.rational("-1/3"), -1]):
         one, two, other = (
-            bezier([(random.randint(-9, 9), random.randint(-9, 9)) for _ in range(n)], weights if n == 3 else None)
+            bezier(
+                *[(random.randint(-9, 9), random.randint(-9, 9)) for _ in range(n)], weights=weights if n == 3 else None
+            )
             for n in (3, 3, 4)
         )
         segments = [segment for curve in (one, two) for segment in true_pairs._Segment.all_of(curve)]
@@ -192,7 +189,7 @@ def test_no_point_beyond_the_end_of_a_segment_is_compared():
 
 
 def test_the_work_of_one_pair_is_bounded(monkeypatch):
-    parabola, other = bezier([(-1, 0), (0, 2), (1, 0)]), bezier([(-1, 0), (0, -2), (1, 0)])
+    parabola, other = bezier((-1, 0), (0, 2), (1, 0)), bezier((-1, 0), (0, -2), (1, 0))
     monkeypatch.setattr(true_pairs, "BOXES", 0)
     assert true_pairs.true_pairs(parabola, other).undecided == (UNIT,)
     monkeypatch.setattr(true_pairs, "BOXES", 100)

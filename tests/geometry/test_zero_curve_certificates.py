@@ -13,7 +13,8 @@ from exactspline import TensorSpline, check_certificate, zero_curve
 from exactspline.errors import ReachError
 from tests.campaigns.certificates import campaign, of_zero_curves, topology_of
 from tests.campaigns.certificates import counts_of as counted
-from tests.geometry.test_zeros_in_two_parameters import DIALS, around, function
+from tests.geometry.test_zeros_in_two_parameters import DIALS, around
+from tests.support.squares import function
 
 
 def proved(p):

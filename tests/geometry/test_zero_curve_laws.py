@@ -7,13 +7,13 @@ from itertools import pairwise
 import pytest
 from gmpy2 import mpq
 
-from exactspline import TensorSpline, zero_curve
+from exactspline import zero_curve
 from exactspline.geometry.surface.common_factor import square_free
 from exactspline.geometry.surface.zero_curve import FIRST_CUTS, Shape, ZeroCurve
 from exactspline.geometry.surface.zero_lines import without_lines
 from exactspline.numbers.intervals import UNIT
 from exactspline.polynomials.two_parameters import S, T, as_form
-from tests.geometry.test_zeros_in_two_parameters import function
+from tests.support.squares import function
 
 #: Curves in the square from −1 to 1, each with a point to be noticed.
 CURVES = {
@@ -52,22 +52,14 @@ def told(found, back=lambda s, t: (s, t)):
     )
 
 
-def over(p):
-    """A polynomial in s and t on the square from −1 to 1."""
-    return p(
-        TensorSpline((1, 0), [-1, -1, 1, 1], [-1, 1], [[-1], [1]]),
-        TensorSpline((0, 1), [-1, 1], [-1, -1, 1, 1], [[-1, 1]]),
-    )
-
-
 @pytest.mark.parametrize("name", CURVES)
 def test_laws_of_curves_of_zeros(name):
     p = CURVES[name]
-    plain = over(p)
+    plain = function(p, -1, 1)
     expected = told(zero_curve(plain))
     exchanged = function(lambda s, t: -3 * p(2 * t - 1, 2 * s - 1))
     assert told(zero_curve(exchanged), lambda s, t: (2 * t - 1, 2 * s - 1)) == expected
-    turned = over(lambda x, y: p(-y, x) * (x + y * y + 3))
+    turned = function(lambda x, y: p(-y, x) * (x + y * y + 3), -1, 1)
     assert told(zero_curve(turned), lambda x, y: (-y, x)) == expected
     cut = plain.insert_knot(0, mpq(2, 5)).insert_knot(1, mpq(0))
     assert told(zero_curve(cut)) == expected
@@ -76,7 +68,7 @@ def test_laws_of_curves_of_zeros(name):
 @pytest.mark.parametrize("name", CURVES)
 def test_arcs_join_and_their_points_are_on_the_curve(name):
     """Each arc begins where an earlier one ends, as far as the way is unique, and the form changes its sign there."""
-    form, _ = without_lines(square_free(over(CURVES[name]).patch_form(0, 0)), UNIT)
+    form, _ = without_lines(square_free(function(CURVES[name], -1, 1).patch_form(0, 0)), UNIT)
     curve = ZeroCurve(form)
     assert curve.complete
     for part in curve.parts:

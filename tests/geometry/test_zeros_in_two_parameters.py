@@ -7,7 +7,7 @@ from random import Random
 import pytest
 from gmpy2 import mpq
 
-from exactspline import Nurbs, TensorSpline, common_zeros, intersections, zero_curve
+from exactspline import TensorSpline, common_zeros, intersections, zero_curve
 from exactspline.errors import DomainError, ReachError, ShapeError
 from exactspline.geometry import zeros_in_two_parameters
 from exactspline.geometry.singular_points import sign_at, singular_on_patch
@@ -17,14 +17,8 @@ from exactspline.geometry.zeros_in_two_parameters import ZeroCurves
 from exactspline.numbers.intervals import UNIT, Box, Interval
 from exactspline.polynomials.two_parameters import S, T, as_form
 from exactspline.roots import common_zeros as elimination
-
-
-def function(p, end=1):
-    """A polynomial in s and t on a square from 0 on."""
-    return p(
-        TensorSpline((1, 0), [0, 0, end, end], [0, end], [[0], [end]]),
-        TensorSpline((0, 1), [0, end], [0, 0, end, end], [[0, end]]),
-    )
+from tests.support.bisector_oracle import bezier
+from tests.support.squares import function
 
 
 def differences(first, second):
@@ -40,17 +34,12 @@ def differences(first, second):
     ]
 
 
-def curve(*points):
-    n = len(points) - 1
-    return Nurbs(n, [0] * (n + 1) + [1] * (n + 1), points)
-
-
 def places(found):
     return [(point.first, point.second) for point in found]
 
 
 def test_two_crossings_that_a_kernel_merges():
-    first, second = curve((2, 8), (2, 3), (3, 0), (2, 5)), curve((2, 2), (8, 8), (5, 8), (10, 8))
+    first, second = bezier((2, 8), (2, 3), (3, 0), (2, 5)), bezier((2, 2), (8, 8), (5, 8), (10, 8))
     zeros = common_zeros(*differences(first, second))
     assert sorted(point.first.decimal(6) for point in zeros) == ["0.612913", "0.671842"]
     assert [point.multiplicity for point in zeros] == [1, 1]
@@ -67,7 +56,7 @@ def test_common_zeros_of_differences_are_the_intersections():
             points[1][0] = points[0][0]
         if seed % 4 == 3:
             points[1][1] = points[0][1]
-        first, second = (curve(*own) for own in points)
+        first, second = (bezier(*own) for own in points)
         found, zeros = intersections(first, second), common_zeros(*differences(first, second))
         assert places(found) == places(zeros)
         assert [x.multiplicity for x in found] == [x.multiplicity for x in zeros]
@@ -327,9 +316,9 @@ def test_arcs_run_on_over_knots():
 def test_what_is_refused():
     f = function(lambda s, t: s - t)
     with pytest.raises(ShapeError, match="where a function of two parameters is expected"):
-        zero_curve(curve((0, 0), (1, 1)))
+        zero_curve(bezier((0, 0), (1, 1)))
     with pytest.raises(DomainError):
-        common_zeros(f, function(lambda s, t: s - t, end=2))
+        common_zeros(f, function(lambda s, t: s - t, high=2))
 
 
 def test_what_is_out_of_reach_is_undecided(monkeypatch):
@@ -387,7 +376,7 @@ def test_common_zeros_of_exchanged_stretched_and_divided_functions(p, q):
     assert sorted(exchanged, key=lambda x: x[:2]) == facts(found)
     assert len(turned.everywhere) == len(found.everywhere)
     stretched = common_zeros(
-        *(function(lambda s, t, r=r: r(s.scaled(mpq(1, 3)), t.scaled(mpq(1, 3))), 3) for r in (p, q))
+        *(function(lambda s, t, r=r: r(s.scaled(mpq(1, 3)), t.scaled(mpq(1, 3))), 0, 3) for r in (p, q))
     )
     assert [(x / 3, y / 3, *rest) for x, y, *rest in facts(stretched)] == facts(found)
     for at in (mpq(3, 7), mpq(1, 2)):

@@ -23,8 +23,9 @@ from exactspline.geometry.bisector.trimmed import PieceKind, trimmed_bisector
 from exactspline.geometry.bisector.two_curves import curve_bisector
 from exactspline.interchange.examples import example
 from exactspline.reals.real import Real
-from tests.geometry.test_bisector_pairs import assert_complete_on_a_grid, random_pair
+from tests.geometry.test_bisector_pairs import assert_complete_on_a_grid
 from tests.laws.test_invariance import OPPOSITE, assert_same, chain, rotated
+from tests.support.bisector_answers import of_family, random_pair
 from tests.support.bisector_oracle import FAMILIES, dimension, planes, point_and_tangent, spans
 from tests.support.same_curves import CHANGES as WAYS
 from tests.support.same_curves import similar
@@ -421,17 +422,12 @@ def beside(found, parameter=lambda t: t):
     )
 
 
-@cache
-def bisector_of(name):
-    return curve_bisector(*FAMILIES[name])
-
-
 @over_ways
 @pytest.mark.parametrize("name", PAIRS)
 def test_the_bisector_of_two_curves(name, way):
     """Its surface, and what lies beside it."""
     first, change = both_changed(FAMILIES[name], way)
-    one, other = bisector_of(name), curve_bisector(first, change.curve)
+    one, other = of_family(name), curve_bisector(first, change.curve)
     if way != "with_idle_knots":
         for expected, found in zip(beside(one, change.parameter), beside(other), strict=True):
             assert_agree(found, expected)
@@ -467,7 +463,7 @@ def test_every_pair_of_curves_written_otherwise(seed, way):
 
 def test_a_bisector_of_parts_is_the_part_of_a_bisector():
     first, second = FAMILIES["a cubic and a translated copy"]
-    whole = curve_bisector(first, second)
+    whole = of_family("a cubic and a translated copy")
     for own, half in zip(((0, mpq(1, 3)), (mpq(1, 3), 1)), second.split(mpq(1, 3)), strict=True):
         part = curve_bisector(first, half)
         for s in (mpq(1, 5), mpq(7, 9)):

@@ -27,39 +27,26 @@ from mpmath.libmp import to_rational
 import exactspline as xs
 from exactspline import BSpline, zeros
 from exactspline.errors import NumberError, OpenError, ReachError, ShapeError
-from exactspline.numbers.exact import from_float, to_fmpq
+from exactspline.numbers.exact import to_fmpq
 from exactspline.numbers.intervals import Interval
 from exactspline.polynomials import annihilating
 from exactspline.reals.ball import InBalls
 from exactspline.reals.digits import Digits
 from exactspline.reals.real import Extreme, Quadratic, RationalNumber, Real, between, real, square_root
 from exactspline.roots.root import Root
+from tests.support.dials import DIALS
+from tests.support.vectors import mpf_of
 
 ROOT_2, ROOT_3 = square_root(2), square_root(3)
 OPERATIONS = (operator.add, operator.sub, operator.mul, operator.truediv)
 
 
-def integers(chance):
-    return mpq(chance.randint(-9, 9))
+def huge_or_tiny(chance):
+    return DIALS[chance.choice(["doubles · 1e300", "doubles · 1e-300"])](chance)
 
 
-def thirds(chance):
-    return mpq(chance.randint(-30, 30), 3)
-
-
-def decimals(chance):
-    return mpq(chance.randint(-(10**10), 10**10), 10**10)
-
-
-def doubles(chance):
-    return from_float(chance.uniform(-2, 2))
-
-
-def huge(chance):
-    return from_float(chance.uniform(-2, 2) * 10.0 ** chance.choice([-300, 300]))
-
-
-DIAL = {"integers": integers, "thirds": thirds, "decimals": decimals, "doubles": doubles, "1e±300": huge}
+ORDINARY = {name: DIALS[name] for name in ("small integers", "thirds", "ten decimals", "doubles")}
+EVERY = ORDINARY | {"doubles · 1e±300": huge_or_tiny}
 
 
 def polynomial(c, low, high):
@@ -86,22 +73,22 @@ def close(x, value, digits=60, known=1200):
     low, high = x.enclosure(digits)
     assert high - low <= mpq(1, 10**digits)
     with mp.workdps(4000):
-        ends = [mpmath.mpf(int(t.numerator)) / int(t.denominator) for t in (low, high)]
+        ends = [mpf_of(t) for t in (low, high)]
         slack = abs(value) * mpmath.mpf(10) ** -known
         return ends[0] - slack <= value <= ends[1] + slack
 
 
 def in_mpmath(x):
     with mp.workdps(4000):
-        return mpmath.mpf(x.mpf(3900)) if not isinstance(x, mpq) else mpmath.mpf(int(x.numerator)) / int(x.denominator)
+        return mpmath.mpf(x.mpf(3900)) if not isinstance(x, mpq) else mpf_of(x)
 
 
-@pytest.mark.parametrize("dial", DIAL)
+@pytest.mark.parametrize("dial", EVERY)
 @pytest.mark.parametrize("seed", range(2))
 def test_arithmetic_agrees_with_mpmath(dial, seed):
     """Enclosures hold the true value, signs and doubles are right: `root + 1` was a TypeError."""
     chance = random.Random(f"{dial} {seed}")
-    number = DIAL[dial]
+    number = EVERY[dial]
     pool = [chance.choice(roots(chance, number)) for _ in range(3)]
     pool += [square_root(abs(number(chance)) + 1), real(number(chance)), square_root(1 + square_root(5))]
     for _ in range(12):
@@ -125,12 +112,12 @@ def test_arithmetic_agrees_with_mpmath(dial, seed):
             pool.append(made)
 
 
-@pytest.mark.parametrize("dial", ["integers", "thirds", "decimals", "doubles"])
+@pytest.mark.parametrize("dial", ORDINARY)
 @pytest.mark.parametrize("seed", range(2))
 def test_minimal_polynomials_vanish_and_are_irreducible(dial, seed):
     """A polynomial of too high a degree, or of another number, would be told."""
     chance = random.Random(f"{dial} {seed} minimal")
-    a, b = (chance.choice(roots(chance, DIAL[dial], degree)) for degree in (2, 3))
+    a, b = (chance.choice(roots(chance, EVERY[dial], degree)) for degree in (2, 3))
     for made in (a + b, a * b, a - b, a * a + 1, b / (b * b + 1), square_root(b * b + 2), -a, abs(b)):
         p = made.minimal_polynomial()
         assert len(fmpz_poly(p).factor()[1]) == 1
@@ -415,12 +402,12 @@ def test_digits_shown():
 
 
 @pytest.mark.parametrize("way", ["nearest", "down", "up"])
-@pytest.mark.parametrize("dial", DIAL)
+@pytest.mark.parametrize("dial", EVERY)
 def test_doubles_are_correctly_rounded(dial, way):
     chance = random.Random(f"{dial} doubles")
     ways = {"nearest": "n", "down": "f", "up": "c"}
     for _ in range(4):
-        a, b = (chance.choice(roots(chance, DIAL[dial])) for _ in range(2))
+        a, b = (chance.choice(roots(chance, EVERY[dial])) for _ in range(2))
         for made in (a + b, a * b, a - 1, abs(a)):
             with mp.workdps(4000):
                 true = in_mpmath(made if made.exact is None else made.exact)

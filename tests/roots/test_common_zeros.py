@@ -5,7 +5,7 @@ from random import Random
 import pytest
 from flint import fmpz_poly
 
-from exactspline import NurbsSurface, TensorSpline, analyse
+from exactspline import NurbsSurface, analyse
 from exactspline.errors import ReachError
 from exactspline.geometry.surface import singular_cells
 from exactspline.geometry.surface.umbilics import UmbilicKind
@@ -19,6 +19,7 @@ from exactspline.polynomials.two_parameters import S, T, as_form, value_at
 from exactspline.roots import common_zeros as solver
 from exactspline.roots.common_zeros import Column, Found, common_zeros, multiplicity
 from tests.campaigns.common_zeros import FAMILIES, above_ceiling, any_polynomial, difference, run
+from tests.support.squares import graph, parameters
 
 
 def test_all_zeros_are_those_of_elimination_by_another_route():
@@ -111,17 +112,6 @@ def test_the_cost_is_bounded():
     f, g = (any_polynomial(random, 9, 9, 10**9) for _ in range(2))
     with drawing_on(Budget(10**6)), pytest.raises(ReachError):
         common_zeros([f, g], UNIT)
-
-
-def graph(height):
-    u, v = parameters()
-    return NurbsSurface.from_splines([u, v, height(u, v)])
-
-
-def parameters():
-    u = TensorSpline((1, 0), [0, 0, 1, 1], [0, 1], [[0], [1]])
-    v = TensorSpline((0, 1), [0, 1], [0, 0, 1, 1], [[0, 1]])
-    return u, v
 
 
 def test_flat_points_at_irrational_crossings_are_umbilics():

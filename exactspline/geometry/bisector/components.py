@@ -6,6 +6,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field, replace
 from enum import StrEnum
+from typing import Any, TypeVar
 
 from flint import arb, fmpz_mpoly
 
@@ -25,6 +26,7 @@ from exactspline.splines.lowest_terms import RationalSurface
 
 #: Longer equations are shown by their degree only.
 SHORT = 40
+W = TypeVar("W", bound=StrEnum)
 
 
 class Solutions(StrEnum):
@@ -47,14 +49,6 @@ class Cause(StrEnum):
     FIRST_STILL = "the first curve stands still"
     SECOND_STILL = "the second curve stands still"
     BOTH_STILL = "both curves stand still"
-
-
-_EXCHANGED = {
-    Cause.FIRST_CUSP: Cause.SECOND_CUSP,
-    Cause.SECOND_CUSP: Cause.FIRST_CUSP,
-    Cause.FIRST_STILL: Cause.SECOND_STILL,
-    Cause.SECOND_STILL: Cause.FIRST_STILL,
-}
 
 
 class Correspondence(StrEnum):
@@ -230,8 +224,8 @@ class LineComponent:
         """The component of the exchanged curves (without branches)."""
         return replace(
             self,
-            correspondence=_other(self.correspondence),
-            cause=_EXCHANGED.get(self.cause, self.cause),
+            correspondence=_exchanged(self.correspondence),
+            cause=_exchanged(self.cause),
             system=self.system.transposed(),
             equation=self.equation and self.equation.transposed(),
             pieces=tuple(one.transposed() for one in self.pieces),
@@ -261,7 +255,7 @@ class PlaneComponent:
         return replace(
             self,
             of=1 - self.of,
-            cause=_EXCHANGED.get(self.cause, self.cause),
+            cause=_exchanged(self.cause),
             sides=Box(self.sides.second, self.sides.first),
             equation=self.equation and self.equation.transposed(),
         )
@@ -302,9 +296,7 @@ class SinglePair:
 
     def transposed(self) -> SinglePair:
         """The pair of the exchanged curves."""
-        return replace(
-            self, s=self.t, t=self.s, cause=_EXCHANGED.get(self.cause, self.cause), system=self.system.transposed()
-        )
+        return replace(self, s=self.t, t=self.s, cause=_exchanged(self.cause), system=self.system.transposed())
 
 
 @dataclass(frozen=True)
@@ -364,9 +356,16 @@ def _conditions(cause: Cause) -> Conditions:
     return ALL & ~void[cause] if cause in void else ALL
 
 
-def _other(correspondence: Correspondence) -> Correspondence:
-    exchanged = {
-        Correspondence.FIRST_FIXED: Correspondence.SECOND_FIXED,
-        Correspondence.SECOND_FIXED: Correspondence.FIRST_FIXED,
-    }
-    return exchanged.get(correspondence, correspondence)
+#: What becomes of what when the curves are exchanged.
+_EXCHANGED: dict[Any, Any] = {
+    Cause.FIRST_CUSP: Cause.SECOND_CUSP,
+    Cause.FIRST_STILL: Cause.SECOND_STILL,
+    Correspondence.FIRST_FIXED: Correspondence.SECOND_FIXED,
+}
+_EXCHANGED |= {second: first for first, second in _EXCHANGED.items()}
+
+
+def _exchanged(of: W) -> W:
+    """The cause, or the correspondence, of the exchanged curves."""
+    other: W = _EXCHANGED.get(of, of)
+    return other

@@ -86,6 +86,3 @@ def _sum(one: Any, other: Any) -> tuple[Any, ...]:
 def _size(x: Any) -> Any:
     """The key for choosing among several normals: any nonzero one is right, so that a rounded size is enough."""
     return x.lower() if isinstance(x, arb) else x
-
-
-__all__ = ["ALL", "Conditions", "Flat", "enclosed_flat", "flat_at"]

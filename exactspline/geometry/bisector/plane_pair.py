@@ -24,14 +24,16 @@ from exactspline.splines.tensor import TensorSpline, lifted
 
 #: Functions of two parameters.
 R = TypeVar("R", bound=Any)
+#: Of a curve p and w, and its tangent.
+Sides = Sequence[Sequence[R]]
 
 
 class PlanePair(Generic[R]):
     """Two plane curves, each by p and w: their tangents a, b and their chord as functions of both parameters."""
 
-    def __init__(self, first: Sequence[R], second: Sequence[R], a: Sequence[R], b: Sequence[R]) -> None:
-        *p, w = first
-        *q, v = second
+    def __init__(self, first: Sides[R], second: Sides[R]) -> None:
+        (*p, w), a = first
+        (*q, v), b = second
         self.a, self.b = Vector(*a), Vector(*b)
         #: ``w w̄``, and the chord times it.
         self.weight, self.chord = w * v, Vector(*[w * y - v * x for x, y in zip(p, q, strict=True)])
@@ -45,8 +47,7 @@ class PlanePair(Generic[R]):
             *p, w = forms
             velocity = [f.derivative() * w - f * w.derivative() for f in p]
             lists.append([[lifted_polynomial(f, k) for f in own] for own in (forms, velocity)])
-        (first, a), (second, b) = lists
-        return PlanePair(first, second, a, b)
+        return PlanePair(*lists)
 
     @classmethod
     def of_curves(cls, first: Nurbs, second: Nurbs) -> PlanePair[TensorSpline]:
@@ -56,8 +57,7 @@ class PlanePair(Generic[R]):
             [[lifted(f, meshes, k) for f in own] for own in ((*curve.p, curve.w), tangent(curve))]
             for k, curve in enumerate((first, second))
         ]
-        (one, a), (other, b) = lists
-        return PlanePair(one, other, a, b)
+        return PlanePair(*lists)
 
     @cached_property
     def across(self) -> R:

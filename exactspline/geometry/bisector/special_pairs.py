@@ -103,16 +103,13 @@ def _with_tangents(system: System) -> SpecialPairs:
     pairs = SpecialPairs() if factor else _everywhere(system)
     # where all minors vanish everywhere, there is more only where the curves overlap
     factors = irreducible_factors(factor if factor else greatest_common_divisor(system.chord))
+    where = system.sides.shortly
     for g in factors:
         if sign_on_patch(as_form(g).part(system.sides)).sign not in (Sign.POSITIVE, Sign.NEGATIVE):
-            pairs += _in_reach(_pairs_of(g, system.sides), partial(_along, system, g))
-    where = system.sides.shortly
+            what = f"lines or planes of {PairEquation.of(g).short_text} on {where}"
+            pairs += _in_reach(what, partial(_along, system, g))
     pairs += _in_reach(f"single pairs on {where}", lambda: _single(system, factors))
     return pairs + _in_reach(f"poles on {where}", lambda: _poles(system)) if factor else pairs
-
-
-def _pairs_of(g: fmpz_mpoly, sides: Box) -> str:
-    return f"lines or planes of {PairEquation.of(g).short_text} on {sides.shortly}"
 
 
 def _single(system: System, factors: list[fmpz_mpoly]) -> SpecialPairs:
@@ -141,13 +138,9 @@ def _everywhere(system: System) -> SpecialPairs:
 def _along(system: System, g: fmpz_mpoly) -> SpecialPairs:
     """The lines, or the planes, along an irreducible equation."""
     m, n = (int(k) for k in g.degrees())
-    if n == 0 or (m == 1 and n > 1):
-        return _along_rational(system, g)
-    if m == 0:
-        return _along_rational(system.transposed(), PairEquation.of(g).transposed().polynomial).transposed()
-    if n == 1:
-        return _along_rational(system, g)
-    return _along_algebraic(system, g)
+    if m == 0 or (m == 1 and n > 1):
+        return _along(system.transposed(), PairEquation.of(g).transposed().polynomial).transposed()
+    return (_along_fixed, _along_rational, _along_algebraic)[min(n, 2)](system, g)
 
 
 def _kind(system: System, g: fmpz_mpoly) -> Solutions | None:
@@ -158,32 +151,22 @@ def _kind(system: System, g: fmpz_mpoly) -> Solutions | None:
 
 
 def _along_rational(system: System, g: fmpz_mpoly) -> SpecialPairs:
-    """An equation in s alone, or of degree 1 in one parameter."""
-    n = int(g.degrees()[1])
-    if n == 0:
-        return _along_fixed(system, g)
-    if n > 1:
-        return _along_rational(system.transposed(), PairEquation.of(g).transposed().polynomial).transposed()
+    """An equation of degree 1 in t."""
     equation, kind = PairEquation.of(g), _kind(system, g)
+    cause = Cause.OVERLAP if kind == Solutions.PLANE else Cause.DEPENDENT
     top, bottom = rows_of(g)
     intervals = graph_intervals(-top, bottom, *system.sides)
     wide = tuple((low, high) for low, high in intervals if low < high)
     narrow = [(low, _value(-top, bottom, low, system.second.interval)) for low, high in intervals if low == high]
     singular = [
-        SinglePair(*x, kind, _cause(kind), system)
-        for x in narrow
-        if kind and not at_cusp(system, x) and _has(system, x, kind)
+        SinglePair(*x, kind, cause, system) for x in narrow if kind and not at_cusp(system, x) and _has(system, x, kind)
     ]
     pairs = SpecialPairs(pairs=tuple(singular))
     if kind == Solutions.PLANE and wide:
-        pairs += SpecialPairs(planes=(PlaneComponent(kind, Cause.OVERLAP, system.sides, equation, wide),))
+        pairs += SpecialPairs(planes=(PlaneComponent(kind, cause, system.sides, equation, wide),))
     if kind == Solutions.LINE and wide:
         pairs += SpecialPairs((_graph(system, equation, wide),))
     return pairs
-
-
-def _cause(kind: Solutions) -> Cause:
-    return Cause.OVERLAP if kind == Solutions.PLANE else Cause.DEPENDENT
 
 
 def _has(system: System, place: Place, kind: Solutions) -> bool:

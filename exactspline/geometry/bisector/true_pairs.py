@@ -74,10 +74,9 @@ class _Segment:
         """``w² γ′``."""
         return Vector(*[f.derivative() * self.w - f * self.w.derivative() for f in self.p])
 
-    def over(self, variable: int) -> tuple[list[fmpz_mpoly], list[fmpz_mpoly]]:
+    def over(self, variable: int) -> list[list[fmpz_mpoly]]:
         """p and w, and the tangent, as polynomials in two parameters."""
-        point, tangent = [[lifted(f, variable) for f in own] for own in ((*self.p, self.w), self.tangent)]
-        return point, tangent
+        return [[lifted(f, variable) for f in own] for own in ((*self.p, self.w), self.tangent)]
 
     def homogeneous(self, t: mpq) -> list[int]:
         """Integers x, y and w of a point."""
@@ -93,10 +92,9 @@ class _Foot:
 
     def __init__(self, curve: Sequence[_Segment], own: int, other: _Segment) -> None:
         self.curve, self.own = curve, own
-        (first, a), (second, b) = curve[own].over(0), other.over(1)
-        pair = PlanePair(first, second, a, b)
-        self.p, self.w, self.normal = Vector(*first[:-1]), first[-1], perp(Vector(*a))
-        self.across, self.along = det(pair.a, pair.chord) * second[-1], norm2(pair.chord)
+        pair, (*p, self.w) = PlanePair(curve[own].over(0), other.over(1)), curve[own].over(0)[0]
+        self.p, self.normal = Vector(*p), perp(pair.a)
+        self.across, self.along = det(pair.a, pair.chord) * lifted(other.w, 1), norm2(pair.chord)
         #: Both with one constant.
         self.factors = as_forms([self.across, self.along])
 
@@ -203,8 +201,7 @@ class _Search:
 
     def __init__(self, one: Sequence[_Segment], i: int, other: Sequence[_Segment], j: int) -> None:
         self.sides = Box(one[i].sides, other[j].sides)
-        (first, a), (second, b) = one[i].over(0), other[j].over(1)
-        self.function = as_form(PlanePair(first, second, a, b).equidistant)
+        self.function = as_form(PlanePair(one[i].over(0), other[j].over(1)).equidistant)
         self.segments, self.made = len(one) + len(other), lambda: (_Foot(one, i, other[j]), _Foot(other, j, one[i]))
 
     @cached_property

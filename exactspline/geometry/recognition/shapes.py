@@ -463,15 +463,9 @@ class Conic(CurveShape):
 
     def _value(self, of: Homogeneous) -> tuple[Any, Vector[Any]]:
         """q times w², and half its gradient times w."""
-        # often asked of one curve several times
-        asked, value, gradient = vars(self).get("_asked", (None, None, None))
-        if asked is not of:
-            coordinates = (*of.p, of.w)
-            images = [scalar(coordinates, row) for row in self.matrix]
-            value, gradient = scalar(images, coordinates), Vector(*images[:-1])
-            if not isinstance(of, Place):
-                vars(self)["_asked"] = of, value, gradient
-        return value, gradient
+        coordinates = (*of.p, of.w)
+        images = [scalar(coordinates, row) for row in self.matrix]
+        return scalar(images, coordinates), Vector(*images[:-1])
 
     def parts(self, of: Homogeneous) -> Parts:
         """What vanishes on it."""

@@ -13,18 +13,15 @@ from dataclasses import dataclass
 from typing import NamedTuple
 
 from exactspline.errors import counted
-from exactspline.geometry.surface.borders import Edge, along, roots_along
 from exactspline.geometry.surface.forms import Patch
-from exactspline.geometry.surface.merged import is_in
-from exactspline.geometry.surface.places import Parameter, Place
+from exactspline.geometry.surface.merged import Spot, is_in
+from exactspline.geometry.surface.places import Place
 from exactspline.geometry.surface.zero_curve import Part, Shape, Vertex, ZeroCurve
 from exactspline.numbers.exact import mpq
 from exactspline.numbers.intervals import Box
+from exactspline.roots.borders import Edge, along, roots_along
 from exactspline.roots.common_zeros import CommonZero
 from exactspline.splines.surface import Along
-
-#: A point of a border by its two parameters.
-Spot = tuple[Parameter, Parameter]
 
 
 class Piece(NamedTuple):

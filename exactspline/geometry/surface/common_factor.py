@@ -8,6 +8,7 @@ from functools import reduce
 from flint import fmpz_poly
 
 from exactspline.numbers.exact import common_divisor, mpq, sign
+from exactspline.polynomials.factorization import divided_out
 from exactspline.polynomials.factors import factorize, factorize_square_free, greatest_common_divisor
 from exactspline.polynomials.patch_forms import PatchForm, powers_of
 from exactspline.polynomials.two_parameters import CONTEXT, as_form, as_polynomial
@@ -59,14 +60,8 @@ def without_powers(form: PatchForm, factor: PatchForm, *, even: bool = False) ->
     >>> without_powers(square, PatchForm.of_net([[1, -1]])).degree
     (0, 0)
     """
-    p, q = as_polynomial(form), as_polynomial(factor)
-    if even:
-        q = q * q
-    while True:
-        quotient, rest = divmod(p, q)
-        if rest:
-            return as_form(p)
-        p = quotient
+    q = as_polynomial(factor)
+    return as_form(divided_out(as_polynomial(form), q * q if even else q))
 
 
 def square_free(form: PatchForm) -> PatchForm:

@@ -42,7 +42,6 @@ from exactspline.geometry.recognition.shapes import (
     scalar,
     upper_square_root,
 )
-from exactspline.geometry.surface.borders import Edge
 from exactspline.geometry.surface.degenerate import closed_along, point_of
 from exactspline.geometry.surface.forms import Patch, SurfaceForms
 from exactspline.geometry.surface.signs import Sign, sign_on_patch
@@ -50,6 +49,7 @@ from exactspline.language.wronskians import wronskians
 from exactspline.numbers.exact import mpq, sign
 from exactspline.numbers.intervals import UNIT
 from exactspline.polynomials.patch_forms import PatchForm, Sized, halved
+from exactspline.roots.borders import Edge
 from exactspline.roots.values import sign_at
 from exactspline.roots.zero_set import zeros
 from exactspline.splines.bspline import BSpline

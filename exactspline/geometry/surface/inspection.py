@@ -7,7 +7,6 @@ from dataclasses import dataclass, field, replace
 from enum import StrEnum
 
 from exactspline.errors import ReachError
-from exactspline.geometry.surface.borders import EDGES, Edge, vanishes_at
 from exactspline.geometry.surface.chains import Piece, ZeroComponent, chained, place_of
 from exactspline.geometry.surface.common_factor import odd_part, square_free, without_powers
 from exactspline.geometry.surface.constant import constant_curvature
@@ -15,7 +14,7 @@ from exactspline.geometry.surface.degenerate import Pole, closed_along, is_point
 from exactspline.geometry.surface.forms import Patch, Reduced, SurfaceForms, on_patch, sides_of
 from exactspline.geometry.surface.joints import SurfaceJoint, joints
 from exactspline.geometry.surface.merged import is_in, is_same, merged_places, merged_umbilics
-from exactspline.geometry.surface.places import Parameter, Place
+from exactspline.geometry.surface.places import Place
 from exactspline.geometry.surface.recognized import RecognizedPart, recognized_surface
 from exactspline.geometry.surface.ridges import Ridges, ridges_of_surface
 from exactspline.geometry.surface.signs import Sign, Signs, sign_on_patch
@@ -31,7 +30,9 @@ from exactspline.polynomials.patch_forms import PatchForm
 from exactspline.polynomials.two_parameters import as_polynomial
 from exactspline.questions.answers import SurfacePart, SurfacePlaces
 from exactspline.questions.entry import Answered, Fact, Inspected, Of, question, question_with
+from exactspline.roots.borders import EDGES, Edge, vanishes_at
 from exactspline.roots.common_zeros import CommonZero
+from exactspline.roots.of_polynomials import Parameter
 from exactspline.splines.expected import surface_of
 from exactspline.splines.surface import Along, NurbsSurface
 
@@ -542,6 +543,3 @@ def _is_on(place: Place, direction: int, value: Parameter) -> bool:
     """Whether a parameter of a point has this value."""
     low, high = place.box(DIGITS)[direction]
     return bool(low <= value <= high and place.spot[direction] == value)
-
-
-__all__ = ["PatchInspection", "PatchKind", "SurfaceInspection", "inspect_patch", "inspect_surface"]

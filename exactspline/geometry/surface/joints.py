@@ -19,11 +19,11 @@ from itertools import count, pairwise, starmap
 from operator import add
 
 from exactspline.geometry.angles import Angle
-from exactspline.geometry.surface.borders import Edge
 from exactspline.geometry.surface.degenerate import edge_points
 from exactspline.geometry.surface.forms import Patch, SurfaceForms
 from exactspline.numbers.exact import mpq
 from exactspline.numbers.intervals import Interval
+from exactspline.roots.borders import Edge
 from exactspline.roots.zero_set import zeros
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.surface import Along, NurbsSurface

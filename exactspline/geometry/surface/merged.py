@@ -8,10 +8,11 @@ from collections.abc import Iterable, Sequence
 from dataclasses import replace
 from itertools import product
 
-from exactspline.geometry.surface.borders import EDGES, vanishes_at
-from exactspline.geometry.surface.places import Parameter, Place
+from exactspline.geometry.surface.places import Place
 from exactspline.geometry.surface.umbilics import Umbilic, UmbilicKind, UmbilicsOfPatch
 from exactspline.numbers.intervals import Box
+from exactspline.roots.borders import EDGES, vanishes_at
+from exactspline.roots.of_polynomials import Parameter
 from exactspline.splines.surface import Along
 
 #: A point by its parameters.
@@ -53,11 +54,13 @@ def _groups(places: Iterable[Place], domain: Box, closed: Sequence[Along]) -> li
     """The places grouped by the points that they describe."""
     groups: list[list[Place]] = []
     for place in places:
-        own = next((own for own in groups if are_one(place, own[0], domain, closed)), None)
-        if own is None:
-            groups.append([place])
+        known = groups if not place.is_inside else []
+        for own in known:
+            if not own[0].is_inside and is_same(place.spot, own[0].spot, domain, closed):
+                own.append(place)
+                break
         else:
-            own.append(place)
+            groups.append([place])
     return groups
 
 
@@ -66,15 +69,8 @@ def _together(own: Sequence[Place]) -> Place:
     return first.with_patches(tuple(patch for place in others for patch in place.patches))
 
 
-def are_one(one: Place, other: Place, domain: Box, closed: Sequence[Along]) -> bool:
-    """Whether two points found on patches are equal, with the two ends of a closed surface identified."""
-    if one.is_inside or other.is_inside:
-        return False
-    return is_same(one.spot, other.spot, domain, closed)
-
-
 def is_same(one: Spot, other: Spot, domain: Box, closed: Sequence[Along]) -> bool:
-    """The same of points by their parameters."""
+    """Whether two points are equal, with the two ends of a closed surface identified."""
     return any(spot == other for spot in _alike(one, domain, closed))
 
 
@@ -117,6 +113,3 @@ def _has(own: UmbilicsOfPatch, spot: Spot, box: Box) -> bool:
     if own.everywhere or any(edge in own.edges for edge in edges):
         return True
     return own.curve is not None and vanishes_at(own.curve.form, spot, box)
-
-
-__all__ = ["are_one", "is_in", "merged_places", "merged_umbilics"]

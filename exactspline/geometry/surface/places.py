@@ -42,6 +42,3 @@ class Place:
     def with_patches(self, patches: tuple[Patch, ...]) -> Place:
         """The same point, found on more patches."""
         return Place(tuple(sorted({*self.patches, *patches})), self.zero)
-
-
-__all__ = ["Parameter", "Place"]

@@ -20,11 +20,9 @@ from itertools import pairwise
 from flint import fmpz_mpoly
 
 from exactspline.errors import ReachError
-from exactspline.geometry.surface.borders import EDGES, Edge, along, roots_along, vanishes_at
 from exactspline.geometry.surface.chains import Piece, ZeroComponent, chained, place_of
 from exactspline.geometry.surface.common_factor import square_free, without_powers
 from exactspline.geometry.surface.forms import Patch, Reduced, SurfaceForms, on_patch, sides_of
-from exactspline.geometry.surface.places import Parameter
 from exactspline.geometry.surface.singular import SingularPoints
 from exactspline.geometry.surface.singular_cells import Cell, Crossing, kind_on
 from exactspline.geometry.surface.umbilics import UmbilicsOfPatch
@@ -39,7 +37,9 @@ from exactspline.polynomials.patch_forms import PatchForm, Sized, clusters, halv
 from exactspline.polynomials.two_parameters import CONTEXT, as_form, as_polynomial
 from exactspline.questions.answers import SurfacePart
 from exactspline.reals.real import Real, between, real, square_root
+from exactspline.roots.borders import EDGES, Edge, along, roots_along, vanishes_at
 from exactspline.roots.common_zeros import CommonZero
+from exactspline.roots.of_polynomials import Parameter
 from exactspline.splines.surface import Along
 from exactspline.splines.tensor import TensorSpline
 
@@ -334,6 +334,3 @@ def ridges_of_surface(
     lines = zero_lines(surface.patches, surface.domain, own, closed)
     stationary = tuple((SurfacePart(one.patch, one.sides), one.stationary) for one in found if one.stationary)
     return Ridges(curves, lines, stationary, undecided)
-
-
-__all__ = ["OpenRidges", "Ridges", "RidgesOfPatch", "ridges_of_surface"]

@@ -8,11 +8,11 @@ from dataclasses import dataclass
 from enum import StrEnum
 from itertools import pairwise, product, starmap
 
-from exactspline.geometry.surface.borders import Edge, along, roots_along
 from exactspline.numbers.exact import mpq
 from exactspline.numbers.exact import sign as sign_of
 from exactspline.numbers.intervals import UNIT, Box, Interval
 from exactspline.polynomials.patch_forms import PatchForm, Sized, halved
+from exactspline.roots.borders import Edge, along, roots_along
 
 #: Boxes and halvings before the remaining boxes are reported as undecided.
 BOXES, DEPTH = 4000, 80

@@ -6,7 +6,6 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 from exactspline.errors import ReachError
-from exactspline.geometry.surface.borders import EDGES, Edge, along, roots_along, vanishes_at
 from exactspline.geometry.surface.common_factor import common_factor, divided, square_free
 from exactspline.geometry.surface.forms import Patch, SurfaceForms, on_patch, sides_of
 from exactspline.geometry.surface.places import Place
@@ -14,6 +13,7 @@ from exactspline.geometry.surface.signs import Sign, sign_on_patch
 from exactspline.geometry.surface.zero_curve import ZeroCurve
 from exactspline.numbers.intervals import Box
 from exactspline.polynomials.patch_forms import PatchForm
+from exactspline.roots.borders import EDGES, Edge, along, roots_along, vanishes_at
 from exactspline.roots.common_zeros import CommonZero, zeros_of
 
 #: Bits of a box around a point that is undecided.

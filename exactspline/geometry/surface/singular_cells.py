@@ -26,9 +26,9 @@ from exactspline.polynomials.elimination import discriminant
 from exactspline.polynomials.patch_forms import PatchForm
 from exactspline.polynomials.rounded_forms import rounded
 from exactspline.polynomials.two_parameters import as_polynomial, at, rows_of
+from exactspline.reals.real import real
 from exactspline.roots.common_zeros import Column, CommonZero, zeros_of
 from exactspline.roots.of_polynomials import Parameter, enclosing, exactly, roots_in
-from exactspline.roots.root import Root
 
 #: Bits of the cells that are tried where the Hessian is regular.
 CELL_BITS = (6, 8, 10, 14, 20, 30, 44)
@@ -144,7 +144,7 @@ class _Cells:
         # all values t of zeros above singular points
         heights: list[Parameter] = []
         for s in _different(point.s for point in points):
-            column = Column.of([f], _minimal(s))
+            column = Column.of([f], fmpz_poly(real(s).minimal_polynomial()))
             heights = _different([*heights, *(t for t in column.candidates if column.contains(s, t))])
         #: In each direction the coordinates of the points, and of each the numbers that must not be in its interval.
         self.apart = [
@@ -182,10 +182,6 @@ class _Cells:
         return bool(own) and [exactly(s) for s in roots_in(own, *side)] == [point.s]
 
 
-def _minimal(s: Parameter) -> fmpz_poly:
-    return fmpz_poly(s.minimal_polynomial() if isinstance(s, Root) else [int(-s.numerator), int(s.denominator)])
-
-
 def _different(numbers: Iterable[Parameter]) -> list[Parameter]:
     found: list[Parameter] = []
     for x in numbers:
@@ -208,6 +204,3 @@ def interval_around(t: Parameter, others: Sequence[Parameter], bits: int) -> Int
     if any(wide.low <= end <= wide.high and t != end for end in UNIT.first):
         return None
     return Interval(max(mpq(0), low - width), min(mpq(1), high + width))
-
-
-__all__ = ["Cell", "Crossing", "kind_on", "singular_cells"]

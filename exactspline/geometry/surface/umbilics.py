@@ -12,19 +12,19 @@ from enum import StrEnum
 from itertools import pairwise, product
 
 from exactspline.errors import ReachError
-from exactspline.geometry.surface.borders import EDGES, Edge, along, common_along, roots_along
 from exactspline.geometry.surface.common_factor import common_factor, divided, without_powers
 from exactspline.geometry.surface.forms import Patch, Reduced, SurfaceForms, on_patch, sides_of
-from exactspline.geometry.surface.places import Parameter, Place
+from exactspline.geometry.surface.places import Place
 from exactspline.geometry.surface.singular import FAR, SingularPoints, curve_of, singular_points, without_known
 from exactspline.geometry.surface.zero_curve import ZeroCurve
 from exactspline.numbers.exact import mpq
-from exactspline.numbers.intervals import Box
+from exactspline.numbers.intervals import UNIT, Box
 from exactspline.polynomials.patch_forms import PatchForm
 from exactspline.polynomials.rounded_forms import rounded
 from exactspline.polynomials.two_parameters import as_form, as_polynomial
+from exactspline.roots.borders import EDGES, Edge, along, common_along, roots_along
 from exactspline.roots.common_zeros import CommonZero, zeros_of
-from exactspline.roots.of_polynomials import exactly
+from exactspline.roots.of_polynomials import Parameter, exactly
 
 #: Bits of a point at which the kind of an umbilic is read off, the last for surfaces 10³⁰⁰ times as high as wide.
 KIND_BITS = 20, 40, 130, 2400
@@ -178,8 +178,8 @@ class _Search:
         lengths = self.first[0], self.first[2]
         pairs = [(f.whole, g.whole, e) for (f, g), e in zip(pairwise(self.own), lengths, strict=True) if f and g]
         for bits, (f, g, length) in product(KIND_BITS, pairs):
-            first, second = (side.grown(mpq(1, 1 << bits)) for side in zero.refine(bits))
-            box = Box(first, second)
+            around = (side.grown(mpq(1, 1 << bits)) for side in zero.refine(bits))
+            box = Box(*(side.inside(whole) for side, whole in zip(around, UNIT, strict=True)))
             if rounded(length, box).sign == 1 and (sign := jacobian_sign(f, g, box)):
                 return UmbilicKind.POSITIVE if sign > 0 else UmbilicKind.NEGATIVE
         try:

@@ -19,7 +19,6 @@ from typing import NamedTuple
 
 from flint import fmpz
 
-from exactspline.geometry.surface.borders import EDGES
 from exactspline.geometry.surface.common_factor import rational_lines
 from exactspline.geometry.surface.singular_cells import Cell, Crossing, singular_cells
 from exactspline.numbers.exact import mpq
@@ -28,6 +27,7 @@ from exactspline.polynomials.bernstein import ONE, from_integers
 from exactspline.polynomials.patch_forms import PatchForm, Sized, clusters, halved
 from exactspline.polynomials.rounded_forms import rounded
 from exactspline.reals.real import between
+from exactspline.roots.borders import EDGES
 from exactspline.roots.common_zeros import CommonZero
 from exactspline.roots.of_polynomials import Place
 from exactspline.roots.root import Root

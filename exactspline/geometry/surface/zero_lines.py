@@ -8,14 +8,13 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import NamedTuple
 
-from exactspline.geometry.surface.borders import Edge, along, roots_along
 from exactspline.geometry.surface.common_factor import divided, line_factor
 from exactspline.geometry.surface.degenerate import line_of
 from exactspline.geometry.surface.forms import Patch
-from exactspline.geometry.surface.places import Parameter
 from exactspline.numbers.intervals import Box, Interval, joined
 from exactspline.polynomials.patch_forms import PatchForm, of_powers
-from exactspline.roots.of_polynomials import exactly
+from exactspline.roots.borders import Edge, along, roots_along
+from exactspline.roots.of_polynomials import Parameter, exactly
 from exactspline.splines.surface import Along
 
 
@@ -119,6 +118,3 @@ def _without_seam(lines: list[ZeroLine], domain: Box, closed: Sequence[Along]) -
             continue
         kept.append(line)
     return tuple(kept)
-
-
-__all__ = ["LinesOfPatch", "ZeroLine", "without_lines", "zero_lines"]
