@@ -235,8 +235,7 @@ def _emit(curve: Nurbs, path: str) -> None:
     from exactspline.atomic_write import write_text
     from exactspline.verification.coq.answers import theorem_of
 
-    text = theorem_of(curve)
-    write_text(path, text)
+    write_text(path, theorem_of(curve))
     tell_written(path)
 
 

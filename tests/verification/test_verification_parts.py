@@ -69,8 +69,6 @@ def test_pairs_are_made_of_first_segments():
     curve = example("six_segment_cubic")
     first = beginning(curve)
     assert first.w.breakpoints == curve.breakpoints[:2]
-    assert beginning(curve, 3).w.breakpoints == curve.breakpoints[:4]
-    assert beginning(curve, 99).w.breakpoints == curve.breakpoints
     pair = pair_with(example("helix_like"))
     assert all(len(patch.polynomials) == 1 for patch in pair.first.p)
 

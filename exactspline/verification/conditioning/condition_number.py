@@ -44,7 +44,7 @@ def condition_number(form: Form, n: int, root: Root, m: int) -> Interval:
     digits = START
     while True:
         x = local(root, digits)
-        top = _range(_absolute(form), n, x)
+        top = _range((fmpz_poly([abs(c) for c in form[0].coeffs()]), form[1]), n, x)
         bottom = _range(_derivative(form, n, m), n - m, x)
         if bottom[0] > 0 or bottom[1] < 0:
             small, large = sorted(map(abs, bottom))
@@ -55,10 +55,6 @@ def condition_number(form: Form, n: int, root: Root, m: int) -> Interval:
             if high - low <= WIDTH * low:
                 return Interval(low, high)
         digits *= 2
-
-
-def _absolute(form: Form) -> Form:
-    return fmpz_poly([abs(c) for c in form[0].coeffs()]), form[1]
 
 
 def _derivative(form: Form, n: int, m: int) -> Form:
