@@ -83,7 +83,7 @@ Plot = Annotated[
         "--plot",
         metavar="FILE",
         help="Draw the curve and the function that was solved, or the surface, into an SVG or PNG file; a surface also "
-        "into an HTML page that turns.",
+        "into an interactive HTML page.",
     ),
 ]
 Coordinates = Annotated[

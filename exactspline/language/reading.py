@@ -20,8 +20,8 @@ class Reading(ABC):
     name: ClassVar[str]
 
     def __repr__(self) -> str:
-        told = ", ".join(str(x) for x in vars(self).values() if isinstance(x, int | str))
-        return f"<{type(self).__name__}{' of ' * bool(told)}{told}>"
+        fields = ", ".join(str(x) for x in vars(self).values() if isinstance(x, int | str))
+        return f"<{type(self).__name__}{' of ' * bool(fields)}{fields}>"
 
     @abstractmethod
     def argument(self, kind: Kind, dimension: int, *, polynomial: bool = False) -> Argument:

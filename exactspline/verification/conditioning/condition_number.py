@@ -39,7 +39,7 @@ def condition_number(form: Form, n: int, root: Root, m: int) -> Interval:
     >>> from exactspline.roots.zero_set import zeros
     >>> f = BSpline.bezier([-1, 3])
     >>> condition_number(f.forms[0], 1, zeros(f)[0], 1)  # (3/4 + 3/4) / 4
-    Interval(low=mpq(3,8), high=mpq(3,8))
+    Interval(3/8, 3/8)
     """
     digits = START
     while True:
