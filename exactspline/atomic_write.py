@@ -14,8 +14,8 @@ from exactspline.errors import CurveFileError, ExactSplineError
 def write_atomically(
     path: str | os.PathLike[str], write: Callable[[BinaryIO], object], error: type[ExactSplineError] = CurveFileError
 ) -> None:
-    """Let `write` fill a temporary file beside the path, then move it there; a link is followed, and what it points to
-    replaced.
+    """Let `write` fill a temporary file next to the path, then move it there; a link is followed, and what it points
+    to replaced.
 
     Raises `error` where nothing can be written, and where something that is not a regular file (a folder, a device, a
     pipe) has that name: it is left alone.

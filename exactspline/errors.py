@@ -29,8 +29,8 @@ class ExactSplineError(ValueError):
 
     def __init__(self, problem: str, *, where: str = "", remedy: str = "", **data: object) -> None:
         self.problem, self.where, self.remedy, self.data = problem, where, remedy, data
-        told = problem if isinstance(problem, str) else shown(problem)
-        super().__init__((f"{where}: " if where else "") + told + (f"; {remedy}" if remedy else ""))
+        message = problem if isinstance(problem, str) else shown(problem)
+        super().__init__((f"{where}: " if where else "") + message + (f"; {remedy}" if remedy else ""))
 
     def at(self, place: str) -> ExactSplineError:
         """The same error with its place prefixed, by a caller that knows the file or the field.
@@ -106,8 +106,8 @@ def nearest(name: str, known: Iterable[str], *, listed_by: str = "") -> str:
     if not isinstance(name, str):  # whatever was written for a name
         return "names are text" + (f"; `{command_name()} {listed_by}` lists all" if listed_by else "")
     near = _likest(name.lower(), list(dict.fromkeys(known)))
-    told = f"the nearest {'is' if len(near) == 1 else 'are'} {', '.join(near)}" if near else "there are none"
-    return told + (f"; `{command_name()} {listed_by}` lists all" if listed_by else "")
+    hint = f"the nearest {'is' if len(near) == 1 else 'are'} {', '.join(near)}" if near else "there are none"
+    return hint + (f"; `{command_name()} {listed_by}` lists all" if listed_by else "")
 
 
 def _likest(name: str, known: list[str], count: int = 3) -> list[str]:

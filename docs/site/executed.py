@@ -21,7 +21,13 @@ from typing import Any
 import nbformat
 from nbformat.v4 import new_output
 
-LIBRARIES = ["IPython.core.interactiveshell", "matplotlib.pyplot", "exactspline.display.notebook", "exactspline.tables"]
+LIBRARIES = [
+    "IPython.core.interactiveshell",
+    "matplotlib.pyplot",
+    "pyvista",
+    "exactspline.display.notebook",
+    "exactspline.tables",
+]
 #: Names a folder with what the tests of the same sources have computed: notebooks, claims.
 KEPT = "EXACTSPLINE_KEPT"
 

@@ -130,7 +130,8 @@ def _listed(answer: Any, digits: int, curve: Nurbs | None) -> Iterator[Found]:
             (low, high), *_ = each.piece.parts
             yield replace(found, **_coordinates(curve, (low + high) / 2))
         else:
-            yield _valued(found, each, curve)
+            place = each.parameter if isinstance(each, Joint) else exact_place(each.root)
+            yield replace(found, **_coordinates(curve, place), curvature=_curvature(curve, place))
     if isinstance(answer, Places):
         for piece in answer.everywhere:
             yield _piece(piece, EVERYWHERE)
@@ -166,12 +167,6 @@ def _found(each: Feature | Joint | CurvePiece | Described, digits: int) -> Found
         return Found(str(each.kind), str(each.parameter), str(each.parameter), str(each.parameter))
     low, high = enclosed(each.root, digits)
     return Found(str(each.kind), low if low == high else None, low, high)
-
-
-def _valued(found: Found, each: Feature | Joint, curve: Nurbs) -> Found:
-    """A point with its coordinates and the curvature, in correctly rounded doubles."""
-    place = each.parameter if isinstance(each, Joint) else exact_place(each.root)
-    return replace(found, **_coordinates(curve, place), curvature=_curvature(curve, place))
 
 
 def _coordinates(curve: Nurbs, place: mpq | Real) -> dict[str, Any]:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from functools import cached_property
 
 from exactspline.errors import ExactSplineError, counted
 from exactspline.geometry.analysis import QUESTIONS, analyse
@@ -31,18 +30,6 @@ class Item:
     what: str
     values: Mapping[str, Real]
     facts: Mapping[str, object] = field(default_factory=dict)
-
-    @cached_property
-    def doubles(self) -> Mapping[str, Mapping[str, float] | None]:
-        """Its numbers as correctly rounded doubles (`Real.doubles`), None beyond the largest double."""
-        return {name: _doubles(value) for name, value in self.values.items()}
-
-
-def _doubles(value: Real) -> Mapping[str, float] | None:
-    try:
-        return value.doubles()
-    except OverflowError:
-        return None
 
 
 @dataclass(frozen=True)

@@ -20,7 +20,6 @@ NAMED = 5
 NOTES = 20
 #: The counts per family.
 REFUSED, FALLBACK, OPEN = "refused", "decided by exact arithmetic after the filter", "with an undecided claim"
-FALLBACKS = (Way.EXACT,)
 UNDECIDED = "UNDECIDED"
 
 
@@ -154,7 +153,7 @@ def _set_aside(line: Line) -> Iterator[str]:
     """Which parts of a line were refused, undecided, or decided by a fallback."""
     if line.error is not None:
         yield REFUSED
-    if line.way in FALLBACKS:
+    if line.way is Way.EXACT:
         yield FALLBACK
     if any(each.verdict == UNDECIDED for each in line.claims):
         yield OPEN

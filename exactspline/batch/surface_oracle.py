@@ -84,13 +84,9 @@ def surface_answer(
     of = _kind(surface)
     entry = REGISTRY[of].get(name)
     if entry is None:
-        raise QuestionError(f"{name} of a surface in R{surface.dimension}", remedy=f"these can be asked: {listed(of)}")
+        known = ", ".join([*AT_A_PLACE, *REGISTRY[of]])
+        raise QuestionError(f"{name} of a surface in R{surface.dimension}", remedy=f"these can be asked: {known}")
     return surface_answer_data(entry.answer(found or inspection_of(surface), argument), digits)
-
-
-def listed(of: Of) -> str:
-    """The names of the questions about surfaces of a kind."""
-    return ", ".join([*AT_A_PLACE, *REGISTRY[of]])
 
 
 def _place(text: str) -> tuple[mpq, mpq]:

@@ -17,7 +17,7 @@ Polynomial = list[int]
 Rows = list[Polynomial]
 Coefficient = TypeVar("Coefficient")
 Side = tuple[Fraction, Fraction]
-#: The bisections of an interval around a root after which a sign is given up.
+#: The limit of the bisections of an interval around a root to find a sign.
 STEPS = 512
 
 

@@ -53,7 +53,7 @@ def _checked(first: list[Polynomial], second: list[Polynomial], pair: Mapping[st
     one, other = (second, first) if _exchanged(pair) else (first, second)
     matrix = _bezout(one, other)
     size, degree = len(matrix), len(other[0]) - 1
-    form = _determinant(matrix)
+    form = polynomial_determinant(matrix)
     require(any(form), "the determinant vanishes: arcs in common are not proved")
     entries = _line_entries(one, other) if size == 1 else _entries(matrix)
     zeros = isolated_zeros(_padded(form, size * degree), pair["elimination"])
@@ -98,7 +98,7 @@ def _along(line: tuple[int, ...], curve: list[Polynomial]) -> Polynomial:
     return [sum(a * x for a, x in zip(line, row, strict=True)) for row in zip(*curve, strict=True)]
 
 
-def _determinant(matrix: list[list[Polynomial]]) -> Polynomial:
+def polynomial_determinant(matrix: list[list[Polynomial]]) -> Polynomial:
     """From its values at as many integers as it has coefficients."""
     degree = len(matrix) * (len(matrix[0][0]) - 1)
     values = [determinant([[value(p, x) for p in row] for row in matrix]) for x in range(degree + 1)]
@@ -116,7 +116,11 @@ def _entries(matrix: list[list[Polynomial]]) -> tuple[Polynomial, Polynomial, Po
         return [[x for j, x in enumerate(r) if j != column] for i, r in enumerate(matrix) if i != row]
 
     last = len(matrix) - 1
-    return _determinant(without(0, 0)), [-x for x in _determinant(without(0, 1))], _determinant(without(last, last))
+    return (
+        polynomial_determinant(without(0, 0)),
+        [-x for x in polynomial_determinant(without(0, 1))],
+        polynomial_determinant(without(last, last)),
+    )
 
 
 def _line_entries(line: list[Polynomial], other: list[Polynomial]) -> tuple[Polynomial, Polynomial, Polynomial]:
@@ -138,18 +142,18 @@ def _on_segment(claim: Mapping[str, Any], zero: Zero, entries: tuple[Polynomial,
     first, second, last = entries
     where = claim["s"]
     if where == START:
-        require(_sign(first, a, b) != 0 and _vanishes(second, factor, a, b), "the parameter is not the start")
+        require(sign_throughout(first, a, b) != 0 and _vanishes(second, factor, a, b), "the parameter is not the start")
         return 1
     if where == END:
-        require(_sign(last, a, b) != 0 and _vanishes(first, factor, a, b), "the parameter is not the end")
+        require(sign_throughout(last, a, b) != 0 and _vanishes(first, factor, a, b), "the parameter is not the end")
         return 1
     require(where in (INSIDE, OUTSIDE), "an unknown place")
-    product = _sign(first, a, b) * _sign(second, a, b)
+    product = sign_throughout(first, a, b) * sign_throughout(second, a, b)
     require(product == (1 if where == INSIDE else -1), "the signs do not prove where the parameter is")
     return int(where == INSIDE)
 
 
-def _sign(form: Polynomial, a: Fraction, b: Fraction) -> int:
+def sign_throughout(form: Polynomial, a: Fraction, b: Fraction) -> int:
     """The sign of a form on [a, b] if all its Bernstein coefficients there have one, else 0."""
     values = restricted(form, a, b)[:1] if a == b else restricted(form, a, b)
     return 1 if all(x > 0 for x in values) else -1 if all(x < 0 for x in values) else 0

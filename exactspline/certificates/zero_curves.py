@@ -71,7 +71,7 @@ class _OnPatch:
         self.counts = {"lines": sum(map(_lines, lines)), "loops": 0, "arcs": 0, "crossed": 0, "points": 0}
         self.net: Net = [[1]]
         for net in curves:
-            self.net = _net_product(self.net, net)
+            self.net = net_product(self.net, net)
         self._ways: list[tuple[Vertex, Vertex]] = []
         self._vertices: dict[Vertex, None] = {}
         self._crossed: list[Vertex] = []
@@ -83,7 +83,7 @@ class _OnPatch:
     def _line(self, direction: int, at: Fraction, own: Mapping[str, Any]) -> list[Side]:
         """The places of all zeros of the product on a line, in order."""
         require(direction in (0, 1) and 0 <= at <= 1, "a line that does not cross the square")
-        form = _along(self.net, direction, at)
+        form = on_line(self.net, direction, at)
         zeros = isolated_zeros([comb(len(form) - 1, i) * x for i, x in enumerate(form)], own["isolation"])
         places = [(fraction(low), fraction(high)) for low, high in own["places"]]
         require(len(places) == len(zeros), "another number of zeros on a line")
@@ -154,7 +154,7 @@ class _OnPatch:
                 self._ways.append((first, last))
 
     def _value(self, point: tuple[Fraction, Fraction]) -> int:
-        return _along(turned([_along(self.net, 0, point[0])]), 0, point[1])[0]
+        return on_line(turned([on_line(self.net, 0, point[0])]), 0, point[1])[0]
 
     # ---- singular points
 
@@ -170,7 +170,7 @@ class _OnPatch:
         inside = all(a <= low <= high <= b for (low, high), (a, b) in zip(region, box, strict=True))
         require(inside, "a region that is not in its box")
         check_single_zero([powers, *slopes], region, cell["zero"])
-        bend = _bend(part(self.net, box))
+        bend = kind_by_hessian(part(self.net, box))
         if cell["kind"] == POINT:
             require(bend == POINT, "a Hessian that may not be definite")
             self.counts["points"] += 1
@@ -202,7 +202,7 @@ class _OnPatch:
         require(len(minimal) == 2 or has_one_root(minimal, *first), "a factor that may have several roots")
         # the discriminant: the resultant without the leading coefficient
         rest = quotient_by(subresultant(trimmed(rows), slopes, 0), trimmed(rows)[-1])
-        require(bool(rest) and _is_free(rest or [], minimal, first), "another multiple zero in the box")
+        require(bool(rest) and is_free(rest or [], minimal, first), "another multiple zero in the box")
         # over the root: the function is a power of the factor in y, whose only zero is the point, times another one
         below = integer(cell["below"])
         require(below > 0, "a denominator that is not positive")
@@ -212,16 +212,16 @@ class _OnPatch:
         require(count(cell["power"]) > 0, "a power that is not positive")
         other: list[list[Fraction]] = [[Fraction(x) for x in row] for row in rows]
         for _ in range(cell["power"]):
-            other = _divided(other, factor, minimal)
-        require(_sign_over(other, (low, high), second) != 0, "another zero over the root")
+            other = quotient_over(other, factor, minimal)
+        require(sign_over(other, (low, high), second) != 0, "another zero over the root")
         slope = [[j * x for x in row] for j, row in enumerate(factor)][1:]
-        require(_sign_over(slope, (low, high), second) != 0, "several zeros over the root")
-        ends = [_value_over(factor, at, (low, high), minimal) for at in second]
+        require(sign_over(slope, (low, high), second) != 0, "several zeros over the root")
+        ends = [value_over(factor, at, (low, high), minimal) for at in second]
         require(ends[0] * ends[1] <= 0, "no zero over the root")
         for at, sign in zip(second, ends, strict=True):
-            along = _whole(_at_height(rows, at))
+            along = integral(at_height(rows, at))
             require(bool(along) and (sign != 0 or at in UNIT), "a point on a side of its box")
-            require(_is_free(along, [] if sign else minimal, first), "another zero on the side below or above")
+            require(is_free(along, [] if sign else minimal, first), "another zero on the side below or above")
         here = {low} if is_exact and low in UNIT else set()
         require(all(x in here or not low <= x <= high for x in first), "a side that may be at the point")
         found = [v for x in first if x not in here for v, _ in self._on_side(0, x, second)]
@@ -278,7 +278,7 @@ def _side(given: Sequence[Any]) -> Side:
     return low, high
 
 
-def _net_product(one: Net, other: Net) -> Net:
+def net_product(one: Net, other: Net) -> Net:
     """The product, up to a positive constant."""
     m, n = len(one) + len(other) - 2, len(one[0]) + len(other[0]) - 2
     scaled = [
@@ -303,7 +303,7 @@ def _check_product(function: Net, factors: Sequence[tuple[Net, int]]) -> None:
         require(power > 0, "a factor whose power is not positive")
         require(power < len(function) + len(function[0]), "a factor whose power is too high")
         for _ in range(power):
-            product = _net_product(product, net)
+            product = net_product(product, net)
     one, other = (_trimmed_powers(powers_of_net(net)) for net in (function, product))
     require(one != {} and one.keys() == other.keys(), "factors that do not multiply to the function")
     key = next(iter(one))
@@ -336,13 +336,15 @@ def _lines(factor: Mapping[str, Any]) -> int:
     return len(isolated_zeros([comb(len(form) - 1, i) * x for i, x in enumerate(form)], factor["isolation"]))
 
 
-def _along(net: Net, direction: int, at: Fraction) -> list[int]:
+def on_line(net: Net, direction: int, at: Fraction) -> list[int]:
     """The Bernstein coefficients on a line, up to a positive constant."""
     rows = net if direction else turned(net)
     return [values_on(row, at, at)[0] for row in rows] if 0 < at < 1 else [row[-int(at)] for row in rows]
 
 
-def _range(net: Net) -> tuple[int, int]:
+def extremes(net: Net) -> tuple[int, int]:
+    """The least and the largest coefficient; 0 is both where there are none."""
+    """The least and the largest coefficient; 0 is both where there are none."""
     values = [x for row in net for x in row] or [0]
     return min(values), max(values)
 
@@ -353,13 +355,13 @@ def _differences(net: Net, direction: int) -> Net:
     return [[y - x for x, y in zip(p, q, strict=True)] for p, q in pairwise(net)]
 
 
-def _bend(net: Net) -> str:
+def kind_by_hessian(net: Net) -> str:
     """What a singular point on a box is, where the Hessian is definite or indefinite on all of it; else nothing."""
     second = [_differences(_differences(net, i), j) for i, j in ((0, 0), (0, 1), (1, 1))]
     # the differences are derivatives up to these factors
     m, n = len(net) - 1, len(net[0]) - 1
     scales = m * (m - 1), m * n, n * (n - 1)
-    (a, b), (c, d), (e, f) = ((k * low, k * high) for k, (low, high) in zip(scales, map(_range, second), strict=True))
+    (a, b), (c, d), (e, f) = ((k * low, k * high) for k, (low, high) in zip(scales, map(extremes, second), strict=True))
     products, squares = [x * y for x in (a, b) for y in (e, f)], [c * c, d * d] + [0] * (c <= 0 <= d)
     if min(products) > max(squares) and (a > 0 or b < 0):
         return POINT
@@ -375,17 +377,17 @@ def _slope(powers: Sequence[Sequence[int]], k: int) -> list[list[int]]:
 # ---- over a root
 
 
-def _is_free(p: Polynomial, minimal: Polynomial, side: Side, depth: int = 32) -> bool:
+def is_free(p: Polynomial, minimal: Polynomial, side: Side, depth: int = 32) -> bool:
     """Whether a polynomial has no other zero on an interval than one of a factor."""
     while minimal and (divided := quotient_by(p, minimal)) is not None:
         p = divided
     if strict_sign(p, *side) or depth == 0:
         return strict_sign(p, *side) != 0
     middle = (side[0] + side[1]) / 2
-    return all(_is_free(p, [], half, depth - 1) for half in ((side[0], middle), (middle, side[1])))
+    return all(is_free(p, [], half, depth - 1) for half in ((side[0], middle), (middle, side[1])))
 
 
-def _divided(
+def quotient_over(
     rows: Sequence[Sequence[Fraction]], factor: Sequence[Sequence[Fraction]], minimal: Polynomial
 ) -> list[list[Fraction]]:
     """The quotient of polynomials in y by a monic one, modulo the factor in x."""
@@ -401,7 +403,7 @@ def _divided(
     return found[::-1]
 
 
-def _sign_over(rows: Sequence[Sequence[Any]], root: Side, side: Side) -> int:
+def sign_over(rows: Sequence[Sequence[Any]], root: Side, side: Side) -> int:
     """The sign of a polynomial in x and y on a box, else 0."""
     columns = [on_interval(row or [0], *root) for row in rows]
     degree = max(map(len, columns), default=0)
@@ -412,9 +414,9 @@ def _sign_over(rows: Sequence[Sequence[Any]], root: Side, side: Side) -> int:
     return 1 if min(values) > 0 else -1 if max(values) < 0 else 0
 
 
-def _value_over(factor: Sequence[Sequence[Fraction]], at: Fraction, root: Side, minimal: Polynomial) -> int:
+def value_over(factor: Sequence[Sequence[Fraction]], at: Fraction, root: Side, minimal: Polynomial) -> int:
     """The sign of a factor at a height over the root, 0 where it vanishes."""
-    rest = remainder_of(_at_height(factor, at), minimal)
+    rest = remainder_of(at_height(factor, at), minimal)
     if not rest:
         return 0
     sign = sign_at_root(rest, minimal, *root)
@@ -422,7 +424,7 @@ def _value_over(factor: Sequence[Sequence[Fraction]], at: Fraction, root: Side, 
     return sign
 
 
-def _at_height(rows: Sequence[Sequence[Any]], at: Fraction) -> list[Any]:
+def at_height(rows: Sequence[Sequence[Any]], at: Fraction) -> list[Any]:
     """A polynomial in x and y, a list over the powers of y, at a rational y."""
     found: list[Any] = []
     for row in reversed(rows):
@@ -430,7 +432,7 @@ def _at_height(rows: Sequence[Sequence[Any]], at: Fraction) -> list[Any]:
     return found
 
 
-def _whole(p: Sequence[Any]) -> Polynomial:
+def integral(p: Sequence[Any]) -> Polynomial:
     """A multiple with integer coefficients."""
     numbers = [Fraction(c) for c in p]
     bottom = lcm(*(c.denominator for c in numbers))

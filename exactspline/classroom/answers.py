@@ -136,11 +136,7 @@ class Parameters(Answer):
     """A set of parameters, in any order; the empty set is written ``none``."""
 
     values: Point
-
-    @property
-    def form(self) -> str:
-        """How the answer is to be written."""
-        return "numbers separated by commas, or none"
+    form = "numbers separated by commas, or none"
 
     @property
     def parts(self) -> tuple[Part, ...]:
@@ -265,11 +261,7 @@ class Circle(Answer):
 
     #: Centre and squared radius; empty if it is not a circle.
     values: Point
-
-    @property
-    def form(self) -> str:
-        """How the answer is to be written."""
-        return "no, or centre x, centre y, radius²"
+    form = "no, or centre x, centre y, radius²"
 
     @property
     def parts(self) -> tuple[Part, ...]:

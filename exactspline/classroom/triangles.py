@@ -17,7 +17,7 @@ from math import comb
 from exactspline.errors import DomainError, KnotError, ShapeError, counted, shown
 from exactspline.numbers.exact import Number, mpq, rational, short_text, text
 from exactspline.splines.bspline import BSpline
-from exactspline.splines.control_points import Point, lifted, projected
+from exactspline.splines.control_points import Point, projected
 from exactspline.splines.expected import curve_of, spline_of
 from exactspline.splines.given import MAX_DEGREE
 from exactspline.splines.knots import KnotVector
@@ -207,25 +207,16 @@ def _expected(curve: Nurbs | BSpline) -> Nurbs | BSpline:
 
 
 def _splines(curve: Nurbs | BSpline) -> tuple[list[BSpline], bool]:
+    """The coordinates, and the weight where there is one; and whether there is."""
     if isinstance(curve, BSpline):
         return [curve], False
     curve = curve_of(curve)
     return ([*curve.p] if curve.polynomial else [*curve.p, curve.w]), not curve.polynomial
 
 
-def _rows(curve: Nurbs | BSpline) -> tuple[tuple[Row, ...], bool]:
-    """The control points in the form used by the algorithms, and whether the last coordinate is a weight."""
-    if isinstance(curve, BSpline):
-        return tuple((x,) for x in curve.control_points), False
-    if curve.polynomial:
-        return tuple(tuple(point) for point in curve.control_points), False
-    pairs = zip(curve.control_points, curve.weights, strict=True)
-    return tuple((*lifted(point, w), w) for point, w in pairs), True
-
-
 def _downwards(curve: Nurbs | BSpline, t: mpq, method: str, steps: int) -> Triangle:
-    n, knots = curve.degree, curve.knots
-    rows, has_weight = _rows(curve)
+    n, knots, (splines, has_weight) = curve.degree, curve.knots, _splines(curve)
+    rows = tuple(zip(*[f.control_points for f in splines], strict=True))
     # the last nonempty span that begins at or before the parameter: the last span at the end of the domain
     j = max(i for i in range(n, len(rows)) if knots[i] <= t and knots[i] < knots[i + 1])
     columns, ratios = [rows[j - n : j + 1]], []

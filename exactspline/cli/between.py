@@ -58,8 +58,12 @@ def between(
     check_output(emit_coq, curve, other)
     first, second = load_curve(curve), load_curve(other)
     if emit_coq:
+        from exactspline.atomic_write import write_text
+        from exactspline.verification.coq.meetings import meeting_theorem
+
         see_that_coq_can_name(emit_coq)
-        _emit(first, second, emit_coq)
+        write_text(emit_coq, meeting_theorem(first, second))
+        tell_written(emit_coq)
     if epsilon:
         check_distance(epsilon)
     pair = CurvePair(first, second)
@@ -90,12 +94,3 @@ def between(
 
     row = {"key": f"{curve} and {other}", "curves": [first.name, second.name]} | data
     out.give("between", [row], sheets[:1], people)
-
-
-def _emit(first: Any, second: Any, path: str) -> None:
-    """The theorem about two curves, in a file."""
-    from exactspline.atomic_write import write_text
-    from exactspline.verification.coq.meetings import meeting_theorem
-
-    write_text(path, meeting_theorem(first, second))
-    tell_written(path)

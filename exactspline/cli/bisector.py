@@ -105,75 +105,48 @@ def _coordinates(point: str) -> list[str]:
 
 
 def _of_two(c: Nurbs, other: Nurbs, variant: str, digits: int) -> Answer:
-    from exactspline.display.bisector_data import curve_bisector_data
-    from exactspline.display.bisector_sheet import of_two_curves
-    from exactspline.display.plot.bisectors import plot_curve_bisector
-    from exactspline.geometry.bisector.two_curves import SurfaceVariant, curve_bisector
-
-    if c.dimension == other.dimension == 2:
-        return _of_plane_curves(c, other, variant, digits)
-    found = curve_bisector(c, other, variant or SurfaceVariant.MINIMAL)
-    data = {"curves": [c.name, other.name]} | curve_bisector_data(found, digits)
-    title = f"bisector of {c.name} (s) and {other.name} (t), {found.variant}"
-    return Answer(data, *of_two_curves(found, digits), title, lambda: plot_curve_bisector(found))
-
-
-def _of_plane_curves(c: Nurbs, other: Nurbs, variant: str, digits: int) -> Answer:
-    from exactspline.display.bisector_data import plane_bisector_data
-    from exactspline.display.bisector_sheet import of_plane_curves
-    from exactspline.display.plot.bisectors import plot_plane_bisector
+    from exactspline.display import bisector_data, bisector_sheet
+    from exactspline.display.plot import bisectors as plots
     from exactspline.errors import FormulaError
     from exactspline.geometry.bisector.plane_curves import PlaneBisector
+    from exactspline.geometry.bisector.two_curves import SurfaceVariant, curve_bisector
 
-    if variant:
-        raise FormulaError(f"the variant {variant!r} of a bisector in the plane", remedy="leave the variant out")
-    found = PlaneBisector(c, other)
-    data = {"curves": [c.name, other.name]} | plane_bisector_data(found, digits)
-    title = f"bisector of {c.name} (s) and {other.name} (t)"
-    return Answer(data, *of_plane_curves(data), title, lambda: plot_plane_bisector(found))
+    head, title = {"curves": [c.name, other.name]}, f"bisector of {c.name} (s) and {other.name} (t)"
+    if c.dimension == other.dimension == 2:
+        if variant:
+            raise FormulaError(f"the variant {variant!r} of a bisector in the plane", remedy="leave the variant out")
+        flat = PlaneBisector(c, other)
+        data = head | bisector_data.plane_bisector_data(flat, digits)
+        return Answer(data, *bisector_sheet.of_plane_curves(data), title, lambda: plots.plot_plane_bisector(flat))
+    found = curve_bisector(c, other, variant or SurfaceVariant.MINIMAL)
+    data = head | bisector_data.curve_bisector_data(found, digits)
+    rows, notes = bisector_sheet.of_two_curves(found, digits)
+    return Answer(data, rows, notes, f"{title}, {found.variant}", lambda: plots.plot_curve_bisector(found))
 
 
 def _of_point(c: Nurbs, point: list[str], variant: str, digits: int) -> Answer:
+    from exactspline.display import bisector_data, bisector_sheet
+    from exactspline.display.plot import bisectors as plots
     from exactspline.errors import FormulaError
+    from exactspline.geometry.bisector.point_and_curve import point_bisector
+    from exactspline.geometry.bisector.trimmed import trimmed_bisector
 
+    head: dict[str, object] = {"name": "bisector", "curve": c.name, "point": point}
     title = f"bisector of {c.name} and the point ({', '.join(point)})"
     if c.dimension != 2:
-        return _ruled(c, point, variant, digits, title)
+        ruled = point_bisector(c, point, variant or "direct")
+        data, title = head | bisector_data.point_bisector_data(ruled, digits), f"{title} ({ruled.variant})"
+        rows, notes = bisector_sheet.of_point_in_space(ruled, digits)
+        return Answer(data, rows, notes, title, lambda: plots.plot_point_bisector(ruled, c, point))
     if variant:
         raise FormulaError(
             f"the variant {variant!r} of a planar bisector",
             remedy="leave the variant out: it is trimmed, in lowest terms",
         )
-    return _trimmed(c, point, digits, title)
-
-
-def _trimmed(c: Nurbs, point: list[str], digits: int, title: str) -> Answer:
-    from exactspline.display.bisector_data import trimmed_data
-    from exactspline.display.bisector_sheet import of_point_in_plane
-    from exactspline.display.plot.bisectors import plot_trimmed_bisector
-    from exactspline.geometry.bisector.trimmed import trimmed_bisector
-
     found = trimmed_bisector(c, point)
-    data = {"name": "bisector", "curve": c.name, "point": point} | trimmed_data(found, digits)
-    return Answer(
-        data, *of_point_in_plane(found, digits), f"{title}, trimmed", lambda: plot_trimmed_bisector(found, c, point)
-    )
-
-
-def _ruled(c: Nurbs, point: list[str], variant: str, digits: int, title: str) -> Answer:
-    from exactspline.display.bisector_data import point_bisector_data
-    from exactspline.display.bisector_sheet import of_point_in_space
-    from exactspline.display.plot.bisectors import plot_point_bisector
-    from exactspline.geometry.bisector.point_and_curve import point_bisector
-
-    found = point_bisector(c, point, variant or "direct")
-    data = {"name": "bisector", "curve": c.name, "point": point} | point_bisector_data(found, digits)
-    return Answer(
-        data,
-        *of_point_in_space(found, digits),
-        f"{title} ({found.variant})",
-        lambda: plot_point_bisector(found, c, point),
-    )
+    data, title = head | bisector_data.trimmed_data(found, digits), f"{title}, trimmed"
+    rows, notes = bisector_sheet.of_point_in_plane(found, digits)
+    return Answer(data, rows, notes, title, lambda: plots.plot_trimmed_bisector(found, c, point))
 
 
 def _print(out: Output, c: Nurbs, answer: Answer) -> None:

@@ -50,7 +50,7 @@ TEACH = {
         "De Boor, step by step, in fractions.",
         (
             "teach triangle cubic_s --at 1/3",
-            "teach triangle my.json --insert 1/2 --times 2 --html > insertion.html",
+            "teach triangle my.json --insert 1/2 --times 2 --html > page.html",
             "teach triangle parabola --elevate 1 --product x,y --latex",
         ),
         "teach.triangle:triangle",

@@ -243,13 +243,6 @@ def also_in_their_planes(curves: list[Nurbs]) -> list[Nurbs]:
     return with_plane_curves(curves)
 
 
-def quiet_fonts() -> None:
-    """Silence fontTools' remarks on dates in fonts: they do not concern outlines."""
-    import logging
-
-    logging.getLogger("fontTools").setLevel(logging.ERROR)
-
-
 def check_output(output: str, *inputs: str) -> None:
     """Raise `CurveFileError` when an output is one of the files that are read."""
     for name in inputs:
@@ -306,7 +299,6 @@ def _see_that_it_is_positive(option: str, given: str, otherwise: str = "") -> No
 def see_that_coq_can_name(path: str) -> None:
     """See that a file has a name that Coq accepts as that of a module."""
     import re
-    from pathlib import Path
 
     if not Path(path).name:
         raise OptionsError(f"--emit-coq {path!r} is a folder", remedy="name a file in it")

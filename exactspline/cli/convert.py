@@ -41,7 +41,7 @@ ToFormat = Annotated[
 ]
 Rounding = Annotated[bool, Option("--round", help="Round what the format cannot hold exactly to the nearest doubles.")]
 Only = Annotated[list[str] | None, Option("--only", metavar="NAME", help="The name of a curve to take; repeatable.")]
-Degree = Annotated[int | None, Option("--degree", metavar="N", help="For files of control points alone.")]
+Degree = Annotated[int | None, Option("--degree", metavar="N", min=0, help="For files of control points alone.")]
 Knots = Annotated[str, Option("--knots", metavar="KNOTS", help="For files of control points alone: all knots.")]
 Snap = Annotated[
     str,

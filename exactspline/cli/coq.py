@@ -2,16 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from typing import TYPE_CHECKING, Annotated
+from typing import Annotated
 
 from exactspline.cli.common import Papers, Trust, claims_of_papers
 from exactspline.cli.parameters import Argument
 from exactspline.cli.prove import Claims, Sections, named_claims, of_sections
 from exactspline.errors import counted
-
-if TYPE_CHECKING:
-    from exactspline.verification.claim import Claim
 
 
 def coq(
@@ -22,24 +18,19 @@ def coq(
     trust: Trust = False,
 ) -> None:
     """Write the claims of equalities as theorems of Coq: all of them, or those of some claims, sections or papers."""
-    some = bool(claim or section or paper)
-    claims = of_sections(named_claims(claim or [], claims_of_papers(paper, trust)), section or []) if some else None
-    _emit(folder, claims)
-
-
-def _emit(directory: str, claims: Sequence[Claim] | None) -> None:
-    """Write the theorems, and print their number and which claims have none."""
     from pathlib import Path
 
     from exactspline.display import console
     from exactspline.verification.coq.emission import emit
 
-    made = emit(Path(directory), claims)
+    some = bool(claim or section or paper)
+    claims = of_sections(named_claims(claim or [], claims_of_papers(paper, trust)), section or []) if some else None
+    made = emit(Path(folder), claims)
     shown = console.console()
     theorems = [each for own in made.theorems.values() for each in own if not each.reason]
     console.lines(
         shown,
-        f"{counted(len(theorems), 'theorem')} in {counted(len(made.files), 'file')}, listed in {directory}/_CoqProject",
+        f"{counted(len(theorems), 'theorem')} in {counted(len(made.files), 'file')}, listed in {folder}/_CoqProject",
     )
     for each in made.unstated:
         console.lines(shown, f"{each.claim.key}: no theorem, {each.why}")

@@ -83,7 +83,7 @@ Plot = Annotated[
         "--plot",
         metavar="FILE",
         help="Draw the curve and the function that was solved, or the surface, into an SVG or PNG file; a surface also "
-        "into an HTML page that turns.",
+        "into an interactive HTML page.",
     ),
 ]
 Coordinates = Annotated[
@@ -235,8 +235,7 @@ def _emit(curve: Nurbs, path: str) -> None:
     from exactspline.atomic_write import write_text
     from exactspline.verification.coq.answers import theorem_of
 
-    text = theorem_of(curve)
-    write_text(path, text)
+    write_text(path, theorem_of(curve))
     tell_written(path)
 
 

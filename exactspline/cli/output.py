@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Annotated, Any, get_type_hints
 
 from exactspline.cli.parameters import Exit, Option
 from exactspline.display.sheet import Sheet, csv_of, in_markdown
-from exactspline.errors import ExactSplineError
+from exactspline.errors import ExactSplineError, command_name
 
 if TYPE_CHECKING:
     from typing_extensions import Buffer
@@ -144,7 +144,7 @@ def print_json(data: object) -> None:
 
 
 _FLAGS = {
-    "as_json": Annotated[bool, Option("--json", help="Print JSON (see `exactspline schema`).")],
+    "as_json": Annotated[bool, Option("--json", help=f"Print JSON (see `{command_name()} schema`).")],
     "as_csv": Annotated[bool, Option("--csv", help="Print comma-separated values.")],
     "as_markdown": Annotated[bool, Option("--markdown", help="Print Markdown tables.")],
     "strict": Annotated[bool, Option("--strict", help="Exit status 2 where anything is left out.")],

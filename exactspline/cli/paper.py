@@ -33,10 +33,10 @@ def figures(
     ],
     figure: Annotated[
         list[int] | None,
-        Option("--figure", metavar="N", help="The number of a figure; may be repeated. All of them without it."),
+        Option("--figure", metavar="N", min=1, help="The number of a figure; may be repeated. All of them without it."),
     ] = None,
 ) -> None:
-    """Draw the figures of the paper (SVG and PNG, surfaces also as HTML that turns); counts in captions are computed
+    """Draw the figures of the paper (SVG and PNG, surfaces also as interactive HTML); counts in captions are computed
     from the objects.
     """
     from exactspline.display.figures import FIGURES, make

@@ -5,6 +5,7 @@ from __future__ import annotations
 import inspect
 from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
+from dataclasses import dataclass, field
 from typing import Any, get_args, get_origin, get_type_hints
 
 import click
@@ -52,20 +53,16 @@ class Integer(click.IntRange):
         return "an integer" if self.min is None else f"an integer ≥ {self.min}"
 
 
+@dataclass(kw_only=True)
 class Argument:
     """An argument of a command, called by the name of the parameter unless another stands in the help; `instead_of` are
     the options by which other commands take such a word, each with an example of one.
     """
 
-    def __init__(
-        self,
-        *,
-        help: str,
-        metavar: str | None = None,
-        completion: Completion | None = None,
-        instead_of: Mapping[str, str] | None = None,
-    ) -> None:
-        self.help, self.metavar, self.completion, self.instead_of = help, metavar, completion, instead_of or {}
+    help: str
+    metavar: str | None = None
+    completion: Completion | None = None
+    instead_of: Mapping[str, str] = field(default_factory=dict)
 
 
 def command_of(function: Callable[..., object], name: str, short_help: str, epilog: str) -> click.Command:

@@ -25,7 +25,6 @@ if TYPE_CHECKING:
     from exactspline.splines.nurbs import Nurbs
     from exactspline.splines.surface import NurbsSurface
     from exactspline.verification.claim import Claim
-    from exactspline.verification.judges import Judge
     from exactspline.verification.rows import Row
 
 #: Up to this many claims are listed one by one; more are summarized.
@@ -98,7 +97,7 @@ def prove(
     from exactspline.verification.ledger import settled, tasks
 
     requested = [_word(each, WORDS) for each in verdict or []]
-    known = claims_of_papers(_papers(paper, curve, surface), trust)
+    known = claims_of_papers(paper or (["surfaces"] if surface and not curve else None), trust)
     claims = of_sections(named_claims(claim or [], known), section or [])
     given, good = loaded(curve or [])
     read, all_read = each_read(surface or [], read_surfaces)
@@ -133,11 +132,6 @@ def prove(
         raise Exit(1)
 
 
-def _papers(named: list[str] | None, curves: Sequence[str] | None, surfaces: Sequence[str] | None) -> list[str] | None:
-    """The papers named; without one, that of surfaces where nothing but surfaces is to be checked."""
-    return ["surfaces"] if surfaces and not curves and not named else named
-
-
 def named_claims(ids: Sequence[str], claims: Sequence[Claim]) -> Sequence[Claim]:
     """The claims with these ids or places, in the order of the papers; all of them for none."""
     from exactspline.verification.claims import located
@@ -150,6 +144,7 @@ def _judged(name: str, claims: Sequence[Claim]) -> tuple[list[Row], dict[tuple[s
     """The rows of another judge, or those of the ledger with the column of the kernel; a CONTRADICTION where two judges
     decide the opposite.
     """
+    from exactspline.display.evidence import opinion
     from exactspline.verification.coq_judge import Coq
     from exactspline.verification.judges import compared_rows, judge_named, second_opinions
     from exactspline.verification.ledger import settled, tasks
@@ -158,14 +153,8 @@ def _judged(name: str, claims: Sequence[Claim]) -> tuple[list[Row], dict[tuple[s
     if not isinstance(judge, Coq):
         return tracked(second_opinions(judge, claims), "proving"), None
     kernel = Coq(claims)
-    return compared_rows(settled(tracked(tasks(claims), "proving")), kernel), _kernel(claims, kernel)
-
-
-def _kernel(claims: Sequence[Claim], kernel: Judge) -> dict[tuple[str, str], str]:
-    """The column of the kernel: what Coq says, claim by claim."""
-    from exactspline.display.evidence import opinion
-
-    return {(claim.paper, claim.key): opinion(kernel.decide(claim)) for claim in claims}
+    rows = compared_rows(settled(tracked(tasks(claims), "proving")), kernel)
+    return rows, {(claim.paper, claim.key): opinion(kernel.decide(claim)) for claim in claims}
 
 
 def _word(name: str, known: Sequence[str]) -> str:

@@ -102,7 +102,7 @@ def _inspected(surface: NurbsSurface, digits: int, plot: str, epsilon: str) -> t
 
 
 def _drawn(found: SurfaceInspection, plot: str) -> None:
-    """A picture, or a page that turns."""
+    """A picture, or an interactive page."""
     if plot.lower().endswith(".html"):
         from exactspline.atomic_write import write_text
         from exactspline.display.plot.canvas import PlotError

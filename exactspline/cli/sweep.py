@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import logging
 import signal
 import sys
 from collections.abc import Callable, Iterator, Sequence
@@ -10,7 +11,7 @@ from pathlib import Path
 from time import monotonic
 from typing import TYPE_CHECKING, Annotated
 
-from exactspline.cli.common import Approximate, check_approximate, quiet_fonts, with_distance
+from exactspline.cli.common import Approximate, check_approximate, with_distance
 from exactspline.cli.output import OptionsError, Output, leave_out, printing
 from exactspline.cli.parameters import Argument, Exit, Option
 from exactspline.cli.progress import bar
@@ -154,7 +155,8 @@ def sweep(
         raise OptionsError("--random and --surfaces", remedy="there are no families of random surfaces")
     sources, work = _sources(corpus or [], random or []), work_of(taken, find, claim or (), digits, values)
     check_backend(backend)
-    quiet_fonts()
+    # its remarks on dates in fonts do not concern outlines
+    logging.getLogger("fontTools").setLevel(logging.ERROR)
     families = frozenset(str(source) for source in sources if isinstance(source, Family))
     summary, where, to_stdout = Summary(families), Where(backend, jobs, scheduler), output == "-"
     start = monotonic()

@@ -124,7 +124,7 @@ def _asked(c: Nurbs, answered: Answered) -> list[str]:
 def print_features(c: Nurbs, data: Mapping[str, object]) -> None:
     """The table, and what is known of joints, of the plane of a curve, and of the approaches."""
     out, made = console.console(), feature_sheet(c, data)
-    if made.row_count:
+    if made.rows:
         out.print(made)
     else:
         nothing = ", ".join("no " + name.replace("_", " ") for name in ("corners", *_asked(c, Answered.PLACES)))

@@ -23,6 +23,7 @@ from exactspline.roots.root import Root
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.lowest_terms import SplineSurface
 from exactspline.symbolic.factorization import Factor
+from exactspline.verification.notation import spelled
 from exactspline.verification.statement import Statement, telling_tree
 
 #: Splines with more or longer control points than this are not written out.
@@ -96,12 +97,7 @@ def _(n: Node) -> str:
 @mathematics.register
 def _(f: Formula) -> str:
     body = print_latex(telling_tree(f, f.kind.dimensions[0] if f.kind is not CURVE else 3))
-    return body if body == f.symbol else f"{symbol_of(f)} = {body}"
-
-
-def symbol_of(f: Formula) -> str:
-    """The LaTeX name of a formula, also of one that is not in the library."""
-    return f.symbol or rf"\mathrm{{{f.name.replace('_', chr(92) + '_')}}}"
+    return body if body == f.symbol else f"{f.symbol or spelled(f.name)} = {body}"
 
 
 @mathematics.register

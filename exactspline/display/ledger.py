@@ -16,7 +16,7 @@ from exactspline.papers import paper_named
 from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.surface import NurbsSurface
 from exactspline.verification.claim import Claim
-from exactspline.verification.errata import claimed_relation, numbered, true_relation
+from exactspline.verification.errata import claimed_relation, true_relation
 from exactspline.verification.evidence import DegreeHere, ExactQuotient, WrongDegree
 from exactspline.verification.kinds.degree import DegreeClaim
 from exactspline.verification.kinds.equality import Identity, Vanishing
@@ -257,11 +257,6 @@ def closing(rows: Sequence[Row]) -> str:
 def _verdicts(rows: Iterable[Row]) -> str:
     verdicts = Counter(row.verdict for row in rows)
     return ", ".join(f"{verdicts[w]} {w}" for w in WORDS if verdicts[w])
-
-
-def said(row: Row) -> str:
-    """A statement with its number."""
-    return numbered(row.claim)
 
 
 def headline(rows: Sequence[Row]) -> str:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 
 from rich.console import Console
 
@@ -20,7 +21,6 @@ from exactspline.display.ledger import (
     reasons,
     refuted,
     row_data,
-    said,
     witness,
     words_of,
 )
@@ -31,40 +31,30 @@ from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.surface import NurbsSurface
 from exactspline.verification.check_arguments import is_tried_whole
 from exactspline.verification.claim import Claim
+from exactspline.verification.errata import numbered
 from exactspline.verification.paper_curves import own_curves
 from exactspline.verification.rows import Row
 from exactspline.verification.verdict import REFUTED
 
 
+@dataclass
 class Run:
     """The rows of a run, as data and as tables."""
 
-    def __init__(
-        self,
-        rows: list[Row],
-        claims: Sequence[Claim],
-        curves: Sequence[Nurbs | NurbsSurface] | None,
-        numbers: Numbers,
-        kernel: dict[tuple[str, str], str] | None = None,
-    ) -> None:
-        self.rows, self.claims, self.curves, self.numbers = rows, claims, curves, numbers
-        self.kernel = kernel
-
-    @property
-    def own(self) -> bool:
-        """Whether the claims are checked on curves of their own papers."""
-        return any(own_curves(claim.source_paper) for claim in self.claims)
+    rows: list[Row]
+    claims: Sequence[Claim]
+    curves: Sequence[Nurbs | NurbsSurface] | None
+    numbers: Numbers
+    kernel: dict[tuple[str, str], str] | None = None
 
     def data(self) -> list[dict[str, object]]:
-        """Every row, with a unique key."""
+        """Every row, with a unique key, and what the kernel says, where it was asked."""
         return [
-            row_data(row) | {"key": key, "claim": row.key, "as_recorded": row.as_recorded} | self._said(row)
+            row_data(row)
+            | {"key": key, "claim": row.key, "as_recorded": row.as_recorded}
+            | ({} if self.kernel is None else {"kernel": self.kernel.get((row.paper, row.key), "")})
             for key, row in keyed(self.rows)
         ]
-
-    def _said(self, row: Row) -> dict[str, object]:
-        """What the kernel says, where it was asked."""
-        return {} if self.kernel is None else {"kernel": self.kernel.get((row.paper, row.key), "")}
 
     def sheets(self) -> list[Sheet]:
         """The ledger, curve by curve."""
@@ -111,12 +101,12 @@ class Run:
         ids = ", ".join(dict.fromkeys(row.id for row in failure.rows))
         console.lines(shown, f"{ids}: {failure.title}", style="bold magenta")
         for row in failure.rows:
-            console.lines(shown, f"claimed: {said(row)} ({row.claim.source})", indent=4, first=2)
+            console.lines(shown, f"claimed: {numbered(row.claim)} ({row.claim.source})", indent=4, first=2)
             console.lines(shown, f"found: {found(row)}", indent=4, first=2)
             if example := witness(row, self.numbers):
                 console.lines(shown, f"witness: {example}", indent=4, first=2)
         for row in failure.truth:
-            console.lines(shown, f"true: {said(row)}", indent=4, first=2)
+            console.lines(shown, f"true: {numbered(row.claim)}", indent=4, first=2)
 
     def _listed(self, shown: Console, everything: bool) -> None:
         sheets = self.sheets()
@@ -127,7 +117,7 @@ class Run:
         concrete = [row for row in self.rows if row.curve]
         if concrete and not everything:
             made = by_curve(concrete)
-            of = "its own" if self.own else "the example"
+            of = "its own" if any(own_curves(claim.source_paper) for claim in self.claims) else "the example"
             made.title = f"On {of} curves, exactly (each in full with --curve CURVE, all of them with --rows)"
             shown.print()
             shown.print(made)

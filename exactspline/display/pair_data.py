@@ -85,7 +85,7 @@ def pair_sheet(data: Data, title: str) -> Sheet:
         made.add_row(point["kind"], _shown(point["first"]), _shown(point["second"]), f"({at})", _remark(point))
     for arc in common["everywhere"]:
         made.add_row("common arc", *_sides_of(arc), "", _map_of(arc))
-    if not made.row_count:
+    if not made.rows:
         distance: Any = data["distance"]
         value = f"distance {_shown(distance['value'])}"
         for pair in distance["points"]:

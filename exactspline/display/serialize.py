@@ -175,10 +175,8 @@ def answer_data(curve: Nurbs, answer: object, digits: int, tick: Callable[[], No
         return {"points": points, "everywhere": list_of(INTERVALS).write(answer.everywhere, digits)}
     if isinstance(answer, Intersections):
         return INTERSECTIONS.write(answer, digits)
-    return [_element_data(curve, each, digits) for each in answer] if isinstance(answer, tuple) else _text(answer)
-
-
-def _text(answer: object) -> str | None:
+    if isinstance(answer, tuple):
+        return [_element_data(curve, each, digits) for each in answer]
     return None if answer is None else str(answer)
 
 

@@ -78,11 +78,6 @@ class Sheet:
         self.rows.append((row + ("",) * len(self.columns))[: len(self.columns)])
 
     @property
-    def row_count(self) -> int:
-        """The number of rows."""
-        return len(self.rows)
-
-    @property
     def tags(self) -> list[str]:
         """The words in the columns that name kinds of things, each once."""
         columns = [i for i, name in enumerate(self.columns) if name in TAGGED]
@@ -107,24 +102,19 @@ class Sheet:
         widths = self._fitted(width)
         return head + (self._in_columns(widths) if widths else self._in_blocks(width))
 
-    def _natural(self) -> list[int]:
-        return [
-            max(cell_len(cell) for cell in (name, *[row[i] for row in self.rows]))
-            for i, name in enumerate(self.columns)
-        ]
-
     def _fitted(self, width: int) -> list[int] | None:
         """The widths of the columns, with only headings and prose broken; None where they do not fit."""
         free = width - GAP * (len(self.columns) - 1)
-        natural = self._natural()
+        cells = [max((cell_len(row[i]) for row in self.rows), default=0) for i in range(len(self.columns))]
+        natural = list(map(max, cells, map(cell_len, self.columns)))
         if sum(natural) <= free:
             return natural
-        cells = [max((cell_len(row[i]) for row in self.rows), default=0) for i in range(len(self.columns))]
         headings = [max(map(cell_len, name.split()), default=0) for name in self.columns]
-        least = [max(pair) for pair in zip(cells, headings, strict=True)]
+        least = list(map(max, cells, headings))
         for i, name in enumerate(self.columns):
             if name in self.prose:
-                least[i] = min(least[i], max(NARROWEST, longest_word(row[i] for row in self.rows), headings[i]))
+                longest = max((cell_len(word) for row in self.rows for word in words_in(row[i])), default=0)
+                least[i] = min(least[i], max(NARROWEST, longest, headings[i]))
         spare = free - sum(least)
         if spare < 0:
             return None
@@ -134,10 +124,8 @@ class Sheet:
         return least
 
     def _in_columns(self, widths: Sequence[int]) -> list[Text]:
-        lines = self._row(self.columns, widths, heading=True)
-        for row in self.rows:
-            lines += self._row(row, widths)
-        return lines
+        heading = self._row(self.columns, widths, heading=True)
+        return [*heading, *[line for row in self.rows for line in self._row(row, widths)]]
 
     def _row(self, cells: Sequence[str], widths: Sequence[int], *, heading: bool = False) -> list[Text]:
         broken = [hanging(cell, width, indent=0) or [""] for cell, width in zip(cells, widths, strict=True)]
@@ -194,10 +182,6 @@ class Sheet:
                 current = ""
         return [*lines, current] if current else lines
 
-    def csv(self) -> str:
-        """Comma-separated values, the headings in the first line."""
-        return csv_of([self])
-
     def markdown(self) -> str:
         r"""A Markdown table.
 
@@ -239,11 +223,6 @@ def in_csv(text: str) -> str:
     ("'=1+1", "'-x", '-1/2', 'x = 1')
     """
     return f"'{text}" if text[:1] in _COMPUTED and not _NUMBER.fullmatch(text) else text
-
-
-def longest_word(cells: Iterable[str]) -> int:
-    """The width of the longest word in the cells."""
-    return max((cell_len(word) for cell in cells for word in words_in(cell)), default=0)
 
 
 def csv_of(sheets: Sequence[Sheet], by: str = "", unchecked: Sequence[str] = ()) -> str:

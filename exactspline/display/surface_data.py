@@ -61,8 +61,6 @@ _PoleKey = tuple[Along, mpq, tuple[mpq, ...] | None, Gap]
 INDEX = {UmbilicKind.POSITIVE: "1/2", UmbilicKind.NEGATIVE: "-1/2"}
 #: Digits of boxes around points on borders.
 DIGITS_OF_BOXES = 6
-#: Digits of the ends of intervals in the table.
-DIGITS_OF_ENDS = 12
 #: Digits of angles in the table.
 DIGITS_OF_ANGLES = 10
 #: The description of a patch of a kind.
@@ -439,14 +437,9 @@ def _near(side: Interval, digits: int = 4) -> str:
 
 def map_data(inspection: MapInspection, digits: int) -> Data:
     """The sign of a Jacobian determinant as data."""
-    surface = inspection.surface
-    return {
-        "surface": surface.name,
-        "degree": list(surface.degree),
-        "polynomial": surface.polynomial,
-        "complete": inspection.complete,
-        "undecided": list_of(BOX).write(inspection.undecided, digits),
-    } | answers_data(inspection, digits)
+    head = {"surface": inspection.surface.name} | picked(inspection.surface, "degree", "polynomial")
+    undecided = list_of(BOX).write(inspection.undecided, digits)
+    return head | {"complete": inspection.complete, "undecided": undecided} | answers_data(inspection, digits)
 
 
 def map_sheet(inspection: MapInspection) -> Sheet:

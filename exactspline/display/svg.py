@@ -5,7 +5,7 @@ Exact numbers become decimals only when they are written.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from itertools import groupby, pairwise
 
 from exactspline.display.plot.canvas import BLUE, GREY, SILVER, Point, polygons
@@ -48,18 +48,11 @@ def graph_picture(f: BSpline) -> str:
     runs: list[list[Point]] = [[(t, f(t, side)) for t, side in part] for part in _parameters(f.breakpoints)]
     points: list[Point | None] = list(zip(greville_abscissae(f), f.control_points, strict=True))
     top = max(abs(y) for run in runs for _, y in run)
-    legs = (
-        polygons(f.knots.knots, f.degree, points)
-        if max(abs(y) for _, y in _there(points)) <= POLYGON_ABOVE_GRAPH * top
-        else []
-    )
+    highest = max(map(abs, f.control_points))
+    legs = polygons(f.knots.knots, f.degree, points) if highest <= POLYGON_ABOVE_GRAPH * top else []
     a, b = f.domain
     shown = "the graph of a function and its control polygon" if legs else "the graph of a function"
     return _svg(runs, legs, shown, equal=False, axis=[(a, mpq(0)), (b, mpq(0))])
-
-
-def _there(points: Iterable[Point | None]) -> Iterator[Point]:
-    return (p for p in points if p is not None)
 
 
 def _parameters(breaks: Sequence[mpq]) -> Iterator[list[tuple[mpq, str]]]:

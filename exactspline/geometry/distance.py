@@ -7,7 +7,7 @@ distance is not above that of a pair already known.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
 from functools import partial, reduce
 from operator import add
@@ -191,7 +191,7 @@ class _Search:
         self.found += [_pair(zero, first, second, forms) for zero in zeros.zeros if zero.is_inside]
         if zeros.undecided:
             self.left_out.append(f"the points inside the segments over {first.shortly} and {second.shortly}")
-            least = min(forms.least(box, self.bound) for box in zeros.undecided)
+            least = forms.least(zeros.undecided, self.bound)
             self.lower = least if self.lower is None else min(self.lower, least)
 
     def answer(self) -> Distance:
@@ -250,12 +250,13 @@ class _Forms:
         m, n = self.degrees
         return _form(self.squared * bottom - self.weight * top, 2 * m, 2 * n)
 
-    def least(self, box: Box, bound: mpq) -> mpq:
-        """A lower bound of the squared distance on a box, near to a bound if that is possible."""
+    def least(self, boxes: Sequence[Box], bound: mpq) -> mpq:
+        """A lower bound of the squared distance on all boxes, near to a bound if that is possible."""
         least = mpq(0)
         for k in range(1, NARROW):
             closer = bound * (1 - mpq(1, 1 << k))
-            if self.excess(closer).part(box).sign != 1:
+            excess = self.excess(closer)
+            if any(excess.part(box).sign != 1 for box in boxes):
                 break
             least = closer
         return least

@@ -164,7 +164,7 @@ def intersections(first: Nurbs, second: Nurbs) -> Intersections:
         raise ShapeError(
             f"a curve in R{first.dimension} and one in R{second.dimension}", remedy="give curves of one dimension"
         )
-    return _Collected(first, second).answer()
+    return CollectedPoints(first, second).answer()
 
 
 def self_intersections(curve: Nurbs) -> Intersections:
@@ -180,7 +180,7 @@ def self_intersections(curve: Nurbs) -> Intersections:
     """
     if curve_of(curve).dimension != 2:
         raise ShapeError(f"a curve in R{curve.dimension}", remedy="give a curve in the plane")
-    return _Collected(curve, curve, alone=True).answer()
+    return CollectedPoints(curve, curve, alone=True).answer()
 
 
 class _Found(NamedTuple):
@@ -203,7 +203,7 @@ class _Found(NamedTuple):
         )
 
 
-class _Collected:
+class CollectedPoints:
     """The common points and arcs of pairs of segments, each once."""
 
     def __init__(self, first: Nurbs, second: Nurbs, *, alone: bool = False) -> None:
@@ -221,7 +221,7 @@ class _Collected:
         self.certain = [(pair, found) for pair, found in zip(pairs, certain, strict=True) if found]
         with drawing_on(Budget(QUESTION + PATCH * max(len(pairs) - 1, 0))):
             for (i, j), found in zip(pairs, certain, strict=True):
-                if found is None and not (alone and self._runs_on(i, j)):
+                if found is None and not (alone and self.runs_on(i, j)):
                     self._collect(i, j)
 
     def _pairs(self) -> list[tuple[int, int]]:
@@ -230,7 +230,7 @@ class _Collected:
         trees = [BoxTree(segments, shift) for segments in self.segments]
         return list(pairs_that_may_meet(trees[0], trees[-1]))
 
-    def _runs_on(self, i: int, j: int) -> bool:
+    def runs_on(self, i: int, j: int) -> bool:
         """Whether one curve certainly runs on in one direction on a segment, or from one to the next: then it meets
         itself there in their common knot at most.
         """

@@ -12,7 +12,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from contextlib import suppress
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from heapq import merge
 from itertools import pairwise
 from math import copysign, inf
@@ -56,7 +56,7 @@ SHARES = 1.0, 0.3
 FINE = 2**16
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class StableFeature(Described):
     """A feature of a curve, and how far the curve may be changed.
 
@@ -68,8 +68,12 @@ class StableFeature(Described):
     kind: FeatureKind
     place: Real
     radius: mpq
-    witness: Nurbs | None = field(default=None, repr=False)
+    witness: Nurbs | None = None
     gone: mpq | None = None
+
+    def __repr__(self) -> str:
+        end = "" if self.gone is None else f", gone at {self.gone}"
+        return f"<{self.kind} at {self.place.shortly()}: stable within {self.radius}{end}>"
 
     @property
     def piece(self) -> CurvePiece:  # type: ignore[override]  # an enclosure of the parameter

@@ -64,11 +64,6 @@ class Adjoined(FieldOperand):
         return Adjoined(plain, self.plain * right.rooted + self.rooted * right.plain, self.square)
 
     @property
-    def conjugate(self) -> Adjoined:
-        """``a − b σ``."""
-        return Adjoined(self.plain, -self.rooted, self.square)
-
-    @property
     def norm(self) -> Operand:
         """``a² − b² S``, an operand of the base reading."""
         return self.plain * self.plain - self.rooted * self.rooted * self.square

@@ -14,15 +14,14 @@ from exactspline.language.kind import Kind, Symbol
 class Reading(ABC):
     """One way to evaluate formulas. To add a reading, add one file that provides one of these; nothing else changes.
 
-    `name` is its name in the ledger, `proves` is what the equality of two values in this reading proves.
+    `name` is its name in the ledger; its file says what the equality of two values in it proves.
     """
 
     name: ClassVar[str]
-    proves: ClassVar[str]
 
     def __repr__(self) -> str:
-        told = ", ".join(str(x) for x in vars(self).values() if isinstance(x, int | str))
-        return f"<{type(self).__name__}{' of ' * bool(told)}{told}>"
+        fields = ", ".join(str(x) for x in vars(self).values() if isinstance(x, int | str))
+        return f"<{type(self).__name__}{' of ' * bool(fields)}{fields}>"
 
     @abstractmethod
     def argument(self, kind: Kind, dimension: int, *, polynomial: bool = False) -> Argument:

@@ -22,7 +22,7 @@ class Interval(NamedTuple):
 
     >>> whole = Interval(mpq(1), mpq(3))
     >>> whole.middle, whole.width, whole.part(Interval(mpq(0), mpq(1, 2)))
-    (mpq(2,1), mpq(2,1), Interval(low=mpq(1,1), high=mpq(2,1)))
+    (mpq(2,1), mpq(2,1), Interval(1, 2))
     """
 
     low: mpq
@@ -84,6 +84,9 @@ class Interval(NamedTuple):
 
     def __str__(self) -> str:
         return f"[{text(self.low)}, {text(self.high)}]"
+
+    def __repr__(self) -> str:
+        return f"Interval({text(self.low)}, {text(self.high)})"
 
 
 class Box(NamedTuple):
@@ -163,6 +166,9 @@ class Box(NamedTuple):
         parts = zip("uv", self, strict=True)
         return ", ".join(f"{name} = {text(a)}" if a == b else f"{name} in {Interval(a, b)}" for name, (a, b) in parts)
 
+    def __repr__(self) -> str:
+        return f"Box({self.first!r}, {self.second!r})"
+
 
 #: The unit square.
 UNIT = Box(Interval(mpq(0), mpq(1)), Interval(mpq(0), mpq(1)))
@@ -195,7 +201,7 @@ def rounded_outwards(b: Interval, digits: int) -> Interval:
     """The nearest multiples of ``10^−digits`` below and above.
 
     >>> rounded_outwards(Interval(mpq(1, 3), mpq(1, 2)), 1)
-    Interval(low=mpq(3,10), high=mpq(1,2))
+    Interval(3/10, 1/2)
     """
     scale = mpz(10) ** digits
     return Interval(mpq((b.low * scale) // 1, scale), mpq(-((-b.high * scale) // 1), scale))
@@ -205,7 +211,7 @@ def quotient(a: Interval, b: Interval) -> Interval:
     """Bounds of a quotient; the denominator must not contain zero.
 
     >>> quotient(Interval(mpq(-1), mpq(2)), Interval(mpq(1), mpq(4)))
-    Interval(low=mpq(-1,1), high=mpq(2,1))
+    Interval(-1, 2)
     """
     ends = [x / y for x in a for y in b]
     return Interval(min(ends), max(ends))
@@ -215,7 +221,7 @@ def ball_ends(ball: arb) -> Interval:
     """The ends of a ball, exactly.
 
     >>> ball_ends(arb("1.5"))
-    Interval(low=mpq(3,2), high=mpq(3,2))
+    Interval(3/2, 3/2)
     """
     middle, radius = (_dyadic(*part.man_exp()) for part in (ball.mid(), ball.rad()))
     return Interval(middle - radius, middle + radius)

@@ -13,7 +13,7 @@ from importlib.resources.abc import Traversable
 from pathlib import Path
 from typing import Any, TypedDict, cast
 
-from exactspline.errors import ClaimError, FormulaError, as_path, nearest
+from exactspline.errors import ClaimError, FormulaError, as_path, command_name, nearest
 from exactspline.language.formula import Formula
 from exactspline.papers.loading import Importable, checked_formulas, trusted_formulas
 
@@ -298,7 +298,9 @@ def folder_at(path: str | Path) -> Path:
     """
     folder = Path(as_path(path))
     if not folder.is_dir():
-        raise ClaimError("there is no such folder", where=str(path), remedy="exactspline paper new FOLDER creates one")
+        raise ClaimError(
+            "there is no such folder", where=str(path), remedy=f"`{command_name()} paper new FOLDER` creates one"
+        )
     if not any((folder / file).is_file() for file in ("paper.toml", "claims.toml", "formulas.py")):
         raise ClaimError(
             "is not the folder of a paper", where=str(path), remedy="it must contain formulas.py and claims.toml"

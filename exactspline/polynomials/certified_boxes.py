@@ -92,7 +92,7 @@ class Isolated:
         not, the pair preconditioned on the region contracts the longer side, relative to the sides of the region.
         """
         pair = preconditioned(*(rounded(f, box) for f in self.forms))
-        ranges = pair and _contracting(pair)
+        ranges = pair and contracting(pair)
         if pair is None or ranges is None:
             pair = _preconditioned_on(self.forms, self.region, box)
             ranges = [_ranges(g, k) for k, g in enumerate(pair)]
@@ -175,7 +175,7 @@ def _is_decided(part: Sized, given: Pair, at: tuple[int, int], zeros: list[Isola
         return False
     if any(g.sign is not None for g in pair):
         return True
-    region = _certified(given, part.box) if _contracting(pair) else None
+    region = certified(given, part.box) if contracting(pair) else None
     if region is not None:
         _add(zeros, Isolated(given, region, at))
     return region is not None
@@ -236,7 +236,7 @@ def _ranges(g: PatchForm, k: int) -> tuple[tuple[fmpz, fmpz], tuple[fmpz, fmpz]]
     return g.slopes(k), g.slopes(1 - k)
 
 
-def _contracting(pair: Pair) -> list[tuple[tuple[fmpz, fmpz], tuple[fmpz, fmpz]]] | None:
+def contracting(pair: Pair) -> list[tuple[tuple[fmpz, fmpz], tuple[fmpz, fmpz]]] | None:
     """Bounds of the derivatives of both, if these are so strongly diagonally dominant on the whole square that
     Krawczyk's operator contracts each side by the factor `KEPT`; then the pair is injective.
     """
@@ -251,12 +251,12 @@ def _contracting(pair: Pair) -> list[tuple[tuple[fmpz, fmpz], tuple[fmpz, fmpz]]
     return found
 
 
-def _certified(forms: Pair, box: Box) -> Box | None:
+def certified(forms: Pair, box: Box) -> Box | None:
     """A box around this one that is proved to contain exactly one zero, or None."""
     first, second = (side.grown(side.width * MARGIN) for side in box)
     region = Box(first, second)
     pair = preconditioned(*(rounded(f, region) for f in forms))
-    if pair is None or not _contracting(pair):
+    if pair is None or not contracting(pair):
         return None
     crossed = all(max(g.edge(k, 0)) < -g.error and g.error < min(g.edge(k, 1)) for k, g in enumerate(pair))
     return region if crossed else None

@@ -31,9 +31,9 @@ def discriminant(rows: Sequence[fmpz_poly]) -> fmpz_poly:
     m = len(rows) - 1
     degree = max(row.degree() for row in rows)
     bound = (2 * m - 2) * degree
-    bits = (2 * m - 1) * (_bits(rows, bound) + m.bit_length())
+    bits = (2 * m - 1) * (bits_of_values(rows, bound) + m.bit_length())
     _check(bound + 1, m * m, bits, f"the discriminant of a polynomial of degree {degree} × {m}")
-    start = _start(rows[-1], bound + 1)
+    start = first_integer(rows[-1], bound + 1)
     values = [_at(rows, k).discriminant() for k in range(start, start + bound + 1)]
     return _through_whole(values, start)
 
@@ -47,14 +47,14 @@ def resultant(first: Sequence[fmpz_poly], second: Sequence[fmpz_poly]) -> fmpz_p
     """
     m, n = len(first) - 1, len(second) - 1
     bound = n * max(row.degree() for row in first) + m * max(row.degree() for row in second)
-    bits = n * _bits(first, bound) + m * _bits(second, bound) + (m + n) * (m + n).bit_length()
+    bits = n * bits_of_values(first, bound) + m * bits_of_values(second, bound) + (m + n) * (m + n).bit_length()
     _check(bound + 1, max(m, 1) * max(n, 1), bits, f"the resultant of degree {bound} of two polynomials")
-    start = _start(first[-1] * second[-1], bound + 1)
+    start = first_integer(first[-1] * second[-1], bound + 1)
     values = [_at(first, k).resultant(_at(second, k)) for k in range(start, start + bound + 1)]
     return _through_whole(values, start)
 
 
-def _bits(rows: Sequence[fmpz_poly], count: int) -> int:
+def bits_of_values(rows: Sequence[fmpz_poly], count: int) -> int:
     """The number of bits of the values of the rows at this many consecutive integers around 0."""
     return max(height_bits(row.coeffs()) + (row.degree() + 1) * count.bit_length() for row in rows)
 
@@ -73,7 +73,7 @@ def _through_whole(values: Sequence[fmpz], start: int) -> fmpz_poly:
     return through([mpz(int(value)) for value in values])(fmpz_poly([-start, 1]))
 
 
-def _start(leading: fmpz_poly, count: int) -> int:
+def first_integer(leading: fmpz_poly, count: int) -> int:
     """The first of this many consecutive integers, close to 0, at which a polynomial does not vanish."""
     start = k = -(count // 2)
     while k < start + count:

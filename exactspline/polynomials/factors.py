@@ -194,10 +194,10 @@ def _divisor_of_two(p: G, q: G) -> G:
 
 
 def _divisor_in_many(p: fmpq_mpoly, q: fmpq_mpoly) -> fmpq_mpoly:
-    terms, degree = len(p) + len(q), max(_degrees(p) + _degrees(q), default=0)
+    first, second, terms = _degrees(p), _degrees(q), len(p) + len(q)
     cost = terms * DIVISOR_TERM * (1 + max(_bits(p), _bits(q)) // DIVISOR_BITS)
-    if max(len(_degrees(p)), len(_degrees(q))) <= FEW:
-        cost += terms * degree * DIVISOR_DEGREE
+    if max(len(first), len(second)) <= FEW:
+        cost += terms * max(first + second, default=0) * DIVISOR_DEGREE
     if cost > LONGEST_LOOP and _certainly_coprime_on_a_line(p, q):
         return p.context().constant(1)
     check_reach(cost, lambda: f"the greatest common divisor of polynomials {_size(p)} and {_size(q)}", LONGEST_LOOP)

@@ -112,7 +112,7 @@ def local_multiplicity(
     while True:
         slope = len(found) + 1
         eliminant = resultant(*[rows_of(p.compose(S, T - slope * S).compose(T, S)) for p in equations])
-        found.append(_multiplicity_of_sum(eliminant, s, t, slope))
+        found.append(multiplicity_of_sum(eliminant, s, t, slope))
         if found[-1] == 1 or slope > eliminant.degree():
             return min(found)
 
@@ -121,7 +121,7 @@ def _reversed(curve: PlaneForms) -> PlaneForms:
     return PlaneForms(curve.degree, *[backwards(form, curve.degree) for form in curve.forms])
 
 
-def _multiplicity_of_sum(eliminant: fmpz_poly, s: Place, t: Place, slope: int) -> int:
+def multiplicity_of_sum(eliminant: fmpz_poly, s: Place, t: Place, slope: int) -> int:
     """The multiplicity of ``z_t + λ z_s`` as a zero, which it is."""
     powers, bits = list(factorize_square_free(eliminant).powers), FIRST
     while True:

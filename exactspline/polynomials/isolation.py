@@ -266,9 +266,9 @@ def zero_on_segment(c: fmpz_poly, n: int) -> Interval | None:
     >>> zero_on_segment(fmpz_poly([1, -2, 3]), 2) is None
     True
     >>> zero_on_segment(fmpz_poly([1, -3, 1]), 2)
-    Interval(low=mpq(0,1), high=mpq(1,2))
+    Interval(0, 1/2)
     >>> zero_on_segment(fmpz_poly([1, -4, 4]), 2)
-    Interval(low=mpq(1,3), high=mpq(1,3))
+    Interval(1/3, 1/3)
     """
     if not c:
         return Interval(mpq(0), mpq(1))

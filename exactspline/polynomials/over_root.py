@@ -119,7 +119,7 @@ class OverRoot:
             return given * OverRoot([_inverse(given.coefficients[-1], self.modulus)], self.modulus) if given else given
         images = _Images(self.modulus.degree())
         spent = 0
-        for step, prime in enumerate(_primes()):
+        for step, prime in enumerate(large_primes()):
             is_tried = step & (step + 1) == 0  # after 1, 2, 4, 8, … primes
             cost = IMAGE * (self.degree + 1) * (other.degree + 1) * (self.modulus.degree() + 10) + images.cost(step)
             if is_tried:
@@ -182,7 +182,7 @@ class _Images:
         return OverRoot([fmpq_poly(row) for row in rows], field)
 
 
-def _primes() -> Iterator[int]:
+def large_primes() -> Iterator[int]:
     """Primes below 2⁶¹, descending."""
     number = (1 << 61) + 1
     while True:

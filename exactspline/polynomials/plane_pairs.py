@@ -191,7 +191,7 @@ class LineElimination(Elimination):
         return at(mpq(0)) if top == 0 else at(mpq(1)) if bottom == 0 else Image(place, self)
 
 
-def _of_itself(curve: PlaneForms) -> Elimination:
+def self_elimination(curve: PlaneForms) -> Elimination:
     """That of a curve of degree 2 or more and itself, without the pairs of equal parameters."""
     return Elimination(bezout.self_matrix(curve), curve.degree - 2)
 
@@ -326,7 +326,7 @@ def _of_one_curve(first: PlaneForms, second: PlaneForms, forward: Elimination) -
 
 def _crossings(first: PlaneForms, second: PlaneForms, carried: RationalMap) -> Iterator[Meeting]:
     """The points where other branches of the first curve pass through a point of the second."""
-    own = _of_itself(first)
+    own = self_elimination(first)
     matrix = bezout.substitute(own.matrix, own.degree, carried.bottom, carried.top)
     crossed = Elimination(matrix, own.degree * carried.degree)
     for place in places(crossed.isolation):
@@ -340,7 +340,7 @@ def _crossings(first: PlaneForms, second: PlaneForms, carried: RationalMap) -> I
 def _crossings_at(first: PlaneForms, second: PlaneForms, carried: RationalMap, place: Place) -> Iterator[Meeting]:
     """The same at a place where several other branches pass through the point."""
     fibre = Fibre(first, second, place, carried)
-    for candidate in places(_of_itself(first).isolation):
+    for candidate in places(self_elimination(first).isolation):
         if fibre.contains(candidate):
             yield Meeting(candidate, place, local_multiplicity(first, second, candidate, place, carried))
 
@@ -373,7 +373,7 @@ def self_meetings(curve: PlaneForms) -> Meetings:
         return Meetings()
     if curve.is_straight:
         return collinear_arcs(curve)
-    crossed = _of_itself(curve)
+    crossed = self_elimination(curve)
     if crossed.determinant:
         return Meetings(list(_own_crossings(curve, crossed)))
     if not crossed.first:

@@ -71,10 +71,10 @@ def certain_pairs(
 
 def _table(segments: Sequence[Segment]) -> array[float]:
     """The numbers of segments for C."""
-    return array("d", [x for segment in segments for x in _in_doubles(*segment)])
+    return array("d", [x for segment in segments for x in segment_in_doubles(*segment)])
 
 
-def _in_doubles(n: int, forms: Sequence[Sequence[int]]) -> Sequence[float]:
+def segment_in_doubles(n: int, forms: Sequence[Sequence[int]]) -> Sequence[float]:
     """The degree of a segment, the middle of its control points in doubles, and the coefficients of its forms measured
     from there, each rounded once.
     """

@@ -1,3 +1,3 @@
 """Questions about geometric objects: what an entry of the registry is, and what an answer looks like. The entries
-themselves stand beside the exact answers, in `exactspline.geometry`.
+themselves stand next to the exact answers, in `exactspline.geometry`.
 """

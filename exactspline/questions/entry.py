@@ -96,7 +96,7 @@ class Answered(StrEnum):
     SHAPES = "patches with their shapes"
     #: Curves on a surface, whole.
     CURVES = "curves"
-    #: Parts of a bisector; what is not known of them is named beside them.
+    #: Parts of a bisector; what is not known of them is named next to them.
     SOLUTIONS = "solutions"
     #: Pairs of parameters of two curves, and arcs that they have in common; what is not decided is named.
     PAIRS = "pairs"
@@ -109,7 +109,7 @@ class Answered(StrEnum):
 
 @dataclass(frozen=True)
 class About:
-    """What is said of a question beside its name, its meaning and its exact answer.
+    """What is said of a question in addition to its name, its meaning and its exact answer.
 
     ``of``: what it is asked of. ``answered``: what its answer consists of. ``part_of``: another question, whose answer
     contains this one. ``proof``: the zero set whose certificate shows that an answer is complete, by the object and the

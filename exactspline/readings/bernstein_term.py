@@ -89,7 +89,6 @@ class BernsteinTermReading(Reading):
     """
 
     name = "term"
-    proves = "which coefficients of an expression linear in p and in w vanish, for every degree d"
 
     def argument(self, kind: Kind, dimension: int, *, polynomial: bool = False) -> Evaluated:
         """The argument with one term for all numerators and another one for the denominators."""

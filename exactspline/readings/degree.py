@@ -277,7 +277,6 @@ class DegreeReading(Reading):
     """
 
     name = "degree"
-    proves = "the degree by Table 1, for every degree d"
 
     def __init__(
         self,

@@ -53,7 +53,6 @@ class OrderReading(Reading):
     """The reading in which every operand has order 0."""
 
     name = "order"
-    proves = "the highest derivative in a formula"
 
     def argument(self, kind: Kind, dimension: int, *, polynomial: bool = False) -> Evaluated:
         """The operands, all of order 0."""

@@ -90,7 +90,6 @@ class GenericReading(Reading):
     """
 
     name = "generic"
-    proves = "a statement about all curves of one degree except special ones"
 
     def __init__(self, degree: int) -> None:
         self.degree = degree

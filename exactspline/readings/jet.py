@@ -298,8 +298,6 @@ def _jet(ring: JetRing, terms: Terms) -> Jet:
 class IndeterminateReading(Reading):
     """A reading in which the operands, and their derivatives up to an order, are indeterminate."""
 
-    proves = "an identity for every curve of every degree"
-
     def __init__(self, order: int) -> None:
         self.order = order
 

@@ -186,7 +186,6 @@ class LeadingTermsReading(Reading):
     """
 
     name = "infinity"
-    proves = "the true degree on the generic curve, for every d except those listed"
 
     def __init__(self, terms: int, order: int = 0, parameter: Parameter = Parameter.FIRST) -> None:
         self.terms, self.order, self.parameter = terms, order, parameter

@@ -144,7 +144,6 @@ class SympyReading(Reading):
     """
 
     name = "sympy"
-    proves = "an identity for every curve of every degree, in an independent algebra"
 
     def argument(self, kind: Kind, dimension: int, *, polynomial: bool = False) -> Evaluated:
         """The argument with functions of their parameters, differentiated by the rules of the kind if it has any, and

@@ -145,7 +145,6 @@ class DoubleTaylorReading(Reading):
     """
 
     name = "series in two variables"
-    proves = "values and derivatives at one point"
 
     def __init__(self, given: Evaluated, u: Number, v: Number, terms: int) -> None:
         self.given, self.place, self.terms = given, (u, v), terms

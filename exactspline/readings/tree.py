@@ -192,7 +192,6 @@ class TreeReading(Reading):
     """The formula itself; formulas that it calls are shown by name, unless `expand` is set."""
 
     name = "tree"
-    proves = "nothing: it is the formula"
 
     def __init__(self, *, expand: bool = False) -> None:
         self.expand = expand
@@ -244,18 +243,6 @@ def trace(formula: Formula, dimension: int = 3, *, expand: bool = False) -> Node
         TreeReading(expand=expand).argument(formula.kind, as_integer(dimension, "a dimension", 1))
     )
     return node
-
-
-def evaluate(node: Node, c: object) -> object:
-    """The value of a tree in the reading of the curve `c`; a shared node is evaluated once."""
-    known: dict[int, object] = {}
-
-    def visit(n: Node) -> object:
-        if id(n) not in known:
-            known[id(n)] = applied(n, [visit(a) for a in n.args], c)
-        return known[id(n)]
-
-    return visit(node)
 
 
 #: The functions for operations that depend only on the values of their arguments.

@@ -50,7 +50,7 @@ class Digits(Immutable):
 
         >>> from exactspline.reals.real import square_root
         >>> square_root(2).enclosure(3)
-        Interval(low=mpq(707,500), high=mpq(283,200))
+        Interval(707/500, 283/200)
         """
         return self._enclosed(as_integer(digits, "a number of digits"))
 

@@ -477,7 +477,7 @@ class Column:
 
     def may_be_in(self, s: Parameter, side: Interval) -> bool:
         """Whether a zero over one of the roots may be in an interval: a single one is there if the sign changes, which
-        is told without the `candidates`.
+        is decided without the `candidates`.
         """
         return self.zeros.degree > 1 or self.sign(s, side.low) * self.sign(s, side.high) <= 0
 

@@ -86,7 +86,7 @@ def _vanishes(p: fmpz_mpoly, s: Root, t: Root) -> bool:
 
 
 def _precisions(bits: int) -> Iterator[int]:
-    """Growing precisions that do not pass by the one at which a value of ``2^−bits`` is told from 0."""
+    """Growing precisions that do not pass by the one at which a value of ``2^−bits`` is distinguished from 0."""
     precision = SHORTEST
     while True:
         yield precision

@@ -20,9 +20,6 @@ from exactspline.splines.tensor import TensorSpline, surface_pair
 from exactspline.verification.evidence import AnyOperands, Chosen, Evidence, Fact, TooLong
 from exactspline.verification.vocabulary import Name
 
-#: How many segments of each curve are used in a pair: more would show nothing new, and the number of patches is their
-#: product.
-SEGMENTS = 1
 #: Values of constants on one curve, chosen arbitrarily.
 CONSTANTS = tuple(mpq(p, q) for p, q in ((37, 29), (-53, 41), (61, 17), (19, 67), (-71, 83), (97, 47)))
 
@@ -48,10 +45,9 @@ def moved_copy(curve: Nurbs) -> Curve[BSpline]:
     return Curve(p, curve.w, polynomial=curve.polynomial)
 
 
-def beginning(curve: Curve[BSpline], segments: int = SEGMENTS) -> Curve[BSpline]:
-    """The first segments of a curve."""
-    breaks = curve.w.breakpoints
-    a, b = breaks[0], breaks[min(segments, len(breaks) - 1)]
+def beginning(curve: Curve[BSpline]) -> Curve[BSpline]:
+    """The first segment of a curve: more would show nothing new of a pair, and the number of patches is the product."""
+    a, b, *_ = curve.w.breakpoints
     return Curve(Vector(*[x.restrict(a, b) for x in curve.p]), curve.w.restrict(a, b), polynomial=curve.polynomial)
 
 

@@ -26,7 +26,6 @@ from exactspline.symbolic.factorization import find_factor
 from exactspline.verification.curve_check import stated_factor, where_it_differs
 from exactspline.verification.evidence import (
     ComponentDiffers,
-    ComponentNotZero,
     Components,
     Difference,
     Evidence,
@@ -310,7 +309,7 @@ def _where(difference: Any, of: Sides, component: int = 0) -> Evidence:
         return Difference(of, *where_it_differs(difference))
     if of is Sides.SURFACES:
         return Fact.GENERATORS_APART
-    return (ComponentDiffers if of is Sides.SIDES else ComponentNotZero)(component + 1)
+    return ComponentDiffers(component + 1, from_zero=of is Sides.ZERO)
 
 
 def _parts(value: Any) -> tuple[Any, Any]:

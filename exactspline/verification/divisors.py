@@ -7,6 +7,7 @@ frame are omitted: their divisors are those of the frame, about which their clai
 from __future__ import annotations
 
 from collections.abc import Iterator
+from contextlib import suppress
 from functools import cache
 
 from flint import fmpq_mpoly
@@ -19,7 +20,7 @@ from exactspline.readings.expression import Operation
 from exactspline.readings.printing.text import print_text
 from exactspline.readings.rational_jet import JetFraction
 from exactspline.readings.tree import Node, nodes, trace
-from exactspline.symbolic.assumptions import Assumption, assumption
+from exactspline.symbolic.assumptions import assumption
 from exactspline.symbolic.factorization import jets_for
 from exactspline.verification.claim import Claim
 from exactspline.verification.coq.denominators import Evaluation, factored
@@ -80,18 +81,11 @@ def _known(claim: Claim, kind: Kind, argument: Evaluated) -> Iterator[fmpq_mpoly
         for name in WEIGHTS if {"x", "p1"} & operands.keys() else ():  # where w is a denominator, not any function
             if isinstance(value := operands.get(name), JetFraction):
                 yield value.top
-    for assumed in filter(lambda assumed: assumed.applies_to(kind), _all(claim.assumes)):
-        try:
-            yield assumed.polynomial(argument).top
-        except ExactSplineError:
-            continue  # it has more derivatives than the formula, so that it cannot be a divisor
-
-
-def _all(assumed: tuple[Assumption, ...]) -> Iterator[Assumption]:
-    """The assumptions and what they imply."""
-    for each in assumed:
-        yield each
-        yield from map(assumption, each.implies)
+    for assumed in [own for each in claim.assumes for own in (each, *map(assumption, each.implies))]:
+        # one with more derivatives than the formula cannot be a divisor
+        with suppress(ExactSplineError):
+            if assumed.applies_to(kind):
+                yield assumed.polynomial(argument).top
 
 
 def _divides(polynomial: fmpq_mpoly, known: list[fmpq_mpoly]) -> bool:

@@ -342,16 +342,11 @@ class Components(Evidence, words="{left} components, and {right}"):
     right: int
 
 
-class ComponentDiffers(Evidence, words="component {component} differs"):
-    """The first component (counted from 1) in which two sides differ."""
+class ComponentDiffers(Evidence, words="component {component} {from_zero?is not zero|differs}"):
+    """The first component (counted from 1) in which two sides differ, or that is not zero."""
 
     component: int
-
-
-class ComponentNotZero(Evidence, words="component {component} is not zero"):
-    """The first component (counted from 1) that is not zero."""
-
-    component: int
+    from_zero: bool = False
 
 
 class Remainder(Evidence):

@@ -68,19 +68,6 @@ class Judge(Protocol):
         """The finding; UNDECIDED where the judge does not handle claims of this kind."""
 
 
-class Jets:
-    """The judge of the ledger: differential polynomials, with each proof computed once."""
-
-    name = Name("jet")
-
-    def __init__(self, proofs: Proofs | None = None) -> None:
-        self._proofs = Proofs() if proofs is None else proofs
-
-    def decide(self, claim: Claim) -> Finding:
-        """The proof."""
-        return self._proofs[claim][1]
-
-
 #: The judges other than the ledger's.
 OTHERS: dict[str, type[Sympy | Coq]] = {"sympy": Sympy, "coq": Coq}
 
@@ -114,27 +101,26 @@ def agreed(own: Finding, first: Name, other: Finding, second: Name) -> Finding:
     return replace(own, verdict=CONTRADICTION, witness=JudgesDisagree(proved, refuted, witness))
 
 
-def second_opinions(judge: Judge, claims: Iterable[Claim], first: Judge | None = None) -> list[Task]:
-    """The claims that state an equality, as calls that each return the row of another judge, compared with the first
-    one (by default the jets).
+def second_opinions(judge: Judge, claims: Iterable[Claim]) -> list[Task]:
+    """The claims that state an equality, as calls that each return the row of another judge, compared with the jets.
 
     >>> from exactspline.verification.claims import select
     >>> [(str(task().factor), str(task().verdict)) for task in second_opinions(Sympy(), select(["C4.1a"]))]
     [('w', 'PROVED'), ('w⁻³', 'PROVED')]
     """
-    compared = Jets() if first is None else first
-    return [partial(judged, judge, claim, compared) for claim in claims if claim.equality is not None]
+    proofs = Proofs()
+    return [partial(judged, judge, claim, proofs) for claim in claims if claim.equality is not None]
 
 
-def judged(judge: Judge, claim: Claim, first: Judge) -> Row:
-    """The row of a judge, a CONTRADICTION where the first one decides the opposite."""
+def judged(judge: Judge, claim: Claim, proofs: Proofs) -> Row:
+    """The row of a judge, a CONTRADICTION where the proof of the ledger decides the opposite."""
     start = perf_counter()
     try:
         finding = fitting(claim, partial(judge.decide, claim))
     except ExactSplineError as error:
         finding = undecided(error)
-    seconds = perf_counter() - start
-    return row(claim, judge.name, agreed(finding, judge.name, first.decide(claim), first.name), seconds)
+    seconds, (reading, proof) = perf_counter() - start, proofs[claim]
+    return row(claim, judge.name, agreed(finding, judge.name, proof, reading), seconds)
 
 
 def compared_rows(rows: Sequence[Row], judge: Judge) -> list[Row]:

@@ -85,17 +85,12 @@ def factor_of_text(
     return top, bottom
 
 
-def symbol(name: str, find: Callable[[str], Formula] = find_anywhere) -> str:
-    r"""The LaTeX name of a formula: its symbol in the paper, or its name where it has none. `find` gives formulas.
-
-    >>> symbol("f2"), symbol("evolute_contact_1")
-    ('f_2', '\\mathrm{evolute\\_contact\\_1}')
-    """
-    return find(name).symbol or spelled(name)
-
-
 def spelled(name: str) -> str:
-    """The name of a formula as LaTeX."""
+    r"""The name of a formula as LaTeX, where it has no symbol.
+
+    >>> spelled("evolute_contact_1")
+    '\\mathrm{evolute\\_contact\\_1}'
+    """
     return rf"\mathrm{{{name.replace('_', chr(92) + '_')}}}"
 
 
@@ -113,7 +108,8 @@ def factor_latex(factor: str, find: Callable[[str], Formula] = find_anywhere) ->
     parts = []
     for part in factor.split():
         name, _, exponent = part.partition("^")
-        base = symbol(name, find) if name[0].isalpha() and name not in ("w", "W") else name.replace("W", r"\bar w")
+        is_formula = name[0].isalpha() and name not in WEIGHTS
+        base = find(name).symbol or spelled(name) if is_formula else name.replace("W", r"\bar w")
         base = f"({base})" if exponent and "^" in base else base
         parts.append(f"{base}^{{{exponent}}}" if exponent else base)
     return "" if factor == "1" else r"\,".join([*parts, ""])

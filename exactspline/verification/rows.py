@@ -73,11 +73,6 @@ class Row(Displayed):
         return self.finding.verdict
 
     @property
-    def reason(self) -> Reason | None:
-        """Why nothing was decided."""
-        return self.finding.reason
-
-    @property
     def computed(self) -> Found | None:
         """The computed value."""
         return self.finding.computed

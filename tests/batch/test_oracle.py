@@ -24,6 +24,7 @@ from exactspline.geometry.balls import degrees, length
 from exactspline.geometry.extent import coordinate_range
 from exactspline.reals.ball import InBalls
 from tests.support.sampled import FULL
+from tests.support.vectors import mpf_of
 
 SQUARE = xs.Nurbs(1, [0, 0, 1, 2, 3, 4, 4], [(0, 0), (2, 0), (2, 1), (0, 1), (0, 0)], name="box")
 CURVES = ["cubic_s", "circle", "twisted_cubic", "cusp", "six_segment_cubic", "rational_space_cubic"]
@@ -59,8 +60,7 @@ def test_values_frames_and_curvature_belong_together(name):
 def _mpf(x):
     with mpmath.workdps(60):
         low, high = x.enclosure(55)
-        middle = (low + high) / 2
-        return mpmath.mpf(int(middle.numerator)) / int(middle.denominator)
+        return mpf_of((low + high) / 2)
 
 
 @pytest.mark.parametrize("asked", ["insert:2@1/3", "elevate:2", "elevate", "insert@1/3"])

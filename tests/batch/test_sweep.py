@@ -191,15 +191,13 @@ def test_memory_does_not_grow_with_the_corpus():
 
     at_the_end_of(30)
     try:
-        assert at_the_end_of(300) < at_the_end_of(50) + 10_000
+        assert at_the_end_of(150) < at_the_end_of(50) + 5_000
     finally:
         tracemalloc.stop()
 
 
 def test_no_curve_is_kept_when_its_line_is_done(tmp_path):
-    pytest.importorskip("fontTools")
-    font, drawing = tmp_path / "f.ttf", tmp_path / "d.svg"
-    font.write_bytes(truetype())
+    drawing = tmp_path / "d.svg"
     path = "".join(f'<path d="M 0 0 C 1 2 3 {k} 4 0"/>' for k in range(30))
     drawing.write_text(f'<svg xmlns="http://www.w3.org/2000/svg">{path}</svg>')
 
@@ -209,10 +207,12 @@ def test_no_curve_is_kept_when_its_line_is_done(tmp_path):
         return sum(each.source.startswith("d.svg") for each in curves)
 
     lines, left = xs.sweep([str(drawing)], find=["inflections"]), []
+    gc.freeze()  # what was there before is not looked at
     for i, line in enumerate(lines):
         assert line.error is None
-        if i % 10 == 9:  # a collection of garbage takes long where the whole suite runs
+        if i % 10 == 9:
             left.append(alive())
+    gc.unfreeze()
     # one may still be held by the generators
     assert all(count <= 30 - i for i, count in zip((9, 19, 29), left, strict=True))
     assert left[-1] <= 1

@@ -27,10 +27,8 @@ from exactspline.geometry.bisector.two_curves import curve_bisector
 from exactspline.roots.root import Root
 from tests.support.bisector_oracle import (
     circle,
-    cross,
     dimension,
     divisor,
-    dot,
     flint,
     holds,
     mapped,
@@ -40,6 +38,7 @@ from tests.support.bisector_oracle import (
     spans,
 )
 from tests.support.dials import DIALS
+from tests.support.vectors import cross, dot
 
 #: Seconds after which an answer counts as slow.
 SLOW = 10

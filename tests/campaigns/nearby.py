@@ -34,6 +34,7 @@ from exactspline.geometry.kinds import FeatureKind
 from exactspline.geometry.meetings_nearby import intersections_nearby, self_intersections_nearby
 from exactspline.geometry.nearby import NearbyFeature, features_nearby
 from exactspline.geometry.stability import stability
+from tests.support.vectors import cross, mpf_of
 
 SEED = 2032
 #: Per mille of the curves that may be refused: no weight comes near 0 within these distances.
@@ -46,11 +47,6 @@ DRAWN = 4
 ZERO = (FeatureKind.INFLECTION, FeatureKind.UNDULATION)
 TWIST = (FeatureKind.TORSION_ZERO, FeatureKind.TORSION_TOUCH)
 EXTREME = (FeatureKind.MAXIMUM, FeatureKind.MINIMUM, FeatureKind.STATIONARY)
-
-
-def number(x: mpq) -> mpf:
-    """A rational number in the working precision."""
-    return mpf(int(x.numerator)) / int(x.denominator)
 
 
 def drawn(random: Random, dimension: int = 2) -> Nurbs:
@@ -77,7 +73,7 @@ def moved(curve: Nurbs, epsilon: mpq, random: Random) -> Nurbs:
     return Nurbs(curve.degree, curve.knots, points, weights)
 
 
-def blossom(curve: Nurbs, t: mpq, left: bool, of: Callable[[mpq], Any] = number) -> list[list[Any]]:
+def blossom(curve: Nurbs, t: mpq, left: bool, of: Callable[[mpq], Any] = mpf_of) -> list[list[Any]]:
     """Derivatives of order 0 to 3 of the homogeneous coordinates, by de Boor's algorithm on differences."""
     d, knots = curve.degree, list(curve.knots)
     j = max(i for i in range(d, len(knots) - d - 1) if (knots[i] < t if left else knots[i] <= t) or i == d)
@@ -117,11 +113,6 @@ def signs(curve: Nurbs, t: mpq, left: bool) -> tuple[int, int]:
     cross_, speed = x1 * y2 - y1 * x2, x1 * x1 + y1 * y1
     slope = (x1 * y3 - y1 * x3) * speed - 3 * cross_ * (x1 * x2 + y1 * y2)
     return int(mp.sign(cross_)), int(mp.sign(slope))
-
-
-def cross(a: Sequence[mpf], b: Sequence[mpf]) -> list[mpf]:
-    """The vector product."""
-    return [a[i - 2] * b[i - 1] - a[i - 1] * b[i - 2] for i in range(3)]
 
 
 def derivatives(curve: Nurbs, t: mpq, left: bool) -> list[list[mpf]]:
@@ -188,10 +179,10 @@ def answered(tally: Counter[str], of: str, what: str, ask: Callable[[], Sequence
     return said
 
 
+@mp.workdps(60)
 def campaign(count: int, seed: int = SEED, dimension: int = 2) -> Counter[str]:
     """Random curves, each with a few near it at a random distance."""
     random, tally = Random(seed), Counter[str]()
-    mp.dps = 60
     for _ in range(count):
         curve, epsilon = drawn(random, dimension), mpq(1, 10 ** random.randint(1, 14))
         said = answered(tally, "curves", "features", partial(features_nearby, curve, epsilon))
@@ -211,14 +202,14 @@ def above_ceiling(tally: Mapping[str, int]) -> list[str]:
 
 def crosses_in(first: Nurbs, second: Nurbs, box: tuple[Sequence[mpq], Sequence[mpq]]) -> bool:
     """Whether Newton's method from the middle of a box leads to a common point of two plane curves in it."""
-    s, t = ((number(a) + number(b)) / 2 for a, b in box)
+    s, t = ((mpf_of(a) + mpf_of(b)) / 2 for a, b in box)
     for _ in range(12):
         (x, y), (u, v) = (derivatives(c, exact(r), left=False) for c, r in ((first, s), (second, t)))
         step = mp.lu_solve(mp.matrix([[x[1], -u[1]], [y[1], -v[1]]]), mp.matrix([x[0] - u[0], y[0] - v[0]]))
         s, t = s - step[0], t - step[1]
     small = mpf(10) ** -45
     met = max(map(abs, step)) < small
-    return met and all(number(a) - small <= r <= number(b) + small for r, (a, b) in zip((s, t), box, strict=True))
+    return met and all(mpf_of(a) - small <= r <= mpf_of(b) + small for r, (a, b) in zip((s, t), box, strict=True))
 
 
 def exact(x: mpf) -> mpq:
@@ -226,10 +217,10 @@ def exact(x: mpf) -> mpq:
     return mpq(int(mp.nint(x * 2**180)), 2**180)
 
 
+@mp.workdps(60)
 def meetings(count: int, seed: int = SEED) -> Counter[str]:
     """Pairs of random plane curves, and each of these with itself, with pairs near them at a random distance."""
     random, tally = Random(seed), Counter[str]()
-    mp.dps = 60
     for k in range(count):
         first = drawn(random)
         second, epsilon = (first if k % 2 else drawn(random)), mpq(1, 10 ** random.randint(1, 14))
@@ -294,10 +285,10 @@ def sign_changes(form: Poly) -> Counter[int]:
     return tally
 
 
+@mp.workdps(60)
 def radii(count: int, seed: int = SEED) -> Counter[str]:
     """Curves as far from random ones as features are proved to be stable; and the curves without them."""
     random, tally = Random(seed), Counter[str]()
-    mp.dps = 60
     for k in range(count):
         curve = drawn(random)
         while curve.degree > 3 or (curve.segments > 1 and k % 2):

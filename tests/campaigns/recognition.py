@@ -24,6 +24,7 @@ from exactspline import Nurbs, NurbsSurface, example
 from exactspline.geometry.recognition.pieces import RecognizedPiece, recognized
 from exactspline.geometry.recognition.shapes import Circle, Line
 from exactspline.geometry.surface.recognized import RecognizedPart, recognized_surface
+from tests.support.vectors import cross, dot, mpf_of
 
 SEED = 2031
 #: Points of a piece at which distances are measured.
@@ -117,7 +118,7 @@ def as_written(curve: Nurbs, digits: int) -> Nurbs:
 def number(x: object) -> mpf:
     """An exact number, or one that prints itself, in the working precision."""
     if hasattr(x, "numerator"):
-        return mpf(int(x.numerator)) / mpf(int(x.denominator))
+        return mpf_of(x)
     return mpf(str(x.decimal(40)))
 
 
@@ -210,10 +211,10 @@ def fits(curve: Nurbs, epsilon: mpq) -> bool:
     return best < limit
 
 
+@mp.workdps(50)
 def campaign(count: int, seed: int = SEED) -> Counter[str]:
     """A number of curves of each kind; what was found, by kind, and what is wrong."""
     random, found = Random(seed), Counter[str]()
-    mp.dps = 50
     for i in range(count):
         family = list(FAMILIES)[i % len(FAMILIES)]
         exact = arc(family, random)
@@ -343,7 +344,7 @@ def layers(surface: NurbsSurface, shape: object, count: int = 6) -> int:
         """The nearest point, and the normal there."""
         point = [float(x) for x in surface(*place)]
         if shape.kind == "plane":
-            away = (fdot(n["normal"], point) - n["offset"][0]) / fdot(n["normal"], n["normal"])
+            away = (dot(n["normal"], point) - n["offset"][0]) / dot(n["normal"], n["normal"])
             return [x - away * a for x, a in zip(point, n["normal"], strict=True)], n["normal"]
         start = n.get("centre") or n.get("point") or n["apex"]
         offset = [x - a for x, a in zip(point, start, strict=True)]
@@ -352,7 +353,7 @@ def layers(surface: NurbsSurface, shape: object, count: int = 6) -> int:
             return [a + scale * x for a, x in zip(start, offset, strict=True)], offset
         size = hypot(*n["axis"])
         axis = [x / size for x in n["axis"]]
-        along = fdot(offset, axis)
+        along = dot(offset, axis)
         radial = [x - along * a for x, a in zip(offset, axis, strict=True)]
         rho = hypot(*radial)
         out = [x / rho for x in radial]
@@ -387,28 +388,18 @@ def layers(surface: NurbsSurface, shape: object, count: int = 6) -> int:
         over = 0
         for triangle, size in triangles:
             near = max(dist(p, at) for p, _ in triangle) < size
-            if near and all(fdot(m, normal) > 0 for _, m in triangle):
-                flat = [[fdot([x - y for x, y in zip(p, at, strict=True)], f) for f in frame] for p, _ in triangle]
+            if near and all(dot(m, normal) > 0 for _, m in triangle):
+                flat = [[dot([x - y for x, y in zip(p, at, strict=True)], f) for f in frame] for p, _ in triangle]
                 turns = [flat[k - 1][0] * flat[k][1] - flat[k - 1][1] * flat[k][0] for k in range(3)]
                 over += min(turns) > 0 or max(turns) < 0
         most = max(most, over)
     return most
 
 
-def fdot(a: Sequence[float], b: Sequence[float]) -> float:
-    """The scalar product in doubles."""
-    return sum(x * y for x, y in zip(a, b, strict=True))
-
-
-def cross(a: Sequence[float], b: Sequence[float]) -> list[float]:
-    """The vector product in doubles."""
-    return [a[k - 2] * b[k - 1] - a[k - 1] * b[k - 2] for k in range(3)]
-
-
+@mp.workdps(50)
 def in_space_campaign(count: int, seed: int = SEED) -> Counter[str]:
     """Surfaces, exact and moved by a tenth of epsilon, and others; plane curves in space."""
     random, found = Random(seed), Counter[str]()
-    mp.dps = 50
     for i in range(count):
         kind = ("plane", "sphere", "cylinder", "cone", "torus")[i % 5]
         exact = patch(kind, random)

@@ -22,7 +22,8 @@ from gmpy2 import mpq
 from exactspline import NurbsSurface, TensorSpline, analyse
 from exactspline.geometry.surface.inspection import PatchKind
 from tests.support.squares import parameters
-from tests.support.surface_oracle import forms, gaussian_curvature
+from tests.support.surface_oracle import forms, gaussian_curvature, jets
+from tests.support.vectors import cross
 
 SEED = 2027
 #: Seconds for one surface before it is named.
@@ -237,11 +238,8 @@ def _order(surface: NurbsSurface, k: int, value: mpq, t: mpq) -> int | None:
 
 
 def _normal(surface: NurbsSurface, place: tuple[Fraction, Fraction]) -> list[Fraction]:
-    from tests.support.surface_oracle import jets
-
     own = jets(surface, *place)
-    (a, b, c), (d, e, f) = ([x.c[k] for x in own] for k in ((1, 0), (0, 1)))
-    return [b * f - c * e, c * d - a * f, a * e - b * d]
+    return cross(*([x.c[k] for x in own] for k in ((1, 0), (0, 1))))
 
 
 def _fraction(x: object) -> Fraction:

@@ -27,16 +27,16 @@ from exactspline.certificates.elimination import (
 from exactspline.certificates.zero_curves import (
     NODE,
     POINT,
-    _along,
-    _at_height,
-    _bend,
-    _divided,
-    _is_free,
-    _net_product,
-    _range,
-    _sign_over,
-    _value_over,
-    _whole,
+    at_height,
+    extremes,
+    integral,
+    is_free,
+    kind_by_hessian,
+    net_product,
+    on_line,
+    quotient_over,
+    sign_over,
+    value_over,
 )
 from exactspline.certificates.zeros import product_of
 
@@ -160,6 +160,9 @@ def test_values_quotients_and_signs(seed):
     # at the root of 2x² − 1 between 0 and 1
     around = total(product_of([-1, 0, 2], q), [random.choice([-1, 1])])
     assert sign_at_root(around, [-1, 0, 2], Fraction(0), Fraction(1)) == (1 if around[0] + q[0] > 0 else -1)
+
+
+def test_a_polynomial_has_the_sign_zero_at_its_own_root():
     assert sign_at_root([-1, 0, 2], [-1, 0, 2], Fraction(0), Fraction(1)) == 0
     assert sign_at_root([1, -2], [-1, 2], Fraction(1, 2), Fraction(1, 2)) == 0
 
@@ -169,18 +172,18 @@ def test_nets_multiply_and_are_cut(seed):
     random = Random(seed)
     one, other = (net(random, random.randint(0, 3), random.randint(0, 3)) for _ in range(2))
     x, y = fraction(random), fraction(random)
-    whole, values = _net_product(one, other), of_net(one, x, y) * of_net(other, x, y)
+    whole, values = net_product(one, other), of_net(one, x, y) * of_net(other, x, y)
     assert (of_net(whole, x, y) > 0) == (values > 0)
     assert (len(whole), len(whole[0])) == (len(one) + len(other) - 1, len(one[0]) + len(other[0]) - 1)
     u, v = Fraction(1, 7), Fraction(5, 6)
     assert of_net(whole, x, y) * of_net(one, u, v) * of_net(other, u, v) == of_net(whole, u, v) * values
     for direction, (a, b) in enumerate([(x, y), (y, x)]):
-        line = _along(one, direction, a)
+        line = on_line(one, direction, a)
         assert bernstein(line, b) * of_net(one, x, y) >= 0
         ends = [of_net(one, *((a, t) if direction == 0 else (t, a))) for t in (0, 1)]
         assert line[0] * ends[1] == line[-1] * ends[0]
         assert (line[0] > 0) == (ends[0] > 0)
-    assert _range([]) == (0, 0)
+    assert extremes([]) == (0, 0)
 
 
 @pytest.mark.parametrize("seed", range(300))
@@ -192,7 +195,7 @@ def test_the_kind_of_a_singular_point_is_that_of_all_hessians(seed):
         [8 * (a * i * i + 2 * b * i * j + c * j * j) + random.randint(-noise, noise) for j in range(n + 1)]
         for i in range(m + 1)
     ]
-    kind = _bend(given)
+    kind = kind_by_hessian(given)
     for x, y in product((Fraction(0), Fraction(1, 3), Fraction(1)), repeat=2):
         determinants = hessian(given, x, y)
         assert kind != POINT or determinants > 0
@@ -224,9 +227,9 @@ def test_an_interval_free_of_other_zeros(seed):
     p = product_of(from_roots(roots), [17, -64, 64])
     p = product_of(p, minimal) if random.randint(0, 1) else p
     within = [r for r in roots if 0 <= r <= 1]
-    free = _is_free(p, minimal, (Fraction(0), Fraction(1)))
+    free = is_free(p, minimal, (Fraction(0), Fraction(1)))
     assert free == (not within)
-    assert not _is_free(minimal, [], (Fraction(0), Fraction(1)))
+    assert not is_free(minimal, [], (Fraction(0), Fraction(1)))
 
 
 @pytest.mark.parametrize("seed", SEEDS)
@@ -237,25 +240,25 @@ def test_polynomials_over_a_root(seed):
     rows = rows_of(random, [random.randint(0, 1) for _ in range(random.randint(1, 3))])
     factor = [[Fraction(random.randint(-3, 3)), Fraction(random.randint(-3, 3))], [Fraction(1)]]
     whole = times(rows, factor)
-    assert [trimmed(row) for row in _divided(whole, factor, minimal)] == [
+    assert [trimmed(row) for row in quotient_over(whole, factor, minimal)] == [
         trimmed(remainder_of(r, minimal)) for r in rows
     ]
     if any(remainder_of(total(whole[0], [1]), minimal)):
         with pytest.raises(ValueError, match="does not divide"):
-            _divided([total(whole[0], [1]), *whole[1:]], factor, minimal)
+            quotient_over([total(whole[0], [1]), *whole[1:]], factor, minimal)
     side = tuple(sorted(random.sample([Fraction(k, 6) for k in range(-6, 7)], 2)))
-    sign = _sign_over(rows, root, side)
+    sign = sign_over(rows, root, side)
     points = list(product((*root, sum(root) / 2), (*side, sum(side) / 2)))
     values = [sum(value(row, x) * y**j for j, row in enumerate(rows)) for x, y in points]
     assert not sign or all(sign * each > 0 for each in values)
-    assert _sign_over([[], [0, 1]], root, (Fraction(1, 2), Fraction(1))) == 1
-    assert _sign_over([[-1], [], [0, 1]], root, (Fraction(0), Fraction(1))) == -1
-    assert _sign_over([], root, side) == 0
+    assert sign_over([[], [0, 1]], root, (Fraction(1, 2), Fraction(1))) == 1
+    assert sign_over([[-1], [], [0, 1]], root, (Fraction(0), Fraction(1))) == -1
+    assert sign_over([], root, side) == 0
     height = Fraction(random.randint(-4, 4), 3)
-    flat = _at_height(factor, height)
+    flat = at_height(factor, height)
     x = Fraction(5, 9)
     assert value(flat, x) == value(factor[0], x) + height
-    assert (_value_over(factor, height, root, minimal) == 0) == (not any(flat))
-    scaled = _whole(flat)
+    assert (value_over(factor, height, root, minimal) == 0) == (not any(flat))
+    scaled = integral(flat)
     assert all(isinstance(c, int) for c in scaled)
     assert all(c * value(flat, Fraction(1)) == d * value(scaled, 1) for c, d in zip(scaled, flat, strict=False))

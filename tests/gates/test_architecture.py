@@ -187,3 +187,30 @@ def test_proving_needs_no_sympy():
         "select; assert all(r.as_recorded for r in audit(select(['C4.1'])))"
     )
     assert "sympy" not in loaded_after(code)
+
+
+def private_imports(code: str) -> list[str]:
+    """The names with an underscore that a module imports from the package or the workshop."""
+    return [
+        f"{node.module}.{alias.name}"
+        for node in ast.walk(ast.parse(code))
+        if isinstance(node, ast.ImportFrom) and (node.module or "").split(".")[0] in ("exactspline", "workshop")
+        for alias in node.names
+        if alias.name.startswith("_")
+    ]
+
+
+def test_tests_import_public_names_alone():
+    """Passed before: 26 private functions in twelve files, whose names could not change."""
+    tests = Path(__file__).parents[1]
+    imported = {
+        str(path.relative_to(tests)): private_imports(path.read_text(encoding="utf-8"))
+        for path in sorted(tests.rglob("*.py"))
+    }
+    assert {path: names for path, names in imported.items() if names} == {}
+
+
+def test_a_private_import_is_found():
+    assert private_imports("def f():\n    from exactspline.reals.real import Real, _shown") == [
+        "exactspline.reals.real._shown"
+    ]

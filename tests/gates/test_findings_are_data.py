@@ -23,7 +23,7 @@ from exactspline.symbolic.factorization import Factor
 from exactspline.verification import evidence
 from exactspline.verification.claims import claims_in, select
 from exactspline.verification.evidence import Evidence, ExactQuotient, JudgesDisagree, WrongDegree
-from exactspline.verification.judges import Jets, Sympy, agreed, compared_rows, second_opinions
+from exactspline.verification.judges import Sympy, agreed, compared_rows, second_opinions
 from exactspline.verification.kinds.equality import Identity
 from exactspline.verification.ledger import audit, proved
 from exactspline.verification.questions import Proof
@@ -141,7 +141,7 @@ class Liar:
 
     def decide(self, claim):
         """PROVED where the jets refute, and the other way round."""
-        truth = Jets().decide(claim).verdict
+        truth = claim.prove()[1].verdict
         return Finding({PROVED: REFUTED, REFUTED: PROVED}.get(truth, truth))
 
 

@@ -289,7 +289,7 @@ ROUNDED = {
     "interchange/bridges/numpy.py: points_at": "rounds to doubles, on request",
     "interchange/formats/rhino.py: write": "writes a file of doubles, and names the numbers that are rounded",
     "interchange/rhino_process.py: _hex": "doubles of a file, bit by bit",
-    "programs/certain_pairs.py: _in_doubles": "the certified filter",
+    "programs/certain_pairs.py: segment_in_doubles": "the certified filter",
     "programs/masses.py: factors": "the certified filter",
     "programs/doubles.py: _carried_out": "the certified filter",
     "polynomials/doubles.py: ordinates": "a guess, certified afterwards",

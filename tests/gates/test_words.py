@@ -19,7 +19,7 @@ PHRASES = {
     r"one an? (segment|span|point|knot|patch|curve|line|row)": "one per …",
     r"so many": "this many, or the number's name",
     r"and leave\.": "and exit",
-    r"(pages|surfaces) that (turn|move)": "interactive pages, interactive 3-D surfaces",
+    r"(pages?|HTML|surfaces) that (turn|move)s?": "interactive pages, interactive 3-D surfaces",
     r"given up to tell": "refinement limit for …",
     r"says nothing of": "does not apply to",
     r"(?<!there )is no (spline|curve|surface|square|plane|weight|number|proof|point|file|polynomial|double|knot|claim)":
@@ -41,8 +41,7 @@ IN_CODE = {
     r"left to exact": "decided by exact arithmetic",
     r"beside (the|its|it|their|them|each|one)": "next to, in addition to",
 }  # fmt: skip
-ROOMS = ("batch", "classroom", "cli", "display", "geometry", "interchange", "programs", "splines", "testing")
-FOLDERS = ("workshop/", *(f"exactspline/{room}/" for room in (*ROOMS, "verification")))
+FOLDERS = ("exactspline/", "workshop/")
 TEXTS = ("*.py", "*.pyi", "*.md", "*.ipynb", "*.js", "*.html")
 
 
@@ -95,6 +94,7 @@ def test_a_phrase_in_code_is_found(planted):
         "raise NumberError('2.5 is no number')",
         "a whole\n    number of them",
         "Pages that turn",
+        "an HTML page that turns",
     ],
 )
 def test_a_phrase_is_found(planted):

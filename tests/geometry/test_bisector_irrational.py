@@ -25,7 +25,8 @@ from exactspline.polynomials.over_root import OverRoot, by_powers
 from exactspline.polynomials.two_parameters import S, T, least_value, rows_of
 from exactspline.roots.of_polynomials import as_splines, roots_in
 from exactspline.roots.zero_set import zeros
-from tests.support.bisector_oracle import bezier, cross, curve_of, dot, point_and_tangent, spans
+from tests.support.bisector_oracle import bezier, curve_of, point_and_tangent, spans
+from tests.support.vectors import cross, dot
 
 U = BSpline.identity(0, 1)
 ZERO, ONE = mpq(0), mpq(1)
@@ -244,17 +245,8 @@ def test_values_that_are_not_zero_are_not_smaller_than_the_least_value():
     nearest = mpmath.inf
     with mpmath.workdps(120):
         for p, first, second in tight:
-            least, roots = least_value(p, first, second), []
-            for q in (first, second):
-                factors = [f for f, _ in q.factor_squarefree()[1]]
-                roots.append(
-                    [
-                        r
-                        for f in factors
-                        for r in mpmath.polyroots([int(x) for x in f.coeffs()][::-1], 500, error=False, extraprec=500)
-                    ]
-                )
-            for s, t in product(*roots):
+            least = least_value(p, first, second)
+            for s, t in product(all_roots(first), all_roots(second)):
                 size = abs(sum(int(x) * s ** int(i) * t ** int(j) for (i, j), x in p.terms()))
                 if size > mpmath.mpf(10) ** -90:
                     assert size >= mpmath.mpf(2) ** -least

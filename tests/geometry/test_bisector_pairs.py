@@ -20,19 +20,10 @@ from exactspline.language.rational import Rational
 from exactspline.numbers.exact import to_fmpq
 from exactspline.roots.root import Root
 from tests.support.bisector_answers import of_family, of_random_pair, random_pair
-from tests.support.bisector_oracle import (
-    FAMILIES,
-    bezier,
-    cross,
-    dimension,
-    dot,
-    holds,
-    planes,
-    point_and_tangent,
-    spans,
-)
+from tests.support.bisector_oracle import FAMILIES, bezier, dimension, holds, planes, point_and_tangent, spans
 from tests.support.dials import ALWAYS, over_dials
 from tests.support.sampled import sample
+from tests.support.vectors import cross, dot
 
 over_families = pytest.mark.parametrize("name", FAMILIES)
 DIMENSIONS = {Solutions.LINE: 1, Solutions.PLANE: 2, Solutions.SPACE: 3}

@@ -16,8 +16,9 @@ from exactspline.geometry.bisector.two_curves import curve_bisector
 from exactspline.language.rational import Rational
 from exactspline.roots.root import Root
 from tests.support.bisector_answers import of_family, of_random_pair, random_pair
-from tests.support.bisector_oracle import FAMILIES, bezier, dot, power_basis, spans
+from tests.support.bisector_oracle import FAMILIES, bezier, power_basis, spans
 from tests.support.sampled import FULL, sample
+from tests.support.vectors import dot, mpf_of
 
 with mpmath.workdps(60):
     NEAR = mpmath.mpf(10) ** -25
@@ -130,7 +131,7 @@ def on_line(b, point, direction):
 
 def number(x):
     """A rational, or what has digits already."""
-    return x if isinstance(x, mpmath.mpf) else mpmath.mpf(int(x.numerator)) / int(x.denominator)
+    return x if isinstance(x, mpmath.mpf) else mpf_of(x)
 
 
 def digits(ball):

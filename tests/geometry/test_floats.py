@@ -21,6 +21,7 @@ from exactspline.interchange.examples import example
 from exactspline.numbers.exact import Rounding, double, is_float
 from exactspline.reals.real import square_root
 from exactspline.roots.values import signed_root, value_at
+from tests.support.vectors import cross
 
 COUNT = int(os.environ.get("EXACTSPLINE_FLOATS", "300"))
 BITS = 200
@@ -89,17 +90,13 @@ def curvature(curve, t):
     speed = mp.sqrt(sum(x * x for x in v))
     if len(v) == 2:
         return (v[0] * a[1] - v[1] * a[0]) / speed**3
-    return mp.sqrt(sum(x * x for x in _cross(v, a))) / speed**3
+    return mp.sqrt(sum(x * x for x in cross(v, a))) / speed**3
 
 
 def torsion(curve, t):
     _, v, a, j = derivatives(curve, t, 3)
-    bend = _cross(v, a)
+    bend = cross(v, a)
     return sum(x * y for x, y in zip(bend, j, strict=True)) / sum(x * x for x in bend)
-
-
-def _cross(v, a):
-    return v[1] * a[2] - v[2] * a[1], v[2] * a[0] - v[0] * a[2], v[0] * a[1] - v[1] * a[0]
 
 
 def agrees(found, value, rounding, scale=1):

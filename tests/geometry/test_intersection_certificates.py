@@ -9,7 +9,7 @@ from random import Random
 import pytest
 
 from exactspline import check_certificate, example, intersections, self_intersections
-from exactspline.certificates.intersections import _determinant, _sign
+from exactspline.certificates.intersections import polynomial_determinant, sign_throughout
 from exactspline.errors import ReachError, ShapeError
 from exactspline.geometry.intersection_certificate import intersection_certificate
 from tests.campaigns.certificates import SORTS, campaign, of_intersections
@@ -26,8 +26,8 @@ def test_determinants_take_a_time_bounded_by_a_power_of_their_size():
     expected = [1]
     for i in range(size):
         expected = [a - i * b for a, b in zip([0, *expected], [*expected, 0], strict=True)]
-    assert _determinant(rows[::-1]) == [-x for x in expected]  # 153 exchanges of rows
-    assert not any(_determinant([*rows[:-1], rows[0]]))
+    assert polynomial_determinant(rows[::-1]) == [-x for x in expected]  # 153 exchanges of rows
+    assert not any(polynomial_determinant([*rows[:-1], rows[0]]))
 
 
 @pytest.mark.parametrize("seed", range(45))
@@ -177,4 +177,4 @@ def test_what_is_not_a_segment_is_refused(first, flaw):
 ])  # fmt: skip
 def test_a_form_has_a_sign_where_all_its_coefficients_have_it(form, low, high, expected):
     """A checker that asks one coefficient, or none at a point, would pass our own certificates."""
-    assert _sign(form, Fraction(low), Fraction(high)) == expected
+    assert sign_throughout(form, Fraction(low), Fraction(high)) == expected

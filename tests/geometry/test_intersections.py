@@ -10,7 +10,7 @@ from gmpy2 import mpq
 
 from exactspline import Nurbs, example, intersections, self_intersections
 from exactspline.errors import ShapeError
-from exactspline.geometry.intersections import _Collected
+from exactspline.geometry.intersections import CollectedPoints
 from exactspline.numbers.exact import rational
 from tests.campaigns.intersections import FAMILIES, above_ceiling, bezier_rows, campaign, curve, multiplied
 from tests.support.bisector_oracle import bezier
@@ -427,6 +427,6 @@ def test_a_curve_that_runs_on_is_not_searched(monkeypatch):
             Nurbs(degree, [0] * (degree + 1) + inner[: len(points) - degree - 1] + [4] * (degree + 1), points, weights)
         )
     found = [repr(self_intersections(c)) for c in curves]
-    monkeypatch.setattr(_Collected, "_runs_on", lambda *_: False)
+    monkeypatch.setattr(CollectedPoints, "runs_on", lambda *_: False)
     assert found == [repr(self_intersections(c)) for c in curves]
     assert len(set(found)) > 20

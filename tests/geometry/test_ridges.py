@@ -13,7 +13,7 @@ from mpmath import mp, mpf
 
 from exactspline import NurbsSurface, analyse, example
 from exactspline.geometry.surface import ridges
-from exactspline.geometry.surface.ridges import RidgeSearch, _bisected, _directions, _winds_once, other_family
+from exactspline.geometry.surface.ridges import RidgeSearch, bisected, other_family, principal_directions, winds_once
 from exactspline.numbers.exact import mpq, sign
 from exactspline.numbers.intervals import UNIT, Box, Interval
 from exactspline.polynomials.cost import Budget, drawing_on
@@ -22,6 +22,7 @@ from exactspline.polynomials.two_parameters import S, T, as_form, as_polynomial,
 from exactspline.roots.of_polynomials import roots_in
 from tests.support.sampled import FULL
 from tests.support.surface_oracle import shape_operator
+from tests.support.vectors import mpf_of
 
 STEP = mpf(10) ** -20
 #: Half the distance of two points on both sides of a ridge.
@@ -54,7 +55,7 @@ def slopes(surface, place, before=((1, 0), (1, 0))):
 
 
 def as_mpf(place):
-    return [mpf(int(x.numerator)) / int(x.denominator) for x in place]
+    return [mpf_of(x) for x in place]
 
 
 def changes(surface, start, end):
@@ -154,7 +155,7 @@ def test_four_signs_that_do_not_wind_prove_no_node():
     cross = as_form((2 * S - 1) * (2 * T - 1))
 
     def winds(first, second, form=cross):
-        return _winds_once(form, UNIT, lambda x, y: (sign(first(x, y)), sign(second(x, y))))
+        return winds_once(form, UNIT, lambda x, y: (sign(first(x, y)), sign(second(x, y))))
 
     assert winds(lambda x, y: 2 * x - 1, lambda x, y: 2 * y - 1)
     assert not winds(lambda x, y: (2 * x - 1) * (2 * y - 1), lambda x, y: 1)
@@ -235,12 +236,12 @@ def test_directions_solve_their_equation_and_do_not_jump():
         for a, b, c in ((sign(uu), 0, 0), (0, 0, sign(vv)), (0, sign(uv), 0)):
             if not (a or b or c):
                 continue
-            ways = _directions(uu, uv, vv, a, b, c)
+            ways = principal_directions(uu, uv, vv, a, b, c)
             assert all(uu * p * p + uv * p * q + vv * q * q == 0 for p, q in ways)
             (p, q), (r, s) = ways
             assert p * s != q * r
             by = mpq(1, 10**6)
-            moved = _directions(uu + by, uv - by, vv + by, a, b, c)
+            moved = principal_directions(uu + by, uv - by, vv + by, a, b, c)
             for way, after in zip(ways, moved, strict=True):
                 p, q, r, s = map(float, (*way, *after))
                 assert p * r + q * s > 0.99 * hypot(p, q) * hypot(r, s)
@@ -250,7 +251,7 @@ def test_zeros_are_in_the_boxes_of_a_bisection(monkeypatch):
     """In a finished box one derivative has a sign; what is cut too often, or too dear, remains."""
     form = as_form((2 * S - 1) ** 2 - (3 * T - 1) ** 2 * (T + 1))
     monkeypatch.setattr(ridges, "DEPTH", 8)
-    boxes, remaining = _bisected(form)
+    boxes, remaining = bisected(form)
     assert boxes
     assert remaining
     for part in boxes:
@@ -262,9 +263,9 @@ def test_zeros_are_in_the_boxes_of_a_bisection(monkeypatch):
     for k in range(1, 40):
         for root in roots_in(at(as_polynomial(form), 0, mpq(k, 40)), mpq(0), mpq(1)):
             assert any(b.low <= mpq(k, 40) <= b.high and c.low <= root <= c.high for b, c in every)
-    assert _bisected(as_form((3 * S - 1) ** 2 + (2 * T - 1) ** 2 - 1))[1] == []
+    assert bisected(as_form((3 * S - 1) ** 2 + (2 * T - 1) ** 2 - 1))[1] == []
     with drawing_on(Budget(0)):
-        assert _bisected(form) == ([], [UNIT])
+        assert bisected(form) == ([], [UNIT])
 
 
 def test_a_node_is_proved_only_where_what_is_divided_out_has_no_zeros(monkeypatch):

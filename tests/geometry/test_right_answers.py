@@ -15,6 +15,7 @@ from exactspline.geometry.kinds import JointKind
 from exactspline.geometry.values_along import curvature, torsion
 from tests.support.command import invoke
 from tests.support.space_curves import power_curve
+from tests.support.vectors import mpf_of
 
 
 @pytest.mark.parametrize("sign", [1, -1])
@@ -133,7 +134,7 @@ def test_digits_of_small_curvatures_are_their_own(scale):
     skew = example("ellipse_skew")
     scaled = Nurbs(2, skew.knots, [(x * scale, y * scale) for x, y in skew.control_points], skew.weights)
     with mpmath.workdps(60):
-        size = mpmath.mpf(int(scale.numerator)) / int(scale.denominator)
+        size = mpf_of(scale)
         for a, b in zip(analyse(skew).curvature_extrema, analyse(scaled).curvature_extrema, strict=True):
             first, second = curvature(skew, a.root).significant(40), curvature(scaled, b.root).significant(40)
             assert a.root.exact is None

@@ -5,7 +5,7 @@ from random import Random
 import pytest
 from flint import fmpz_poly
 
-from exactspline.geometry.surface.singular_cells import Crossing, _around, kind_on, singular_cells
+from exactspline.geometry.surface.singular_cells import Crossing, interval_around, kind_on, singular_cells
 from exactspline.numbers.exact import mpq
 from exactspline.numbers.intervals import UNIT, Box, Interval
 from exactspline.polynomials.two_parameters import S, T, as_form
@@ -24,7 +24,7 @@ def test_intervals_around_numbers_keep_from_others():
                 other = place + random.choice((1, -1)) * width * random.randint(0, 48) / 8
                 if other == t:
                     continue
-                found = _around(t, [other], bits)
+                found = interval_around(t, [other], bits)
                 distance = abs(other - place) / width
                 ends = [x for x in (0, 1) if x != t and abs(x - place) / width < 6]
                 if found is None:
@@ -37,7 +37,7 @@ def test_intervals_around_numbers_keep_from_others():
                     assert found.width <= 6 * width
                     assert found.low < t or t == 0
                     assert t < found.high or t == 1
-                    theirs = _around(other, [t], bits) if 0 < other < 1 else None
+                    theirs = interval_around(other, [t], bits) if 0 < other < 1 else None
                     assert theirs is None or theirs.high < found.low or found.high < theirs.low
                 seen.add((bits, found is None))
     assert len(seen) == 8

@@ -11,14 +11,20 @@ from exactspline.errors import ShapeError
 from exactspline.geometry.recognition.pieces import recognized
 from exactspline.geometry.recognition.snapping import snapped
 from exactspline.splines.precision import written_precision
+from tests.support.vectors import mpf_of
 
 EPSILON = mpq(1, 10**6)
+
+
+@pytest.fixture(autouse=True)
+def thirty_digits():
+    with mp.workdps(30):
+        yield
 
 
 def chain(random):
     """A line, an arc and a wave, rounded to eight digits: knots 0, 1, 2, 3."""
     cosine = mpq(random.randint(1, 9), 10)
-    mp.dps = 30
     sine = mp.sqrt(1 - mpf(int(cosine * 10)) ** 2 / 100)
     end = (sine, 1 - mpf(int(cosine * 10)) / 10)
     legs = (1 - mpf(int(cosine * 10)) / 10) / sine
@@ -50,10 +56,6 @@ def test_pieces_become_exact_and_all_else_stays():
             assert away <= mpf_of(arc.within) * (1 + mpf(10) ** -20)
         before, behind = curve("3/2"), found.curve("3/2")
         assert sum((a - b) ** 2 for a, b in zip(before, behind, strict=True)) < 1, "the other arc of the circle"
-
-
-def mpf_of(x):
-    return mpf(int(x.numerator)) / int(x.denominator)
 
 
 def test_a_polynomial_curve_of_several_segments():

@@ -28,10 +28,10 @@ from exactspline.verification.claims import all_claims
 from exactspline.verification.ledger import audit
 from tests.support.answers import places
 from tests.support.command import invoke
-from tests.support.space_curves import MIRRORED, TURNED, chained, moved, power_curve
+from tests.support.space_curves import MIRRORED, TURNED, chained, power_curve
 from tests.support.strategies import nurbs
+from tests.support.vectors import mpf_of
 
-SPACE = [name for name in example_names() if example(name).dimension == 3]
 PLANE = [name for name in example_names() if example(name).dimension == 2]
 
 
@@ -64,7 +64,7 @@ def test_torsion_zeros_at_irrational_parameters(third, expected):
         s = mpmath.sqrt(mpmath.mpf(1) / 2)
         value = [mpmath.mpf(0), mpmath.mpf(0), mpmath.mpf(0)]
         for k, c in enumerate(third):
-            coefficient = mpmath.mpf(int(mpq(c).numerator)) / int(mpq(c).denominator)
+            coefficient = mpf_of(mpq(c))
             for order in range(3):
                 if k >= order:
                     value[order] += coefficient * mpmath.ff(k, order) * s ** (k - order)
@@ -101,7 +101,7 @@ def test_a_plane_curve_in_space_has_the_features_it_has_in_the_plane(name, matri
 
 @given(nurbs(dimension=3, low=1, high=4))
 def test_reflections_turn_the_sign_of_the_torsion(curve):
-    mirrored = moved(curve, MIRRORED)
+    mirrored = curve.transform(MIRRORED)
     turned, kept = find("D1_D2_D3")(mirrored), find("D1_D2_D3")(curve)
     assert turned == kept * -27
     assert [(f.root, f.root.signs) for f in analyse(mirrored).torsion_zeros] == [
@@ -179,7 +179,7 @@ def kinds(features):
 @pytest.mark.parametrize("weights", ["polynomial", "rational"])
 def test_where_the_curvature_vanishes_torsion_itself_decides(coordinates, flat, torsion, value, weights):
     # three times as large: a third of the torsion
-    curve = moved(power_curve(*coordinates), TURNED, (1, 2, 3))
+    curve = power_curve(*coordinates).transform([[*row, k] for row, k in zip(TURNED, (1, 2, 3), strict=True)])
     if weights == "rational":
         # the same curve: numerators and denominator times a linear function
         w = BSpline.bezier([1, 3], -1, 1)
@@ -289,9 +289,7 @@ def test_a_straight_piece_between_twisted_ones():
         power_curve([0, 1], [0, 0, 0, 1], [0, 0, 0, 0, 1], domain=(-1, 0)),
         power_curve([0, 1], [0], [0, 0, 0, 0, 0], domain=(0, 1)),
     ]
-    third = moved(
-        power_curve([0, 1], [0, 0, 0, 1], [0, 0, 0, 0, 1], domain=(0, 1)), [[1, 0, 0], [0, 1, 0], [0, 0, 1]], (1, 0, 0)
-    )
+    third = power_curve([1, 1], [0, 0, 0, 1], [0, 0, 0, 0, 1], domain=(0, 1))
     last = Nurbs(4, [1] * 5 + [2] * 5, third.control_points)
     curve = chained(*[raised(c, 4) for c in (*ends, last)])
     found = analyse(curve)

@@ -19,6 +19,7 @@ from exactspline.polynomials.patch_forms import PatchForm
 from exactspline.readings.jet import JetReading
 from exactspline.readings.taylor_surface import DoubleTaylorReading
 from exactspline.symbolic.covariants import degree_on_patch
+from tests.support.space_curves import TURNED
 
 CURVED = ("ellipsoid", "torus", "cyclide", "rational_biquadratic", "monkey_saddle", "enneper")
 PLACE = mpq(1, 3), mpq(2, 7)
@@ -31,16 +32,6 @@ def formula(name):
 def inside(surface, place=PLACE):
     (a, b), (c, d) = surface.domain
     return a + (b - a) * place[0], c + (d - c) * place[1]
-
-
-def turned(surface, radius=1):
-    """The surface under a rational rotation, moved and multiplied."""
-    rows = [(mpq(2, 3), mpq(-1, 3), mpq(2, 3)), (mpq(2, 3), mpq(2, 3), mpq(-1, 3)), (mpq(-1, 3), mpq(2, 3), mpq(2, 3))]
-    net = [
-        [tuple(radius * sum(a * x for a, x in zip(row, p, strict=True)) + 5 for row in rows) for p in line]
-        for line in surface.control_points
-    ]
-    return NurbsSurface(surface.degree, *surface.knots, net, surface.weights)
 
 
 # ---- constant curvature
@@ -61,7 +52,8 @@ def test_the_curvature_is_constant_exactly_where_it_is_that_of_two_places(name):
 
 @pytest.mark.parametrize("radius", [1, mpq(7, 3)])
 def test_a_sphere_has_one_over_its_squared_radius_wherever_it_is(radius):
-    found = analyse(turned(example("sphere"), radius))
+    turned = [[radius * mpq(x, 3) for x in row] + [5] for row in TURNED]
+    found = analyse(example("sphere").transform(turned))
     assert found.curvature == 1 / radius**2 == 1 / found.patches[0].radius_squared
     assert {one.curvature for one in found.patches} == {found.curvature}
 
@@ -189,9 +181,6 @@ def test_the_normal_curvature_along_a_line_of_parameters_is_that_of_its_bending(
     first = forms["E"] * du**2 + 2 * forms["F"] * du * dv + forms["G"] * dv**2
     area, w = argument.calls(formula("area_squared_lifted"))(u, v), surface.w(u, v)
     assert expected == w**6 * second**2 / (first**2 * area)
-
-
-# ---- the command line
 
 
 # ---- singular points that are not simple

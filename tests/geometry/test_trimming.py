@@ -20,6 +20,7 @@ from exactspline.polynomials.elimination import discriminant
 from exactspline.roots.root import Root
 from exactspline.roots.zero_set import zeros
 from tests.support.dials import factors, over_dials
+from tests.support.vectors import mpf_of
 
 LINE = Nurbs(1, [0, 0, 1, 1], [(-4, 0), (4, 0)])
 CASES = [
@@ -121,9 +122,7 @@ def test_the_pieces_close_up(curve, point):
                 w = piece.value.denominator(t, "left" if end is piece.high else "right")
                 if abs(w) > mpq(1, 10**20):
                     x, y = (c(t, "left" if end is piece.high else "right") / w for c in piece.value.numerator)
-                    ends.append(
-                        (mp.mpf(int(x.numerator)) / int(x.denominator), mp.mpf(int(y.numerator)) / int(y.denominator))
-                    )
+                    ends.append((mpf_of(x), mpf_of(y)))
         for x, y in ends:
             assert sum(abs(x - u) + abs(y - v) < mp.mpf(10) ** -15 * (1 + abs(x) + abs(y)) for u, v in ends) == 2
 

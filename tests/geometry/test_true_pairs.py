@@ -13,8 +13,9 @@ from exactspline.numbers.exact import sign
 from exactspline.numbers.intervals import UNIT, Box, Interval
 from exactspline.polynomials.patch_forms import PatchForm
 from exactspline.roots.zero_set import zeros
-from tests.support.bisector_oracle import bezier, dot
+from tests.support.bisector_oracle import bezier
 from tests.support.dials import over_dials
+from tests.support.vectors import dot
 
 
 def is_in(boxes, s, t):
@@ -171,12 +172,12 @@ def test_what_is_said_of_a_box_is_true_and_small_boxes_are_decided():
                 for x, y in places
                 for u in (xs.rational(k) / 8 for k in range(9))
             )
-            verdict = true_pairs._verdict(side, across, along, [n, m], first, UNIT.second)
+            verdict = true_pairs.verdict_on(side, across, along, [n, m], first, UNIT.second)
             assert verdict is (least >= 0) or verdict is None
             told[bits, verdict] += 1
     assert told[6, None] <= 1
     nothing = PatchForm.of_net([[0, 0]])
-    assert true_pairs._verdict(1, PatchForm.of_net([[1, 2]]), nothing, [nothing, nothing], *UNIT) is True
+    assert true_pairs.verdict_on(1, PatchForm.of_net([[1, 2]]), nothing, [nothing, nothing], *UNIT) is True
     assert min(told[bits, verdict] for bits in (3, 6) for verdict in (True, False)) >= 4
 
 
@@ -184,7 +185,7 @@ def test_no_point_beyond_the_end_of_a_segment_is_compared():
     """N A − C M is positive up to the end, and negative just behind it."""
     across, along = PatchForm.of_net([[100, 105]]), PatchForm.of_net([[100, 102]])
     forms = [PatchForm.of_net([[3300, 100]]), PatchForm.of_net([[99, 99]])]
-    assert true_pairs._verdict(1, across, along, forms, *UNIT) is None
+    assert true_pairs.verdict_on(1, across, along, forms, *UNIT) is None
 
 
 def test_the_work_of_one_pair_is_bounded(monkeypatch):

@@ -1,7 +1,10 @@
 """What strangers stumbled over at the command line: each told what is wrong, or given what they asked for."""
 
 import json
+import os
 import re
+import subprocess
+import sys
 from contextlib import suppress
 
 import pytest
@@ -90,6 +93,22 @@ def test_help_names_arguments_without_the_types_of_python():
         assert "...]" not in usage
         assert "<" not in told.partition("Options:")[0]
         assert usage.split("[OPTIONS]")[1] == usage.split("[OPTIONS]")[1].upper()
+
+
+def test_help_names_the_command_as_it_was_called_and_fits_80_columns():
+    """Passed before: `see exactspline schema` in the help of `./run inspect`, an example of 85 columns."""
+    code = """
+from click.testing import CliRunner
+from exactspline.cli import app
+from exactspline.cli.commands import leaves
+for command in ("", *leaves()):
+    print(CliRunner().invoke(app, [*command.split(), "--help"], prog_name="./run", terminal_width=80).stdout)
+"""
+    called = os.environ | {"EXACTSPLINE_COMMAND": "./run"}
+    texts = subprocess.run([sys.executable, "-c", code], env=called, capture_output=True, text=True, check=True).stdout
+    assert texts.count("Usage: ./run") == len(leaves()) + 1
+    assert not re.findall(r".*exactspline [a-z].*", texts)
+    assert [line for line in texts.splitlines() if len(line) > 80] == []
 
 
 @pytest.mark.parametrize(

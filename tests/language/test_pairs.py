@@ -21,9 +21,10 @@ from exactspline.readings.printing.latex import print_latex
 from exactspline.readings.printing.text import print_text
 from exactspline.readings.rational_jet import RationalJetReading
 from exactspline.readings.taylor import taylor
-from exactspline.readings.tree import evaluate, trace
+from exactspline.readings.tree import trace
 from exactspline.symbolic.substitution import substitute
 from exactspline.verification.check_arguments import moved_copy, pair_with, point_beside
+from exactspline.verification.coq.denominators import Evaluation
 
 FORMULAS = {name: f for name, f in all_formulas().items() if f.curve in ("pair", "point", "plane point")}
 over_formulas = pytest.mark.parametrize("name", FORMULAS)
@@ -96,7 +97,7 @@ def test_a_tree_evaluates_to_the_formula_and_prints(name):
     f = FORMULAS[name]
     tree = trace(f, dimension(f))
     given = series(f.curve, "1/3", "8/5", order_of(f, dimension(f)) + 1)
-    direct, by_tree = (getattr(x, "joined", x) for x in (f(given), evaluate(tree, given)))
+    direct, by_tree = (getattr(x, "joined", x) for x in (f(given), Evaluation(given)(tree)))
     pairs = zip(direct, by_tree, strict=True) if isinstance(direct, Vector) else [(direct, by_tree)]
     assert all(a.value == b.value for a, b in pairs)
     assert "\\" not in print_text(tree)

@@ -62,6 +62,17 @@ RETURNED = {
     "claims": lambda: [*xs.claims()[:40], *xs.claims(paper="lifted")[:40]],
     "approaches_table": lambda: xs.tables.approaches_table(SPLINE),
     "bisector": lambda: [xs.bisector(SPACE, RATIONAL), xs.bisector(SPACE, (0, 1, 2)), xs.bisector(LINE, (0, 2))],
+    "pieces of a bisector": lambda: [
+        *xs.bisector(SPACE, (0, 1, 2)).pieces,
+        xs.bisector(SPACE, (0, 1, 2)).pieces[0].interval,
+        *xs.bisector(SPACE, RATIONAL).patches,
+    ],
+    "stability": lambda: list(xs.analyse(xs.example("cubic_s")).stability),
+    "parts of a curve of zeros": lambda: [
+        xs.zero_curve(PATCH).curves[0],
+        xs.zero_curve(PATCH).curves[0].pieces[0],
+        xs.zero_curve(PATCH).curves[0].pieces[0].sides,
+    ],
     "complex_product": lambda: xs.language.complex_product(xs.language.Vector(1, 2), xs.language.Vector(3, 4)),
     "construction": lambda: xs.tables.construction("evolute"),
     "curvature": lambda: [xs.curvature(PLANE_CURVE, "1/3"), xs.curvature(PLANE_CURVE, ROOT)],

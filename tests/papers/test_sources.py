@@ -13,6 +13,7 @@ from sympy import Matrix, Rational, diff, sqrt, symbols
 from exactspline.papers import paper
 from exactspline.verification.claims import claims_of
 from exactspline.verification.vocabulary import Status, Verdict
+from tests.support.vectors import turn
 
 SOURCES = (
     "primer_on_bezier_curves",
@@ -97,10 +98,6 @@ def bezier(points):
     return Matrix(
         [sum(sympy.binomial(n, k) * (1 - t) ** (n - k) * t**k * p[i] for k, p in enumerate(points)) for i in (0, 1)]
     )
-
-
-def turn(a, b):
-    return a[0] * b[1] - a[1] * b[0]
 
 
 def value(expression, at):

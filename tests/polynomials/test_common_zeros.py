@@ -13,7 +13,7 @@ from exactspline.geometry.surface.signs import Sign, sign_on_patch
 from exactspline.geometry.surface.zero_curve import Begun, Shape, ZeroCurve
 from exactspline.numbers.exact import mpq
 from exactspline.numbers.intervals import UNIT, Box, Interval
-from exactspline.polynomials.certified_boxes import Isolated, _contracting, isolate, simplest
+from exactspline.polynomials.certified_boxes import Isolated, contracting, isolate, simplest
 from exactspline.polynomials.patch_forms import PatchForm, Sized, clusters, of_powers, powers_of
 from exactspline.polynomials.two_parameters import CONTEXT, S, T, as_form, as_polynomial
 from exactspline.roots.common_zeros import zeros_of
@@ -181,7 +181,7 @@ def test_a_pair_that_contracts_is_dominant(seed):
             for k, own in enumerate(net)
         ]
     forms = [PatchForm.of_net(own) for own in net]
-    found = _contracting(forms)
+    found = contracting(forms)
     for k, form in enumerate(forms):
         own, other = form.derivative(k).range, form.derivative(1 - k).range
         if found is not None:

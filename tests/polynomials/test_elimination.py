@@ -62,7 +62,7 @@ def test_values_begin_close_to_0_where_the_leading_row_does_not_vanish():
         leading = fmpz_poly([1])
         for zero in zeros:
             leading *= fmpz_poly([-zero, 1])
-        return elimination._start(leading, count)
+        return elimination.first_integer(leading, count)
 
     assert [start([], count) for count in (1, 2, 5)] == [0, -1, -2]
     assert [start([0], 1), start([0], 5), start([-2, 2, 3], 5), start([3], 5)] == [1, 1, 4, -2]
@@ -91,7 +91,7 @@ def test_common_divisors_of_known_factors(modulus, is_small, monkeypatch):
     """Small primes divide denominators, leading coefficients and resultants: images of other degrees, or none."""
     if is_small:
         primes = [p for p in range(2, 4000) if all(p % k for k in range(2, int(p**0.5) + 1))]
-        monkeypatch.setattr(over_root, "_primes", lambda: iter(primes))
+        monkeypatch.setattr(over_root, "large_primes", lambda: iter(primes))
     draw, trivial = Random(str(modulus)), 0
     for _ in range(12):
         g, a, b = (polynomial(draw, modulus, draw.randint(0, 2)) for _ in range(3))

@@ -16,9 +16,16 @@ from exactspline.numbers.exact import mpq, to_fmpq
 from exactspline.numbers.intervals import UNIT, Interval
 from exactspline.polynomials.bezout import PlaneForms
 from exactspline.polynomials.common_arcs import RationalMap
-from exactspline.polynomials.fibres import Fibre, _multiplicity_of_sum, local_multiplicity
+from exactspline.polynomials.fibres import Fibre, local_multiplicity, multiplicity_of_sum
 from exactspline.polynomials.isolation import isolate
-from exactspline.polynomials.plane_pairs import IDENTITY, Elimination, _of_itself, elimination, meetings, self_meetings
+from exactspline.polynomials.plane_pairs import (
+    IDENTITY,
+    Elimination,
+    elimination,
+    meetings,
+    self_elimination,
+    self_meetings,
+)
 from exactspline.polynomials.two_parameters import S, T, lifted
 from exactspline.polynomials.zero_places import Place, at, places
 from exactspline.roots.local_parameters import parameter, plane_forms
@@ -240,7 +247,7 @@ def test_sums_of_parameters_with_values_close_together():
     factors = [fmpz_poly([-int(x.numerator), int(x.denominator)]) for x in (mpq(2, 3), 2 * near)]
     eliminant = factors[0] * factors[1] ** 2
     for z, times in ((mpq(1, 3), 1), (near, 2)):
-        assert _multiplicity_of_sum(eliminant, of_z(z), irrationally(z), 1) == times
+        assert multiplicity_of_sum(eliminant, of_z(z), irrationally(z), 1) == times
 
 
 def irrationally(z):
@@ -254,7 +261,7 @@ def test_a_curve_and_itself_have_no_common_end_without_a_crossing(n):
     """The forms of the matrix have degree n − 2: with more of them there were zeros at the end."""
     draw = Random(n)
     for rows in (any_rows(draw, n, 9), ending_on_itself(any_rows(draw, n, 9), Fraction(1, 3))):
-        isolation = _of_itself(forms(rows)).isolation
+        isolation = self_elimination(forms(rows)).isolation
         assert [isolation.at_left, isolation.at_right] == [0, int(rows[-1] != rows[0] and isolation.at_right > 0)]
     assert isolation.at_right == 1
 

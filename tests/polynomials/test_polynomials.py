@@ -15,7 +15,7 @@ from exactspline.polynomials.cost import Budget, affords, check_reach, drawing_o
 from exactspline.polynomials.elimination import discriminant
 from exactspline.polynomials.factorization import Factorization, power_text
 from exactspline.polynomials.factors import factorize, factorize_square_free, greatest_common_divisor, prime_factors
-from exactspline.polynomials.over_root import OverRoot, _primes
+from exactspline.polynomials.over_root import OverRoot, large_primes
 from exactspline.roots.of_polynomials import check_isolation
 from exactspline.verification.coq.denominators import factored
 from exactspline.verification.coq.proofs import Nonzero
@@ -198,14 +198,14 @@ def test_values_have_no_more_bits_than_is_said():
         rows = [fmpz_poly([random.randint(-99, 99) for _ in range(random.randint(1, 6))] + [1]) for _ in range(3)]
         count = random.randint(2, 60)
         most = max(abs(row(z)).height_bits() for row in rows for z in range(-count, count + 1))
-        assert most <= elimination._bits(rows, count) <= 4 * most + 20 * count.bit_length()
+        assert most <= elimination.bits_of_values(rows, count) <= 4 * most + 20 * count.bit_length()
 
 
 def test_a_common_divisor_modulo_one_prime_need_not_be_one():
     """Would pass otherwise: what divides one of two polynomials, and the other modulo the first prime alone."""
     modulus = fmpq_poly([-2, 0, 1])
     other = OverRoot([-3, fmpq_poly([0, 1]), 1], modulus)
-    shifted = OverRoot([-3 + next(_primes()), fmpq_poly([0, 1]), 1], modulus)
+    shifted = OverRoot([-3 + next(large_primes()), fmpq_poly([0, 1]), 1], modulus)
     assert shifted.gcd(other).coefficients == other.gcd(shifted).coefficients == (1,)
 
 

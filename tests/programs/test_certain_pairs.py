@@ -14,7 +14,7 @@ import pytest
 from exactspline import Nurbs, intersections
 from exactspline.geometry import late_meetings
 from exactspline.numbers.exact import mpq
-from exactspline.programs.certain_pairs import HIGHEST, OPEN, TOGETHER, _in_doubles, certain_pairs, filter_pairs
+from exactspline.programs.certain_pairs import HIGHEST, OPEN, TOGETHER, certain_pairs, filter_pairs, segment_in_doubles
 from exactspline.roots.local_parameters import segment_rows
 from tests.campaigns import certain_pairs as campaign
 from tests.support.rounding import FLUSHED, MODES, rounding
@@ -128,7 +128,7 @@ def test_coefficients_are_rounded_once():
     for _ in range(40):
         rows = campaign.of_some_degrees(chance)[0]
         n, forms = segment_rows(campaign.pairs.curve(rows), 0)
-        own = _in_doubles(n, forms)
+        own = segment_in_doubles(n, forms)
         assert len(own) == len(OPEN)
         degree, *middle = own[:3]
         assert degree == n
@@ -140,8 +140,8 @@ def test_coefficients_are_rounded_once():
             assert blocks[k] == exact + [0] * (HIGHEST - n)
         assert blocks[2] == [float(w) for w in forms[2]] + [0] * (HIGHEST - n)
     line = [(0, 3), (1, 1), (1, 1)]
-    assert _in_doubles(1, line) != OPEN
-    assert _in_doubles(5, [(1, 2, 3, 4, 5, 6)] * 3) != OPEN
+    assert segment_in_doubles(1, line) != OPEN
+    assert segment_in_doubles(5, [(1, 2, 3, 4, 5, 6)] * 3) != OPEN
     for n, forms in (
         (0, [(1,)] * 3),
         (6, [(1,) * 7] * 3),
@@ -149,4 +149,4 @@ def test_coefficients_are_rounded_once():
         (1, [(0, 3), (1, 1), (1, 0)]),
         (1, [(0, 10**400), (1, 1), (1, 1)]),
     ):
-        assert _in_doubles(n, forms) == OPEN
+        assert segment_in_doubles(n, forms) == OPEN

@@ -17,6 +17,7 @@ from exactspline.readings.taylor import series_curve
 from exactspline.roots.zero_set import zeros
 from tests.support.numeric_reading import arithmetic, number, numeric_curve
 from tests.support.sampled import sample
+from tests.support.vectors import cross, dot
 
 DIGITS = 80
 PLANE = ["ellipse", "rational_cubic", "cubic_s", "rational_quartic", "six_segment_cubic", "hyperbola"]
@@ -32,14 +33,6 @@ def jets(curve, t, order=3):
     """γ, γ′, … at a parameter as lists of mpf, and the arithmetic."""
     c = numeric_curve(curve, t, order + 3, DIGITS + 20)
     return [[x.value for x in c.gamma.d(k)] for k in range(order + 1)], c.w.context
-
-
-def dot(a, b):
-    return sum(x * y for x, y in zip(a, b, strict=True))
-
-
-def cross(a, b):
-    return [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 
 
 def less(a, b):

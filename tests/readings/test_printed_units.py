@@ -10,7 +10,8 @@ from gmpy2 import mpq
 from exactspline.readings.expression import Operation
 from exactspline.readings.printing.text import print_text
 from exactspline.readings.printing.units import without_units
-from exactspline.readings.tree import Node, evaluate, nodes
+from exactspline.readings.tree import Node, nodes
+from exactspline.verification.coq.denominators import Evaluation
 
 
 def random_tree(chance, depth):
@@ -30,7 +31,7 @@ def test_the_value_stays(seed):
     for _ in range(300):
         tree = random_tree(chance, 5)
         place = SimpleNamespace(**{name: mpq(chance.randint(-99, 99), 7) for name in "xyz"})
-        assert evaluate(without_units(tree), place) == evaluate(tree, place), print_text(tree)
+        assert Evaluation(place)(without_units(tree)) == Evaluation(place)(tree), print_text(tree)
 
 
 @pytest.mark.parametrize("seed", range(5))

@@ -25,7 +25,8 @@ from exactspline.readings.jet import Jet, JetReading
 from exactspline.readings.printing.latex import print_latex
 from exactspline.readings.printing.text import print_text
 from exactspline.readings.taylor import Series, series_curve, taylor
-from exactspline.readings.tree import TreeReading, evaluate, trace
+from exactspline.readings.tree import TreeReading, trace
+from exactspline.verification.coq.denominators import Evaluation
 from tests.support.sampled import FULL, sample
 
 #: The formulas of one curve; those of two curves, or of a curve and a point, are in test_pairs.py.
@@ -140,8 +141,8 @@ def test_a_traced_formula_means_what_the_formula_means(name, dimension):
         order = [order_of(f, dimension)] if "jet" in reading and f.curve != "table" else []
         c = TABLES[reading]() if f.curve == "table" else READINGS[reading](dimension, *order)
         direct = parts(f(c))
-        assert parts(evaluate(traced(name, dimension, False), c)) == direct, reading
-        assert parts(evaluate(traced(name, dimension, True), c)) == direct, reading
+        assert parts(Evaluation(c)(traced(name, dimension, False))) == direct, reading
+        assert parts(Evaluation(c)(traced(name, dimension, True))) == direct, reading
 
 
 # ---- degrees

@@ -35,6 +35,7 @@ from exactspline.reals.digits import Digits
 from exactspline.reals.real import Extreme, Quadratic, RationalNumber, Real, between, real, square_root
 from exactspline.roots.root import Root
 from tests.support.dials import DIALS
+from tests.support.vectors import mpf_of
 
 ROOT_2, ROOT_3 = square_root(2), square_root(3)
 OPERATIONS = (operator.add, operator.sub, operator.mul, operator.truediv)
@@ -72,14 +73,14 @@ def close(x, value, digits=60, known=1200):
     low, high = x.enclosure(digits)
     assert high - low <= mpq(1, 10**digits)
     with mp.workdps(4000):
-        ends = [mpmath.mpf(int(t.numerator)) / int(t.denominator) for t in (low, high)]
+        ends = [mpf_of(t) for t in (low, high)]
         slack = abs(value) * mpmath.mpf(10) ** -known
         return ends[0] - slack <= value <= ends[1] + slack
 
 
 def in_mpmath(x):
     with mp.workdps(4000):
-        return mpmath.mpf(x.mpf(3900)) if not isinstance(x, mpq) else mpmath.mpf(int(x.numerator)) / int(x.denominator)
+        return mpmath.mpf(x.mpf(3900)) if not isinstance(x, mpq) else mpf_of(x)
 
 
 @pytest.mark.parametrize("dial", EVERY)

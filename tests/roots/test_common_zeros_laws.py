@@ -15,8 +15,8 @@ from exactspline.numbers.intervals import UNIT, Box, Interval
 from exactspline.polynomials.certified_boxes import (
     Isolated,
     Isolation,
-    _certified,
-    _contracting,
+    certified,
+    contracting,
     is_known,
     isolate,
     preconditioned,
@@ -291,7 +291,7 @@ def test_pairs_contract_where_the_bounds_say_so(seed):
         own, other = (tuple(map(int, form.derivative(k if own else 1 - k).range)) for own in (True, False))
         wide = own[1] - own[0] + 2 * max(abs(x) for x in other)
         holds = holds and own[0] > 0 and 4 * wide <= 3 * (own[0] + own[1])
-    assert (_contracting(forms) is not None) is holds
+    assert (contracting(forms) is not None) is holds
 
 
 def test_a_certified_box_has_its_zero_inside():
@@ -301,10 +301,10 @@ def test_a_certified_box_has_its_zero_inside():
         forms = tuple(as_form(p).elevated((1, 1)) for p in (int(x.denominator) * S - int(x.numerator), 3 * T - 2))
         box = Box(Interval(quarter * 2, quarter * 6), Interval(mpq(1, 3), mpq(1)))
         expected = is_certified and quarter < x
-        assert (_certified(forms, box) is not None) is expected
+        assert (certified(forms, box) is not None) is expected
     first, second = (as_form(p).elevated((1, 1)) for p in (2 * S - 1, 2 * T - 1))
     for pair in ((first, second), (second, first), (first, as_form(1 - 2 * T).elevated((1, 1)))):
-        region = _certified(pair, UNIT)
+        region = certified(pair, UNIT)
         assert region is not None
         assert region.contains(UNIT)
         assert is_known(UNIT, [Isolated(pair, region)])

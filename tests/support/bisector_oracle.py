@@ -10,6 +10,7 @@ from gmpy2 import mpq
 
 from exactspline import Nurbs
 from exactspline.splines.control_points import Direction
+from tests.support.vectors import dot
 
 
 @dataclass(frozen=True)
@@ -60,14 +61,6 @@ def point_and_tangent(curve, span, t):
     *xs, w = d[n]
     values = [c / w for c in xs]
     return [v.a for v in values], [v.b for v in values]
-
-
-def dot(a, b):
-    return sum(x * y for x, y in zip(a, b, strict=True))
-
-
-def cross(a, b):
-    return [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 
 
 # ---- polynomials

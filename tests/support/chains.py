@@ -12,6 +12,7 @@ import mpmath
 from gmpy2 import mpq
 
 from exactspline import Nurbs
+from tests.support.vectors import dot, mpf_of, turn
 
 DIGITS = 60
 EQUAL = mpmath.mpf(10) ** -40
@@ -23,14 +24,6 @@ def vector(a, b):
 
 def add(a, b, scale=1):
     return tuple(x + scale * y for x, y in zip(a, b, strict=True))
-
-
-def dot(a, b):
-    return sum(x * y for x, y in zip(a, b, strict=True))
-
-
-def cross(a, b):
-    return a[0] * b[1] - a[1] * b[0]
 
 
 def times(a, b):
@@ -82,7 +75,7 @@ class Piece:
             known = [sum(w[k - j] * gamma[j][i] for j in range(k)) for i in range(len(p[0]))]
             gamma.append([(a - b) / w[0] for a, b in zip(p[k], known, strict=True)])
         factorials = (1, 1, 2, 6)
-        point, v, a, j = [[real(x * f) for x in row] for row, f in zip(gamma, factorials, strict=True)]
+        point, v, a, j = [[mpf_of(x * f) for x in row] for row, f in zip(gamma, factorials, strict=True)]
         speed = mpmath.sqrt(dot(v, v))
         tangent = [x / speed for x in v]
         along = dot(a, tangent)
@@ -93,10 +86,6 @@ class Piece:
         return point, tangent, second, across
 
 
-def real(x):
-    return mpmath.mpf(int(x.numerator)) / int(x.denominator)
-
-
 def line(start, direction, length):
     return Piece("line", (start, add(start, direction, length)), (mpq(1), mpq(1)))
 
@@ -104,15 +93,15 @@ def line(start, direction, length):
 def arc(start, direction, reach, slope):
     """The arc that turns by 2 arctan(slope), its tangents of the length reach·|direction|."""
     middle = add(start, direction, reach)
-    turn = times((mpq(1), slope), (mpq(1), slope))
-    end = add(middle, times(direction, turn), reach / (1 + slope**2))
+    half = times((mpq(1), slope), (mpq(1), slope))
+    end = add(middle, times(direction, half), reach / (1 + slope**2))
     return Piece("arc", (start, middle, end), (mpq(1), mpq(1), 1 + slope**2))
 
 
 def conic(points, weight):
     """The conic through three control points; an arc or a line where it is one."""
     a, b = vector(points[0], points[1]), vector(points[1], points[2])
-    if cross(a, b) == 0:
+    if turn(a, b) == 0:
         return None
     cosine_squared = dot(a, vector(points[0], points[2])) ** 2 / dot(a, a) / dot(*[vector(points[0], points[2])] * 2)
     circular = dot(a, a) == dot(b, b) and weight * cosine_squared == 1
@@ -149,8 +138,8 @@ def closed_chain(random, most=6):
                 slope = abs(slope) * (1 if bent[1] > 0 else -1)
                 reach = bent[0] * slope / bent[1]
             piece, bent = arc(point, direction, reach, slope), (reach, slope)
-            turn = times((mpq(1), slope), (mpq(1), slope))
-            direction = tuple(x / (1 + slope**2) for x in times(direction, turn))
+            half = times((mpq(1), slope), (mpq(1), slope))
+            direction = tuple(x / (1 + slope**2) for x in times(direction, half))
         else:
             piece = other_piece(random, kind, point, direction, bent)
             direction, bent = vector(*piece.points[-2:]), None
@@ -173,7 +162,7 @@ def other_piece(random, kind, point, direction, bent):
     middle = add(point, direction, reach)
     end = add(add(middle, direction, pick(random, -3)), side, pick(random) * random.choice([1, -1]))
     if kind == "matched conic" and bent:
-        end = end if (height := cross(direction, vector(point, end))) * bent[1] > 0 else add(point, vector(end, point))
+        end = end if (height := turn(direction, vector(point, end))) * bent[1] > 0 else add(point, vector(end, point))
         weight = abs(2 * bent[1] * reach**2 * dot(direction, direction) / bent[0] / height)
     return conic((point, middle, end), weight)
 
@@ -181,9 +170,9 @@ def other_piece(random, kind, point, direction, bent):
 def closing(random, found, point, start):
     """A conic that touches both ends where there is one, else a line."""
     a, b = vector(found[-1].points[-2], point), vector(found[0].points[0], found[0].points[1])
-    turn = cross(a, b)
-    if turn and random.random() < 0.7:
-        along, back = cross(vector(point, start), b) / turn, cross(vector(point, start), a) / turn
+    sine = turn(a, b)
+    if sine and random.random() < 0.7:
+        along, back = turn(vector(point, start), b) / sine, turn(vector(point, start), a) / sine
         if along > 0 and back < 0:
             piece = conic((point, add(point, a, along), start), pick(random))
             if piece:
@@ -236,7 +225,7 @@ def meeting(left, right):
         a = [[-x for x in part] if k % 2 else list(part) for k, part in enumerate(a)]
         cosine = dot(a[1], b[1])
         if len(a[1]) == 2:
-            degrees = mpmath.degrees(mpmath.atan2(cross(a[1], b[1]), cosine))
+            degrees = mpmath.degrees(mpmath.atan2(turn(a[1], b[1]), cosine))
         else:
             sine = mpmath.sqrt(abs(1 - cosine**2))
             degrees = mpmath.degrees(mpmath.atan2(sine if sine > EQUAL else 0, cosine))
@@ -252,7 +241,7 @@ def curvature_at(piece):
     """κ at the start, with its sign in the plane."""
     with mpmath.workdps(DIGITS):
         _, tangent, second, _ = piece.contact()
-        return cross(tangent, second) if len(tangent) == 2 else mpmath.sqrt(dot(second, second))
+        return turn(tangent, second) if len(tangent) == 2 else mpmath.sqrt(dot(second, second))
 
 
 def expected_pieces(breaks, holds, joined):

@@ -5,17 +5,11 @@ A piece is three points of a quadratic Bézier curve over [i, i + 1]; a line has
 
 from fractions import Fraction
 
+from tests.support.vectors import dot, turn
+
 
 def _minus(a, b):
     return tuple(x - y for x, y in zip(a, b, strict=True))
-
-
-def _dot(a, b):
-    return sum(x * y for x, y in zip(a, b, strict=True))
-
-
-def _cross(a, b):
-    return a[0] * b[1] - a[1] * b[0]
 
 
 def _sign(x):
@@ -30,27 +24,27 @@ class Piece:
         self.first = tuple(2 * x for x in _minus(b, a))
         self.last = tuple(2 * x for x in _minus(c, b))
         self.bend = _minus(self.last, self.first)
-        self.turning = _cross(self.first, self.bend)
+        self.turning = turn(self.first, self.bend)
 
     def slope(self, t):
         """The sign of κ′ at t, just inside where it is 0 at an end: that of −[γ′ γ″] (γ′·γ″)."""
-        rate = _dot(self.first, self.bend) + t * _dot(self.bend, self.bend)
-        inwards = rate or _dot(self.bend, self.bend) * (1 if t == 0 else -1)
+        rate = dot(self.first, self.bend) + t * dot(self.bend, self.bend)
+        inwards = rate or dot(self.bend, self.bend) * (1 if t == 0 else -1)
         return -_sign(self.turning) * _sign(inwards)
 
     def vertex(self):
         """The parameter inside at which |κ| is largest, or None."""
-        size = _dot(self.bend, self.bend)
+        size = dot(self.bend, self.bend)
         if not self.turning or not size:
             return None
-        t = -_dot(self.first, self.bend) / size
+        t = -dot(self.first, self.bend) / size
         return t if 0 < t < 1 else None
 
     def singular(self):
         """Whether γ′ vanishes somewhere."""
         if not any(self.first) or not any(self.last):
             return True
-        return not self.turning and _dot(self.first, self.last) < 0
+        return not self.turning and dot(self.first, self.last) < 0
 
 
 def features(pieces):
@@ -59,11 +53,11 @@ def features(pieces):
     corners, inflections, extrema, smooth = [], [], [], []
     for i, piece in enumerate(pieces):
         before = pieces[i - 1]
-        tangent = _cross(before.last, piece.first) == 0 and _dot(before.last, piece.first) > 0
+        tangent = turn(before.last, piece.first) == 0 and dot(before.last, piece.first) > 0
         if not tangent:
             corners.append(i)
         kappas = [
-            (_sign(p.turning), Fraction(p.turning**2) / _dot(v, v) ** 3)
+            (_sign(p.turning), Fraction(p.turning**2) / dot(v, v) ** 3)
             for p, v in ((before, before.last), (piece, piece.first))
         ]
         if tangent and kappas[0] == kappas[1]:

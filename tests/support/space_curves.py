@@ -1,6 +1,4 @@
-"""Space curves for the tests, made from polynomials and put together from pieces, and what can be done to a curve
-without changing its shape.
-"""
+"""Space curves for the tests, made from polynomials and put together from pieces; a rotation and a reflection."""
 
 from gmpy2 import mpq
 
@@ -31,27 +29,6 @@ def chained(*curves):
     return Nurbs(n, [t for t in ends for _ in range(n + 1)], points, weights)
 
 
-def moved(curve, matrix, shift=(0, 0, 0)):
-    """The curve after a linear map and a translation of its control points."""
-    rows = [[mpq(x) for x in row] for row in matrix]
-
-    def image(point):
-        return tuple(
-            sum(a * x for a, x in zip(row, point, strict=True)) + mpq(d) for row, d in zip(rows, shift, strict=True)
-        )
-
-    points = [image(p) for p in curve.control_points]
-    return Nurbs(curve.degree, curve.knots, points, curve.weights)
-
-
-def backwards(curve):
-    """The curve run through the other way, over the same domain."""
-    knots = curve.knots.knots
-    turned = [knots[curve.degree] + knots[-curve.degree - 1] - t for t in reversed(knots)]
-    return Nurbs(curve.degree, turned, curve.control_points[::-1], curve.weights[::-1])
-
-
-#: A rotation and a reflection, each three times an orthogonal matrix, and a mere scaling.
+#: A rotation and a reflection, each three times an orthogonal matrix.
 TURNED = [[2, -1, 2], [2, 2, -1], [-1, 2, 2]]
-SCALED = [[7, 0, 0], [0, 7, 0], [0, 0, 7]]
 MIRRORED = [[-2, 1, -2], [2, 2, -1], [-1, 2, 2]]

@@ -6,6 +6,8 @@ from itertools import pairwise
 
 from gmpy2 import mpq
 
+from tests.support.vectors import dot
+
 
 class Jet:
     """A polynomial in two small quantities to the second order: coefficients of 1, x, y, x², xy, y²."""
@@ -80,10 +82,6 @@ def jets(surface, u, v, number=mpq):
             row = (*surface.control_points[i][j], 1)
             sums = [x + weighted * exact(y) for x, y in zip(sums, row, strict=True)]
     return [x / sums[-1] for x in sums[:-1]]
-
-
-def dot(a, b):
-    return sum(x * y for x, y in zip(a, b, strict=True))
 
 
 def forms(surface, u, v, number=mpq):

@@ -96,6 +96,12 @@ COVARIANT = [
 COVARIANT += [("space_critical_curvature_lifted", 3), ("rectifying_generator_lifted", 3), ("circle_sphere", 3)]
 
 
+def after(change, row):
+    """The Bézier points over the parameter that the change (a, b) makes, u ↦ au and v ↦ bv."""
+    a, b = change
+    return [x * a ** (len(row) - 1 - i) * b**i for i, x in enumerate(row)]
+
+
 @pytest.mark.parametrize(("name", "dimension"), COVARIANT)
 @settings(max_examples=8)
 @given(data=st.data())
@@ -108,9 +114,6 @@ def test_covariants_follow_a_projective_change_of_parameter(name, dimension, dat
     numbers = st.integers(-9, 9)
     rows = [data.draw(st.lists(numbers, min_size=d + 1, max_size=d + 1)) for _ in range(dimension + 1)]
 
-    def moved(row):
-        return [x * a ** (len(row) - 1 - i) * b**i for i, x in enumerate(row)]
-
     def lowest(points):
         *p, w = [BSpline.bezier(row) for row in points]
         value = find(name)(Curve(Vector(*p), w))
@@ -121,25 +124,23 @@ def test_covariants_follow_a_projective_change_of_parameter(name, dimension, dat
     if k * d - 2 * m < 0:
         assert all(c.is_zero for c in lowest(rows))
         return
-    for old, new in zip(lowest(rows), lowest([moved(row) for row in rows]), strict=True):
-        before, after = old.reduce_degree(surplus).segments[0], new.reduce_degree(surplus).segments[0]
-        assert tuple(x * (a * b) ** m for x in moved(before)) == after
+    for old, new in zip(lowest(rows), lowest([after((a, b), row) for row in rows]), strict=True):
+        plain, changed = old.reduce_degree(surplus).segments[0], new.reduce_degree(surplus).segments[0]
+        assert tuple(x * (a * b) ** m for x in after((a, b), plain)) == changed
 
 
 def test_what_is_no_covariant_does_not():
-    d, a, b = 3, 2, 1
+    d, change = 3, (2, 1)
     row, w = [1, 4, -2, 5], [1, 2, 3, 7]
     D2 = find("D2")
 
     def lowest(x, w):
         return D2(Curve(Vector(BSpline.bezier(x), BSpline.bezier(x)), BSpline.bezier(w)))[0].reduce_degree(1)
 
-    def moved(row):
-        return [x * a ** (len(row) - 1 - i) * b**i for i, x in enumerate(row)]
-
-    before, after = moved(lowest(row, w).segments[0]), lowest(moved(row), moved(w)).segments[0]
-    assert len(before) == 2 * d - 2
-    assert len({x / y for x, y in zip(before, after, strict=True)}) > 1
+    plain = after(change, lowest(row, w).segments[0])
+    changed = lowest(after(change, row), after(change, w)).segments[0]
+    assert len(plain) == 2 * d - 2
+    assert len({x / y for x, y in zip(plain, changed, strict=True)}) > 1
 
 
 def test_the_formula_behind_the_proof():

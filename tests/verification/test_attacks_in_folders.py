@@ -164,7 +164,7 @@ def test_a_determinant_counts_as_what_it_costs(body, tmp_path):
 
 def test_a_wronskian_of_a_few_components_is_decided(tmp_path):
     formulas = plane_formulas(f="wronskian(join(c.p, c.w))", g="c.w * 1")
-    folder = written(tmp_path / "p", formulas, [FALSE | {"kind": "vanishing", "right": ""} | {"left": "f"}][:0])
+    folder = written(tmp_path / "p", formulas, [])
     assert resolve(f"{folder}:f").name == "f"
 
 
@@ -318,7 +318,7 @@ def test_the_kernel_says_why_it_says_nothing(tmp_path):
     from exactspline.display.evidence import opinion
     from exactspline.verification.coq_judge import findings
 
-    folder = written(tmp_path / "p", FORMULAS, [FALSE, {**FALSE, **KINDS["degree"], "id": "2", "left": "f"}][:1])
+    folder = written(tmp_path / "p", FORMULAS, [FALSE])
     (claim,) = claims_of(load_paper(folder))
     degree = next(c for c in select(["C4.1c"]) if c.kind == "degree")
     said = {key: opinion(each) for key, each in findings([claim, degree]).items()}

@@ -33,7 +33,7 @@ from exactspline.verification.claims import select
 from exactspline.verification.coq.answers import answers, theorem_of
 from exactspline.verification.coq.emission import BY_HAND, ROOT, library
 from exactspline.verification.coq.formulas import Formulas
-from exactspline.verification.coq.meetings import _determinant, meeting_theorem
+from exactspline.verification.coq.meetings import meeting_theorem, rational_determinant
 from exactspline.verification.vocabulary import Verdict
 from tests.support.bisector_oracle import bezier
 from tests.support.command import run
@@ -318,7 +318,7 @@ def test_determinants_take_a_time_bounded_by_a_power_of_their_size() -> None:
     """Before, all sets of columns were gone through: without end for curves of the degrees 12 and 2."""
     size, x = 22, fmpq_poly([0, fmpq(1, 3)])
     rows = [[fmpq_poly([i + j]) if i < j else x if i == j else fmpq_poly([]) for j in range(size)] for i in range(size)]
-    assert _determinant(rows[::-1]) == -(x**size)
+    assert rational_determinant(rows[::-1]) == -(x**size)
 
 
 def test_what_has_no_theorem_says_so(tmp_path: Path) -> None:

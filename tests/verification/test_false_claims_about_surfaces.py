@@ -55,93 +55,47 @@ def test_no_changed_claim_of_the_paper_is_proved(kind):
     assert fooled == []
 
 
+def stated(kind, curve, **more):
+    return {"kind": kind, "curve": curve} | more
+
+
+def identity(curve, left, right, **more):
+    return stated("identity", curve, left=left, right=right, **more)
+
+
+def zero_set(curve, *formulas, **more):
+    return stated("zero set", curve, formulas=list(formulas), **more)
+
+
+ON_SURFACE = "curve on a surface"
 #: Statements by what they ask for, each false for a reason of its own.
 FALSE = {
-    "a planar map has no area for nothing": {"kind": "vanishing", "curve": "planar map", "left": "jacobian"},
-    "the other orientation": {
-        "kind": "identity",
-        "curve": "planar map",
-        "left": "jacobian",
-        "right": "jacobian_lifted",
-        "factor": "-1 w^-3",
-    },
-    "not all of a curve's curvature is normal": {
-        "kind": "identity",
-        "curve": "curve on a surface",
-        "of": "polynomial",
-        "left": "space_curvature_squared",
-        "right": "normal_curvature_squared",
-    },
-    "nor geodesic": {
-        "kind": "identity",
-        "curve": "curve on a surface",
-        "of": "polynomial",
-        "left": "space_curvature_squared",
-        "right": "geodesic_curvature_squared",
-    },
-    "the speed is not that of u alone": {
-        "kind": "identity",
-        "curve": "curve on a surface",
-        "left": "E",
-        "right": "first_form",
-    },
-    "not every curve is a line of curvature": {"kind": "vanishing", "curve": "curve on a surface", "left": "line_form"},
-    "nor a geodesic": {"kind": "vanishing", "curve": "curve on a surface", "left": "geodesic_determinant"},
-    "a speed and an element of area": {
-        "kind": "zero set",
-        "curve": "curve on a surface",
-        "formulas": ["speed_squared", "first_form", "area_squared"],
-    },
-    "parabolic points and those where H = 0": {
-        "kind": "zero set",
-        "curve": "surface",
-        "assumes": ["w"],
-        "formulas": ["parabolic", "minimality"],
-    },
-    "K is not there where the normal vanishes": {
-        "kind": "zero set",
-        "curve": "surface",
-        "assumes": ["w"],
-        "formulas": ["gaussian_curvature", "parabolic"],
-    },
-    "w may vanish": {"kind": "zero set", "curve": "surface", "formulas": ["parabolic", "parabolic_lifted"]},
-    "the normal may vanish": {
-        "kind": "sign",
-        "curve": "surface",
-        "assumes": ["w"],
-        "formula": "area_squared",
-        "sign": "> 0",
-        "squares": ["normal"],
-    },
-    "K has any sign": {
-        "kind": "sign",
-        "curve": "surface",
-        "assumes": ["w"],
-        "formula": "parabolic",
-        "sign": "≥ 0",
-        "squares": ["L", "N"],
-    },
-    "a discriminant of forms that need not be definite": {
-        "kind": "sign",
-        "curve": "forms",
-        "formula": "umbilicity_of_forms",
-        "sign": "≥ 0",
-        "squares": ["line_uv_of_forms", "line_uu_of_forms"],
-    },
-    "areas are not squares of lengths": {
-        "kind": "square class",
-        "curve": "surface",
-        "assumes": ["w"],
-        "formula": "area_squared",
-        "right": "E",
-    },
-    "one power too many": {
-        "kind": "identity",
-        "curve": "forms",
-        "left": "ridges_by_definition",
-        "right": "ridges_of_forms",
-        "factor": "64 line_uu_of_forms area_of_forms^3",
-    },
+    "a planar map has no area for nothing": stated("vanishing", "planar map", left="jacobian"),
+    "the other orientation": identity("planar map", "jacobian", "jacobian_lifted", factor="-1 w^-3"),
+    "not all of a curve's curvature is normal": identity(
+        ON_SURFACE, "space_curvature_squared", "normal_curvature_squared", of="polynomial"
+    ),
+    "nor geodesic": identity(ON_SURFACE, "space_curvature_squared", "geodesic_curvature_squared", of="polynomial"),
+    "the speed is not that of u alone": identity(ON_SURFACE, "E", "first_form"),
+    "not every curve is a line of curvature": stated("vanishing", ON_SURFACE, left="line_form"),
+    "nor a geodesic": stated("vanishing", ON_SURFACE, left="geodesic_determinant"),
+    "a speed and an element of area": zero_set(ON_SURFACE, "speed_squared", "first_form", "area_squared"),
+    "parabolic points and those where H = 0": zero_set("surface", "parabolic", "minimality", assumes=["w"]),
+    "K is not there where the normal vanishes": zero_set("surface", "gaussian_curvature", "parabolic", assumes=["w"]),
+    "w may vanish": zero_set("surface", "parabolic", "parabolic_lifted"),
+    "the normal may vanish": stated(
+        "sign", "surface", assumes=["w"], formula="area_squared", sign="> 0", squares=["normal"]
+    ),
+    "K has any sign": stated("sign", "surface", assumes=["w"], formula="parabolic", sign="≥ 0", squares=["L", "N"]),
+    "a discriminant of forms that need not be definite": stated(
+        "sign", "forms", formula="umbilicity_of_forms", sign="≥ 0", squares=["line_uv_of_forms", "line_uu_of_forms"]
+    ),
+    "areas are not squares of lengths": stated(
+        "square class", "surface", assumes=["w"], formula="area_squared", right="E"
+    ),
+    "one power too many": identity(
+        "forms", "ridges_by_definition", "ridges_of_forms", factor="64 line_uu_of_forms area_of_forms^3"
+    ),
 }
 
 

@@ -357,7 +357,7 @@ def test_what_is_proved_of_the_generic_curve_is_met_by_an_example():
         if c.kind == "degree" and c.measure.is_generic and c.relation == "=" and c.expected == "PROVED"
     ]
     rows = audit(generic, map(example, example_names()))
-    met = {row.key for row in rows if row.verdict == VERIFIED or row.reason == Reason.SAMPLED}
+    met = {row.key for row in rows if row.verdict == VERIFIED or row.finding.reason == Reason.SAMPLED}
     spoken_of = [
         c for c in generic if any(c.applies_to(example(n).dimension, example(n).polynomial) for n in example_names())
     ]

@@ -21,10 +21,10 @@ from exactspline.verification.degree_tables import construction_table, formula_d
 from exactspline.verification.kinds.degree import DegreeClaim
 from exactspline.verification.ledger import audit, proved
 from exactspline.verification.verdict import REFUTED, UNDECIDED
+from tests.support.squares import parameters
 from tests.verification.test_own_paper import plane_formulas, written
 
-S = xs.TensorSpline((1, 0), [0, 0, 1, 1], [0, 1], [[0], [1]])
-T = xs.TensorSpline((0, 1), [0, 1], [0, 0, 1, 1], [[0, 1]])
+S, T = parameters()
 
 
 def of_pairs(parameter):

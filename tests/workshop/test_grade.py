@@ -26,7 +26,7 @@ from workshop.grade.questions import QUESTIONS
 from workshop.grade.recheck import recheck
 from workshop.grade.report import PICTURE, draw, page, rows
 from workshop.grade.runner import Judged, Report, Truths, Worker, curve_data, failures, request_data
-from workshop.grade.shrink import Defect, _size, _smaller
+from workshop.grade.shrink import Defect, size_of, smaller_cases
 from workshop.grade.tolerance import DOCUMENTED, tolerated
 from workshop.grade.truth import truth
 
@@ -315,9 +315,9 @@ def test_a_curve_given_to_a_library_is_the_curve_of_the_case():
 def test_smaller_examples_are_smaller():
     case = CASES["integers 3"]
     whole = Judged(case, "value", judged(case, "value", answer_of(case, "value"), {"raised": "x"}))
-    for curve, t in _smaller(case):
+    for curve, t in smaller_cases(case):
         smaller = Judged(Case("", "", curve, t), "value", whole.verdict)
-        assert t != case.parameter or _size(smaller) < _size(whole)
+        assert t != case.parameter or size_of(smaller) < size_of(whole)
 
 
 def test_the_page_tells_everything(tmp_path):

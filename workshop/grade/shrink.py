@@ -41,14 +41,14 @@ def defects_of(library: str, wrong: Sequence[Judged], tries: int = TRIES) -> lis
     worker, truths = Worker(library), Truths(None)
     try:
         return [
-            Defect(library, question, outcome, len(group), _smallest(worker, truths, min(group, key=_size), tries))
+            Defect(library, question, outcome, len(group), _smallest(worker, truths, min(group, key=size_of), tries))
             for (question, outcome), group in groups.items()
         ]
     finally:
         worker.close()
 
 
-def _size(one: Judged) -> tuple[bool, int, int]:
+def size_of(one: Judged) -> tuple[bool, int, int]:
     """The sorting key of examples: integers first, then few and short numbers."""
     curve = one.case.curve
     numbers = [*(x for p in curve.control_points for x in p), *curve.weights]
@@ -61,10 +61,14 @@ def _smallest(worker: Worker, truths: Truths, example: Judged, tries: int) -> Ju
     """The example made smaller, step by step, as long as the library makes the same mistake."""
     remaining = tries
     while remaining > 0:
-        for curve, parameter in islice(_smaller(example.case), remaining):
+        for curve, parameter in islice(smaller_cases(example.case), remaining):
             remaining -= 1
             tried = _judged(worker, truths, example, curve, parameter)
-            if tried is not None and tried.verdict.outcome == example.verdict.outcome and _size(tried) < _size(example):
+            if (
+                tried is not None
+                and tried.verdict.outcome == example.verdict.outcome
+                and size_of(tried) < size_of(example)
+            ):
                 example = tried
                 break
         else:
@@ -86,7 +90,7 @@ def _judged(worker: Worker, truths: Truths, example: Judged, curve: Nurbs, param
     return Judged(case, example.question, verdict)
 
 
-def _smaller(case: Case) -> Iterator[tuple[Nurbs, mpq]]:
+def smaller_cases(case: Case) -> Iterator[tuple[Nurbs, mpq]]:
     """Curves with a simpler parameter, without a segment, or with one simpler coordinate."""
     curve, t = case.curve, case.parameter
     a, b = curve.domain

@@ -19,6 +19,7 @@ from exactspline.geometry.analysis import QUESTIONS, questions_about
 from exactspline.geometry.curve_pair import CurvePair
 from exactspline.numbers.exact import double, text
 from exactspline.questions.entry import Answered, questions_of
+from exactspline.reals.real import Real
 from exactspline.splines.nurbs import Nurbs
 from exactspline.testing import Case
 from workshop.grade.questions import MEETINGS, PLACES, STRAIGHT, ULPS
@@ -119,15 +120,20 @@ def answer_data(given: Iterable[Item]) -> dict[str, object]:
     """
     found = [
         {"what": item.what}
-        | {
-            name: doubles and [doubles[way].hex() for way in ("down", "nearest", "up")]
-            for name, doubles in item.doubles.items()
-        }
+        | {name: _doubles(value) for name, value in item.values.items()}
         | {"facts": dict(item.facts)}
         for item in given
     ]
     everywhere = any(each["what"] == "everywhere" for each in found)
     return {"answer": "all" if everywhere else "these" if found else "none", "items": found}
+
+
+def _doubles(value: Real) -> list[str] | None:
+    try:
+        doubles = value.doubles()
+    except OverflowError:
+        return None
+    return [doubles[way].hex() for way in ("down", "nearest", "up")]
 
 
 def line_of(case: Case) -> str:

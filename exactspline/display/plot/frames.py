@@ -54,9 +54,7 @@ def usual_box(points: Sequence[Point], poles: bool = True) -> Box:
         )
     columns = [sorted(column) for column in zip(*points, strict=True)]
     cut = len(points) // OUTLIERS if poles else 0
-    low, high = [c[cut] for c in columns], [c[-1 - cut] for c in columns]
-    margin = AROUND * max(b - a for a, b in zip(low, high, strict=True))
-    return tuple(x - margin for x in low), tuple(x + margin for x in high)
+    return grown((tuple(c[cut] for c in columns), tuple(c[-1 - cut] for c in columns)), AROUND)
 
 
 def three_ticks(low: mpq | float, high: mpq | float, longest: float = 0) -> list[mpq]:

@@ -86,22 +86,14 @@ def _is_marker(value: object) -> bool:
     return isinstance(value, str) and value in library("matplotlib.markers").MarkerStyle.markers
 
 
-def _is_flag(value: object) -> bool:
-    return isinstance(value, bool)
-
-
-def _is_label(value: object) -> bool:
-    return value is None or isinstance(value, str)
-
-
 _COLOR = ("a colour", _is_color, "give a name or '#rrggbb'")
-_FLAG = ("a choice between two", _is_flag, "give True or False")
+_FLAG = ("a choice between two", lambda x: isinstance(x, bool), "give True or False")
 _SIZE = f"give a number between 0 and {LARGEST_SIZE}"
 #: For each option: what it is, whether a value is that, and what would be.
 CHECKS: dict[str, tuple[str, Callable[[Any], bool], str]] = {
     **dict.fromkeys(("color", "polygon_color", "net_color"), _COLOR),
     **dict.fromkeys(("control_polygon", "control_net", "knots", "hollow"), _FLAG),
-    "label": ("a label", _is_label, "give a text"),
+    "label": ("a label", lambda x: isinstance(x, str | None), "give a text"),
     "marker": ("a marker", _is_marker, "give one of matplotlib's, such as 'o', 'D', '^'"),
     "size": ("a size of markers", lambda x: _is_number(x) and 0 < x <= LARGEST_SIZE, _SIZE),
     "box": ("a box", _is_box, "give two opposite corners, the lower one first: ((0, 0), (1, 2))"),

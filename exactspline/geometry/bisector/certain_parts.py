@@ -25,7 +25,7 @@ def possible_parts(families: Sequence[Sequence[fmpz_poly]], e: fmpz_poly, n: int
     of its range, neighbours joined; parts with a zero of e only where all families could have one sign.
 
     >>> possible_parts([[fmpz_poly([-1, 3])]], fmpz_poly([1, 1]), 1)
-    [Interval(low=mpq(255,1024), high=mpq(1,1))]
+    [Interval(255/1024, 1)]
     """
     samples = [form for rows in families for form in (rows[0], _total(rows))]
     todo = [(Interval(mpq(0), mpq(1)), 0, e, samples)]

@@ -44,7 +44,7 @@ POINT_FORMS = {PointVariant.NAIVE: "point_bisector", PointVariant.EXPLICIT: "poi
 AXES = "xyz"
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class RuledPiece:
     """A part of a point/curve bisector: an interval of the curve's parameter, the component that was moved (empty in
     the explicit forms), and the ruled surface; with a component moved, the ruling parameter is that coordinate.
@@ -53,6 +53,9 @@ class RuledPiece:
     interval: Interval
     moved: str
     surface: SplineSurface
+
+    def __repr__(self) -> str:
+        return f"<RuledPiece on {self.interval}>"
 
 
 @dataclass(frozen=True, repr=False)

@@ -138,11 +138,11 @@ class _Foot:
         sign = across.sign
         if not sign:
             return None
-        verdicts = [_verdict(sign, across, along, forms, box.first, sides) for sides, forms in self.families]
+        verdicts = [verdict_on(sign, across, along, forms, box.first, sides) for sides, forms in self.families]
         return False if False in verdicts else None if None in verdicts else True
 
 
-def _verdict(
+def verdict_on(
     sign: int, across: PatchForm, along: PatchForm, forms: Sequence[PatchForm], own: Interval, sides: Interval
 ) -> bool | None:
     """Whether ``N A − C M`` has a sign, or is 0, for N ≥ 0 and M on ``own × sides`` and A, C on ``own ×`` a side of

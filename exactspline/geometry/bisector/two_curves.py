@@ -31,12 +31,15 @@ from exactspline.splines.tensor_lowest_terms import in_lowest_terms
 from exactspline.words import choice
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class BisectorPatch:
     """A part of the bisector of two curves: a rectangle of parameters, and a `Rational` of splines in both."""
 
     sides: Box
     value: Rational[TensorSpline]
+
+    def __repr__(self) -> str:
+        return f"<BisectorPatch on {self.sides}>"
 
 
 class SurfaceVariant(StrEnum):

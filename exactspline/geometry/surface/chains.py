@@ -9,9 +9,10 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Hashable, Iterable, Iterator, Sequence, Set
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from typing import NamedTuple
 
+from exactspline.errors import counted
 from exactspline.geometry.surface.forms import Patch
 from exactspline.geometry.surface.merged import Spot, is_in
 from exactspline.geometry.surface.places import Place
@@ -51,6 +52,9 @@ class Piece(NamedTuple):
         value = edge.value(self.sides)
         return (value, own) if edge.direction == 0 else (own, value)
 
+    def __repr__(self) -> str:
+        return f"<{self.part.shape} on {self.sides}>"
+
 
 def place_of(piece: Piece) -> Place:
     """The place of a part that is a single point."""
@@ -60,12 +64,15 @@ def place_of(piece: Piece) -> Place:
     return Place((piece.patch,), CommonZero.at(piece.sides, spot))
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class ZeroComponent:
     """A connected part of the zeros of a form, with its pieces patch by patch."""
 
     shape: Shape
-    pieces: tuple[Piece, ...] = field(repr=False)
+    pieces: tuple[Piece, ...]
+
+    def __repr__(self) -> str:
+        return f"<{self.shape} on {counted(len(self.patches), 'patch')}>"
 
     @property
     def patches(self) -> tuple[Patch, ...]:

@@ -169,7 +169,7 @@ class RidgeSearch:
         """
         if form.degree[0] * form.degree[1] <= FEW:
             return ZeroCurve(form)
-        boxes, remaining = _bisected(form)
+        boxes, remaining = bisected(form)
         cells, unresolved = list[Cell](), list[Box]()
         for box, _ in clusters(remaining):
             node = None if whole is None else self._node(form, whole, box)
@@ -190,7 +190,7 @@ class RidgeSearch:
             return None
         rest = as_form(as_polynomial(whole) / as_polynomial(form))
         signs = self._signs(box)
-        if signs is None or rest.part(box).sign not in (1, -1) or not _winds_once(form.part(box), box, signs):
+        if signs is None or rest.part(box).sign not in (1, -1) or not winds_once(form.part(box), box, signs):
             return None
         critical = isolate([form.derivative(0), form.derivative(1)], before=Isolation([], [box]))
         if critical.undecided or len(critical.zeros) != 1:
@@ -212,7 +212,7 @@ class RidgeSearch:
             place = self.sides.at(x, y)
             uu, uv, vv = (f(*place) for f in self.forms.lines)
             cubic = [f(*place) for f in self.forms.ridge_cubic]
-            first, second = (_along(cubic, t).sign for t in _directions(uu, uv, vv, a, b, c))
+            first, second = (_along(cubic, t).sign for t in principal_directions(uu, uv, vv, a, b, c))
             return first, second
 
         return signs
@@ -260,7 +260,7 @@ def _simple(form: PatchForm) -> PatchForm:
         return form
 
 
-def _directions(uu: mpq, uv: mpq, vv: mpq, a: int, b: int, c: int) -> Directions:
+def principal_directions(uu: mpq, uv: mpq, vv: mpq, a: int, b: int, c: int) -> Directions:
     """The two principal directions at a point of a box on which the coefficients have these signs (0: unknown)."""
     root = square_root(uv * uv - 4 * uu * vv)
     if a:
@@ -271,7 +271,7 @@ def _directions(uu: mpq, uv: mpq, vv: mpq, a: int, b: int, c: int) -> Directions
     return [(sum_, real(2 * uu)), (real(2 * vv), sum_)]
 
 
-def _bisected(form: PatchForm) -> tuple[list[Sized], list[Box]]:
+def bisected(form: PatchForm) -> tuple[list[Sized], list[Box]]:
     """Boxes in which a form is monotonic in one direction, and others in which that is not proved: all its zeros are
     in these.
     """
@@ -292,7 +292,7 @@ def _bisected(form: PatchForm) -> tuple[list[Sized], list[Box]]:
     return boxes, remaining
 
 
-def _winds_once(own: PatchForm, box: Box, signs: Callable[[mpq, mpq], Signs]) -> bool:
+def winds_once(own: PatchForm, box: Box, signs: Callable[[mpq, mpq], Signs]) -> bool:
     """Whether a form, given on a box, has four simple zeros on its border, and two signs take all four values between
     them, one of them changing at each.
     """

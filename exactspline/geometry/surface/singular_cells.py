@@ -163,7 +163,7 @@ class _Cells:
     def _of_size(self, across: int, along: int) -> Iterator[Cell]:
         # points with a number in common share an interval: their cells are cells of one grid
         sides, heights = (
-            [(x, _around(x, others, bits)) for x, others in own]
+            [(x, interval_around(x, others, bits)) for x, others in own]
             for own, bits in zip(self.apart, (along, across), strict=True)
         )
         for point in self.points:
@@ -190,7 +190,7 @@ def _different(numbers: Iterable[Parameter]) -> list[Parameter]:
     return found
 
 
-def _around(t: Parameter, others: Sequence[Parameter], bits: int) -> Interval | None:
+def interval_around(t: Parameter, others: Sequence[Parameter], bits: int) -> Interval | None:
     """An interval around a number that has none of the others in it or next to it; its end is an end of the unit
     interval only where that is the number itself.
     """

@@ -11,6 +11,8 @@ class LatexPrinter(Printer):
     r"""``[p'\ p'']\,w - [p\ p'']\,w'``."""
 
     minus, cross, dot, between, ruling = "-", r"\times", r"\cdot", r"\,", r"\zeta"
+    parentheses, norm2, wedge = r"\left({}\right)", r"\|{}\|^2", r"\textstyle\bigwedge({})"
+    bracket, apart = "[{}]", r"\ "
 
     def atom(self, n: Expression) -> tuple[str, int]:
         """A name or a number."""
@@ -50,25 +52,9 @@ class LatexPrinter(Printer):
         shown = index.replace("…", r" \ldots ")
         return rf"{_indexable(base)}_{{[{shown}]}}"
 
-    def parentheses(self, text: str) -> str:
-        """Parentheses that adapt to their content."""
-        return rf"\left({text}\right)"
-
-    def norm2(self, text: str) -> str:
-        """A squared length."""
-        return rf"\|{text}\|^2"
-
-    def bracket(self, parts: list[str]) -> str:
-        """A determinant."""
-        return "[" + r"\ ".join(parts) + "]"
-
     def perp(self, text: str) -> str:
         """A vector rotated by a right angle."""
         return rf"{_raisable(text)}^\perp"
-
-    def wedge(self, parts: list[str]) -> str:
-        """A generalized cross product."""
-        return rf"\textstyle\bigwedge({', '.join(parts)})"
 
 
 def _letter(name: str) -> str:

@@ -59,13 +59,13 @@ class Printer(ABC):
         if n.op is Operation.COMPONENT:
             return self.component(self.at(n.args[0], ATOM), index_text(n.value)), ATOM
         if n.op is Operation.JOIN:
-            return self.parentheses(", ".join(map(self.inner, n.args))), ATOM
+            return self.parentheses.format(", ".join(map(self.inner, n.args))), ATOM
         return self.product(n)
 
     def at(self, n: Expression, least: int) -> str:
         """The text of an argument, in parentheses if its precedence is lower than `least`."""
         text, binding = self.show(n)
-        return text if binding >= least else self.parentheses(text)
+        return text if binding >= least else self.parentheses.format(text)
 
     def times(self, n: Expression) -> str:
         """A product, scalars before vectors."""
@@ -83,21 +83,29 @@ class Printer(ABC):
         """A product of vectors."""
         parts = [self.at(a, POWER) for a in n.args]
         if n.op is Operation.DOT and n.args[0] is n.args[1]:
-            return self.norm2(self.inner(n.args[0])), POWER
+            return self.norm2.format(self.inner(n.args[0])), POWER
         if n.op is Operation.DET:
-            return self.bracket([self.at(a, POWER) for a in n.args]), ATOM
+            return self.bracket.format(self.apart.join(parts)), ATOM
         if n.op is Operation.PERP:
             (turned,) = n.args
             return self.perp(self.at(turned, ATOM)), ATOM
         if n.op is Operation.GENERALIZED_CROSS:
-            return self.wedge([self.inner(a) for a in n.args]), ATOM
+            return self.wedge.format(", ".join(map(self.inner, n.args))), ATOM
         return (f" {self.cross} " if n.op is Operation.CROSS else f" {self.dot} ").join(parts), PRODUCT
 
+    #: Signs: of a difference, between the factors of products of vectors, of scalars, and the parameter of a ruling.
     minus: str
     cross: str
     dot: str
     between: str
     ruling: str
+    #: What stands around a part: a sum, a vector of which the squared length is taken, the vectors of a determinant
+    #: (and what stands between these), those of a generalized cross product.
+    parentheses: str
+    norm2: str
+    bracket: str
+    apart: str
+    wedge: str
 
     @abstractmethod
     def atom(self, n: Expression) -> tuple[str, int]:
@@ -128,24 +136,8 @@ class Printer(ABC):
         """A component of a vector."""
 
     @abstractmethod
-    def parentheses(self, text: str) -> str:
-        """Parentheses."""
-
-    @abstractmethod
-    def norm2(self, text: str) -> str:
-        """A squared length."""
-
-    @abstractmethod
-    def bracket(self, parts: list[str]) -> str:
-        """A determinant."""
-
-    @abstractmethod
     def perp(self, text: str) -> str:
         """A vector rotated by a right angle."""
-
-    @abstractmethod
-    def wedge(self, parts: list[str]) -> str:
-        """A generalized cross product."""
 
 
 def _letters(n: Expression) -> tuple[Expression, str]:

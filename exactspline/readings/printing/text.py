@@ -4,21 +4,19 @@ from __future__ import annotations
 
 import re
 
-from exactspline.language.kinds import constant_text
+from exactspline.language.kinds import GREEK, constant_text
+from exactspline.polynomials.factorization import superscript
 from exactspline.readings.expression import Expression, Operation
 from exactspline.readings.printing.printer import ATOM, Printer, leaf, named_binding, number
 
-_GREEK = {
-    **{"gamma": "γ", "kappa": "κ", "tau": "τ", "Psi": "Ψ", "Pi": "Π", "delta": "δ"},
-    **{"lambda": "λ", "sigma": "σ", "rho": "ρ", "omega": "ω", "nabla": "∇"},
-}
-_SUPERSCRIPT = str.maketrans("0123456789", "⁰¹²³⁴⁵⁶⁷⁸⁹")
+_LETTERS = GREEK | {"Psi": "Ψ", "Pi": "Π", "nabla": "∇"}
 
 
 class TextPrinter(Printer):
     """``[p′ p″] w − [p p″] w′``."""
 
     minus, cross, dot, between, ruling = "−", "×", "·", " ", "ζ"
+    parentheses, norm2, bracket, apart, wedge = "({})", "‖{}‖²", "[{}]", " ", "⋀({})"
 
     def atom(self, n: Expression) -> tuple[str, int]:
         """A name or a number."""
@@ -36,15 +34,15 @@ class TextPrinter(Printer):
 
     def power(self, base: str, exponent: int) -> str:
         """``a²``."""
-        return base + str(exponent).translate(_SUPERSCRIPT)
+        return base + superscript(exponent)
 
     def derivative(self, base: str, order: int) -> str:
         """``a′``."""
-        return base + ("′″‴"[order - 1] if order < 4 else f"⁽{str(order).translate(_SUPERSCRIPT)}⁾")
+        return base + ("′″‴"[order - 1] if order < 4 else f"⁽{superscript(order)}⁾")
 
     def partial(self, base: str, order: int, by: str) -> str:
         """``∂_s a``."""
-        return f"∂_{by}{str(order).translate(_SUPERSCRIPT) if order > 1 else ''} {base}"
+        return f"∂_{by}{superscript(order) if order > 1 else ''} {base}"
 
     def subscripted(self, base: str, letters: str) -> str:
         """``a_uv``."""
@@ -54,25 +52,9 @@ class TextPrinter(Printer):
         """``a[i]``."""
         return f"{base}[{index}]"
 
-    def parentheses(self, text: str) -> str:
-        """``(a)``."""
-        return f"({text})"
-
-    def norm2(self, text: str) -> str:
-        """``‖a‖²``."""
-        return f"‖{text}‖²"
-
-    def bracket(self, parts: list[str]) -> str:
-        """``[a b]``."""
-        return f"[{' '.join(parts)}]"
-
     def perp(self, text: str) -> str:
         """``a⊥``."""
         return f"{text}⊥"
-
-    def wedge(self, parts: list[str]) -> str:
-        """``⋀(a, b)``."""
-        return f"⋀({', '.join(parts)})"
 
 
 def _barred(text: str, barred: bool) -> str:
@@ -91,8 +73,8 @@ def symbol_text(symbol: str) -> str:
     text = symbol.replace("'''", "‴").replace("''", "″").replace("'", "′").replace("\\ ", " ")
     text = text.replace(r"\times", "×").replace(r"\cdot", "·").replace(r"\perp", "⊥").replace(r"\|", "‖")
     text = re.sub(r"\\mathbf\{([A-Z])\}", lambda m: chr(ord("𝐀") + ord(m[1]) - ord("A")), text)
-    text = re.sub(rf"\\({'|'.join(_GREEK)}|bar) ?", lambda m: _GREEK.get(m[1], ""), text)
-    text = re.sub(r"\^\{?(\d+)\}?", lambda m: m[1].translate(_SUPERSCRIPT), text)
+    text = re.sub(rf"\\({'|'.join(_LETTERS)}|bar) ?", lambda m: _LETTERS.get(m[1], ""), text)
+    text = re.sub(r"\^\{?(\d+)\}?", lambda m: superscript(int(m[1])), text)
     text = re.sub(r"\\frac\{((?:[^{}]|\{[^{}]*\})*)\}\{((?:[^{}]|\{[^{}]*\})*)\}", r"\1/\2", text)
     text = re.sub(r"_\{?([uv]+)\}?", r"∂\1", text)
     return re.sub(r"\\(mathbf|mathrm|left|right)|[_{}]", "", text).replace("∂", "_")

@@ -39,12 +39,12 @@ def condition_number(form: Form, n: int, root: Root, m: int) -> Interval:
     >>> from exactspline.roots.zero_set import zeros
     >>> f = BSpline.bezier([-1, 3])
     >>> condition_number(f.forms[0], 1, zeros(f)[0], 1)  # (3/4 + 3/4) / 4
-    Interval(low=mpq(3,8), high=mpq(3,8))
+    Interval(3/8, 3/8)
     """
     digits = START
     while True:
         x = local(root, digits)
-        top = _range(_absolute(form), n, x)
+        top = _range((fmpz_poly([abs(c) for c in form[0].coeffs()]), form[1]), n, x)
         bottom = _range(_derivative(form, n, m), n - m, x)
         if bottom[0] > 0 or bottom[1] < 0:
             small, large = sorted(map(abs, bottom))
@@ -55,10 +55,6 @@ def condition_number(form: Form, n: int, root: Root, m: int) -> Interval:
             if high - low <= WIDTH * low:
                 return Interval(low, high)
         digits *= 2
-
-
-def _absolute(form: Form) -> Form:
-    return fmpz_poly([abs(c) for c in form[0].coeffs()]), form[1]
 
 
 def _derivative(form: Form, n: int, m: int) -> Form:

@@ -17,6 +17,7 @@ from exactspline.language.hodograph_kind import HodographKind
 from exactspline.language.implicit_kinds import ImplicitKind
 from exactspline.language.kinds import CurveKind, FramedKind, Kind, Symbol
 from exactspline.language.surface_kind import FormsKind, SurfaceCurveKind, SurfaceKind
+from exactspline.language.vector import Vector, cross, norm2
 from exactspline.readings.expression import Operation
 from exactspline.readings.jet import Jet, JetRing
 from exactspline.readings.rational_jet import JetFraction
@@ -40,7 +41,7 @@ def setting_of(kind: Kind, dimension: int, order: int, *, polynomial: bool, tree
     if isinstance(kind, FramedKind):
         given = list(trees)
         used = tuple(root for root in ROOTS if any(root in leaves(tree) for tree in given))
-        return FramedSetting(kind, dimension, order, used=used, differentiates=any(map(_differentiates, given)))
+        return FramedSetting(kind, dimension, order, roots=used, differentiates_roots=any(map(_differentiates, given)))
     return SETTINGS.get(type(kind), Setting)(kind, dimension, order, polynomial)
 
 
@@ -73,30 +74,17 @@ class _Rooted(CurveKind):
 
 @dataclass(frozen=True)
 class FramedSetting(Setting):
-    """A rational curve with σ and, in space, ρ; the `used` roots precede the jets."""
-
-    used: tuple[str, ...] = ()
-    differentiates: bool = False
+    """A rational curve with σ and, in space, ρ."""
 
     @cached_property
     def ring(self) -> JetRing:
         """The jets, and the roots as variables."""
         return JetRing(_Rooted("curve with roots", self.kind.dimensions), self.dimension, self.order)
 
-    @property
-    def roots(self) -> tuple[str, ...]:
-        """The roots that are used."""
-        return self.used
-
-    @property
-    def differentiates_roots(self) -> bool:
-        """Whether derivatives of roots occur."""
-        return self.differentiates
-
     def _place(self, i: int) -> int:
         """The number of the i-th variable of the ring in the list."""
         name, _ = self.ring.variables[i]
-        return 2 * self.used.index(name) + 2 if name in ROOTS else 2 * len(self.used) + i + 1
+        return 2 * self.roots.index(name) + 2 if name in ROOTS else 2 * len(self.roots) + i + 1
 
     def flat(self, value: object) -> object:
         """A value in which a single product of roots occurs, as a fraction of the ring.
@@ -115,20 +103,9 @@ class FramedSetting(Setting):
 
     def square(self, root: str) -> JetFraction:
         """The square of a root."""
-        velocity = [self._derivative(x, 1) for x in COORDINATES[: self.dimension]]
-        vector = velocity if root == "sigma" else self._binormal
-        total = vector[0] * vector[0]
-        for x in vector[1:]:
-            total = total + x * x
+        gamma = Vector(*[self.ring[x] for x in COORDINATES[: self.dimension]])
+        total = norm2(gamma.d(1) if root == "sigma" else cross(gamma.d(1), gamma.d(2)))
         return JetFraction(self.ring, total.polynomial, self.ring.context.constant(1))
-
-    def _derivative(self, name: str, order: int) -> Jet:
-        return self.ring[name].d(order)
-
-    @property
-    def _binormal(self) -> list[Jet]:
-        a, b = ([self._derivative(x, k) for x in "xyz"] for k in (1, 2))
-        return [a[i] * b[j] - a[j] * b[i] for i, j in ((1, 2), (2, 0), (0, 1))]
 
     def _square_text(self, root: str, shift: int) -> str:
         """The square of a root from its definition, with the positions of variables shifted by `shift`."""
@@ -147,13 +124,13 @@ class FramedSetting(Setting):
 
     def preamble(self, premises: Sequence[tuple[str, str, object]]) -> list[str]:
         """The roots do not vanish because their squares do not; their derivatives, by Leibniz' rule."""
-        bare = replace(self, used=())
+        bare = replace(self, roots=())
         lines = [
             f"pose (k := {self.spelling.jets}).",
             f"pose (r0 := {bare.spelling.rules}).",
             "assert (R0 : forall q, rules_hold K k q (r0 q)) by rules_by_computation.",
         ]
-        for root in self.used:
+        for root in self.roots:
             own = self.named(root)
             lines += [
                 f"assert (N{root} : {own} <> zero K).",
@@ -169,10 +146,10 @@ class FramedSetting(Setting):
                     f"assert (D{root} := root_derivative K {own} _ (value K k {half}) H{root} N{root} P2 S{root}).",
                     f"assert (I{root} := inverse_derivative K {own} _ N{root} D{root}).",
                 ]
-        first = "; ".join(f"quotient K (one K) {self.named(root)}; {self.named(root)}" for root in self.used)
-        squares = "; ".join(self._square_text(root, 2 * (len(self.used) - i - 1)) for i, root in enumerate(self.used))
+        first = "; ".join(f"quotient K (one K) {self.named(root)}; {self.named(root)}" for root in self.roots)
+        squares = "; ".join(self._square_text(root, 2 * (len(self.roots) - i - 1)) for i, root in enumerate(self.roots))
         held = "I"
-        for root in reversed(self.used):
+        for root in reversed(self.roots):
             held = f"(conj (root_inverse K {self.named(root)} N{root}) (conj H{root} {held}))"
         return [
             *lines,
@@ -185,7 +162,7 @@ class FramedSetting(Setting):
 
     def _because(self, root: str, premises: Sequence[tuple[str, str, object]]) -> str:
         """The proof that the square of a root does not vanish: it divides something that does not vanish."""
-        bare, square = replace(self, used=()), self.square(root).top
+        bare, square = replace(self, roots=()), self.square(root).top
         for name, term, value in premises:
             if not isinstance(value, JetFraction) or not value.bottom.is_one():
                 continue
@@ -207,7 +184,7 @@ class FramedSetting(Setting):
 
     def _spelled(self) -> Spelling:
         rules, n = list[str](), self.dimension
-        for root in self.used if self.differentiates_roots else ():  # of the roots and their inverses
+        for root in self.roots if self.differentiates_roots else ():  # of the roots and their inverses
             place, half = self.position(root), self._half(root)
             rules.append(f"({place}%positive, ({half}) * var {place - 1})")
             rules.append(f"({place - 1}%positive, - (({half}) * var {place - 1} ^ 3))")
@@ -216,5 +193,5 @@ class FramedSetting(Setting):
         roots = ROOTS[: n - 1]
         introduced = [*functions, *map(self.named, roots), "Hw", *bound, *[f"H{name}" for name in roots]]
         curve = f"homogeneous s {self.variables(COORDINATES[:n])} ({self.variable('w')}) []"
-        sigma, rho = (self.variable(root) if root in self.used else "num 0" for root in ROOTS)
+        sigma, rho = (self.variable(root) if root in self.roots else "num 0" for root in ROOTS)
         return self._by_chains(introduced, f"Framed ({curve}) ({sigma}) ({rho})", rules)

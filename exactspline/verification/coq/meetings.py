@@ -165,12 +165,13 @@ def _subresultant(f: Rows, g: Rows, j: int) -> tuple[Rows, Rows]:
     rows = [[zero] * i + p for p, count in ((f, n - j), (g, m - j)) for i in range(count)]
     matrix = [[row[k] if k < len(row) else zero for k in powers] for row in rows]
     minors = [
-        _determinant(matrix[:i] + matrix[i + 1 :]) * (-1 if (len(rows) - 1 - i) % 2 else 1) for i in range(len(rows))
+        rational_determinant(matrix[:i] + matrix[i + 1 :]) * (-1 if (len(rows) - 1 - i) % 2 else 1)
+        for i in range(len(rows))
     ]
     return _trimmed(minors[: n - j]), _trimmed(minors[n - j :])
 
 
-def _determinant(matrix: Sequence[Rows]) -> fmpq_poly:
+def rational_determinant(matrix: Sequence[Rows]) -> fmpq_poly:
     """Over one denominator, by the integers of the numerators."""
     entries = [x for row in matrix for x in row]
     bottom = lcm(*[int(x.denom()) for x in entries])

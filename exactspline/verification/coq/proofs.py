@@ -166,9 +166,10 @@ class Proof(Nonzero):
         if below.powers or scale != 1:
             self.recognize(factored(JetFraction(value.ring, value.bottom * scale, value.ring.context.constant(1))))
         cofactor = self._fraction(rest * scale, value.bottom * scale)
+        given = f"({self.writer(premise.node)} : expr)%formula"
         self._add(
             polynomial,
-            f"apply (factor_nonzero K l r R roots Q {self._list()} known N {self._deep(premise.node)} {cofactor} "
+            f"apply (factor_nonzero K l r R roots Q {self._list()} known N {given} {cofactor} "
             f"{self._expression(polynomial)}); [vm_cast_no_check (eq_refl true) | vm_cast_no_check {premise.name}]",
         )
         return True
@@ -231,23 +232,15 @@ class Proof(Nonzero):
             return f"({above})%formula"
         return f"(({above}) / ({self.setting.expression(bottom)}))%formula"
 
-    def _deep(self, node: Node) -> str:
-        return f"({self.writer(node)} : expr)%formula"
-
     def _list(self) -> str:
         return f"(firstn {len(self.atoms)} atoms)"
-
-    @property
-    def atom_list(self) -> str:
-        """The atoms as a list of expressions."""
-        return f"[{'; '.join(self.texts)}]%formula : list expr"
 
     def script(self) -> list[str]:
         """The lines of the proof that the atoms do not vanish."""
         lines = [
             *self.setting.preamble([(h.name, self.writer(h.node), h.value) for h in self.premises]),
             f"pose (c := {self.setting.spelling.deep}).",
-            f"pose (atoms := {self.atom_list}).",
+            f"pose (atoms := [{'; '.join(self.texts)}]%formula : list expr).",
             f"pose (known := {self.known_list}).",
             "assert (N : all_nonzero K l (firstn 0 atoms)) by apply Forall_nil.",
         ]

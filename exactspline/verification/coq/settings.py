@@ -61,12 +61,16 @@ class Spelling(NamedTuple):
 
 @dataclass(frozen=True)
 class Setting:
-    """A kind of argument in a dimension, with derivatives up to an order; `polynomial` where the denominator is 1."""
+    """A kind of argument in a dimension, with derivatives up to an order; `polynomial` where the denominator is 1. The
+    square `roots` of a frame precede the jets; `differentiates_roots` says whether derivatives of roots occur.
+    """
 
     kind: Kind
     dimension: int
     order: int
     polynomial: bool = False
+    roots: tuple[str, ...] = ()
+    differentiates_roots: bool = False
 
     @cached_property
     def ring(self) -> JetRing:
@@ -118,16 +122,6 @@ class Setting:
     def weights(self) -> tuple[str, ...]:
         """The denominators, which have no zeros."""
         return () if self.polynomial else WEIGHTS.get(self.shape, ("w",))
-
-    @property
-    def roots(self) -> tuple[str, ...]:
-        """The square roots in addition to the jets."""
-        return ()
-
-    @property
-    def differentiates_roots(self) -> bool:
-        """Whether derivatives of roots occur."""
-        return False
 
     @cached_property
     def argument(self) -> Evaluated:

@@ -23,6 +23,12 @@ _INFIX = {
     Operation.TIMES: (PRODUCT, PRODUCT, UNARY),
     Operation.OVER: (PRODUCT, PRODUCT, UNARY),
 }
+#: The functions for operations on vectors; products of vectors, and the parts of surfaces, have their own names.
+_FUNCTIONS = {
+    **dict(zip("+-*/", ("vadd", "vsub", "vmul", "vdiv"), strict=True)),
+    **{name: name for name in ("dot", "cross", "perp", "ruled", "directrix", "generator")},
+    Operation.NEGATIVE: "vneg",
+}
 _AXES = {"axis_x": 0, "axis_y": 1, "axis_z": 2}
 _PARAMETERS = {"s": "s", "s̄": "s_bar", "u": "s", "v": "s_bar"}
 #: Operands that are fields of records; the others have separate functions, named with ``_of``.
@@ -102,35 +108,19 @@ class Writer:
     def applied(self, node: Node) -> str:
         """An operation written as a function and its arguments."""
         arguments = node.args
-        if node.op in (Operation.PLUS, Operation.MINUS):
-            name = "vadd" if node.op is Operation.PLUS else "vsub"
-        elif node.op is Operation.TIMES:
-            name = "vmul"
-            arguments = arguments if arguments[1].is_vector else arguments[::-1]
-        elif node.op is Operation.OVER:
-            name = "vdiv"
-        elif node.op is Operation.NEGATIVE:
-            name = "vneg"
-        elif node.op is Operation.DERIVATIVE:
+        if node.op is Operation.DERIVATIVE:
             return self.derivative(node)
-        elif node.op is Operation.COMPONENT:
+        if node.op is Operation.COMPONENT:
             return self.taken(node)
-        elif node.op in (Operation.DET, Operation.GENERALIZED_CROSS):
+        if node.op in (Operation.DET, Operation.GENERALIZED_CROSS):
             return f"{node.op} [{'; '.join(map(self, arguments))}]"
-        elif node.op is Operation.JOIN:
-            return f"({' ++ '.join(self.joined(each) for each in arguments)})"
-        elif node.op in (
-            Operation.DOT,
-            Operation.CROSS,
-            Operation.PERP,
-            Operation.RULED,
-            Operation.DIRECTRIX,
-            Operation.GENERATOR,
-        ):
-            name = node.op
-        else:
+        if node.op is Operation.JOIN:
+            return f"({' ++ '.join(map(self.joined, arguments))})"
+        if node.op not in _FUNCTIONS:
             raise FormulaError(f"the operation {node.op!r} has no equivalent in Coq", remedy="add one to the base")
-        return " ".join([name, *[self.at(each, ATOM) for each in arguments]])
+        if node.op is Operation.TIMES and not arguments[1].is_vector:
+            arguments = arguments[::-1]
+        return " ".join([_FUNCTIONS[node.op], *[self.at(each, ATOM) for each in arguments]])
 
     def leaf(self, name: str) -> str:
         """An operand of the argument."""

@@ -127,11 +127,6 @@ class DegreeClaim(Claim):
         sign = RELATIONS[self.relation]
         return rf"{MEASURES[self.measure]} {self.symbol(self.formula)} {sign} {degree_latex(self.claimed)}"
 
-    @property
-    def proof_reading(self) -> Name:
-        """The reading that decides the measure."""
-        return Name({Measure.NOMINAL: "degree", Measure.TRUE: "infinity"}.get(self.measure, "covariant"))
-
     def applies_to(self, dimension: int, polynomial: bool, *, surface: bool = False) -> bool:
         """Counts by another rule, heights, and lower bounds for the generic curve do not apply to single curves."""
         silent = (
@@ -143,7 +138,8 @@ class DegreeClaim(Claim):
 
     def prove(self) -> tuple[Name, Finding]:
         """The reading is that of the measure."""
-        return self.proof_reading, super().prove()[1]
+        reading = {Measure.NOMINAL: "degree", Measure.TRUE: "infinity"}.get(self.measure, "covariant")
+        return Name(reading), super().prove()[1]
 
     def decide(self, dimension: int, polynomial: bool) -> Finding:
         """For symbolic d."""
@@ -212,14 +208,10 @@ class DegreeClaim(Claim):
             return reduction_of(swapped, argument.dimension, polynomial).main.on(Pair(argument.second, argument.first))
         return reduction_of(self.find(self.formula), argument.dimension, polynomial).main.on(argument)
 
-    @property
-    def _is_first(self) -> bool:
-        return self.parameter in (Parameter.FIRST, Parameter.U)
-
     def _own(self, degree: Any) -> int:
         """The degree in the parameter that is counted."""
         if isinstance(degree, Degrees):
-            return int(degree.s if self._is_first else degree.t)
+            return int(degree.s if self.parameter in (Parameter.FIRST, Parameter.U) else degree.t)
         return int(degree)
 
     def _lowest(self, value: Any) -> int:
