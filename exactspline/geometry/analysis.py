@@ -261,7 +261,7 @@ class Analysis(SpaceFacts, Displayed):
     @question(Of.SPACE_CURVE, answered=Answered.PLANAR_PIECES, of_piece="planar, τ ≡ 0")
     def planar_pieces(self) -> tuple[tuple[CurvePiece, Plane], ...]:
         """The pieces of a space curve that lie in one plane without being straight, and their planes."""
-        return tuple(planar_pieces(self.curve)) if self.in_space and not self._twists_everywhere else ()
+        return tuple(planar_pieces(self.curve)) if self.in_space and not all(self._twist.polynomials) else ()
 
     @question(Of.SPACE_CURVE, answered=Answered.PLANE)
     def plane(self) -> Plane | None:
@@ -406,7 +406,8 @@ class Analysis(SpaceFacts, Displayed):
                     kind = FeatureKind.CUSP if before != behind else FeatureKind.STOP
                     points.append(Feature(kind, knot_root(joint.parameter), "offset", by_jump=True))
         points.sort(key=lambda feature: feature.root)
-        pieces = [piece for piece in self.pieces_where_zero(form) if self._turns_to(side, piece)]
+        bend = self.zero_form("zero_curvature")
+        pieces = [x for x in self.pieces_where_zero(form) if bend.sign_at(knot_root(x.start)) == side]
         return Places(tuple(points), tuple(pieces))
 
     def _sign_next_to(self, form: ZeroForm, d: mpq, t: mpq, side: Side) -> int:
@@ -425,10 +426,6 @@ class Analysis(SpaceFacts, Displayed):
             place = (near + place) / 2
         point, velocity, second, third = (self.curve.derivative(k, place) for k in range(4))
         return (1 - d * curvature_of((point, velocity, second, third))).sign
-
-    def _turns_to(self, side: int, piece: CurvePiece) -> bool:
-        """Whether the curvature has this sign on a piece of constant curvature."""
-        return self.zero_form("zero_curvature").sign_at(knot_root(piece.start)) == side
 
     def offset_form(self, distance: Number) -> ZeroForm:
         """d²κ² − 1 without its denominator, and its zeros."""

@@ -63,9 +63,9 @@ def _curvature_on(c: Curve[BSpline], interval: Interval) -> CurvaturePiece:
             interval, 0, None, "‖γ′‖² is not a constant times a square: the curve is not a Pythagorean hodograph here"
         )
     (n, up), (m, down) = roots  # type: ignore[misc]  # None is excluded
-    if _vanishes(m):
+    if any(zero_on_segment(c, m.degree) is not None for c in m.polynomials):
         return CurvaturePiece(interval, 0, None, "γ′ has a zero here: the curvature has a pole, and its sign may jump")
-    t = next(t for j in range(1, n.degree + turning.degree + 3) if n(t := _inner(interval, j)) and turning(t))
+    t = next(t for j in range(1, n.degree + turning.degree + 3) if n(t := interval.at(mpq(1, j + 1))) and turning(t))
     coefficient, radicand = square_root_parts(up / down)
     # [γ′ γ″] is f2/w³: its sign is that of f2 only where w > 0
     agreement = n * m * turning * c.w
@@ -73,11 +73,6 @@ def _curvature_on(c: Curve[BSpline], interval: Interval) -> CurvaturePiece:
         return CurvaturePiece(interval, 0, None, "the curve turns back here, where γ′ = 0: the sign of κ jumps")
     sign = 1 if agreement(t) > 0 else -1
     return CurvaturePiece(interval, radicand, n.scaled(sign * coefficient) / m)
-
-
-def _inner(interval: Interval, j: int) -> mpq:
-    a, b = interval
-    return a + (b - a) / (j + 1)
 
 
 def polynomial_root(f: BSpline) -> tuple[BSpline, mpq] | None:
@@ -94,7 +89,3 @@ def polynomial_root(f: BSpline) -> tuple[BSpline, mpq] | None:
     for p, e in factors:
         root = root * p ** (e // 2)
     return BSpline.from_forms(f.degree // 2, f.mesh, (), [(root, ONE)]), ratio(unit, m)
-
-
-def _vanishes(f: BSpline) -> bool:
-    return any(zero_on_segment(c, f.degree) is not None for c in f.polynomials)

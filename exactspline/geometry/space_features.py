@@ -50,11 +50,6 @@ class SpaceFacts(Facts):
         assert isinstance(form, BSpline)
         return form
 
-    @property
-    def _twists_everywhere(self) -> bool:
-        """Whether the torsion vanishes on no whole segment."""
-        return all(self._twist.polynomials)
-
     @Fact
     def torsion_numerator(self) -> ZeroForm:
         """The numerator of τ in lowest terms."""

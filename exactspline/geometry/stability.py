@@ -178,7 +178,7 @@ class _Radii:
         low, high = -1, len(DISTANCES)
         while high - low > 1:
             tried = (low + high) // 2
-            if any(_is_here(near, kind, place) for near in self._nearby(tried)):
+            if any(x.single and x.kind is kind and x.place.low <= place <= x.place.high for x in self._nearby(tried)):
                 low = tried
             else:
                 high = tried
@@ -191,11 +191,6 @@ class _Radii:
             except ShapeError:  # a weight function may vanish at this distance
                 self._found[index] = ()
         return self._found[index]
-
-
-def _is_here(near: NearbyFeature, kind: FeatureKind, place: Real) -> bool:
-    """Whether it is this feature, and all curves have it once."""
-    return near.single and near.kind is kind and near.place.low <= place <= near.place.high
 
 
 def _of_kind(facts: Facts, kind: FeatureKind) -> list[Real]:

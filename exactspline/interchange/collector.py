@@ -54,12 +54,16 @@ class Collector:
         self.skipped.append(Skipped(what, where, why, curve))
 
     @contextmanager
-    def skipping(self, what: str, where: str, *, curve: bool = True) -> Iterator[None]:
-        """Record an entity as not read where reading it fails."""
+    def skipping(self, what: str, where: str, *, curve: bool = True, damaged: str = "") -> Iterator[None]:
+        """Record an entity as not read where reading it fails, also where another library fails on `damaged` data."""
         try:
             yield
         except ExactSplineError as error:
             self.skip(what, where, str(error), curve=curve)
+        except Exception as error:
+            if not damaged:
+                raise
+            self.skip(what, where, f"{damaged} ({type(error).__name__})", curve=curve)
 
     def note(self, text: str) -> None:
         """Record a note that applies to all curves of the file; repetitions are dropped."""

@@ -8,7 +8,7 @@ from math import inf
 
 from exactspline.errors import NumberError, counted, shown
 from exactspline.interchange.limits import Limits
-from exactspline.numbers.exact import isqrt, mpq, rational
+from exactspline.numbers.exact import decimal_places, isqrt, mpq, rational
 
 _DECIMAL = re.compile(r"[+-]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eEdD]([+-]?\d{1,9}))?", re.ASCII)
 _WHOLE = re.compile(r"[+-]?\d{1,9}", re.ASCII)
@@ -81,13 +81,8 @@ def decimal_text(value: mpq) -> str | None:
     >>> decimal_text(mpq(-1, 8)), decimal_text(mpq(1200)), decimal_text(mpq(1, 10**9)), decimal_text(mpq(1, 3))
     ('-0.125', '1200', '1E-9', None)
     """
-    denominator, twos, fives = value.denominator, 0, 0
-    while denominator % 5 == 0:
-        denominator, fives = denominator // 5, fives + 1
-    twos = denominator.bit_length() - 1
-    if denominator != 1 << twos:
+    if (places := decimal_places(value)) is None:
         return None
-    places = max(twos, fives)
     digits = str(abs(value.numerator) * 10**places // value.denominator)
     sign = "-" if value < 0 else ""
     if places and len(digits) + 4 < places:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
+from operator import sub
 
 from exactspline.errors import ShapeError
 from exactspline.interchange.affine import Affine, cross, unit
@@ -69,7 +70,7 @@ class Edges:
             _, through, along = self.file.named(curve, "LINE", 3)
             direction = self.file.numbers(self.file.named(self.file.named(along, "VECTOR", 3)[1], "DIRECTION", 2)[1])
             start = self.file.point(through)
-            if any(any(cross(_minus(end, start), direction)) for end in ends):
+            if any(any(cross(list(map(sub, end, start)), direction)) for end in ends):
                 raise ShapeError("a vertex that is not exactly on the line", remedy="only exact curves are read")
             self.file.collector.add(EDGE, where, 1, [mpq(0), mpq(0), mpq(1), mpq(1)], ends, name=where)
             return
@@ -117,7 +118,3 @@ class Edges:
         if len(ratios) != 3:
             raise ShapeError("a direction that is not in space", remedy="write three ratios")
         return ratios
-
-
-def _minus(a: Sequence[mpq], b: Sequence[mpq]) -> list[mpq]:
-    return [x - y for x, y in zip(a, b, strict=True)]

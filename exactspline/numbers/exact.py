@@ -396,6 +396,19 @@ def over_one_denominator(values: Iterable[mpq]) -> tuple[list[int], int]:
     return [int(x.numerator * (common // x.denominator)) for x in numbers], int(common)
 
 
+def decimal_places(x: mpq) -> int | None:
+    """How many digits a number has after the decimal point, None where they do not end.
+
+    >>> decimal_places(mpq(3, 8)), decimal_places(mpq(7)), decimal_places(mpq(1, 3))
+    (3, 0, None)
+    """
+    denominator, fives = x.denominator, 0
+    while denominator % 5 == 0:
+        denominator, fives = denominator // 5, fives + 1
+    twos = denominator.bit_length() - 1
+    return max(twos, fives) if denominator == 1 << twos else None
+
+
 def decimal_unit(x: mpq) -> mpq:
     """The largest power of ten up to a positive number.
 

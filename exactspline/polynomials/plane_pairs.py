@@ -221,7 +221,7 @@ def meetings(first: PlaneForms, second: PlaneForms) -> Meetings:
 
 def _meetings(first: PlaneForms, second: PlaneForms) -> Meetings:
     if first.degree == 0:
-        return _of_point(first, second)
+        return meetings_of_point(bezout.minors(first, second), second.degree)
     eliminated = elimination(first, second)
     if not eliminated.determinant:
         return _degenerate(first, second)
@@ -249,10 +249,6 @@ def _with_straight(first: PlaneForms, second: PlaneForms) -> Meetings:
         for form, n in ((along(line, first), first.degree), (along(own, second), second.degree))
     )
     return Meetings([Meeting(s, t, s.multiplicity * t.multiplicity) for t in theirs for s in ours])
-
-
-def _of_point(point: PlaneForms, curve: PlaneForms) -> Meetings:
-    return meetings_of_point(bezout.minors(point, curve), curve.degree)
 
 
 def meetings_of_point(minors: Iterable[fmpz_poly], degree: int) -> Meetings:

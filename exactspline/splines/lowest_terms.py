@@ -21,6 +21,7 @@ from exactspline.polynomials.factors import certainly_coprime, greatest_common_d
 from exactspline.splines.bspline import BSpline, from_parts
 from exactspline.splines.common import with_common_knots
 from exactspline.splines.expected import spline_of
+from exactspline.splines.knots import Mesh
 
 #: The vectors of splines: polynomial, and over one denominator.
 SplineVector = Vector[BSpline] | Rational[BSpline]
@@ -43,9 +44,8 @@ def common_factor(v: Vector[BSpline]) -> BSpline:
     for parts in zip(*[c._polynomials for c in v], strict=True):
         common = _greatest_common_divisor(parts)
         at_end = min((x.degree - c.degree() for x, c in zip(v, parts, strict=True) if c), default=0)
-        rows.append((common, max(common.degree(), 0) + at_end))
-    n, mesh = max(degree for _, degree in rows), v[0].mesh
-    return BSpline.from_forms(n, mesh, (-1,) * (len(mesh) - 1), [(c * raiser(n - degree), ONE) for c, degree in rows])
+        rows.append(([common], max(common.degree(), 0) + at_end))
+    return _raised(rows, v[0].mesh)[0]
 
 
 def _greatest_common_divisor(parts: Sequence[fmpz_poly]) -> fmpz_poly:
@@ -229,14 +229,12 @@ def primitive_part(value: SplineVector) -> Vector[BSpline]:
     """
     vector = in_lowest_terms(value).numerator if isinstance(value, Rational) else value
     assert isinstance(vector, Vector)
-    n, mesh, rows = vector.degree, vector[0].mesh, []
+    n, rows = vector.degree, []
     for forms in zip(*[c.forms for c in vector], strict=True):
         polynomials, _ = over_common_denominator(forms)
         parts = [c * raiser(n - x.degree) for c, x in zip(polynomials, vector, strict=True)]
         rows.append(_lowest(parts, n, sign_of_last=False) if any(parts) else (parts, 0))
-    highest = max(degree for _, degree in rows)
-    columns = zip(*[[(c * raiser(highest - degree), ONE) for c in forms] for forms, degree in rows], strict=True)
-    return Vector(*[BSpline.from_forms(highest, mesh, (-1,) * (len(mesh) - 1), forms) for forms in columns])
+    return Vector(*_raised(rows, vector[0].mesh))
 
 
 def where_it_exists(value: Rational[BSpline]) -> Rational[BSpline]:
@@ -252,8 +250,12 @@ def where_it_exists(value: Rational[BSpline]) -> Rational[BSpline]:
 
 def _over_rows(value: Rational[BSpline], rows: list[tuple[list[fmpz_poly], int]]) -> Rational[BSpline]:
     """The quotient whose segments are the rows, raised to one degree."""
-    mesh = value.denominator.mesh
+    *numerator, denominator = _raised(rows, value.denominator.mesh)
+    return Rational(Vector(*numerator) if value.is_vector else numerator[0], denominator)
+
+
+def _raised(rows: list[tuple[list[fmpz_poly], int]], mesh: Mesh) -> list[BSpline]:
+    """The splines whose segments are the rows, raised to one degree."""
     n = max(degree for _, degree in rows)
     columns = zip(*[[(c * raiser(n - degree), ONE) for c in forms] for forms, degree in rows], strict=True)
-    *numerator, denominator = [BSpline.from_forms(n, mesh, (-1,) * (len(mesh) - 1), forms) for forms in columns]
-    return Rational(Vector(*numerator) if value.is_vector else numerator[0], denominator)
+    return [BSpline.from_forms(n, mesh, (-1,) * (len(mesh) - 1), forms) for forms in columns]

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from exactspline.errors import ShapeError
-from exactspline.numbers.exact import Number, decimal_unit, mpq, rational
+from exactspline.numbers.exact import Number, decimal_places, decimal_unit, mpq, rational
 from exactspline.splines.expected import curve_of
 from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.surface import NurbsSurface
@@ -60,13 +60,5 @@ def written_precision(curve: Nurbs | NurbsSurface) -> mpq:
 
 def _digits(x: mpq) -> int:
     """The number of significant decimal digits of a number that has finitely many; 1 for others."""
-    fives = twos = 0
-    d = x.denominator
-    while d % 5 == 0:
-        d, fives = d // 5, fives + 1
-    while d % 2 == 0:
-        d, twos = d // 2, twos + 1
-    if d != 1:
-        return 1
-    places = max(fives, twos)
-    return len(str(x.numerator * 2 ** (places - twos) * 5 ** (places - fives)).rstrip("0"))
+    places = decimal_places(x)
+    return 1 if places is None else len(str(x * 10**places).rstrip("0"))

@@ -101,12 +101,8 @@ class Conditions:
         if not e:
             return 0
         x, y = 2 * x / e, 2 * y / e
-        return min(range(len(self.starts)), key=lambda j: self._margin_at(j, x, y))
-
-    def _margin_at(self, j: int, x: mpq, y: mpq) -> mpq:
-        square, a, b = self.starts[j]
-        margin: mpq = square - x * a - y * b
-        return margin
+        margins = [square - x * a - y * b for square, a, b in self.starts]
+        return margins.index(min(margins))
 
     def kept(
         self, forms: list[fmpz_poly], n: int, segment: tuple[mpq, mpq], own: int | None = None

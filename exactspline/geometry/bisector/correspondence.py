@@ -29,7 +29,7 @@ def graph_intervals(
     [(mpq(1,1), mpq(2,1))]
     """
     low, high = own
-    borders = [_less(top, bottom, y) for y in range_]
+    borders = [top * int(y.denominator) - bottom * int(y.numerator) for y in range_]
     hits = distinct(root for border in borders for root in roots_in(border, low, high))
     cuts = distinct([low, *roots_in(bottom, low, high), *hits, high])
     intervals: list[tuple[Parameter, Parameter]] = []
@@ -43,10 +43,6 @@ def graph_intervals(
                 intervals.append((a, b))
     single = [t for t in hits if not any(a <= t <= b for a, b in intervals)]
     return sorted([*intervals, *((t, t) for t in single)], key=itemgetter(0))
-
-
-def _less(top: fmpz_poly, bottom: fmpz_poly, y: mpq) -> fmpz_poly:
-    return top * int(y.denominator) - bottom * int(y.numerator)
 
 
 def value_at(p: fmpz_poly, x: mpq) -> mpq:

@@ -304,9 +304,5 @@ def runs_on(curve: Nurbs, t: mpq) -> bool:
     stops = [one.stands_still or t in cusps_of(one) for one in (before, behind)]
     if any(stops):
         return all(stops)
-    (a, b, c), (x, y, z) = ([_at(f, t) for f in one.tangent] for one in (before, behind))
+    (a, b, c), (x, y, z) = ([from_flint(f(to_fmpq(t))) for f in one.tangent] for one in (before, behind))
     return bool(a * y == b * x and b * z == c * y and a * z == c * x)
-
-
-def _at(p: fmpz_poly, t: mpq) -> mpq:
-    return from_flint(p(to_fmpq(t)))

@@ -78,7 +78,7 @@ class TrimmedPiece:
 
     def restricted(self) -> Rational[BSpline] | None:
         """The piece as a quotient over [low, high] alone; None where an end is irrational."""
-        low, high = (_rational(t) for t in (self.low, self.high))
+        low, high = (t.exact if isinstance(t, Root) else t for t in (self.low, self.high))
         if low is None or high is None:
             return None
         value = self.value
@@ -86,10 +86,6 @@ class TrimmedPiece:
             return value
         top = Vector(*[x.restrict(low, high) for x in value.vector])
         return Rational(top, value.denominator.restrict(low, high))
-
-
-def _rational(t: Parameter) -> mpq | None:
-    return t.exact if isinstance(t, Root) else t
 
 
 @dataclass(frozen=True, repr=False)

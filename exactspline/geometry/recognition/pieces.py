@@ -127,13 +127,10 @@ def recognized(curve: Nurbs, epsilon: Number | None = None) -> tuple[RecognizedP
     limit = longest_side(points) * SMALL if epsilon is None else distance(epsilon, given)
     found = list(_pieces(given, points, limit, candidates))
     if given.dimension == 3:
-        flat = _pieces(given, points, limit, planes)
-        found += [piece for piece in flat if not (piece.exact or any(_covers(each, piece) for each in found))]
+        spans = [(each.piece.start, each.piece.end) for each in found]
+        flat = [each for each in _pieces(given, points, limit, planes) if not each.exact]
+        found += [x for x in flat if not any(a <= x.piece.start and x.piece.end <= b for a, b in spans)]
     return tuple(sorted(found, key=lambda each: each.piece.start))
-
-
-def _covers(wide: RecognizedPiece, piece: RecognizedPiece) -> bool:
-    return wide.piece.start <= piece.piece.start and piece.piece.end <= wide.piece.end
 
 
 def near(curve: Nurbs, piece: CurvePiece, shape: Shape, limit: mpq) -> RecognizedPiece | None:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from itertools import chain, count, pairwise
 
 from exactspline.geometry.recognition.shapes import Homogeneous, Shape
@@ -24,16 +24,13 @@ def proved_distance(
     """
     if shape.holds(of):
         return mpq(0)
-    for within in _tried(found):
+    factors = chain(FACTORS, (mpq(2) ** k for k in count(2)))
+    for within in (rounded_up(found * factor) for factor in factors):
         if not within or within > limit or (shape.most is not None and within > shape.most):
             return None
         if all(never_negative(f) for f in shape.margins(of, within)):
             return within
     return None
-
-
-def _tried(found: mpq) -> Iterator[mpq]:
-    return (rounded_up(found * factor) for factor in chain(FACTORS, (mpq(2) ** k for k in count(2))))
 
 
 def never_negative(f: BSpline) -> bool:

@@ -124,19 +124,13 @@ def _requested(fonts: Sequence[_Font], part: str) -> list[tuple[_Font, str]]:
 
 def _add(collector: Collector, font: _Font, name: str) -> None:
     """The contours of one glyph."""
-    where, notes = f"glyph {font.prefix}{name}", list(font.on_each)
-    try:
+    glyph, notes = f"{font.prefix}{name}", list(font.on_each)
+    with collector.skipping("glyph", glyph, damaged="its outline is damaged"):
         contours = _Glyph(collector, font.glyphs, name).drawn()
         notes += ["marked: contours may overlap"] if _overlaps(font.glyphs, name) else []
-    except ExactSplineError as error:
-        collector.skip("glyph", where.removeprefix("glyph "), str(error))
-        return
-    except Exception as error:
-        collector.skip("glyph", where.removeprefix("glyph "), f"its outline is damaged ({type(error).__name__})")
-        return
-    for i, (degree, knots, points) in enumerate(contours, 1):
-        called = f"{font.prefix}{name}.{i}"
-        collector.add("contour", f"{where}, contour {i}", degree, knots, points, name=called, notes=notes)
+        for i, (degree, knots, points) in enumerate(contours, 1):
+            where = f"glyph {glyph}, contour {i}"
+            collector.add("contour", where, degree, knots, points, name=f"{glyph}.{i}", notes=notes)
 
 
 def _overlaps(glyphs: Any, name: str) -> bool:

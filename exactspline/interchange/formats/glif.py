@@ -6,7 +6,7 @@ interprets the points (the extra `formats`). Components, which are defined in ot
 
 from __future__ import annotations
 
-from exactspline.errors import CurveFileError, ExactSplineError
+from exactspline.errors import CurveFileError
 from exactspline.interchange.bridges.fonttools import ContourPen
 from exactspline.interchange.collector import Collector
 from exactspline.interchange.format import Format
@@ -42,24 +42,15 @@ def read(source: Source) -> Reading:
             collector.skip(element.tag[:40], where, why, curve=placed)
             continue
         number += 1
-        pen = ContourPen(source.limits.objects)
-        try:
+        pen, name = ContourPen(source.limits.objects), f"{root.attributes.get('name', 'glyph')}.{number}"
+        with collector.skipping("contour", where, damaged="its points do not form a contour"):
             points = PointToSegmentPen(pen)
             points.beginPath()
             for point in element.children:
                 _add(points, point, source)
             points.endPath()
-        except ExactSplineError as error:
-            collector.skip("contour", where, str(error))
-            continue
-        # the errors that fontTools raises if the points do not form a contour
-        except Exception as error:
-            collector.skip("contour", where, f"its points do not form a contour ({type(error).__name__})")
-            continue
-        for degree, knots, places in pen.contours:
-            collector.add(
-                "contour", where, degree, knots, places, name=f"{root.attributes.get('name', 'glyph')}.{number}"
-            )
+            for degree, knots, places in pen.contours:
+                collector.add("contour", where, degree, knots, places, name=name)
     return collector.reading()
 
 
