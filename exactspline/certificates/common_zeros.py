@@ -94,14 +94,22 @@ def _check_boxes(functions: Sequence[Net], tokens: Sequence[Any], regions: Seque
 
 
 def halves(net: Net, direction: int) -> tuple[Net, Net]:
-    """The Bernstein coefficients on both halves in a direction, up to a positive constant."""
+    """The Bernstein coefficients on both halves in a direction, up to a positive constant.
+
+    >>> halves([[0, 1], [2, 3]], 0)
+    ([[0, 2], [2, 4]], [[2, 4], [4, 6]])
+    """
     rows = [halves_at(row, HALF) for row in (net if direction else turned(net))]
     low, high = ([pair[k] for pair in rows] for k in (0, 1))
     return (low, high) if direction else (turned(low), turned(high))
 
 
 def turned(net: Net) -> Net:
-    """With the parameters exchanged."""
+    """With the parameters exchanged.
+
+    >>> turned([[1, 2], [3, 4]])
+    [[1, 3], [2, 4]]
+    """
     return [list(column) for column in zip(*net, strict=True)]
 
 
@@ -122,7 +130,11 @@ def _combined(nets: Sequence[Net], coefficients: Sequence[Any]) -> Net:
 
 
 def sign_on(net: Net) -> int:
-    """The strict sign of all coefficients, else 0."""
+    """The strict sign of all coefficients, else 0.
+
+    >>> sign_on([[1, 2], [3, 4]]), sign_on([[0, 2], [3, 4]])
+    (1, 0)
+    """
     values = [x for row in net for x in row] or [0]
     return 1 if min(values) > 0 else -1 if max(values) < 0 else 0
 

@@ -64,7 +64,11 @@ BASES = (2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37, 41)
 
 
 def is_prime(n: int) -> bool:
-    """The Miller–Rabin test."""
+    """The Miller–Rabin test.
+
+    >>> is_prime(91), is_prime(97)
+    (False, True)
+    """
     if n < 2 or any(n % q == 0 and n != q for q in BASES):
         return False
     odd, twos = n - 1, 0
@@ -111,7 +115,11 @@ def _gcd(a: Polynomial, b: Polynomial, p: int) -> Polynomial:
 
 
 def is_irreducible(form: Polynomial, p: int) -> bool:
-    """Rabin's test: x^(pⁿ) ≡ x modulo f, and x^(p^(n/q)) − x is coprime to f for every prime q that divides n."""
+    """Rabin's test: x^(pⁿ) ≡ x modulo f, and x^(p^(n/q)) − x is coprime to f for every prime q that divides n.
+
+    >>> is_irreducible([1, 0, 1], 3), is_irreducible([1, 0, 1], 5)
+    (True, False)
+    """
     f, n = [x % p for x in form], len(form) - 1
     if n < 2:
         return n == 1  # a constant is not irreducible

@@ -25,7 +25,11 @@ STEPS = 512
 
 
 def trimmed(p: Sequence[Coefficient]) -> list[Coefficient]:
-    """Without leading zeros."""
+    """Without leading zeros.
+
+    >>> trimmed([1, 2, 0, 0])
+    [1, 2]
+    """
     n = len(p)
     while n and not p[n - 1]:
         n -= 1
@@ -33,13 +37,21 @@ def trimmed(p: Sequence[Coefficient]) -> list[Coefficient]:
 
 
 def total(p: Sequence[Number], q: Sequence[Number]) -> list[Number]:
-    """The sum of two polynomials."""
+    """The sum of two polynomials.
+
+    >>> total([1, 2], [3])
+    [4, 2]
+    """
     longer, other = (p, q) if len(p) >= len(q) else (q, p)
     return [x + other[i] if i < len(other) else x for i, x in enumerate(longer)]
 
 
 def value(p: Sequence[int], x: Number) -> Number:
-    """The value at a number."""
+    """The value at a number.
+
+    >>> value([1, 0, 2], 3)
+    19
+    """
     found = x - x
     for c in reversed(p):
         found = found * x + c
@@ -47,7 +59,11 @@ def value(p: Sequence[int], x: Number) -> Number:
 
 
 def on_interval(p: Sequence[Number], low: Fraction, high: Fraction) -> list[Fraction]:
-    """The Bernstein coefficients of a polynomial on an interval, anywhere on the line."""
+    """The Bernstein coefficients of a polynomial on an interval, anywhere on the line.
+
+    >>> on_interval([0, 0, 1], Fraction(0), Fraction(2))
+    [Fraction(0, 1), Fraction(0, 1), Fraction(4, 1)]
+    """
     powers, width = [Fraction(c) for c in p], high - low
     n = len(powers) - 1
     for i in range(n):
@@ -60,7 +76,11 @@ def on_interval(p: Sequence[Number], low: Fraction, high: Fraction) -> list[Frac
 
 
 def strict_sign(p: Sequence[Number], low: Fraction, high: Fraction) -> int:
-    """The sign on an interval where all Bernstein coefficients have it, else 0."""
+    """The sign on an interval where all Bernstein coefficients have it, else 0.
+
+    >>> strict_sign([-5, 0, 1], Fraction(0), Fraction(2))
+    -1
+    """
     values = on_interval(p, low, high)
     return 1 if min(values) > 0 else -1 if max(values) < 0 else 0
 
@@ -68,6 +88,9 @@ def strict_sign(p: Sequence[Number], low: Fraction, high: Fraction) -> int:
 def sign_at_root(p: Sequence[Number], minimal: Sequence[int], low: Fraction, high: Fraction) -> int:
     """The sign at the root that another polynomial has between two numbers at which its signs are opposite, or at a
     number given by both; 0 where the polynomial vanishes there or nearly does.
+
+    >>> sign_at_root([-1, 1], [-2, 0, 1], Fraction(1), Fraction(2))  # √2 − 1
+    1
     """
     for _ in range(STEPS):
         sign = strict_sign(p, low, high)
@@ -82,13 +105,21 @@ def sign_at_root(p: Sequence[Number], minimal: Sequence[int], low: Fraction, hig
 
 
 def has_one_root(p: Sequence[int], low: Fraction, high: Fraction) -> bool:
-    """Whether a polynomial certainly has one root in an interval, a simple one, by Descartes' rule."""
+    """Whether a polynomial certainly has one root in an interval, a simple one, by Descartes' rule.
+
+    >>> has_one_root([-2, 0, 1], Fraction(1), Fraction(2))
+    True
+    """
     values = on_interval(p, low, high)
     return values[0] * values[-1] < 0 and sum(a * b < 0 for a, b in pairwise(x for x in values if x)) == 1
 
 
 def quotient_by(p: Polynomial, divisor: Polynomial) -> Polynomial | None:
-    """The quotient by a divisor with integer coefficients; None where there is none."""
+    """The quotient by a divisor with integer coefficients; None where there is none.
+
+    >>> quotient_by([-1, 0, 1], [1, 1]), quotient_by([1, 0, 1], [1, 1])
+    ([-1, 1], None)
+    """
     rest, found = list(p), list[int]()
     while len(rest) >= len(divisor):
         top, remainder = divmod(rest[-1], divisor[-1])
@@ -103,7 +134,11 @@ def quotient_by(p: Polynomial, divisor: Polynomial) -> Polynomial | None:
 
 
 def remainder_of(p: Sequence[Fraction | int], divisor: Sequence[int]) -> list[Fraction]:
-    """The remainder of a division of polynomials."""
+    """The remainder of a division of polynomials.
+
+    >>> remainder_of([1, 0, 1], [1, 1])
+    [Fraction(2, 1)]
+    """
     rest, top = [Fraction(c) for c in p], Fraction(divisor[-1])
     while len(rest) >= len(divisor):
         factor, shift = rest[-1] / top, len(rest) - len(divisor)
@@ -117,7 +152,11 @@ def remainder_of(p: Sequence[Fraction | int], divisor: Sequence[int]) -> list[Fr
 
 
 def powers_of_net(net: Sequence[Sequence[int]]) -> list[list[int]]:
-    """The coefficients of ``sⁱ tʲ`` from the Bernstein coefficients on the unit square."""
+    """The coefficients of ``sⁱ tʲ`` from the Bernstein coefficients on the unit square.
+
+    >>> powers_of_net([[0, 0], [0, 1]])  # s t
+    [[0, 0], [0, 1]]
+    """
     columns = [_powers(row) for row in net]
     return [list(row) for row in zip(*[_powers(column) for column in zip(*columns, strict=True)], strict=True)]
 
@@ -132,7 +171,11 @@ def _powers(values: Sequence[int]) -> list[int]:
 
 
 def sheared(powers: Sequence[Sequence[int]], slope: int) -> Rows:
-    """A polynomial in s and t as one in s and ``z = t + slope s``."""
+    """A polynomial in s and t as one in s and ``z = t + slope s``.
+
+    >>> sheared([[0, 1]], 2)  # t = z − 2 s
+    [[0, 1], [-2]]
+    """
     rows: Rows = []
     for i, row in enumerate(powers):
         for j, x in enumerate(row):
@@ -164,7 +207,11 @@ def subresultant(first: Rows, second: Rows, k: int) -> Polynomial:
 
 
 def determinant(matrix: list[list[int]]) -> int:
-    """By Bareiss's algorithm: every entry is a minor, so that the divisions are exact."""
+    """By Bareiss's algorithm: every entry is a minor, so that the divisions are exact.
+
+    >>> determinant([[1, 2], [3, 4]])
+    -2
+    """
     rows, last = [list(row) for row in matrix], 1
     for k in range(len(rows)):
         pivot = next((i for i in range(k, len(rows)) if rows[i][k]), None)
@@ -181,7 +228,11 @@ def determinant(matrix: list[list[int]]) -> int:
 
 
 def through(values: list[int]) -> Polynomial:
-    """The polynomial with these values at 0, 1, 2, …, which has integer coefficients."""
+    """The polynomial with these values at 0, 1, 2, …, which has integer coefficients.
+
+    >>> through([0, 1, 4, 9])
+    [0, 0, 1, 0]
+    """
     differences = []
     while values:
         differences.append(values[0])

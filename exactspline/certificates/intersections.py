@@ -99,7 +99,11 @@ def _along(line: tuple[int, ...], curve: list[Polynomial]) -> Polynomial:
 
 
 def polynomial_determinant(matrix: list[list[Polynomial]]) -> Polynomial:
-    """From its values at as many integers as it has coefficients."""
+    """From its values at as many integers as it has coefficients.
+
+    >>> polynomial_determinant([[[1, 1], [1, 0]], [[1, 0], [1, -1]]])
+    [0, 0, -1]
+    """
     degree = len(matrix) * (len(matrix[0][0]) - 1)
     values = [determinant([[value(p, x) for p in row] for row in matrix]) for x in range(degree + 1)]
     return _padded(through(values), degree)
@@ -154,7 +158,11 @@ def _on_segment(claim: Mapping[str, Any], zero: Zero, entries: tuple[Polynomial,
 
 
 def sign_throughout(form: Polynomial, a: Fraction, b: Fraction) -> int:
-    """The sign of a form on [a, b] if all its Bernstein coefficients there have one, else 0."""
+    """The sign of a form on [a, b] if all its Bernstein coefficients there have one, else 0.
+
+    >>> sign_throughout([1, 1], Fraction(0), Fraction(1, 2))
+    1
+    """
     values = restricted(form, a, b)[:1] if a == b else restricted(form, a, b)
     return 1 if all(x > 0 for x in values) else -1 if all(x < 0 for x in values) else 0
 
@@ -172,7 +180,11 @@ def require_place(zero: Zero, a: Fraction, b: Fraction) -> None:
 
 
 def changes_sign(form: Polynomial, a: Fraction, b: Fraction) -> bool:
-    """Whether a form has opposite signs at two parameters."""
+    """Whether a form has opposite signs at two parameters.
+
+    >>> changes_sign([-1, 1], Fraction(0), Fraction(1))
+    True
+    """
     values = restricted(form, a, b)
     return values[0] * values[-1] < 0
 
@@ -192,7 +204,11 @@ def _trimmed(p: Polynomial) -> Polynomial:
 
 
 def common_divisor(p: Polynomial, q: Polynomial) -> Polynomial:
-    """A greatest common divisor of two polynomials; empty if both are zero."""
+    """A greatest common divisor of two polynomials; empty if both are zero.
+
+    >>> common_divisor([-1, 0, 1], [1, 2, 1])
+    [-1, -1]
+    """
     p, q = _trimmed(p), _trimmed(q)
     while q:
         rest = list(p)

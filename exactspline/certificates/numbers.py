@@ -17,7 +17,11 @@ def count(given: object) -> int:
 
 
 def integer(given: object) -> int:
-    """An integer written in decimal digits."""
+    """An integer written in decimal digits.
+
+    >>> integer("-12")
+    -12
+    """
     text = _text(given)
     digits = text.removeprefix("-")
     require(digits.isascii() and digits.isdigit(), "a text that is not an integer")
@@ -39,7 +43,11 @@ def _value(digits: str) -> int:
 
 
 def fraction(given: object) -> Fraction:
-    """A fraction or an integer written in decimal digits."""
+    """A fraction or an integer written in decimal digits.
+
+    >>> fraction("2/6")
+    Fraction(1, 3)
+    """
     above, line, below = _text(given).partition("/")
     denominator = integer(below) if line else 1
     require(denominator > 0, "a denominator that is not positive")

@@ -136,7 +136,11 @@ def _segment(c: list[int], segment: dict[str, Any], sturm: bool) -> tuple[tuple[
 
 
 def product_of(p: Sequence[Number], q: Sequence[Number]) -> list[Number]:
-    """The product of two polynomials, of which neither is empty."""
+    """The product of two polynomials, of which neither is empty.
+
+    >>> product_of([1, 1], [1, -1])
+    [1, 0, -1]
+    """
     found = [p[0] * q[0] * 0] * (len(p) + len(q) - 1)
     for i, x in enumerate(p):
         for j, y in enumerate(q):
@@ -161,13 +165,21 @@ def restricted(c: list[int], low: Fraction, high: Fraction) -> list[int]:
 
 
 def values_on(b: list[int], low: Fraction, high: Fraction) -> list[int]:
-    """Bernstein coefficients on [low, high], up to a positive constant, from those on [0, 1]."""
+    """Bernstein coefficients on [low, high], up to a positive constant, from those on [0, 1].
+
+    >>> values_on([-1, 1], Fraction(1, 2), Fraction(1))
+    [0, 2]
+    """
     right = halves_at(b, low)[1] if low else b
     return halves_at(right, (high - low) / (1 - low))[0] if high < 1 else right
 
 
 def halves_at(b: list[int], t: Fraction) -> tuple[list[int], list[int]]:
-    """Bernstein coefficients before and behind t, up to a positive constant, by de Casteljau's algorithm."""
+    """Bernstein coefficients before and behind t, up to a positive constant, by de Casteljau's algorithm.
+
+    >>> halves_at([-1, 1], Fraction(1, 4))
+    ([-4, -2], [-2, 4])
+    """
     p, q, n = t.numerator, t.denominator, len(b) - 1
     left, right = [], []
     for i in range(n + 1):
@@ -187,7 +199,11 @@ def _changes(values: list[int]) -> int:
 
 
 def sturm_count(c: list[int]) -> int:
-    """The number of distinct positive zeros of ``Σ c_i zⁱ``, by a Sturm sequence of primitive remainders."""
+    """The number of distinct positive zeros of ``Σ c_i zⁱ``, by a Sturm sequence of primitive remainders.
+
+    >>> sturm_count([2, -3, 1])  # (z − 1)(z − 2)
+    2
+    """
     chain = [c, [i * x for i, x in enumerate(c)][1:]]
     while chain[-1]:
         p, q = list(chain[-2]), chain[-1]
