@@ -51,15 +51,20 @@ def at_200_bits(q):
     return mp.mpf(libmp.from_rational(int(q.numerator), int(q.denominator), BITS))
 
 
+def power_form(points):
+    """The coefficients of 1, t, t², … for Bézier points."""
+    n = len(points) - 1
+    return [
+        math.comb(n, k) * sum(((-1) ** (k - j) * math.comb(k, j) * points[j] for j in range(k + 1)), start=mpq(0))
+        for k in range(n + 1)
+    ]
+
+
 def series(f, t, order):
     """f and its derivatives at t in 200 bits, by the power form of the segment."""
     i = f.mesh.locate(t) if isinstance(t, mpq) else next(i for i, b in enumerate(f.breakpoints[1:]) if t < b)
     a, b = f.breakpoints[i : i + 2]
-    points, n = f.segments[i], max(f.degree, 0)
-    powers = [
-        math.comb(n, k) * sum(((-1) ** (k - j) * math.comb(k, j) * points[j] for j in range(k + 1)), start=mpq(0))
-        for k in range(n + 1)
-    ]
+    powers = power_form(f.segments[i])
     u = (parameter(t) - at_200_bits(a)) / at_200_bits(b - a)
     rows = [
         sum((at_200_bits(c * math.perm(k, r)) * u ** (k - r) for k, c in enumerate(powers) if k >= r), start=mp.mpf(0))
@@ -165,12 +170,7 @@ def test_roots_are_correctly_rounded():
             for root in xs.zeros(xs.BSpline.bezier(points)):
                 if root.exact is not None:
                     continue
-                n = 3
-                powers = [
-                    math.comb(n, k) * sum((-1) ** (k - j) * math.comb(k, j) * points[j] for j in range(k + 1))
-                    for k in range(n + 1)
-                ]
-                polynomial = [at_200_bits(c) for c in reversed(powers)]
+                polynomial = [at_200_bits(c) for c in reversed(power_form(points))]
                 near = mp.mpf(float(root))
                 for _ in range(9):
                     value, slope = mpmath.polyval(polynomial, near, derivative=True)

@@ -9,6 +9,7 @@ from exactspline import NurbsSurface, analyse, example
 from exactspline.display.surface_data import surface_inspection_data
 from exactspline.geometry.planar_maps import MapKind
 from exactspline.geometry.surface.inspection import PatchKind
+from exactspline.geometry.surface.joints import SurfaceJointKind
 from exactspline.roots.borders import Edge
 from tests.support.squares import parameters
 from tests.support.surface_oracle import gaussian_curvature
@@ -16,16 +17,24 @@ from tests.support.surface_oracle import gaussian_curvature
 # ---- patches are those of the surface, also where forms have no knot
 
 
-@pytest.mark.parametrize("name", ["hyperbolic_paraboloid", "monkey_saddle", "paraboloid", "cross_cap", "developable"])
-def test_knots_of_raised_degrees_change_nothing(name):
+PLAIN = ["hyperbolic_paraboloid", "monkey_saddle", "paraboloid", "enneper", "cross_cap", "developable"]
+
+
+@pytest.mark.parametrize(("raised", "at"), [(0, mpq(1, 2)), (2, mpq(1, 3))])
+@pytest.mark.parametrize("name", PLAIN)
+def test_knots_of_raised_degrees_change_nothing(name, raised, at):
     """A raised degree leaves knots behind across which everything is smooth: forms of a lower degree lose them."""
     surface = example(name)
     (a, b), (c, d) = surface.domain
-    cut = surface.elevate_degree(2, 2).insert_knot("u", (2 * a + b) / 3).insert_knot("v", (c + 2 * d) / 3)
+    cut = surface.elevate_degree(raised, raised)
+    cut = cut.insert_knot("u", a + (b - a) * at).insert_knot("v", (c + 2 * d) / 3)
     found, plain = analyse(cut), analyse(surface)
     assert found.complete
+    assert len(found.patches) == 4 * len(plain.patches)
+    assert {joint.kind for joint in found.joints} == {SurfaceJointKind.CONTINUOUS}
     assert [one.place.exact for one in found.umbilics] == [one.place.exact for one in plain.umbilics]
     assert [place.exact for place in found.singular_points] == [place.exact for place in plain.singular_points]
+    assert set(plain.kinds) <= set(found.kinds)
     strict = {PatchKind.ELLIPTIC_BUT: PatchKind.ELLIPTIC, PatchKind.HYPERBOLIC_BUT: PatchKind.HYPERBOLIC}
     assert {strict.get(kind, kind) for kind in found.kinds} == {strict.get(kind, kind) for kind in plain.kinds}
 

@@ -8,7 +8,6 @@ from gmpy2 import isqrt, mpq
 from exactspline import NurbsSurface, analyse, example
 from exactspline.geometry.surface.constant import constant_curvature, has_curvature
 from exactspline.geometry.surface.forms import SurfaceForms
-from exactspline.geometry.surface.joints import SurfaceJointKind
 from exactspline.geometry.surface.signs import Sign, sign_on_patch
 from exactspline.language.arguments import Operands
 from exactspline.language.choices import Parameter
@@ -73,20 +72,6 @@ def test_patches_of_two_curvatures_have_none_in_common():
     found = analyse(NurbsSurface((1, 1), [0, 0, 1, 1, 2, 2], [0, 0, 1, 1], flat + saddle))
     assert [one.curvature for one in found.patches] == [0, None]
     assert found.curvature is None
-
-
-@pytest.mark.parametrize("name", ["paraboloid", "monkey_saddle", "enneper", "hyperbolic_paraboloid"])
-def test_more_knots_change_nothing(name):
-    """Forms may need no knots any more where the surface does."""
-    surface = example(name)
-    (a, b), (c, d) = surface.domain
-    more = surface.insert_knot("u", (a + b) / 2).insert_knot("v", (3 * c + d) / 4)
-    before, after = analyse(surface), analyse(more)
-    assert after.complete
-    assert len(after.patches) == 4
-    assert [one.place.exact for one in after.umbilics] == [one.place.exact for one in before.umbilics]
-    assert set(before.kinds) <= set(after.kinds)
-    assert {joint.kind for joint in after.joints} == {SurfaceJointKind.CONTINUOUS}
 
 
 def test_a_form_that_touches_zero_on_an_edge_is_cut_there():
