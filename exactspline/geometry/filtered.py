@@ -47,10 +47,10 @@ class Filtered(NamedTuple):
     slow: Flags
 
 
-def filtered(degree: int, operands: list[Floats], *, narrow: bool = True) -> Filtered | None:
+def filtered(degree: int, operands: list[Floats]) -> Filtered | None:
     """What is certified for segments of one degree, from the scaled coefficients of their components and, for rational
-    ones, of their weight functions, rounded at most twice; no Bézier ordinate is larger than 1. The intervals of zeros
-    are narrowed on request. None where doubles cannot hold the forms.
+    ones, of their weight functions, rounded at most twice; no Bézier ordinate is larger than 1. None where doubles
+    cannot hold the forms.
 
     >>> done = filtered(3, [np.array([[0.0, 1, 2, 1]]) / 4, np.array([[0.0, 3, -3, 1]]) / 4])
     >>> done.curvature.zeros.row.tolist(), done.open.tolist()
@@ -67,9 +67,7 @@ def filtered(degree: int, operands: list[Floats], *, narrow: bool = True) -> Fil
     slow |= ~without_zeros(speed)
     solved = [_solved(form, undecided) for form in rows]
     left = undecided | slow
-    curvature, critical = (Form(rows, zeros.where(~left[zeros.row])) for rows, zeros in solved)
-    if narrow:
-        curvature, critical = (Form(rows, narrowed(rows, zeros)) for rows, zeros in (curvature, critical))
+    curvature, critical = (Form(rows, narrowed(rows, zeros.where(~left[zeros.row]))) for rows, zeros in solved)
     return Filtered(curvature, critical, speed, undecided, slow)
 
 

@@ -475,7 +475,7 @@ def test_regions_between_the_certified_curves():
 # ---- maps of the plane
 
 
-def _sampled_jacobian(surface, count=5):
+def _sampled_jacobian(surface, count=9):
     (a, b), (c, d) = surface.domain
     for i in range(count + 1):
         for j in range(count + 1):

@@ -57,7 +57,7 @@ def read(source: Source) -> Reading:
             continue
         collector.skip(CLASSES.get(kind, f"class {kind}"), where, "not a spline curve", curve=kind in OTHER_CURVES)
         if kind == VOLUME:
-            _step_over(words, 3)
+            _net(words, 3)
         elif kind in (POINTS, LINES):
             words.rows(words.count(), 3 if kind == POINTS else 6)
         else:
@@ -67,28 +67,21 @@ def read(source: Source) -> Reading:
 
 
 def _spline(collector: Collector, words: Tokens, where: str, kind: int) -> None:
-    dimension, rational = words.count(), words.whole() != 0
-    sides = [_side(words) for _ in range(1 if kind == CURVE else 2)]
-    points = words.rows(prod(len(knots) - order for order, knots in sides), dimension + rational)
+    rational, sides, points = _net(words, 1 if kind == CURVE else 2)
     what = CLASSES.get(kind, "spline curve")
     with collector.skipping(what, where, curve=kind == CURVE):
         degrees, knots = [order - 1 for order, _ in sides], [knots for _, knots in sides]
         collector.add_spline(what, where, degrees, knots, points, homogeneous=rational)
 
 
-def _side(words: Tokens) -> tuple[int, Sequence[mpq]]:
-    """The order and the knots of one direction."""
-    count, order = words.count(), words.count()
-    return order, words.numbers(count + order)
-
-
-def _step_over(words: Tokens, parameters: int) -> None:
-    length, total = words.count() + (words.whole() != 0), 1
+def _net(words: Tokens, parameters: int) -> tuple[bool, list[tuple[int, list[mpq]]], list[list[mpq]]]:
+    """Whether a spline is rational, the order and the knots of each direction, and the control points."""
+    dimension, rational = words.count(), words.whole() != 0
+    sides = []
     for _ in range(parameters):
         count, order = words.count(), words.count()
-        words.numbers(count + order)
-        total *= count
-    words.rows(total, length)
+        sides.append((order, words.numbers(count + order)))
+    return rational, sides, words.rows(prod(len(knots) - order for order, knots in sides), dimension + rational)
 
 
 def write(splines: Sequence[Spline], numbers: NumberText) -> bytes:
