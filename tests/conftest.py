@@ -5,6 +5,8 @@ tests come first, so that of two processes one has them all.
 """
 
 import gc
+import os
+import sys
 
 import pytest
 from hypothesis import HealthCheck, settings
@@ -21,6 +23,15 @@ DECIDING = ("cli", "display", "journeys")
 
 def pytest_collection_modifyitems(items):
     items.sort(key=lambda item: item.path.parent.name not in (*DECIDING, "verification"))
+
+
+def pytest_sessionfinish():
+    """What was decided is kept for the site, where the folder for that is named."""
+    decided = sys.modules.get("tests.support.decided")
+    if decided and "EXACTSPLINE_KEPT" in os.environ:
+        from docs.site.kept import keep
+
+        keep(decided.proofs())
 
 
 def pytest_collection_finish():

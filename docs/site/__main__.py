@@ -16,7 +16,7 @@ from typing import Any
 
 from sphinx.cmd.build import build_main
 
-from docs.site import along, benchmarks, executed, navigation, page_data, pages
+from docs.site import along, benchmarks, executed, kept, navigation, page_data, pages
 from docs.site.vendor import lay_out_mathjax, vendor
 from exactspline.verification.combined import computed_once
 
@@ -72,7 +72,7 @@ def build() -> int:
     # other programs download and pack while the pages are computed here
     with ThreadPoolExecutor(1) as other:
         vendored = other.submit(_vendor, play / "vendor", source / "_static")
-        with computed_once():
+        with computed_once(kept.proofs()):
             with _step("claims, curves and surfaces"):
                 claims = page_data.claims()
                 page_data.write(play / "data", claims)

@@ -21,6 +21,8 @@ from typing import Any
 import nbformat
 from nbformat.v4 import new_output
 
+from docs.site.kept import kept
+
 LIBRARIES = [
     "IPython.core.interactiveshell",
     "matplotlib.pyplot",
@@ -28,8 +30,6 @@ LIBRARIES = [
     "exactspline.display.notebook",
     "exactspline.tables",
 ]
-#: Names a folder with what the tests of the same sources have computed: notebooks, claims.
-KEPT = "EXACTSPLINE_KEPT"
 
 
 @dataclass(frozen=True)
@@ -52,11 +52,6 @@ class Shown:
         return "".join(each.text for cell in self.outputs for each in cell if each.get("name") == "stderr")
 
 
-def kept(name: str) -> Path:
-    """Where tests keep a file, if they do."""
-    return Path(os.environ.get(KEPT, os.devnull), name)
-
-
 def execute(folder: Path) -> None:
     """Execute all notebooks of a folder and store their outputs in them; what tests have kept is taken from there.
 
@@ -69,7 +64,7 @@ def execute(folder: Path) -> None:
 def _execute(file: Path) -> None:
     book = nbformat.read(file, as_version=4)
     before = kept(file.name)
-    if before.exists():
+    if before and before.exists():
         done = nbformat.read(before, as_version=4)
         if [cell.source for cell in done.cells] == [cell.source for cell in book.cells]:
             nbformat.write(done, file)

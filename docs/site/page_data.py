@@ -10,7 +10,6 @@ from typing import Any
 
 import exactspline as xs
 from docs.play.python import page
-from docs.site import executed
 from docs.site.pages import figure
 from exactspline.display.evidence import worded
 from exactspline.display.ledger import claimed
@@ -27,8 +26,6 @@ from exactspline.verification.errata import true_relation
 from exactspline.verification.evidence import Evidence, OnExample
 from exactspline.verification.statement import statement
 
-#: The file of the claims.
-CLAIMS = "claims.json"
 CURVES = ("six_segment_cubic", "cubic_s", "rational_cubic", "ellipse", "cusp")
 DEGREES = range(2, 13)
 #: The first formula of the page that reduces.
@@ -178,13 +175,7 @@ def _runs(curve: xs.Nurbs) -> tuple[str, list[Run]]:
 
 
 def claims() -> list[dict[str, Any]]:
-    """Every claim spelled out, as `spelled_out` does; what tests have kept is taken from there."""
-    kept = executed.kept(CLAIMS)
-    return list(json.loads(kept.read_bytes())) if kept.exists() else spelled_out()
-
-
-def spelled_out() -> list[dict[str, Any]]:
-    """Every claim, with the title of its source; a refuted one with the curve on which it fails."""
+    """Every claim spelled out, with the title of its source; a refuted one with the curve on which it fails."""
     titles = {source.name: source.title for source in papers()}
     made = []
     for s in map(statement, claims_in(papers())):

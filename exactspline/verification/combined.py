@@ -30,6 +30,14 @@ class Proofs:
         self._combined: dict[tuple[Paper, Claim], Decided] = {}
         self._jets: SharedJets = {}
 
+    def __getstate__(self) -> object:
+        return vars(self) | {"_jets": {}}
+
+    def update(self, other: Proofs) -> None:
+        """Take over what was decided in another run of the same engine."""
+        self._made |= other._made
+        self._combined |= other._combined
+
     def __contains__(self, claim: Claim) -> bool:
         """Whether a claim has been decided in this run."""
         return (claim.source_paper, claim) in self._made

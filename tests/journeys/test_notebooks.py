@@ -3,7 +3,6 @@ output, types in no result.
 """
 
 import ast
-import os
 import re
 from contextlib import nullcontext
 from pathlib import Path
@@ -14,7 +13,8 @@ nbformat = pytest.importorskip("nbformat")
 pytest.importorskip("IPython")
 pytest.importorskip("matplotlib")
 
-from docs.site.executed import KEPT, code_cells, shown_by, store  # noqa: E402  # needs both
+from docs.site.executed import code_cells, shown_by, store  # noqa: E402  # needs both
+from docs.site.kept import kept  # noqa: E402
 from tests.support.decided import handed_on  # noqa: E402
 from tests.support.looking import unreadable  # noqa: E402
 
@@ -48,16 +48,16 @@ def links(book):
 @pytest.mark.parametrize("path", NOTEBOOKS, ids=lambda p: p.stem)
 def test_a_notebook_runs_and_its_pictures_can_be_read(path, tmp_path):
     """The site shows what is run here, where the folder for that is named: with the times that its claims took."""
-    book, kept = read(path), KEPT in os.environ
-    within = nullcontext if kept else handed_on()
-    shown = shown_by(code_cells(book), tmp_path, unreadable, within, narrow=kept)
+    book, target = read(path), kept(path.name)
+    within = nullcontext if target else handed_on()
+    shown = shown_by(code_cells(book), tmp_path, unreadable, within, narrow=bool(target))
     assert shown.error == ""
     assert {"text/html", "text/latex"} & shown.kinds
     assert shown.written == ""
     assert (shown.looked_at > 0) == ("image/png" in shown.kinds)
     assert shown.noted == ()
-    if kept:
-        store(book, shown, Path(os.environ[KEPT], path.name))
+    if target:
+        store(book, shown, target)
 
 
 #: A picture whose title is too small.

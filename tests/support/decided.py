@@ -6,11 +6,9 @@ from functools import cache, partial
 from unittest import mock
 
 from exactspline.display import tables
-from exactspline.papers.folder import Paper
 from exactspline.verification import degree_tables, errata
-from exactspline.verification.claim import Claim
 from exactspline.verification.claims import claims_of
-from exactspline.verification.combined import Decided, Proofs, computed_once
+from exactspline.verification.combined import Proofs, computed_once
 from exactspline.verification.errata import Erratum
 from exactspline.verification.ledger import audit
 from exactspline.verification.rows import Row
@@ -24,15 +22,7 @@ def proofs() -> Proofs:
 
 def handed_on() -> Callable[[], AbstractContextManager[None]]:
     """A context for another process, in which no claim is decided that was so in this one."""
-    return partial(_going_on, proofs()._made, proofs()._combined)
-
-
-@contextmanager
-def _going_on(made: dict[tuple[Paper, Claim], Decided], combined: dict[tuple[Paper, Claim], Decided]) -> Iterator[None]:
-    own = Proofs()
-    own._made, own._combined = made, combined
-    with computed_once(own):
-        yield
+    return partial(computed_once, proofs())
 
 
 MEASURED = degree_tables.generic_table
