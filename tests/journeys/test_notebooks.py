@@ -4,7 +4,6 @@ output, types in no result.
 
 import ast
 import re
-from contextlib import nullcontext
 from pathlib import Path
 
 import pytest
@@ -47,10 +46,9 @@ def links(book):
 
 @pytest.mark.parametrize("path", NOTEBOOKS, ids=lambda p: p.stem)
 def test_a_notebook_runs_and_its_pictures_can_be_read(path, tmp_path):
-    """The site shows what is run here, where the folder for that is named: with the times that its claims took."""
+    """The site shows what is run here, where the folder for that is named."""
     book, target = read(path), kept(path.name)
-    within = nullcontext if target else handed_on()
-    shown = shown_by(code_cells(book), tmp_path, unreadable, within, narrow=bool(target))
+    shown = shown_by(code_cells(book), tmp_path, unreadable, handed_on(), narrow=bool(target))
     assert shown.error == ""
     assert {"text/html", "text/latex"} & shown.kinds
     assert shown.written == ""
