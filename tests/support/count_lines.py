@@ -1,35 +1,35 @@
-"""How large exactspline is, room by room: ``python -m tests.support.count_lines [REVISION]``.
+"""How large exactspline is, room by room: ``python -m tests.support.count_lines [REVISION]``; with ``--check`` the exit
+status is 1 where it has more lines of statements than `CEILING` allows.
 
-Lines are all lines of a file; lines of code are those that hold a token other than a comment or a docstring. Templates,
-JavaScript, style sheets, C and tables of data in the package count as lines of code where they are not blank. Papers
-and Coq's theory are counted apart.
+*Statements* are the lines that hold code other than comments, docstrings, imports and signatures (with what decorates
+them); of templates, JavaScript, style sheets, C and tables of data there are none. *Imports* are the lines of imports;
+*once* are the functions whose name occurs once in the package besides their definition; *alone* are the public names
+at the top of a file that no other file of the package names. Papers, Coq's theory and example curves are counted apart.
 """
 
 from __future__ import annotations
 
 import ast
 import io
-import statistics
+import re
 import subprocess
 import sys
 import tokenize
-from collections import Counter, defaultdict
+import tomllib
+from collections import Counter
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
+#: The one running ceiling of statements, and what raised and lowered it.
+CEILING = ROOT / "tests" / "support" / "ceiling.toml"
 OTHERS = (".js", ".css", ".html", ".c", ".json", ".toml", ".jinja", ".txt")
-SILENT = {
-    tokenize.COMMENT,
-    tokenize.NL,
-    tokenize.NEWLINE,
-    tokenize.INDENT,
-    tokenize.DEDENT,
-    tokenize.ENCODING,
-    tokenize.ENDMARKER,
-}
+LAYOUT = {"COMMENT", "NL", "NEWLINE", "INDENT", "DEDENT", "ENCODING", "ENDMARKER"}
 #: What is counted apart from the rest.
 APART = ("papers", "coq theory", "curves")
+#: Rooms of rooms: each of their folders has a row of its own.
+DIVIDED = ("geometry", "extras")
 OWNERS = (ast.Module, ast.ClassDef, ast.FunctionDef)
+COLUMNS = ("files", "lines", "statements", "imports", "names", "alone", "once")
 
 
 def sources(revision: str = "") -> dict[str, str]:
@@ -38,7 +38,7 @@ def sources(revision: str = "") -> dict[str, str]:
     names = subprocess.run([*listing, "exactspline"], cwd=ROOT, capture_output=True, text=True, check=True).stdout
     wanted = [name for name in names.split() if name.endswith((".py", ".v", *OTHERS))]
     if not revision:
-        return {name: (ROOT / name).read_text(encoding="utf-8") for name in wanted}
+        return {name: (ROOT / name).read_text(encoding="utf-8") for name in wanted if (ROOT / name).exists()}
     batch = "".join(f"{revision}:{name}\n" for name in wanted).encode()
     data = subprocess.run(["git", "cat-file", "--batch"], cwd=ROOT, input=batch, capture_output=True, check=True).stdout
     found, at = {}, 0
@@ -51,68 +51,91 @@ def sources(revision: str = "") -> dict[str, str]:
 
 
 def room(name: str) -> str:
-    """The room of a file."""
+    """The room of a file.
+
+    >>> room("exactspline/roots/root.py"), room("exactspline/geometry/pairs/nearest.py")
+    ('roots', 'geometry/pairs')
+    """
     parts = name.split("/")
     if name.endswith(".v"):
         return "coq theory"
     if parts[-1].endswith(".json") and "curves" in parts[:-1] and "papers" not in parts:
         return "curves"
+    if len(parts) > 3 and parts[1] in DIVIDED:
+        return "/".join(parts[1:3])
     return parts[1] if len(parts) > 2 else "front door and others"
 
 
-def code_lines(text: str) -> int:
-    """The lines of Python that hold code.
+def lines_of(node: ast.stmt | ast.expr) -> set[int]:
+    """The numbers of the lines of a node."""
+    return set(range(node.lineno, (node.end_lineno or node.lineno) + 1))
 
-    >>> code_lines('\"\"\"What it is.\"\"\"\\nx = 1  # one\\n\\n# nothing\\ny = (2,\\n     3)\\n')
-    3
+
+def statements_and_imports(text: str) -> tuple[int, int]:
+    """The lines of statements of a file, and those of its imports.
+
+    >>> statements_and_imports('\"\"\"Why.\"\"\"\\nimport ast\\n\\ndef f(\\n    a,\\n): # one\\n    return (1,\\n2)\\n')
+    (2, 1)
     """
-    prose: set[int] = set()
+    beside: set[int] = set()
+    imports: set[int] = set()
     for node in ast.walk(ast.parse(text)):
         if isinstance(node, OWNERS) and ast.get_docstring(node, clean=False) is not None:
-            prose |= set(range(node.body[0].lineno, (node.body[0].end_lineno or 0) + 1))
-    lines: set[int] = set()
+            beside |= lines_of(node.body[0])
+        if isinstance(node, (ast.Import, ast.ImportFrom)):
+            imports |= lines_of(node)
+        elif isinstance(node, (ast.FunctionDef, ast.ClassDef)):
+            beside |= set(range(node.lineno, max(node.body[0].lineno, node.lineno + 1)))
+            beside |= {line for mark in node.decorator_list for line in lines_of(mark)}
+    code: set[int] = set()
     for token in tokenize.generate_tokens(io.StringIO(text).readline):
-        if token.type not in SILENT:
-            lines |= set(range(token.start[0], token.end[0] + 1))
-    return len(lines - prose)
+        if tokenize.tok_name[token.type] not in LAYOUT:
+            code |= set(range(token.start[0], token.end[0] + 1))
+    return len(code - beside - imports), len(code & imports)
 
 
-def main(revision: str = "") -> None:
-    """Print the table."""
-    files, lines, code, names = Counter[str](), Counter[str](), Counter[str](), Counter[str]()
-    lengths: dict[str, list[int]] = defaultdict(list)
-    longest, public, told, tried = 0, 0, 0, 0
-    for path, text in sources(revision).items():
-        where = room(path)
-        files[where] += 1
-        lines[where] += text.count("\n")
+def counted(files: dict[str, str]) -> dict[str, Counter[str]]:
+    """The numbers of every room."""
+    words = {path: Counter(re.findall(r"\w+", text)) for path, text in files.items()}
+    everywhere = sum(words.values(), Counter[str]())
+    holders = Counter(word for own in words.values() for word in own)
+    found: dict[str, Counter[str]] = {}
+    for path, text in files.items():
+        own = found.setdefault(room(path), Counter())
+        own.update(files=1, lines=text.count("\n"))
         if not path.endswith(".py"):
-            code[where] += sum(bool(line.strip()) for line in text.splitlines())
             continue
-        code[where] += code_lines(text)
-        longest = max(longest, *map(len, text.splitlines()), 0)
+        statements, imports = statements_and_imports(text)
+        own.update(statements=statements, imports=imports)
         tree = ast.parse(text)
-        for node in ast.walk(tree):
-            if isinstance(node, ast.FunctionDef):
-                lengths[where].append((node.end_lineno or 0) - node.lineno + 1)
-        for node in tree.body:
-            if isinstance(node, (ast.FunctionDef, ast.ClassDef)) and not node.name.startswith("_"):
-                names[where] += 1
-                if where not in APART:
-                    public += 1
-                    docstring = ast.get_docstring(node) or ""
-                    told, tried = told + bool(docstring), tried + (">>>" in (ast.get_source_segment(text, node) or ""))
-    print(f"{'room':<22}{'files':>7}{'lines':>8}{'code':>8}{'names':>7}{'median function':>17}")
-    for where in sorted(lines, key=lambda each: (each in APART, -lines[each])):
-        median = statistics.median(lengths[where]) if lengths[where] else 0
-        print(f"{where:<22}{files[where]:>7}{lines[where]:>8}{code[where]:>8}{names[where]:>7}{median:>17}")
-    rooms = [where for where in lines if where not in APART]
-    every = [length for where in rooms for length in lengths[where]]
-    total = [sum(counted[where] for where in rooms) for counted in (files, lines, code, names)]
-    print(f"{'without the last':<22}{total[0]:>7}{total[1]:>8}{total[2]:>8}{total[3]:>7}{statistics.median(every):>17}")
-    print(f"longest line {longest}; functions over 60 lines: {sum(length > 60 for length in every)}")
-    print(f"public classes and functions: {public}, with a docstring {told}, with a doctest {tried}")
+        top = [each for each in tree.body if isinstance(each, (ast.FunctionDef, ast.ClassDef)) and each.name[0] != "_"]
+        own.update(names=len(top), alone=sum(holders[each.name] == 1 for each in top))
+        functions = [each.name for each in ast.walk(tree) if isinstance(each, ast.FunctionDef)]
+        own.update(once=sum(everywhere[name] == 2 for name in functions))
+    return found
+
+
+def ceiling() -> int:
+    """The lines of statements that the package may have."""
+    return sum(each["lines"] for each in tomllib.loads(CEILING.read_text(encoding="utf-8"))["change"])
+
+
+def total(rooms: dict[str, Counter[str]]) -> Counter[str]:
+    """The numbers of all rooms but those that are counted apart."""
+    return sum((own for where, own in rooms.items() if where not in APART), Counter[str]())
+
+
+def main(*arguments: str) -> int:
+    """Print the table, and say whether there are too many lines of statements."""
+    rooms = counted(sources(*[each for each in arguments if each != "--check"]))
+    order = sorted(rooms, key=lambda where: (where in APART, -rooms[where]["statements"]))
+    print(f"{'room':<24}" + "".join(f"{name:>11}" for name in COLUMNS))
+    for where, own in [*((each, rooms[each]) for each in order), ("without the last", total(rooms))]:
+        print(f"{where:<24}" + "".join(f"{own[name]:>11}" for name in COLUMNS))
+    too_many = total(rooms)["statements"] - ceiling()
+    print(f"ceiling: {ceiling()} lines of statements, {'exceeded by' if too_many > 0 else 'left:'} {abs(too_many)}")
+    return int("--check" in arguments and too_many > 0)
 
 
 if __name__ == "__main__":
-    main(*sys.argv[1:])
+    sys.exit(main(*sys.argv[1:]))
