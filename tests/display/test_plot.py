@@ -20,10 +20,13 @@ from exactspline.display.plot.canvas import PlotError
 from exactspline.display.plot.comparisons import inspect_figure
 from exactspline.errors import DomainError, ExactSplineError, ShapeError
 from exactspline.geometry.constructions import construction
+from exactspline.geometry.inspection import solved
 from exactspline.interchange.examples import example, example_names
+from exactspline.interchange.files import write
 from exactspline.language import Rational, Vector
 from exactspline.roots.zero_set import zeros
 from exactspline.splines.control_points import greville_abscissae
+from tests.support import command
 
 ZIGZAG = BSpline(1, [0, 0, 1, 2, 2], [1, -1, 1])
 #: Jumps through zero at 1, vanishes on [2, 3], jumps off zero at 3.
@@ -268,9 +271,30 @@ def test_one_picture_of_a_curve_and_its_functions(tmp_path):
     assert (tmp_path / "six.png").read_bytes().startswith(b"\x89PNG\r\n")
 
 
-def test_pictures_without_panels_without_roots_and_in_space():
+@pytest.mark.parametrize(
+    ("points", "expected"),
+    [
+        ([(0, 0), (1, 2), (2, -2), (3, 0)], ["κ = 0 (1): inflection", "κ′ = 0 (2): minimum of κ, maximum of κ"]),
+        ([(-1, -1), (-2, 1), (2, 2), (-1, -1)], ["κ′ = 0 (4): minimum of κ, maximum of κ"]),
+    ],
+    ids=["behind a zero", "at the parameter 0"],
+)
+def test_jumps_are_marked_among_the_zeros_and_no_kind_is_left_out(tmp_path, points, expected):
+    """`inspect CURVE --plot FILE`, the first command of the README, ended in a TypeError for these two: jumps stood
+    behind the zeros in one list. At the seam of a closed curve a jump at 0 was taken for one without a parameter.
+    """
+    curve = Nurbs(2, [0, 0, 0, 1, 2, 2, 2], points)
+    panels = [(title, f, zero_set) for _, title, f, zero_set in solved(curve, "minimal")]
+    labels = legend(inspect_figure(curve, panels).axes[0])
+    assert [label for label in labels if "κ" in label] == expected
+    write(curve, tmp_path / "curve.json")
+    assert command.run("inspect", tmp_path / "curve.json", "--plot", tmp_path / "curve.png").returncode == 0
+
+
+def test_pictures_without_panels_and_in_space():
     assert len(inspect_figure(example("circle"), []).axes) == 1
-    space, function = inspect_figure(example("twisted_cubic"), [("zigzag", ZIGZAG, None)]).axes
+    line = BSpline.bezier([1, -1])
+    space, function = inspect_figure(example("twisted_cubic"), [("line", line, zeros(line))]).axes
     assert (space.name, function.name) == ("3d", "rectilinear")
 
 

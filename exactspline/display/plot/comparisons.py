@@ -26,11 +26,11 @@ from exactspline.display.plot.canvas import (
     shown_name,
 )
 from exactspline.display.plot.curves import plot_curve, plot_evolute, plot_features
-from exactspline.display.plot.functions import draw_roots, marked, plot_function
+from exactspline.display.plot.functions import draw_roots, plot_function
 from exactspline.errors import as_items, counted
 from exactspline.geometry.analysis import QUESTIONS, analyse, questions_about
 from exactspline.geometry.constructions import construction
-from exactspline.geometry.facts import among
+from exactspline.geometry.facts import among, located
 from exactspline.geometry.joints import Joint
 from exactspline.geometry.kinds import Feature, FeatureKind, kind_name
 from exactspline.numbers.exact import iroot, mpq
@@ -93,7 +93,7 @@ def inspect_figure(
     """One picture: on the left the curve with the parameters of every panel, its corners and cusps marked, on the right
     each function with its control polygon.
 
-    A panel is ``(title, function, roots)``, roots as for `plot_function`. With `evolute` a plane curve is drawn
+    A panel is ``(title, function, zeros)``, zeros a `ZeroSet`. With `evolute` a plane curve is drawn
     together with its evolute; with `stability` its marks are those of `plot_stability`. Degrees and numbers of control
     points in the titles are those of the objects. Returns the ``matplotlib.figure.Figure``; raises what the functions
     above raise.
@@ -117,9 +117,8 @@ def inspect_figure(
         draw_roots(panel, roots, f.domain, marker, color)
         legend_below(panel)
         panel.set_title(f"{title}: degree {f.degree}, {counted(len(f.control_points), 'control point')}")
-        single, jumps = marked(roots)
         size = 7 + 3 * (len(panels) - 1 - i)
-        places = [*single, *jumps]
+        places = [root for root, _ in located(roots)]
         label = ": ".join(filter(None, (f"{title} ({len(places)})", _kinds(curve, places))))
         if not stability:
             plot_features(curve, places, ax, marker=marker, color=color, label=label, size=size)
