@@ -6,17 +6,15 @@ has none; a pickled analysis is that of its curve, computed anew.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
-from threading import Lock
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, overload
-from weakref import ref
 
 from exactspline.errors import ShapeError
 from exactspline.geometry import plane_features, space_features
 from exactspline.geometry.certain import Certain, certain
 from exactspline.geometry.constructions import Variant, construction
 from exactspline.geometry.extent import slope_zeros, turning_points
-from exactspline.geometry.facts import ZeroForm
+from exactspline.geometry.facts import ZeroForm, kept_by
 from exactspline.geometry.intersections import Intersections, self_intersections
 from exactspline.geometry.joints import curvature_of
 from exactspline.geometry.kinds import Feature, FeatureKind
@@ -33,17 +31,7 @@ from exactspline.language.rational import Rational
 from exactspline.numbers.exact import Number, mpq, rational
 from exactspline.numbers.sides import Side
 from exactspline.questions.answers import CurvePiece, Places
-from exactspline.questions.entry import (
-    CURVES,
-    Answered,
-    Entry,
-    Fact,
-    Of,
-    Remembers,
-    question,
-    question_with,
-    questions_of,
-)
+from exactspline.questions.entry import CURVES, Answered, Entry, Fact, Of, question, question_with, questions_of
 from exactspline.roots.root import knot_root
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.expected import curve_of
@@ -54,22 +42,10 @@ if TYPE_CHECKING:
     from exactspline.geometry.planar_maps import MapInspection
     from exactspline.geometry.surface.inspection import SurfaceInspection
 
-_LOCK = Lock()
-
 
 def _coordinates(point: str | tuple[Number, ...]) -> Sequence[Number]:
     """Those of a point, which may be given as a text such as ``1/2,2``."""
     return point.split(",") if isinstance(point, str) else point
-
-
-class Kept(Remembers):
-    """What a curve keeps of its analysis: all that was computed, and a weak reference to the analysis itself. (With a
-    strong one neither would be freed before the garbage collector runs.)
-    """
-
-    def __init__(self) -> None:
-        super().__init__()
-        self.analysis: Callable[[], Analysis | None] = lambda: None
 
 
 class Analysis(SpaceFacts, Displayed):
@@ -476,17 +452,7 @@ def analyse(given: Nurbs | NurbsSurface) -> Analysis | SurfaceInspection | MapIn
 
         return MapInspection(given) if given.dimension == 2 else SurfaceInspection(given)
     curve = curve_of(given)
-    with _LOCK:
-        kept = curve._analysis
-        if kept is None:
-            kept = Kept()
-            curve._analysis = kept
-        assert isinstance(kept, Kept)
-        analysis = kept.analysis()
-        if analysis is None:
-            analysis = Analysis(curve, kept)
-            kept.analysis = ref(analysis)
-    return analysis
+    return kept_by(curve).reader(lambda kept: Analysis(curve, kept))
 
 
 #: The registry: what can be asked of a curve, by name.

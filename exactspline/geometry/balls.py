@@ -13,9 +13,9 @@ from typing import TypeAlias
 from flint import acb, acb_poly, arb, arb_poly, ctx, fmpq, fmpq_poly, fmpz_poly
 
 from exactspline.errors import OpenError, ReachError
-from exactspline.geometry.analysis import analyse
 from exactspline.geometry.angles import Angle
 from exactspline.geometry.curvature import polynomial_root
+from exactspline.geometry.facts import facts_of
 from exactspline.language.vector import norm2
 from exactspline.numbers.exact import mpq, to_fmpq
 from exactspline.numbers.intervals import ball_around
@@ -63,7 +63,7 @@ def length(curve: Nurbs) -> Real:
     >>> length(Nurbs(2, [0, 0, 0, 1, 1, 1], [(0, 0), (1, 1), (2, 0)])).double()
     2.295587149392638
     """
-    velocity = analyse(curve).velocity
+    velocity = facts_of(curve).velocity
     known = _exact_length(norm2(velocity)) if curve.polynomial else None
     if known is not None:
         return known
@@ -72,11 +72,11 @@ def length(curve: Nurbs) -> Real:
 
 def _length_ball(curve: Nurbs, bits: int) -> arb:
     """An enclosure of the arc length: |g| √h / w² segment by segment, where γ′ = g u / w², h = ‖u‖² > 0."""
-    velocity, breaks, total = analyse(curve).velocity, curve.breakpoints, arb(0)
+    velocity, breaks, total = facts_of(curve).velocity, curve.breakpoints, arb(0)
     budget = _Budget(bits)
     # all segments in one pass: every access to them computes them anew
     weights, *columns = ([_powers(points, f.degree) for points in f.segments] for f in (curve.w, *velocity))
-    stops = [root.refine(bits * 3 // 10 + bits // 500 + 5) for root in analyse(curve).speed.zeros]
+    stops = [root.refine(bits * 3 // 10 + bits // 500 + 5) for root in facts_of(curve).speed.zeros]
     for i, (a, b) in enumerate(pairwise(breaks)):
         parts_of = [column[i] for column in columns]
         common = _common(parts_of)

@@ -10,7 +10,10 @@ from __future__ import annotations
 from bisect import bisect_left, bisect_right
 from collections.abc import Callable, Sequence, Set
 from dataclasses import dataclass
+from threading import Lock
 from time import perf_counter
+from typing import TypeVar, cast
+from weakref import ref
 
 from flint import fmpz
 
@@ -60,6 +63,8 @@ from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.runs import intervals_of, runs
 from exactspline.words import choice
 
+F = TypeVar("F", bound=Remembers)
+_LOCK = Lock()
 KINDS: dict[int, Kind] = {2: PLANE, 3: SPACE}
 #: The formulas that one program computes together for a plane curve and for a space curve, at their true degrees.
 TOGETHER: dict[int, tuple[Formula, ...]] = {
@@ -135,6 +140,34 @@ def among(roots: Sequence[Root], others: Sequence[Root]) -> list[bool]:
             j += 1
         contained.append(j < len(others) and others[j] == root)
     return contained
+
+
+class Kept(Remembers):
+    """What is known of one curve, and a weak reference to the object that answers questions about it. (With a strong
+    one neither would be freed before the garbage collector runs.)
+    """
+
+    def __init__(self) -> None:
+        super().__init__()
+        self._reader: Callable[[], object] = lambda: None
+
+    def reader(self, make: Callable[[Kept], F]) -> F:
+        """The object that answers questions, made where there is none."""
+        with _LOCK:
+            found = self._reader()
+            if found is None:
+                found = make(self)
+                self._reader = ref(found)
+        return cast(F, found)
+
+
+def kept_by(curve: Nurbs) -> Kept:
+    """What a curve keeps of itself: it belongs to the curve, and is no part of its value."""
+    with _LOCK:
+        if curve._analysis is None:
+            curve._analysis = Kept()
+        assert isinstance(curve._analysis, Kept)
+        return curve._analysis
 
 
 class Facts(Remembers):
@@ -496,3 +529,13 @@ class Facts(Remembers):
         """Raise `ShapeError` for a curve that is neither in the plane nor in space."""
         if self.curve.dimension not in (2, 3):
             raise ShapeError(f"a curve in R{self.curve.dimension}", remedy="give a curve in the plane or in space")
+
+
+def facts_of(curve: Nurbs) -> Facts:
+    """The facts of a curve, shared by everything that asks for them.
+
+    >>> from exactspline import example
+    >>> facts_of(example("straight_between_arcs")).tangent_continuous(1)
+    True
+    """
+    return Facts(curve, kept_by(curve))

@@ -18,10 +18,10 @@ from math import ceil
 from flint import fmpz_mpoly
 
 from exactspline.errors import ReachError, ShapeError, counted
-from exactspline.geometry.analysis import analyse
 from exactspline.geometry.bisector.plane_pair import PlanePair, tangent
 from exactspline.geometry.bisector.system import piece
 from exactspline.geometry.box_tree import BoxTree, pairs_that_may_meet, shift_for
+from exactspline.geometry.facts import facts_of
 from exactspline.geometry.intersections import Intersection, IntersectionKind, Intersections
 from exactspline.geometry.intersections import intersections as intersections_of_curves
 from exactspline.geometry.intersections import self_intersections as self_intersections_of_curve
@@ -185,7 +185,7 @@ class _Search:
         for k, curve in enumerate(self.curves):
             low, high = curve.domain
             places, sides, knots = [point.first, point.second], list(point.sides), list(point.at_knot)
-            if curve.closed and places[k] == high and analyse(curve).tangent_continuous(0):
+            if curve.closed and places[k] == high and facts_of(curve).tangent_continuous(0):
                 places[k], sides[k] = Real(low), Side.RIGHT
                 if self.alone:
                     places, sides, knots = places[::-1], sides[::-1], knots[::-1]
@@ -374,7 +374,7 @@ class _OfSegments:
         """Left where a parameter is the end of its segment, and a corner."""
         curve = self.curves[k]
         is_end = x == self.sides[k].high != curve.domain[1]
-        is_corner = is_end and not analyse(curve).tangent_continuous(self.segments[k] + 1)
+        is_corner = is_end and not facts_of(curve).tangent_continuous(self.segments[k] + 1)
         return Side.LEFT if is_corner else Side.RIGHT
 
 

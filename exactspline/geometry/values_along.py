@@ -5,8 +5,8 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from exactspline.errors import DomainError, ShapeError
-from exactspline.geometry.analysis import analyse
 from exactspline.geometry.domain import part, space
+from exactspline.geometry.facts import facts_of
 from exactspline.language.arguments import Curve
 from exactspline.language.rational import Rational
 from exactspline.language.vector import Vector, cross, det, norm2
@@ -91,7 +91,7 @@ def curvature(curve: Nurbs, t: Number | Real, side: Side | str = Side.RIGHT) -> 
         return signed_root(sign, Real(mpq(top, bottom)))
     i = segment_at(curve, place, side)
     _refuse_singular(curve, i, place, side)
-    squared, turning = analyse(curve).once(("curvature on a segment", i), lambda: _curvature_forms(curve, i))
+    squared, turning = facts_of(curve).once(("curvature on a segment", i), lambda: _curvature_forms(curve, i))
     sign = 1 if turning is None else sign_at(turning, place, side)
     return signed_root(sign, _value(squared, place, side))
 
@@ -146,7 +146,7 @@ def torsion(curve: Nurbs, t: Number | Real, side: Side | str = Side.RIGHT) -> Re
     curve, place = curve_of(curve), exact_place(t)
     i = segment_at(space(curve), place, side)
     _refuse_singular(curve, i, place, side)
-    tau = analyse(curve).once(("torsion on a segment", i), lambda: _torsion_form(curve, i))
+    tau = facts_of(curve).once(("torsion on a segment", i), lambda: _torsion_form(curve, i))
     if sign_at(tau.denominator, place, side) == 0:
         raise DomainError(f"the torsion has a pole {_named(place)}", remedy="choose another parameter")
     return _value(tau, place, side)
@@ -188,7 +188,7 @@ def _refuse_singular(curve: Nurbs, i: int, place: mpq | Real, side: Side | str) 
 
 def is_singular(curve: Nurbs, i: int, place: mpq | Real, side: Side | str) -> bool:
     """Whether γ′ = 0 at a parameter on a segment."""
-    velocity = analyse(curve).once(("velocity on a segment", i), lambda: tuple(find("D1")(_part(curve, i))))
+    velocity = facts_of(curve).once(("velocity on a segment", i), lambda: tuple(find("D1")(_part(curve, i))))
     return all(sign_at(x, place, side) == 0 for x in velocity)
 
 

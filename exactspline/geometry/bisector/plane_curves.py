@@ -10,10 +10,10 @@ from functools import cached_property
 from itertools import product
 
 from exactspline.errors import ReachError, ShapeError
-from exactspline.geometry.analysis import analyse
 from exactspline.geometry.bisector.common import Bisector
 from exactspline.geometry.bisector.plane_pair import PlanePair, tangent
 from exactspline.geometry.bisector.true_pairs import TruePairs, true_pairs
+from exactspline.geometry.facts import facts_of
 from exactspline.geometry.zeros_in_two_parameters import ZeroArc, ZeroCurves, zero_curve
 from exactspline.numbers.exact import Number, mpq
 from exactspline.numbers.intervals import Box
@@ -109,6 +109,6 @@ class PlaneBisector(Bisector):
 def _sides(curve: Nurbs, t: mpq | Real) -> list[Nurbs]:
     """The parts of a curve behind and before a corner at a parameter; elsewhere all of it."""
     (low, high), inner = curve.domain, curve.breakpoints[1:-1]
-    if isinstance(t, Real) or t not in inner or analyse(curve).tangent_continuous(inner.index(t) + 1):
+    if isinstance(t, Real) or t not in inner or facts_of(curve).tangent_continuous(inner.index(t) + 1):
         return [curve]
     return [curve.restrict(t, high), curve.restrict(low, t)]

@@ -17,11 +17,11 @@ from typing import Any
 from flint import fmpz_poly
 
 from exactspline.errors import ReachError, ShapeError
-from exactspline.geometry.analysis import analyse
 from exactspline.geometry.bisector.common import Bisector
 from exactspline.geometry.bisector.conditions import Conditions
 from exactspline.geometry.bisector.missing import AROUND, STILL, THROUGH
 from exactspline.geometry.bisector.point_and_curve import exact_point
+from exactspline.geometry.facts import facts_of
 from exactspline.geometry.kinds import FeatureKind, JointKind
 from exactspline.language.arguments import Curve
 from exactspline.language.rational import Rational
@@ -118,7 +118,7 @@ def trimmed_bisector(curve: Nurbs, point: Iterable[Number]) -> TrimmedBisector:
     """
     curve = curve_of(curve)
     q = exact_point(curve, point, 2)
-    for joint in analyse(curve).joints:
+    for joint in facts_of(curve).joints:
         if joint.kind is JointKind.GAP:
             raise ShapeError(f"the curve jumps at the parameter {text(joint.parameter)}", remedy="split it there")
     c = _around(curve, q)
@@ -197,8 +197,8 @@ def _corners(curve: Nurbs, missing: list[str]) -> list[tuple[PieceKind, mpq]]:
         not curve.closed or find("D1")(curve).is_zero
     )  # a curve that is a single point is closed, and consists of ends
     ends = [(PieceKind.END_POINT, a), (PieceKind.END_POINT, b)] if has_ends else []
-    ends += [(PieceKind.CORNER, joint.parameter) for joint in analyse(curve).joints if joint.kind is JointKind.CORNER]
-    for feature in analyse(curve).singular_points:
+    ends += [(PieceKind.CORNER, joint.parameter) for joint in facts_of(curve).joints if joint.kind is JointKind.CORNER]
+    for feature in facts_of(curve).singular_points:
         if feature.root.exact is None:
             missing.append(
                 f"the line that belongs to the singular point at {feature.root!r}: its coordinates are irrational"
