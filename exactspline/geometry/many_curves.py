@@ -2,14 +2,15 @@
 doubles, and of curves of any degrees and numbers of segments.
 
 For Bézier curves the forms are computed in doubles with proved bounds (`exactspline.programs.doubles`), their zeros are
-isolated where that is certified (`exactspline.polynomials.doubles`), and all others are decided in exact arithmetic:
-every answer is that of `exactspline.analyse` for the curve with exactly these doubles as data; those of other curves
-are asked of it. This module loads numpy.
+isolated where that is certified (`exactspline.polynomials.doubles`). Every answer is that of `exactspline.analyse` for
+the curve with exactly these doubles as data; those of all other curves, and of Bézier curves with equal ends, are asked
+of it, one by one. This module loads numpy.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from functools import partial
 from itertools import islice
 from math import comb
 from types import MappingProxyType
@@ -120,25 +121,37 @@ def curve_features_in_parts(curves: Iterable[Nurbs], *, at_once: int = AT_ONCE) 
 
 def _of_curves(curves: Sequence[Nurbs], start: int) -> ManyFeatures:
     """The features of curves that are numbered from `start`."""
+    refused: dict[int, ExactSplineError] = {}
+    parts, exact = _one_by_one(((i, partial(_plane, curve, i)) for i, curve in enumerate(curves, start)), refused)
+    return in_order(parts, np.array(exact, dtype=int), refused)
+
+
+def _plane(curve: Nurbs, i: int) -> Nurbs:
+    """A curve in the plane, the i-th; raises `ShapeError` for anything else."""
+    try:
+        if curve_of(curve).dimension != 2:
+            raise ShapeError(f"a curve in {curve.dimension} dimensions", remedy="in 2")
+    except ShapeError as error:
+        raise ShapeError(error.problem, where=f"curves[{i}]", remedy=error.remedy) from None
+    return curve
+
+
+def _one_by_one(
+    curves: Iterable[tuple[int, Callable[[], Nurbs]]], refused: dict[int, ExactSplineError]
+) -> tuple[list[Found], list[int]]:
+    """The features of curves, and which were decided in exact arithmetic; `refused` is told why others have none."""
     parts: list[Found] = []
     exact: list[int] = []
-    refused: dict[int, ExactSplineError] = {}
-    for i, curve in enumerate(curves, start):
+    for i, made in curves:
         try:
-            if curve_of(curve).dimension != 2:
-                raise ShapeError(f"a curve in {curve.dimension} dimensions", remedy="in 2")
-        except ShapeError as error:
-            refused[i] = ShapeError(error.problem, where=f"curves[{i}]", remedy=error.remedy)
-            continue
-        analysis = Analysis(curve)
-        try:
+            analysis = Analysis(made())
             parts.append(_found(i, analysis))
         except ExactSplineError as error:
             refused[i] = error
             continue
         if not analysis.decided_in_doubles:
             exact.append(i)
-    return in_order(parts, np.array(exact, dtype=int), refused)
+    return parts, exact
 
 
 def joined(parts: list[ManyFeatures]) -> ManyFeatures:
@@ -233,29 +246,25 @@ def _wrong(a: Floats, inexact: Flags, name: str) -> dict[int, ExactSplineError]:
 
 def _features(p: Floats, w: Floats | None, wrong: dict[int, ExactSplineError]) -> ManyFeatures:
     """The features of the curves of one part."""
-    undecided = np.array(_subnormal(p).any(axis=(1, 2)), dtype=bool)
+    # where the ends are equal they are a knot, at which signs change, too
+    alone = np.array(_subnormal(p).any(axis=(1, 2)) | (p[:, 0] == p[:, -1]).all(axis=1), dtype=bool)
     if w is not None:
-        undecided |= _subnormal(w).any(axis=1)
+        alone |= _subnormal(w).any(axis=1)
     features: list[Found] = []
     done = filtered(p.shape[1] - 1, scaled_operands(p, w))
     if done is None:
-        undecided[:] = True
+        alone[:] = True
     else:
-        undecided |= done.open | done.slow
+        alone |= done.open | done.slow
         for which, form in enumerate((done.curvature, done.critical)):
-            zeros = form.zeros.where(~undecided[form.zeros.row])
+            zeros = form.zeros.where(~alone[form.zeros.row])
             kinds = np.where(zeros.before > 0, *KINDS[1:]) if which else np.full(len(zeros.row), KINDS[0])
             features.append((zeros.row, kinds, zeros.low, zeros.high, np.full(len(zeros.row), which)))
+    alone[list(wrong)] = False
     refused = dict(wrong)
-    undecided[list(wrong)] = False
-    for i in np.flatnonzero(undecided).tolist():
-        try:
-            curve = _curve(p[i], None if w is None else w[i])
-            features.append(_found(i, Analysis(curve)))
-        except ExactSplineError as error:
-            refused[i] = error
-            undecided[i] = False
-    return in_order(features, np.flatnonzero(undecided), refused)
+    left = ((i, partial(_curve, p[i], None if w is None else w[i])) for i in np.flatnonzero(alone).tolist())
+    parts, exact = _one_by_one(left, refused)
+    return in_order([*features, *parts], np.array(exact, dtype=int), refused)
 
 
 def in_order(parts: list[Found], exact: Integers, refused: Mapping[int, ExactSplineError]) -> ManyFeatures:

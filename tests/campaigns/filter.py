@@ -1,17 +1,19 @@
 """The optional extension against exact arithmetic: on every curve that it decides, its inflections and extrema are the
-exact ones: kinds, order, signs, jumps, and every interval contains its zero.
+exact ones: kinds, order, signs, jumps, and every interval contains its zero. And closed Bézier curves in arrays.
 
 ``python -m tests.campaigns.filter COUNT SEED`` compares until this many features were compared, prints for every family
 how many curves were decided, how many features they have, and why the others were left to exact arithmetic. It ends
 with status 1 at the first difference, and where more curves of a family are left for no exact reason than its ceiling
-allows.
+allows. ``python -m tests.campaigns.filter --arrays COUNT SEED`` compares `features_of_many` and `features_of_curves`
+with exact arithmetic on this many closed curves, kind by kind.
 """
 
 import random
 import sys
 from collections import Counter
+from fractions import Fraction
 
-from exactspline import Nurbs
+from exactspline import Nurbs, features_of_curves, features_of_many, from_floats
 from exactspline.geometry.analysis import Analysis
 from exactspline.geometry.certain import certain
 from exactspline.numbers.exact import mpq
@@ -147,6 +149,58 @@ def differing(curve):
     return count, ""
 
 
+def closed_arrays(chance, count):
+    """Bézier curves of one degree with equal ends, of doubles from small integers to 17 digits: many are smooth there,
+    with any ratio of speeds, or symmetric, so that κ′ may vanish at the seam.
+    """
+    degree, nets = chance.randint(2, 5), []
+    for _ in range(count):
+        size, digits = chance.choice([(3, 0), (9, 0), (99, 0), (9, 3), (1, 17), (1, 17)])
+        net = [tuple(round(chance.uniform(-size, size), digits) for _ in "xy") for _ in range(degree)]
+        (x, y), (a, b) = net[:2]
+        if chance.random() < 0.5 and degree > 2:
+            m = chance.choice([0.5, 1, 1, 2, 3])
+            net[-1] = x - m * (a - x), y - m * (b - y)
+        if chance.random() < 0.2:
+            mirrored = [(-u, v) for u, v in net[:0:-1]]
+            net = [net[k] if 2 * k < degree else mirrored[k - 1] for k in range(degree)]
+            net = [(0.0, v) if 2 * k in (0, degree) else (u, v) for k, (u, v) in enumerate(net)]
+        nets.append([*net, net[0]])
+    weights = [[chance.choice([0.5, 1.0, 1.5, chance.uniform(0.5, 2)]) for _ in net] for net in nets]
+    return nets, chance.choice([None, weights])
+
+
+def differing_arrays(nets, weights):
+    """How many features were compared, and where a function that takes many curves differs from exact arithmetic."""
+    degree, count, wrong = len(nets[0]) - 1, 0, []
+    curves = [
+        Nurbs(degree, [0] * (degree + 1) + [1] * (degree + 1), [from_floats(p) for p in net], w and from_floats(w))
+        for net, w in zip(nets, weights or [None] * len(nets), strict=True)
+    ]
+    answers = features_of_many(nets, weights), features_of_curves(curves)
+    for i, curve in enumerate(curves):
+        facts = exact(curve)
+        true = [*facts.inflections, *facts.curvature_extrema]
+        count += len(true)
+        for found in answers:
+            own = found.curve == i
+            places = zip(found.low[own].tolist(), found.high[own].tolist(), true, strict=False)
+            alike = found.kind[own].tolist() == [str(feature.kind) for feature in true]
+            if not alike or any(not Fraction(low) <= f.root <= Fraction(high) for low, high, f in places):
+                wrong.append(f"{found.kind[own].tolist()} where {true} is right, {curve!r}, {curve.control_points}")
+    return count, wrong
+
+
+def arrays(most, seed):
+    """Compare and print."""
+    chance, features, wrong = random.Random(seed), 0, []
+    for done in range(0, most, 100):
+        count, what = differing_arrays(*closed_arrays(chance, min(100, most - done)))
+        features, wrong = features + count, wrong + what
+    print(*wrong, f"{most} closed curves, {features} features, {len(wrong)} wrong", sep="\n")
+    return int(bool(wrong))
+
+
 def above_ceiling(made, left):
     """The families of which more curves are left for no exact reason than may be; `left` counts them by cause."""
     allowed = {name: MORE.get(name, (CEILING,))[0] for name in made}
@@ -179,4 +233,5 @@ def main(most, seed):
 
 
 if __name__ == "__main__":
-    sys.exit(main(int(sys.argv[1]), int(sys.argv[2])))
+    many = sys.argv[1] == "--arrays"
+    sys.exit((arrays if many else main)(*map(int, sys.argv[1 + many :])))

@@ -25,7 +25,7 @@ def same_as_exact(curves):
     found, decided, jumps = features_of_curves(curves), 0, 0
     for i, curve in enumerate(curves):
         own = found.curve == i
-        facts = analyse(curve)
+        facts = campaign.exact(curve)  # `analyse` would go through the filter itself
         true = [*facts.inflections, *facts.curvature_extrema]
         assert found.kind[own].tolist() == [str(feature.kind) for feature in true]
         for low, high, feature in zip(found.low[own].tolist(), found.high[own].tolist(), true, strict=True):
