@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import partial
 from typing import TYPE_CHECKING, Annotated
 
 from exactspline.cli.common import (
@@ -16,7 +17,7 @@ from exactspline.cli.common import (
     each_read,
     loaded,
 )
-from exactspline.cli.output import OptionsError, Output, printing
+from exactspline.cli.output import OptionsError, Output, leave_out, printing
 from exactspline.cli.parameters import Exit, Option
 from exactspline.cli.progress import tracked
 from exactspline.errors import ClaimError, nearest
@@ -25,7 +26,6 @@ if TYPE_CHECKING:
     from exactspline.splines.nurbs import Nurbs
     from exactspline.splines.surface import NurbsSurface
     from exactspline.verification.claim import Claim
-    from exactspline.verification.rows import Row
 
 #: Up to this many claims are listed one by one; more are summarized.
 FEW = 12
@@ -59,7 +59,7 @@ JudgeName = Annotated[
     Option(
         "--judge",
         metavar="JUDGE",
-        help="A second judge of the identities, for all curves: sympy, or the kernel of coq (in a column).",
+        help="A second judge of the equalities, for all curves, in a column: sympy, or the kernel of coq.",
     ),
 ]
 Rows = Annotated[bool, Option("--rows", help="Print every row of the ledger instead of the summary.")]
@@ -94,6 +94,7 @@ def prove(
     from exactspline.display.ledger import WORDS
     from exactspline.display.ledger_run import Run
     from exactspline.display.numbers import Numbers
+    from exactspline.verification.judges import judge_named, second_opinion
     from exactspline.verification.ledger import settled, tasks
 
     requested = [_word(each, WORDS) for each in verdict or []]
@@ -107,7 +108,10 @@ def prove(
     if judge and curves is not None:
         options = "--judge and --curve" if curve else "--judge and --surface"
         raise OptionsError(options, remedy="another judge decides for all: leave it out")
-    found, kernel = _judged(judge, claims) if judge else (settled(tracked(tasks(claims, curves), "proving")), None)
+    second = judge_named(judge, claims) if judge else None
+    found = settled(tracked(tasks(claims, curves), "proving"))
+    if second:
+        found = tracked([partial(second_opinion, second, row) for row in found], second.name)
     chosen = [row for row in found if not requested or row.verdict in requested]
     if html:
         from exactspline.display.ledger_pages import ledger_page
@@ -118,7 +122,7 @@ def prove(
 
         write_text(report, referee_report(claims, found))
     listed = rows or bool(claim or section or verdict) or len(claims) <= FEW
-    run = Run(chosen, claims, curves, Numbers(digits, exact), kernel)
+    run = Run(chosen, claims, curves, Numbers(digits, exact), second.column if second else "")
     out.give(
         "prove",
         run.data(),
@@ -128,7 +132,9 @@ def prove(
     )
     if not (good and all_read):
         raise Exit(2)
-    if not all(row.as_recorded for row in found):
+    if any(row.out_of_reach for row in found):
+        leave_out()
+    if any(row.differs for row in found):
         raise Exit(1)
 
 
@@ -138,23 +144,6 @@ def named_claims(ids: Sequence[str], claims: Sequence[Claim]) -> Sequence[Claim]
 
     keep = {claim for name in ids for claim in located(name, claims)}
     return [claim for claim in claims if not ids or claim in keep]
-
-
-def _judged(name: str, claims: Sequence[Claim]) -> tuple[list[Row], dict[tuple[str, str], str] | None]:
-    """The rows of another judge, or those of the ledger with the column of the kernel; a CONTRADICTION where two judges
-    decide the opposite.
-    """
-    from exactspline.display.evidence import opinion
-    from exactspline.verification.coq_judge import Coq
-    from exactspline.verification.judges import compared_rows, judge_named, second_opinions
-    from exactspline.verification.ledger import settled, tasks
-
-    judge = judge_named(name)
-    if not isinstance(judge, Coq):
-        return tracked(second_opinions(judge, claims), "proving"), None
-    kernel = Coq(claims)
-    rows = compared_rows(settled(tracked(tasks(claims), "proving")), kernel)
-    return rows, {(claim.paper, claim.key): opinion(kernel.decide(claim)) for claim in claims}
 
 
 def _word(name: str, known: Sequence[str]) -> str:

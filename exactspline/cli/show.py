@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Annotated
 
 from exactspline.cli.common import PLACES, Papers, Trust, claims_of_papers
-from exactspline.cli.output import Output, printing
+from exactspline.cli.output import Output, leave_out, printing
 from exactspline.cli.parameters import Argument, Exit, Option
 from exactspline.display.data import picked
 from exactspline.display.sheet import COLOURS, Sheet
@@ -57,6 +57,8 @@ def show(
         lambda: _print_theorems(found) if latex else _print(out, found),
     )
     if not all(s.as_recorded for s in found):
+        leave_out()
+    if any(s.differs for s in found):
         raise Exit(1)
 
 

@@ -273,8 +273,10 @@ def _middle(enclosure: e.Enclosure) -> str:
     return f"{float(mpq((low + high) / 2)):.4g}"
 
 
-def opinion(item: Finding) -> str:
-    """The result of a proof assistant's kernel for a claim."""
+def opinion(item: Finding | None) -> str:
+    """The result of a second judge for a claim."""
+    if item is None:
+        return "not asked"
     says = {Verdict.PROVED: "holds, ", Verdict.REFUTED: "fails, "}.get(item.verdict, "")
     return says + worded(item.witness or item.computed)
 

@@ -7,7 +7,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
 from exactspline.display.data import picked
-from exactspline.display.evidence import worded
+from exactspline.display.evidence import opinion, worded
 from exactspline.display.numbers import EXACT, Numbers
 from exactspline.display.sheet import Sheet
 from exactspline.errors import counted
@@ -124,21 +124,14 @@ def row_data(row: Row) -> dict[str, object]:
     }
 
 
-def ledger(
-    rows: Iterable[Row],
-    title: str = "",
-    numbers: Numbers = EXACT,
-    *,
-    name: str = "",
-    kernel: Mapping[tuple[str, str], str] | None = None,
-) -> Sheet:
-    """The rows of one curve (or of all curves), one per line; with `kernel`, the results of Coq's kernel."""
-    asked = () if kernel is None else ("kernel",)
+def ledger(rows: Iterable[Row], title: str = "", numbers: Numbers = EXACT, *, name: str = "", judge: str = "") -> Sheet:
+    """The rows of one curve (or of all curves), one per line; with those of a second `judge`."""
+    asked = (judge,) if judge else ()
     columns = ("verdict", "claim", "statement", "found", "witness", *asked)
     cells = []
     for row in rows:
         mark = "" if row.as_recorded else f" (recorded: {recorded(row)})"
-        says = () if kernel is None else (kernel.get((row.paper, row.key), ""),)
+        says = (opinion(row.second),) if judge else ()
         cells.append((row.verdict + mark, row.id, row.statement, found(row), witness(row, numbers), *says))
     return Sheet(*columns, rows=cells, title=title, name=name, prose=columns[2:], heads=2)
 
@@ -237,14 +230,18 @@ def reasons(claims: Iterable[Claim], curve: Nurbs | NurbsSurface) -> str:
     return ", ".join(f"{n} {what}" for what, n in sorted(counts.items()))
 
 
-def closing(rows: Sequence[Row]) -> str:
-    """The last line: the number of rows of each verdict, for all curves and on single ones, and how many differ from
-    the record.
+def closing(rows: Sequence[Row], judge: str = "") -> str:
+    """The last line: the number of rows of each verdict, for all curves and on single ones, what a second judge says,
+    and how many differ from the record or are out of reach.
     """
     if not rows:
         return "no rows"
-    differ = sum(not row.as_recorded for row in rows)
-    end = f"{differ} DIFFER from the record" if differ else "all as recorded"
+    differ, beyond = sum(row.differs for row in rows), sum(row.out_of_reach for row in rows)
+    end = f"{differ} DIFFER from the record" if differ else "all others as recorded" if beyond else "all as recorded"
+    end = f"{beyond} out of reach; {end}" if beyond else end
+    if judge:
+        decided = Counter(row.second.verdict for row in rows if row.second)
+        end = f"{judge}: {', '.join(f'{decided[w]} {w}' for w in (PROVED, REFUTED) if decided[w]) or 'none'}; {end}"
     general, single = [row for row in rows if not row.curve], [row for row in rows if row.curve]
     if not general or not single:
         return f"{counted(len(rows), 'row')}: {_verdicts(rows)}; {end}"

@@ -140,7 +140,7 @@ def _claim(claim: Claim, rows: Iterable[Row]) -> str:
     fields = [
         ("claimed", claimed(claim)),
         ("assumes", claim.assumed),
-        ("recorded", "" if general is None or general.as_recorded else f"{claim.expected}: it differs"),
+        ("recorded", "" if general is None or not general.differs else f"{claim.expected}: it differs"),
     ]
     if general:
         fields += [("found", found(general)), ("witness", witness(general)), ("reading", str(general.reading))]

@@ -9,6 +9,7 @@ from rich.console import Console
 
 from exactspline.display import console
 from exactspline.display.described import described, described_surface
+from exactspline.display.evidence import opinion
 from exactspline.display.ledger import (
     Failure,
     by_curve,
@@ -45,14 +46,15 @@ class Run:
     claims: Sequence[Claim]
     curves: Sequence[Nurbs | NurbsSurface] | None
     numbers: Numbers
-    kernel: dict[tuple[str, str], str] | None = None
+    #: The name of a second judge, where one was asked.
+    judge: str = ""
 
     def data(self) -> list[dict[str, object]]:
-        """Every row, with a unique key, and what the kernel says, where it was asked."""
+        """Every row, with a unique key, and what the second judge says, where one was asked."""
         return [
             row_data(row)
             | {"key": key, "claim": row.key, "as_recorded": row.as_recorded}
-            | ({} if self.kernel is None else {"kernel": self.kernel.get((row.paper, row.key), "")})
+            | ({self.judge: opinion(row.second)} if self.judge else {})
             for key, row in keyed(self.rows)
         ]
 
@@ -62,8 +64,8 @@ class Run:
         for name in dict.fromkeys(row.curve for row in self.rows):
             own = [row for row in self.rows if row.curve == name]
             title = name or "For all curves"
-            kernel = None if name else self.kernel
-            shown.append(ledger(own, title, self.numbers, name=name or "all curves", kernel=kernel))
+            judge = "" if name else self.judge
+            shown.append(ledger(own, title, self.numbers, name=name or "all curves", judge=judge))
         return shown
 
     def print(self, *, listed: bool, everything: bool, quiet: bool) -> None:
@@ -76,7 +78,7 @@ class Run:
         else:
             self._summary(shown)
         shown.print()
-        console.lines(shown, closing(self.rows))
+        console.lines(shown, closing(self.rows, self.judge))
         if not quiet:
             if not listed:
                 called = command_name()

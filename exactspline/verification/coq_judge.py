@@ -31,7 +31,7 @@ class Coq:
     request), or those of one claim at a time.
     """
 
-    name = Name("coq")
+    name, column = Name("coq"), Name("kernel")
 
     def __init__(self, claims: Iterable[Claim] = ()) -> None:
         self._claims = tuple(claims)

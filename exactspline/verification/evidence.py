@@ -92,7 +92,7 @@ class Fact(Evidence, Enum):
     ZEROS_IN_TWO_PARAMETERS = "zeros in two parameters are not compared on one surface"
     NO_COMMON_KNOTS = "the operands of Table 1 have no knots in common"
     ROOT_IS_RATIONAL = "a root is itself rational on it"
-    NOT_OF_THIS_JUDGE = "this judge does not decide claims of this kind"
+    NOT_OF_THIS_JUDGE = "not asked: it decides equalities alone"
     COQ_NOT_INSTALLED = "Coq is not installed"
     NOT_ACCEPTED = "not accepted"
     # the part that was tried

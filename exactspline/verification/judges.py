@@ -4,10 +4,9 @@ reported.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable
 from dataclasses import replace
 from functools import partial
-from time import perf_counter
 from typing import Protocol
 
 from exactspline.errors import ClaimError, ExactSplineError, nearest
@@ -16,13 +15,12 @@ from exactspline.language.kinds import kind_of
 from exactspline.readings.sympy_expression import SympyReading
 from exactspline.symbolic.factorization import without_denominator
 from exactspline.verification.claim import Claim
-from exactspline.verification.combined import Proofs, fitting
+from exactspline.verification.combined import fitting
 from exactspline.verification.coq_judge import Coq
 from exactspline.verification.evidence import Fact, JudgesDisagree
 from exactspline.verification.kinds.equality import Identity
-from exactspline.verification.ledger import Task
 from exactspline.verification.notation import factor_formulas
-from exactspline.verification.rows import Row, row
+from exactspline.verification.rows import Row
 from exactspline.verification.verdict import CONTRADICTION, PROVED, REFUTED, UNDECIDED, Finding, undecided, worst_case
 from exactspline.verification.vocabulary import Name
 
@@ -35,7 +33,7 @@ class Sympy:
     ['PROVED', 'PROVED', 'UNDECIDED']
     """
 
-    name = Name(SympyReading.name)
+    name = column = Name(SympyReading.name)
 
     def decide(self, claim: Claim) -> Finding:
         """The worst finding over all cases: rational and polynomial curves of every dimension."""
@@ -69,17 +67,17 @@ class Judge(Protocol):
 
 
 #: The judges other than the ledger's.
-OTHERS: dict[str, type[Sympy | Coq]] = {"sympy": Sympy, "coq": Coq}
+OTHERS = ("sympy", "coq")
 
 
-def judge_named(name: str) -> Sympy | Coq:
-    """Another judge.
+def judge_named(name: str, claims: Iterable[Claim] = ()) -> Sympy | Coq:
+    """Another judge, of these claims.
 
     Raises `ClaimError` with the existing names.
     """
     if name not in OTHERS:
         raise ClaimError(f"there is no judge called {name!r}", remedy=nearest(name, OTHERS))
-    return OTHERS[name]()
+    return Coq(claims) if name == "coq" else Sympy()
 
 
 def agreed(own: Finding, first: Name, other: Finding, second: Name) -> Finding:
@@ -101,35 +99,20 @@ def agreed(own: Finding, first: Name, other: Finding, second: Name) -> Finding:
     return replace(own, verdict=CONTRADICTION, witness=JudgesDisagree(proved, refuted, witness))
 
 
-def second_opinions(judge: Judge, claims: Iterable[Claim]) -> list[Task]:
-    """The claims that state an equality, as calls that each return the row of another judge, compared with the jets.
+def second_opinion(judge: Judge, own: Row) -> Row:
+    """A row for all curves with the finding of another judge added to it: a CONTRADICTION where one proves what the
+    other refutes. A row on a single curve is returned as it is: of it no other judge is asked.
 
     >>> from exactspline.verification.claims import select
-    >>> [(str(task().factor), str(task().verdict)) for task in second_opinions(Sympy(), select(["C4.1a"]))]
-    [('w', 'PROVED'), ('w⁻³', 'PROVED')]
+    >>> from exactspline.verification.ledger import proved
+    >>> claim = select(["C4.1a"])[0]
+    >>> str(second_opinion(Sympy(), proved(claim)).second.verdict)
+    'PROVED'
     """
-    proofs = Proofs()
-    return [partial(judged, judge, claim, proofs) for claim in claims if claim.equality is not None]
-
-
-def judged(judge: Judge, claim: Claim, proofs: Proofs) -> Row:
-    """The row of a judge, a CONTRADICTION where the proof of the ledger decides the opposite."""
-    start = perf_counter()
+    if own.curve:
+        return own
     try:
-        finding = fitting(claim, partial(judge.decide, claim))
+        second = fitting(own.claim, partial(judge.decide, own.claim))
     except ExactSplineError as error:
-        finding = undecided(error)
-    seconds, (reading, proof) = perf_counter() - start, proofs[claim]
-    return row(claim, judge.name, agreed(finding, judge.name, proof, reading), seconds)
-
-
-def compared_rows(rows: Sequence[Row], judge: Judge) -> list[Row]:
-    """Rows for all curves compared with the findings of another judge; those on single curves are returned
-    unchanged.
-    """
-    return [
-        each
-        if each.curve
-        else replace(each, finding=agreed(each.finding, each.reading, judge.decide(each.claim), judge.name))
-        for each in rows
-    ]
+        second = undecided(error)
+    return replace(own, finding=agreed(own.finding, own.reading, second, judge.name), second=second)

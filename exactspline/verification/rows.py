@@ -22,7 +22,8 @@ class Row(Displayed):
     """A line of the ledger: the finding of a check of a claim, for all curves (``curve`` is empty) or on one.
 
     ``reading`` is the reading in which it was decided, ``beside`` are the operands in addition to the curve;
-    ``expected`` are the verdicts that agree with the record.
+    ``expected`` are the verdicts that agree with the record, ``second`` is what another judge found, where one was
+    asked.
     """
 
     claim: Claim
@@ -32,6 +33,7 @@ class Row(Displayed):
     expected: tuple[Verdict, ...]
     seconds: float
     beside: Evidence | None = None
+    second: Finding | None = None
 
     def __repr__(self) -> str:
         return f"<Row {self.claim.key}: {self.finding.verdict}>"
@@ -91,6 +93,20 @@ class Row(Displayed):
     def as_recorded(self) -> bool:
         """Whether the verdict is the recorded one."""
         return self.verdict in self.expected
+
+    @property
+    def out_of_reach(self) -> bool:
+        """Whether the claim, or the opinion of a second judge, was left undecided because of its cost."""
+        return any(each and each.reason == Reason.COST for each in (self.finding, self.second))
+
+    @property
+    def differs(self) -> bool:
+        """Whether it contradicts the record, by its own verdict or that of the second judge: undecided because of its
+        cost is not another verdict.
+        """
+        second = self.second.verdict if self.second else UNDECIDED
+        opposed = second in (PROVED, REFUTED) and (second == REFUTED) != (REFUTED in self.expected)
+        return opposed or not (self.as_recorded or self.finding.reason == Reason.COST)
 
 
 def row(

@@ -31,7 +31,7 @@ from exactspline.verification.generic_proof import degree_in_table_1
 from exactspline.verification.kinds.degree import DegreeClaim
 from exactspline.verification.kinds.equality import Identity
 from exactspline.verification.verdict import Finding
-from exactspline.verification.vocabulary import Name, Scope
+from exactspline.verification.vocabulary import Name, Reason, Scope
 
 NAIVE, REDUCED = "naive", "reduced"
 #: The parts of a formula that stand for something: formulas that it calls, roots, the parameter along a line.
@@ -92,6 +92,11 @@ class Statement(Displayed):
     def as_recorded(self) -> bool:
         """Whether the verdict is the recorded one."""
         return self.finding.verdict == self.claim.expected
+
+    @property
+    def differs(self) -> bool:
+        """Whether it is another one: undecided because of its cost is not."""
+        return not self.as_recorded and self.finding.reason != Reason.COST
 
 
 def statements(claim_id: str) -> Iterator[Statement]:

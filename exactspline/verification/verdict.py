@@ -8,7 +8,7 @@ from collections.abc import Callable, Iterable
 from dataclasses import dataclass, replace
 from itertools import product
 
-from exactspline.errors import ExactSplineError, InapplicableError
+from exactspline.errors import ExactSplineError, InapplicableError, ReachError
 from exactspline.verification.evidence import Evidence, Fact, Found, HeldOn, LeftToTheProof, Refutes, Stopped
 from exactspline.verification.vocabulary import Name, Reason, Relation, Verdict
 
@@ -43,7 +43,7 @@ def undecided(error: ExactSplineError) -> Finding:
     """Undecided because of an error; inapplicable or a contradiction for errors of these types."""
     contradiction, outside = isinstance(error, ContradictionError), isinstance(error, InapplicableError)
     verdict = CONTRADICTION if contradiction else INAPPLICABLE if outside else UNDECIDED
-    return Finding(verdict, witness=Stopped(error))
+    return Finding(verdict, witness=Stopped(error), reason=Reason.COST if isinstance(error, ReachError) else None)
 
 
 def left(why: Evidence) -> Finding:

@@ -29,11 +29,12 @@ class Verdict(Word):
 
 class Reason(StrEnum):
     """Why nothing was decided: it was not tried, because the proof for all curves decides it; it held, but was tried on
-    a part only (one segment, one point, one value of a constant).
+    a part only (one segment, one point, one value of a constant); it is beyond the bound on the cost.
     """
 
     LEFT = "not tried"
     SAMPLED = "tried on a part"
+    COST = "out of reach"
 
 
 class Status(StrEnum):

@@ -23,13 +23,13 @@ from exactspline.symbolic.factorization import Factor
 from exactspline.verification import evidence
 from exactspline.verification.claims import claims_in, select
 from exactspline.verification.evidence import Evidence, ExactQuotient, JudgesDisagree, WrongDegree
-from exactspline.verification.judges import Sympy, agreed, compared_rows, second_opinions
+from exactspline.verification.judges import Sympy, agreed, second_opinion
 from exactspline.verification.kinds.equality import Identity
 from exactspline.verification.ledger import audit, proved
 from exactspline.verification.questions import Proof
 from exactspline.verification.rows import Row
 from exactspline.verification.verdict import CONTRADICTION, PROVED, REFUTED, UNDECIDED, VERIFIED, Finding
-from exactspline.verification.vocabulary import Name
+from exactspline.verification.vocabulary import Name, Reason
 
 ROOT = Path(exactspline.__file__).parent
 
@@ -148,11 +148,11 @@ class Liar:
 def test_a_judge_that_lies_is_a_contradiction():
     right = select(["C4.1a"])[0]
     wrong = replace(right, factor="w^2", expected="REFUTED", status="ours", error="")
-    rows = [task() for task in second_opinions(Liar(), [right, wrong])]
+    rows = [second_opinion(Liar(), proved(claim)) for claim in (right, wrong)]
     assert [row.verdict for row in rows] == [CONTRADICTION] * 2
-    assert not any(row.as_recorded for row in rows)
+    assert all(row.differs for row in rows)
     assert [(row.witness.proved, row.witness.refuted) for row in rows] == [("jet", "liar"), ("liar", "jet")]
-    rows = compared_rows(list(audit([right], None)), Liar())
+    rows = [second_opinion(Liar(), row) for row in audit([right])]
     assert {row.verdict for row in rows if not row.curve} == {CONTRADICTION}
     assert VERIFIED in {row.verdict for row in rows if row.curve}
     assert isinstance(rows[0].witness, JudgesDisagree)
@@ -164,7 +164,12 @@ def test_judges_that_agree_or_do_not_decide_change_nothing():
         for other in (own, UNDECIDED):
             assert agreed(Finding(own), one, Finding(other), two).verdict == own
     chosen = [claim for claim in select(["C4.1a", "C3c"]) if isinstance(claim, Identity)]
-    assert [task().verdict for task in second_opinions(Sympy(), chosen)] == [claim.expected for claim in chosen]
+    rows = [second_opinion(Sympy(), proved(claim)) for claim in chosen]
+    assert [(row.verdict, row.second.verdict) for row in rows] == [(claim.expected,) * 2 for claim in chosen]
+    # where the first judge decides nothing, the second one is still held against the record
+    wrong = replace(chosen[0], factor="w^5")
+    open_row = replace(proved(wrong), finding=Finding(UNDECIDED, reason=Reason.COST))
+    assert (open_row.differs, second_opinion(Sympy(), open_row).differs) == (False, True)
 
 
 def test_the_same_statement_is_decided_in_every_reading():

@@ -14,13 +14,15 @@ from exactspline.language.choices import Parameter
 from exactspline.numbers.intervals import Box, Interval
 from exactspline.papers import find, load_paper
 from exactspline.polynomials import factors
+from exactspline.polynomials.cost import Budget
 from exactspline.roots.common_zeros import CommonZero
-from exactspline.verification import generic_proof
+from exactspline.verification import combined, generic_proof
 from exactspline.verification.claims import all_claims, claims_of
 from exactspline.verification.degree_tables import construction_table, formula_degrees
 from exactspline.verification.kinds.degree import DegreeClaim
 from exactspline.verification.ledger import audit, proved
 from exactspline.verification.verdict import REFUTED, UNDECIDED
+from tests.support.command import run
 from tests.support.squares import parameters
 from tests.verification.test_own_paper import plane_formulas, written
 
@@ -112,3 +114,13 @@ def test_a_value_that_is_negative_on_a_short_interval_is_refuted_there(tmp_path)
     (row,) = audit([one], [curve])
     assert row.verdict == REFUTED
     assert a < row.finding.witness.parameter < a + width
+
+
+@pytest.mark.parametrize("command", [("prove", "--claim", "L16", "--curve"), ("sweep", "--claim", "L16", "-q")])
+def test_what_is_out_of_reach_is_named_and_is_not_another_verdict(command, monkeypatch):
+    """Before, a claim left undecided because of its cost on a curve was one that DIFFERs from the record: status 1."""
+    monkeypatch.setattr(combined, "Budget", lambda: Budget(1))
+    said, strict = (run(*command, "rational_space_cubic", *more) for more in ([], ["--strict"]))
+    assert (said.returncode, strict.returncode) == (0, 2)
+    assert "UNDECIDED" in said.stdout
+    assert "DIFFER" not in said.stdout

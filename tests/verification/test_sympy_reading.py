@@ -1,5 +1,6 @@
 """A second judge: sympy decides every identity of the ledger as the jets do, and refutes false ones."""
 
+import json
 from dataclasses import replace
 
 import pytest
@@ -13,8 +14,11 @@ from exactspline.language.kinds import CURVE, PAIR, POINT_IN_SPACE
 from exactspline.papers import find
 from exactspline.readings.sympy_expression import FIRST, SympyReading, vanishes
 from exactspline.verification.claims import all_claims, select
-from exactspline.verification.judges import Sympy, second_opinions
+from exactspline.verification.judges import Sympy, second_opinion
+from exactspline.verification.ledger import proved
+from tests.support import command
 from tests.support.sampled import FULL, sample
+from tests.verification.test_own_paper import plane_formulas, written
 
 #: Developable surfaces whose sides take sympy longer than all other identities together.
 SLOW = {"C54a-rectifying_development", "C54a-darboux_development", "C56a-focal_development"}
@@ -27,11 +31,11 @@ def test_every_identity_of_the_ledger_is_decided_alike():
     kinds = {"identity", "vanishing", "same surface", "iso-curve"}
     equalities = [claim for claim in all_claims() if claim.kind in kinds and (FULL or claim.key not in SLOW)]
     claims = sample(equalities, 45)
-    rows = [task() for task in second_opinions(Sympy(), claims)]
-    assert [(r.id, r.statement, r.verdict) for r in rows if not r.as_recorded] == []
+    rows = [second_opinion(Sympy(), proved(claim)) for claim in claims]
+    assert [(r.id, r.statement, r.verdict) for r in rows if r.differs] == []
     assert len(rows) == len(claims)
     assert {c.kind for c in claims} == kinds
-    assert {r.verdict for r in rows} == {"PROVED", "REFUTED"}
+    assert {r.second.verdict for r in rows} == {"PROVED", "REFUTED"}
 
 
 @pytest.mark.parametrize("factor", ["1", "w^2", "2 w", "-1 w", "f2"])
@@ -107,7 +111,24 @@ def test_the_option_of_the_command_line():
     run = CliRunner().invoke
     told = run(app, ["prove", "--claim", "C4.1a", "--judge", "sympy"])
     assert told.exit_code == 0
-    assert "2 PROVED" in " ".join(told.output.split())
+    assert "sympy: 2 PROVED; all as recorded" in " ".join(told.output.split())
     assert isinstance(run(app, ["prove", "--judge", "nobody"]).exception, ClaimError)
     both = run(app, ["prove", "--judge", "sympy", "--curve", "circle"])
     assert isinstance(both.exception, ExactSplineError)
+
+
+def test_a_claim_that_sympy_does_not_decide_keeps_its_row_and_its_verdict(tmp_path):
+    """Before, `--judge sympy` left out every claim that is not an equality: of a folder with a false degree it said
+    "no rows", with exit status 0; and no curve was tried.
+    """
+    equality = {"id": "1", "kind": "identity", "curve": "plane", "statement": "f is g", "left": "f", "right": "g"}
+    degree = {"id": "2", "kind": "degree", "curve": "plane", "statement": "f", "formula": "f", "claimed": "d"}
+    folder = written(tmp_path / "own", plane_formulas(f="c.w * c.w", g="c.w * c.w"), [equality, degree])
+    told = command.run("prove", "--paper", folder, "--judge", "sympy", "--rows", "--json")
+    rows = json.loads(told.stdout)["rows"]
+    assert [(r["verdict"], r["sympy"]) for r in rows if not r["curve"]] == [
+        ("PROVED", "holds, 1"),
+        ("REFUTED", "not asked: it decides equalities alone"),
+    ]
+    assert {r["verdict"] for r in rows if r["curve"] and r["id"] == "1"} == {"VERIFIED"}
+    assert told.returncode == 1
