@@ -12,7 +12,9 @@ Polynomial = list[int]
 
 def check_degrees(certificate: Mapping[str, object]) -> dict[str, int]:
     """The largest degree over the segments, after checking the proof that it cannot be lowered (see
-    `exactspline.verification.minimality`).
+    `exactspline.verification.minimality`). Of a zero set this says that its form is square-free and shares no factor
+    with w; and, if every segment is ``irreducible``, that no polynomial over ℚ of a lower degree vanishes at a zero of
+    the form.
 
     A common factor over ℚ would also be a common factor modulo the prime, of the same degree, because the prime does
     not divide the leading coefficient of some form; but the cofactors combine the forms to 1. A common zero at the
@@ -23,10 +25,13 @@ def check_degrees(certificate: Mapping[str, object]) -> dict[str, int]:
 
 def _checked(data: Any) -> dict[str, int]:
     require(data["kind"] in ("zero set", "quotient") and bool(data["segments"]), "unknown kind, or nothing to check")
-    return {"degree": max(_segment(segment, data["kind"]) for segment in data["segments"])}
+    found = [_segment(segment, data["kind"]) for segment in data["segments"]]
+    shown = {"degree": max(n for n, _ in found)}
+    return shown if data["kind"] == "quotient" else shown | {"irreducible": all(proved for _, proved in found)}
 
 
-def _segment(segment: dict[str, Any], kind: str) -> int:
+def _segment(segment: dict[str, Any], kind: str) -> tuple[int, bool]:
+    """The degree of a segment, and whether its form is proved to be irreducible."""
     n, p = segment["degree"], segment["prime"]
     require(type(n) is int and type(p) is int, "a degree or a prime that is not an integer")
     forms = [_integers(form) for form in segment["forms"]]
@@ -43,14 +48,16 @@ def _segment(segment: dict[str, Any], kind: str) -> int:
     require(total == [1], "the cofactors do not combine the forms to 1")
     if kind == "quotient":
         require(any(form[-1] for form in forms), "a common zero at the right end")
+        q = None
     else:
+        require(is_square_free(forms[0], p), "not square-free modulo the prime named")
         require(sum(x * (-1) ** i for i, x in enumerate(forms[0])) != 0, "the degree in the parameter is lower")
         q = segment["irreducible modulo"]
         require(
             q is None or (type(q) is int and is_prime(q) and forms[0][-1] % q != 0 and is_irreducible(forms[0], q)),
             "not irreducible modulo the prime named",
         )
-    return int(n)
+    return int(n), q is not None or n < 2
 
 
 def _integers(given: Any) -> Polynomial:
@@ -112,6 +119,18 @@ def _gcd(a: Polynomial, b: Polynomial, p: int) -> Polynomial:
     while b:
         a, b = b, _remainder(a, b, p)
     return a
+
+
+def is_square_free(form: Polynomial, p: int) -> bool:
+    """Whether a form has no multiple factor modulo a prime, nor modulo the prime a lower degree: then it has none over
+    ℚ. A last coefficient that is zero is a zero at the right end.
+
+    >>> is_square_free([1, 0, 1], 3), is_square_free([1, -2, 1], 3), is_square_free([1, 1, 0, 0], 3)
+    (True, False, False)
+    """
+    f = [x % p for x in (form if form[-1] else form[:-1])]
+    derivative = _trimmed([i * x % p for i, x in enumerate(f)][1:])
+    return len(form) < 3 or (f[-1] != 0 and len(_gcd(f, derivative, p)) == 1)
 
 
 def is_irreducible(form: Polynomial, p: int) -> bool:

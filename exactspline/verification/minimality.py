@@ -2,8 +2,10 @@
 
 A quotient is certified segment by segment: modulo a prime, polynomial multiples of the components of numerator and
 denominator add up to 1, so that they have no common factor, and one of them has full degree at the right end. The form
-of a zero set is certified to have its full degree in the parameter and no common factor with w; if it is irreducible
-modulo some prime that was found, every polynomial over ℚ that vanishes at one of its zeros is a multiple of it.
+of a zero set is divided by its multiple factors, and certified to have its full degree in the parameter, no multiple
+factor and no common factor with w. That no polynomial of a lower degree has the same zeros is proved where it is
+`irreducible` and has a zero: modulo some prime that was found; then every polynomial over ℚ that vanishes at one of its
+zeros is a multiple of it. Elsewhere a factor without a zero on the segment might be left out.
 `exactspline.certificates` checks the data with the standard library alone.
 """
 
@@ -19,12 +21,14 @@ from flint import fmpz_poly, nmod_poly
 
 from exactspline.certificates import DEGREE, check_certificate
 from exactspline.certificates import certificate as written
+from exactspline.certificates.degrees import is_square_free
 from exactspline.errors import ReductionError, ShapeError
 from exactspline.geometry.constructions import Construction, Variant, construction
 from exactspline.geometry.derived import Piece, derive
 from exactspline.language.rational import Rational
 from exactspline.language.vector import Vector
 from exactspline.numbers.exact import mpq, text
+from exactspline.polynomials.annihilating import square_free
 from exactspline.polynomials.bernstein import divide_u_plus_v
 from exactspline.polynomials.factors import factorize
 from exactspline.splines.bspline import BSpline
@@ -48,7 +52,7 @@ def certificate(name: str, curve: Nurbs) -> dict[str, object]:
     >>> check_certificate(certificate("evolute", example("circle")))
     {'degree': 0}
     >>> check_certificate(certificate("critical_curvature", example("ellipse_skew")))
-    {'degree': 4}
+    {'degree': 4, 'irreducible': True}
 
     Raises `ShapeError` where the object does not exist or vanishes, `ReductionError` should the proof fail.
     """
@@ -73,8 +77,10 @@ def _segments(made: Construction, piece: Piece, curve: Nurbs) -> list[dict[str, 
     segments = []
     for (a, b), (c, _) in zip(pairwise(value.breakpoints), value.forms, strict=True):
         if c:
-            lowest, times = divide_u_plus_v(c, value.degree)
-            n, weight = value.degree - times, curve.w.restrict(a, b)
+            # a zero at the right end is a factor, too, and lowers the degree of the polynomial in u/v
+            simple, at_end = square_free(c), c.degree() < value.degree
+            lowest, _ = divide_u_plus_v(simple, simple.degree())
+            n, weight = lowest.degree() + at_end, curve.w.restrict(a, b)
             w, _ = divide_u_plus_v(weight.polynomials[0], weight.degree)
             segments.append(_segment((a, b), [lowest], n, w) | {"irreducible modulo": _irreducible(lowest, n)})
     return segments
@@ -93,20 +99,25 @@ def _coefficients(c: fmpz_poly, n: int) -> list[str]:
 def _segment(span: tuple[mpq, mpq], forms: list[fmpz_poly], n: int, w: fmpz_poly | None = None) -> dict[str, Any]:
     """One segment: forms of degree n without a common factor, for a zero set together with the weight."""
     weights = [] if w is None else [w]
-    prime, cofactors = bezout_combination([*forms, *weights], [*[n] * len(forms), *[c.degree() for c in weights]])
+    degrees = [*[n] * len(forms), *[c.degree() for c in weights]]
+    prime, cofactors = bezout_combination([*forms, *weights], degrees, simple=w is not None)
     segment = {"interval": list(map(text, span)), "degree": n, "forms": [_coefficients(c, n) for c in forms]}
     weight = {} if w is None else {"weight": _coefficients(w, w.degree())}
     return segment | weight | {"prime": prime, "cofactors": cofactors}
 
 
-def bezout_combination(forms: Sequence[fmpz_poly], degrees: Sequence[int]) -> tuple[int, list[list[str]]]:
+def bezout_combination(
+    forms: Sequence[fmpz_poly], degrees: Sequence[int], *, simple: bool = False
+) -> tuple[int, list[list[str]]]:
     """A prime, and polynomials modulo it whose products with the forms add up to 1; the prime divides no leading
-    coefficient of a form of full degree.
+    coefficient of a form of full degree, and modulo it the first form is square-free if it is to be `simple`.
     """
     for p in LARGE_PRIMES:
         if all(int(c[n]) % p == 0 for c, n in zip(forms, degrees, strict=True)):
             continue
         reduced = [nmod_poly(c.coeffs(), p) for c in forms]
+        if simple and not is_square_free([int(forms[0][i]) for i in range(degrees[0] + 1)], p):
+            continue
         common, cofactors = reduced[0], [nmod_poly([1], p)]
         for other in reduced[1:]:
             common, s, t = common.xgcd(other)

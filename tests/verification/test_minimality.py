@@ -9,6 +9,7 @@ from itertools import product
 
 import pytest
 from flint import fmpz, fmpz_poly, nmod_poly
+from gmpy2 import mpq
 
 from exactspline import BSpline, Nurbs
 from exactspline.certificates import check_certificate
@@ -30,7 +31,9 @@ def test_the_witness_attains_the_proved_degree(name, d, polynomial):
     if found.attained is None:
         assert d == 2  # planar: no torsion, no osculating spheres
     else:
-        assert check_certificate(json.loads(json.dumps(found.certificate))) == {"degree": found.proved}
+        checked = check_certificate(json.loads(json.dumps(found.certificate)))
+        assert checked["degree"] == found.proved
+        assert ("irreducible" in checked) == (found.certificate["kind"] == "zero set")
 
 
 @pytest.mark.parametrize(
@@ -39,7 +42,30 @@ def test_the_witness_attains_the_proved_degree(name, d, polynomial):
 def test_certificates_on_curves_of_several_segments(name):
     for construction in ("evolute", "zero_curvature", "critical_curvature"):
         data = certificate(construction, example(name))
-        assert check_certificate(data) == {"degree": max(segment["degree"] for segment in data["segments"])}
+        assert check_certificate(data)["degree"] == max(segment["degree"] for segment in data["segments"])
+
+
+def test_a_multiple_factor_is_not_part_of_a_zero_set():
+    """Before, it was certified, and the checker accepted, that the zero set {1/2} of (1 − 2t)² needs degree 2; written
+    by hand also (z − 1)²(z − 2), z² and 1 + z with a double zero at the right end.
+    """
+    quartic = Nurbs(4, [0] * 5 + [1] * 5, [(mpq(k, 4), mpq((-1) ** k, 16)) for k in range(5)])  # y = (t − 1/2)⁴
+    data = certificate("zero_curvature", quartic)
+    assert check_certificate(data) == {"degree": 1, "irreducible": True}
+    for form in ([-2, 5, -4, 1], [0, 0, 1], [1, 1, 0, 0]):
+        with pytest.raises(ValueError, match="not square-free"):
+            check_certificate(by_hand(data, form))
+    # (1 + z²)(z − 2): of its three factors two have no zero, and that it is irreducible is not said
+    assert check_certificate(by_hand(data, [-2, 1, -2, 1])) == {"degree": 3, "irreducible": False}
+    # zeros at the right end are zeros like others: 2 (z − 1) with t = 1, where z is infinite
+    assert check_certificate(by_hand(data, [-2, 2, 0])) == {"degree": 2, "irreducible": False}
+
+
+def by_hand(data, form):
+    """A certificate of the zero set of a form."""
+    forms, degree = [list(map(str, form))], len(form) - 1
+    own = {"forms": forms, "degree": degree, "cofactors": [[], ["1"]], "irreducible modulo": None}
+    return data | {"segments": [data["segments"][0] | own]}
 
 
 def test_what_vanishes_has_no_certificate():
@@ -150,7 +176,8 @@ def test_what_is_not_irreducible_is_refused(form):
     other = {"forms": [form], "weight": ["1"], "degree": len(form) - 1, "cofactors": [[], ["1"]]}
     first = data["segments"][0]
     data["segments"] = [first | other | {"irreducible modulo": None}, first]
-    assert check_certificate(data) == {"degree": max(len(form) - 1, first["degree"])}
+    expected = {"degree": max(len(form) - 1, first["degree"]), "irreducible": len(form) == 1}
+    assert check_certificate(data) == expected
     with pytest.raises(ValueError, match="unknown kind"):
         check_certificate(data | {"kind": "something else"})
     data["segments"][0]["irreducible modulo"] = 101
@@ -233,7 +260,7 @@ def zero_set(form, weight, cofactors):
 
 def test_a_form_of_lower_degree_in_the_parameter_is_refused():
     """A mutant passed: (1 − t) + t proved to be of degree 1; and it refused (1 − t) + 2t."""
-    assert check_certificate(zero_set(["1", "2"], ["1", "1"], [["4"], ["2"]])) == {"degree": 1}
+    assert check_certificate(zero_set(["1", "2"], ["1", "1"], [["4"], ["2"]]))["degree"] == 1
     with pytest.raises(ValueError, match="the degree in the parameter is lower"):
         check_certificate(zero_set(["1", "1"], ["1", "2"], [["2"], ["4"]]))
 
@@ -241,7 +268,7 @@ def test_a_form_of_lower_degree_in_the_parameter_is_refused():
 def test_a_prime_that_divides_the_highest_coefficient_shows_no_irreducibility():
     """A mutant passed: 1 + 10u irreducible modulo 5, where it is 1."""
     certificate = zero_set(["1", "10"], ["1", "1"], [["1"], []])
-    assert check_certificate(certificate) == {"degree": 1}
+    assert check_certificate(certificate)["degree"] == 1
     certificate["segments"][0]["irreducible modulo"] = 5
     with pytest.raises(ValueError, match="not irreducible"):
         check_certificate(certificate)
