@@ -7,7 +7,8 @@ from dataclasses import replace
 from typing import Any
 
 from exactspline.batch.lines import EVERYWHERE, Found
-from exactspline.errors import DomainError, ExactSplineError, FormulaError, ReachError, ShapeError, as_texts, nearest
+from exactspline.batch.oracle_answers import parts_of
+from exactspline.errors import DomainError, ExactSplineError, ReachError, ShapeError, as_texts
 from exactspline.geometry.analysis import QUESTIONS, analyse, questions_about
 from exactspline.geometry.intersections import Intersections
 from exactspline.geometry.joints import Joint
@@ -47,17 +48,11 @@ def asked_by_sweeps() -> dict[str, Entry]:
 def entry_of(asked: str) -> tuple[Entry, str]:
     """The question and its argument in a text such as ``offset_cusps:1/10``.
 
-    Raises `FormulaError` with the nearest names, for an argument that is missing, and for one too many.
+    Raises `QuestionError` with the nearest names, for an argument that is missing, and for one too many.
     """
     known = asked_by_sweeps()
-    name, _, argument = asked.partition(":")
-    if name not in known:
-        raise FormulaError(f"there is no question called {asked!r}", remedy=nearest(name, [*known, "all"]))
-    entry = known[name]
-    if bool(argument) != bool(entry.about.argument):
-        right = f"{name}:{entry.about.argument}" if entry.about.argument else name
-        raise FormulaError(f"the question {asked!r}", remedy=f"write it like {right!r}")
-    return entry, argument
+    name, argument, _ = parts_of(asked, {name: entry.form for name, entry in known.items()})
+    return known[name], argument
 
 
 def checked_names(names: Iterable[str]) -> tuple[str, ...]:

@@ -14,8 +14,8 @@ from itertools import pairwise
 from typing import Any, TypeAlias
 
 from exactspline.batch.lines import EVERYWHERE
-from exactspline.batch.oracle_answers import Answer, Item, Question, QuestionError
-from exactspline.errors import DomainError, ShapeError, as_text, nearest
+from exactspline.batch.oracle_answers import Answer, Item, Question, QuestionError, parts_of
+from exactspline.errors import DomainError, ShapeError
 from exactspline.geometry import balls, values_along
 from exactspline.geometry.analysis import QUESTIONS as QUESTIONS_ABOUT_CURVES
 from exactspline.geometry.analysis import analyse, questions_about
@@ -45,6 +45,8 @@ from exactspline.splines.nurbs import Nurbs, changed
 
 #: The largest number of segments times the square of the degree that `elevate` computes (a few seconds).
 MOST_ELEVATED = 1_000_000
+#: The questions whose argument may be left out.
+DEFAULT = ("derivative", "insert", "remove", "elevate", "moments")
 #: Items and certificates.
 Found: TypeAlias = tuple[Iterable[Item], Iterable[dict[str, object]]]
 #: Numbers by their names.
@@ -52,17 +54,13 @@ Values: TypeAlias = dict[str, Real]
 
 
 def question_of(asked: str) -> Question:
-    """The question that a text describes; raises `QuestionError` with the nearest names.
+    """The question that a text describes; raises `QuestionError` as `parts_of` does.
 
     >>> question_of("derivative:2@0,1/3")
     Question(text='derivative:2@0,1/3', name='derivative', argument='2', places=('0', '1/3'))
     """
-    head, at, tail = as_text(asked, "a question").strip().partition("@")
-    name, _, argument = head.partition(":")
-    if name not in QUESTIONS:
-        remedy = nearest(name, QUESTIONS, listed_by="list questions")
-        raise QuestionError(f"there is no question called {name!r}", remedy=remedy)
-    return Question(asked.strip(), name, argument, tuple(tail.split(",")) if at else ())
+    name, argument, place = parts_of(asked, {name: kind.asked for name, kind in QUESTIONS.items()}, DEFAULT)
+    return Question(asked.strip(), name, argument, tuple(place.split(",")) if place else ())
 
 
 def oracle(curve: Nurbs, asked: str) -> Answer:
@@ -315,8 +313,7 @@ def _of_two_curves(entry: Entry, curve: Nurbs, question: Question) -> Found:
     """
     other, _, argument = question.argument.rpartition(",") if entry.about.argument else (question.argument, "", "")
     if not other:
-        needed = f"{entry.name}:circle" + (f",{entry.about.argument}" if entry.about.argument else "")
-        raise QuestionError(f"{question.text!r} is incomplete", remedy=f"write it like {needed}")
+        raise QuestionError(f"{question.text!r} is incomplete", remedy=f"write it like {QUESTIONS[entry.name].asked!r}")
     return pair_items(CurvePair(curve, read(other).curve), entry.name, argument), ()
 
 
@@ -414,8 +411,7 @@ def _kinds() -> Iterator[Kind]:
     yield Kind("product:IJ", "the control points of the product of the coordinates I and J (0 is x)", _product)
     yield Kind("evolute", "the control points of the evolute, piece by piece", _evolute)
     for entry in QUESTIONS_ABOUT_CURVES.values():
-        asked = f"{entry.name}:{entry.about.argument}" if entry.about.argument else entry.name
-        yield Kind(asked, entry.meaning, partial(_of_registry, entry))
+        yield Kind(entry.form, entry.meaning, partial(_of_registry, entry))
     for name, entry in questions_of(CurvePair).items():
         behind = f",{entry.about.argument}" if entry.about.argument else ""
         yield Kind(f"{name}:CURVE{behind}", entry.meaning, partial(_of_two_curves, entry))

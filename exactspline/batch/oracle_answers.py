@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Container, Mapping
 from dataclasses import dataclass, field
 
-from exactspline.errors import ExactSplineError, counted
+from exactspline.errors import ExactSplineError, as_text, counted, nearest
 from exactspline.geometry.analysis import QUESTIONS, analyse
 from exactspline.numbers.exact import mpq, rational, text
 from exactspline.numbers.intervals import rounded_outwards
@@ -21,6 +21,30 @@ DIGITS = 30
 
 class QuestionError(ExactSplineError):
     """A question that cannot be read, or that has no answer for a curve."""
+
+
+def parts_of(asked: str, forms: Mapping[str, str], optional: Container[str] = ()) -> tuple[str, str, str]:
+    """The name, the argument and the place of a question, whose `forms` are given by its names, as
+    ``derivative:K@T``. The argument of the `optional` ones may be left out.
+
+    >>> parts_of("derivative:2@0,1/3", {"derivative": "derivative:K@T"})
+    ('derivative', '2', '0,1/3')
+
+    Raises `QuestionError` for another name, with the nearest, and with the form of the question for what it does not
+    take and for what it lacks.
+    """
+    asked = as_text(asked, "a question").strip()
+    name = asked.partition("@")[0].partition(":")[0]
+    if name not in forms:
+        remedy = nearest(name, forms, listed_by="list questions")
+        raise QuestionError(f"there is no question called {name!r}", remedy=remedy)
+    form, rest = forms[name], asked.removeprefix(name)
+    argument, _, place = rest.partition("@") if "@" in form else (rest, "", "")
+    given = argument.startswith(":") and argument != ":"
+    fits = given if argument else name in optional or ":" not in form
+    if not fits or given > (":" in form) or bool(place) != ("@" in form):
+        raise QuestionError(f"the question {asked!r}", remedy=f"write it like {form!r}")
+    return name, argument[1:], place
 
 
 @dataclass(frozen=True)

@@ -8,9 +8,8 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 
-from exactspline.batch.oracle_answers import QuestionError, number_data
+from exactspline.batch.oracle_answers import QuestionError, number_data, parts_of
 from exactspline.display.surface_data import surface_answer_data
-from exactspline.errors import as_text, nearest
 from exactspline.geometry.planar_maps import MapInspection, jacobian_sign
 from exactspline.geometry.registry import REGISTRY
 from exactspline.geometry.surface.forms import SurfaceForms
@@ -25,22 +24,13 @@ HIGHEST = 99
 
 
 def surface_question(asked: str) -> tuple[str, str, str]:
-    """The name, the argument and the place of a question; raises `QuestionError` with the nearest names.
+    """The name, the argument and the place of a question; raises `QuestionError` as `parts_of` does.
 
     >>> surface_question("derivative:1,2@0,1/3")
     ('derivative', '1,2', '0,1/3')
     """
-    head, _, place = as_text(asked, "a question").strip().partition("@")
-    name, _, argument = head.partition(":")
-    known = [*AT_A_PLACE, *REGISTRY[Of.SURFACE], *REGISTRY[Of.PLANAR_MAP]]
-    if name not in known:
-        raise QuestionError(f"there is no question about surfaces called {name!r}", remedy=nearest(name, known))
-    entry = REGISTRY[Of.SURFACE].get(name)
-    example = entry.about.argument if entry else ""
-    if bool(place) != (name in AT_A_PLACE) or (name != "derivative" and bool(argument) != bool(example)):
-        right = f"{name}@1/2,1/3" if name in AT_A_PLACE else f"{name}:{example}" if example else name
-        raise QuestionError(f"the question {asked!r}", remedy=f"write it like {right!r}")
-    return name, argument, place
+    of_registry = REGISTRY[Of.PLANAR_MAP] | REGISTRY[Of.SURFACE]
+    return parts_of(asked, FORMS | {name: entry.form for name, entry in of_registry.items()})
 
 
 def inspection_of(surface: NurbsSurface) -> SurfaceInspection | MapInspection:
@@ -132,6 +122,8 @@ def _inside(surface: NurbsSurface, u: mpq, v: mpq) -> None:
             )
 
 
+#: How questions at a place are written.
+FORMS = {"value": "value@1/2,1/3", "derivative": "derivative:1,0@1/2,1/3", "curvature": "curvature@1/2,1/3"}
 #: What can be asked at a place.
 AT_A_PLACE: Mapping[str, Callable[[NurbsSurface, str, mpq, mpq], dict[str, Real]]] = {
     "value": _point,

@@ -53,7 +53,7 @@ def sweep(
     circle ['0', '2']
     six_segment_cubic ['1.9264459962', '5.1715728752']
 
-    Raises `FormulaError`, `QuestionError`, `ClaimError` or `BackendError` for unknown names, and `ShapeError` for
+    Raises `QuestionError`, `ClaimError` or `BackendError` for unknown names, and `ShapeError` for
     claims or values of surfaces, before anything is computed.
     """
     jobs, scheduler = as_integer(jobs, "a number of processes", 1), as_text(scheduler, "the address of a scheduler")

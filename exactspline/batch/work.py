@@ -79,7 +79,7 @@ class Work(OneByOne):
         """The work that the arguments describe: names of questions (by default `USUAL`, or none where claims are given)
         and ids of claims.
 
-        Raises `FormulaError` or `ClaimError` with the nearest names.
+        Raises `QuestionError` or `ClaimError` with the nearest names.
         """
         digits = as_integer(digits, "a number of digits", 0, MOST_DIGITS)
         located = _located(as_texts(claims, "ids of claims", "the id of a claim"))

@@ -113,7 +113,12 @@ def _format(source: Source, named: str | None) -> Format:
         raise CurveFileError(f"{counted(len(source.data), 'byte')}", remedy=f"at most {limits.megabytes} MB are read")
     if not source.data.strip(BLANK):
         raise CurveFileError("is empty", remedy="name a file of curves")
-    return _recognized(source.data, source.name) if named is None else named_format(named)
+    chosen = _recognized(source.data, source.name) if named is None else named_format(named)
+    if source.part and not chosen.parts:
+        raise CurveFileError(
+            f"{chosen.title}: there is no part {source.part!r}", remedy="leave it out: fonts have parts"
+        )
+    return chosen
 
 
 def write(

@@ -14,7 +14,7 @@ from exactspline.interchange.writing import Spline
 class Format:
     """A file format: its name, its title, the suffixes of its files, a function that recognizes the beginning of a
     file, its reader and writer, and a note on what is lost in writing; for formats with large files, also a reader that
-    yields piece after piece; and whether surfaces are written, too.
+    yields piece after piece; whether surfaces are written, too, and whether parts can be named, as a glyph of a font.
     """
 
     name: str
@@ -26,3 +26,4 @@ class Format:
     loses: str = ""
     pieces: Callable[[Source], Iterator[Piece]] | None = None
     surfaces: bool = False
+    parts: bool = False

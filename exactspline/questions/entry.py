@@ -144,6 +144,11 @@ class Entry(ABC):
         """The exact answer; an argument is given as text."""
 
     @property
+    def form(self) -> str:
+        """How it is asked as text: its name, with an example of its argument after a colon."""
+        return f"{self.name}:{self.about.argument}" if self.about.argument else self.name
+
+    @property
     def meaning(self) -> str:
         """What is asked, in one line: the first paragraph of the docstring, as a part of a sentence."""
         paragraph = " ".join(cleandoc(self.__doc__ or "").split("\n\n")[0].split())

@@ -14,8 +14,10 @@ from gmpy2 import mpq
 
 import exactspline as xs
 from exactspline.batch.families import Family
-from exactspline.batch.oracle import QUESTIONS, oracle
+from exactspline.batch.inspections import entry_of
+from exactspline.batch.oracle import QUESTIONS, oracle, question_of
 from exactspline.batch.oracle_answers import Item, QuestionError, answer_data, number_data
+from exactspline.batch.surface_oracle import surface_question
 from exactspline.certificates import check_certificate
 from exactspline.cli import app
 from exactspline.errors import ExactSplineError, OpenError
@@ -305,10 +307,32 @@ def test_every_question_is_asked_here():
     assert isinstance(items(SQUARE, "length")[0], Item)
 
 
-@pytest.mark.parametrize(("asked", "told"), [("derivative:1000000@1", "up to 999"), ("value@", "names no parameter")])
+@pytest.mark.parametrize(("asked", "told"), [("derivative:1000000@1", "up to 999"), ("value@", "like 'value@T'")])
 def test_what_is_wrong_with_a_question_is_named(asked, told):
     with pytest.raises(QuestionError, match=told):
         oracle(xs.example("ellipse"), asked)
+
+
+@pytest.mark.parametrize(("name", "kind"), QUESTIONS.items())
+def test_what_a_question_does_not_take_is_refused(name, kind):
+    """Before, `length@1/2` answered the length of the whole curve, and so did every question that takes no place, or no
+    argument; `distance:circle:7` left out the part that a curve file does not have.
+    """
+    place = "@1/2" if "@" in kind.asked else ""
+    wrong = [f"{name}:{place}", f"{name}@", f"{name}:2" if place else f"{name}@1/2"]
+    for asked in wrong if ":" in kind.asked else [*wrong, f"{name}:3{place}"]:
+        with pytest.raises(QuestionError, match="write it like"):
+            question_of(asked)
+    for asked in ("nearest:1,2@1/2", "distance:circle:7"):
+        with pytest.raises(ExactSplineError, match=r"2@1/2|no part '7'"):
+            oracle(xs.example("ellipse"), asked)
+
+
+def test_the_form_is_the_same_for_sweeps_and_surfaces():
+    """Before, a sweep said `there is no question called 'corners@1/2'`, a surface nothing of `umbilics@`."""
+    for ask, asked in ((question_of, "area:7"), (entry_of, "corners@1/2"), (surface_question, "umbilics@")):
+        with pytest.raises(QuestionError, match=f"^the question '{asked}'; write it like '[a-z]*'$"):
+            ask(asked)
 
 
 def test_a_file_of_which_a_curve_could_not_be_read_ends_with_2(tmp_path):

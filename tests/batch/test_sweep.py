@@ -21,12 +21,13 @@ from exactspline.batch.corpus import Problem, items
 from exactspline.batch.families import Family
 from exactspline.batch.inspections import asked_by_sweeps, enclosed, inspected
 from exactspline.batch.lines import line_schema
+from exactspline.batch.oracle_answers import QuestionError
 from exactspline.batch.results import JsonLines, ResultsError
 from exactspline.batch.summary import Summary
 from exactspline.batch.sweep import Where, recorded
 from exactspline.batch.work import Work
 from exactspline.cli import app
-from exactspline.errors import CurveFileError, ExactSplineError, FormulaError
+from exactspline.errors import CurveFileError, ExactSplineError
 from exactspline.interchange.curve_files import curve_data
 from exactspline.interchange.files import read, read_in_pieces
 from exactspline.numbers.exact import mpq
@@ -240,7 +241,7 @@ def test_what_is_not_there_is_told_before_anything_is_computed(monkeypatch):
     for wrong in ({"find": ["inflexions"]}, {"claims": ["C99"]}, {"backend": "dusk"}, {"jobs": 0}, {"digits": -1}):
         with pytest.raises(ExactSplineError):
             xs.sweep("circle", **wrong)
-    with pytest.raises(FormulaError, match="nearest are inflections"):
+    with pytest.raises(QuestionError, match="nearest are inflections"):
         xs.sweep("circle", find=["inflexions"])
     monkeypatch.setattr(backends, "find_spec", lambda name: None)
     with pytest.raises(backends.BackendError, match="pip install ray"):

@@ -191,4 +191,6 @@ class _Glyph:
             self._place(pen, inner_name, inner, depth + 1)
 
 
-FORMAT = Format("font", "TrueType and CFF outlines", (".ttf", ".otf", ".ttc"), looks_like, read, pieces=pieces)
+FORMAT = Format(
+    "font", "TrueType and CFF outlines", (".ttf", ".otf", ".ttc"), looks_like, read, pieces=pieces, parts=True
+)
