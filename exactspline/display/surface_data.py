@@ -36,7 +36,7 @@ from exactspline.geometry.surface.inspection import PatchInspection, PatchKind, 
 from exactspline.geometry.surface.joints import SurfaceJoint, SurfaceJointKind
 from exactspline.geometry.surface.places import Place
 from exactspline.geometry.surface.recognized import RecognizedPart
-from exactspline.geometry.surface.ridges import Ridges
+from exactspline.geometry.surface.ridges import NoDirections, Ridges
 from exactspline.geometry.surface.umbilics import Umbilic, UmbilicKind
 from exactspline.geometry.surface.umbilics_nearby import NearbyUmbilic
 from exactspline.geometry.surface.zero_curve import Shape
@@ -202,6 +202,7 @@ FORMS: dict[type, Form] = {
         lines=list_of(_LINE),
         everywhere=(list_of(record(_PART.of(itemgetter(0)), curvatures=(INTEGER, itemgetter(1)))), "stationary"),
         undecided=list_of(record(_SIDES, umbilics=INTEGER, singular_points=(INTEGER, "singular"))),
+        excluded=list_of(record(_PART.of(itemgetter(0)), kind=(one_of(NoDirections), itemgetter(1)))),
     ),
 }
 

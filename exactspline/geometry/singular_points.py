@@ -42,17 +42,19 @@ class PointKind(StrEnum):
     ISOLATED = "isolated point"
     #: Of multiplicity three or more.
     MULTIPLE = "multiple point"
-    #: At a knot, where it is of different kinds on the patches that meet.
+    #: At a knot, where it is of different kinds on the patches that meet, or branches of several patches meet.
     KNOT = "at a knot"
 
 
 @dataclass(frozen=True)
 class SingularPoint:
-    """A point at which a function (without multiple factors) vanishes with both its derivatives on a patch.
+    """A point at which a function (without multiple factors) vanishes with both its derivatives on a patch, or at which
+    more than two branches meet at knots.
 
     `multiplicity` is that of the point on the curve: the order of the lowest derivative that is not zero. `milnor` is
     the Milnor number of a double point: 1 for nodes, 2 for ordinary cusps, 3 for ordinary tacnodes. At knots where the
-    patches have different points it is the least multiplicity, and there is no Milnor number.
+    patches have different points it is the least multiplicity (1 where it is simple on a patch), and there is no Milnor
+    number. `patches` are those on which it is a zero.
     """
 
     first: Real

@@ -10,7 +10,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field, replace
 from enum import StrEnum
 from functools import cached_property
-from itertools import combinations, product
+from itertools import combinations, pairwise, product
 from typing import NamedTuple, cast
 
 from flint import fmpz_mpoly
@@ -21,6 +21,7 @@ from exactspline.geometry.singular_points import PointKind, SingularPoint, singu
 from exactspline.geometry.surface.chains import Piece, ZeroComponent, chained, place_of
 from exactspline.geometry.surface.common_factor import square_free
 from exactspline.geometry.surface.forms import Patch
+from exactspline.geometry.surface.merged import is_in
 from exactspline.geometry.surface.zero_curve import Shape, ZeroCurve
 from exactspline.geometry.surface.zero_lines import LinesOfPatch, ZeroLine, without_lines, zero_lines
 from exactspline.geometry.zero_curve_certificate import zero_curve_certificate
@@ -33,7 +34,7 @@ from exactspline.polynomials.two_parameters import as_form, over
 from exactspline.questions.answers import SurfacePart, SurfacePlaces
 from exactspline.reals.real import Real, real
 from exactspline.roots import common_zeros as elimination
-from exactspline.roots.borders import EDGES
+from exactspline.roots.borders import EDGES, vanishes_at
 from exactspline.roots.of_polynomials import Parameter, Place
 from exactspline.roots.root import Root
 from exactspline.roots.vanishing import vanish_at
@@ -175,7 +176,8 @@ class ZeroCurves:
     @cached_property
     def singular_points(self) -> tuple[SingularPoint, ...]:
         """The multiple points: nodes, cusps, tacnodes, isolated points and those of higher multiplicity, by their exact
-        parameters. Where the curve continues beyond the border of the domain, the kind is that of all of it.
+        parameters, and points at knots at which more than two branches meet. Where the curve continues beyond the
+        border of the domain, the kind is that of all of it.
 
         >>> from exactspline import TensorSpline
         >>> knots = [0, 0, 0, 0, 1, 1, 1, 1]
@@ -195,7 +197,8 @@ class ZeroCurves:
                 for place, kind, order, milnor in () if form.is_zero else singular_on_patch(form, sides, single):
                     s, t = map(real, place)
                     found.setdefault(place, []).append(SingularPoint(s, t, kind, order, milnor, (patch,)))
-        points = [_of_all_patches(own) for own in found.values()]
+            places = dict.fromkeys([*found, *_met(self.curves, self.lines, self.function)])
+            points = [_of_all_patches(place, found.get(place, []), self.function) for place in places]
         return tuple(sorted(points, key=lambda point: (point.first, point.second)))
 
     @cached_property
@@ -279,9 +282,9 @@ def common_zeros(first: TensorSpline, second: TensorSpline, *more: TensorSpline)
     >>> common_zeros(line, line.partial(1, 0))
     nowhere
 
-    A point of a patch or of an edge on which the functions vanish everywhere is not listed; one on a curve of another
-    patch is. The work is limited to about ten seconds (somewhat more for many patches); patches for which this does not
-    suffice are `undecided`.
+    A point of a patch, an edge or a curve on which the functions vanish everywhere is not listed, also where that is
+    one of another patch. The work is limited to about ten seconds (somewhat more for many patches); patches for which
+    this does not suffice are `undecided`.
 
     Raises `ShapeError` for anything but functions of two parameters, and `DomainError` for different domains.
 
@@ -289,19 +292,20 @@ def common_zeros(first: TensorSpline, second: TensorSpline, *more: TensorSpline)
     Theoretical Computer Science 2013.
     """
     functions = aligned(*[function_of_two(f) for f in (first, second, *more)])
-    found, whole, undecided = list[_Zero](), list[SurfacePart](), list[Box]()
+    found, whole, factors, undecided = list[_Zero](), list[SurfacePart](), list[_OnPatch](), list[Box]()
     with drawing_on(_budget(functions[0])):
         for patch, sides in _patches(functions[0]):
             try:
-                points, parts, open_boxes = _common_on_patch([f.patch_form(*patch) for f in functions], patch, sides)
+                points, own = _common_on_patch([f.patch_form(*patch) for f in functions], patch, sides)
             except ReachError:
                 undecided.append(sides)
                 continue
             found += points
-            whole += parts
-            undecided += open_boxes
-    kept = [zero for zero in found if not _is_on(zero.place, whole)]
-    return CommonZeros(_each_once(kept, functions[0]), tuple(whole), tuple(undecided), tuple(functions))
+            whole += own.parts
+            factors.append(own)
+            undecided += own.undecided
+        *_, points, undecided = _joined(factors, undecided, functions[0], found)
+    return CommonZeros(_each_once(points, functions[0]), tuple(whole), tuple(undecided), tuple(functions))
 
 
 def zero_curve(function: TensorSpline) -> ZeroCurves:
@@ -323,41 +327,53 @@ def zero_curve(function: TensorSpline) -> ZeroCurves:
     Raises `ShapeError` for anything but a function of two parameters.
     """
     f = function_of_two(function)
-    whole, lines_of, pieces, undecided = list[SurfacePart](), list[LinesOfPatch](), list[Piece](), list[Box]()
+    found, undecided = list[_OnPatch](), list[Box]()
     with drawing_on(_budget(f)):
         for patch, sides in _patches(f):
-            form = f.patch_form(*patch)
-            if form.sign is not None:
-                whole += [SurfacePart(patch, sides)] * form.is_zero
-                lines_of.append(LinesOfPatch(patch, sides, (), (), form.is_zero))
-                continue
             try:
-                own, curve = _on_patch(form, patch, sides)
+                found.append(_on_patch(f.patch_form(*patch), patch, sides))
             except ReachError:
                 undecided.append(sides)
-                continue
-            lines_of.append(own)
-            pieces += [Piece(patch, sides, curve, part) for part in curve.parts]
-            undecided += [sides.part(box) for box in curve.undecided]
-        lines = zero_lines((len(f.meshes[0]), len(f.meshes[1])), f.domain, lines_of)
-        components = chained(pieces, f.domain, (), undecided)
-        points, open_boxes = _single(component for component in components if component.shape is Shape.POINT)
-    kept = [zero for zero in points if not (_is_on(zero.place, whole) or any(_is_in(zero.place, x.box) for x in lines))]
-    curves = tuple(component for component in components if component.shape is not Shape.POINT)
-    return ZeroCurves(lines, curves, _each_once(kept, f), tuple(whole), (*undecided, *open_boxes), f)
+        undecided += [box for own in found for box in own.undecided]
+        lines, curves, points, undecided = _joined(found, undecided, f)
+    whole = tuple(SurfacePart(own.lines.patch, own.lines.sides) for own in found if own.lines.flat)
+    return ZeroCurves(lines, curves, _each_once(points, f), whole, tuple(undecided), f)
 
 
 def _near(x: Parameter) -> mpq:
     return x.refine(DRAWN).middle if isinstance(x, Root) else x
 
 
-def _of_all_patches(own: Sequence[SingularPoint]) -> SingularPoint:
-    """One point that is singular on several patches."""
-    first, patches = own[0], tuple(patch for point in own for patch in point.patches)
-    if len(set(own)) == 1:
-        return replace(first, patches=patches)
-    least = min(point.multiplicity for point in own)
-    return SingularPoint(first.first, first.second, PointKind.KNOT, least, None, patches)
+def _met(curves: Sequence[ZeroComponent], lines: Sequence[ZeroLine], f: TensorSpline) -> list[Place]:
+    """The points on borders of patches at which more than two branches of curves and lines meet."""
+    met = {place: arcs for curve in curves for place, arcs in curve.met.items()}
+    for place, line in product(met, lines):
+        if is_in(place, line.box, f.domain, ()):
+            met[place] += 1 if place[line.along.direction] in line.interval else 2
+    return [place for place, branches in met.items() if branches > 2]
+
+
+def _of_all_patches(place: Place, own: Sequence[SingularPoint], f: TensorSpline) -> SingularPoint:
+    """One point that is singular on several patches, or where branches of several patches meet."""
+    around = _around(place, f)
+    if len(set(own)) == 1 and len(own) == len(around):
+        return replace(own[0], patches=tuple(around))
+    orders = {patch: point.multiplicity for point in own for patch in point.patches}
+    for patch in around:
+        form = f.patch_form(*patch)
+        if patch not in orders and not form.is_zero and vanishes_at(form, place, f.patch(*patch)):
+            orders[patch] = 1
+    s, t = map(real, place)
+    return SingularPoint(s, t, PointKind.KNOT, min(orders.values()), None, tuple(orders))
+
+
+def _around(place: Place, f: TensorSpline) -> list[Patch]:
+    """The patches that meet at a point."""
+    first, second = (
+        [k for k, (low, high) in enumerate(pairwise(mesh.breaks)) if low <= x <= high]
+        for x, mesh in zip(place, f.meshes, strict=True)
+    )
+    return list(product(first, second))
 
 
 def _reals(place: Place | None) -> tuple[Real, Real] | None:
@@ -385,23 +401,43 @@ def _budget(f: TensorSpline) -> Budget:
     return Budget(QUESTION + PATCH * (len(f.meshes[0]) * len(f.meshes[1]) - 1))
 
 
-def _common_on_patch(
-    forms: Sequence[PatchForm], patch: Patch, sides: Box
-) -> tuple[list[_Zero], list[SurfacePart], list[Box]]:
-    """The single zeros of a patch, where all of it, an edge or a curve consists of zeros, and what is not decided."""
+class _OnPatch(NamedTuple):
+    """The lines on which a form on a patch vanishes, or that it does everywhere, and the other curves."""
+
+    lines: LinesOfPatch
+    curve: ZeroCurve | None = None
+
+    @property
+    def pieces(self) -> list[Piece]:
+        """The parts of the curves."""
+        patch, sides, curve = self.lines.patch, self.lines.sides, self.curve
+        return [Piece(patch, sides, curve, part) for part in curve.parts] if curve else []
+
+    @property
+    def undecided(self) -> list[Box]:
+        """Boxes in which there may be more of them."""
+        return [self.lines.sides.part(box) for box in self.curve.undecided] if self.curve else []
+
+    @property
+    def parts(self) -> list[SurfacePart]:
+        """The patch, its edges, and that there are lines or curves inside."""
+        patch, sides, edges, inner, flat = self.lines
+        inside = inner or any(piece.part.shape is not Shape.POINT for piece in self.pieces)
+        boxes = [sides] * flat + [edge.box(sides) for edge in edges]
+        return [SurfacePart(patch, box) for box in boxes] + [SurfacePart(patch, sides, along_curve=True)] * bool(inside)
+
+
+def _common_on_patch(forms: Sequence[PatchForm], patch: Patch, sides: Box) -> tuple[list[_Zero], _OnPatch]:
+    """The single zeros of a patch that are none of a common factor, and those of such a factor."""
     polynomials = [over(form, sides) for form in forms if not form.is_zero]
     if not polynomials:
-        return [], [SurfacePart(patch, sides)], []
-    shared = greatest_common_divisor(polynomials)
-    if shared.total_degree() > 0:
-        found, whole, undecided = _of_factor(shared, patch, sides)
-    else:
-        found, whole, undecided = [], [], []
+        return [], _OnPatch(LinesOfPatch(patch, sides, (), (), True))
+    shared, found = greatest_common_divisor(polynomials), list[_Zero]()
     rest = [p / shared for p in polynomials]
     for zero in elimination.common_zeros(rest, sides):
         if shared.total_degree() == 0 or not vanish_at([shared], *zero.place):
             found.append(_Zero(zero.place, *_nature(zero, rest), patch))
-    return found, whole, undecided
+    return found, _on_patch(as_form(shared).part(sides), patch, sides)
 
 
 def _nature(zero: elimination.CommonZero, polynomials: Sequence[fmpz_mpoly]) -> tuple[ZeroKind | None, int | None]:
@@ -418,24 +454,34 @@ def _nature(zero: elimination.CommonZero, polynomials: Sequence[fmpz_mpoly]) -> 
         return None, None
 
 
-def _of_factor(p: fmpz_mpoly, patch: Patch, sides: Box) -> tuple[list[_Zero], list[SurfacePart], list[Box]]:
-    """The zeros of a common factor: single ones, edges and curves, and boxes in which there may be more."""
-    lines, curve = _on_patch(as_form(p).part(sides), patch, sides)
-    components = chained([Piece(patch, sides, curve, part) for part in curve.parts], sides, ())
-    points, undecided = _single(component for component in components if component.shape is Shape.POINT)
-    points = [zero for zero in points if not any(zero.place[1 - x.direction] == value for x, value in lines.inner)]
-    whole = [SurfacePart(patch, edge.box(sides)) for edge in lines.edges]
-    if lines.inner or any(component.shape is not Shape.POINT for component in components):
-        whole.append(SurfacePart(patch, sides, along_curve=True))
-    return points, whole, [*undecided, *(sides.part(box) for box in curve.undecided)]
-
-
-def _on_patch(form: PatchForm, patch: Patch, sides: Box) -> tuple[LinesOfPatch, ZeroCurve]:
-    """The lines on which a form vanishes, and its other zeros."""
+def _on_patch(form: PatchForm, patch: Patch, sides: Box) -> _OnPatch:
+    """The zeros of a form."""
+    if form.sign is not None:
+        return _OnPatch(LinesOfPatch(patch, sides, (), (), form.is_zero))
     rest, borders = form.without_border()
     edges = tuple(edge for edge, times in zip(EDGES, borders, strict=True) if times)
     rest, lines = without_lines(square_free(rest), sides)
-    return LinesOfPatch(patch, sides, edges, lines, False), ZeroCurve(rest)
+    return _OnPatch(LinesOfPatch(patch, sides, edges, lines, False), ZeroCurve(rest))
+
+
+def _joined(
+    found: Sequence[_OnPatch], undecided: Sequence[Box], f: TensorSpline, others: Sequence[_Zero] = ()
+) -> tuple[tuple[ZeroLine, ...], tuple[ZeroComponent, ...], list[_Zero], list[Box]]:
+    """The lines and curves of all patches, joined, and the single points, theirs and others, that are not on them; the
+    boxes in which something is undecided.
+    """
+    lines = zero_lines((len(f.meshes[0]), len(f.meshes[1])), f.domain, [own.lines for own in found])
+    components = chained([piece for own in found for piece in own.pieces], f.domain, (), undecided)
+    curves = tuple(component for component in components if component.shape is not Shape.POINT)
+    points, open_boxes = _single(component for component in components if component.shape is Shape.POINT)
+    spots = {spot for curve in curves for spot, arcs in curve.met.items() if arcs}
+    parts = [line.box for line in lines] + [own.lines.sides for own in found if own.lines.flat]
+    single = [
+        zero
+        for zero in (*others, *points)
+        if zero.place not in spots and not any(is_in(zero.place, part, f.domain, ()) for part in parts)
+    ]
+    return lines, curves, single, [*undecided, *open_boxes]
 
 
 def _single(components: Iterable[ZeroComponent]) -> tuple[list[_Zero], list[Box]]:
@@ -448,15 +494,6 @@ def _single(components: Iterable[ZeroComponent]) -> tuple[list[_Zero], list[Box]
             except ReachError:
                 undecided += [piece.sides.part(cell) for cell in piece.part.cells]
     return points, undecided
-
-
-def _is_on(place: Place, parts: Sequence[SurfacePart]) -> bool:
-    """Whether a point is on one of the patches or edges that consist of zeros."""
-    return any(_is_in(place, part.sides) for part in parts if not part.along_curve)
-
-
-def _is_in(place: Place, box: tuple[tuple[Parameter, Parameter], tuple[Parameter, Parameter]]) -> bool:
-    return all(low <= x <= high for x, (low, high) in zip(place, box, strict=True))
 
 
 def _each_once(found: Sequence[_Zero], f: TensorSpline) -> tuple[CommonZero, ...]:
@@ -472,19 +509,16 @@ def _each_once(found: Sequence[_Zero], f: TensorSpline) -> tuple[CommonZero, ...
         first, second = map(real, group[0].place)
         times = min((zero.multiplicity for zero in group if zero.multiplicity is not None), default=None)
         patches, kinds = tuple(zero.patch for zero in group), {zero.kind for zero in group}
-        where, around = _where(group[0].place, f)
-        kind = kinds.pop() if len(kinds) == 1 and len(patches) == around else ZeroKind.KNOT
-        points.append(CommonZero(first, second, times, patches, kind, where))
+        around = _around(group[0].place, f)
+        kind = kinds.pop() if len(kinds) == 1 and len(patches) == len(around) else ZeroKind.KNOT
+        points.append(CommonZero(first, second, times, patches, kind, _where(group[0].place, f)))
     return tuple(sorted(points, key=lambda point: (point.first, point.second)))
 
 
-def _where(place: Place, f: TensorSpline) -> tuple[ZeroPlace, int]:
-    """Where a point is, and the number of patches that meet there."""
-    ends = knots = 0
-    for x, mesh in zip(place, f.meshes, strict=True):
-        if not isinstance(x, Root):
-            is_end = x in (mesh.breaks[0], mesh.breaks[-1])
-            ends, knots = ends + is_end, knots + (not is_end and x in mesh.breaks)
+def _where(place: Place, f: TensorSpline) -> ZeroPlace:
+    """Where a point is."""
+    given = [(x, mesh.breaks) for x, mesh in zip(place, f.meshes, strict=True) if not isinstance(x, Root)]
+    ends = sum(x in (breaks[0], breaks[-1]) for x, breaks in given)
     if ends:
-        return (ZeroPlace.CORNER if ends == 2 else ZeroPlace.BORDER), 1 << knots
-    return (ZeroPlace.KNOT if knots else ZeroPlace.INSIDE), 1 << knots
+        return ZeroPlace.CORNER if ends == 2 else ZeroPlace.BORDER
+    return ZeroPlace.KNOT if any(x in breaks for x, breaks in given) else ZeroPlace.INSIDE

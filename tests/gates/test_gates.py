@@ -233,8 +233,7 @@ BARE_LISTS = {
     "geometry/space_features.py: torsion_zeros": "the points of an entry's answer, which adds the pieces",
     "geometry/prominence.py: prominences": "one for each extremum of the answer of an entry",
     "geometry/singular_points.py: singular_on_patch": "isolated, of a square-free function: there are no pieces",
-    "geometry/surface/merged.py: merged_places": "the points of an entry's answer, which adds the parts of patches",
-    "geometry/surface/merged.py: merged_umbilics": "the points of an entry's answer, which adds the parts of patches",
+    "geometry/surface/merged.py: single_places": "the points of an entry's answer, which adds the parts of patches",
 }
 
 

@@ -156,6 +156,17 @@ def test_what_runs_over_a_surface_once(kind, profile):
         assert campaign.layers(surface, part.shape) == 2 - once
 
 
+@pytest.mark.parametrize("profile", [[(2, 0, 1), (0, 2, 1), (-2, 4, 1)], [(-1, 0, 1), (1, 3, 2), (2, 3, 1)]])
+@pytest.mark.parametrize("away", [0, mpq(1, 10**12)])
+def test_both_halves_of_a_cone_are_one(profile, away):
+    """No shape at all before, without a knot at the apex: the profile was taken for a line on one side of the axis."""
+    surface = turned_around(2, profile)
+    rows = [[(x, y, z + away * ((7 * i) % 5 == 3)) for x, y, z in row] for i, row in enumerate(surface.control_points)]
+    (part,) = recognized_surface(xs.NurbsSurface(surface.degree, *surface.knots, rows, surface.weights))
+    assert (part.kind, part.exact, part.whole, part.once) == ("cone", not away, True, False)
+    assert part.shape.tangent_squared == 1
+
+
 def test_patches_that_are_all_of_a_surface_are_whole():
     """They were not where the torus is proposed by one patch, and not by all together."""
     for halves in (2, 3):

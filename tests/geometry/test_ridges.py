@@ -20,6 +20,7 @@ from exactspline.polynomials.cost import Budget, drawing_on
 from exactspline.polynomials.factors import greatest_common_divisor
 from exactspline.polynomials.two_parameters import S, T, as_form, as_polynomial, at
 from exactspline.roots.of_polynomials import roots_in
+from tests.support.command import run
 from tests.support.sampled import FULL
 from tests.support.surface_oracle import shape_operator
 from tests.support.vectors import mpf_of
@@ -184,6 +185,28 @@ def test_known_ridges():
     assert [curvatures for _, curvatures in paraboloid.stationary] == [1]
     assert {curvatures for _, curvatures in analyse(example("torus")).ridges.stationary} == {2}
     assert not analyse(example("sphere")).ridges
+
+
+def test_why_there_are_no_ridges_is_said():
+    """A sphere, a plane and a curve had "nowhere" alone: there is no principal direction in which to look."""
+    flat = NurbsSurface((1, 1), [0, 0, 1, 1], [0, 0, 1, 1], [[(0, 0, 0), (0, 1, 0)], [(1, 0, 0), (1, 1, 0)]])
+    line = flat.transform([[1, 0, 0], [1, 0, 0], [1, 0, 0]])
+    for surface, why in ((example("sphere"), "umbilic"), (flat, "umbilic"), (line, "tangent plane")):
+        found = analyse(surface).ridges
+        assert repr(found).startswith("nowhere; ")
+        assert repr(found).count(why) == surface.patches[0] * surface.patches[1] == len(found.excluded)
+        assert (bool(found), found.complete) == (False, True)
+    assert "every point is an umbilic" in run("inspect", "sphere", "--ask", "ridges").stdout
+    assert repr(analyse(example("hyperbolic_paraboloid")).ridges) == "branches that cross"
+
+
+def test_the_border_of_a_patch_with_ridges_everywhere_is_no_line():
+    """A cylinder, behind it the surface of revolution r = 1 + y²: y = 0 was a line, and one "from one side"."""
+    profile = [(1, -1), (1, mpq(-1, 2)), (1, 0), (1, mpq(1, 2)), (2, 1)]
+    net = [[(x * r, y, z * r) for r, y in profile] for x, z in ((1, 0), (1, 1), (0, 1))]
+    knots = [-1, -1, -1, 0, 0, 1, 1, 1]
+    found = analyse(NurbsSurface((2, 2), [0, 0, 0, 1, 1, 1], knots, net, [[1] * 5, [1] * 5, [2] * 5])).ridges
+    assert (found.lines, [curvatures for _, curvatures in found.stationary]) == ((), [2, 1])
 
 
 def test_what_exceeds_the_bound_is_undecided(monkeypatch):

@@ -467,3 +467,63 @@ def test_three_arcs_that_meet_on_a_knot_line_cross():
     assert (crossed.shape, [piece.part.shape for piece in crossed.pieces]) == (Shape.CROSSED, [Shape.ARC, Shape.ARC])
     assert [{arc.start, arc.end} for arc in found.arcs].count({(1, 1), (0, mpq(3, 2))}) == 1
     assert len(found.arcs) == 3
+
+
+#: Two segments over [0, 2], and those with jumps between them.
+TWO, TORN = [0, 0, 1, 2, 2], [0, 0, 1, 1, 2, 2]
+#: x² of x = s − 1, on both sides of a knot that is simple for it, or with the other sign on the left.
+SQUARE, TURNED = ([[1], [0], [0], [0], [1]], [[-1], [0], [0], [0], [1]])
+WIDE = [0, 0, 0, 1, 1, 2, 2, 2]
+
+
+@pytest.mark.parametrize(
+    ("f", "multiplicity", "patches", "arcs"),
+    [
+        # on every patch a straight line to the corner (1, 1), along its diagonal
+        (TensorSpline((1, 1), TWO, TWO, [[0, 1, 0], [-1, 0, -1], [0, 1, 0]]), 1, 4, 4),
+        # (t − 1)² = |s − 1|: two parabolas with one vertex
+        (
+            TensorSpline((0, 2), [0, 2], [0, 0, 0, 2, 2, 2], [[1, -1, 1]])
+            - TensorSpline((1, 0), TWO, [0, 2], [[1], [0], [1]]),
+            1,
+            2,
+            4,
+        ),
+        # |s − 1| for t ≤ 1, from there on |s − 1| − (t − 1): one curve runs by the end of a line
+        (TensorSpline((1, 1), TWO, TWO, [[1, 1, 0], [0, 0, -1], [1, 1, 0]]), 1, 4, 1),
+        # x² − y² on the right of the knot line, −x² − y² on the left
+        (
+            TensorSpline((2, 0), WIDE, [0, 2], TURNED) - TensorSpline((0, 2), [0, 2], [0, 0, 0, 2, 2, 2], [[1, -1, 1]]),
+            2,
+            2,
+            2,
+        ),
+        # x y on the right, 1 + x on the left: no zero of that
+        (TensorSpline((1, 1), TORN, [0, 0, 2, 2], [[1, 1], [2, 2], [0, 0], [-1, 1]]), 2, 1, 0),
+    ],
+)
+def test_branches_of_several_patches_that_meet_are_singular_points(f, multiplicity, patches, arcs):
+    """In no list of singular points before, or as nodes, if they were nodes on one of the patches."""
+    found = zero_curve(f)
+    (point,) = found.singular_points
+    assert (str(point.kind), point.multiplicity, point.milnor) == ("at a knot", multiplicity, None)
+    assert (point.first, point.second) == (1, 1)
+    assert (len(point.patches), len(found.arcs)) == (patches, arcs)
+
+
+def test_the_border_of_a_patch_on_which_all_vanishes_is_no_line():
+    """It was one: 0 for s ≤ 1, then s − 1. Of a line that runs on beside other patches that part is left."""
+    found = zero_curve(TensorSpline((1, 1), TWO, [0, 0, 2, 2], [[0, 0], [0, 0], [1, 2]]))
+    assert (found.lines, [str(part) for part in found.everywhere]) == ((), ["[0, 1] × [0, 2]"])
+    longer = zero_curve(TensorSpline((1, 1), TWO, TWO, [[0, 0, 1], [0, 0, 0], [1, 1, 2]]))
+    assert [(line.value, line.interval, line.one_sided) for line in longer.lines] == [(1, (1, 2), False)]
+
+
+def test_a_corner_on_a_line_of_common_zeros_is_no_single_one():
+    """(1/2, 1/2) was one, as seen from the two patches off the line s = t."""
+    f, g = function(lambda s, t: (s - t) * (s + t + 1)), function(lambda s, t: (s - t) * (s - 2 * t + 3))
+    for count in (1, 4):
+        found = common_zeros(f, g)
+        assert (found.points, found.undecided) == ((), ())
+        assert len({part.patch for part in found.everywhere}) == (1 if count == 1 else 2)
+        f, g = (h.insert_knot(0, mpq(1, 2)).insert_knot(1, mpq(1, 2)) for h in (f, g))

@@ -8,13 +8,13 @@ polynomials; whether two of these roots are equal is decided exactly. The two en
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Hashable, Iterable, Iterator, Sequence, Set
-from dataclasses import dataclass
+from collections.abc import Hashable, Iterator, Sequence, Set
+from dataclasses import dataclass, field
 from typing import NamedTuple
 
 from exactspline.errors import counted
 from exactspline.geometry.surface.forms import Patch
-from exactspline.geometry.surface.merged import Spot, is_in
+from exactspline.geometry.surface.merged import Spot, is_in, once
 from exactspline.geometry.surface.places import Place
 from exactspline.geometry.surface.zero_curve import Part, Shape, Vertex, ZeroCurve
 from exactspline.numbers.exact import mpq
@@ -66,10 +66,13 @@ def place_of(piece: Piece) -> Place:
 
 @dataclass(frozen=True, repr=False)
 class ZeroComponent:
-    """A connected part of the zeros of a form, with its pieces patch by patch."""
+    """A connected part of the zeros of a form, with its pieces patch by patch. `met` is the number of arcs that end at
+    each of its points on borders of patches; on a seam, at the first parameter.
+    """
 
     shape: Shape
     pieces: tuple[Piece, ...]
+    met: dict[Spot, int] = field(default_factory=dict, compare=False)
 
     def __repr__(self) -> str:
         return f"<{self.shape} on {counted(len(self.patches), 'patch')}>"
@@ -90,7 +93,7 @@ class ZeroComponent:
         for k, piece in enumerate(self.pieces):
             for joint in piece.part.joints:
                 on_border = None if joint.corner is None else piece.spot(joint.corner)
-                node = (k, joint.box) if on_border is None else _OnBorder(_once(on_border, domain, closed))
+                node = (k, joint.box) if on_border is None else _OnBorder(once(on_border, domain, closed))
                 special[node] = on_border or joint.zero.on(piece.sides).place
         special |= {node: node.spot for node in graph if isinstance(node, _OnBorder) and _meets(node.spot, borders)}
         inner = {node for node, near in graph.items() if len(near) == 2 and node not in special}
@@ -144,7 +147,7 @@ def _graph(pieces: Sequence[Piece], domain: Box, closed: Sequence[Along]) -> dic
         keys: dict[Vertex, Hashable] = {}
         for vertex in piece.part.vertices:
             spot = piece.spot(vertex)
-            keys[vertex] = (k, vertex) if spot is None else _OnBorder(_once(spot, domain, closed))
+            keys[vertex] = (k, vertex) if spot is None else _OnBorder(once(spot, domain, closed))
         ways: list[_Way] = [[keys[arc.first], keys[arc.last]] for arc in piece.part.arcs]
         for joint in piece.part.joints:
             node = (k, joint.box) if joint.corner is None else keys[joint.corner]
@@ -165,42 +168,31 @@ def chained(
     borders = _borders(domain, closed)
     for k, piece in enumerate(pieces):
         for spot, arcs in piece.spots():
-            spots.setdefault(_once(spot, domain, closed), Counter())[k] += arcs
+            spots.setdefault(once(spot, domain, closed), Counter())[k] += arcs
     groups = list(range(len(pieces)))
     for own in spots.values():
         first, *others = (groups[k] for k in own)
         groups = [first if group in others else group for group in groups]
     unclear = {spot for spot in spots if any(is_in(spot, box, domain, closed) for box in undecided)}
-    return tuple(
-        ZeroComponent(_shape(members, pieces, spots, unclear, borders), tuple(pieces[k] for k in members))
-        for members in ([k for k, own in enumerate(groups) if own == group] for group in dict.fromkeys(groups))
-    )
-
-
-def _once(spot: Spot, domain: Box, closed: Sequence[Along]) -> Spot:
-    """The point with the first parameter instead of the last one where the surface is closed."""
-    u, v = (
-        side[0] if line in closed and t == side[1] else t for t, side, line in zip(spot, domain, Along, strict=True)
-    )
-    return u, v
+    components = []
+    for group in dict.fromkeys(groups):
+        members = [pieces[k] for k, own in enumerate(groups) if own == group]
+        met = {spot: sum(own.values()) for spot, own in spots.items() if groups[next(iter(own))] == group}
+        components.append(ZeroComponent(_shape(members, met, unclear, borders), tuple(members), met))
+    return tuple(components)
 
 
 def _shape(
-    members: Iterable[int],
-    pieces: Sequence[Piece],
-    spots: dict[Spot, Counter[int]],
-    unclear: Set[Spot],
-    borders: Sequence[tuple[mpq, ...]],
+    members: Sequence[Piece], met: dict[Spot, int], unclear: Set[Spot], borders: Sequence[tuple[mpq, ...]]
 ) -> Shape:
     """The shape that pieces form together, by the numbers of arcs that meet at their points on borders."""
-    own = set(members)
-    if any(pieces[k].part.shape is Shape.OPEN for k in own) or any(own & spots[spot].keys() for spot in unclear):
+    own = {piece.part.shape for piece in members}
+    if Shape.OPEN in own or not unclear.isdisjoint(met):
         return Shape.OPEN
-    if any(pieces[k].part.shape is Shape.CROSSED for k in own):
+    if Shape.CROSSED in own:
         return Shape.CROSSED
-    if not any(pieces[k].part.ends for k in own):
+    if not any(piece.part.ends for piece in members):
         return Shape.POINT
-    met = {spot: sum(arcs.values()) for spot, arcs in spots.items() if own & arcs.keys()}
     if max(met.values(), default=0) > 2:
         return Shape.CROSSED
     ends = [spot for spot, count in met.items() if count == 1]

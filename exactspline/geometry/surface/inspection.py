@@ -13,7 +13,7 @@ from exactspline.geometry.surface.constant import constant_curvature
 from exactspline.geometry.surface.degenerate import Pole, closed_along, is_point, pole_at
 from exactspline.geometry.surface.forms import Patch, Reduced, SurfaceForms, on_patch, sides_of
 from exactspline.geometry.surface.joints import SurfaceJoint, joints
-from exactspline.geometry.surface.merged import is_in, is_same, merged_places, merged_umbilics
+from exactspline.geometry.surface.merged import Sides, merged_umbilic, single_places, together
 from exactspline.geometry.surface.places import Place
 from exactspline.geometry.surface.recognized import RecognizedPart, recognized_surface
 from exactspline.geometry.surface.ridges import Ridges, ridges_of_surface
@@ -174,10 +174,14 @@ class SurfaceInspection(Inspected, Displayed):
             everywhere += [SurfacePart(one.patch, one.sides)] * own.everywhere
             everywhere += [SurfacePart(one.patch, edge.box(one.sides)) for edge in own.edges]
             everywhere += [SurfacePart(one.patch, one.sides, along_curve=True)] * (own.curve is not None)
-        umbilics = merged_umbilics(
-            [(one.sides, one.umbilics) for one in self.patches], self.surface.domain, self.closed
+        found = {id(one.place): one for patch in self.patches for one in patch.umbilics.umbilics}
+        groups = self._single([one.place for one in found.values()], _edges(everywhere), self.umbilic_curves)
+        whole = [one.sides for one in self.patches if one.umbilics.everywhere]
+        points = tuple(
+            merged_umbilic([found[id(place)] for place in own], whole, self.surface.domain, self.closed)
+            for own in groups
         )
-        return SurfacePlaces(umbilics, tuple(everywhere), _boxes(one.umbilics.undecided for one in self.patches))
+        return SurfacePlaces(points, tuple(everywhere), _boxes(one.umbilics.undecided for one in self.patches))
 
     @question(Of.SURFACE, answered=Answered.CURVES)
     def parabolic_lines(self) -> tuple[ZeroLine, ...]:
@@ -196,6 +200,7 @@ class SurfaceInspection(Inspected, Displayed):
                 for one in self.patches
             ],
             self.closed,
+            beside_flat=True,
         )
 
     @question(Of.SURFACE, answered=Answered.CURVES)
@@ -222,9 +227,11 @@ class SurfaceInspection(Inspected, Displayed):
         >>> analyse(example("developable")).parabolic_points.points
         ()
         """
-        points = _single_points(self.surface, self.patches, self.parabolic_lines, self._zeros_of_curvature, self.closed)
+        single = [curve for curve in self._zeros_of_curvature if curve.shape is Shape.POINT]
         flat = tuple(SurfacePart(one.patch, one.sides) for one in self.patches if one.flat)
-        return SurfacePlaces(points, flat, _boxes(one.open_signs for one in self.patches))
+        parts = [part.sides for part in flat] + [line.box for line in self.parabolic_lines]
+        groups = self._single([place_of(piece) for curve in single for piece in curve.pieces], parts)
+        return SurfacePlaces(tuple(map(together, groups)), flat, _boxes(one.open_signs for one in self.patches))
 
     @question(Of.SURFACE)
     def singular_points(self) -> SurfacePlaces[Place]:
@@ -244,8 +251,9 @@ class SurfaceInspection(Inspected, Displayed):
             everywhere += [SurfacePart(one.patch, edge.box(one.sides)) for edge in own.edges]
             everywhere += [SurfacePart(one.patch, one.sides, along_curve=True)] * own.along_curve
         places = [place for one in self.patches for place in one.singular.places]
-        points = merged_places(places, self.surface.domain, self.closed)
-        return SurfacePlaces(points, tuple(everywhere), _boxes(one.singular.undecided for one in self.patches))
+        groups = self._single(places, _edges(everywhere), self.singular_curves)
+        undecided = _boxes(one.singular.undecided for one in self.patches)
+        return SurfacePlaces(tuple(map(together, groups)), tuple(everywhere), undecided)
 
     @question(Of.SURFACE, answered=Answered.CURVES)
     def umbilic_curves(self) -> tuple[ZeroComponent, ...]:
@@ -295,6 +303,13 @@ class SurfaceInspection(Inspected, Displayed):
         pieces = [Piece(one.patch, one.sides, curve, part) for one, curve, _ in curves if curve for part in curve.parts]
         components = chained(pieces, self.surface.domain, self.closed, _boxes(boxes for *_, boxes in curves))
         return tuple(curve for curve in components if curve.shape is not Shape.POINT)
+
+    def _single(
+        self, places: Sequence[Place], parts: Sequence[Sides], curves: Sequence[ZeroComponent] = ()
+    ) -> list[list[Place]]:
+        """The places that are neither in closed parts nor on curves, those of one point together."""
+        on_curves = {spot for curve in curves for spot, arcs in curve.met.items() if arcs}
+        return single_places(places, parts, on_curves, self.surface.domain, self.closed)
 
     @question(Of.SURFACE, answered=Answered.CURVES)
     def poles(self) -> tuple[Pole, ...]:
@@ -395,6 +410,11 @@ class SurfaceInspection(Inspected, Displayed):
         return all(one.complete for one in self.patches)
 
 
+def _edges(parts: Iterable[SurfacePart]) -> list[Sides]:
+    """The edges among parts."""
+    return [part.sides for part in parts if not all(side.width for side in part.sides)]
+
+
 def _boxes(groups: Iterable[tuple[Box, ...]]) -> tuple[Box, ...]:
     """The boxes of all patches, each once."""
     return tuple(dict.fromkeys(box for boxes in groups for box in boxes))
@@ -412,35 +432,6 @@ def inspect_surface(surface: NurbsSurface) -> SurfaceInspection:
     Raises `ShapeError` for a surface that is not in space.
     """
     return SurfaceInspection(surface_of(surface))
-
-
-def _single_points(
-    surface: NurbsSurface,
-    patches: Sequence[PatchInspection],
-    lines: Sequence[ZeroLine],
-    curves: Sequence[ZeroComponent],
-    closed: Sequence[Along],
-) -> tuple[Place, ...]:
-    """The isolated points at which K vanishes: not on lines or curves of zeros, nor on the border of a flat patch."""
-    places = [place_of(piece) for curve in curves if curve.shape is Shape.POINT for piece in curve.pieces]
-    merged = merged_places(places, surface.domain, closed)
-    flat = [one.sides for one in patches if one.flat]
-    ends = [
-        spot
-        for curve in curves
-        if curve.shape is not Shape.POINT
-        for piece in curve.pieces
-        for spot, _ in piece.spots()
-    ]
-    boxes = [*flat, *(line.box for line in lines)]
-
-    def is_known(place: Place) -> bool:
-        return not place.is_inside and (
-            any(is_in(place.spot, box, surface.domain, closed) for box in boxes)
-            or any(is_same(place.spot, spot, surface.domain, closed) for spot in ends)
-        )
-
-    return tuple(place for place in merged if not is_known(place))
 
 
 def _in_reach(forms: SurfaceForms, patch: Patch) -> PatchInspection:

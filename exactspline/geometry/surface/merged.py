@@ -1,17 +1,15 @@
 """Points found patch by patch, as points of the whole surface: each once on borders and seams, with the sides from
-which it was found.
+which it was found, and none that is on an edge, a line or a curve on which the same holds everywhere.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
-from dataclasses import replace
+from collections.abc import Container, Hashable, Iterable, Sequence
 from itertools import product
 
 from exactspline.geometry.surface.places import Place
-from exactspline.geometry.surface.umbilics import Umbilic, UmbilicKind, UmbilicsOfPatch
+from exactspline.geometry.surface.umbilics import Umbilic, UmbilicKind
 from exactspline.numbers.intervals import Box
-from exactspline.roots.borders import EDGES, vanishes_at
 from exactspline.roots.of_polynomials import Parameter
 from exactspline.splines.surface import Along
 
@@ -19,68 +17,64 @@ from exactspline.splines.surface import Along
 Spot = tuple[Parameter, Parameter]
 #: The ends of an interval of parameters.
 Ends = tuple[Parameter, Parameter]
+#: A closed rectangle of parameters, or an edge, a line.
+Sides = tuple[Ends, Ends]
 #: The sides of a point, in u and in v, on which something lies: independent of how knots cut the patches around it.
 Sectors = set[tuple[int, int]]
 
 
-def merged_places(places: Iterable[Place], domain: Box, closed: Sequence[Along]) -> tuple[Place, ...]:
-    """The points, each once (also on borders of patches and on seams), with all patches on which it was found."""
-    return tuple(_together(own) for own in _groups(places, domain, closed))
-
-
-def merged_umbilics(
-    patches: Sequence[tuple[Box, UmbilicsOfPatch]], domain: Box, closed: Sequence[Along]
-) -> tuple[Umbilic, ...]:
-    """The umbilics of patches with these sides, each once; one-sided where not all of its sides have it, of unknown
-    kind where patches say different ones (their curvatures jump there).
+def single_places(
+    places: Iterable[Place], parts: Sequence[Sides], curves: Container[Spot], domain: Box, closed: Sequence[Along]
+) -> list[list[Place]]:
+    """The places that are one point, together; without points on borders of patches that are in one of the `parts`, or
+    at which an arc of one of the `curves` ends: it does not matter on which patch these are.
     """
-    known = {id(one.place): (one, box) for box, own in patches for one in own.umbilics}
-    umbilics = []
-    for own in _groups([one.place for one, _ in known.values()], domain, closed):
-        first, place = known[id(own[0])][0], _together(own)
-        if not place.is_inside:
-            seen = {sector for one in own for sector in _sectors(one.spot, known[id(one)][1])}
-            for spot in _alike(place.spot, domain, closed):
-                seen |= {sector for box, all_of in patches if _has(all_of, spot, box) for sector in _sectors(spot, box)}
-            one_sided = seen != _sectors_of_surface(place.spot, domain, closed)
-            kinds = {known[id(one)][0].kind for one in own}
-            kind = first.kind if len(kinds) == 1 else UmbilicKind.UNKNOWN
-            first = replace(first, place=place, kind=kind, one_sided=one_sided)
-        umbilics.append(first)
-    return tuple(umbilics)
-
-
-def _groups(places: Iterable[Place], domain: Box, closed: Sequence[Along]) -> list[list[Place]]:
-    """The places grouped by the points that they describe."""
-    groups: list[list[Place]] = []
+    groups: dict[Hashable, list[Place]] = {}
     for place in places:
-        known = groups if not place.is_inside else []
-        for own in known:
-            if not own[0].is_inside and is_same(place.spot, own[0].spot, domain, closed):
-                own.append(place)
-                break
-        else:
-            groups.append([place])
-    return groups
+        if place.is_inside:
+            groups[id(place)] = [place]
+            continue
+        spot = once(place.spot, domain, closed)
+        if spot not in curves and not any(is_in(spot, part, domain, closed) for part in parts):
+            groups.setdefault(spot, []).append(place)
+    return list(groups.values())
 
 
-def _together(own: Sequence[Place]) -> Place:
+def together(own: Sequence[Place]) -> Place:
+    """One point found on several patches."""
     first, *others = own
     return first.with_patches(tuple(patch for place in others for patch in place.patches))
 
 
-def is_same(one: Spot, other: Spot, domain: Box, closed: Sequence[Along]) -> bool:
-    """Whether two points are equal, with the two ends of a closed surface identified."""
-    return any(spot == other for spot in _alike(one, domain, closed))
+def merged_umbilic(own: Sequence[Umbilic], whole: Sequence[Box], domain: Box, closed: Sequence[Along]) -> Umbilic:
+    """One umbilic found on several patches: one-sided where not all of its sides have it, those in patches that are
+    umbilic as a `whole` among them; of unknown kind where patches say different ones (their curvatures jump there).
+    """
+    place, kinds = together([one.place for one in own]), {one.kind for one in own}
+    if place.is_inside:
+        return own[0]
+    alike, found = _alike(place.spot, domain, closed), [(one.place.spot, one.place.zero.sides) for one in own]
+    found += [(spot, box) for spot in alike for box in whole if _within(spot, box)]
+    seen = {sector for spot, box in found for sector in _sectors(spot, box)}
+    around = {sector for spot in alike for sector in _sectors(spot, domain)}
+    return Umbilic(place, own[0].kind if len(kinds) == 1 else UmbilicKind.UNKNOWN, one_sided=seen != around)
 
 
-def is_in(spot: Spot, box: tuple[Ends, Ends], domain: Box, closed: Sequence[Along]) -> bool:
+def is_in(spot: Spot, box: Sides, domain: Box, closed: Sequence[Along]) -> bool:
     """Whether a point is in a closed rectangle, with the two ends of a closed surface identified."""
     return any(_within(one, box) for one in _alike(spot, domain, closed))
 
 
-def _within(spot: Spot, box: tuple[Ends, Ends]) -> bool:
+def _within(spot: Spot, box: Sides) -> bool:
     return all(low <= t <= high for t, (low, high) in zip(spot, box, strict=True))
+
+
+def once(spot: Spot, domain: Box, closed: Sequence[Along]) -> Spot:
+    """The point with the first parameter instead of the last one where the surface is closed."""
+    u, v = (
+        side[0] if line in closed and t == side[1] else t for t, side, line in zip(spot, domain, Along, strict=True)
+    )
+    return u, v
 
 
 def _alike(spot: Spot, domain: Box, closed: Sequence[Along]) -> list[Spot]:
@@ -98,18 +92,3 @@ def _sectors(spot: Spot, box: Box) -> Sectors:
         [sign for sign, end in ((-1, low), (1, high)) if t != end] for t, (low, high) in zip(spot, box, strict=True)
     )
     return set(product(first, second))
-
-
-def _sectors_of_surface(spot: Spot, domain: Box, closed: Sequence[Along]) -> Sectors:
-    """The sides of a point on which the surface continues."""
-    return {sector for one in _alike(spot, domain, closed) for sector in _sectors(one, domain)}
-
-
-def _has(own: UmbilicsOfPatch, spot: Spot, box: Box) -> bool:
-    """Whether a point of a patch lies on an edge, a curve or a whole patch of umbilics."""
-    if not _within(spot, box):
-        return False
-    edges = [edge for edge in EDGES if spot[edge.direction] == edge.value(box)]
-    if own.everywhere or any(edge in own.edges for edge in edges):
-        return True
-    return own.curve is not None and vanishes_at(own.curve.form, spot, box)

@@ -15,6 +15,7 @@ from __future__ import annotations
 from collections import deque
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
+from enum import StrEnum
 from itertools import pairwise
 
 from flint import fmpz_mpoly
@@ -56,6 +57,13 @@ Directions = list[tuple[Real, Real]]
 Signs = tuple[int, int]
 
 
+class NoDirections(StrEnum):
+    """Why a patch has no two principal directions anywhere, and so no ridges."""
+
+    UMBILIC = "every point is an umbilic"
+    SINGULAR = "no point has a tangent plane"
+
+
 @dataclass(frozen=True)
 class OpenRidges:
     """A rectangle of parameters in which the ridges are not resolved, and how many certified umbilics and points
@@ -89,12 +97,14 @@ class Ridges:
     `stationary`, each with the number of principal curvatures of which that is true.
 
     `undecided` are rectangles in which there may be more. A ridge that ends in one of them may continue there.
+    `excluded` are the patches without principal directions, on which there are none, and why.
     """
 
     curves: tuple[ZeroComponent, ...] = ()
     lines: tuple[ZeroLine, ...] = ()
     stationary: tuple[tuple[SurfacePart, int], ...] = ()
     undecided: tuple[OpenRidges, ...] = ()
+    excluded: tuple[tuple[SurfacePart, NoDirections], ...] = ()
 
     @property
     def complete(self) -> bool:
@@ -107,9 +117,8 @@ class Ridges:
     def __repr__(self) -> str:
         parts = [curve.shape.value for curve in self.curves] + ["a line"] * len(self.lines)
         parts += [f"everywhere on {part}" for part, _ in self.stationary]
-        return (
-            ", ".join(parts + [f"undecided in {SurfacePart((0, 0), box.sides)}" for box in self.undecided]) or "nowhere"
-        )
+        parts += [f"undecided in {SurfacePart((0, 0), box.sides)}" for box in self.undecided]
+        return "; ".join([", ".join(parts) or "nowhere", *(f"{why} on {part}" for part, why in self.excluded)])
 
 
 class RidgeSearch:
@@ -317,10 +326,12 @@ def ridges_of_surface(
     forms: SurfaceForms, patches: Sequence[tuple[SingularPoints, UmbilicsOfPatch]], closed: Sequence[Along]
 ) -> Ridges:
     """The ridges of all patches, joined across their borders; what is known of the patches is given in their order."""
-    surface, found = forms.surface, list[RidgesOfPatch]()
+    surface, found, excluded = forms.surface, list[RidgesOfPatch](), list[tuple[SurfacePart, NoDirections]]()
     with drawing_on(Budget(WORK + PATCH * (len(patches) - 1))):
         for patch, (singular, umbilics) in zip(forms.patches, patches, strict=True):
             if singular.degenerate or umbilics.everywhere:
+                why = NoDirections.SINGULAR if singular.degenerate else NoDirections.UMBILIC
+                excluded.append((SurfacePart(patch, sides_of(surface, patch)), why))
                 continue
             try:
                 found.append(RidgeSearch(forms, patch, singular, umbilics).found())
@@ -330,7 +341,7 @@ def ridges_of_surface(
     undecided = tuple(box for one in found for box in one.open_boxes)
     pieces = [piece for one in found for piece in one.pieces]
     curves = chained(pieces, surface.domain, closed, [box.sides for box in undecided])
-    own = [LinesOfPatch(one.patch, one.sides, one.edges, one.lines, False) for one in found]
+    own = [LinesOfPatch(one.patch, one.sides, one.edges, one.lines, one.stationary == 2) for one in found]
     lines = zero_lines(surface.patches, surface.domain, own, closed)
     stationary = tuple((SurfacePart(one.patch, one.sides), one.stationary) for one in found if one.stationary)
-    return Ridges(curves, lines, stationary, undecided)
+    return Ridges(curves, lines, stationary, undecided, tuple(excluded))

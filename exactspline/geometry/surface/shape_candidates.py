@@ -27,10 +27,11 @@ from exactspline.geometry.recognition.shapes import (
     Sphere,
     Torus,
     cross_product,
+    minus,
     scalar,
     solved,
 )
-from exactspline.numbers.exact import decimal_unit, mpq
+from exactspline.numbers.exact import decimal_unit, mpq, sign
 
 #: Bits of the numbers in which distances are made least, and of the steps that show how they change.
 BITS, STEP = 256, mpq(1, 2**100)
@@ -122,14 +123,18 @@ def _starts(local: Sequence[tuple[Point, Point]]) -> Iterator[tuple[_Model, list
     axis, moment = complex_[:3], complex_[3:]
     square = scalar(axis, axis)
     foot = tuple(x / square for x in cross_product(axis, moment))
-    profile = []
-    for p, _ in local:
-        rho, z = _seen(p, _numbers(foot, axis))
-        profile.append((mpq(z), mpq(rho)))
-    if (line := candidates.least([(z, rho, mpq(1)) for z, rho in profile])) and line[0] and line[1]:
-        along = -line[2] / line[0] / gmpy2.sqrt(mpfr(square))
-        apex = [x + along * u for x, u in zip(foot, axis, strict=True)]
-        yield CONE, _numbers(apex, axis, abs(mpfr(line[0] / line[1])))
+    profile, halves = [], []
+    for p, n in local:
+        rho, z = map(mpq, _seen(p, _numbers(foot, axis)))
+        profile.append((z, rho))
+        # the normals of both halves of a cone lean to opposite sides
+        leaning = scalar(n, axis) * (scalar(n, minus(p, foot)) * square - scalar(n, axis) * scalar(p, axis))
+        halves.append((z, rho * sign(leaning)))
+    for given in (profile, halves):
+        if (line := candidates.least([(z, rho, mpq(1)) for z, rho in given])) and line[0] and line[1]:
+            along = -line[2] / line[0] / gmpy2.sqrt(mpfr(square))
+            apex = [x + along * u for x, u in zip(foot, axis, strict=True)]
+            yield CONE, _numbers(apex, axis, abs(mpfr(line[0] / line[1])))
     if (circle := candidates.fitted_circle(profile, None)) is not None:
         along = circle.centre[0] / gmpy2.sqrt(mpfr(square))
         centre = [x + along * u for x, u in zip(foot, axis, strict=True)]

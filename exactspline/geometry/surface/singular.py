@@ -13,7 +13,7 @@ from exactspline.geometry.surface.signs import Sign, sign_on_patch
 from exactspline.geometry.surface.zero_curve import ZeroCurve
 from exactspline.numbers.intervals import Box
 from exactspline.polynomials.patch_forms import PatchForm
-from exactspline.roots.borders import EDGES, Edge, along, roots_along, vanishes_at
+from exactspline.roots.borders import EDGES, Edge, along, roots_along
 from exactspline.roots.common_zeros import CommonZero, zeros_of
 
 #: Bits of a box around a point that is undecided.
@@ -22,9 +22,10 @@ FAR = 64
 
 @dataclass(frozen=True)
 class SingularPoints:
-    """Where the normal of a patch vanishes: `degenerate`: everywhere; along whole `edges`; at `places` inside and on
-    the border; at the zeros of a common factor of its coordinates (`curve`), which are more than single points if it is
-    so `along_curve`; `undecided` are boxes of parameters.
+    """Where the normal of a patch vanishes: `degenerate`: everywhere; along whole `edges`; at `places`, single ones
+    inside, and those on the border, at which curves may end, also those of other patches; at the zeros of a common
+    factor of its coordinates (`curve`), which are more than single points if it is so `along_curve`; `undecided` are
+    boxes of parameters.
     """
 
     degenerate: bool = False
@@ -73,12 +74,9 @@ def singular_points(forms: SurfaceForms, patch: Patch) -> SingularPoints:
     found = zeros_of([f for f, _ in given], sides, cofactors=[e for _, e in given])
     inside, undecided = [zero for zero in found.zeros if zero.is_inside], list(found.undecided)
     if curve is not None:
-        if along_curve:
-            places = [place for place in places if not vanishes_at(curve.form, place.spot, sides)]
-        single, rest = without_known(curve, inside)
-        inside += [zero.on(sides) for zero in single]
+        inside, rest = with_single_points(curve, inside)
         undecided += rest
-    places += [Place((patch,), zero) for zero in inside]
+    places += [Place((patch,), zero.on(sides)) for zero in inside]
     return SingularPoints(False, edges, tuple(places), tuple(sides.part(box) for box in undecided), curve, along_curve)
 
 
@@ -91,15 +89,17 @@ def curve_of(factor: PatchForm) -> tuple[ZeroCurve | None, bool]:
     return curve, curve.has_branches or sign is Sign.BOTH
 
 
-def without_known(curve: ZeroCurve, known: Sequence[CommonZero]) -> tuple[list[CommonZero], list[Box]]:
-    """The single points of a curve inside that are not among points that are known, and the boxes in which something
-    is undecided.
+def with_single_points(
+    curve: ZeroCurve, found: Sequence[CommonZero], known: Sequence[CommonZero] = ()
+) -> tuple[list[CommonZero], list[Box]]:
+    """Points found inside, but for those on a curve, and the single points of it, but for those that are `known`; and
+    the boxes in which something is undecided.
     """
-    single, undecided = list[CommonZero](), list(curve.undecided)
-    for zero in curve.single_points:
+    kept, undecided = list[CommonZero](), list(curve.undecided)
+    for zero in (*found, *curve.single_points):
         try:
-            if not any(zero.is_at(other) for other in known):
-                single.append(zero)
+            if not (zero.is_zero_of(curve.form) if zero in found else any(zero.is_at(other) for other in known)):
+                kept.append(zero)
         except ReachError:
             undecided.append(zero.refine(FAR))
-    return single, undecided
+    return kept, undecided

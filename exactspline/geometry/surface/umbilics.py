@@ -15,7 +15,7 @@ from exactspline.errors import ReachError
 from exactspline.geometry.surface.common_factor import common_factor, divided, without_powers
 from exactspline.geometry.surface.forms import Patch, Reduced, SurfaceForms, on_patch, sides_of
 from exactspline.geometry.surface.places import Place
-from exactspline.geometry.surface.singular import FAR, SingularPoints, curve_of, singular_points, without_known
+from exactspline.geometry.surface.singular import FAR, SingularPoints, curve_of, singular_points, with_single_points
 from exactspline.geometry.surface.zero_curve import ZeroCurve
 from exactspline.numbers.exact import mpq
 from exactspline.numbers.intervals import UNIT, Box
@@ -57,9 +57,10 @@ class Umbilic:
 class UmbilicsOfPatch:
     """The umbilics of one closed patch.
 
-    `everywhere`: all points of the patch; `edges`: the edges consisting of umbilics; `curve`: the zeros of a common
-    factor of the equations, where these are not only isolated points; `undecided`: boxes of parameters in which there
-    may be more.
+    `umbilics`: single ones inside, and those on the border, at which curves may end, also those of other patches
+    (`exactspline.geometry.surface.merged` tells them apart); `everywhere`: all points of the patch; `edges`: the edges
+    consisting of umbilics; `curve`: the zeros of a common factor of the equations, where these are not only isolated
+    points; `undecided`: boxes of parameters in which there may be more.
     """
 
     umbilics: tuple[Umbilic, ...] = ()
@@ -86,8 +87,6 @@ def umbilics_of_patch(forms: SurfaceForms, patch: Patch, singular: SingularPoint
     search = _Search(forms, patch, own, singular)
     edges, on_edges = search.on_edges()
     inside, curve, undecided = search.inside()
-    if curve is not None:
-        on_edges = [one for one in on_edges if not search.crosses_border(curve, one.place)]
     return UmbilicsOfPatch((*on_edges, *inside), False, edges, curve, undecided)
 
 
@@ -106,7 +105,7 @@ class _Search:
         self.first = [f.patch_form(*patch) for f in forms.first]
 
     def on_edges(self) -> tuple[tuple[Edge, ...], list[Umbilic]]:
-        """Edges of umbilics, and the single ones on the other edges."""
+        """Edges of umbilics, and those on the other edges, at which a curve of umbilics may end."""
         given = [f.whole for f in self.own if f is not None]
         edges, places = [], dict[tuple[Parameter, Parameter], None]()
         for edge in EDGES:
@@ -144,10 +143,9 @@ class _Search:
         zeros = [zero for zero in found.zeros if zero.is_inside and self._has_tangent_plane(zero, known, undecided)]
         curve, along_curve = (None, False) if factor is None else curve_of(factor)
         if curve is not None:
-            single, rest = without_known(curve, [*zeros, *self.singular.inside])
+            zeros, rest = with_single_points(curve, zeros, self.singular.inside)
             undecided += rest
-            points = [zero.on(self.sides) for zero in single if self._has_tangent_plane(zero, (), undecided)]
-            zeros += points
+            zeros = [zero.on(self.sides) for zero in zeros if self._has_tangent_plane(zero, (), undecided)]
         umbilics = [self._umbilic(zero) for zero in zeros]
         return umbilics, curve if along_curve else None, tuple(self.sides.part(box) for box in undecided)
 
@@ -160,16 +158,6 @@ class _Search:
         except ReachError:
             undecided.append(zero.refine(FAR))
             return False
-
-    def crosses_border(self, curve: ZeroCurve, place: Place) -> bool:
-        """Whether a curve of umbilics goes through a point of an edge, across it: that point is not a single one."""
-        for edge in EDGES:
-            own, other = place.spot[edge.direction], place.spot[1 - edge.direction]
-            if own == edge.value(self.sides):
-                p = along(curve.form, edge, self.sides)
-                if any(root == other and root.sign_change for root in roots_along(p, edge, self.sides)):
-                    return True
-        return False
 
     def _kind(self, zero: CommonZero) -> UmbilicKind:
         """Half the sign of the Jacobian of A and B is the index where E > 0; of B and C where G > 0. Multiple where

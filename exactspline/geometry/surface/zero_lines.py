@@ -74,14 +74,23 @@ def without_lines(form: PatchForm, sides: Box) -> tuple[PatchForm, tuple[tuple[A
 
 
 def zero_lines(
-    counts: tuple[int, int], domain: Box, patches: Sequence[LinesOfPatch], closed: Sequence[Along] = ()
+    counts: tuple[int, int],
+    domain: Box,
+    patches: Sequence[LinesOfPatch],
+    closed: Sequence[Along] = (),
+    *,
+    beside_flat: bool = False,
 ) -> tuple[ZeroLine, ...]:
-    """The lines on all patches, of which there are this many in each direction, neighbours joined."""
+    """The lines on all patches, of which there are this many in each direction, neighbours joined; those that are
+    borders of flat patches only if it is asked for lines `beside_flat` ones.
+    """
     sides: dict[tuple[Along, Parameter, bool], set[Interval]] = {}
     by_place = {one.patch: one for one in patches}
     for one in patches:
         for edge in one.edges:
             behind = by_place.get(_behind(one.patch, edge, counts, closed))
+            if behind is not None and behind.flat and not beside_flat:
+                continue
             one_sided = behind is not None and not (behind.flat or Edge(edge.direction, 1 - edge.end) in behind.edges)
             key = line_of(edge), edge.value(one.sides), one_sided
             sides.setdefault(key, set()).add(one.sides[1 - edge.direction])
