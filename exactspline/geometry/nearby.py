@@ -11,14 +11,16 @@ from __future__ import annotations
 from bisect import bisect_left
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
+from functools import cached_property
 from itertools import combinations, groupby, pairwise
 
 from flint import arb, ctx
 
 from exactspline.errors import ShapeError
 from exactspline.geometry.kinds import FeatureKind
-from exactspline.geometry.nearby_forms import PRECISION, CurvesNear, Family, sign_of
+from exactspline.geometry.nearby_forms import PRECISION, CurvesNear, Family, dot, sign_of
 from exactspline.geometry.plane_programs import BENDING, CRITICAL, CURVATURE, SPEED, TORSION
+from exactspline.language.vector import Vector, cross
 from exactspline.numbers.exact import Number, mpq
 from exactspline.numbers.intervals import Interval, ball_ends, joined
 from exactspline.questions.answers import CurvePiece, Described
@@ -36,8 +38,8 @@ SHALLOW = 3
 class NearbyFeature(Described):
     """A feature of the curves near a curve, in an interval of the parameter.
 
-    ``certain``: every one of these curves has it there, and an odd number of such points in all; ``single``: exactly
-    one. Otherwise some of them may have it, any number of times, and others may not.
+    ``certain``: every one of these curves has it there; ``single``: exactly once. Otherwise some of them may have it,
+    any number of times, and others may not.
     """
 
     kind: FeatureKind
@@ -75,8 +77,11 @@ def features_nearby(curve: Nurbs, epsilon: Number) -> tuple[NearbyFeature, ...]:
     curves near a curve have, and those that some of them may have: all whose coordinates and, for a rational curve,
     weights differ by at most epsilon (a number, or ``written``: see `exactspline.splines.precision`).
 
-    Corners stand at knots; an end of the domain is not looked at beyond. In space κ may be zero in some of the curves,
-    never in all: there an inflection is possible. In the order of the parameter.
+    An inflection stands for every zero of κ, also one at which its sign is kept or the domain ends, a torsion zero
+    likewise; a zero of κ′ without an extremum is where one of both kinds is listed; `stop` for every singular point.
+    Corners stand at knots. What closed curves may have at their seam is possible only, since others do not close. In
+    space κ may be zero in some of the curves, never in all: there an inflection is possible. In the order of the
+    parameter.
 
     >>> from exactspline import example
     >>> for found in features_nearby(example("cubic_s"), "1/1000"):
@@ -125,11 +130,12 @@ class _Features(CurvesNear):
         singular = self.singular_points()
         yield from singular
         slow = [feature.place for feature in singular]
+        yield from self._corners(slow)
         n = self.curve.degree
         extrema = {1: FeatureKind.MAXIMUM, -1: FeatureKind.MINIMUM}
         zeros = (CURVATURE, dict.fromkeys((1, -1), FeatureKind.INFLECTION), n)
         if self.curve.dimension == 3:
-            flat = self._possible_zeros(BENDING)
+            flat = joined([*self._possible_zeros(BENDING), *map(Interval.point, self._reversals())])
             yield from (_feature(FeatureKind.INFLECTION, place, certain=False) for place in flat)
             slow += flat
             zeros = (TORSION, dict.fromkeys((1, -1), FeatureKind.TORSION_ZERO), n - 1)
@@ -139,10 +145,12 @@ class _Features(CurvesNear):
             open_places = joined([*slow, *(Interval.point(t) for _, t in self._knots(least))])
             # and at one of a multiplicity less by 1 the form itself may jump, so that slopes decide nothing there
             jumps = [Interval.point(t) for _, t in self._knots(least - 1)]
-            for feature in self._zeros(which, kinds, jumps):
+            parts = self._parts(which)
+            found, start = [*self._zeros(parts, kinds, jumps)], Interval.point(parts[0].low)
+            at_seam = self._at_seam(parts, kinds) - {each.kind for each in found if each.place.low == start.low}
+            for feature in [*found, *(_feature(kind, start, certain=False) for kind in at_seam)]:
                 doubtful = _meets_one(feature.place, open_places)
                 yield replace(feature, certain=False, single=False) if doubtful else feature
-        yield from self._corners()
 
     def singular_points(self) -> list[NearbyFeature]:
         """The parts of the domain in which some of the curves may stand still."""
@@ -150,7 +158,42 @@ class _Features(CurvesNear):
 
     def _possible_zeros(self, which: int) -> list[Interval]:
         """The parts of the domain in which a form that is a sum of squares may be 0 for some of the curves."""
-        return [Interval(part.low, part.high) for part in self._parts(which) if part.sign <= 0]
+        places = [Interval(part.low, part.high) for part in self._parts(which) if part.sign <= 0]
+        start, end = self.curve.domain
+        # what a closed curve has at its end is at its seam, the start
+        seam = [Interval.point(start)] if places and places[-1].high == end and self._may_close else []
+        return joined([*seam, *places])
+
+    @cached_property
+    def _may_close(self) -> bool:
+        """Whether the ends of some of the curves may agree."""
+        return self._may_meet(self.curve.segments - 1, 0)
+
+    def _may_meet(self, before: int, behind: int) -> bool:
+        """Whether the end of one segment and the start of another may be one point."""
+        ends = zip(self._bezier_points(before)[-1], self._bezier_points(behind)[0], strict=True)
+        return all(x.overlaps(y) for x, y in ends)
+
+    def _bezier_points(self, i: int) -> list[list[arb]]:
+        """The Bézier points of a segment, as balls."""
+        first, basis = self.basis(i)
+        net = zip(self.points[first : first + len(basis)], self.weights[first:], strict=False)
+        columns = [*zip(*[[*[x * w for x in point], w] for point, w in net], strict=True)]
+        rows = [[dot(row, column) for column in columns] for row in zip(*basis, strict=True)]
+        return [[x / row[-1] for x in row[:-1]] for row in rows]
+
+    def _reversals(self) -> Iterator[mpq]:
+        """Where κN may be reversed by a jump in some curves: knots, and the seam, at which κ may jump."""
+        joints = [(i, i + 1, t) for i, t in self._knots(self.curve.degree - 1)]
+        if self._may_close:
+            joints.append((self.curve.segments - 1, 0, self.curve.domain[0]))
+        for before, behind, t in joints if self.curve.degree > 1 else ():
+            a, b, c = self._bezier_points(before)[:-4:-1]
+            d, e, f = self._bezier_points(behind)[:3]
+            # backwards in time γ′ changes its sign and γ″ does not
+            left, right = (cross(Vector(*_minus(y, x)), Vector(*_minus(z, x))) for x, y, z in ((a, b, c), (d, e, f)))
+            if not (dot([*left], [*right]) < 0 or any(map(sign_of, cross(left, right)))):
+                yield t
 
     def _knots(self, least: int) -> list[tuple[int, mpq]]:
         """The inner knots of at least this multiplicity, with the segments that end there."""
@@ -164,9 +207,10 @@ class _Features(CurvesNear):
         found = [part for i, ends in enumerate(mesh) for part in _apart(_signs(self.form(which, i), Interval(*ends)))]
         return [_joined(group) for _, group in groupby(found, key=lambda part: part.sign)]
 
-    def _zeros(self, which: int, kinds: dict[int, FeatureKind], jumps: Sequence[Interval]) -> Iterator[NearbyFeature]:
-        """The kinds by the sign before the zero."""
-        parts = self._parts(which)
+    def _zeros(
+        self, parts: Sequence[_Part], kinds: dict[int, FeatureKind], jumps: Sequence[Interval]
+    ) -> Iterator[NearbyFeature]:
+        """The zeros inside the domain and at its ends; the kinds by the sign before the zero."""
         for before, part, behind in zip([None, *parts], parts, [*parts[1:], None], strict=False):
             if part.sign == 0:
                 place = Interval(part.low, part.high)
@@ -174,24 +218,35 @@ class _Features(CurvesNear):
                 first, last = (x.sign if x is not None else 0 for x in (before, behind))
                 if slope and (first == slope or last == -slope):
                     continue
-                certain = first * last < 0
-                possible = {first} if certain else {-slope} if slope else {1, -1}
-                for kind in dict.fromkeys(kinds[x] for x in sorted(possible)):
-                    yield _feature(kind, place, certain, certain and slope != 0)
+                # one of the other kind is between two of one kind
+                certain = kinds[first] if first * last < 0 else None
+                for kind in dict.fromkeys(kinds[x] for x in ((-slope,) if slope else (-1, 1))):
+                    yield _feature(kind, place, kind is certain, kind is certain and slope != 0)
             elif before is not None and before.sign == -part.sign:
                 yield _feature(kinds[before.sign], Interval(part.low, part.low), certain=True, single=True)
 
-    def _corners(self) -> Iterator[NearbyFeature]:
-        """Knots at which the tangents of both sides depend on different control points."""
-        for i, t in self._knots(self.curve.degree):
+    def _at_seam(self, parts: Sequence[_Part], kinds: dict[int, FeatureKind]) -> set[FeatureKind]:
+        """The kinds that a closed curve among these may have at its seam."""
+        left, right = ({part.sign} if part.sign else {-1, 1} for part in (parts[-1], parts[0]))
+        return {kinds[x] for x in left if -x in right} if self._may_close else set()
+
+    def _corners(self, slow: Sequence[Interval]) -> Iterator[NearbyFeature]:
+        """Knots at which the tangents of both sides depend on different control points, or where the curves may stand
+        still, and the seam.
+        """
+        if self._may_close:
+            yield _feature(FeatureKind.CORNER, Interval.point(self.curve.domain[0]), certain=False)
+        for i, t in self._knots(1):
+            certain, place = False, Interval.point(t)
             (end, _), (start, _) = self.basis(i), self.basis(i + 1)
             last = end + self.curve.degree
-            before, at, on, behind = (self.points[k] for k in (last - 1, last, start, start + 1))
-            left, right = _minus(at, before), _minus(behind, on)
-            turns = [left[k] * right[m] - left[m] * right[k] for k, m in combinations(range(len(left)), 2)]
-            ahead = sum((x * y for x, y in zip(left, right, strict=True)), start=arb(0))
-            certain = any(map(sign_of, turns)) or ahead < 0
-            yield _feature(FeatureKind.CORNER, Interval(t, t), bool(certain), bool(certain))
+            if last == start:
+                left, right = (_minus(self.points[k + 1], self.points[k]) for k in (last - 1, start))
+                turns = [left[k] * right[m] - left[m] * right[k] for k, m in combinations(range(len(left)), 2)]
+                certain = any(map(sign_of, turns)) or bool(dot(left, right) < 0)
+            elif not (_meets_one(place, slow) if last > start else self._may_meet(i, i + 1)):
+                continue
+            yield _feature(FeatureKind.CORNER, place, certain, certain)
 
 
 def _minus(a: Sequence[arb], b: Sequence[arb]) -> list[arb]:

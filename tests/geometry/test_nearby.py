@@ -20,8 +20,8 @@ def test_curves_near_a_curve_have_what_is_certain_and_no_more_than_is_possible()
         assert found["certain features"] > 20
         assert found["possible features"] > 5
         assert campaign.above_ceiling(found) == []
-    # passed before: a half of all features possible only, or every tenth curve refused
-    assert campaign.above_ceiling({**found, "possible features": found["certain features"]}) == ["possible"]
+    # passed before: two thirds of all features possible only, or every tenth curve refused
+    assert campaign.above_ceiling({**found, "possible features": 2 * found["certain features"]}) == ["possible"]
     assert campaign.above_ceiling({**found, "refused: weights may vanish": 1}) == ["refused"]
 
 
@@ -133,3 +133,43 @@ def test_a_zero_at_a_knot_where_the_form_jumps_is_possible():
     found = features_nearby(xs.Nurbs(3, [0] * 4 + [1, 2, 2] + [3] * 4, net), "1e-11")
     (inflection,) = [f for f in found if f.kind is FeatureKind.INFLECTION and f.place.low <= 2 <= f.place.high]
     assert not inflection.certain
+
+
+LOOP = Nurbs(3, [0] * 4 + [1] * 4, [(1, 4), (3, 3), (-4, 2), (1, 4)])
+WAVE = Nurbs(3, [0] * 4 + [1] * 4, [(1, -2), (3, 2), (-4, -3), (4, 1)])
+CLOSED = Nurbs(2, [0, 0, 0, 1, 2, 3, 4, 4, 4], [(0, 0), (2, 2), (3, -1), (-3, 3), (-2, -2), (0, 0)])
+STANDING = Nurbs(3, [0] * 4 + [1, 1] + [2] * 4, [(0, 1), (0, 0), (1, 0), (1, 0), (1, 1), (3, 3)])
+FLAT = Nurbs(2, [0, 0, 0, 1, 2, 2, 2], [(0, 0, 0), (1, 2, 0), (2, -2, 0), (3, 0, 0)])
+#: Curves that have a point of some kind, at a place, and a distance.
+HAS = {
+    "a minimum among maxima": (WAVE, "1/10", FeatureKind.MINIMUM, "0.4474577"),
+    "a maximum where a minimum is certain": (LOOP, "1/10", FeatureKind.MAXIMUM, "0.4366773"),
+    "the corner at a seam": (LOOP, "1e-9", FeatureKind.CORNER, 0),
+    "an inflection by a jump at a seam": (CLOSED, "1e-9", FeatureKind.INFLECTION, 0),
+    "a corner where the curve stands still": (STANDING, "1e-9", FeatureKind.CORNER, 1),
+    "κN is reversed by a jump": (FLAT, "1e-9", FeatureKind.INFLECTION, 1),
+}
+
+
+@pytest.mark.parametrize("name", HAS)
+def test_what_the_curve_itself_has_is_listed_by_its_kind(name):
+    """Passed before: "where nothing is listed, none of the curves has a feature", and of these points none was listed
+    by its kind. A certain minimum stood for a maximum between two minima, and the campaign took one for the other.
+    """
+    curve, epsilon, kind, place = HAS[name]
+    facts = xs.analyse(curve)
+    points = [(each.kind, each.root) for each in (*facts.inflections, *facts.curvature_extrema)]
+    points += [(FeatureKind.CORNER, joint.parameter) for joint in facts.corners]
+    assert any(each is kind and abs(t - mpq(place)) < mpq(1, 10**6) for each, t in points)
+    said = facts.features_within(epsilon)
+    assert any(found.kind is kind and found.place.low <= mpq(place) <= found.place.high for found in said)
+    assert campaign.wrong(curve, said) == ""
+
+
+def test_where_a_curve_jumps_there_is_no_certain_corner():
+    """Passed before: all curves near this one, which has a gap at 1 and no corner, were said to have one there."""
+    points = [(0, 0), (1, 0), (2, 0), (2, 1), (2, 2), (0, 3)]
+    curve = Nurbs(2, [0, 0, 0, 1, 1, 1, 2, 2, 2], points)
+    assert [found for found in features_nearby(curve, "1/100") if found.kind is FeatureKind.CORNER] == []
+    (corner,) = [found for found in features_nearby(curve, "1/2") if found.kind is FeatureKind.CORNER]
+    assert not corner.certain
