@@ -139,7 +139,7 @@ def _plane(curve: Nurbs, i: int) -> Nurbs:
 def _one_by_one(
     curves: Iterable[tuple[int, Callable[[], Nurbs]]], refused: dict[int, ExactSplineError]
 ) -> tuple[list[Found], list[int]]:
-    """The features of curves, and which were decided in exact arithmetic; `refused` is told why others have none."""
+    """The features of curves, and which were decided in exact arithmetic; `refused` receives the reasons of others."""
     parts: list[Found] = []
     exact: list[int] = []
     for i, made in curves:
