@@ -213,8 +213,10 @@ class Pair(Evaluated, Generic[T]):
 
 #: The parameters of two curves.
 PARAMETERS = (Parameter.FIRST, Parameter.SECOND)
-#: Names of the coordinates and the denominator of the first curve, the same of the second, and of the point.
-COORDINATES, BARRED, POINT = "xyzuvst", "XYZUVST", "abcefgh"
+#: Names of the coordinates and the denominator of the first curve, and the same of the second.
+COORDINATES, BARRED = "xyzuvst", "XYZUVST"
+#: Names of the coordinates of the point. They begin as no name in a formula does, so that no constant is called so.
+POINT = tuple(f"_q{i}" for i in range(1, 8))
 
 
 def embedded(c: Curve[T]) -> Curve[T]:

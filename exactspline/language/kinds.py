@@ -241,6 +241,8 @@ def common_kind(kinds: Iterable[Kind]) -> Kind:
     <kind plane with delta, r>
     >>> common_kind([kind_of("surface"), SPACE])
     <kind curve on a surface>
+
+    Raises `FormulaError` where there is none: the function h of a hodograph is not a constant called h.
     """
     given = list(kinds)
     special = [kind for kind in given if not any(kind is k for k in (CURVE, PLANE, SPACE))]
@@ -251,7 +253,13 @@ def common_kind(kinds: Iterable[Kind]) -> Kind:
         takes_all = (
             kind for kind in (*others, *KINDS.values()) if all(kind.takes(k, n) for k in given for n in kind.dimensions)
         )
-        return next(takes_all, others[0])
+        common = next(takes_all, None)
+        if common is None:
+            raise FormulaError(
+                f"formulas of the kinds {', '.join(dict.fromkeys(repr(kind.name) for kind in given))}",
+                remedy="name formulas of one kind of argument",
+            )
+        return common
     curves = [kind for kind in special if type(kind) is CurveKind]
     constants = sorted({name for kind in curves for name in kind.constants})
     first = next((kind for kind in curves if kind.with_point), curves[0])

@@ -158,7 +158,7 @@ class SympyReading(Reading):
 
         def operand(symbol: Symbol) -> SympyExpression:
             if not symbol.parameters:
-                return SympyExpression(sympy.Symbol(symbol.text))
+                return SympyExpression(sympy.Symbol(symbol.name))  # alpha_1 and alpha1 have one text
             parameters = [PARAMETER[name] for name in symbol.parameters]
             function = sympy.Function(symbol.text)
             if symbol.name in rules:

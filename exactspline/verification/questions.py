@@ -4,6 +4,7 @@ are given as objects or by name.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass, replace
 
@@ -123,7 +124,12 @@ def prove(left: Named, right: Named, factor: str = "1", *, dimension: int | None
     Raises `FormulaError` for an unknown formula or two formulas without a common dimension, `ClaimError` when the
     factor cannot be read.
     """
-    sides, dimension = _formulas(left, right), _given_dimension(dimension)
+    sides = _formulas(left, right)
+    return _decided(Equation(sides[0], sides[1], factor), _given_dimension(dimension))
+
+
+def _decided(equation: Equation, dimension: int | None = None) -> Proof:
+    sides = equation.left, equation.right
     common = [n for n in (2, 3) if all(n in f.kind.dimensions for f in sides)]
     if not common or (dimension is not None and dimension not in common):
         raise FormulaError(
@@ -131,10 +137,10 @@ def prove(left: Named, right: Named, factor: str = "1", *, dimension: int | None
             f"{f'R{dimension}' if dimension else 'R2 or in R3'}",
             remedy="compare formulas of one kind of curve",
         )
-    equation, kind = Equation(sides[0], sides[1], factor), common_kind(f.kind for f in sides)
+    kind = common_kind(f.kind for f in sides)
     defined = [n for n in common if all(kind.takes(f.kind, n) for f in equation.formulas)]
     asked = (defined or common[:1]) if dimension is None else [dimension]
-    found = [_proved(equation, kind, n, factor) for n in asked]
+    found = [_proved(equation, kind, n) for n in asked]
     least = worst([each.finding for each in found])
     alike = [each for each in found if each.verdict == least.verdict]
     # a quotient belongs to one dimension
@@ -142,14 +148,14 @@ def prove(left: Named, right: Named, factor: str = "1", *, dimension: int | None
     return replace(alike[0], dimensions=tuple(each.dimension for each in alike)) if same else alike[0]
 
 
-def _proved(equation: Equation, kind: Kind, n: int, factor: str) -> Proof:
+def _proved(equation: Equation, kind: Kind, n: int) -> Proof:
     """The answer in one dimension."""
     _check_kinds(kind, equation.formulas, n)
-    curve = jets_for(equation.formulas, n, factor=factor)
+    curve = jets_for(equation.formulas, n, factor=equation.factor)
     left, right = equation.left(curve), equation.right(curve)
     quotient = None if kind.adjoins_roots or right.is_zero else find_factor(left, right)
     names = equation.left.name, equation.right.name
-    return Proof(*names, factor, equation.decide(curve), (n,), quotient, kind.adjoins_roots)
+    return Proof(*names, equation.factor, equation.decide(curve), (n,), quotient, kind.adjoins_roots)
 
 
 def proof_of(text: str, *, trust: bool = False) -> Proof:
@@ -161,17 +167,20 @@ def proof_of(text: str, *, trust: bool = False) -> Proof:
     Raises `FormulaError` for any other text, and the errors of `exactspline.papers.resolve` and `prove`.
     """
     left, equal, right = text.partition("=")
-    *factor, last = right.replace("·", " ").replace("*", " ").split() or [""]
-    if not equal or not left.strip() or not last or len(left.split()) > 1:
+    *factor, last = re.split(r"\s*[·*]\s*|\s+", re.sub(r"\s*\*\*\s*", "^", right.strip()))
+    if not equal or len(left.split()) != 1 or not all([*factor, last]):
         raise FormulaError(f"{text!r} states no identity", remedy='write "file.py:left = w^3 * file.py:right"')
-    first, place = resolve(left.strip(), trust=trust), left.strip().rpartition(":")[0]
-    try:
-        second = resolve(f"{place}:{last}" if place and ":" not in last else last, trust=trust)
-    except FormulaError:
-        if last not in all_formulas():
-            raise
-        second = find(last)
-    return prove(first, second, " ".join(factor) or "1")
+    place = left.strip().rpartition(":")[0]
+
+    def named(name: str) -> Formula:
+        try:
+            return resolve(f"{place}:{name}" if place and ":" not in name else name, trust=trust)
+        except FormulaError:
+            if name not in all_formulas():
+                raise
+            return find(name)
+
+    return _decided(Equation(resolve(left.strip(), trust=trust), named(last), " ".join(factor) or "1", named))
 
 
 @dataclass(frozen=True)

@@ -156,7 +156,7 @@ class Setting:
     def named(self, name: str) -> str:
         """The variable of a proof for an operand."""
         if self.has_point and name in POINT[: self.dimension]:
-            return f"q{POINT.index(name) + 1}"
+            return name.removeprefix("_")
         return f"{name}_"
 
     @cached_property

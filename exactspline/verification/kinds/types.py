@@ -8,7 +8,7 @@ from typing import Any, ClassVar
 
 from exactspline.errors import ClaimError, ExactSplineError, VanishingDivisorError
 from exactspline.language.adjoined_root import Adjoined
-from exactspline.language.arguments import POINT, Evaluated, Operands
+from exactspline.language.arguments import Evaluated, Operands
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import FRAMED, FRAMED_PLANE, FRAMED_SPACE, CurveKind, Kind, kind_of
 from exactspline.language.parts import joined, split
@@ -204,7 +204,7 @@ def on_cubics(value: JetFraction) -> JetFraction:
 def _is_quotient(value: JetFraction) -> bool:
     """Whether a denominator in lowest terms involves more than constants."""
     used = [value.ring.variables[i][0] for i, n in enumerate(value.bottom.degrees()) if int(n)]
-    return any(name not in POINT for name in used)
+    return any(value.ring.symbols[name].parameters for name in used)
 
 
 @claim_kind
