@@ -1,5 +1,8 @@
 """Compiles the optional extension beside its source, where there is a compiler, for a wheel and for an editable
 installation (hatchling); ``python hatch_build.py`` does it in a checkout. Without a compiler it is absent.
+
+Beside it goes the digest of its source and of its bytes, by which it is known again before it is loaded
+(`exactspline.programs.accelerator`).
 """
 
 import os
@@ -7,26 +10,48 @@ import shlex
 import subprocess
 import sys
 import sysconfig
+from hashlib import sha256
 from pathlib import Path
+from tempfile import TemporaryDirectory
 
 SOURCE = Path(__file__).parent / "exactspline" / "programs" / "filter.c"
 LIBRARY = SOURCE.with_name("filter.lib")
-#: Every operation rounds its own result: no contraction, no other order of operations.
-FLAGS = ("-std=c11", "-O2", "-shared", "-fPIC", "-ffp-contract=off", "-fno-fast-math", "-Wall", "-Wextra", "-Werror")
+#: Every operation rounds its own result: no contraction, no other order of operations, also where CC asks for that.
+EXACT = (
+    "-ffp-contract=off",
+    "-fno-fast-math",
+    "-fno-associative-math",
+    "-fno-reciprocal-math",
+    "-fno-finite-math-only",
+)
+FLAGS = ("-std=c11", "-O2", "-shared", "-fPIC", *EXACT, "-Wall", "-Wextra")
+
+
+def digest_of(library: Path) -> Path:
+    """Where the digest of a library is."""
+    return library.with_name(f"{library.name}.sha256")
 
 
 def compiled(target: Path = LIBRARY, *more: str) -> bool:
     """Compile the extension; False, and the reason on standard error, where that is not possible."""
-    compiler = shlex.split(os.environ.get("CC") or sysconfig.get_config_var("CC") or "cc")[:1]
-    try:
-        command = [*compiler, *FLAGS, *more, SOURCE.name, "-o", str(target), "-lm"]
-        done = subprocess.run(command, cwd=SOURCE.parent, capture_output=True, text=True, check=False)
-    except OSError as error:
-        print(f"no extension: {error}", file=sys.stderr)
-        return False
-    if done.returncode:
-        print(f"no extension: {done.stderr}", file=sys.stderr)
-    return done.returncode == 0
+    compiler = shlex.split(os.environ.get("CC") or sysconfig.get_config_var("CC") or "cc")
+    # in a room of its own: nobody may load half a library, and who has loaded the former one keeps it
+    with TemporaryDirectory(dir=target.parent) as room:
+        made = Path(room) / target.name
+        command = [*compiler, *FLAGS, *more, SOURCE.name, "-o", str(made), "-lm"]
+        try:
+            done = subprocess.run(command, cwd=SOURCE.parent, capture_output=True, text=True, check=False)
+        except OSError as error:
+            print(f"no extension: {error}", file=sys.stderr)
+            return False
+        if done.returncode:
+            print(f"no extension: {done.stderr}", file=sys.stderr)
+            return False
+        digest = sha256(SOURCE.read_bytes() + made.read_bytes()).hexdigest()
+        digest_of(made).write_text(f"{digest}\n", encoding="ascii")
+        for file in (made, digest_of(made)):
+            file.replace(target.with_name(file.name))
+    return True
 
 
 try:
@@ -42,7 +67,8 @@ else:
             """Compile before the files are collected."""
             LIBRARY.unlink(missing_ok=True)
             if compiled():
-                build_data["artifacts"].append(LIBRARY.relative_to(self.root).as_posix())
+                files = (LIBRARY, digest_of(LIBRARY))
+                build_data["artifacts"] += [file.relative_to(self.root).as_posix() for file in files]
                 if version != "editable":
                     platform = sysconfig.get_platform().replace("-", "_").replace(".", "_")
                     build_data["pure_python"], build_data["tag"] = False, f"py3-none-{platform}"

@@ -86,7 +86,7 @@ def build() -> int:
             ["-b", "html", "-W", "--keep-going", "-q", "-d", str(BUILD / "doctrees"), str(source), str(target)]
         )
     if not status:
-        serve = "./run serve" if target == BUILD / "html" else f"python -m http.server --directory {target}"
+        serve = "./run serve" if target == BUILD / "html" else f"python -m http.server --directory {target} --bind 127.0.0.1"
         print(f"The site is in {target}\n{serve} shows it at http://localhost:8000")
     return int(status)
 

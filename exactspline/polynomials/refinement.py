@@ -23,7 +23,7 @@ from flint import arb, arb_poly, ctx, fmpq, fmpz_poly
 
 from exactspline.numbers.exact import mpq, mpz, sign, to_fmpq
 from exactspline.numbers.intervals import Interval
-from exactspline.polynomials.isolation import LocalPolynomial
+from exactspline.polynomials.isolation import LocalPolynomial, end_signs
 from exactspline.polynomials.proposed import proposed
 
 #: The initial working precision, and the guard bits of every later step.
@@ -60,6 +60,8 @@ def enclosures(factor: LocalPolynomial, low: mpq, high: mpq, sign: int, bits: in
     inside every interval, and the factor is not zero at an end unless this end is the original `low` or `high`. Every
     interval is valid, so that a caller that stops early can continue from the last one.
 
+    Raises `AssertionError` where the sign does not change like that, whoever promised it: no refinement would end.
+
     >>> *_, (a, b) = enclosures(LocalPolynomial(fmpz_poly([1, -3, 1])), mpq(0), mpq(1, 2), 1, 200)
     >>> b - a < mpq(1, 2**200), a < mpq(5, 18) < b, mpq(276, 1000) < a < mpq(277, 1000)
     (True, False, True)
@@ -71,17 +73,23 @@ def enclosures(factor: LocalPolynomial, low: mpq, high: mpq, sign: int, bits: in
             yield Interval.point(half)
             return
         low, high = (half, high) if at_half > 0 else (low, half)
-        yield Interval(low, high)
     flipped = low + high > 1
     if bits <= QUICK and (near := _near(factor.polynomial, low, high, sign)):
         yield near
         return
+    if (_just_inside(factor.polynomial, low, high), _just_inside(factor.polynomial, high, low)) != (sign, -sign):
+        raise AssertionError(f"the sign does not change from {sign:+d} between {low} and {high}")
     if flipped:
         chart = _Chart(factor.reversed, factor.reversed_slope, 1 - high, 1 - low, -sign)
     else:
         chart = _Chart(factor.polynomial, factor.slope, low, high, sign)
     for a, b in chart.run(bits):
         yield Interval(1 - b, 1 - a) if flipped else Interval(a, b)
+
+
+def _just_inside(g: fmpz_poly, end: mpq, other: mpq) -> int:
+    """The sign of a form at one end of an interval, or just inside where it vanishes there."""
+    return sign_at(g, end) or end_signs(g, *sorted((end, other)))[end > other]
 
 
 def _near(g: fmpz_poly, low: mpq, high: mpq, sign: int) -> Interval | None:

@@ -1,7 +1,8 @@
 """The optional C extension (filter.c): it runs a program on every segment of a curve in doubles with error masses, and
 finds the zeros of the outputs that are certain (for two curves: `exactspline.programs.certain_pairs`). Without it, or
-where it says that something is not certain, exact arithmetic decides: the answers are the same. Derivation:
-docs/certified-filter.md.
+where it says that something is not certain, exact arithmetic decides: the answers are the same. A library that is not,
+byte for byte, what was compiled from the source beside this file, or that carries out an instruction in another way, is
+as one that is absent. Derivation: docs/certified-filter.md.
 
 >>> filter_curve is None or callable(filter_curve)
 True
@@ -12,7 +13,8 @@ from __future__ import annotations
 from array import array
 from collections.abc import Callable, Sequence
 from ctypes import CDLL, POINTER, Structure, byref, c_double, c_int, c_void_p
-from functools import lru_cache
+from functools import cache, lru_cache
+from hashlib import sha256
 from os import environ
 from pathlib import Path
 from typing import NamedTuple
@@ -25,10 +27,27 @@ from exactspline.programs.program import Program
 #: The compiled extension, which is not a module of Python: beside this file, absent where there was no compiler; or
 #: the file that this environment variable names ("none": run without it).
 LIBRARY = environ.get("EXACTSPLINE_EXTENSION") or str(Path(__file__).with_name("filter.lib"))
+SOURCE = Path(__file__).with_name("filter.c")
 #: The roundings of an operand: numerator, denominator (twice, for it is divided by), quotient.
 ROUNDINGS = 4
 #: The numbers of the instructions in C.
 NAMES = {name: k for k, name in enumerate(("load", "mul", "sum", "raise", "derive", "du", "dv", "over_u", "scale"))}
+#: What must come out of each instruction: its name, arguments, degree and integers, and both ends of its result. The
+#: last one has the zero 2/3.
+KNOWN = (
+    ("load", 0, 0, 2, 0, 0, (1 / 8, 1 / 2)),
+    ("mul", 0, 0, 4, 0, 0, (1 / 64, 1 / 4)),
+    ("sum", 0, 0, 2, 3, -1, (1 / 4, 1)),
+    ("raise", 0, 0, 3, 1, 0, (1 / 8, 1 / 2)),
+    ("derive", 0, 0, 1, 2, 0, (0, 3 / 4)),
+    ("over_u", 0, 0, 1, 2, 0, (1 / 8, 1 / 4)),
+    ("scale", 0, 0, 2, 5, 0, (5 / 8, 5 / 2)),
+    ("du", 0, 0, 1, 2, 0, (1 / 4, 1 / 4)),
+    ("dv", 0, 0, 1, 2, 0, (1 / 4, 1)),
+    ("sum", 7, 8, 1, 3, -1, (1 / 2, -1 / 4)),
+)
+#: The width of an interval around a zero that is known.
+NARROW = 2.0**-30
 #: The numbers that are returned for a segment beside four for every output, and for a zero.
 OF_SEGMENT, OF_ZERO = 3, 5
 #: With more zeros than this per segment, exact arithmetic decides.
@@ -50,19 +69,60 @@ class _Program(Structure):
     ]
 
 
-def loaded(name: str, *arguments: type) -> Callable[..., int] | None:
-    """A function of the extension; None where there is none."""
+@cache
+def _library() -> CDLL | None:
+    """The extension, if it is the one that was compiled from the source beside this file: what is damaged or of another
+    source is not loaded, for it could end this process, or answer something else.
+    """
     try:
-        function = getattr(CDLL(LIBRARY), name)
-    except (OSError, AttributeError):
+        contents = SOURCE.read_bytes() + Path(LIBRARY).read_bytes()
+        known = Path(f"{LIBRARY}.sha256").read_bytes().decode("ascii").strip()
+        return CDLL(LIBRARY) if known == sha256(contents).hexdigest() else None
+    except (OSError, UnicodeDecodeError):
         return None
+
+
+def loaded(name: str, right: Callable[[Callable[..., int]], bool], *arguments: type) -> Callable[..., int] | None:
+    """A function of the extension, if its answer to what is known is `right`; None where there is none."""
+    library = _library()
+    if library is None:
+        return None
+    function = getattr(library, name)
     function.argtypes, function.restype = list(arguments), c_int
-    made: Callable[..., int] = function
-    return made
+    return function if right(function) else None
+
+
+def surrounds(low: float, high: float, x: float) -> bool:
+    """Whether an interval around a number is narrow.
+
+    >>> surrounds(0.1, 0.3, 0.2)
+    False
+    """
+    return low < x < high < low + NARROW
+
+
+def _carries_out(function: Callable[..., int]) -> bool:
+    """Whether each instruction, on the form u² + 2uv + 4v² divided by 8, has the ordinates at both ends that it must
+    have, exactly, and the zero of 3∂u − ∂v of this form is found.
+    """
+    code = (_Instruction * len(KNOWN))(*[_Instruction(NAMES[name], *rest) for name, *rest, _ in KNOWN])
+    order, bounds = [*range(1, len(KNOWN)), 0], [2.0**-48, 2.0**-1000] * len(KNOWN)
+    count = len(order)
+    program = _Program(count, count, 1, 2, 0, code, (c_int * count)(*order), (c_double * (2 * count))(*bounds))
+    data, found = array("d", [1, 2, 4, 1]), array("d", bytes(8 * (OF_SEGMENT + 4 * count + OF_ZERO)))
+    if function(byref(program), data.buffer_info()[0], 1, found.buffer_info()[0], 1) != 1:
+        return False
+    output, segment, low, high, before = found[-OF_ZERO:]
+    ends = list(zip(found[1 : 4 * count : 4], found[3 : 4 * count : 4], strict=True))
+    return (
+        ends == [KNOWN[k][-1] for k in order]
+        and (output, segment, before) == (count - 2, 0, 1)
+        and surrounds(low, high, 2 / 3)
+    )
 
 
 #: The function of the extension for one curve, None where there is none.
-filter_curve = loaded("filter_curve", c_void_p, c_void_p, c_int, c_void_p, c_int)
+filter_curve = loaded("filter_curve", _carries_out, c_void_p, c_void_p, c_int, c_void_p, c_int)
 
 
 class SegmentZero(NamedTuple):

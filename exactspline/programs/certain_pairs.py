@@ -5,22 +5,23 @@
 from __future__ import annotations
 
 from array import array
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from ctypes import c_int, c_void_p
 from typing import NamedTuple
 
-from exactspline.programs.accelerator import loaded
+from exactspline.programs.accelerator import loaded, surrounds
 
 #: A degree, and the integers of the forms x, y, w.
 Segment = tuple[int, Sequence[Sequence[int]]]
-#: The function of the extension, None where there is none.
-filter_pairs = loaded("filter_pairs", *[c_void_p] * 3, c_int, *[c_void_p] * 2, c_int)
 #: As in filter.c: the highest degree of a segment, and the numbers of a common point.
 HIGHEST, OF_POINT = 5, 7
 #: A segment of which nothing is certain.
 OPEN = [0] * (3 + 3 * (HIGHEST + 1))
 #: This many pairs are decided in one call.
 TOGETHER = 64
+#: Two segments of which it is known where they meet.
+ARCH: Segment = (2, [(0, 2, 2), (0, 8, 0), (1, 2, 1)])
+LINE: Segment = (1, [(0, 6), (3, 3), (2, 2)])
 
 
 class PairPoint(NamedTuple):
@@ -50,23 +51,37 @@ def certain_pairs(
         return [None] * len(pairs)
     ours = _table(first)
     theirs = ours if second is first else _table(second)
-    one, other = ours.buffer_info()[0], theirs.buffer_info()[0]
     found: list[list[PairPoint] | None] = []
     for start in range(0, len(pairs), TOGETHER):
-        some = pairs[start : start + TOGETHER]
-        count, room = len(some), len(some) * HIGHEST**2
-        indices, open_ = array("i", [i for pair in some for i in pair]), array("i", bytes(4 * count))
-        points = array("d", bytes(8 * OF_POINT * room))
-        known = filter_pairs(
-            one, other, indices.buffer_info()[0], count, open_.buffer_info()[0], points.buffer_info()[0], room
-        )
-        own: list[list[PairPoint] | None] = [None if x else [] for x in open_]
-        for k in range(0, OF_POINT * known, OF_POINT):
-            pair, low, high, before, number, *bounds = points[k : k + OF_POINT]
-            if (one_pair := own[int(pair)]) is not None:
-                one_pair.append(PairPoint(low, high, int(before), int(number), (bounds[0], bounds[1])))
-        found += own
+        found += _told(filter_pairs, ours, theirs, pairs[start : start + TOGETHER])
     return found
+
+
+def _told(
+    function: Callable[..., int], ours: array[float], theirs: array[float], pairs: Sequence[tuple[int, int]]
+) -> list[list[PairPoint] | None]:
+    """What the function of the extension says of some pairs of segments of two tables."""
+    count, room = len(pairs), len(pairs) * HIGHEST**2
+    indices, open_ = array("i", [i for pair in pairs for i in pair]), array("i", bytes(4 * count))
+    points = array("d", bytes(8 * OF_POINT * room))
+    one, other, which, left, to = [x.buffer_info()[0] for x in (ours, theirs, indices, open_, points)]
+    known = function(one, other, which, count, left, to, room)
+    own: list[list[PairPoint] | None] = [None if x else [] for x in open_]
+    for k in range(0, OF_POINT * known, OF_POINT):
+        pair, low, high, before, number, *bounds = points[k : k + OF_POINT]
+        if (one_pair := own[int(pair)]) is not None:
+            one_pair.append(PairPoint(low, high, int(before), int(number), (bounds[0], bounds[1])))
+    return own
+
+
+def _meets(function: Callable[..., int]) -> bool:
+    """Whether the parabola x = 2t, y = 8t(1 − t) and the line x = 3s, y = 3/2 meet at t = 1/4 and 3/4."""
+    found = _told(function, _table([ARCH]), _table([LINE]), [(0, 0)])[0] or []
+    known = [(-1, 0, 1 / 4, 1 / 6), (1, 1, 3 / 4, 1 / 2)]
+    return len(found) == 2 and all(
+        (point.before, point.number) == (before, number) and surrounds(*point[:2], t) and surrounds(*point.other, s)
+        for point, (before, number, t, s) in zip(found, known, strict=True)
+    )
 
 
 def _table(segments: Sequence[Segment]) -> array[float]:
@@ -93,3 +108,7 @@ def segment_in_doubles(n: int, forms: Sequence[Sequence[int]]) -> Sequence[float
         return [*row, *map(float, weights), *spare]
     except (OverflowError, ZeroDivisionError):
         return OPEN
+
+
+#: The function of the extension, None where there is none.
+filter_pairs = loaded("filter_pairs", _meets, *[c_void_p] * 3, c_int, *[c_void_p] * 2, c_int)

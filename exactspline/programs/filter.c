@@ -5,10 +5,15 @@
 
 #include <float.h>
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
-#if FLT_EVAL_METHOD != 0 || FLT_RADIX != 2 || DBL_MANT_DIG != 53 || DBL_MIN_EXP != -1021 || defined(__FAST_MATH__)
+#if FLT_EVAL_METHOD != 0 || FLT_RADIX != 2 || DBL_MANT_DIG != 53 || DBL_MIN_EXP != -1021
 #error "operations on doubles must round to doubles"
+#endif
+/* Parts of -ffast-math are refused one by one: each can be chosen alone. */
+#if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__) || __FINITE_MATH_ONLY__ + 0
+#error "operations on doubles must be carried out as they are written"
 #endif
 #ifdef __clang__
 #pragma STDC FP_CONTRACT OFF
@@ -306,27 +311,18 @@ static void made_small(double *x, int count) {
         x[i] = x[i] == 0 ? 0 : ldexp(x[i], -size);
 }
 
-/* Run a program on the segments of a curve and find the zeros of its outputs except the last, which must have none.
-
-   data: for every operand, segment and coefficient an integer, rounded, and then the denominators of the segments; where
-   the program is `rational` the last operand is a weight function, which must be positive. It is overwritten.
-   found: for every segment 1 where a zero is not certain, plus 2 where the absence of zeros of the last output or the
-   sign of the weight function is not; for every output the ordinates at both ends, each followed
-   by the bound of its error; and the weight function at both ends. Then for every zero: output, segment, the ends of an
-   interval, and the sign before it, in the order of segments, outputs and parameters.
-
-   Returns the number of zeros, -1 where numbers or programs are too large, -2 where there are more than `room` zeros. */
-int filter_curve(const Program *program, double *data, int segments, double *found, int room) {
+/* `filter_curve` with room for the results of a program, which is too large for the stack of a thread. */
+static int filtered(const Program *program, double *data, int segments, double *found, int room, double *values,
+                    double *masses) {
     static const double BIG = 0x1p500;
     int width = program->degree + 1, total = segments * width, coordinates = program->operands - program->rational;
     int outputs = program->outputs, stride = 3 + 4 * outputs, count = 0, starts[RESULTS];
     const double *below = data + program->operands * total;
-    double values[ROOM], masses[ROOM];
     if (program->length > RESULTS || width > MOST)
         return -1;
     for (int i = 0; i < program->operands * total; i++) {
         double m = below[i % total / width];
-        if (!(fabs(data[i]) < BIG && fabs(m) < BIG))
+        if (!(fabs(data[i]) < BIG && fabs(m) < BIG && fabs(m) >= 1))
             return -1;
         data[i] /= m;
     }
@@ -376,6 +372,23 @@ int filter_curve(const Program *program, double *data, int segments, double *fou
     return count;
 }
 
+/* Run a program on the segments of a curve and find the zeros of its outputs except the last, which must have none.
+
+   data: for every operand, segment and coefficient an integer, rounded, and then the denominators of the segments; where
+   the program is `rational` the last operand is a weight function, which must be positive. It is overwritten.
+   found: for every segment 1 where a zero is not certain, plus 2 where the absence of zeros of the last output or the
+   sign of the weight function is not; for every output the ordinates at both ends, each followed
+   by the bound of its error; and the weight function at both ends. Then for every zero: output, segment, the ends of an
+   interval, and the sign before it, in the order of segments, outputs and parameters.
+
+   Returns the number of zeros, -1 where numbers or programs are too large, -2 where there are more than `room` zeros. */
+int filter_curve(const Program *program, double *data, int segments, double *found, int room) {
+    double *results = malloc(2 * ROOM * sizeof(double));
+    int count = results ? filtered(program, data, segments, found, room, results, results + ROOM) : -1;
+    free(results);
+    return count;
+}
+
 /* ---- two curves */
 
 /* The highest degree of a segment; the numbers of one: its degree, a point near it, and the coefficients of x, y and w
@@ -401,6 +414,12 @@ typedef struct {
     Bare entry[HIGHEST][HIGHEST];
 } Matrix;
 
+/* The room of an elimination, which is not on the stack: the matrix, and its minors. */
+typedef struct {
+    Matrix matrix;
+    Bare minors[COLUMNS];
+} Room;
+
 /* Both segments in one system of coordinates, no number larger than the binomial coefficients: 0 where they are too
    large or too small for that. The first goes through 1 rounding, the second through 4. */
 static int brought_together(const double *first, const double *second, Points *p, Points *q) {
@@ -410,6 +429,10 @@ static int brought_together(const double *first, const double *second, Points *p
     double unit[2], shift[2], far = 0;
     for (int c = 0; c < 2; c++)
         shift[c] = second[1 + c] - first[1 + c];
+    /* a maximum does not notice what is not a number */
+    for (int i = 0; i < OF_SEGMENT; i++)
+        if (!(fabs(first[i]) <= DBL_MAX && fabs(second[i]) <= DBL_MAX))
+            return 0;
     for (int k = 0; k < 2; k++) {
         double weight = 0, size = 0;
         int e, n = (int)given[k][0];
@@ -542,9 +565,10 @@ static void bounded(Form *form, int degree, const Bare *bare, int roundings) {
 
 /* Three forms in the parameter of the second segment: one that vanishes where it meets the first curve, and two with the
    ratio of s and 1 − s there. */
-static void eliminated(const Points *p, const Points *q, Form *vanishing, Form *top, Form *bottom) {
-    Matrix matrix;
-    bezout(p, q, &matrix);
+static void eliminated(const Points *p, const Points *q, Room *own, Form *vanishing, Form *top, Form *bottom) {
+    const Matrix *matrix = &own->matrix;
+    Bare *minors = own->minors;
+    bezout(p, q, &own->matrix);
     int m = p->degree, n = q->degree, roundings[SIDE];
     if (m == 1) {
         /* with the line l of p₀ and p₁: (l × p₀)·Q and (p₁ × l)·Q */
@@ -559,11 +583,10 @@ static void eliminated(const Points *p, const Points *q, Form *vanishing, Form *
         line_through(b, line, across, b_mass, mass, across_mass);
         line_along(across, across_mass, q, &form);
         bounded(bottom, n, &form, (4 + 1 + 2) + 4 + 3);
-        bounded(vanishing, n, &matrix.entry[0][0], matrix.roundings);
+        bounded(vanishing, n, &matrix->entry[0][0], matrix->roundings);
         return;
     }
-    Bare minors[COLUMNS];
-    expanded(&matrix, minors, roundings);
+    expanded(matrix, minors, roundings);
     int all = (1 << m) - 1;
     bounded(vanishing, m * n, minors + all, roundings[m]);
     /* the entries A₀₀ and A₀₁ of the adjugate */
@@ -614,10 +637,10 @@ static void turned_round(Points *p) {
 /* The common points of a pair of segments, as in `filter_pairs`: how many there are, or -1 where a parameter of the
    first is not certain, which may help to reverse it, -2 where something else is not, or without room. What is found is
    that of the first as it was before it was `reversed`. */
-static int met(const Points *p, const Points *q, int reversed, int pair, double *point, int room) {
+static int met(const Points *p, const Points *q, Room *own, int reversed, int pair, double *point, int room) {
     Form vanishing, top, bottom, copy;
     Zero zeros[MOST];
-    eliminated(p, q, &vanishing, &top, &bottom);
+    eliminated(p, q, own, &vanishing, &top, &bottom);
     copy = vanishing;
     int inside = isolated(&copy, 0, 1, 0, zeros, 0, MOST), count = 0;
     for (int i = 0; i < inside; i++) {
@@ -655,18 +678,20 @@ static int met(const Points *p, const Points *q, int reversed, int pair, double 
 int filter_pairs(const double *first, const double *second, const int *pairs, int count, int *open, double *found,
                  int room) {
     int points = 0;
+    Room *own = malloc(sizeof *own);
     for (int k = 0; k < count; k++) {
         const double *one = first + pairs[2 * k] * OF_SEGMENT, *other = second + pairs[2 * k + 1] * OF_SEGMENT;
         int exchanged = one[0] > other[0], known = -2;
         Points p, q;
-        if (brought_together(exchanged ? other : one, exchanged ? one : other, &p, &q))
-            known = met(&p, &q, 0, k, found + OF_POINT * points, room - points);
+        if (own && brought_together(exchanged ? other : one, exchanged ? one : other, &p, &q))
+            known = met(&p, &q, own, 0, k, found + OF_POINT * points, room - points);
         if (known == -1) {
             turned_round(&p);
-            known = met(&p, &q, 1, k, found + OF_POINT * points, room - points);
+            known = met(&p, &q, own, 1, k, found + OF_POINT * points, room - points);
         }
         open[k] = known < 0;
         points += known < 0 ? 0 : known;
     }
+    free(own);
     return points;
 }

@@ -39,6 +39,8 @@ class LateZero:
     def exactly(self) -> LocalZero:
         """The zero in exact arithmetic; a rational one as the zero of its linear polynomial."""
         zero = self.form.inner[self.number]
+        if zero.signs != self.signs:
+            raise AssertionError(f"a change of sign {zero.signs} where {self.signs} was certain in doubles")
         if zero.low < zero.high:
             return zero
         p, q = int(zero.low.numerator), int(zero.low.denominator)

@@ -3,21 +3,30 @@ numbers overflow; it touches no memory that is not its own; and nothing depends 
 """
 
 import gc
+import importlib
 import os
 import pickle
 import random
+import shutil
 import subprocess
 import sys
 import weakref
+from array import array
+from ctypes import byref
+from functools import cache
+from hashlib import sha256
 from pathlib import Path
+from typing import Any
 
 import pytest
 
 from exactspline import Nurbs, analyse, example
 from exactspline.geometry.analysis import Analysis
 from exactspline.geometry.certain import certain
+from exactspline.geometry.plane_programs import plane_program
 from exactspline.numbers.exact import mpq
 from exactspline.programs import accelerator
+from exactspline.programs.certain_pairs import ARCH, LINE, OPEN, filter_pairs, segment_in_doubles
 from tests.campaigns import filter as campaign
 from tests.support.rounding import FLUSHED, MODES, rounding
 
@@ -119,19 +128,28 @@ def test_an_analysed_curve_is_freed_without_the_collector():
         gc.enable()
 
 
+@pytest.fixture
+def builder(monkeypatch) -> Any:
+    """The program that compiles the extension."""
+    monkeypatch.syspath_prepend(ROOT)
+    return importlib.import_module("hatch_build")
+
+
+def in_a_checkout(test: Any) -> Any:
+    """A test that compiles the extension."""
+    there = (ROOT / "hatch_build.py").exists() and shutil.which("cc") is not None
+    return pytest.mark.skipif(not there, reason="there is no compiler, or no checkout")(test)
+
+
 SANITIZED = ("-fsanitize=address,undefined", "-fno-sanitize-recover=undefined", "-g")
 
 
 @pytest.mark.skipif(sys.platform != "linux", reason="the sanitizer is loaded before Python as on Linux")
+@in_a_checkout
 @pytest.mark.parametrize("campaign_of", ["filter 400", "certain_pairs 660"])
-def test_no_memory_but_its_own_is_touched(tmp_path, campaign_of):
-    sys.path.insert(0, str(ROOT))
-    try:
-        import hatch_build
-    finally:
-        sys.path.remove(str(ROOT))
+def test_no_memory_but_its_own_is_touched(tmp_path, campaign_of, builder):
     library = tmp_path / "filter.lib"
-    if not hatch_build.compiled(library, *SANITIZED):
+    if not builder.compiled(library, *SANITIZED):
         pytest.skip("there is no compiler with sanitizers")
     asan = subprocess.run(["cc", "-print-file-name=libasan.so"], capture_output=True, text=True, check=False)
     environment = os.environ | {
@@ -143,6 +161,114 @@ def test_no_memory_but_its_own_is_touched(tmp_path, campaign_of):
     done = subprocess.run(command, cwd=ROOT, env=environment, capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stderr
     assert "0 wrong" in done.stdout
+
+
+@in_a_checkout
+def test_the_extension_of_this_checkout_is_used():
+    assert accelerator.filter_curve is not None, "compile it anew: python hatch_build.py"
+
+
+@in_a_checkout
+def test_it_compiles_without_a_warning_and_with_all_words_of_the_compiler(tmp_path, builder, monkeypatch, capsys):
+    """A warning of a user's compiler ended the build, of CC the first word alone was run, and 70 kB of results lay on
+    the stack of whatever thread asked.
+    """
+    monkeypatch.setenv("CC", "env cc")
+    assert builder.compiled(tmp_path / "strict.lib", "-Werror", "-Wframe-larger-than=8192")
+    assert builder.compiled(tmp_path / "filter.lib", "-O0", "-Wframe-larger-than=16")
+    assert capsys.readouterr().err == ""
+    assert {file.suffix for file in tmp_path.iterdir()} == {".lib", ".sha256"}
+
+
+@in_a_checkout
+def test_operations_in_another_order_are_refused_by_source_and_by_builder(tmp_path, builder, monkeypatch):
+    """Part of -ffast-math, chosen alone, was compiled: sums in another order have other errors than those proved."""
+    reordered = "cc -fassociative-math -fno-signed-zeros -fno-trapping-math"
+    command = [*reordered.split(), "-std=c11", "-fsyntax-only", str(builder.SOURCE)]
+    macros = subprocess.run(
+        [*reordered.split(), "-dM", "-E", "-"], input="", capture_output=True, text=True, check=True
+    )
+    if "__ASSOCIATIVE_MATH__" in macros.stdout:
+        assert subprocess.run(command, capture_output=True, check=False).returncode != 0
+    monkeypatch.setenv("CC", reordered)
+    assert builder.compiled(tmp_path / "filter.lib", "-O0")
+
+
+#: Asked of a library: whether it is used, and an answer to 30 digits.
+ASKED = """
+from exactspline import Nurbs, analyse
+from exactspline.programs import accelerator
+a = analyse(Nurbs(3, [0] * 4 + [1] * 4, [(0, 0), (1, 2), (2, -2), (3, 1)]))
+found = [(f.kind.value, f.root.decimal(30)) for f in (*a.inflections, *a.curvature_extrema)]
+print(accelerator.filter_curve is None, found)
+"""
+
+
+@cache
+def asked_with(library: object) -> str:
+    """Whether a fresh Python does without this library, and what it answers."""
+    environment = os.environ | {"EXACTSPLINE_EXTENSION": str(library)}
+    command = [sys.executable, "-c", ASKED]
+    done = subprocess.run(command, env=environment, capture_output=True, text=True, check=False, timeout=30)
+    assert done.returncode == 0, (done.returncode, done.stderr)
+    return done.stdout
+
+
+def truncated(made: bytes) -> bytes:
+    """Half of a file."""
+    return made[: len(made) // 2]
+
+
+def flipped(made: bytes) -> bytes:
+    """A file with a bit in each of its 64 parts changed."""
+    changed = bytearray(made)
+    for k in range(32, len(made), len(made) // 64):
+        changed[k] ^= 4
+    return bytes(changed)
+
+
+@needs_extension
+@pytest.mark.parametrize("damaged", [truncated, flipped])
+def test_a_damaged_library_is_not_loaded(tmp_path, damaged):
+    """It ended Python without a word (SIGBUS, SIGSEGV), or was believed."""
+    made = Path(accelerator.LIBRARY)
+    for file in made.parent.glob(f"{made.name}*"):
+        shutil.copy(file, tmp_path)
+    library = tmp_path / made.name
+    library.write_bytes(damaged(made.read_bytes()))
+    assert asked_with(library) == asked_with("none")
+
+
+@in_a_checkout
+def test_a_library_of_another_source_is_not_believed(tmp_path, builder, monkeypatch):
+    """With two instructions exchanged the refinement of a zero never ended, with two others a maximum was a minimum.
+    The first has the digest of its own source, the second one that is forged: what the instructions do tells.
+    """
+    here = builder.SOURCE.read_bytes()
+    exchanged = {"own": b"RAISE, SUM, DERIVE, DU, DV,", "forged": b"SUM, RAISE, DERIVE, DV, DU,"}
+    for digest, instructions in exchanged.items():
+        other, library = tmp_path / "filter.c", tmp_path / f"{digest}.lib"
+        other.write_bytes(here.replace(b"SUM, RAISE, DERIVE, DU, DV,", instructions))
+        monkeypatch.setattr(builder, "SOURCE", other)
+        assert builder.compiled(library, "-O0")
+        if digest == "forged":
+            forged = sha256(here + library.read_bytes()).hexdigest()
+            library.with_name(f"{library.name}.sha256").write_text(forged, encoding="ascii")
+        assert asked_with(library) == asked_with("none")
+
+
+@needs_extension
+def test_what_is_not_a_number_is_not_made_small():
+    """0/0 was asked for its exponent, which C leaves open."""
+    program = accelerator._in_c(plane_program(3, False), False)
+    data, found = array("d", [0, 1, 2, 3] * 2 + [0]), array("d", bytes(8 * 99))
+    assert accelerator.filter_curve(byref(program), data.buffer_info()[0], 1, found.buffer_info()[0], 8) == -1
+    for k in range(len(OPEN)):
+        ours, theirs = (array("d", segment_in_doubles(*one)) for one in (ARCH, LINE))
+        ours[k] = float("nan")
+        indices, open_, points = array("i", [0, 0]), array("i", [0]), array("d", bytes(8 * 175))
+        one, other, which, left, to = [x.buffer_info()[0] for x in (ours, theirs, indices, open_, points)]
+        assert (filter_pairs(one, other, which, 1, left, to, 25), open_[0]) == (0, 1)
 
 
 def test_without_the_extension_the_answers_are_the_same():

@@ -1,6 +1,8 @@
 """A zero that is computed when it is asked for is told as the zero of the whole form is, which isolation finds."""
 
 import pickle
+import subprocess
+import sys
 
 import pytest
 from flint import fmpz_poly
@@ -55,3 +57,34 @@ def test_no_zeros_are_isolated_where_that_is_not_needed(p):
     assert isinstance(late.exactly, LocalZero)
     assert late.factor is late.exactly.factor
     assert given.asked == 1
+
+
+#: Promises of a zero of 1 − 3z + z² that are not kept: no zero, one from − to +, one that is elsewhere.
+BROKEN = """
+from flint import fmpz_poly
+from exactspline.numbers.exact import mpq
+from exactspline.polynomials.isolation import LocalPolynomial
+from exactspline.polynomials.refinement import enclosures
+form = LocalPolynomial(fmpz_poly([1, -3, 1]))
+for low, high, sign in ((mpq(0), mpq(1, 4), 1), (mpq(0), mpq(1, 2), -1), (mpq(1, 3), mpq(2, 3), 1)):
+    try:
+        print(list(enclosures(form, low, high, sign, 200)))
+    except AssertionError as error:
+        print(error)
+"""
+
+
+def test_a_promised_change_of_sign_that_is_not_there_is_an_error():
+    """Its refinement never ended, in a process of its own therefore."""
+    done = subprocess.run([sys.executable, "-c", BROKEN], capture_output=True, text=True, check=True, timeout=30)
+    assert [line.split(" between ")[0] for line in done.stdout.splitlines()] == [
+        "the sign does not change from +1",
+        "the sign does not change from -1",
+        "the sign does not change from +1",
+    ]
+
+
+def test_a_zero_that_changes_its_sign_in_another_way_than_promised_is_an_error():
+    """It was told with the signs that were promised."""
+    with pytest.raises(AssertionError, match="change of sign"):
+        LateZero(Given(Z**2 - 3 * Z + 1), 0, -1).exactly  # noqa: B018  # what raises

@@ -15,6 +15,7 @@ const say = statusLine(element("status"));
 const kernel = new Kernel(say);
 const plane = new Plane(element("plane"), { label: "a curve, the point Q and their bisector" });
 for (const layer of ["polygon", "curve", "bisector", "walk", "handles", "point"]) plane.layer(layer);
+kernel.shows("bisector", plane.layer("bisector"), plane.layer("walk"), ...["pieces", "told", "status"].map(element));
 let q = ["7/4", "3/2"];
 let pieces = [];
 const editor = new Editor(plane, changed);
@@ -22,6 +23,7 @@ let handle = null;
 
 function changed(why) {
   if (why === "selected") return;
+  kernel.stale("bisector");
   const drawn = samples(editor.curve).map((s) => s.point);
   if (why === "new") {
     plane.fit([...drawn, ...editor.curve.points.map((p) => p.map(double)), q.map(double)].flatMap(([x, y]) => [[x - 1, y - 1], [x + 1, y + 1]]));
@@ -93,5 +95,7 @@ element("walk").oninput = walk;
 const examples = (await data("curves")).filter((curve) => curve.knots.length < 12);
 element("examples").append(...examples.map(({ name }, i) => html("option", { value: i }, name.replaceAll("_", " "))));
 element("examples").onchange = () => editor.set(examples[element("examples").value]);
+const first = await data("first");
 editor.set(examples[0]);
-show({ answer: (await data("first")).bisector }); // as computed when the site was built, until the library has started here
+show({ answer: first.bisector }); // as computed when the site was built, until the library has started here
+kernel.current("bisector");

@@ -22,6 +22,8 @@ const say = statusLine(element("status"));
 const kernel = new Kernel(say);
 const plane = new Plane(element("plane"), { label: "the curve with its control points" });
 for (const layer of ["comb", "evolute", "osculating", "polygon", "curve", "marks", "handles"]) plane.layer(layer);
+kernel.shows("features", plane.layer("marks"), element("features"), element("status"));
+kernel.shows("forms", element("forms"));
 const editor = new Editor(plane, changed);
 const hint = element("digits").textContent;
 let at = null;
@@ -38,14 +40,18 @@ function changed(why) {
   if (why === "done") history.replaceState(null, "", `#${toHash(editor.curve)}`);
   if (why === "new") fit();
   const { answers, ...asked } = editor.curve;
-  if (answers && why === "new") {
-    showFeatures({ answer: answers.features });
-    showForms(answers.forms);
-  }
+  const known = why === "new" && answers; // as computed when the site was built, until the library has started here
   editor.curve = asked;
   kernel.latest("features", copy(asked), showFeatures, complain);
+  kernel.stale("forms");
+  if (known) {
+    showFeatures({ answer: known.features });
+    showForms(known.forms);
+    kernel.current("features");
+    kernel.current("forms");
+  }
   clearTimeout(idle);
-  idle = setTimeout(askForms, 350);
+  idle = setTimeout(() => askForms(known), 350);
 }
 
 function fit() {
@@ -104,6 +110,7 @@ function complain(problem) {
 }
 
 async function askDigits(group, index, digits = 50) {
+  if (element("features").ariaBusy) return; // a feature of the former curve
   const note = element("digits");
   try {
     const { curve } = editor;
@@ -117,12 +124,13 @@ async function askDigits(group, index, digits = 50) {
   }
 }
 
-function askForms() {
+function askForms(known) {
   const variants = FORMS.map(([variant]) => variant);
   kernel.latest("forms", { curve: copy(editor.curve), variants }, ({ answer }) => {
     showForms(answer);
     document.body.dataset.degrees = JSON.stringify(answer.map((form) => form.degree));
   }, () => element("forms").replaceChildren());
+  if (known) kernel.current("forms");
 }
 
 function showForms(answer) {

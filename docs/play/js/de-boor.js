@@ -19,6 +19,8 @@ const say = statusLine(element("status"));
 const kernel = new Kernel(say);
 const plane = new Plane(element("plane"), { label: "a curve, its control points and de Boor's points", height: 460 });
 for (const layer of ["polygon", "curve", "steps", "handles", "point"]) plane.layer(layer);
+kernel.shows("triangle", plane.layer("steps"), ...["heading", "triangle", "told", "status"].map(element));
+kernel.shows("product", ...["multiplied", "product", "diagonals"].map(element));
 const slider = element("share");
 const before = [];
 let handle = null;
@@ -68,6 +70,7 @@ function move(k) {
     handle.classList.add("q");
   }
   kernel.latest("triangle", { curve: copy(editor.curve), share: `${slider.value}/${STEPS}` }, show, complain);
+  element("insert").disabled = true;
   multiply();
 }
 
@@ -154,6 +157,7 @@ async function refine(how) {
   const old = copy(editor.curve);
   try {
     const { answer } = await kernel.ask("refined", { curve: old, ...how });
+    if (toHash(editor.curve) !== toHash(old)) return; // it has changed meanwhile
     before.push(old);
     editor.set(answer.curve);
     document.body.dataset.same = `${answer.same}`;
@@ -182,10 +186,12 @@ element("insert").disabled = true;
 const linked = location.hash && fromHash(location.hash);
 const cubic = examples.findIndex(({ name }) => name === "cubic_s");
 if (!linked) element("examples").value = Math.max(cubic, 0);
+const first = linked || (await data("first"));
 editor.set(linked || examples[Math.max(cubic, 0)]);
 if (!linked) {
   // as computed when the site was built, until the library has started here
-  const first = await data("first");
   show({ answer: first.triangle });
   showProduct({ answer: first.product }, ["x", "y"]);
+  kernel.current("triangle");
+  kernel.current("product");
 }

@@ -28,23 +28,48 @@ export class Kernel {
 
   // The same for what changes faster than it is answered: of the questions that wait, only the last one is asked.
   latest(question, data, show, complain) {
-    const channel = this.#channels.get(question) ?? { busy: false, next: null };
-    this.#channels.set(question, channel);
+    this.stale(question);
+    const channel = this.#channel(question);
     channel.next = { data, show, complain };
     if (!channel.busy) this.#drain(question, channel);
+  }
+
+  // Where the answer to a question is shown.
+  shows(question, ...elements) {
+    this.#channel(question).elements = elements;
+  }
+
+  // Something has changed: what is shown belongs to what was before, and so does an answer that is under way.
+  stale(question) {
+    const channel = this.#channel(question);
+    channel.changes += 1;
+    channel.next = null;
+    for (const element of channel.elements) element.setAttribute("aria-busy", "true");
+  }
+
+  // What is shown belongs to what is there.
+  current(question) {
+    for (const element of this.#channel(question).elements) element.removeAttribute("aria-busy");
+  }
+
+  #channel(question) {
+    if (!this.#channels.has(question)) this.#channels.set(question, { busy: false, next: null, changes: 0, elements: [] });
+    return this.#channels.get(question);
   }
 
   async #drain(question, channel) {
     channel.busy = true;
     while (channel.next) {
       const { data, show, complain } = channel.next;
+      const { changes } = channel;
       channel.next = null;
       try {
         const told = await this.ask(question, data);
-        if (!channel.next) show(told);
+        if (channel.changes === changes) show(told);
       } catch (problem) {
-        if (!channel.next) complain(problem);
+        if (channel.changes === changes) complain(problem);
       }
+      if (channel.changes === changes) this.current(question);
     }
     channel.busy = false;
   }

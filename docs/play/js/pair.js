@@ -16,6 +16,8 @@ const plane = new Plane(element("plane"), { label: "two curves with their contro
 for (const layer of ["polygon", "polygon second", "bisector", "curve", "curve second", "walk", "marks", "handles", "handles second"]) plane.layer(layer);
 const rectangle = new Plane(element("rectangle"), { label: "the rectangle of both parameters" });
 for (const layer of ["frame", "across", "up", "bisector", "walk", "marks"]) rectangle.layer(layer);
+const drawn = [plane.layer("marks"), plane.layer("bisector"), ...["across", "up", "bisector", "marks"].map((name) => rectangle.layer(name))];
+kernel.shows("pair", ...drawn, element("points"), element("status"));
 const editors = [new Editor(plane, changed), new Editor(plane, changed, " second")];
 let domains = [];
 
@@ -115,3 +117,4 @@ element("examples").append(...pairs.map(({ name }, i) => html("option", { value:
 element("examples").onchange = () => start(pairs[element("examples").value]);
 start(pairs[0]);
 show({ answer: pairs[0].answer }); // as computed when the site was built, until the library has started here
+kernel.current("pair");

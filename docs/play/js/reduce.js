@@ -14,6 +14,7 @@ const SAMPLES = [
 
 const say = statusLine(element("status"));
 const kernel = new Kernel(say);
+kernel.shows("reduce", element("found"));
 
 function part(p) {
   const line = (name, value) => value && html("tr", {}, html("th", { scope: "row" }, name), html("td", { class: "number" }, value));
@@ -35,18 +36,23 @@ function show(answer) {
   element("found").replaceChildren(html("div", { class: "card" }, html("h2", {}, "As the library reads it"), read), ...answer.parts.map(part));
 }
 
-async function go() {
+function go() {
   const asked = { text: element("text").value, dimension: Number(element("dimension").value), polynomial: element("polynomial").checked };
-  say("reducing …");
-  try {
-    const { answer, milliseconds } = await kernel.ask("reduce", asked);
+  const told = ({ answer, milliseconds }) => {
     show(answer);
     document.body.dataset.reduced = JSON.stringify(answer.parts);
     say(`verified by multiplication, ${milliseconds.toFixed(0)} ms`);
-  } catch (problem) {
+  };
+  kernel.latest("reduce", asked, told, (problem) => {
     element("found").replaceChildren();
     say(problem.message, true);
-  }
+  });
+  say("reducing …");
+}
+
+function changed() {
+  kernel.stale("reduce");
+  say("");
 }
 
 element("samples").append(...SAMPLES.map(([name], i) => html("option", { value: i }, name)));
@@ -57,6 +63,8 @@ element("samples").onchange = () => {
   go();
 };
 element("go").onclick = go;
+for (const id of ["text", "dimension", "polynomial"]) element(id).oninput = changed;
 element("text").onkeydown = (event) => event.key === "Enter" && (event.ctrlKey || event.metaKey) && go();
 show(first.reduce); // as computed when the site was built, until the library has started here
 element("samples").onchange();
+kernel.current("reduce");

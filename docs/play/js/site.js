@@ -15,6 +15,7 @@ export function reportHeight() {
 export function statusLine(element) {
   return (text, problem = false) => {
     element.textContent = text;
+    element.removeAttribute("aria-busy"); // what is said is said now
     element.classList.toggle("problem", problem);
   };
 }
