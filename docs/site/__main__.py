@@ -86,7 +86,8 @@ def build() -> int:
             ["-b", "html", "-W", "--keep-going", "-q", "-d", str(BUILD / "doctrees"), str(source), str(target)]
         )
     if not status:
-        serve = "./run serve" if target == BUILD / "html" else f"python -m http.server --directory {target} --bind 127.0.0.1"
+        own = f"python -m http.server --bind 127.0.0.1 --directory {target}"
+        serve = "./run serve" if target == BUILD / "html" else own
         print(f"The site is in {target}\n{serve} shows it at http://localhost:8000")
     return int(status)
 

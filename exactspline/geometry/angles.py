@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from functools import cached_property
 from typing import TYPE_CHECKING
 
 from exactspline.language.vector import Vector, dot
 from exactspline.numbers.exact import mpq
+from exactspline.numbers.once import cached_property
 from exactspline.reals.real import Real, square_root
 
 if TYPE_CHECKING:

@@ -8,7 +8,7 @@ from __future__ import annotations
 from bisect import bisect_right
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
-from functools import cached_property, partial
+from functools import partial
 from math import comb
 
 from flint import fmpz, fmpz_poly
@@ -21,6 +21,7 @@ from exactspline.geometry.kinds import Feature, FeatureKind
 from exactspline.geometry.plane_programs import CRITICAL, CURVATURE, plane_program
 from exactspline.numbers.exact import mpq
 from exactspline.numbers.intervals import Interval
+from exactspline.numbers.once import cached_property
 from exactspline.numbers.sides import Side
 from exactspline.polynomials.bernstein import ONE
 from exactspline.polynomials.isolation import LocalPolynomial, LocalZero, isolate

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
-from functools import cached_property
 from itertools import combinations, pairwise, product
 from typing import Any
 
@@ -16,6 +15,7 @@ from exactspline.certificates.common_zeros import CROSSED, EDGE, ELIMINATED, FIR
 from exactspline.errors import ReachError
 from exactspline.numbers.exact import mpq, text, to_fmpq
 from exactspline.numbers.intervals import UNIT, Box, Interval
+from exactspline.numbers.once import cached_property
 from exactspline.polynomials.elimination import resultant
 from exactspline.polynomials.factorization import divided_out
 from exactspline.polynomials.factors import greatest_common_divisor

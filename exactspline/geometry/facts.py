@@ -10,7 +10,6 @@ from __future__ import annotations
 from bisect import bisect_left, bisect_right
 from collections.abc import Callable, Sequence, Set
 from dataclasses import dataclass
-from threading import Lock
 from time import perf_counter
 from typing import TypeVar, cast
 from weakref import ref
@@ -48,6 +47,7 @@ from exactspline.language.formula import Formula
 from exactspline.language.kinds import PLANE, SPACE, Kind
 from exactspline.language.vector import Vector, cross
 from exactspline.numbers.exact import mpq, ratio, sign
+from exactspline.numbers.once import Lock
 from exactspline.numbers.sides import Side
 from exactspline.polynomials.bernstein import ONE, variations
 from exactspline.polynomials.factors import certainly_coprime
@@ -153,7 +153,7 @@ class Kept(Remembers):
 
     def reader(self, make: Callable[[Kept], F]) -> F:
         """The object that answers questions, made where there is none."""
-        with _LOCK:
+        with _LOCK.held():
             found = self._reader()
             if found is None:
                 found = make(self)
@@ -163,7 +163,7 @@ class Kept(Remembers):
 
 def kept_by(curve: Nurbs) -> Kept:
     """What a curve keeps of itself: it belongs to the curve, and is no part of its value."""
-    with _LOCK:
+    with _LOCK.held():
         if curve._analysis is None:
             curve._analysis = Kept()
         assert isinstance(curve._analysis, Kept)

@@ -5,12 +5,12 @@ asked for.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from functools import cached_property
 
 from flint import arb, fmpz_poly
 
 from exactspline.numbers.exact import mpq
 from exactspline.numbers.intervals import Interval
+from exactspline.numbers.once import cached_property
 from exactspline.polynomials.bezout import PlaneForms
 from exactspline.polynomials.common_arcs import Image, Meeting, RationalMap
 from exactspline.polynomials.isolation import LocalPolynomial, LocalZero

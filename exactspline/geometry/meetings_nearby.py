@@ -12,7 +12,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from functools import cached_property
 from itertools import combinations_with_replacement, pairwise, product
 from math import comb
 
@@ -23,6 +22,7 @@ from exactspline.geometry.intersections import IntersectionKind
 from exactspline.geometry.nearby_forms import PRECISION, CurvesNear, Settled, dot, sign_of
 from exactspline.numbers.exact import Number, mpq, to_fmpq
 from exactspline.numbers.intervals import Box, Interval, ball_ends
+from exactspline.numbers.once import cached_property
 from exactspline.polynomials.patch_forms import clusters
 from exactspline.questions.answers import CurvePiece, Described
 from exactspline.reals.real import Real, real

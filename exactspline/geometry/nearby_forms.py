@@ -11,7 +11,7 @@ from __future__ import annotations
 
 from bisect import bisect_right
 from collections.abc import Callable, Sequence
-from functools import cache, cached_property
+from functools import cache
 from itertools import pairwise
 from math import comb
 from typing import Any
@@ -22,6 +22,7 @@ from exactspline.errors import ShapeError
 from exactspline.geometry.plane_programs import plane_program, space_program
 from exactspline.numbers.exact import mpq, to_fmpq
 from exactspline.numbers.intervals import Box
+from exactspline.numbers.once import cached_property
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.nurbs import Nurbs
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
-from functools import cached_property, reduce
+from functools import reduce
 
 from flint import ctx, fmpz, fmpz_poly
 
@@ -18,6 +18,7 @@ from exactspline.geometry.box_tree import IntegerBox, box_of, shift_for
 from exactspline.hooks import Displayed
 from exactspline.numbers.exact import Number, lcm, mpq, rational
 from exactspline.numbers.intervals import Interval, joined
+from exactspline.numbers.once import cached_property
 from exactspline.polynomials.bernstein import ONE, divide_u_plus_v
 from exactspline.polynomials.collinear_arcs import Coordinate
 from exactspline.polynomials.common_arcs import RationalMap

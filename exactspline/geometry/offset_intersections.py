@@ -11,7 +11,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
-from functools import cached_property
 from itertools import groupby
 from math import ceil
 
@@ -30,6 +29,7 @@ from exactspline.language.vector import Vector, det, dot, norm2
 from exactspline.numbers.exact import Number, mpq, rational
 from exactspline.numbers.exact import sign as sign_of
 from exactspline.numbers.intervals import Box, Interval
+from exactspline.numbers.once import cached_property
 from exactspline.numbers.sides import Side
 from exactspline.polynomials.cost import PATCH, QUESTION, Budget, drawing_on
 from exactspline.polynomials.factorization import divided_out

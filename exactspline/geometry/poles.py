@@ -10,7 +10,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from functools import cached_property
 from itertools import groupby, pairwise
 
 from exactspline.errors import ShapeError
@@ -24,6 +23,7 @@ from exactspline.language.rational import Rational
 from exactspline.language.vector import Vector
 from exactspline.numbers.exact import mpq
 from exactspline.numbers.intervals import Interval
+from exactspline.numbers.once import cached_property
 from exactspline.roots.root import Root
 from exactspline.roots.zero_set import zeros
 from exactspline.splines.bspline import BSpline

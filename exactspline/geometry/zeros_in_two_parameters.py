@@ -9,7 +9,6 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field, replace
 from enum import StrEnum
-from functools import cached_property
 from itertools import combinations, pairwise, product
 from typing import NamedTuple, cast
 
@@ -27,6 +26,7 @@ from exactspline.geometry.surface.zero_lines import LinesOfPatch, ZeroLine, with
 from exactspline.geometry.zero_curve_certificate import zero_curve_certificate
 from exactspline.numbers.exact import mpq
 from exactspline.numbers.intervals import Box
+from exactspline.numbers.once import cached_property
 from exactspline.polynomials.cost import PATCH, QUESTION, Budget, drawing_on
 from exactspline.polynomials.factors import greatest_common_divisor
 from exactspline.polynomials.patch_forms import PatchForm

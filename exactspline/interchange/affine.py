@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from functools import cached_property
 
 from exactspline.errors import ShapeError
 from exactspline.interchange.numbers import square_root
 from exactspline.numbers.exact import mpq
+from exactspline.numbers.once import cached_property
 
 
 class Affine:

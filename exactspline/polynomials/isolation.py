@@ -13,7 +13,6 @@ Riesenfeld, Bounds on a polynomial, BIT 1981.
 from __future__ import annotations
 
 from contextlib import suppress
-from functools import cached_property
 from typing import NamedTuple
 
 from flint import fmpz_poly
@@ -22,6 +21,7 @@ from exactspline.errors import ReachError
 from exactspline.numbers.exact import mpq, ratio
 from exactspline.numbers.exact import sign as sign_of
 from exactspline.numbers.intervals import Interval
+from exactspline.numbers.once import cached_property
 from exactspline.polynomials.annihilating import without_rational_zero
 from exactspline.polynomials.bernstein import ONE, ONE_PLUS_2Z, backwards, divide_u_plus_v, restrict, value, variations
 from exactspline.polynomials.factorization import Factorization, multiplied

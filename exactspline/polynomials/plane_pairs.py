@@ -12,13 +12,13 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 from enum import Enum
-from functools import cached_property
 
 from flint import arb, arb_mat, arb_poly, ctx, fmpz_poly
 
 from exactspline.errors import ReachError
 from exactspline.numbers.exact import mpq
 from exactspline.numbers.intervals import sign_of_ball
+from exactspline.numbers.once import cached_property
 from exactspline.polynomials import bezout
 from exactspline.polynomials.bezout import Matrix, PlaneForms, across, along
 from exactspline.polynomials.collinear_arcs import collinear_arcs

@@ -7,7 +7,7 @@ patch.
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from functools import cached_property, lru_cache
+from functools import lru_cache
 from typing import Any, NamedTuple, TypeVar
 
 from flint import fmpz, fmpz_poly
@@ -20,6 +20,7 @@ from exactspline.language.provenance import within
 from exactspline.language.rational import Rational
 from exactspline.language.ruled import RuledSurface
 from exactspline.language.vector import Vector
+from exactspline.numbers.once import cached_property
 from exactspline.polynomials.tensor_bernstein import stride_for
 from exactspline.programs.compiled import Run, compiled, needed
 from exactspline.programs.denominators import ONE

@@ -11,9 +11,9 @@ from collections.abc import Callable, Hashable
 from dataclasses import dataclass
 from enum import StrEnum
 from inspect import cleandoc
-from threading import RLock
 from typing import Any, Concatenate, Generic, ParamSpec, TypeVar, cast, overload
 
+from exactspline.numbers.once import Lock
 from exactspline.roots.zero_set import ZeroSet
 
 T = TypeVar("T")
@@ -25,13 +25,13 @@ class Remembers:
 
     def __init__(self, shared: Remembers | None = None) -> None:
         self._known: dict[Any, Any]
-        self._lock: Any
-        self._known, self._lock = ({}, RLock()) if shared is None else (shared._known, shared._lock)
+        self._lock: Lock
+        self._known, self._lock = ({}, Lock()) if shared is None else (shared._known, shared._lock)
 
     def once(self, key: Hashable, compute: Callable[[], T]) -> T:
         """The value kept under a key, computed at the first request."""
         if key not in self._known:
-            with self._lock:
+            with self._lock.held():
                 if key not in self._known:
                     self._known[key] = compute()
         found: T = self._known[key]
@@ -55,7 +55,7 @@ class Inspected(Remembers):
         return {name: kept for name, kept in vars(self).items() if name != "_lock"}
 
     def __setstate__(self, kept: dict[str, object]) -> None:
-        vars(self).update(kept, _lock=RLock())
+        vars(self).update(kept, _lock=Lock())
 
 
 F = TypeVar("F", bound=Remembers)

@@ -14,7 +14,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from functools import cached_property, lru_cache, partial, reduce
+from functools import lru_cache, partial, reduce
 from itertools import pairwise
 from math import ceil, floor
 from typing import NamedTuple
@@ -25,6 +25,7 @@ from exactspline.errors import ReachError
 from exactspline.numbers.exact import mpq, to_fmpq
 from exactspline.numbers.exact import sign as sign_of
 from exactspline.numbers.intervals import UNIT, Box, Interval, shifted, sign_of_ball
+from exactspline.numbers.once import cached_property
 from exactspline.polynomials.certified_boxes import Isolated, isolate
 from exactspline.polynomials.cost import Priced, bounded, check_reach
 from exactspline.polynomials.elimination import resultant

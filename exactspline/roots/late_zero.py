@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from functools import cached_property
 from typing import Protocol
 
 from flint import fmpz_poly
 
 from exactspline.numbers.exact import mpq
+from exactspline.numbers.once import cached_property
 from exactspline.polynomials.isolation import LocalPolynomial, LocalZero
 
 

@@ -5,7 +5,7 @@ formulas use.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
-from functools import cached_property, partial
+from functools import partial
 from typing import cast
 
 from exactspline.errors import DomainError, ShapeError, WeightError, as_items
@@ -17,6 +17,7 @@ from exactspline.language.vector import Vector, norm2, perp
 from exactspline.numbers.exact import Number, from_float, is_float, mpq, rational, sign, text
 from exactspline.numbers.immutable import Immutable
 from exactspline.numbers.intervals import Interval
+from exactspline.numbers.once import cached_property
 from exactspline.numbers.sides import Side
 from exactspline.polynomials.isolation import zero_on_segment
 from exactspline.reals.real import Real, square_root

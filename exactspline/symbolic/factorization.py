@@ -8,7 +8,6 @@ from contextvars import ContextVar
 from dataclasses import dataclass
 from functools import cache, partial
 from operator import attrgetter
-from threading import RLock
 from typing import Any, NamedTuple, cast
 
 from flint import Ordering, fmpq, fmpq_mpoly, fmpq_mpoly_ctx
@@ -22,6 +21,7 @@ from exactspline.language.parts import Value, split
 from exactspline.language.surface_kind import BOTH
 from exactspline.language.vector import Vector
 from exactspline.numbers.exact import content, from_flint, mpq, sign, to_fmpq
+from exactspline.numbers.once import Lock
 from exactspline.papers import Paper, default_papers, formula_of
 from exactspline.polynomials.cost import Budget, Priced, drawing_on
 from exactspline.polynomials.factorization import Factorization, multiplied, power_text
@@ -351,12 +351,12 @@ class _Names:
         self.formulas: dict[str, Formula] = {}
         #: One for all, since they are computed in one order: what a claim has spent before is no reason to skip one.
         self._budget = Budget()
-        self._lock = RLock()
+        self._lock = Lock()
 
     def __iter__(self) -> Iterator[tuple[str, object]]:
         for i, formula in enumerate(self._formulas):
             if i == len(self._known):
-                with self._lock:
+                with self._lock.held():
                     if i == len(self._known):
                         self._known.append(self._named(formula))
             if (known := self._known[i]) is not None:

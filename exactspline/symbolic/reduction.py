@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Sequence
 from contextlib import nullcontext
 from dataclasses import dataclass, replace
-from functools import cache, cached_property
+from functools import cache
 from typing import Any
 
 from flint import fmpq_mpoly
@@ -26,6 +26,7 @@ from exactspline.language.rational import Rational
 from exactspline.language.ruled import RuledSurface
 from exactspline.language.vector import Vector
 from exactspline.numbers.exact import from_flint, mpq
+from exactspline.numbers.once import cached_property
 from exactspline.papers import find, owner
 from exactspline.polynomials.factorization import Factorization
 from exactspline.polynomials.factors import bounded_product, greatest_common_divisor

@@ -5,12 +5,12 @@ from __future__ import annotations
 import random
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
-from functools import cached_property
 from itertools import product
 from math import frexp
 
 from exactspline.errors import ExactSplineError
 from exactspline.numbers.exact import double, from_float, mpq
+from exactspline.numbers.once import cached_property
 from exactspline.splines.nurbs import Nurbs
 from exactspline.testing.reported import REPORTED
 

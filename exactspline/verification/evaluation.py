@@ -5,13 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
 from contextvars import ContextVar
-from functools import cached_property
 from itertools import pairwise, product
 from typing import Any
 
 from exactspline.language.arguments import PARAMETERS, Evaluated, Operands
 from exactspline.language.kinds import PairKind, kind_of
 from exactspline.numbers.intervals import Interval
+from exactspline.numbers.once import cached_property
 from exactspline.polynomials.isolation import zero_on_segment
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.nurbs import Nurbs

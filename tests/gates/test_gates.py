@@ -413,3 +413,17 @@ def test_what_only_developers_run_is_not_in_the_wheel():
 def test_a_module_that_only_tests_import_is_found():
     graph = {"": {"a"}, "a": {"b.c"}, "b": set(), "b.c": set(), "only_for_tests": {"a"}}
     assert graph.keys() - gates.reached(graph, [""]) == {"only_for_tests"}
+
+
+# ---- what is served on this machine is seen on this machine alone
+
+
+@pytest.mark.skipif(not (CHECKOUT / "run").exists(), reason="the pages are served from a checkout")
+def test_a_server_that_is_started_or_recommended_listens_on_this_machine_alone():
+    """Passed before: that which the builder of the site recommends for another folder listened on all interfaces."""
+    files = [CHECKOUT / "run", *CHECKOUT.glob("*.md"), *(CHECKOUT / "docs").rglob("*.md")]
+    files += [file for room in ("docs", "exactspline", "workshop") for file in (CHECKOUT / room).rglob("*.py")]
+    lines = [line for file in files for line in file.read_text(encoding="utf-8").splitlines()]
+    serving = [line for line in lines if "-m http.server" in line]
+    assert len(serving) >= 2
+    assert [line for line in serving if "--bind 127.0.0.1" not in line] == []

@@ -1,10 +1,14 @@
 """Values that behave: immutable, copied, pickled, hashed, shared by threads and processes; equal as functions."""
 
 import copy
+import os
 import pickle
+import signal
+import subprocess
+import sys
 from collections.abc import Iterable
 from concurrent.futures import ThreadPoolExecutor
-from functools import cached_property
+from contextlib import suppress
 
 import pytest
 from flint import fmpz_poly
@@ -14,6 +18,7 @@ from hypothesis import strategies as st
 
 import exactspline as xs
 from exactspline.errors import ExactSplineError
+from exactspline.numbers.once import cached_property
 from exactspline.papers import find
 from exactspline.reals.real import Real, square_root
 from tests.support.strategies import nurbs, splines
@@ -236,6 +241,57 @@ def test_eight_threads_refine_one_root():
     for (low, high), n in zip(found, digits, strict=True):
         assert high - low <= mpq(1, 10**n)
         assert (low**3 - low - 1) < 0 < (high**3 - high - 1)
+
+
+#: A process is forked while another thread computes; its child computes the same of another curve, or more of this one.
+FORKED = """
+import os, sys
+from threading import Event, Thread, current_thread
+import exactspline as xs
+from exactspline.splines.nurbs import Nurbs
+
+entered, go, own = Event(), Event(), current_thread()
+one, other = (xs.example(name) for name in ("cubic_s", "rational_cubic"))
+
+def waiting(compute):
+    def computed(*of):
+        if current_thread() is not own:
+            entered.set()
+            go.wait()
+        return compute(*of)
+    return computed
+
+if sys.argv[1] == "property":
+    vars(Nurbs)["p"].func = waiting(vars(Nurbs)["p"].func)
+    held, asked = lambda: one.p, lambda: other.p
+else:
+    held, asked = lambda: xs.analyse(one).once("this", waiting(int)), lambda: xs.analyse(one).inflections
+thread = Thread(target=held)
+thread.start()
+entered.wait()
+child = os.fork()
+if not child:
+    asked()
+    os._exit(7)
+print(os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]))
+go.set()
+thread.join()
+"""
+
+
+@pytest.mark.skipif(not hasattr(os, "fork"), reason="processes are not forked here")
+@pytest.mark.parametrize("kept", ["property", "analysis"])
+def test_a_forked_child_does_not_wait_for_a_thread_that_it_does_not_have(kept):
+    """On Python 3.11 one lock of `functools.cached_property` was held for all curves while one was computed, and on
+    every Python the lock of an analysis: the child waited for ever.
+    """
+    command = [sys.executable, "-W", "ignore", "-c", FORKED, kept]
+    with subprocess.Popen(command, stdout=subprocess.PIPE, text=True, start_new_session=True) as process:
+        try:
+            assert process.communicate(timeout=20)[0] == "7\n"
+        finally:
+            with suppress(ProcessLookupError):
+                os.killpg(process.pid, signal.SIGKILL)
 
 
 # ---- what is pickled, and what is handed out

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
-from functools import cached_property
 from itertools import pairwise
 from typing import NamedTuple
 
@@ -14,6 +13,7 @@ from exactspline.geometry.winding import FillRule
 from exactspline.interchange.limits import Limits
 from exactspline.interchange.svg_paths import subpaths
 from exactspline.numbers.exact import mpq
+from exactspline.numbers.once import cached_property
 
 Point = tuple[mpq, mpq]
 

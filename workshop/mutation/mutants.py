@@ -13,13 +13,14 @@ import inspect
 import sys
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
-from functools import cache, cached_property
+from functools import cache
 from hashlib import sha256
 from importlib import import_module
 from pathlib import Path
 from types import CodeType, FunctionType
 from typing import Any
 
+from exactspline.numbers.once import cached_property
 from workshop.mutation.coverage_map import meaning
 
 ROOT = Path(__file__).resolve().parents[2]

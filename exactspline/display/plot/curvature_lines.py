@@ -8,7 +8,6 @@ from __future__ import annotations
 from bisect import bisect
 from collections.abc import Iterable
 from dataclasses import dataclass
-from functools import cached_property
 from itertools import product
 from math import atan2, comb, cos, dist, hypot, inf, sin
 from typing import TYPE_CHECKING, Any, NamedTuple
@@ -18,6 +17,7 @@ from exactspline.formulas.surfaces.by_forms import area_of_forms, minimality_of_
 from exactspline.geometry.surface.forms import Patch, SurfaceForms
 from exactspline.language.arguments import Operands
 from exactspline.language.vector import Vector, cross, dot, norm2
+from exactspline.numbers.once import cached_property
 from exactspline.splines.surface import NurbsSurface
 from exactspline.splines.tensor import TensorSpline
 

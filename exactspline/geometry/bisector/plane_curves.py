@@ -6,7 +6,6 @@ Source: Elber and Kim, Bisector curves of planar rational curves, Computer-Aided
 
 from __future__ import annotations
 
-from functools import cached_property
 from itertools import product
 
 from exactspline.errors import ReachError, ShapeError
@@ -17,6 +16,7 @@ from exactspline.geometry.facts import facts_of
 from exactspline.geometry.zeros_in_two_parameters import ZeroArc, ZeroCurves, zero_curve
 from exactspline.numbers.exact import Number, mpq
 from exactspline.numbers.intervals import Box
+from exactspline.numbers.once import cached_property
 from exactspline.reals.real import Real
 from exactspline.roots.values import at, exact_place, sign_at
 from exactspline.splines.expected import curve_of

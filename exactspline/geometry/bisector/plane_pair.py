@@ -9,13 +9,13 @@ Source: Elber and Kim, Bisector curves of planar rational curves, Computer-Aided
 from __future__ import annotations
 
 from collections.abc import Sequence
-from functools import cached_property
 from typing import Any, Generic, TypeVar
 
 from flint import fmpz_mpoly
 
 from exactspline.language.vector import Vector, det, dot
 from exactspline.language.wronskians import wronskians
+from exactspline.numbers.once import cached_property
 from exactspline.polynomials.two_parameters import lifted as lifted_polynomial
 from exactspline.roots.values import segment_polynomials
 from exactspline.splines.bspline import BSpline

@@ -7,13 +7,13 @@ and ``2E·Y = E·E``: a and b are the tangents γ′ and γ̄′ without their c
 from __future__ import annotations
 
 from dataclasses import dataclass
-from functools import cached_property
 
 from flint import fmpz_mpoly, fmpz_poly
 
 from exactspline.geometry.bisector.polynomials import Three, ThreeOfTwo, common_divisor
 from exactspline.language.vector import Vector, cross, det, dot, norm2
 from exactspline.numbers.intervals import Box, Interval
+from exactspline.numbers.once import cached_property
 from exactspline.polynomials.factors import factorize, greatest_common_divisor
 from exactspline.polynomials.two_parameters import lifted
 from exactspline.roots.of_polynomials import roots_in

@@ -13,7 +13,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from functools import cached_property
 from itertools import pairwise, product
 
 from flint import fmpz, fmpz_mpoly, fmpz_poly
@@ -22,6 +21,7 @@ from exactspline.geometry.bisector.plane_pair import PlanePair
 from exactspline.language.vector import Vector, det, dot, norm2, perp
 from exactspline.numbers.exact import mpq
 from exactspline.numbers.intervals import Box, Interval
+from exactspline.numbers.once import cached_property
 from exactspline.polynomials.patch_forms import PatchForm
 from exactspline.polynomials.two_parameters import S, T, as_form, as_forms, lifted
 from exactspline.roots.values import segment_polynomials

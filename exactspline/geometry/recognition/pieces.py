@@ -6,7 +6,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
-from functools import cache, cached_property
+from functools import cache
 from operator import mul
 
 from exactspline.errors import ShapeError
@@ -14,6 +14,7 @@ from exactspline.geometry.recognition.candidates import candidates, farthest, pl
 from exactspline.geometry.recognition.proof import never_negative, proved_distance, signs
 from exactspline.geometry.recognition.shapes import Conic, CurveShape, Plane, Point, Shape, ShapeKind, upper_square_root
 from exactspline.numbers.exact import Number, mpq
+from exactspline.numbers.once import cached_property
 from exactspline.questions.answers import CurvePiece, Described
 from exactspline.reals.real import Real, real
 from exactspline.roots.values import sign_at

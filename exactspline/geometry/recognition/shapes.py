@@ -23,7 +23,7 @@ from __future__ import annotations
 from abc import ABC, abstractmethod
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
-from functools import cached_property, reduce
+from functools import reduce
 from itertools import chain, combinations
 from operator import add, mul, sub
 from typing import Any, Protocol
@@ -34,6 +34,7 @@ from gmpy2 import isqrt
 from exactspline.language.vector import Vector, cross, det
 from exactspline.language.wronskians import wronskians
 from exactspline.numbers.exact import from_flint, mpq, sign, to_fmpq
+from exactspline.numbers.once import cached_property
 from exactspline.reals.real import Real, real, square_root
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.nurbs import Nurbs

@@ -20,7 +20,6 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
-from functools import cached_property
 from itertools import product
 from typing import Any
 
@@ -48,6 +47,7 @@ from exactspline.geometry.surface.signs import Sign, sign_on_patch
 from exactspline.language.wronskians import wronskians
 from exactspline.numbers.exact import mpq, sign
 from exactspline.numbers.intervals import UNIT
+from exactspline.numbers.once import cached_property
 from exactspline.polynomials.patch_forms import PatchForm, Sized, halved
 from exactspline.roots.borders import Edge
 from exactspline.roots.values import sign_at

@@ -6,7 +6,6 @@ the factors that vanish on a border of the patch, which poles bring with them.
 
 from __future__ import annotations
 
-from functools import cached_property
 from itertools import product
 from typing import NamedTuple
 
@@ -15,6 +14,7 @@ from exactspline.language.formula import Formula
 from exactspline.language.parts import numerator
 from exactspline.language.vector import Vector
 from exactspline.numbers.intervals import Box
+from exactspline.numbers.once import cached_property
 from exactspline.papers import find
 from exactspline.polynomials.patch_forms import Borders, PatchForm
 from exactspline.splines.surface import NurbsSurface

@@ -12,7 +12,6 @@ from collections import Counter, deque
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
 from enum import StrEnum
-from functools import cached_property
 from itertools import pairwise, starmap
 from operator import itemgetter
 from typing import NamedTuple
@@ -23,6 +22,7 @@ from exactspline.geometry.surface.common_factor import rational_lines
 from exactspline.geometry.surface.singular_cells import Cell, Crossing, singular_cells
 from exactspline.numbers.exact import mpq
 from exactspline.numbers.intervals import UNIT, Box, Interval
+from exactspline.numbers.once import cached_property
 from exactspline.polynomials.bernstein import ONE, from_integers
 from exactspline.polynomials.patch_forms import PatchForm, Sized, clusters, halved
 from exactspline.polynomials.rounded_forms import rounded

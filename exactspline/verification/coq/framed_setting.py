@@ -7,7 +7,6 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
-from functools import cached_property
 from typing import cast
 
 from exactspline.errors import FormulaError
@@ -18,6 +17,7 @@ from exactspline.language.implicit_kinds import ImplicitKind
 from exactspline.language.kinds import CurveKind, FramedKind, Kind, Symbol
 from exactspline.language.surface_kind import FormsKind, SurfaceCurveKind, SurfaceKind
 from exactspline.language.vector import Vector, cross, norm2
+from exactspline.numbers.once import cached_property
 from exactspline.readings.expression import Operation
 from exactspline.readings.jet import Jet, JetRing
 from exactspline.readings.rational_jet import JetFraction

@@ -6,7 +6,6 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from functools import cached_property
 from typing import NamedTuple
 
 from flint import fmpq_mpoly
@@ -18,6 +17,7 @@ from exactspline.language.implicit_kinds import ImplicitKind
 from exactspline.language.kinds import CurveKind, FramedKind, Kind, PairKind, Symbol, TableKind
 from exactspline.language.surface_kind import FormsKind, SurfaceCurveKind, SurfaceKind
 from exactspline.numbers.exact import from_flint
+from exactspline.numbers.once import cached_property
 from exactspline.readings.jet import JetRing
 from exactspline.readings.rational_jet import JetFraction
 from exactspline.verification.coq.terms import sum_of_products
