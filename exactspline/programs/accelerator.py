@@ -47,7 +47,7 @@ KNOWN = (
     ("sum", 7, 8, 1, 3, -1, (1 / 2, -1 / 4)),
 )
 #: The width of an interval around a zero that is known.
-NARROW = 2.0**-30
+NARROW = 2**-30
 #: The numbers that are returned for a segment beside four for every output, and for a zero.
 OF_SEGMENT, OF_ZERO = 3, 5
 #: With more zeros than this per segment, exact arithmetic decides.
@@ -106,7 +106,7 @@ def _carries_out(function: Callable[..., int]) -> bool:
     have, exactly, and the zero of 3∂u − ∂v of this form is found.
     """
     code = (_Instruction * len(KNOWN))(*[_Instruction(NAMES[name], *rest) for name, *rest, _ in KNOWN])
-    order, bounds = [*range(1, len(KNOWN)), 0], [2.0**-48, 2.0**-1000] * len(KNOWN)
+    order, bounds = [*range(1, len(KNOWN)), 0], [2**-48, 2**-1000] * len(KNOWN)
     count = len(order)
     program = _Program(count, count, 1, 2, 0, code, (c_int * count)(*order), (c_double * (2 * count))(*bounds))
     data, found = array("d", [1, 2, 4, 1]), array("d", bytes(8 * (OF_SEGMENT + 4 * count + OF_ZERO)))

@@ -53,11 +53,11 @@ def certain_pairs(
     theirs = ours if second is first else _table(second)
     found: list[list[PairPoint] | None] = []
     for start in range(0, len(pairs), TOGETHER):
-        found += _told(filter_pairs, ours, theirs, pairs[start : start + TOGETHER])
+        found += _decided(filter_pairs, ours, theirs, pairs[start : start + TOGETHER])
     return found
 
 
-def _told(
+def _decided(
     function: Callable[..., int], ours: array[float], theirs: array[float], pairs: Sequence[tuple[int, int]]
 ) -> list[list[PairPoint] | None]:
     """What the function of the extension says of some pairs of segments of two tables."""
@@ -76,7 +76,7 @@ def _told(
 
 def _meets(function: Callable[..., int]) -> bool:
     """Whether the parabola x = 2t, y = 8t(1 − t) and the line x = 3s, y = 3/2 meet at t = 1/4 and 3/4."""
-    found = _told(function, _table([ARCH]), _table([LINE]), [(0, 0)])[0] or []
+    found = _decided(function, _table([ARCH]), _table([LINE]), [(0, 0)])[0] or []
     known = [(-1, 0, 1 / 4, 1 / 6), (1, 1, 3 / 4, 1 / 2)]
     return len(found) == 2 and all(
         (point.before, point.number) == (before, number) and surrounds(*point[:2], t) and surrounds(*point.other, s)
