@@ -2,7 +2,8 @@
 against distances computed without the library: ``python -m tests.campaigns.recognition 1000``.
 
 Every curve is drawn from a family by a seed. Of everything that is recognized, the distance is measured at many points
-of the piece, and the other way at many points of the arc; that the bound is not far too large is measured, too. Arcs
+of the piece; that the bound is not far too large is measured, too. That the piece does not turn back is looked at for
+lines and around a centre, not for parabolas; distances from points of the arc to the piece are not measured. Arcs
 that were moved by a tenth of epsilon must be recognized; arcs that no shape of their kind fits within epsilon, by a
 search of its own, must not. The exit status is 1 where anything is different. The result of the last whole run stands
 in `docs/as-meant.md`.
