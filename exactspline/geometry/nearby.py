@@ -11,7 +11,6 @@ from __future__ import annotations
 from bisect import bisect_left
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
-from functools import cached_property
 from itertools import combinations, groupby, pairwise
 
 from flint import arb, ctx
@@ -23,6 +22,7 @@ from exactspline.geometry.plane_programs import BENDING, CRITICAL, CURVATURE, SP
 from exactspline.language.vector import Vector, cross
 from exactspline.numbers.exact import Number, mpq
 from exactspline.numbers.intervals import Interval, ball_ends, joined
+from exactspline.numbers.once import cached_property
 from exactspline.questions.answers import CurvePiece, Described
 from exactspline.splines.expected import curve_of
 from exactspline.splines.nurbs import Nurbs
