@@ -1,12 +1,15 @@
 """Random surfaces against an oracle that shares no code with the library: ``python -m tests.campaigns.surfaces 1000``.
 
 Every surface is drawn from a family, by a seed, at a setting of the dial from small integers to 17-digit doubles and
-1e±300. The sign that is proved on each patch is held against K at rational points by the oracle of
-`tests.support.surface_oracle`; joints against normals and curvatures on both sides of a knot line; K on a listed line
-or point must be zero. Surfaces that are undecided are counted for each family, with a ceiling; one that takes longer
-than `LIMIT` is named. The exit status is 1 where anything is different or slow, or a family is above its ceiling.
+1e±300. Each comparison stands beside the sentence of `docs/inspecting-surfaces.md` that it judges (`COMPARED`), and its
+first lines name the cases around which it steps. Surfaces that are undecided are counted for each family, with a
+ceiling; one that takes longer than `LIMIT` is named. The exit status is 1 where anything is different or slow, or a
+family is above its ceiling.
 
-The result of the last whole run stands in `docs/inspecting-surfaces.md`.
+``python -m tests.campaigns.surfaces 1000 0 knots`` inserts knots instead, also through what was found, and compares
+with what was found before (`KNOTTED`): no oracle there.
+
+The results of the last whole runs are in `docs/inspecting-surfaces.md`.
 """
 
 from __future__ import annotations
@@ -15,12 +18,15 @@ import sys
 import time
 from collections import Counter
 from fractions import Fraction
+from itertools import product
 from random import Random
 
 from gmpy2 import mpq
 
 from exactspline import NurbsSurface, TensorSpline, analyse
-from exactspline.geometry.surface.inspection import PatchKind
+from exactspline.geometry.surface.inspection import PatchKind, SurfaceInspection
+from exactspline.geometry.surface.places import Place
+from exactspline.roots.of_polynomials import exactly
 from tests.support.squares import parameters
 from tests.support.surface_oracle import forms, gaussian_curvature, jets
 from tests.support.vectors import cross
@@ -135,7 +141,26 @@ def flat(random: Random, setting: str) -> NurbsSurface:
     return NurbsSurface((1, 2), [0, 0, 1, 2, 3, 3], [0] * 3 + [1] * 3, rows)
 
 
+def umbilic_curve(random: Random, setting: str) -> NurbsSurface:
+    """z = p³ q or p⁴ for a line or a parabola p, often through corners: curves of umbilics, of parabolic points."""
+    u, v = parameters()
+    p = random.choice([u - v, u + v - 1, u * u - v, v * 2 - u, u + v - mpq(random.randint(1, 5), 3), u * u + v - 1])
+    q = random.choice([p, u * 0 + 1, u + v - 1, u - mpq(1, 2), v * v + 1])
+    return _graph(p * p * p * q * _small(random, setting), setting)
+
+
+def singular_curve(random: Random, setting: str) -> NurbsSurface:
+    """(u, p²/2, ∫ p p_v q dv) or alike: no tangent plane along p = 0, a line through corners or the middle."""
+    u, v = parameters()
+    a, size = _small(random, setting), _size(setting)
+    p = random.choice([v - u, u + v - 1, v - mpq(1, 2), v * 2 - u])
+    q = random.choice([p * p * a, p * a + 1, p * (u - mpq(1, 2)) + p * p])
+    return NurbsSurface.from_splines([u * size, p * p * size, p * p * q * size])
+
+
 FAMILIES = (net, weighted, translation, even, corners, irrational, creased, flat)
+#: Those whose knots are inserted.
+WITH_CURVES = (*FAMILIES, umbilic_curve, singular_curve)
 #: Per mille of the surfaces of a family that may be incomplete.
 CEILING, CEILINGS = 1, {corners.__name__: 0}
 
@@ -146,35 +171,48 @@ CEILING, CEILINGS = 1, {corners.__name__: 0}
 def contradictions(surface: NurbsSurface) -> tuple[list[str], bool]:
     """Where an inspection and the oracle differ, and whether the inspection is complete."""
     found = analyse(surface)
-    told: list[str] = []
+    return [each for compare in COMPARED.values() for each in compare(found)], found.complete
+
+
+def wrong_signs(found: SurfaceInspection) -> list[str]:
+    """K at inner points of every patch. Steps around points without a tangent plane, around mixed and undecided
+    patches, and around zeros of K on a listed line; parabolic curves and points are compared by their kinds alone.
+    """
+    told = []
     for one in found.patches:
         allowed = ALLOWED.get(one.kind)
         if allowed is None:
             continue
         (a, b), (c, d) = one.sides
         seen = set()
-        for i in range(1, GRID):
-            for j in range(1, GRID):
-                u, v = a + (b - a) * mpq(2 * i - 1, 2 * GRID - 1), c + (d - c) * mpq(2 * j - 1, 2 * GRID - 1)
-                k = gaussian_curvature(surface, *map(_fraction, (u, v)))
-                if k is None:
-                    continue
-                sign = (k > 0) - (k < 0)
-                seen.add(sign)
-                listed = any(_is_on(line, u, v) for line in found.parabolic_lines)
-                if sign not in allowed and not (sign == 0 and listed):
-                    told.append(f"{one.kind.value} at {u}, {v}, where K has the sign {sign}")
+        for i, j in product(range(1, GRID), repeat=2):
+            u, v = a + (b - a) * mpq(2 * i - 1, 2 * GRID - 1), c + (d - c) * mpq(2 * j - 1, 2 * GRID - 1)
+            k = gaussian_curvature(found.surface, *map(_fraction, (u, v)))
+            if k is None:
+                continue
+            sign = (k > 0) - (k < 0)
+            seen.add(sign)
+            listed = any(_is_on(line, u, v) for line in found.parabolic_lines)
+            if sign not in allowed and not (sign == 0 and listed):
+                told.append(f"{one.kind.value} at {u}, {v}, where K has the sign {sign}")
         if one.kind in NEEDED and one.parabolic_lines == () and one.signs is not None and seen == {0}:
             told.append(f"{one.kind.value}, but K vanishes everywhere")
+    return told
+
+
+def wrong_lines(found: SurfaceInspection) -> list[str]:
+    """K at one point of every line. Steps around lines at irrational values, and seen from one side."""
+    told = []
     for line in found.parabolic_lines:
         (low, high), value = line.interval, line.value
         if not line.one_sided and isinstance(value, type(mpq(0))):
             t = low + (high - low) * mpq(3, 7)
-            k = gaussian_curvature(surface, *map(_fraction, (t, value) if line.along.value == "u" else (value, t)))
+            k = gaussian_curvature(
+                found.surface, *map(_fraction, (t, value) if line.along.value == "u" else (value, t))
+            )
             if k not in (0, None):
                 told.append(f"a parabolic line {line} on which K is not zero")
-    told += _joints(found)
-    return told, found.complete
+    return told
 
 
 def _is_on(line: object, u: mpq, v: mpq) -> bool:
@@ -193,8 +231,10 @@ ALLOWED = {
 NEEDED = (PatchKind.ELLIPTIC_BUT, PatchKind.HYPERBOLIC_BUT)
 
 
-def _joints(found: object) -> list[str]:
-    """Joints that differ from the normals and the mean curvatures of the two sides, each cut out, at one point."""
+def wrong_joints(found: SurfaceInspection) -> list[str]:
+    """Normals and mean curvatures of the two sides of joints, each cut out, at one point, at four where they agree
+    better than is listed. Steps around seams, and around points without a tangent plane.
+    """
     told = []
     surface = found.surface
     for joint in found.joints:
@@ -246,14 +286,129 @@ def _fraction(x: object) -> Fraction:
     return Fraction(int(x.numerator), int(x.denominator))
 
 
-def run(count: int, seed: int = SEED, start: int = 0) -> dict[str, Counter[str]]:
+#: What is compared, by the sentence of the documentation that it judges.
+COMPARED = {
+    "**The sign of K** follows from Bernstein coefficients on parts that grow smaller.": wrong_signs,
+    "Lines of constant u or v on which K vanishes are listed as parabolic lines wherever knots are;": wrong_lines,
+    "along every knot line inside the domain and every seam both sides are compared as polynomials along the edge.": (
+        wrong_joints
+    ),
+}
+
+
+# ---- what is held against what was found before knots were inserted
+
+
+def knotted(surface: NurbsSurface, random: Random, found: SurfaceInspection) -> NurbsSurface:
+    """The surface with a knot in both directions, at rational points that were found, in the middle, or at any."""
+    places = [one.place for one in found.umbilics] + [*found.singular_points, *found.parabolic_points]
+    exact = [place.exact for place in places if place.exact]
+    for k, along in enumerate("uv"):
+        side = surface.domain[k]
+        inner = [x[k] for x in exact if side.low < x[k] < side.high]
+        surface = surface.insert_knot(
+            along, random.choice([*inner, side.middle, side.at(mpq(random.randint(1, 8), 9))])
+        )
+    return surface
+
+
+def other_umbilics(found: SurfaceInspection, cut: SurfaceInspection) -> bool:
+    """By place, kind and whether they are one-sided."""
+    one, other = ([(x.place, (x.kind, x.one_sided)) for x in each.umbilics] for each in (found, cut))
+    return not _same_places(one, other)
+
+
+def other_singular_points(found: SurfaceInspection, cut: SurfaceInspection) -> bool:
+    """By place. Points of poles and curves are compared with these."""
+    return not _same_places(*([(x, ()) for x in each.singular_points] for each in (found, cut)))
+
+
+def other_parabolic_points(found: SurfaceInspection, cut: SurfaceInspection) -> bool:
+    """By place; on developable patches there are none before and after."""
+    return not _same_places(*([(x, ()) for x in each.parabolic_points] for each in (found, cut)))
+
+
+def other_curves(found: SurfaceInspection, cut: SurfaceInspection) -> bool:
+    """Umbilic, singular and parabolic curves where they cross four lines, exactly; the shapes of those of which no
+    edge of a patch is a part. A line of umbilics, or one without tangent planes, is a curve, or an edge where a knot
+    is: they are compared as sets, and steps are taken around shapes there.
+    """
+    for name in ("umbilics", "singular"):
+        for k, x in product((0, 1), (mpq(19, 61), mpq(53, 97))):
+            at = found.surface.domain[k].at(x)
+            if _crossed(found, name, k, at) != _crossed(cut, name, k, at):
+                return True
+    shapes = [
+        [
+            sorted(curve.shape for curve in each.parabolic_curves),
+            [] if _has_edges(found, cut, "umbilics") else sorted(curve.shape for curve in each.umbilic_curves),
+            [] if _has_edges(found, cut, "singular") else sorted(curve.shape for curve in each.singular_curves),
+        ]
+        for each in (found, cut)
+    ]
+    return shapes[0] != shapes[1]
+
+
+def other_lines(found: SurfaceInspection, cut: SurfaceInspection) -> bool:
+    """By all that is listed of them."""
+    return found.parabolic_lines != cut.parabolic_lines
+
+
+def _same_places(one: list[tuple[Place, object]], other: list[tuple[Place, object]]) -> bool:
+    near = [[y for y in other if y[0].box(15).meets(x[0].box(15)) and y[1] == x[1]] for x in one]
+    return len(one) == len(other) and all(len(own) == 1 for own in near)
+
+
+def _has_edges(found: SurfaceInspection, cut: SurfaceInspection, name: str) -> bool:
+    return any(getattr(one, name).edges for each in (found, cut) for one in each.patches)
+
+
+def _crossed(found: SurfaceInspection, name: str, k: int, at: mpq) -> set[object]:
+    """The other parameters at which curves and edges of a kind cross a line."""
+    crossed = set[object]()
+    for one in found.patches:
+        own, side = getattr(one, name), one.sides[1 - k]
+        if not one.sides[k].low <= at <= one.sides[k].high:
+            continue
+        if own.curve is not None:
+            crossed |= {exactly(root.moved(side)) for root in own.curve._line(k, one.sides[k].local(at))}
+        crossed |= {edge.value(one.sides) for edge in own.edges if edge.direction != k}
+    return crossed
+
+
+#: The same, of knots that are inserted.
+KNOTTED = {
+    "a corner of a patch on a curve of umbilics is none.": (
+        other_umbilics,
+        other_singular_points,
+        other_parabolic_points,
+    ),
+    "parts that end at one point of a common border, or of the seam of a closed surface, are one;": (other_curves,),
+    "Lines of constant u or v on which K vanishes are listed as parabolic lines wherever knots are;": (other_lines,),
+}
+
+
+def differences(surface: NurbsSurface, random: Random) -> tuple[list[str], bool]:
+    """What is different with knots inserted, and whether both inspections are complete."""
+    found = analyse(surface)
+    own = knotted(surface, random, found)
+    cut = analyse(own)
+    if not (found.complete and cut.complete):
+        return [], False
+    names = [each.__name__ for own in KNOTTED.values() for each in own if each(found, cut)]
+    return [f"{name} with {own.knots[0]}, {own.knots[1]}" for name in names], True
+
+
+def run(count: int, seed: int = SEED, start: int = 0, *, knots: bool = False) -> dict[str, Counter[str]]:
     """This many surfaces; what was found of each family, with differences and slow ones printed."""
     table: dict[str, Counter[str]] = {}
     for k in range(start, start + count):
-        family, setting = FAMILIES[k % len(FAMILIES)], DIAL[k // len(FAMILIES) % len(DIAL)]
-        surface = family(Random(f"{seed} {k}"), setting)
+        families = WITH_CURVES if knots else FAMILIES
+        family, setting = families[k % len(families)], DIAL[k // len(families) % len(DIAL)]
+        random = Random(f"{seed} {k}")
+        surface = family(random, setting)
         before = time.process_time()
-        told, complete = contradictions(surface)
+        told, complete = differences(surface, random) if knots else contradictions(surface)
         seconds = time.process_time() - before
         own = table.setdefault(family.__name__, Counter())
         own["surfaces"] += 1
@@ -272,9 +427,9 @@ def is_good(name: str, counts: Counter[str]) -> bool:
 
 
 if __name__ == "__main__":
-    arguments = [int(x) for x in sys.argv[1:]]
-    begun = time.process_time()
-    table = run(arguments[0] if arguments else 1000, start=arguments[1] if len(arguments) > 1 else 0)
+    arguments = [int(x) for x in sys.argv[1:3]]
+    begun, knots = time.process_time(), sys.argv[3:] == ["knots"]
+    table = run(arguments[0] if arguments else 1000, start=arguments[1] if len(arguments) > 1 else 0, knots=knots)
     for name, counts in table.items():
         print(f"{name:12}", ", ".join(f"{what} {n}" for what, n in counts.items()))
     print(f"{time.process_time() - begun:.0f} s of CPU time, seed {SEED}")

@@ -30,6 +30,7 @@ from exactspline.interchange.curve_files import surface_data
 from exactspline.polynomials.patch_forms import PatchForm
 from exactspline.polynomials.two_parameters import S, T, as_form
 from exactspline.roots.common_zeros import Found, zeros_of
+from tests.campaigns import surfaces
 from tests.campaigns.surfaces import is_good, run
 from tests.support.dials import factors, over_dials
 from tests.support.squares import graph, parameters
@@ -395,6 +396,16 @@ def test_a_sample_of_the_campaign():
     assert not is_good("net", Counter(surfaces=999, incomplete=1))
     assert is_good("net", Counter(surfaces=1000, incomplete=1))
     assert not is_good("corners", Counter(surfaces=1000, incomplete=1))
+
+
+def test_a_sample_of_knots_that_are_inserted(monkeypatch):
+    """``python -m tests.campaigns.surfaces 1000 0 knots`` has all. Nothing compared what knots must not change."""
+    table = run(2, start=18, knots=True)
+    assert {name: (own["different"], own["incomplete"]) for name, own in table.items()} == dict.fromkeys(table, (0, 0))
+    monkeypatch.setattr(
+        surfaces, "KNOTTED", {"a sentence": (lambda found, cut: len(found.patches) < len(cut.patches),)}
+    )
+    assert sum(own["different"] for own in run(1, start=18, knots=True).values()) == 1
 
 
 # ---- the commands
