@@ -15,13 +15,14 @@ from fractions import Fraction
 from functools import reduce
 from itertools import combinations, pairwise, product
 from math import comb
-from typing import Any
+from typing import Any, TypeVar
 
-from exactspline.certificates.elimination import check_single_zero, powers_of_net
+from exactspline.certificates.elimination import SINGLE_ZERO, check_single_zero, powers_of_net
 from exactspline.certificates.intersections import changes_sign, common_divisor
-from exactspline.certificates.numbers import count, fraction, integer, require
+from exactspline.certificates.numbers import count, each, fraction, integer, one_of, read, require, require_each_once
 from exactspline.certificates.zeros import halves_at, values_on
 
+Found = TypeVar("Found")
 Net = list[list[int]]
 Side = tuple[Fraction, Fraction]
 Box = tuple[Side, Side]
@@ -31,35 +32,69 @@ FIRST, SECOND = "first", "second"
 #: How the existence of a zero is proved.
 CROSSED, POINT, EDGE, ELIMINATED = "crossed", "point", "edge", "eliminated"
 HALF = Fraction(1, 2)
+NET = [[integer]]
+REGION = (fraction, fraction), (fraction, fraction)
 
 
 def check_common_zeros(certificate: Mapping[str, object]) -> dict[str, int]:
     """The number of common zeros that a certificate proves, one for each patch that has it; of two functions also the
     sum of the intersection multiplicities.
     """
-    return _of_all_patches(certificate)
+    found = on_each_patch(certificate, {"functions": [NET], "zeros": [_zero], "boxes": [_token]}, _on_patch)
+    counts = {count for count, _ in found}
+    require(len(counts) == 1, "another number of functions on another patch")
+    multiplicities = [times for _, own in found for times in own]
+    zeros = {"zeros": len(multiplicities)}
+    return zeros | ({"multiplicity": sum(multiplicities)} if counts == {2} else {})
 
 
-def _of_all_patches(certificate: Mapping[str, Any]) -> dict[str, int]:
-    found = [_on_patch(patch) for patch in certificate["patches"]]
-    zeros = {"zeros": sum(map(len, found))}
-    is_pair = all(len(patch["functions"]) == 2 for patch in certificate["patches"])
-    return zeros | ({"multiplicity": sum(map(sum, found))} if is_pair else {})
+def on_each_patch(
+    certificate: Mapping[str, object], form: dict[str, Any], check: Callable[[dict[str, Any]], Found]
+) -> list[Found]:
+    """What is found on the patches between the knots in both directions, which must be there, each once."""
+    patch = {"patch": (count, count), **form}
+    data = read(certificate, {"knots": ([fraction], [fraction]), "patches": [patch]})
+    ascend = all(len(knots) > 1 and all(a < b for a, b in pairwise(knots)) for knots in data["knots"])
+    require(ascend, "fewer knots than two in a direction, or knots that do not ascend")
+    intervals = [knots[1:] for knots in data["knots"]]
+    require_each_once([own["patch"] for own in data["patches"]], intervals, "not every patch between the knots once")
+    return each("patches", check, data["patches"])
 
 
-def _on_patch(patch: Mapping[str, Any]) -> list[int]:
-    """The multiplicities of the zeros on a patch."""
-    require(len(patch["functions"]) >= 2, "fewer functions than two")
-    functions = [[[integer(x) for x in row] for row in net] for net in patch["functions"]]
+#: A zero on a patch, by the way in which its existence is proved.
+SIMPLE: dict[str, Any] = {"region": REGION, "combinations": ([integer], [integer])}
+_zero = one_of(
+    "by",
+    {
+        CROSSED: SIMPLE,
+        POINT: {**SIMPLE, "point": (fraction, fraction)},
+        EDGE: {**SIMPLE, "edge": (count, count)},
+        ELIMINATED: {"region": REGION, **SINGLE_ZERO},
+    },
+)
+
+
+def _token(given: Any) -> Any:
+    """A cut, the number of a region, or the coefficients of a combination."""
+    if given in (FIRST, SECOND) or type(given) is int:
+        return given
+    require(type(given) is list, "neither a cut, a region nor a combination")
+    return read(given, [integer])
+
+
+def _on_patch(patch: Mapping[str, Any]) -> tuple[int, list[int]]:
+    """The number of functions on a patch, and the multiplicities of their zeros."""
+    functions = patch["functions"]
+    require(len(functions) >= 2, "fewer functions than two")
     sizes = {(len(net), len(row)) for net in functions for row in net}
     require(len(sizes) == 1 and all(map(all, sizes)) and all(functions), "functions of different degrees")
-    proved = [_region(functions, zero) for zero in patch["zeros"]]
+    proved = each("zeros", lambda zero: _region(functions, zero), patch["zeros"])
     regions = [region for region, _ in proved]
     for one, other in combinations(regions, 2):
         apart = any(a[1] < b[0] or b[1] < a[0] for a, b in zip(one, other, strict=True))
         require(apart, "regions of two zeros that meet")
     _check_boxes(functions, patch["boxes"], regions)
-    return [times for _, times in proved]
+    return len(functions), [times for _, times in proved]
 
 
 # ---- boxes
@@ -88,7 +123,6 @@ def _check_boxes(functions: Sequence[Net], tokens: Sequence[Any], regions: Seque
             inside = all(a <= low <= high <= b for (low, high), (a, b) in zip(box, regions[token], strict=True))
             require(inside, "a box that is not inside the region of a zero")
         else:
-            require(type(token) is list, "neither a cut, a region nor a combination")
             require(sign_on(_combined(nets, token)) != 0, "a box on which the combination has not one sign")
     require(not todo, "boxes that are missing")
 
@@ -119,12 +153,11 @@ def part(net: Net, box: Box) -> Net:
     return turned([values_on(column, *box[0]) for column in turned(rows)])
 
 
-def _combined(nets: Sequence[Net], coefficients: Sequence[Any]) -> Net:
+def _combined(nets: Sequence[Net], coefficients: Sequence[int]) -> Net:
     """The combination of functions with these coefficients."""
     require(len(coefficients) == len(nets), "a combination of another number of functions")
-    scales = [integer(x) for x in coefficients]
     return [
-        [sum(c * x for c, x in zip(scales, values, strict=True)) for values in zip(*rows, strict=True)]
+        [sum(c * x for c, x in zip(coefficients, values, strict=True)) for values in zip(*rows, strict=True)]
         for rows in zip(*nets, strict=True)
     ]
 
@@ -144,15 +177,13 @@ def sign_on(net: Net) -> int:
 
 def _region(functions: Sequence[Net], zero: Mapping[str, Any]) -> tuple[Box, int]:
     """The region of a zero, and its multiplicity."""
-    first, second = ((fraction(low), fraction(high)) for low, high in zero["region"])
-    require(0 <= first[0] < first[1] <= 1 and 0 <= second[0] < second[1] <= 1, "a region that is not in the square")
-    box = first, second
+    box = zero["region"]
+    require(all(0 <= low < high <= 1 for low, high in box), "a region that is not in the square")
     if zero["by"] == ELIMINATED:
         return box, check_single_zero([powers_of_net(net) for net in functions], box, zero)
     parts = [part(net, box) for net in functions]
     one, other = (_combined(parts, row) for row in zero["combinations"])
     require(_is_regular(one, other), "a region in which the Jacobian may be singular")
-    require(zero["by"] in PROOFS, "a zero without a proof")
     PROOFS[zero["by"]](functions, box, (one, other), zero)
     return box, 1
 
@@ -189,7 +220,7 @@ def _is_crossed(functions: Sequence[Net], box: Box, pair: tuple[Net, Net], zero:
 
 
 def _is_at_point(functions: Sequence[Net], box: Box, pair: tuple[Net, Net], zero: Mapping[str, Any]) -> None:
-    point = [fraction(x) for x in zero["point"]]
+    point = zero["point"]
     require(all(low <= x <= high for x, (low, high) in zip(point, box, strict=True)), "a point outside its region")
     require(all(_value(net, point) == 0 for net in functions), "a point at which a function is not zero")
 
@@ -204,7 +235,7 @@ def _blended(values: Sequence[Any], t: Fraction) -> Fraction:
 
 
 def _is_on_edge(functions: Sequence[Net], box: Box, pair: tuple[Net, Net], zero: Mapping[str, Any]) -> None:
-    direction, end = (count(x) for x in zero["edge"])
+    direction, end = zero["edge"]
     require(direction in (0, 1) and end in (0, 1) and box[direction][end] == end, "an edge that is not in the region")
     edges = [(turned(net) if direction else net)[-end] for net in functions]
     common = reduce(common_divisor, ([comb(len(b) - 1, i) * x for i, x in enumerate(b)] for b in edges))

@@ -5,9 +5,13 @@ a prime are lists of integers here.
 from collections.abc import Mapping
 from typing import Any
 
-from exactspline.certificates.numbers import integer, require
+from exactspline.certificates.numbers import count, each, integer, one_of, optional, read, require
 
 Polynomial = list[int]
+QUOTIENT, ZERO_SET = "quotient", "zero set"
+SEGMENT = {"degree": count, "prime": count, "forms": [[integer]], "cofactors": [[integer]]}
+OF_ZEROS = {**SEGMENT, "weight": [integer], "irreducible modulo": optional(count)}
+FORM = one_of("kind", {QUOTIENT: {"segments": [SEGMENT]}, ZERO_SET: {"segments": [OF_ZEROS]}})
 
 
 def check_degrees(certificate: Mapping[str, object]) -> dict[str, int]:
@@ -20,33 +24,28 @@ def check_degrees(certificate: Mapping[str, object]) -> dict[str, int]:
     not divide the leading coefficient of some form; but the cofactors combine the forms to 1. A common zero at the
     right end (u = 0) would make all leading coefficients vanish.
     """
-    return _checked(certificate)
-
-
-def _checked(data: Any) -> dict[str, int]:
-    require(data["kind"] in ("zero set", "quotient") and bool(data["segments"]), "unknown kind, or nothing to check")
-    found = [_segment(segment, data["kind"]) for segment in data["segments"]]
+    data = read(certificate, FORM)
+    require(bool(data["segments"]), "no segments")
+    found = each("segments", lambda segment: _segment(segment, data["kind"]), data["segments"])
     shown = {"degree": max(n for n, _ in found)}
-    return shown if data["kind"] == "quotient" else shown | {"irreducible": all(proved for _, proved in found)}
+    return shown if data["kind"] == QUOTIENT else shown | {"irreducible": all(proved for _, proved in found)}
 
 
 def _segment(segment: dict[str, Any], kind: str) -> tuple[int, bool]:
     """The degree of a segment, and whether its form is proved to be irreducible."""
-    n, p = segment["degree"], segment["prime"]
-    require(type(n) is int and type(p) is int, "a degree or a prime that is not an integer")
-    forms = [_integers(form) for form in segment["forms"]]
+    n, p, forms = segment["degree"], segment["prime"], segment["forms"]
     require(all(len(form) == n + 1 for form in forms) and any(any(form) for form in forms), "a form of another degree")
     require(is_prime(p), "no prime")
-    others = [] if kind == "quotient" else [_integers(segment["weight"])]
-    require(kind == "quotient" or len(forms) == 1, "a zero set has one form")
+    others = [] if kind == QUOTIENT else [segment["weight"]]
+    require(kind == QUOTIENT or (len(forms) == 1 and bool(segment["weight"])), "a zero set has one form, and a weight")
     require(any(form[-1] % p for form in [*forms, *others]), "the prime divides every highest coefficient")
-    cofactors = [_integers(a) for a in segment["cofactors"]]
+    cofactors = segment["cofactors"]
     require(len(cofactors) == len(forms) + len(others), "cofactors are missing")
     total: Polynomial = []
     for a, form in zip(cofactors, [*forms, *others], strict=True):
         total = _add(total, _times(a, form, p), p)
     require(total == [1], "the cofactors do not combine the forms to 1")
-    if kind == "quotient":
+    if kind == QUOTIENT:
         require(any(form[-1] for form in forms), "a common zero at the right end")
         q = None
     else:
@@ -54,16 +53,10 @@ def _segment(segment: dict[str, Any], kind: str) -> tuple[int, bool]:
         require(sum(x * (-1) ** i for i, x in enumerate(forms[0])) != 0, "the degree in the parameter is lower")
         q = segment["irreducible modulo"]
         require(
-            q is None or (type(q) is int and is_prime(q) and forms[0][-1] % q != 0 and is_irreducible(forms[0], q)),
+            q is None or (is_prime(q) and forms[0][-1] % q != 0 and is_irreducible(forms[0], q)),
             "not irreducible modulo the prime named",
         )
     return int(n), q is not None or n < 2
-
-
-def _integers(given: Any) -> Polynomial:
-    """The integers in a list, each written in decimal digits."""
-    require(type(given) is list, "coefficients that are not a list")
-    return [integer(x) for x in given]
 
 
 #: The first primes: with them as bases, the Miller–Rabin test is correct for all n below 3·10²⁴.

@@ -7,7 +7,7 @@ A polynomial in s and z is a list over the powers of s of polynomials in z, list
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
 from itertools import pairwise
-from math import comb, gcd
+from math import comb, gcd, lcm
 from typing import Any, TypeVar
 
 from exactspline.certificates.numbers import count, fraction, integer, require
@@ -17,6 +17,16 @@ Polynomial = list[int]
 Rows = list[Polynomial]
 Coefficient = TypeVar("Coefficient")
 Side = tuple[Fraction, Fraction]
+#: What proves that functions have a single zero in a box, with the two combinations of which it is one.
+SINGLE_ZERO = {
+    "slope": integer,
+    "minimal": [integer],
+    "above": [integer],
+    "below": integer,
+    "pair": ([integer], [integer]),
+    "power": count,
+    "at": (fraction, fraction),
+}
 #: The limit of the bisections of an interval around a root to find a sign.
 STEPS = 512
 
@@ -112,6 +122,18 @@ def has_one_root(p: Sequence[int], low: Fraction, high: Fraction) -> bool:
     """
     values = on_interval(p, low, high)
     return values[0] * values[-1] < 0 and sum(a * b < 0 for a, b in pairwise(x for x in values if x)) == 1
+
+
+def require_only_root(p: Sequence[int], side: Side, whole: Side) -> None:
+    """Raise `CertificateError` unless a polynomial without a content certainly has one root in an interval, which is in
+    this part of it.
+    """
+    (low, high), is_linear = side, len(p) == 2
+    require(len(p) > 1 and gcd(*p) == 1, "a factor that is constant or has a content")
+    require(whole[0] <= low <= high <= whole[1], "a root outside the box")
+    is_exact = low == high and value(p, low) == 0 and is_linear
+    require(is_exact or (low < high and value(p, low) * value(p, high) < 0), "a place without a root")
+    require(is_linear or has_one_root(p, *whole), "a factor that may have several roots")
 
 
 def quotient_by(p: Polynomial, divisor: Polynomial) -> Polynomial | None:
@@ -249,7 +271,7 @@ def through(values: list[int]) -> Polynomial:
 
 
 def check_single_zero(
-    functions: Sequence[Sequence[Sequence[int]]], box: tuple[Side, Side], zero: Mapping[str, object]
+    functions: Sequence[Sequence[Sequence[int]]], box: tuple[Side, Side], zero: Mapping[str, Any]
 ) -> int:
     """Check that functions, given by their coefficients of ``sⁱ tʲ``, have exactly one common zero in a box, and return
     the intersection multiplicity of the `pair` of combinations there.
@@ -258,29 +280,19 @@ def check_single_zero(
     multiplicity; over it the greatest common divisor is a power of s − b(z), and b solves all functions modulo that
     factor. As one of the pair has a constant leading coefficient in s, no common zero over the root is at infinity.
     """
-    return _checked(functions, box, zero)
-
-
-def _checked(functions: Sequence[Sequence[Sequence[int]]], box: tuple[Side, Side], zero: Mapping[str, Any]) -> int:
-    slope = integer(zero["slope"])
+    slope, minimal, below = zero["slope"], trimmed(zero["minimal"]), zero["below"]
     require(slope > 0, "a slope that is not positive")
-    minimal = trimmed([integer(x) for x in zero["minimal"]])
-    require(len(minimal) > 1 and gcd(*minimal) == 1, "a factor that is constant or has a content")
-    below = integer(zero["below"])
-    above = [Fraction(integer(x), below) for x in zero["above"]] if below > 0 else []
-    require(below > 0 and len(above) < len(minimal), "a parametrization that is not reduced")
+    above = [Fraction(x, below) for x in zero["above"]] if below > 0 else []
     rows = [sheared(powers, slope) for powers in functions]
-    combined = [_combination(rows, [integer(x) for x in row]) for row in zero["pair"]]
-    require(len(combined) == 2 and all(len(p) > 1 for p in combined), "a pair without s")
+    combined = [_combination(rows, row) for row in zero["pair"]]
+    require(all(len(p) > 1 for p in combined), "a pair without s")
     first, second = combined
     require(any(len(p[-1]) == 1 for p in combined), "zeros at infinity")
     # the root
     whole = (box[1][0] + slope * box[0][0], box[1][1] + slope * box[0][1])
-    low, high = (fraction(x) for x in zero["at"])
-    require(whole[0] <= low <= high <= whole[1], "a root outside the box")
-    is_exact = low == high and value(minimal, low) == 0 and len(minimal) == 2
-    require(is_exact or (low < high and value(minimal, low) * value(minimal, high) < 0), "a place without a root")
-    require(len(minimal) == 2 or has_one_root(minimal, *whole), "a factor that may have several roots")
+    low, high = zero["at"]
+    require_only_root(minimal, (low, high), whole)
+    require(below > 0 and len(above) < len(minimal), "a parametrization that is not reduced")
     rest, times = subresultant(first, second, 0), 0
     require(bool(rest), "a resultant that vanishes")
     while (divided := quotient_by(rest, minimal)) is not None:
@@ -288,12 +300,12 @@ def _checked(functions: Sequence[Sequence[Sequence[int]]], box: tuple[Side, Side
     require(times > 0 and strict_sign(rest, *whole) != 0, "another root of the resultant")
     # the zero over it
     for p in rows:
-        require(not remainder_of(_composed(p, above, minimal), minimal), "a function that is not zero there")
+        require(not remainder_of(composed(p, above, minimal), minimal), "a function that is not zero there")
     for x, (least, most) in ((above, box[0]), (total([Fraction(0), Fraction(1)], [-slope * c for c in above]), box[1])):
         own = remainder_of(x, minimal) or [Fraction(0)]
         values = on_interval(own, low, high)
         require(least <= min(values) and max(values) <= most, "a zero that may be outside its region")
-    power = count(zero["power"])
+    power = zero["power"]
     require(power > 0, "a power that is not positive")
     for p in combined:
         require(_is_divisible(p, above, power, minimal), "a power that does not divide")
@@ -316,8 +328,12 @@ def _combination(functions: Sequence[Rows], coefficients: Sequence[int]) -> Rows
     return trimmed([trimmed(row) for row in found])
 
 
-def _composed(rows: Rows, above: list[Fraction], minimal: Polynomial) -> list[Fraction]:
-    """The value at s = b(z), modulo the factor."""
+def composed(rows: Rows, above: Sequence[Fraction], minimal: Polynomial) -> list[Fraction]:
+    """The value at s = b(z), modulo the factor.
+
+    >>> composed([[0, 1], [1]], [Fraction(0), Fraction(-1)], [-2, 0, 1])  # z + s at s = −z
+    []
+    """
     found: list[Fraction] = []
     for row in reversed(rows):
         product = product_of(found, above) if found and above else []
@@ -340,3 +356,67 @@ def _is_divisible(rows: Rows, above: list[Fraction], power: int, minimal: Polyno
             return False
         given = quotient[-2::-1]
     return True
+
+
+# ---- over a root
+
+
+def is_free(p: Polynomial, minimal: Polynomial, side: Side, depth: int = 32) -> bool:
+    """Whether a polynomial has no other zero on an interval than one of a factor."""
+    while minimal and (divided := quotient_by(p, minimal)) is not None:
+        p = divided
+    if strict_sign(p, *side) or depth == 0:
+        return strict_sign(p, *side) != 0
+    middle = (side[0] + side[1]) / 2
+    return all(is_free(p, [], half, depth - 1) for half in ((side[0], middle), (middle, side[1])))
+
+
+def quotient_over(
+    rows: Sequence[Sequence[Fraction]], factor: Sequence[Sequence[Fraction]], minimal: Polynomial
+) -> list[list[Fraction]] | None:
+    """The quotient of polynomials in y by a monic one, modulo the factor in x; None where there is none."""
+    rest, found = [list(row) for row in rows], list[list[Fraction]]()
+    while len(rest) >= len(factor):
+        top = remainder_of(rest.pop(), minimal)
+        found.append(top)
+        shift = len(rest) + 1 - len(factor)
+        for i, row in enumerate(factor[:-1]):
+            product = product_of(top, row) if top and row else []
+            rest[shift + i] = remainder_of(total(rest[shift + i], [-x for x in product]), minimal)
+    return None if any(remainder_of(row, minimal) for row in rest) else found[::-1]
+
+
+def sign_over(rows: Sequence[Sequence[Any]], root: Side, side: Side) -> int:
+    """The sign of a polynomial in x and y on a box, else 0."""
+    columns = [on_interval(row or [0], *root) for row in rows]
+    degree = max(map(len, columns), default=0)
+    if degree == 0:
+        return 0
+    columns = [on_interval([*row, *[0] * (degree - len(row))], *root) for row in rows]
+    values = [x for row in zip(*columns, strict=True) for x in on_interval(row, *side)]
+    return 1 if min(values) > 0 else -1 if max(values) < 0 else 0
+
+
+def value_over(factor: Sequence[Sequence[Fraction]], at: Fraction, root: Side, minimal: Polynomial) -> int:
+    """The sign of a factor at a height over the root, 0 where it vanishes."""
+    rest = remainder_of(at_height(factor, at), minimal)
+    if not rest:
+        return 0
+    sign = sign_at_root(rest, minimal, *root)
+    require(sign != 0, "a sign over the root that is not proved")
+    return sign
+
+
+def at_height(rows: Sequence[Sequence[Any]], at: Fraction) -> list[Any]:
+    """A polynomial in x and y, a list over the powers of y, at a rational y."""
+    found: list[Any] = []
+    for row in reversed(rows):
+        found = total([c * at for c in found], row)
+    return found
+
+
+def integral(p: Sequence[Any]) -> Polynomial:
+    """A multiple with integer coefficients."""
+    numbers = [Fraction(c) for c in p]
+    bottom = lcm(*(c.denominator for c in numbers))
+    return trimmed([int(c * bottom) for c in numbers])

@@ -15,42 +15,58 @@ from math import gcd
 from typing import Any
 
 from exactspline.certificates.elimination import determinant, through, value
-from exactspline.certificates.numbers import count, fraction, integer, require
-from exactspline.certificates.zeros import Zero, isolated_zeros, restricted
+from exactspline.certificates.numbers import (
+    count,
+    each,
+    fraction,
+    integer,
+    read,
+    require,
+    require_each_once,
+    text,
+    truth,
+)
+from exactspline.certificates.zeros import ISOLATION, Zero, isolated_zeros, restricted
 
 Polynomial = list[int]
+SEGMENT = {"x": [integer], "y": [integer], "w": [integer]}
+APART = {"apart": {"axis": count, "at": fraction}}
+ELIMINATED = {"exchanged": truth, "elimination": ISOLATION, "zeros": [{"low": fraction, "high": fraction, "s": text}]}
 INSIDE, OUTSIDE, START, END = "inside", "outside", "start", "end"
 
 
 def check_intersections(certificate: Mapping[str, object]) -> dict[str, int]:
     """The number of common points that a certificate proves, one for each pair of segments that has it."""
-    return _of_all_pairs(certificate)
+    data = read(certificate, {"first": [SEGMENT], "second": [SEGMENT], "pairs": [_pair]})
+    curves = [each(name, _segment, data[name]) for name in ("first", "second")]
+    require(all(curves), "a curve without segments")
+    require_each_once([pair["segments"] for pair in data["pairs"]], curves, "not every pair of segments once")
+    return {"points": sum(each("pairs", lambda pair: _checked(curves, pair), data["pairs"]))}
 
 
-def _of_all_pairs(certificate: Mapping[str, Any]) -> dict[str, int]:
-    curves = [[_segment(given) for given in certificate[name]] for name in ("first", "second")]
-    claimed = {(count(pair["segments"][0]), count(pair["segments"][1])): pair for pair in certificate["pairs"]}
-    every = {(i, j) for i in range(len(curves[0])) for j in range(len(curves[1]))}
-    require(len(claimed) == len(certificate["pairs"]) and claimed.keys() == every, "not every pair of segments once")
-    return {"points": sum(_checked(curves[0][i], curves[1][j], pair) for (i, j), pair in claimed.items())}
+def _pair(given: Any) -> dict[str, Any]:
+    """Two segments, and what proves their common points."""
+    indices = read(given, {"segments": (count, count)})
+    return {**indices, **read(given, APART if "apart" in given else ELIMINATED)}
 
 
 def _segment(given: Mapping[str, Any]) -> list[Polynomial]:
-    forms = [[integer(x) for x in given[name]] for name in ("x", "y", "w")]
+    forms = [given[name] for name in ("x", "y", "w")]
     require(len({len(form) for form in forms}) == 1 and len(forms[0]) > 1, "forms of different degrees, or of degree 0")
     require(all(x > 0 for x in forms[2]), "a weight that is not positive")
     return forms
 
 
-def _checked(first: list[Polynomial], second: list[Polynomial], pair: Mapping[str, Any]) -> int:
+def _checked(curves: list[list[list[Polynomial]]], pair: Mapping[str, Any]) -> int:
     """The number of common points of two segments."""
+    first, second = (curve[i] for curve, i in zip(curves, pair["segments"], strict=True))
     if "apart" in pair:
-        axis, at = count(pair["apart"]["axis"]), fraction(pair["apart"]["at"])
+        axis, at = pair["apart"]["axis"], pair["apart"]["at"]
         require(axis in (0, 1), "an axis that is not one of the plane")
         sides = [{_side(x, w, at) for x, w in zip(curve[axis], curve[2], strict=True)} for curve in (first, second)]
         require(sides in ([{-1}, {1}], [{1}, {-1}]), "control points that are not apart")
         return 0
-    one, other = (second, first) if _exchanged(pair) else (first, second)
+    one, other = (second, first) if pair["exchanged"] else (first, second)
     matrix = _bezout(one, other)
     size, degree = len(matrix), len(other[0]) - 1
     form = polynomial_determinant(matrix)
@@ -60,11 +76,6 @@ def _checked(first: list[Polynomial], second: list[Polynomial], pair: Mapping[st
     claims = pair["zeros"]
     require(len(claims) == len(zeros), f"{len(zeros)} zeros of the determinant, another number claimed")
     return sum(_on_segment(claim, zero, entries) for claim, zero in zip(claims, zeros, strict=True))
-
-
-def _exchanged(pair: Mapping[str, Any]) -> bool:
-    require(type(pair["exchanged"]) is bool, "exchanged is neither true nor false")
-    return bool(pair["exchanged"])
 
 
 def _side(x: int, w: int, at: Fraction) -> int:
@@ -141,15 +152,15 @@ def _line_entries(line: list[Polynomial], other: list[Polynomial]) -> tuple[Poly
 
 def _on_segment(claim: Mapping[str, Any], zero: Zero, entries: tuple[Polynomial, ...]) -> int:
     """Whether the parameter at a zero is on the segment: 1 or 0."""
-    factor, a, b = zero[2], fraction(claim["low"]), fraction(claim["high"])
+    factor, a, b = zero[2], claim["low"], claim["high"]
     require_place(zero, a, b)
     first, second, last = entries
     where = claim["s"]
     if where == START:
-        require(sign_throughout(first, a, b) != 0 and _vanishes(second, factor, a, b), "the parameter is not the start")
+        require(sign_throughout(first, a, b) != 0 and vanishes(second, factor, a, b), "the parameter is not the start")
         return 1
     if where == END:
-        require(sign_throughout(last, a, b) != 0 and _vanishes(first, factor, a, b), "the parameter is not the end")
+        require(sign_throughout(last, a, b) != 0 and vanishes(first, factor, a, b), "the parameter is not the end")
         return 1
     require(where in (INSIDE, OUTSIDE), "an unknown place")
     product = sign_throughout(first, a, b) * sign_throughout(second, a, b)
@@ -189,8 +200,12 @@ def changes_sign(form: Polynomial, a: Fraction, b: Fraction) -> bool:
     return values[0] * values[-1] < 0
 
 
-def _vanishes(form: Polynomial, factor: Polynomial, a: Fraction, b: Fraction) -> bool:
-    """Whether a form is zero at the only zero of the factor in [a, b]."""
+def vanishes(form: Polynomial, factor: Polynomial, a: Fraction, b: Fraction) -> bool:
+    """Whether a form is zero at the only zero of the factor in [a, b].
+
+    >>> vanishes([-2, 1], [4, 0, -1], Fraction(1, 2), Fraction(1))  # at t/(1 − t) = 2
+    True
+    """
     if a == b:
         return restricted(form, a, b)[0] == 0
     common = common_divisor(form, factor)

@@ -1,18 +1,129 @@
-"""Numbers in certificates: parsing of integers and fractions written as text, without using the library."""
+"""The data of certificates: numbers and words, lists and objects of them, read without using the library; and the error
+that says what is wrong with them, and where.
+"""
 
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from fractions import Fraction
+from itertools import product
+from math import prod
+from typing import Any, TypeVar
+
+Found = TypeVar("Found")
+#: What data must look like: a function that reads one thing; `[form]` for any number of them, a tuple for one of each,
+#: and a dictionary for an object with these fields. Fields of other names are not read.
+Form = Callable[[Any], Any] | list[Any] | tuple[Any, ...] | dict[str, Any]
+
+
+class CertificateError(ValueError):
+    """A certificate that proves nothing: the `flaw`, and `where` it is, as fields and indices from the outside in.
+
+    >>> print(CertificateError("a leaf that is empty", ("segments", 2, "leaves")))
+    segments[2].leaves: a leaf that is empty
+    """
+
+    def __init__(self, flaw: str, where: tuple[str | int, ...] = ()) -> None:
+        self.flaw, self.where = flaw, where
+        place = "".join(f"[{x}]" if isinstance(x, int) else f".{x}" for x in where).removeprefix(".")
+        super().__init__(f"{place}: {flaw}" if place else flaw)
 
 
 def require(condition: bool, flaw: str) -> None:
-    """Raise `ValueError` with the flaw unless a condition holds."""
+    """Raise `CertificateError` with the flaw unless a condition holds."""
     if not condition:
-        raise ValueError(flaw)
+        raise CertificateError(flaw)
+
+
+def require_each_once(given: Sequence[tuple[int, ...]], lists: Sequence[Sequence[Any]], flaw: str) -> None:
+    """Raise `CertificateError` with the flaw unless pairs of indices are those of two lists, each once.
+
+    >>> require_each_once([(0, 1), (0, 0)], ["a", "bc"], "not every pair once")
+    """
+    require(len(given) == prod(map(len, lists)) and set(given) == set(product(*(range(len(x)) for x in lists))), flaw)
+
+
+def within(place: str | int, check: Callable[..., Found], *given: Any) -> Found:
+    """What is found in a part of a certificate, the place of which its flaws name.
+
+    >>> within("degree", count, 2)
+    2
+    """
+    try:
+        return check(*given)
+    except CertificateError as error:
+        raise CertificateError(error.flaw, (place, *error.where)) from error
+
+
+def each(name: str, check: Callable[[Any], Found], given: Iterable[Any]) -> list[Found]:
+    """What is found in each part of a list that has this name.
+
+    >>> each("points", fraction, ["0", "2/4"])
+    [Fraction(0, 1), Fraction(1, 2)]
+    """
+    return [within(name, within, i, check, part) for i, part in enumerate(given)]
+
+
+def read(given: object, form: Form) -> Any:
+    """Data in this form, its numbers as such. Raises `CertificateError` where it has another one.
+
+    >>> read({"at": "1/2", "signs": [-1, 1]}, {"at": fraction, "signs": (count, count)})
+    {'at': Fraction(1, 2), 'signs': (-1, 1)}
+    """
+    if isinstance(form, dict):
+        fields: Any = given
+        require(isinstance(given, Mapping), "not an object")
+        require(form.keys() <= fields.keys(), f"{', '.join(form.keys() - fields.keys())} is missing")
+        return {name: within(name, read, fields[name], own) for name, own in form.items()}
+    if callable(form):
+        return form(given)
+    if not isinstance(given, (list, tuple)):
+        raise CertificateError("not a list")
+    forms = form * len(given) if isinstance(form, list) else form
+    require(len(given) == len(forms), f"a list of {len(given)}, where {len(forms)} are expected")
+    return type(form)(within(i, read, *pair) for i, pair in enumerate(zip(given, forms, strict=True)))
+
+
+def one_of(name: str, forms: Mapping[str, dict[str, Any]]) -> Callable[[object], dict[str, Any]]:
+    """A form that depends on the word in a field.
+
+    >>> read({"by": "point", "at": "1"}, one_of("by", {"point": {"at": fraction}}))
+    {'by': 'point', 'at': Fraction(1, 1)}
+    """
+
+    def chosen(given: object) -> dict[str, Any]:
+        word = read(given, {name: text})[name]
+        require(word in forms, f"unknown {name}, none of {', '.join(forms)}")
+        return {name: word, **read(given, forms[word])}
+
+    return chosen
+
+
+def optional(form: Form) -> Callable[[object], Any]:
+    """A form of what may also be None.
+
+    >>> read([None, 1], [optional(count)])
+    [None, 1]
+    """
+    return lambda given: None if given is None else read(given, form)
 
 
 def count(given: object) -> int:
     """A count, given as an integer."""
     if type(given) is not int:
-        raise ValueError("not an integer, where one is counted")
+        raise CertificateError("not an integer, where one is counted")
+    return given
+
+
+def truth(given: object) -> bool:
+    """True or false."""
+    if type(given) is not bool:
+        raise CertificateError("neither true nor false")
+    return given
+
+
+def text(given: object) -> str:
+    """A text."""
+    if type(given) is not str:
+        raise CertificateError("not a text")
     return given
 
 
@@ -22,15 +133,15 @@ def integer(given: object) -> int:
     >>> integer("-12")
     -12
     """
-    text = _text(given)
-    digits = text.removeprefix("-")
+    written = _number(given)
+    digits = written.removeprefix("-")
     require(digits.isascii() and digits.isdigit(), "a text that is not an integer")
-    return -_value(digits) if text != digits else _value(digits)
+    return -_value(digits) if written != digits else _value(digits)
 
 
-def _text(given: object) -> str:
+def _number(given: object) -> str:
     if type(given) is not str:
-        raise ValueError("a number that is not written as text")
+        raise CertificateError("a number that is not written as text")
     return given
 
 
@@ -48,7 +159,7 @@ def fraction(given: object) -> Fraction:
     >>> fraction("2/6")
     Fraction(1, 3)
     """
-    above, line, below = _text(given).partition("/")
+    above, line, below = _number(given).partition("/")
     denominator = integer(below) if line else 1
     require(denominator > 0, "a denominator that is not positive")
     return Fraction(integer(above), denominator)

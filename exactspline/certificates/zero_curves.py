@@ -7,7 +7,7 @@ product of the others, each taken once, is examined: the square is cut along som
 the certificate says, until in each box the product has Bernstein coefficients of one strict sign, or one of its
 derivatives has. In the second case the zeros are a graph over the other direction, and signs at rational points between
 the zeros on the sides tell which of these are joined. Singular points are in boxes of their own, where it is proved how
-many branches leave them.
+many branches leave them. A point that is alone in its neighbourhood counts where it is on none of the lines.
 """
 
 from collections.abc import Mapping, Sequence
@@ -17,25 +17,42 @@ from itertools import pairwise
 from math import comb, gcd, lcm
 from typing import Any
 
-from exactspline.certificates.common_zeros import FIRST, SECOND, Box, Net, Side, halves, part, sign_on, turned
+from exactspline.certificates.common_zeros import (
+    FIRST,
+    NET,
+    REGION,
+    SECOND,
+    Box,
+    Net,
+    Side,
+    halves,
+    on_each_patch,
+    part,
+    sign_on,
+    turned,
+)
 from exactspline.certificates.elimination import (
+    SINGLE_ZERO,
     Polynomial,
+    at_height,
     check_single_zero,
-    has_one_root,
-    on_interval,
+    composed,
+    integral,
+    is_free,
     powers_of_net,
     quotient_by,
-    remainder_of,
-    sign_at_root,
-    strict_sign,
+    quotient_over,
+    require_only_root,
+    sign_over,
     subresultant,
     total,
     trimmed,
     value,
+    value_over,
 )
-from exactspline.certificates.intersections import common_divisor, require_place
-from exactspline.certificates.numbers import count, fraction, integer, require
-from exactspline.certificates.zeros import isolated_zeros, product_of, values_on
+from exactspline.certificates.intersections import common_divisor, require_place, vanishes
+from exactspline.certificates.numbers import count, each, fraction, integer, one_of, read, require, within
+from exactspline.certificates.zeros import ISOLATION, isolated_zeros, product_of, values_on
 
 #: A zero on a line: its direction (0: x is constant), the value, and the index there; or both coordinates.
 Vertex = tuple[Any, ...]
@@ -50,46 +67,70 @@ def check_zero_curves(certificate: Mapping[str, object]) -> dict[str, int]:
     """The numbers of lines, closed loops, arcs, curves with crossings and single points that a certificate proves, each
     counted on every patch that has it.
     """
-    return _of_all_patches(certificate)
-
-
-def _of_all_patches(certificate: Mapping[str, Any]) -> dict[str, int]:
-    found = [_OnPatch(patch).counts for patch in certificate["patches"]]
+    found = on_each_patch(certificate, PATCH, lambda patch: _OnPatch(patch).counts)
     return {key: sum(one[key] for one in found) for key in ("lines", "loops", "arcs", "crossed", "points")}
+
+
+def _net(given: object) -> Net:
+    net: Net = read(given, NET)
+    require(len(net) > 0 and len({len(row) for row in net}) == 1 and len(net[0]) > 0, "rows of different lengths")
+    return net
+
+
+def _factor(given: object) -> dict[str, Any]:
+    """A factor and its power, in one parameter also its zeros."""
+    factor = read(given, {"net": _net, "power": count})
+    return {**factor, **(read(given, {"isolation": ISOLATION}) if _is_line(factor["net"]) else {})}
+
+
+def _token(given: object) -> int | str:
+    """A cut, what is proved of a box, or the number of a cell."""
+    return given if isinstance(given, str) and given in (FIRST, SECOND, SIGN, *ACROSS) else count(given)
+
+
+CELL = {"box": REGION, "region": REGION, "zero": SINGLE_ZERO}
+MONIC = {"minimal": [integer], "factor": [[integer]], "below": integer, "power": count}
+PATCH = {
+    "function": _net,
+    "factors": [_factor],
+    "cuts": ([fraction], [fraction]),
+    "boxes": [_token],
+    "cells": [one_of("kind", {NODE: CELL, POINT: CELL, BRANCHES: {"box": REGION, "region": REGION, **MONIC}})],
+    "zeros": [(count, fraction, {"isolation": ISOLATION, "places": [(fraction, fraction)]})],
+}
 
 
 class _OnPatch:
     """The zeros on one patch."""
 
     def __init__(self, patch: Mapping[str, Any]) -> None:
-        given = _net(patch["function"])
-        factors = [(_net(each["net"]), count(each["power"])) for each in patch["factors"]]
-        _check_product(given, factors)
-        curves = [net for net, _ in factors if len(net) > 1 and len(net[0]) > 1]
-        lines = [each for each in patch["factors"] if len(each["net"]) == 1 or len(each["net"][0]) == 1]
-        _check_lines(factors)
-        self.counts = {"lines": sum(map(_lines, lines)), "loops": 0, "arcs": 0, "crossed": 0, "points": 0}
-        self.net: Net = [[1]]
-        for net in curves:
-            self.net = net_product(self.net, net)
+        factors = patch["factors"]
+        _check_product(patch["function"], factors)
+        self.lines = _lines(factors)
+        count = sum(each("factors", _zeros_of, factors))
+        self.counts = {"lines": count, "loops": 0, "arcs": 0, "crossed": 0, "points": 0}
+        self.net: Net = reduce(net_product, [own["net"] for own in factors if not _is_line(own["net"])], [[1]])
         self._ways: list[tuple[Vertex, Vertex]] = []
         self._vertices: dict[Vertex, None] = {}
         self._crossed: list[Vertex] = []
-        self.zeros = {(count(k), fraction(x)): self._line(count(k), fraction(x), own) for k, x, own in patch["zeros"]}
-        self.cells = [((_side(cell["box"][0]), _side(cell["box"][1])), cell) for cell in patch["cells"]]
-        self._subdivide([[fraction(x) for x in cuts] for cuts in patch["cuts"]], patch["boxes"])
+        self._factors: dict[tuple[int, Fraction], list[Polynomial]] = {}
+        self.zeros = dict(each("zeros", self._line, patch["zeros"]))
+        self.cells = patch["cells"]
+        self._subdivide(patch["cuts"], patch["boxes"])
         self._join()
 
-    def _line(self, direction: int, at: Fraction, own: Mapping[str, Any]) -> list[Side]:
-        """The places of all zeros of the product on a line, in order."""
+    def _line(self, given: tuple[int, Fraction, Mapping[str, Any]]) -> tuple[tuple[int, Fraction], list[Side]]:
+        """A line, and the places of all zeros of the product on it, in order."""
+        direction, at, own = given
         require(direction in (0, 1) and 0 <= at <= 1, "a line that does not cross the square")
         form = on_line(self.net, direction, at)
         zeros = isolated_zeros([comb(len(form) - 1, i) * x for i, x in enumerate(form)], own["isolation"])
-        places = [(fraction(low), fraction(high)) for low, high in own["places"]]
+        places = own["places"]
         require(len(places) == len(zeros), "another number of zeros on a line")
         for (a, b), zero in zip(places, zeros, strict=True):
             require_place(zero, a, b)
-        return places
+        self._factors[direction, at] = [factor for _, _, factor, _, _ in zeros]
+        return (direction, at), places
 
     def _on_side(self, direction: int, at: Fraction, side: Side) -> list[tuple[Vertex, Side]]:
         """The zeros on a part of a line, with their places on it."""
@@ -108,8 +149,8 @@ class _OnPatch:
     # ---- boxes
 
     def _subdivide(self, cuts: Sequence[Sequence[Fraction]], tokens: Sequence[Any]) -> None:
-        require(all(ends[0] == 0 and ends[-1] == 1 and len(ends) > 1 for ends in cuts), "cuts that miss the border")
-        require(all(a < b for ends in cuts for a, b in pairwise(ends)) and len(cuts) == 2, "cuts that do not ascend")
+        require(all(len(ends) > 1 and (ends[0], ends[-1]) == UNIT for ends in cuts), "cuts that miss the border")
+        require(all(a < b for ends in cuts for a, b in pairwise(ends)), "cuts that do not ascend")
         boxes = [(first, second) for first in pairwise(cuts[0]) for second in pairwise(cuts[1])]
         todo = [(box, part(self.net, box)) for box in boxes[::-1]]
         seen = set[int]()
@@ -129,10 +170,9 @@ class _OnPatch:
                 require(sign_on(_differences(net, k)) != 0, "a box on which the derivative has not one sign")
                 self._graph(box, k)
             else:
-                k = count(token)
-                require(0 <= k < len(self.cells) and self.cells[k][0] == box, "a box that is not that of its cell")
-                self._cell(*self.cells[k])
-                seen.add(k)
+                require(0 <= token < len(self.cells), "a cell that does not exist")
+                within("cells", within, token, self._cell, box, self.cells[token])
+                seen.add(token)
         require(not todo, "boxes that are missing")
         require(len(seen) == len(self.cells), "a cell that is not a box")
 
@@ -159,21 +199,23 @@ class _OnPatch:
     # ---- singular points
 
     def _cell(self, box: Box, cell: Mapping[str, Any]) -> None:
-        require(cell["kind"] in (NODE, POINT, BRANCHES), "an unknown kind of a singular point")
+        require(cell["box"] == box, "a box that is not that of its cell")
         powers = powers_of_net(self.net)
         if cell["kind"] == BRANCHES:
             self._branches(box, cell, powers)
             return
         require(all(low > 0 and high < 1 for low, high in box), "a box on the border")
-        slopes = [_slope(powers, k) for k in (0, 1)]
-        region = _side(cell["region"][0]), _side(cell["region"][1])
+        slopes, region, zero = [_slope(powers, k) for k in (0, 1)], cell["region"], cell["zero"]
         inside = all(a <= low <= high <= b for (low, high), (a, b) in zip(region, box, strict=True))
         require(inside, "a region that is not in its box")
-        check_single_zero([powers, *slopes], region, cell["zero"])
+        check_single_zero([powers, *slopes], region, zero)
         bend = kind_by_hessian(part(self.net, box))
         if cell["kind"] == POINT:
             require(bend == POINT, "a Hessian that may not be definite")
-            self.counts["points"] += 1
+            x = [Fraction(c, zero["below"]) for c in zero["above"]]
+            y = total([Fraction(0), Fraction(1)], [-zero["slope"] * c for c in x])
+            places = zip(self.lines, (x, y), strict=True)
+            self._count_point([not composed([[c] for c in p], own, zero["minimal"]) for p, own in places], region)
             return
         require(bend == NODE, "a Hessian that may not be indefinite")
         ends = {v for k in (0, 1) for at in box[k] for v, _ in self._on_side(k, at, box[1 - k])}
@@ -193,27 +235,23 @@ class _OnPatch:
         """
         (first, second), rows = box, [trimmed(column) for column in zip(*powers, strict=True)]
         slopes = trimmed([[j * x for x in row] for j, row in enumerate(rows)][1:])
-        minimal = trimmed([integer(x) for x in cell["minimal"]])
-        require(len(minimal) > 1 and gcd(*minimal) == 1, "a factor that is constant or has a content")
-        low, high = _side(cell["at"])
-        require(first[0] <= low <= high <= first[1], "a root outside the box")
-        is_exact = low == high and value(minimal, low) == 0 and len(minimal) == 2
-        require(is_exact or (low < high and value(minimal, low) * value(minimal, high) < 0), "a place without a root")
-        require(len(minimal) == 2 or has_one_root(minimal, *first), "a factor that may have several roots")
+        minimal, below, power, region = trimmed(cell["minimal"]), cell["below"], cell["power"], cell["region"]
+        low, high = region[0]
+        require_only_root(minimal, (low, high), first)
         # the discriminant: the resultant without the leading coefficient
         rest = quotient_by(subresultant(trimmed(rows), slopes, 0), trimmed(rows)[-1])
         require(bool(rest) and is_free(rest or [], minimal, first), "another multiple zero in the box")
         # over the root: the function is a power of the factor in y, whose only zero is the point, times another one
-        below = integer(cell["below"])
         require(below > 0, "a denominator that is not positive")
-        factor = [[Fraction(integer(x), below) for x in row] for row in cell["factor"]]
+        factor = [[Fraction(x, below) for x in row] for row in cell["factor"]]
         require(len(factor) > 1 and trimmed(factor[-1]) == [1], "a factor that is not monic")
         require(all(len(row) < len(minimal) for row in factor), "a factor that is not reduced")
-        require(count(cell["power"]) > 0, "a power that is not positive")
-        other: list[list[Fraction]] = [[Fraction(x) for x in row] for row in rows]
-        for _ in range(cell["power"]):
-            other = quotient_over(other, factor, minimal)
-        require(sign_over(other, (low, high), second) != 0, "another zero over the root")
+        require(power > 0, "a power that is not positive")
+        other: list[list[Fraction]] | None = [[Fraction(x) for x in row] for row in rows]
+        for _ in range(power):
+            other = quotient_over(other or [], factor, minimal)
+            require(other is not None, "a factor that does not divide")
+        require(sign_over(other or [], (low, high), second) != 0, "another zero over the root")
         slope = [[j * x for x in row] for j, row in enumerate(factor)][1:]
         require(sign_over(slope, (low, high), second) != 0, "several zeros over the root")
         ends = [value_over(factor, at, (low, high), minimal) for at in second]
@@ -222,14 +260,24 @@ class _OnPatch:
             along = integral(at_height(rows, at))
             require(bool(along) and (sign != 0 or at in UNIT), "a point on a side of its box")
             require(is_free(along, [] if sign else minimal, first), "another zero on the side below or above")
-        here = {low} if is_exact and low in UNIT else set()
+        here = {low} if low == high and low in UNIT else set()
         require(all(x in here or not low <= x <= high for x in first), "a side that may be at the point")
         found = [v for x in first if x not in here for v, _ in self._on_side(0, x, second)]
         corner = self._corner(box, bool(here) and low in first, low, ends)
         if found or corner:
             self._meet(found, corner or ("cell", box))
-        else:
-            self.counts["points"] += 1
+            return
+        ends = [value_over(factor, at, (low, high), minimal) for at in region[1]]
+        require(second[0] <= region[1][0] and region[1][1] <= second[1], "a region that is not in its box")
+        require(ends[0] * ends[1] <= 0, "a point that may be outside its region")
+        across = quotient_over([[Fraction(c)] for c in self.lines[1]], factor, minimal)
+        self._count_point([quotient_by(self.lines[0], minimal) is not None, across is not None], region)
+
+    def _count_point(self, on_line: Sequence[bool], region: Box) -> None:
+        """A point counts unless it is on one of the lines; those on which it is not must not meet its region."""
+        for is_on, p, side in zip(on_line, self.lines, region, strict=True):
+            require(is_on or is_free(p, [], side), "a point that may be on a line")
+        self.counts["points"] += not any(on_line)
 
     def _corner(self, box: Box, on_side: bool, x: Fraction, ends: Sequence[int]) -> Vertex | None:
         """The point itself, where it is on the border of the square."""
@@ -260,22 +308,30 @@ class _OnPatch:
             groups.setdefault(root(vertex), []).append(degree)
         crossed = {root(vertex) for vertex in self._crossed}
         for group, own in groups.items():
+            if not any(own) and self._is_on_line(group):
+                continue
             shape = "crossed" if group in crossed else "points" if not any(own) else "arcs" if 1 in own else "loops"
             self.counts[shape] += 1
+
+    def _is_on_line(self, vertex: Vertex) -> bool:
+        """Whether a zero on the border is on one of the lines."""
+        kind, *data = vertex
+        if kind == "point":
+            return any(value(p, x) == 0 for p, x in zip(self.lines, data, strict=True))
+        direction, at, k = data
+        along = self.lines[1 - direction]
+        n = len(along) - 1
+        form = [sum(comb(n - j, i - j) * along[j] for j in range(i + 1)) for i in range(n + 1)]
+        own = self._factors[direction, at][k], *self.zeros[direction, at][k]
+        return value(self.lines[direction], at) == 0 or vanishes(form, *own)
 
 
 # ---- nets
 
 
-def _net(given: Sequence[Sequence[Any]]) -> Net:
-    net = [[integer(x) for x in row] for row in given]
-    require(len(net) > 0 and len({len(row) for row in net}) == 1 and len(net[0]) > 0, "rows of different lengths")
-    return net
-
-
-def _side(given: Sequence[Any]) -> Side:
-    low, high = (fraction(x) for x in given)
-    return low, high
+def _is_line(net: Net) -> bool:
+    """Whether a net is that of a function of one parameter."""
+    return len(net) == 1 or len(net[0]) == 1
 
 
 def net_product(one: Net, other: Net) -> Net:
@@ -296,10 +352,10 @@ def net_product(one: Net, other: Net) -> Net:
     return [[x // size for x in row] for row in found]
 
 
-def _check_product(function: Net, factors: Sequence[tuple[Net, int]]) -> None:
+def _check_product(function: Net, factors: Sequence[Mapping[str, Any]]) -> None:
     """Check that powers of factors multiply to a function, up to a constant that is not zero."""
     product: Net = [[1]]
-    for net, power in factors:
+    for net, power in ((own["net"], own["power"]) for own in factors):
         require(power > 0, "a factor whose power is not positive")
         require(power < len(function) + len(function[0]), "a factor whose power is too high")
         for _ in range(power):
@@ -316,22 +372,27 @@ def _trimmed_powers(powers: Sequence[Sequence[int]]) -> dict[tuple[int, int], in
     return {(i, j): x for i, row in enumerate(powers) for j, x in enumerate(row) if x}
 
 
-def _check_lines(factors: Sequence[tuple[Net, int]]) -> None:
-    """Check that no line is a zero of two factors, or of one of the curves."""
+def _lines(factors: Sequence[Mapping[str, Any]]) -> tuple[Polynomial, Polynomial]:
+    """The products of the factors in each parameter, after checking that no line is a zero of two factors, or of one of
+    the curves.
+    """
     known: tuple[list[Polynomial], list[Polynomial]] = [], []
-    for net, _ in factors:
+    for net in (own["net"] for own in factors):
         powers = powers_of_net(net)
-        is_curve = len(net) > 1 and len(net[0]) > 1
         for rows, others in zip((turned(powers), powers), known, strict=True):
             own = reduce(common_divisor, rows, list[int]())
-            require(len(own) == 1 or not is_curve, "a line among the curves")
+            require(len(own) == 1 or _is_line(net), "a line among the curves")
             require(all(len(common_divisor(own, p)) == 1 for p in others), "a line of two factors")
             others.append(own)
+    first, second = (reduce(product_of, own, [1]) for own in known)
+    return first, second
 
 
-def _lines(factor: Mapping[str, Any]) -> int:
-    """The number of lines on which a factor in one parameter vanishes."""
-    net = _net(factor["net"])
+def _zeros_of(factor: Mapping[str, Any]) -> int:
+    """The number of lines on which a factor in one parameter vanishes, 0 for one in both."""
+    net = factor["net"]
+    if not _is_line(net):
+        return 0
     form = net[0] if len(net) == 1 else [x for (x,) in net]
     return len(isolated_zeros([comb(len(form) - 1, i) * x for i, x in enumerate(form)], factor["isolation"]))
 
@@ -372,68 +433,3 @@ def _slope(powers: Sequence[Sequence[int]], k: int) -> list[list[int]]:
     if k == 0:
         return [[i * x for x in row] for i, row in enumerate(powers)][1:]
     return [[j * x for j, x in enumerate(row)][1:] for row in powers]
-
-
-# ---- over a root
-
-
-def is_free(p: Polynomial, minimal: Polynomial, side: Side, depth: int = 32) -> bool:
-    """Whether a polynomial has no other zero on an interval than one of a factor."""
-    while minimal and (divided := quotient_by(p, minimal)) is not None:
-        p = divided
-    if strict_sign(p, *side) or depth == 0:
-        return strict_sign(p, *side) != 0
-    middle = (side[0] + side[1]) / 2
-    return all(is_free(p, [], half, depth - 1) for half in ((side[0], middle), (middle, side[1])))
-
-
-def quotient_over(
-    rows: Sequence[Sequence[Fraction]], factor: Sequence[Sequence[Fraction]], minimal: Polynomial
-) -> list[list[Fraction]]:
-    """The quotient of polynomials in y by a monic one, modulo the factor in x."""
-    rest, found = [list(row) for row in rows], list[list[Fraction]]()
-    while len(rest) >= len(factor):
-        top = remainder_of(rest.pop(), minimal)
-        found.append(top)
-        shift = len(rest) + 1 - len(factor)
-        for i, row in enumerate(factor[:-1]):
-            product = product_of(top, row) if top and row else []
-            rest[shift + i] = remainder_of(total(rest[shift + i], [-x for x in product]), minimal)
-    require(not any(remainder_of(row, minimal) for row in rest), "a factor that does not divide")
-    return found[::-1]
-
-
-def sign_over(rows: Sequence[Sequence[Any]], root: Side, side: Side) -> int:
-    """The sign of a polynomial in x and y on a box, else 0."""
-    columns = [on_interval(row or [0], *root) for row in rows]
-    degree = max(map(len, columns), default=0)
-    if degree == 0:
-        return 0
-    columns = [on_interval([*row, *[0] * (degree - len(row))], *root) for row in rows]
-    values = [x for row in zip(*columns, strict=True) for x in on_interval(row, *side)]
-    return 1 if min(values) > 0 else -1 if max(values) < 0 else 0
-
-
-def value_over(factor: Sequence[Sequence[Fraction]], at: Fraction, root: Side, minimal: Polynomial) -> int:
-    """The sign of a factor at a height over the root, 0 where it vanishes."""
-    rest = remainder_of(at_height(factor, at), minimal)
-    if not rest:
-        return 0
-    sign = sign_at_root(rest, minimal, *root)
-    require(sign != 0, "a sign over the root that is not proved")
-    return sign
-
-
-def at_height(rows: Sequence[Sequence[Any]], at: Fraction) -> list[Any]:
-    """A polynomial in x and y, a list over the powers of y, at a rational y."""
-    found: list[Any] = []
-    for row in reversed(rows):
-        found = total([c * at for c in found], row)
-    return found
-
-
-def integral(p: Sequence[Any]) -> Polynomial:
-    """A multiple with integer coefficients."""
-    numbers = [Fraction(c) for c in p]
-    bottom = lcm(*(c.denominator for c in numbers))
-    return trimmed([int(c * bottom) for c in numbers])

@@ -8,10 +8,22 @@ from itertools import pairwise
 from math import comb, gcd, lcm
 from typing import Any, TypeVar
 
-from exactspline.certificates.numbers import count, fraction, integer, require
+from exactspline.certificates.numbers import count, each, fraction, integer, optional, read, require, truth
 
 #: A zero: bounds, a polynomial that has it, its multiplicity, and the signs on both sides.
 Zero = tuple[Fraction, Fraction, list[int], int, tuple[int, int]]
+#: What proves the zeros of one form, and a certificate of those of a spline.
+ISOLATION = {"factors": [([integer], count)], "points": [fraction], "leaves": [(fraction, fraction, count)]}
+SIDES = optional(count), optional(count)
+SPLINE = {
+    "periodic": truth,
+    "degree": count,
+    "breakpoints": [fraction],
+    "segments": [{"coefficients": [integer], **ISOLATION}],
+    "roots": [{"low": fraction, "high": fraction, "multiplicities": SIDES, "signs": SIDES}],
+    "jumps": [{"at": fraction, "signs": SIDES}],
+    "intervals": [(fraction, fraction)],
+}
 #: The coefficients of a polynomial are all integers, or all fractions.
 Number = TypeVar("Number", int, Fraction)
 
@@ -21,39 +33,31 @@ def check_zeros(certificate: Mapping[str, object], sturm: bool = True) -> dict[s
 
     With ``sturm=False`` the second check is skipped (it is slow for degrees above 100).
     """
-    return _checked(certificate, sturm)
-
-
-def _checked(data: Any, sturm: bool) -> dict[str, int]:
-    require(type(data["periodic"]) is bool, "periodic is neither true nor false")
-    n, breaks = count(data["degree"]), [fraction(t) for t in data["breakpoints"]]
+    data = read(certificate, SPLINE)
+    n, breaks = data["degree"], data["breakpoints"]
     require(
         all(a < b for a, b in pairwise(breaks)) and len(breaks) == len(data["segments"]) + 1 > 1,
         "breakpoints do not fit the segments",
     )
-    parts = []
-    for segment in data["segments"]:
-        c = [integer(x) for x in segment["coefficients"]]
+
+    def checked(segment: Mapping[str, Any]) -> Any:
+        c = segment["coefficients"]
         # a form that vanishes on every curve may have a negative degree, and then it has no coefficients
         require(len(c) == max(n + 1, 0), "wrong number of coefficients")
-        parts.append(_segment(c, segment, sturm) if any(c) else None)
+        return _segment(c, segment, sturm) if any(c) else None
+
+    parts = each("segments", checked, data["segments"])
     roots, jumps, intervals = _whole(breaks, parts, data["periodic"])
     require(len(data["roots"]) == len(roots), f"{len(roots)} roots proved, another number claimed")
     for i, (claim, (low, high, where, facts)) in enumerate(zip(data["roots"], roots, strict=True)):
-        a, b = fraction(claim["low"]), fraction(claim["high"])
+        a, b = claim["low"], claim["high"]
         # at an end of its leaf the polynomial may have another zero
         within = low <= a < b <= high or low < a == b < high or low == a == b == high
         require(within and (where is None or _inside(where, a, b)), f"no root in the interval of root {i}")
-        claimed = _sides(claim["multiplicities"]), _sides(claim["signs"])
-        require(claimed == facts, f"wrong multiplicity or sign of root {i}")
-    require([(fraction(j["at"]), _sides(j["signs"])) for j in data["jumps"]] == jumps, "wrong jumps")
-    require([tuple(map(fraction, s)) for s in data["intervals"]] == intervals, "wrong intervals")
+        require((claim["multiplicities"], claim["signs"]) == facts, f"wrong multiplicity or sign of root {i}")
+    require([(jump["at"], jump["signs"]) for jump in data["jumps"]] == jumps, "wrong jumps")
+    require(data["intervals"] == intervals, "wrong intervals")
     return {"roots": len(roots), "jumps": len(jumps), "intervals": len(intervals)}
-
-
-def _sides(given: list[Any]) -> tuple[int | None, ...]:
-    """A number for each side of a point, None at an end of the domain."""
-    return tuple(None if x is None else count(x) for x in given)
 
 
 def _inside(where: tuple[list[int], Fraction, Fraction], a: Fraction, b: Fraction) -> bool:
@@ -88,13 +92,15 @@ def _whole(breaks: list[Fraction], parts: list[Any], periodic: bool) -> tuple[li
     return roots, jumps, [(breaks[a], breaks[b] if b <= segments else breaks[b - segments]) for a, b in runs]
 
 
-def _segment(c: list[int], segment: dict[str, Any], sturm: bool) -> tuple[tuple[int, int], tuple[int, int], list[Any]]:
+def _segment(
+    c: list[int], segment: Mapping[str, Any], sturm: bool
+) -> tuple[tuple[int, int], tuple[int, int], list[Any]]:
     """(multiplicity, sign) at both ends, and the zeros inside: low, high, a polynomial that has the zero, multiplicity,
     signs.
     """
     start, end = (next(i for i, x in enumerate(d) if x) for d in (c, c[::-1]))
     inner = c[start : len(c) - end]
-    factors = [([integer(x) for x in g], count(k)) for g, k in segment["factors"]] or [(inner, 1)]
+    factors = segment["factors"] or [(inner, 1)]
     # a factor that vanishes or has a power ≤ 0 could add zeros that the form does not have, or hide some that it has
     require(all(k > 0 for _, k in factors), "a factor whose power is not positive")
     require(
@@ -115,8 +121,7 @@ def _segment(c: list[int], segment: dict[str, Any], sturm: bool) -> tuple[tuple[
         and all(x * product[0] == y * inner[0] for x, y in zip(inner, product, strict=True)),
         "the factors do not multiply to the form",
     )
-    points = {fraction(t) for t in segment["points"]}
-    leaves = [(fraction(a), fraction(b), count(changes)) for a, b, changes in segment["leaves"]]
+    points, leaves = set(segment["points"]), segment["leaves"]
     require(all(a < b for a, b, _ in leaves), "a leaf that is empty or reversed")
     require([a for a, _, _ in leaves] + [1] == [0] + [b for _, b, _ in leaves], "the leaves do not cover the segment")
     require(points <= {a for a, _, _ in leaves if a}, "a point is not between two leaves")
@@ -148,11 +153,11 @@ def product_of(p: Sequence[Number], q: Sequence[Number]) -> list[Number]:
     return found
 
 
-def isolated_zeros(c: list[int], proof: Mapping[str, object]) -> list[Zero]:
-    """The zeros on [0, 1] of a form that is not zero, in ascending order, as `proof` shows (by `factors`, `points` and
-    `leaves` as in the certificate of a spline): low, high, a polynomial that has the zero, multiplicity, signs.
+def isolated_zeros(c: list[int], proof: Mapping[str, Any]) -> list[Zero]:
+    """The zeros on [0, 1] of a form that is not zero, in ascending order, as `proof` shows (an `ISOLATION`): low, high,
+    a polynomial that has the zero, multiplicity, signs.
     """
-    (start, first), (end, last), inner = _segment(c, dict(proof), False)
+    (start, first), (end, last), inner = _segment(c, proof, False)
     zeros = [(Fraction(0), Fraction(0), [0, 1], start, (0, first))] if start else []
     return [*zeros, *inner, *([(Fraction(1), Fraction(1), [1], end, (last, 0))] if end else [])]
 

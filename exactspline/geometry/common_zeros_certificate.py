@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from itertools import combinations, pairwise, product
 from typing import Any
@@ -45,15 +45,21 @@ def common_zeros_certificate(functions: Sequence[TensorSpline], found: Sequence[
 
     Raises `ReachError` where there are too many boxes, or the degrees are too high.
     """
-    patches = []
-    for patch in product(range(len(functions[0].meshes[0])), range(len(functions[0].meshes[1]))):
-        sides = functions[0].patch(*patch)
+
+    def proved(patch: tuple[int, int]) -> dict[str, Any]:
         places = [place for place, own in found if patch in own]
-        patches.append(
-            {"sides": [[text(end) for end in side] for side in sides]}
-            | _patch([f.patch_form(*patch) for f in functions], sides, places)
-        )
-    return written(COMMON_ZEROS, {"patches": patches})
+        return _patch([f.patch_form(*patch) for f in functions], functions[0].patch(*patch), places)
+
+    return written(COMMON_ZEROS, on_each_patch(functions[0], proved))
+
+
+def on_each_patch(function: TensorSpline, proved: Callable[[tuple[int, int]], dict[str, Any]]) -> dict[str, object]:
+    """The knots in both directions, and what is proved of each patch between them, with its indices."""
+    first, second = (range(len(mesh)) for mesh in function.meshes)
+    return {
+        "knots": [[text(t) for t in mesh.breaks] for mesh in function.meshes],
+        "patches": [{"patch": list(patch)} | proved(patch) for patch in product(first, second)],
+    }
 
 
 def _patch(given: Sequence[PatchForm], sides: Box, places: Sequence[Place]) -> dict[str, Any]:
@@ -197,10 +203,10 @@ class ZeroOnPatch:
 
     def data(self, region: Box) -> dict[str, object]:
         """The region, the combinations, and the proof of existence."""
+        data: dict[str, object] = {"region": [[text(x) for x in side] for side in region]}
         if self.simple is None:
-            return {"region": [[text(x) for x in side] for side in region]} | self.by_elimination(region)
-        combined = [[str(x) for x in row] for row in self.combinations(region)]
-        data: dict[str, object] = {"region": [[text(x) for x in side] for side in region], "combinations": combined}
+            return data | {"by": ELIMINATED} | self.by_elimination(region)
+        data["combinations"] = [[str(x) for x in row] for row in self.combinations(region)]
         if self.exact is not None:
             return data | {"by": POINT, "point": [text(x) for x in self.exact]}
         return data | ({"by": CROSSED} if self.edge is None else {"by": EDGE, "edge": list(self.edge)})
@@ -210,7 +216,6 @@ class ZeroOnPatch:
         found, pair, _ = self.eliminated
         above, bottom = found.s.numer(), found.s.denom()
         return {
-            "by": ELIMINATED,
             "slope": str(found.slope),
             "minimal": [str(c) for c in found.minimal.coeffs()],
             "above": [str(c) for c in above.coeffs()],

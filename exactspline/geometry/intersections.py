@@ -23,14 +23,22 @@ from exactspline.hooks import Displayed
 from exactspline.numbers.exact import common_divisor, mpq
 from exactspline.numbers.intervals import Interval
 from exactspline.polynomials.bezout import PlaneForms
-from exactspline.polynomials.common_arcs import Arc, Local, Meeting, Meetings
+from exactspline.polynomials.common_arcs import Arc, Local, Meeting, Meetings, Rest
 from exactspline.polynomials.cost import PATCH, QUESTION, Budget, drawing_on
 from exactspline.polynomials.plane_pairs import meetings, self_meetings
 from exactspline.polynomials.zero_places import Place
 from exactspline.programs.certain_pairs import certain_pairs
 from exactspline.questions.answers import Answer
 from exactspline.reals.real import Real
-from exactspline.roots.local_parameters import ImageValue, image_splines, parameter, segment_forms, segment_rows
+from exactspline.roots.local_parameters import (
+    ImageValue,
+    image_splines,
+    is_joined,
+    is_point,
+    parameter,
+    segment_forms,
+    segment_rows,
+)
 from exactspline.roots.values import at, segment_polynomials
 from exactspline.splines.expected import curve_of
 from exactspline.splines.nurbs import Nurbs
@@ -169,7 +177,8 @@ def intersections(first: Nurbs, second: Nurbs) -> Intersections:
 
 def self_intersections(curve: Nurbs) -> Intersections:
     """The points through which a plane curve passes more than once, each as a pair of parameters s < t; neighbouring
-    segments, and the ends of a closed curve, do not meet in their common knot.
+    segments, and the ends of a closed curve, do not meet in their common knot. All parameters between which the curve
+    stands still count as one.
 
     >>> from exactspline import Nurbs
     >>> loop = Nurbs(3, [0] * 4 + [1] * 4, [(0, 0), (3, 3), (-2, 3), (1, 0)])
@@ -215,6 +224,7 @@ class CollectedPoints:
         self.arcs: list[Overlap] = []
         self.left_out: list[str] = []
         self._cones: dict[int, Cone | None] = {}
+        self._knots = [self._different_knots(k) for k in range(2)]
         pairs = self._pairs()
         certain = certain_pairs(self.segments[0], self.segments[-1], pairs)
         #: The common points that are certain in doubles.
@@ -280,6 +290,8 @@ class CollectedPoints:
         for arc in found.arcs:
             self.arcs.append(_overlap(arc, *sides))
         for rest in found.rests:
+            if self.alone and self._is_joint(rest, i, j):
+                continue
             at_rest, other = sides[::-1] if rest.exchanged else sides
             still = Real(at_rest.low), Real(at_rest.high)
             place = (Real(other.low), Real(other.high))
@@ -288,12 +300,27 @@ class CollectedPoints:
             first, second = (place, still) if rest.exchanged else (still, place)
             self.arcs.append(Overlap(first, second, None, None))
 
+    def _different_knots(self, k: int) -> list[int]:
+        """For each knot the first one that is the same: at the seam of a closed curve, and, of a curve and itself, the
+        knots between which it stands still.
+        """
+        indices, segments = list(range(self.curves[k].segments + 1)), self.segments[0] if self.alone else []
+        for i, segment in enumerate(segments):
+            if is_point(segment) and all(map(is_joined, segments[max(i - 1, 0) : i + 1], segments[max(i, 1) : i + 2])):
+                indices[i + 1] = indices[i]
+        return [0 if self.curves[k].closed and index == indices[-1] else index for index in indices]
+
+    def _is_joint(self, rest: Rest, i: int, j: int) -> bool:
+        """Whether a segment on which a curve stands still is met by the same one or a neighbour, in their knot."""
+        still, other = (j, i) if rest.exchanged else (i, j)
+        others = self._knots[0][other : other + 2] if rest.place is None else [self._knot(0, other, rest.place)]
+        return any(knot in self._knots[0][still : still + 2] for knot in others)
+
     def _knot(self, k: int, i: int, local: Local) -> int | None:
-        """The index of the knot that a parameter on segment i is; that of the seam of a closed curve is 0."""
+        """The index of the knot that a parameter on segment i is; the first one of those that are the same."""
         if not isinstance(local, Place) or local.exact not in (0, 1):
             return None
-        index = i + int(local.exact)
-        return 0 if index == self.curves[k].segments and self.curves[k].closed else index
+        return self._knots[k][i + int(local.exact)]
 
     def _put(self, point: _Found) -> None:
         s, t = point.knots

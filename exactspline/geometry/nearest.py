@@ -90,7 +90,8 @@ def nearest(curve: Nurbs, point: Iterable[Number]) -> Nearest:
     found = [c for i in near_segments(segments, delta) for c in _candidates(curve, i, segments[i], delta)]
     least = _least(found)
     arcs = joined(c.side for c in least if c.place is None)
-    ends = [end for arc in arcs for end in arc]
+    low, high = curve.domain
+    ends = {low if end == high and curve.closed else end for arc in arcs for end in arc}
     at_rational_parameters: dict[mpq, NearestPoint] = {}
     points: list[NearestPoint] = []
     for c in least:
@@ -100,7 +101,7 @@ def nearest(curve: Nurbs, point: Iterable[Number]) -> Nearest:
             points.append(NearestPoint(c.parameter, curve, c))
             continue
         t = c.side.at(c.place.exact)
-        t = curve.domain.low if t == curve.domain.high and curve.closed else t
+        t = low if t == high and curve.closed else t
         if t not in ends:
             at_rational_parameters.setdefault(t, NearestPoint(Real(t), curve, c))
     points += at_rational_parameters.values()

@@ -6,7 +6,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 from functools import reduce
-from itertools import pairwise, product
+from itertools import pairwise
 from math import lcm
 from operator import attrgetter
 from typing import Any
@@ -18,7 +18,7 @@ from exactspline.certificates import certificate as written
 from exactspline.certificates.common_zeros import FIRST, SECOND
 from exactspline.certificates.zero_curves import ACROSS, BRANCHES, NODE, POINT, SIGN
 from exactspline.errors import ReachError
-from exactspline.geometry.common_zeros_certificate import BITS, DEGREES, REMEDY, ZeroOnPatch
+from exactspline.geometry.common_zeros_certificate import BITS, DEGREES, REMEDY, ZeroOnPatch, on_each_patch, on_interval
 from exactspline.geometry.surface.common_factor import line_factor
 from exactspline.geometry.surface.singular_cells import Cell, Crossing, singular_cells
 from exactspline.geometry.surface.zero_curve import BOXES, DEPTH, grid
@@ -34,6 +34,7 @@ from exactspline.reals.real import real
 from exactspline.roots.common_zeros import Column
 from exactspline.roots.of_polynomials import as_splines, enclosing
 from exactspline.roots.root import Root
+from exactspline.roots.vanishing import vanish_at
 from exactspline.roots.zero_set import ZeroSet, isolation_data, zeros
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.knots import Mesh
@@ -47,34 +48,25 @@ def zero_curve_certificate(function: TensorSpline) -> dict[str, object]:
 
     Raises `ReachError` where it vanishes on a whole patch, there are too many boxes, or a singular point is not proved.
     """
-    count = [len(mesh) for mesh in function.meshes]
-    return written(
-        ZERO_CURVES,
-        {
-            "patches": [
-                {"sides": _texts(function.patch(*patch))} | _patch(function.patch_form(*patch))
-                for patch in product(*map(range, count))
-            ]
-        },
-    )
+    return written(ZERO_CURVES, on_each_patch(function, lambda patch: _patch(function.patch_form(*patch))))
 
 
 def _patch(form: PatchForm) -> dict[str, Any]:
     if form.is_zero:
         raise ReachError("a certificate of a function that vanishes on a patch", remedy=REMEDY)
-    factors, curves = list[dict[str, object]](), list[fmpz_mpoly]()
+    factors, curves, lines = list[dict[str, object]](), list[fmpz_mpoly](), [fmpz_poly([1]), fmpz_poly([1])]
     for factor, power in factorize_square_free(as_polynomial(form)).powers:
         p = factor
         for k in (0, 1):
             if (line := line_factor(as_form(factor), k)).degree() > 0:
-                p /= lifted(line, k)
+                p, lines[k] = p / lifted(line, k), lines[k] * line
                 found = zeros(as_splines([line], mpq(0), mpq(1))[0])
                 factors.append({"net": _net(as_form(lifted(line, k))), "power": power, "isolation": _isolation(found)})
         if p.total_degree() > 0:
             factors.append({"net": _net(as_form(p)), "power": power})
             curves.append(p)
     rest = as_form(reduce(lambda p, q: p * q, curves, S * 0 + 1))
-    return {"function": _net(form), "factors": factors} | _Subdivision(rest).data()
+    return {"function": _net(form), "factors": factors} | _Subdivision(rest, lines).data()
 
 
 def _net(form: PatchForm) -> list[list[str]]:
@@ -92,10 +84,12 @@ def _texts(rows: Iterable[Iterable[mpq]]) -> list[list[str]]:
 
 
 class _Subdivision:
-    """The boxes of a square-free form without lines of zeros."""
+    """The boxes of a square-free form without lines of zeros, and whether its single points are on other lines, those
+    of a polynomial in each parameter.
+    """
 
-    def __init__(self, form: PatchForm) -> None:
-        self.form, self.lines = form, dict[tuple[int, mpq], ZeroSet]()
+    def __init__(self, form: PatchForm, others: Sequence[fmpz_poly]) -> None:
+        self.form, self.others, self.lines = form, others, dict[tuple[int, mpq], ZeroSet]()
         self.places: dict[tuple[int, mpq], list[Interval]] = {}
         self.cells = singular_cells(form)
 
@@ -186,29 +180,42 @@ class _Subdivision:
         zero = ZeroOnPatch(forms, Box(Interval(mpq(0), mpq(1)), Interval(mpq(0), mpq(1))), cell.zero.local)
         for bits in BITS:
             region = zero.region(bits)
-            if cell.box.contains(region) and zero.is_alone(region):
+            if cell.box.contains(region) and zero.is_alone(region) and self._is_clear(region, cell):
                 return data | {"region": _texts(region), "zero": zero.by_elimination(region)}
         raise ReachError(f"a certificate of a singular point in a region of {BITS[-1]} bits", remedy=REMEDY)
 
+    def _is_clear(self, region: Box, cell: Cell) -> bool:
+        """Whether the lines that do not run through a singular point do not meet its region."""
+        return all(
+            vanish_at([lifted(p, k)], *cell.zero.local) or on_interval(p, side).sign
+            for k, (p, side) in enumerate(zip(self.others, region, strict=True))
+        )
+
     def _branches(self, cell: Cell) -> dict[str, Any]:
         """Over the number x of the point: the factor in y whose zero it is, and the power of it."""
-        p, (x, _) = as_polynomial(self.form), cell.zero.local
+        p, (x, y) = as_polynomial(self.form), cell.zero.local
         if int(p.degrees()[1]) * (2 * int(p.degrees()[0]) + int(p.degrees()[1])) > DEGREES:
             raise ReachError("a certificate of a singular point of a function of this degree", remedy=REMEDY)
         minimal = fmpz_poly(real(x).minimal_polynomial())
         whole = OverRoot.of(p, fmpq_poly(minimal))
         factor, power = _part_at(whole, cell)
+        if vanish_at([across := lifted(self.others[1], 1)], x, y):
+            factor = factor.gcd(OverRoot.of(across, factor.modulus))
         others = divided_out(whole, factor), factor.derivative
-        at, digits = enclosing(x, 1), 1
-        while not (cell.box.first.contains(at) and all(_sign_over(f, at, cell.box.second) for f in others)):
+        region, digits = Box(enclosing(x, 1), enclosing(y, 1)), 1
+        while not (
+            cell.box.contains(region)
+            and all(_sign_over(f, region.first, cell.box.second) for f in others)
+            and self._is_clear(region, cell)
+        ):
             digits *= 2
-            if digits > BITS[-1] or not isinstance(x, Root):
+            if digits > BITS[-1]:
                 raise ReachError("a certificate of a singular point with another zero close to it", remedy=REMEDY)
-            at = _place(x, digits)
+            region = Box(enclosing(x, digits), enclosing(y, digits))
         bottom = _denominator(factor)
         return {
             "minimal": [str(c) for c in minimal.coeffs()],
-            "at": [text(at.low), text(at.high)],
+            "region": _texts(region),
             "factor": [[str(c) for c in (row * bottom).numer().coeffs()] for row in factor.coefficients],
             "below": str(bottom),
             "power": power,

@@ -58,6 +58,26 @@ def segment_rows(curve: Nurbs, i: int) -> SegmentRows:
     return n, [*operands, [below * comb(n, k) for k in range(n + 1)]] if curve.polynomial else list(operands)
 
 
+def is_point(segment: SegmentRows) -> bool:
+    """Whether all control points of a segment are one.
+
+    >>> is_point(segment_rows(Nurbs(1, [0, 0, 1, 1], [(2, 3), (2, 3)]), 0))
+    True
+    """
+    *rows, weights = segment[1]
+    return all(x * weights[0] == row[0] * w for row in rows for x, w in zip(row, weights, strict=True))
+
+
+def is_joined(before: SegmentRows, behind: SegmentRows) -> bool:
+    """Whether a segment ends where another one begins.
+
+    >>> line = Nurbs(1, [0, 0, 1, 2, 2], [(0, 0), (1, 2), (3, 3)])
+    >>> is_joined(segment_rows(line, 0), segment_rows(line, 1)), is_joined(segment_rows(line, 1), segment_rows(line, 0))
+    (True, False)
+    """
+    return all(x[-1] * behind[1][-1][0] == y[0] * before[1][-1][-1] for x, y in zip(before[1], behind[1], strict=True))
+
+
 def plane_forms(curve: Nurbs, i: int) -> PlaneForms:
     """A segment of a plane curve."""
     n, (x, y, w) = segment_forms(curve, i)

@@ -114,6 +114,34 @@ def of_zero_curves(random):
                 continue
 
 
+def of_corners(random):
+    """A function on one to three patches whose net has zeros in corners, perhaps along edges, and perhaps a factor that
+    vanishes on lines, and the certificate of its zeros.
+    """
+    while True:
+        m, n = random.randint(1, 3), random.randint(1, 2)
+        net = [[random.randint(-4, 4) for _ in range(n + 1)] for _ in range(m + 1)]
+        for i, j in random.sample([(0, 0), (0, -1), (-1, 0), (-1, -1)], random.randint(1, 3)):
+            net[i][j] = 0
+        if random.random() < 0.2:
+            net[random.choice([0, -1])] = [0] * (n + 1)
+        if random.random() < 0.6:  # one sign, so that corners are single points
+            net = [[abs(x) for x in row] for row in net]
+        f = TensorSpline((m, n), *([0] * (k + 1) + [1] * (k + 1) for k in (m, n)), net)
+        if random.random() < 0.5:
+            lines = [S, T, 1 - T, 2 * S - 1, 2 * T * T - 1, (3 * S - 1) * T, 3 * T * T - 2]
+            f = f * spline(random.choice(lines))
+        for direction in range(2):
+            if random.random() < 0.2:
+                f = f.insert_knot(direction, "1/2")
+        if any(map(any, net)):
+            try:
+                found = zero_curve(f)
+                return found, found.certificate()
+            except ReachError:
+                continue
+
+
 # ---- changes
 
 
@@ -193,8 +221,8 @@ def polynomial(net):
 
 
 def topology_of(certificate):
-    """The numbers of lines and of curves of each shape on all patches, and of single points where there are no lines,
-    which may run through some; None where something is undecided.
+    """“The checker counts lines, loops, arcs, curves with crossings and single points on every patch, as the answer for
+    this patch alone does” (docs/two-parameters.md): these counts of the answers; None where something is undecided.
     """
     total = Counter()
     for patch in certificate["patches"]:
@@ -212,8 +240,7 @@ SHAPES = {Shape.LOOP: "loops", Shape.ARC: "arcs", Shape.CROSSED: "crossed"}
 
 
 def counts_of(found):
-    lines = found["lines"]
-    return lines, found["loops"], found["arcs"], found["crossed"], None if lines else found["points"]
+    return [found[what] for what in ("lines", "loops", "arcs", "crossed", "points")]
 
 
 #: A certificate of each sort; what is true of its data; and the same in what the checker returns.
@@ -222,6 +249,7 @@ SORTS = {
     "common zeros": (of_common_zeros, zeros_of, itemgetter("zeros")),
     "multiple zeros": (of_multiple_zeros, zeros_of, itemgetter("zeros")),
     "zero curves": (of_zero_curves, topology_of, counts_of),
+    "zeros in corners": (of_corners, topology_of, counts_of),
 }
 
 
@@ -232,6 +260,7 @@ def campaign(sort, count, seed, every=8):
     while counts["rejected"] < count:
         if counts["changed"] % every == 0:
             certificate = json.loads(json.dumps(write(random)[1]))
+            counts["written"] += 1
             if what(check_certificate(certificate)) != true_of(certificate):
                 wrong.append(certificate)
         counts["changed"] += 1
@@ -253,9 +282,11 @@ def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("--count", type=int, default=1000)
     parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--every", type=int, default=8, help="changes of each certificate")
+    parser.add_argument("--sort", choices=SORTS, action="append")
     parser.add_argument("--record", type=Path)
     chosen = parser.parse_args()
-    found = [campaign(sort, chosen.count, chosen.seed) for sort in SORTS]
+    found = [campaign(sort, chosen.count, chosen.seed, chosen.every) for sort in chosen.sort or SORTS]
     text = json.dumps(found, indent=2)
     if chosen.record:
         chosen.record.write_text(text, encoding="utf-8")

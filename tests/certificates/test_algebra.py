@@ -9,35 +9,28 @@ import pytest
 from flint import fmpz_mat
 
 from exactspline.certificates.elimination import (
+    at_height,
     determinant,
     has_one_root,
+    integral,
+    is_free,
     on_interval,
     powers_of_net,
     quotient_by,
+    quotient_over,
     remainder_of,
     sheared,
     sign_at_root,
+    sign_over,
     strict_sign,
     subresultant,
     through,
     total,
     trimmed,
     value,
-)
-from exactspline.certificates.zero_curves import (
-    NODE,
-    POINT,
-    at_height,
-    extremes,
-    integral,
-    is_free,
-    kind_by_hessian,
-    net_product,
-    on_line,
-    quotient_over,
-    sign_over,
     value_over,
 )
+from exactspline.certificates.zero_curves import NODE, POINT, extremes, kind_by_hessian, net_product, on_line
 from exactspline.certificates.zeros import product_of
 
 SEEDS = range(60)
@@ -244,8 +237,7 @@ def test_polynomials_over_a_root(seed):
         trimmed(remainder_of(r, minimal)) for r in rows
     ]
     if any(remainder_of(total(whole[0], [1]), minimal)):
-        with pytest.raises(ValueError, match="does not divide"):
-            quotient_over([total(whole[0], [1]), *whole[1:]], factor, minimal)
+        assert quotient_over([total(whole[0], [1]), *whole[1:]], factor, minimal) is None
     side = tuple(sorted(random.sample([Fraction(k, 6) for k in range(-6, 7)], 2)))
     sign = sign_over(rows, root, side)
     points = list(product((*root, sum(root) / 2), (*side, sum(side) / 2)))

@@ -10,6 +10,7 @@ import pytest
 from gmpy2 import mpq
 
 from exactspline import check_certificate, common_zeros
+from exactspline.certificates import certificate
 from exactspline.errors import ReachError
 from tests.campaigns.certificates import of_common_zeros, of_multiple_zeros
 from tests.support.squares import function
@@ -113,7 +114,7 @@ def exchanged(zero):
         (lambda patch, zeros: zeros["crossed"].update(region=[["-1/2", "1"], ["0", "1"]]), "not in the square"),
         (lambda patch, zeros: zeros["crossed"].update(region=[["0", "1"], ["1/2", "1/2"]]), "not in the square"),
         (lambda patch, zeros: zeros["crossed"].update(combinations=[["1", "0"]] * 2), "may be singular"),
-        (lambda patch, zeros: zeros["crossed"].update(by="nothing"), "without a proof"),
+        (lambda patch, zeros: zeros["crossed"].update(by="nothing"), "unknown by"),
         (lambda patch, zeros: exchanged(zeros["crossed"]), "without opposite signs"),
         (lambda patch, zeros: zeros["edge"].update(by="crossed"), "without opposite signs"),
         (lambda patch, zeros: zeros["edge"].update(edge=[0, 0]), "not in the region"),
@@ -121,7 +122,7 @@ def exchanged(zero):
         (lambda patch, zeros: zeros["edge"].update(edge=[0, 2]), "not in the region"),
         (lambda patch, zeros: zeros["point"].update(point=["1", "1/2"]), "outside its region"),
         (lambda patch, zeros: zeros["point"].update(point=["1", "334/1000"]), "is not zero"),
-        (lambda patch, zeros: zeros["point"].update(combinations=[["1", "0"]]), "not enough values"),
+        (lambda patch, zeros: zeros["point"].update(combinations=[["1", "0"]]), "a list of 1, where 2"),
         (lambda patch, zeros: zeros["eliminated"].update(slope="0"), "slope that is not positive"),
         (lambda patch, zeros: zeros["eliminated"].update(minimal=["2"]), "constant"),
         (lambda patch, zeros: zeros["eliminated"].update(below="0"), "not reduced"),
@@ -152,7 +153,7 @@ def of_lines(regions, boxes, sign=1):
         "zeros": [{"region": region, **proof} for region in regions],
         "boxes": boxes,
     }
-    return {"format": "exactspline certificate 1", "what": "common zeros", "patches": [patch]}
+    return certificate("common zeros", {"knots": [["0", "1"]] * 2, "patches": [{"patch": [0, 0], **patch}]})
 
 
 WHOLE, LOW, HIGH = [["0", "1"], ["0", "1"]], [["0", "1/2"], ["0", "1"]], [["1/2", "1"], ["0", "1"]]

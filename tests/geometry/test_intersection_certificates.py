@@ -64,6 +64,8 @@ def forged(change):
         (lambda c: c["pairs"][0]["zeros"].pop(), "another number claimed"),
         (lambda c: c["pairs"].pop(), "not every pair"),
         (lambda c: c["pairs"].append(c["pairs"][0]), "not every pair"),
+        (lambda c: c.update(first=[], pairs=[]), "a curve without segments"),  # accepted before
+        (lambda c: c.update(first=[], second=[], pairs=[]), "a curve without segments"),
         (lambda c: c["pairs"][0]["zeros"][0].update(s="outside"), "signs do not prove"),
         (lambda c: c["pairs"][0]["zeros"][0].update(s="start"), "not the start"),
         (lambda c: c["pairs"][0]["zeros"][0].update(s="somewhere"), "unknown place"),

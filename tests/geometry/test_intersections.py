@@ -163,6 +163,40 @@ def test_a_curve_that_stands_still():
     assert not intersections(still, bezier((0, 0), (2, 1)))
 
 
+def polyline(points):
+    n = len(points) - 1
+    return Nurbs(1, [0, *range(n + 1), n], points)
+
+
+@pytest.mark.parametrize(
+    ("points", "meetings"),
+    [
+        ([(0, 0), (1, 0), (1, 1)], 0),
+        ([(0, 0), (2, 0), (1, 1), (3, 3), (0, 4)], 0),
+        ([(0, 0), (1, 0), (1, 1), (0, 0)], 0),  # closed
+        ([(0, 0), (2, 0), (2, 1), (1, 1), (1, -1)], 1),
+        ([(0, 0), (2, 0), (2, 2), (1, 2), (1, -1), (0, -1), (0, 0)], 1),
+    ],
+)
+def test_a_doubled_control_point_is_met_by_nothing_that_was_not_met_before(points, meetings):
+    """A simple polyline with a doubled control point met itself there; a curve that is one point did not."""
+    for k in range(len(points)):
+        for times in (2, 3):
+            found = self_intersections(polyline([*points[:k], *[points[k]] * times, *points[k + 1 :]]))
+            assert (len(found), found.everywhere, found.left_out) == (meetings, (), ())
+
+
+def test_a_curve_meets_itself_where_it_passes_a_point_at_which_it_stood():
+    assert not self_intersections(polyline([(0, 0)] * 2))
+    assert not self_intersections(polyline([(0, 0)] * 4))
+    (rest,) = self_intersections(polyline([(0, 0), (1, 0), (1, 0), (2, 1), (1, 1), (1, -1)])).everywhere
+    assert [str(x) for x in (*rest.first, *rest.second)] == ["1", "2", "9/2", "9/2"]
+    # away and back: what is between both ends stands still elsewhere
+    knots = [0, 0, 1, 1, 2, 2, 3, 3]
+    assert len(self_intersections(Nurbs(1, knots, [(0, 0), (1, 0), (5, 5), (5, 5), (1, 0), (1, 1)]))) == 1
+    assert not self_intersections(Nurbs(1, knots, [(0, 0), (1, 0), (5, 5), (5, 5), (5, 5), (8, 1)]))
+
+
 def test_what_is_out_of_reach_is_named():
     there_and_back = bezier((0, 0), (1, 0), (1, 2), (1, 0), (0, 0))
     found = intersections(there_and_back, there_and_back)

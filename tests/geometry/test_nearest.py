@@ -56,6 +56,16 @@ def test_ends_knots_and_the_seam_count_once():
     assert [p.parameter for p in nearest(polygon.restrict(0, 3), (-1, -1))] == [0]
 
 
+@pytest.mark.parametrize("reverse", [False, True])
+def test_the_end_of_an_arc_at_the_seam_is_not_listed_again(reverse):
+    """The point (0, 1) was in the list beside the quarter circle that ends there, at the end of the domain."""
+    weights = [1, 1, 1, 1, 2]
+    closed = Nurbs(2, [0, 0, 0, 1, 1, 2, 2, 2], [(0, 1), (5, 5), (1, 0), (1, 1), (0, 1)], weights)
+    found = nearest(closed.reverse() if reverse else closed, (0, 0))
+    assert [str(piece) for piece in found.everywhere] == ["[0, 1]" if reverse else "[1, 2]"]
+    assert found.points == ()
+
+
 def test_everywhere_on_arcs_around_the_point():
     circle = example("circle")
     assert not nearest(circle, (0, 0)).points

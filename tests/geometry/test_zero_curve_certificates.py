@@ -9,7 +9,7 @@ from random import Random
 import pytest
 from gmpy2 import mpq
 
-from exactspline import TensorSpline, check_certificate, zero_curve
+from exactspline import TensorSpline, check_certificate, common_zeros, zero_curve
 from exactspline.errors import ReachError
 from tests.campaigns.certificates import campaign, of_zero_curves, topology_of
 from tests.campaigns.certificates import counts_of as counted
@@ -64,6 +64,79 @@ def test_singular_points_on_the_border(p, counts):
     assert topology_of(zero_curve(function(p)).certificate()) == counted(
         dict.fromkeys(("lines", "loops", "arcs", "crossed", "points"), 0) | proved(function(p))
     )
+
+
+@pytest.mark.parametrize(
+    ("p", "counts"),
+    [
+        (lambda s, t: s * (s + t), {"lines": 1}),
+        (lambda s, t: t * (s + t), {"lines": 1}),
+        (lambda s, t: (2 * s - 1) * (s + t), {"lines": 1, "points": 1}),
+        # points on a side at an irrational place
+        (lambda s, t: (2 * t * t - 1) * (s + (2 * t * t - 1) ** 2), {"lines": 1}),
+        (lambda s, t: (3 * t * t - 1) * (s + (2 * t * t - 1) ** 2), {"lines": 1, "points": 1}),
+        # inside, with a definite Hessian and without
+        (lambda s, t: (2 * s - 1) * ((2 * s - 1) ** 2 + (2 * t - 1) ** 2), {"lines": 1}),
+        (lambda s, t: (2 * t * t - 1) * ((2 * s * s - 1) ** 2 + (2 * t * t - 1) ** 2), {"lines": 1}),
+        (lambda s, t: (3 * s * s - 1) * ((2 * s * s - 1) ** 2 + (2 * t * t - 1) ** 2), {"lines": 1, "points": 1}),
+        (lambda s, t: (2 * s - 1) * ((2 * s - 1) ** 4 + (2 * t - 1) ** 2), {"lines": 1}),
+        (lambda s, t: (2 * t * t - 1) * ((2 * s * s - 1) ** 4 + (2 * t * t - 1) ** 2), {"lines": 1}),
+        (lambda s, t: (5 * t * t - 2) * ((2 * s * s - 1) ** 4 + (2 * t * t - 1) ** 2), {"lines": 1, "points": 1}),
+    ],
+)
+def test_a_point_on_a_line_is_not_a_single_point(p, counts):
+    """Proved before: `points: 1` for each, where the first vanishes on a line alone."""
+    assert proved(function(p)) == counts
+    found = zero_curve(function(p))
+    assert (len(found.lines), len(found.points)) == (counts["lines"], counts.get("points", 0))
+
+
+def test_a_point_on_a_line_cannot_be_told_as_one_beside_it():
+    """A region that the line meets does not show that the point is elsewhere."""
+
+    def widened(patch):
+        first(patch, "branches")["region"][1] = ["0", "1"]
+
+    p = lambda s, t: (5 * t * t - 2) * ((2 * s * s - 1) ** 4 + (2 * t * t - 1) ** 2)  # noqa: E731
+    with pytest.raises(ValueError, match="not in its box"):
+        check_certificate(forged(widened, p))
+
+    def near(patch):
+        cell = first(patch, "branches")
+        cell["region"][1] = cell["box"][1]
+
+    with pytest.raises(ValueError, match="may be on a line"):
+        check_certificate(forged(near, lambda s, t: (10 * t - 7) * ((2 * s * s - 1) ** 4 + (2 * t * t - 1) ** 2)))
+
+
+OTHER = TensorSpline((1, 1), [0, 0, 2, 2], [0, 0, 2, 2], [[1, -2], [3, 1]])
+
+
+@pytest.mark.parametrize("write", [zero_curve, lambda f: common_zeros(f, OTHER)])
+@pytest.mark.parametrize(
+    ("change", "flaw"),
+    [
+        (lambda data: data.update(patches=[]), "not every patch"),
+        (lambda data: data.update(patches=[], knots=[[], []]), "fewer knots than two"),
+        (lambda data: data.update(patches=[], knots=[["0"], ["0"]]), "fewer knots than two"),
+        (lambda data: data["patches"].pop(), "not every patch"),
+        (lambda data: data["patches"].append(data["patches"][0]), "not every patch"),
+        (lambda data: data["patches"][0].update(patch=[1, 1]), "not every patch"),
+        (lambda data: data["patches"][0].update(patch=[-1, 0]), "not every patch"),
+        (lambda data: data["knots"][0].insert(1, "1/2"), "not every patch"),
+        (lambda data: data["knots"][1].reverse(), "do not ascend"),
+        (lambda data: data.update(format="exactspline certificate 1"), "have the format exactspline certificate 2"),
+    ],
+)
+def test_a_certificate_says_of_what_it_is(change, flaw, write):
+    """Accepted before: no patch at all, one left out, one written twice, none of them with knots."""
+    knots = [0, 0, 1, 2, 2]
+    f = TensorSpline((1, 1), knots, knots, [[-2, -1, 0], [-1, 0, 1], [0, 1, 3]])
+    certificate = json.loads(json.dumps(write(f).certificate()))
+    check_certificate(certificate)
+    change(certificate)
+    with pytest.raises(ValueError, match=flaw):
+        check_certificate(certificate)
 
 
 def test_patches_are_counted_one_by_one():
@@ -125,7 +198,10 @@ def away(patch):
         (lambda patch: patch["cells"][0].update(kind="nothing"), "unknown kind"),
         (lambda patch: patch["cells"][0].update(box=[["0", "1"], ["0", "1"]]), "not that of its cell"),
         (lambda patch: first(patch, "branches").update(minimal=["-1", "3"]), "a place without a root"),
-        (lambda patch: first(patch, "branches").update(at=["15/16", "1"]), "a place without a root"),
+        (
+            lambda patch: first(patch, "branches").update(region=[["15/16", "1"], ["1/2", "1/2"]]),
+            "a place without a root",
+        ),
         (lambda patch: first(patch, "branches").update(below="0"), "denominator that is not positive"),
         (lambda patch: first(patch, "branches").update(power=1), "another zero over the root"),
         (lambda patch: first(patch, "branches").update(power=5), "does not divide"),
@@ -147,8 +223,12 @@ def test_a_node_is_not_a_point():
 
 @pytest.mark.parametrize("kind", ["point", "node"])
 def test_a_singular_point_on_the_border_is_neither(kind):
+    zero = {"slope": "1", "minimal": ["0", "1"], "above": [], "below": "1", "power": 1, "at": ["0", "0"]}
+    zero["pair"] = [["1", "0", "0"], ["0", "1", "0"]]
     with pytest.raises(ValueError, match="a box on the border"):
-        check_certificate(forged(lambda patch: patch["cells"][0].update(kind=kind), lambda s, t: s * s + t * t))
+        check_certificate(
+            forged(lambda patch: patch["cells"][0].update(kind=kind, zero=zero), lambda s, t: s * s + t * t)
+        )
 
 
 def test_one_line_is_not_counted_twice_nor_as_an_arc():
