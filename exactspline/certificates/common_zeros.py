@@ -49,7 +49,7 @@ def check_common_zeros(certificate: Mapping[str, object]) -> dict[str, int]:
 
 
 def on_each_patch(
-    certificate: Mapping[str, object], form: dict[str, Any], check: Callable[[dict[str, Any]], Found]
+    certificate: Mapping[str, object], form: Mapping[str, object], check: Callable[[dict[str, object]], Found]
 ) -> list[Found]:
     """What is found on the patches between the knots in both directions, which must be there, each once."""
     patch = {"patch": (count, count), **form}
@@ -62,7 +62,7 @@ def on_each_patch(
 
 
 #: A zero on a patch, by the way in which its existence is proved.
-SIMPLE: dict[str, Any] = {"region": REGION, "combinations": ([integer], [integer])}
+SIMPLE: dict[str, object] = {"region": REGION, "combinations": ([integer], [integer])}
 _zero = one_of(
     "by",
     {

@@ -271,7 +271,7 @@ def through(values: list[int]) -> Polynomial:
 
 
 def check_single_zero(
-    functions: Sequence[Sequence[Sequence[int]]], box: tuple[Side, Side], zero: Mapping[str, Any]
+    functions: Sequence[Sequence[Sequence[int]]], box: tuple[Side, Side], zero: Mapping[str, object]
 ) -> int:
     """Check that functions, given by their coefficients of ``sⁱ tʲ``, have exactly one common zero in a box, and return
     the intersection multiplicity of the `pair` of combinations there.
@@ -280,17 +280,18 @@ def check_single_zero(
     multiplicity; over it the greatest common divisor is a power of s − b(z), and b solves all functions modulo that
     factor. As one of the pair has a constant leading coefficient in s, no common zero over the root is at infinity.
     """
-    slope, minimal, below = zero["slope"], trimmed(zero["minimal"]), zero["below"]
+    given: Mapping[str, Any] = zero
+    slope, minimal, below = given["slope"], trimmed(given["minimal"]), given["below"]
     require(slope > 0, "a slope that is not positive")
-    above = [Fraction(x, below) for x in zero["above"]] if below > 0 else []
+    above = [Fraction(x, below) for x in given["above"]] if below > 0 else []
     rows = [sheared(powers, slope) for powers in functions]
-    combined = [_combination(rows, row) for row in zero["pair"]]
+    combined = [_combination(rows, row) for row in given["pair"]]
     require(all(len(p) > 1 for p in combined), "a pair without s")
     first, second = combined
     require(any(len(p[-1]) == 1 for p in combined), "zeros at infinity")
     # the root
     whole = (box[1][0] + slope * box[0][0], box[1][1] + slope * box[0][1])
-    low, high = zero["at"]
+    low, high = given["at"]
     require_only_root(minimal, (low, high), whole)
     require(below > 0 and len(above) < len(minimal), "a parametrization that is not reduced")
     rest, times = subresultant(first, second, 0), 0
@@ -305,7 +306,7 @@ def check_single_zero(
         own = remainder_of(x, minimal) or [Fraction(0)]
         values = on_interval(own, low, high)
         require(least <= min(values) and max(values) <= most, "a zero that may be outside its region")
-    power = zero["power"]
+    power = given["power"]
     require(power > 0, "a power that is not positive")
     for p in combined:
         require(_is_divisible(p, above, power, minimal), "a power that does not divide")

@@ -9,9 +9,7 @@ from math import prod
 from typing import Any, TypeVar
 
 Found = TypeVar("Found")
-#: What data must look like: a function that reads one thing; `[form]` for any number of them, a tuple for one of each,
-#: and a dictionary for an object with these fields. Fields of other names are not read.
-Form = Callable[[Any], Any] | list[Any] | tuple[Any, ...] | dict[str, Any]
+Part = TypeVar("Part")
 
 
 class CertificateError(ValueError):
@@ -33,7 +31,7 @@ def require(condition: bool, flaw: str) -> None:
         raise CertificateError(flaw)
 
 
-def require_each_once(given: Sequence[tuple[int, ...]], lists: Sequence[Sequence[Any]], flaw: str) -> None:
+def require_each_once(given: Sequence[tuple[int, ...]], lists: Sequence[Sequence[object]], flaw: str) -> None:
     """Raise `CertificateError` with the flaw unless pairs of indices are those of two lists, each once.
 
     >>> require_each_once([(0, 1), (0, 0)], ["a", "bc"], "not every pair once")
@@ -41,7 +39,7 @@ def require_each_once(given: Sequence[tuple[int, ...]], lists: Sequence[Sequence
     require(len(given) == prod(map(len, lists)) and set(given) == set(product(*(range(len(x)) for x in lists))), flaw)
 
 
-def within(place: str | int, check: Callable[..., Found], *given: Any) -> Found:
+def within(place: str | int, check: Callable[..., Found], *given: object) -> Found:
     """What is found in a part of a certificate, the place of which its flaws name.
 
     >>> within("degree", count, 2)
@@ -53,7 +51,7 @@ def within(place: str | int, check: Callable[..., Found], *given: Any) -> Found:
         raise CertificateError(error.flaw, (place, *error.where)) from error
 
 
-def each(name: str, check: Callable[[Any], Found], given: Iterable[Any]) -> list[Found]:
+def each(name: str, check: Callable[[Part], Found], given: Iterable[Part]) -> list[Found]:
     """What is found in each part of a list that has this name.
 
     >>> each("points", fraction, ["0", "2/4"])
@@ -62,8 +60,11 @@ def each(name: str, check: Callable[[Any], Found], given: Iterable[Any]) -> list
     return [within(name, within, i, check, part) for i, part in enumerate(given)]
 
 
-def read(given: object, form: Form) -> Any:
+def read(given: object, form: object) -> Any:
     """Data in this form, its numbers as such. Raises `CertificateError` where it has another one.
+
+    A form is a function that reads one thing, `[form]` for any number of them, a tuple for one of each, or a dictionary
+    for an object with these fields; fields of other names are not read.
 
     >>> read({"at": "1/2", "signs": [-1, 1]}, {"at": fraction, "signs": (count, count)})
     {'at': Fraction(1, 2), 'signs': (-1, 1)}
@@ -71,25 +72,26 @@ def read(given: object, form: Form) -> Any:
     if isinstance(form, dict):
         fields: Any = given
         require(isinstance(given, Mapping), "not an object")
-        require(form.keys() <= fields.keys(), f"{', '.join(form.keys() - fields.keys())} is missing")
+        missing = [name for name in form if name not in fields]
+        require(not missing, f"{', '.join(missing)} is missing")
         return {name: within(name, read, fields[name], own) for name, own in form.items()}
     if callable(form):
         return form(given)
     if not isinstance(given, (list, tuple)):
         raise CertificateError("not a list")
-    forms = form * len(given) if isinstance(form, list) else form
+    forms: Any = form * len(given) if isinstance(form, list) else form
     require(len(given) == len(forms), f"a list of {len(given)}, where {len(forms)} are expected")
-    return type(form)(within(i, read, *pair) for i, pair in enumerate(zip(given, forms, strict=True)))
+    return type(forms)(within(i, read, *pair) for i, pair in enumerate(zip(given, forms, strict=True)))
 
 
-def one_of(name: str, forms: Mapping[str, dict[str, Any]]) -> Callable[[object], dict[str, Any]]:
+def one_of(name: str, forms: Mapping[str, Mapping[str, object]]) -> Callable[[object], object]:
     """A form that depends on the word in a field.
 
     >>> read({"by": "point", "at": "1"}, one_of("by", {"point": {"at": fraction}}))
     {'by': 'point', 'at': Fraction(1, 1)}
     """
 
-    def chosen(given: object) -> dict[str, Any]:
+    def chosen(given: object) -> object:
         word = read(given, {name: text})[name]
         require(word in forms, f"unknown {name}, none of {', '.join(forms)}")
         return {name: word, **read(given, forms[word])}
@@ -97,7 +99,7 @@ def one_of(name: str, forms: Mapping[str, dict[str, Any]]) -> Callable[[object],
     return chosen
 
 
-def optional(form: Form) -> Callable[[object], Any]:
+def optional(form: object) -> Callable[[object], object]:
     """A form of what may also be None.
 
     >>> read([None, 1], [optional(count)])

@@ -88,7 +88,7 @@ def _token(given: object) -> int | str:
     return given if isinstance(given, str) and given in (FIRST, SECOND, SIGN, *ACROSS) else count(given)
 
 
-CELL = {"box": REGION, "region": REGION, "zero": SINGLE_ZERO}
+CELL: dict[str, object] = {"box": REGION, "region": REGION, "zero": SINGLE_ZERO}
 MONIC = {"minimal": [integer], "factor": [[integer]], "below": integer, "power": count}
 PATCH = {
     "function": _net,

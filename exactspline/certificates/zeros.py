@@ -153,7 +153,7 @@ def product_of(p: Sequence[Number], q: Sequence[Number]) -> list[Number]:
     return found
 
 
-def isolated_zeros(c: list[int], proof: Mapping[str, Any]) -> list[Zero]:
+def isolated_zeros(c: list[int], proof: Mapping[str, object]) -> list[Zero]:
     """The zeros on [0, 1] of a form that is not zero, in ascending order, as `proof` shows (an `ISOLATION`): low, high,
     a polynomial that has the zero, multiplicity, signs.
     """

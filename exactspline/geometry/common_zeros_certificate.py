@@ -53,7 +53,7 @@ def common_zeros_certificate(functions: Sequence[TensorSpline], found: Sequence[
     return written(COMMON_ZEROS, on_each_patch(functions[0], proved))
 
 
-def on_each_patch(function: TensorSpline, proved: Callable[[tuple[int, int]], dict[str, Any]]) -> dict[str, object]:
+def on_each_patch(function: TensorSpline, proved: Callable[[tuple[int, int]], dict[str, object]]) -> dict[str, object]:
     """The knots in both directions, and what is proved of each patch between them, with its indices."""
     first, second = (range(len(mesh)) for mesh in function.meshes)
     return {

@@ -198,9 +198,7 @@ class _Subdivision:
             raise ReachError("a certificate of a singular point of a function of this degree", remedy=REMEDY)
         minimal = fmpz_poly(real(x).minimal_polynomial())
         whole = OverRoot.of(p, fmpq_poly(minimal))
-        factor, power = _part_at(whole, cell)
-        if vanish_at([across := lifted(self.others[1], 1)], x, y):
-            factor = factor.gcd(OverRoot.of(across, factor.modulus))
+        factor, power = _part_at(whole, cell, lifted(self.others[1], 1))
         others = divided_out(whole, factor), factor.derivative
         region, digits = Box(enclosing(x, 1), enclosing(y, 1)), 1
         while not (
@@ -237,10 +235,11 @@ def _denominator(p: OverRoot) -> int:
     return lcm(*(int(c.denom()) for c in p.coefficients))
 
 
-def _part_at(p: OverRoot, cell: Cell) -> tuple[OverRoot, int]:
+def _part_at(p: OverRoot, cell: Cell, lines: fmpz_mpoly) -> tuple[OverRoot, int]:
     """The monic polynomial whose zeros are those of the multiplicity that the point of a cell has, the only one on its
-    second side, and this multiplicity.
+    second side, and this multiplicity; where one of the lines runs through it, those zeros that are on lines.
     """
+    on_line = OverRoot.of(lines, p.modulus) if vanish_at([lines], *cell.zero.local) else OverRoot([], p.modulus)
     common, power = p.gcd(p.derivative), 1
     rest = p // common
     while True:
@@ -248,5 +247,5 @@ def _part_at(p: OverRoot, cell: Cell) -> tuple[OverRoot, int]:
         part = rest // following
         signs = [Column(fmpz_poly([]), part, 0).sign(cell.zero.local[0], end) for end in cell.box.second]
         if part.degree > 0 and signs[0] * signs[1] <= 0:
-            return part.gcd(OverRoot([], part.modulus)), power
+            return part.gcd(on_line), power
         rest, common, power = following, common // following, power + 1
