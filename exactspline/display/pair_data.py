@@ -91,7 +91,7 @@ def pair_sheet(data: Data, title: str) -> Sheet:
         for pair in distance["points"]:
             made.add_row("nearest", _shown(pair["first"]), _shown(pair["second"]), "", value)
         for arc in distance["everywhere"]:
-            made.add_row("nearest arc", *_sides_of(arc), "", value)
+            made.add_row("nearest arc", *_sides_of(arc), "", ", ".join(filter(None, (value, _map_of(arc)))))
     return made
 
 

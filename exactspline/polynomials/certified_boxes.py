@@ -17,7 +17,7 @@ from __future__ import annotations
 
 from collections import deque
 from collections.abc import Sequence
-from functools import partial
+from functools import partial, reduce
 from itertools import combinations, islice
 from typing import NamedTuple
 
@@ -296,8 +296,8 @@ def simplest(low: mpq, high: mpq) -> mpq:
     >>> simplest(mpq(31, 100), mpq(35, 100))
     mpq(1,3)
     """
-    whole = -((-low) // 1)
-    if whole <= high:
-        return mpq(whole)
-    base = low // 1
-    return base + 1 / simplest(1 / (high - base), 1 / (low - base))
+    terms = []
+    while (whole := -((-low) // 1)) > high:
+        terms.append(base := low // 1)
+        low, high = 1 / (high - base), 1 / (low - base)
+    return reduce(lambda x, base: base + 1 / x, reversed(terms), mpq(whole))

@@ -15,23 +15,24 @@ from exactspline.reals.real import Real
 
 
 class InBalls(Real):
-    """A number enclosed by ``ball(bits)``, a ball that shrinks as FLINT's precision increases; a named function, so
-    that the number can be pickled. The number is not known to be algebraic, so that comparisons raise `OpenError` if
-    they need too many digits.
+    """A number enclosed by ``ball(bits)``, a ball that shrinks as FLINT's precision increases. What enclosures do not
+    decide is asked of ``exactly()``, the same number as an algebraic one; without it, comparisons raise `OpenError` if
+    they need too many digits. Both are named functions, so that the number can be pickled.
     """
 
-    __slots__ = ("ball",)
+    __slots__ = ("ball", "exactly")
     ball: Callable[[int], arb]
+    exactly: Callable[[], Real] | None
 
-    def __init__(self, ball: Callable[[int], arb]) -> None:
-        fill(self, ball=ball, _exact=None, _isolating=None, _minimal=None)
+    def __init__(self, ball: Callable[[int], arb], exactly: Callable[[], Real] | None = None) -> None:
+        fill(self, ball=ball, exactly=exactly, _exact=None, _isolating=None, _minimal=None)
 
     def __reduce__(self) -> tuple[object, ...]:
-        return InBalls, (self.ball,)
+        return InBalls, (self.ball, self.exactly)
 
     def _enclosed(self, digits: int) -> Interval:
         bits, width = 10 * digits // 3 + 40, mpq(1, 10**digits)
-        while digits <= OPEN and bits < 8 * OPEN:
+        while self.exactly is not None or (digits <= OPEN and bits < 8 * OPEN):
             with ctx.workprec(bits):
                 ball = self.ball(bits)
             if ball.is_finite() and (ends := ball_ends(ball)).width <= width:
@@ -39,13 +40,10 @@ class InBalls(Real):
             bits *= 2
         raise OpenError(f"undecided at {digits} digits", remedy="use an enclosure")
 
-    def _against_number(self, t: mpq) -> int:
-        digits = 20
-        while True:
-            low, high = self._enclosed(digits)
-            if not low <= t <= high:
-                return 1 if low > t else -1
-            digits *= 2
-
     def _annihilator(self) -> fmpz_poly:
-        raise OpenError("this number is not known to be algebraic", remedy="use an enclosure (`enclosure`)")
+        if self.exactly is None:
+            raise OpenError("this number is not known to be algebraic", remedy="use an enclosure (`enclosure`)")
+        return self.exactly()._annihilator()
+
+    def _decided(self) -> mpq | None:
+        return super()._decided() if self.exactly is None else self.exactly().exact

@@ -218,8 +218,7 @@ def test_there_is_one_way_to_a_curvature():
 
 BARE_LISTS = {
     "geometry/at_knots.py: on_runs": "what belongs to some segments, joined with the points of the others",
-    "geometry/bisector/correspondence.py: border_pairs": "places of pairs on a border, steps of an answer",
-    "geometry/bisector/correspondence.py: nodes": "the same",
+    "geometry/bisector/correspondence.py: nodes": "places of pairs, steps of an answer",
     "geometry/bisector/components.py: LinePiece.poles": "its denominator does not vanish throughout",
     "geometry/bisector/cusps.py: cusps_of": "of a piece of a curve that moves",
     "geometry/facts.py: Facts.regular": "some of the roots given",

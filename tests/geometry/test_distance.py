@@ -1,5 +1,5 @@
-"""The distance of two curves: against dense samples, at ends, knots and inside, in space, and where it is not
-decided.
+"""The distance of two curves: against dense samples, at ends, knots and inside, in space, along arcs, near ties, and
+where it is not decided.
 """
 
 from random import Random
@@ -7,9 +7,11 @@ from random import Random
 import pytest
 from gmpy2 import mpq
 
-from exactspline import BSpline, Nurbs, distance, example
+from exactspline import BSpline, Nurbs, distance, example, nearest, square_root
 from exactspline.errors import ShapeError
 from exactspline.language import Vector
+from exactspline.polynomials.cost import Budget, drawing_on
+from tests.campaigns import distance as campaign
 from tests.support.bisector_oracle import bezier
 
 
@@ -54,13 +56,6 @@ def test_in_space():
     assert distance(bezier((0, 0, 0), (2, 2, 0)), bezier((0, 2, 3), (2, 0, 3))).squared == 9
 
 
-def test_parallel_segments_are_named_and_bounded():
-    found = distance(bezier((0, 0), (1, 0)), bezier((0, 1), (1, 1)))
-    assert found.squared == 1
-    assert found.left_out
-    assert mpq(99, 100) < found.lower <= 1
-
-
 def test_dimensions_must_agree():
     with pytest.raises(ShapeError, match="R3"):
         distance(example("circle"), example("twisted_cubic"))
@@ -96,3 +91,159 @@ def test_what_intersections_leave_out_is_left_out_of_the_distance():
     found = distance(Nurbs(4, [0] * 5 + [1] * 4 + [2] * 5, more), again)
     assert (found.value, found.lower) == (0, 0)
     assert found.left_out
+
+
+# ---- arcs of pairs at one distance
+
+T = BSpline.identity(0, 1)
+CIRCLE = example("circle")
+
+
+def polynomial(*coordinates):
+    return Nurbs.from_splines(Vector(*(T * 0 + x for x in coordinates)), T.constant(1))
+
+
+def scaled(x, y=None):
+    """The unit circle as a circle, or as an ellipse."""
+    return CIRCLE.transform([[x, 0, 0], [0, x if y is None else y, 0]])
+
+
+def in_space(curve, *heights):
+    return Nurbs(
+        curve.degree, curve.knots, [(*p, z) for p, z in zip(curve.control_points, heights, strict=True)], curve.weights
+    )
+
+
+PARABOLA = polynomial(2 * T - 1, (2 * T - 1) * (2 * T - 1))
+#: A cubic whose tangent has a rational length: its derivative is (1 − t², 2t).
+CUBIC = (T - T * T * T.scaled(mpq(1, 3)), T * T)
+SPEED = T * T + 1
+OFFSET = Nurbs.from_splines(
+    Vector(CUBIC[0] * SPEED - T, CUBIC[1] * SPEED + (1 - T * T).scaled(mpq(1, 2))), SPEED
+)  # by 1/2
+
+
+def at_start(t, curve):
+    """The seam of a closed curve is its start."""
+    return curve.domain.low if curve.closed and t == curve.domain.high else t
+
+
+@pytest.mark.parametrize(("first", "second", "squared", "arcs"), [
+    (bezier((0, 0), (1, 0)), bezier((0, 1), (1, 1)), 1, [("0", "1", "0", "1")]),
+    (bezier((0, 0), (1, 0)), bezier((3, 2), ("1/2", 2)), 4, [("1", "1/2", "4/5", "1")]),
+    (bezier((0, 0), (1, 0)), bezier((2, 1), (3, 1)), 2, []),
+    (bezier((0, 0), (1, 0)), bezier((1, 1), (2, 1)), 1, []),
+    (polynomial(4 * T * (1 - T), 0), polynomial(T, 1), 1, [("0", "1/2", "0", "1"), ("1", "1/2", "0", "1")]),
+    (polynomial((2 * T - 1) * (2 * T - 1), 0), polynomial(mpq(1, 9) - (2 * T - 1) * (2 * T - 1), 1), 1,
+     [("1/2", "1/3", "1/3", "1/2"), ("1/3", "1/2", "1/2", "2/3"), ("1/2", "2/3", "1/3", "1/2"),
+      ("2/3", "1/2", "1/2", "2/3")]),
+    (CIRCLE, scaled(2), 1, [(str(k), str(k + 1), str(k), str(k + 1)) for k in range(4)]),
+    (polynomial(*CUBIC), OFFSET, mpq(1, 4), [("0", "1", "0", "1")]),
+    (in_space(CIRCLE, *[0] * 9), bezier((0, 0, -1), (0, 0, 2)), 1,
+     [(str(k), str(k + 1), "1/3", "1/3") for k in range(4)]),
+    (bezier((0, 0, 0), (0, 0, 8)), in_space(CIRCLE, *range(9)), 1,
+     [(str(mpq(k, 4)), str(mpq(k + 1, 4)), str(k), str(k + 1)) for k in range(4)]),
+], ids=["parallel", "antiparallel", "beside", "one pair", "to and fro", "a loop of pairs", "circles", "offset",
+        "an axis", "around an axis"])  # fmt: skip
+def test_curves_that_run_beside_each_other(first, second, squared, arcs):
+    """False before: undecided, for parallel segments, circles about one point, offsets; for a circle and its axis,
+    where one derivative vanishes throughout, "these five pairs" and no arc.
+    """
+    found = distance(first, second)
+    assert (found.squared, found.left_out, found.lower) == (squared, (), None)
+    assert sorted(arcs_of(found)) == sorted(arcs)
+    ends = [pair for arc in found.everywhere for pair in zip(arc.first, arc.second, strict=True)]
+    pairs = {(str(p.first), str(p.second)) for p in found.pairs}
+    assert {tuple(str(at_start(t, c)) for t, c in zip(pair, (first, second), strict=True)) for pair in ends} <= pairs
+    assert not campaign.difference((first, second), {}, Random(1))
+
+
+def test_circles_whose_radii_have_an_irrational_ratio():
+    """The common factor is of degree 2 in both parameters, and another branch of it is at the distance √2 + 1."""
+    found = distance(CIRCLE, CIRCLE.transform([[1, -1, 0], [1, 1, 0]]))
+    assert found.value == square_root(2) - 1
+    assert len(found.everywhere) == len(found.pairs) == 8
+    assert found.everywhere[0].first[0].minimal_polynomial() == [-1, 2, 1]
+    assert not found.left_out
+
+
+def test_the_map_along_an_arc():
+    (arc,) = distance(bezier((0, 0), (1, 0)), bezier((3, 2), ("1/2", 2))).everywhere
+    assert (arc.numerator, arc.denominator, arc.of_second, arc.reversed) == ((6, -5), (2,), False, True)  # s = 3 − 5t/2
+
+
+# ---- near ties, exact numbers
+
+
+@pytest.mark.parametrize("digits", [None, 20, 50, 100, 400])
+def test_the_distance_of_a_curve_that_is_a_point_is_that_of_nearest(digits):
+    """False before: two pairs at 10⁻⁵⁰ and less beside the axis of a parabola, where `nearest` has one point."""
+    point = (0 if digits is None else mpq(1, 10**digits), 2)
+    near = nearest(PARABOLA, point)
+    assert len(near) == (2 if digits is None else 1)
+    for found in (distance(PARABOLA, bezier(point, point)), distance(PARABOLA, bezier(point, (point[0], 9)))):
+        assert found.squared == near[0].squared
+        assert {p.first for p in found.pairs} == {p.parameter for p in near}
+
+
+@pytest.mark.parametrize(("by", "count"), [(0, 2), (mpq(1, 10**60), 1), (mpq(-1, 10**300), 1)])
+def test_ties_of_critical_pairs_are_decided(by, count):
+    """False before: 48 digits decided."""
+    cup = bezier((-3, 3), (0, -3), (3, 3)).transform([[1, 0, by], [0, 1, 0]])
+    found = distance(bezier((-3, 1), (0, -5), (3, 1)), cup)
+    assert len(found.pairs) == count
+    assert not found.left_out
+
+
+@pytest.mark.parametrize("digits", [10, 250, 300])
+def test_a_critical_pair_next_to_a_knot(digits):
+    """Before: `ZeroDivisionError` from 250 digits on."""
+    e = mpq(1, 10**digits)
+    part = PARABOLA.restrict(0, mpq(1, 2) + e)
+    found = distance(bezier((-1, -1), (1, -1)), part)
+    assert [(p.first.exact, p.second.exact) for p in found.pairs] == [(mpq(1, 2), mpq(1, 2))]
+    assert found.squared == 1
+
+
+def test_distances_are_exact_numbers():
+    """Before: `OpenError`, "not known to be algebraic"."""
+    found = distance(scaled(2, 1), scaled(3, 2))
+    assert len(found.pairs) == 4
+    assert all(p.squared == mpq(14, 15) for p in found.pairs)
+    assert (found.squared.exact, found.value) == (mpq(14, 15), square_root("14/15"))
+    assert found.pairs[0].first.exact is None
+    assert len(found.pairs[0].first.minimal_polynomial()) > 2
+    assert len({hash(p) for p in found.pairs}) == 4
+
+
+def test_both_points_at_a_jump_count():
+    """False before: √2, since the point before the jump was no end."""
+    jump = Nurbs(1, [0, 0, 1, 1, 2, 2], [(0, 0), (1, 0), (5, 5), (6, 5)])
+    assert distance(jump, bezier((2, -1), (2, 1))).squared == 1
+
+
+def test_knots_on_an_arc_are_no_pairs():
+    """False before: of a half circle around a point the knot in the middle was a pair beside the arc."""
+    found = distance(CIRCLE.restrict(0, 2), bezier((0, 0), (0, 0)))
+    assert {p.first for p in found.pairs} == {0, 2}
+    assert arcs_of(found) == [("0", "2", "0", "1")]
+
+
+def test_what_takes_too_long_is_named_and_bounded():
+    with drawing_on(Budget(10)):
+        found = distance(bezier((-1, 0), (0, 2), (1, 0)), bezier((-1, 3), (0, 2), (1, 3)))
+    assert found.left_out
+    assert 0 < found.lower <= found.squared
+
+
+def test_a_sample_of_the_campaign():
+    result = campaign.run(12, 300)
+    assert (result["differences"], result["left out"]) == ([], {})
+
+
+def test_the_campaign_notices_what_is_wrong(monkeypatch):
+    one = bezier((0, 0), (0, 9))
+    right = distance(PARABOLA, bezier((0, 2), (0, 2)))
+    monkeypatch.setattr(campaign, "distance", lambda *curves: type(right)(right.pairs[:1], everywhere=right.everywhere))
+    assert campaign.difference((PARABOLA, bezier((0, 2), (0, 2))), {"point": 1}, Random(1))
+    assert campaign.difference((PARABOLA, one), {"symmetric": True}, Random(1))

@@ -535,9 +535,10 @@ def test_significant_digits_are_certain(top, power, digits, sign, shift):
 
 
 def test_a_ball_is_not_told_from_what_it_may_be():
-    """1/2 is neither above nor below itself."""
+    """1/2 is neither above nor below itself; that a ball around it is 1/2 is proved where it has no radius alone."""
     half = mpq(1, 2)
     with pytest.raises(OpenError, match="undecided at"):
-        InBalls(lambda bits: arb("0.5")) > half  # noqa: B015
+        InBalls(lambda bits: arb("0.5", arb((1, -bits)))) > half  # noqa: B015
+    assert InBalls(lambda bits: arb("0.5")) == half
     for other, sign in ((mpq(1, 2) + mpq(1, 10**30), -1), (mpq(1, 2) - mpq(1, 10**30), 1), (mpq(0), 1), (mpq(1), -1)):
         assert (InBalls(lambda bits: arb("0.5")) - other).sign == sign

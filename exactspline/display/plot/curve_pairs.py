@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from exactspline.display.plot.canvas import BLACK, GREEN, VERMILLION, draw, legend_below, new_figure, parameter
 from exactspline.display.plot.curves import plot_curve
 from exactspline.geometry.curve_pair import CurvePair
+from exactspline.geometry.intersections import Overlap
 from exactspline.numbers.exact import mpq
 from exactspline.reals.real import Real
 
@@ -19,8 +21,8 @@ SAMPLES = 60
 
 
 def pair_figure(pair: CurvePair) -> Figure:
-    """A figure with the curves on the left, and on the right the rectangle of their parameters: common points, common
-    arcs, and, if there are none, the nearest pairs.
+    """A figure with the curves on the left, and on the right the rectangle of their parameters: common points and
+    arcs, and, if there are none, the nearest pairs and arcs of such pairs.
 
     >>> from exactspline import Nurbs, example
     >>> pair = CurvePair(example("circle"), Nurbs(1, [0, 0, 1, 1], [(0, 0), (2, 0)]))
@@ -33,11 +35,10 @@ def pair_figure(pair: CurvePair) -> Figure:
     for curve, color in zip(pair.curves, (BLACK, GREEN), strict=True):
         plot_curve(curve, place, control_polygon=False, knots=False, color=color)
     rectangle = figure.add_subplot(1, 2, 2)
-    _draw_rectangle(pair, rectangle)
-    points = [(p.first, p.second) for p in pair.intersections]
-    if not points and not pair.intersections.everywhere:
-        points = [(p.first, p.second) for p in pair.distance.pairs]
-    for s, t in points:
+    common = pair.intersections
+    meet = common.points or common.everywhere
+    _draw_rectangle(pair, (common if meet else pair.distance).everywhere, rectangle)
+    for s, t in [(p.first, p.second) for p in (common.points if meet else pair.distance.pairs)]:
         at = [_number(s, pair, 0), _number(t, pair, 1)]
         draw(rectangle, [at], "o", color=VERMILLION)
         draw(place, [curve(x) for curve, x in zip(pair.curves, at, strict=True)], "o-", color=VERMILLION)
@@ -45,14 +46,14 @@ def pair_figure(pair: CurvePair) -> Figure:
     return figure
 
 
-def _draw_rectangle(pair: CurvePair, ax: Axes) -> None:
+def _draw_rectangle(pair: CurvePair, arcs: Sequence[Overlap], ax: Axes) -> None:
     (a, b), (c, d) = (curve.domain for curve in pair.curves)
     draw(ax, [(a, c), (b, c), (b, d), (a, d), (a, c)], color=BLACK, linewidth=1)
     for k, curve in enumerate(pair.curves):
         for t in curve.breakpoints[1:-1]:
             ends = [(t, c), (t, d)] if k == 0 else [(a, t), (b, t)]
             draw(ax, ends, color="lightgrey", linewidth=0.7)
-    for arc in pair.intersections.everywhere:
+    for arc in arcs:
         first, second = ([_number(x, pair, k) for x in ends] for k, ends in enumerate((arc.first, arc.second)))
         draw(ax, _along(arc.numerator, arc.denominator, arc.of_second, first, second), color=VERMILLION, linewidth=2)
     ax.set_xlabel("s")

@@ -74,18 +74,6 @@ def branches(g: fmpz_mpoly, sides: Box) -> list[Branch]:
     return branches_of_equation
 
 
-def border_pairs(g: fmpz_mpoly, sides: Box) -> list[Place]:
-    """The pairs of an equation on the border of a rectangle, each once."""
-    pairs: list[Place] = []
-    for variable in (0, 1):
-        for value in sides[variable]:
-            for root in roots_in(at(g, variable, value), *sides[1 - variable]):
-                place = (value, exactly(root)) if variable == 0 else (exactly(root), value)
-                if place not in pairs:
-                    pairs.append(place)
-    return pairs
-
-
 def nodes(g: fmpz_mpoly, sides: Box) -> list[Place]:
     """The singular pairs of an irreducible equation that need not be limits of branches: where the Hessian is negative
     two branches cross. Raises `ReachError` where this would take too long.

@@ -28,7 +28,7 @@ from exactspline.geometry.bisector.components import (
     Solutions,
     SpecialPairs,
 )
-from exactspline.geometry.bisector.correspondence import border_pairs, branches, graph_intervals, nodes
+from exactspline.geometry.bisector.correspondence import branches, graph_intervals, nodes
 from exactspline.geometry.bisector.cusps import cusps_of, lines_at, over_both_cusps, over_cusps, standing
 from exactspline.geometry.bisector.flats import ALL
 from exactspline.geometry.bisector.lines import ONE, PARAMETER, Path, constant, lines_along
@@ -43,6 +43,7 @@ from exactspline.numbers.sides import Side
 from exactspline.polynomials.cost import Budget, drawing_on
 from exactspline.polynomials.factors import greatest_common_divisor
 from exactspline.polynomials.two_parameters import as_form, in_one, lifted, rows_of
+from exactspline.roots.monotone_arcs import border_pairs
 from exactspline.roots.of_polynomials import Parameter, Place, as_splines, exactly, roots_in
 from exactspline.roots.root import Root
 from exactspline.roots.vanishing import vanish_at
