@@ -220,9 +220,9 @@ def truncated(made: bytes) -> bytes:
 
 
 def flipped(made: bytes) -> bytes:
-    """A file with a bit in each of its 64 parts changed."""
+    """A file behind whose header a bit of every 61st byte is changed."""
     changed = bytearray(made)
-    for k in range(32, len(made), len(made) // 64):
+    for k in range(1024, len(made), 61):
         changed[k] ^= 4
     return bytes(changed)
 
