@@ -469,7 +469,10 @@ class Claim(Immutable, Displayed):
 
     def part_tried(self, own: Evaluation) -> Evidence | None:
         """Which part of all arguments with a curve is tried in a check; None where it is all of them."""
-        return None if self.tries_all else own.given(self.curve).part
+        given = own.given(self.curve)
+        # h of a hodograph is the weight function here, which is positive: signs and zeros may be others for another h
+        part = given.part or (given.beside if self.asks_for_zeros else None)
+        return None if self.tries_all else part
 
     @property
     def compared(self) -> list[Formula]:

@@ -91,3 +91,14 @@ def test_a_segment_is_the_curve():
         for order in range(3):
             value = x.d(order).top(*[to_fmpq(t)])
             assert str(value) == str(to_fmpq(curve.p[0].d(order)(segment.low + t)))
+
+
+def test_a_sign_beside_a_hodograph_is_not_that_of_one_factor(tmp_path):
+    """h > 0 was VERIFIED "on all of the curve", with the weight function for h, which is any function."""
+    head = "[common]\nstatus = 'ours'\nplace = 'e'\nstatement = 's'\nid = '1'\n"
+    claim = {"kind": "sign", "curve": "hodograph", "formula": "factor", "sign": "> 0"}
+    text = "@formula('e', on='hodograph')\ndef factor(c):\n    return c.h\n"
+    (own,) = claims_of(load_paper(written(tmp_path / "h", text, [claim], head)))
+    found = own.check(example("rational_cubic"))
+    assert found.verdict == "UNDECIDED"
+    assert "u, v and h" in str(found.witness)
