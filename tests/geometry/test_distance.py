@@ -177,7 +177,7 @@ def test_the_map_along_an_arc():
 
 @pytest.mark.parametrize("digits", [None, 20, 50, 100, 400])
 def test_the_distance_of_a_curve_that_is_a_point_is_that_of_nearest(digits):
-    """False before: two pairs at 10⁻⁵⁰ and less beside the axis of a parabola, where `nearest` has one point."""
+    """A law: near the axis of a parabola, and on it. (What was false before are ties of critical pairs, below.)"""
     point = (0 if digits is None else mpq(1, 10**digits), 2)
     near = nearest(PARABOLA, point)
     assert len(near) == (2 if digits is None else 1)
