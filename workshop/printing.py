@@ -7,6 +7,7 @@ import json
 import sys
 from collections.abc import Callable, Mapping, Sequence
 
+from exactspline.cli.output import to_stderr
 from exactspline.display import console
 from exactspline.display.sheet import Sheet, csv_of
 from exactspline.errors import ExactSplineError
@@ -46,5 +47,5 @@ def ended(run: Callable[[], int]) -> int:
     try:
         return run()
     except ExactSplineError as error:
-        console.show_error(error)
+        to_stderr(f"error: {error}")
         return 2

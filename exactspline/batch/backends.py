@@ -156,16 +156,16 @@ def _window(first: list[T], groups: Iterator[list[T]], most: int) -> Iterator[li
 @contextmanager
 def _interrupts_ignored() -> Iterator[None]:
     """Start processes that ignore Ctrl-C, which the terminal sends to all: this process ends the sweep in an orderly
-    way. Child processes inherit the ignored signal.
+    way. Child processes inherit that the signal is blocked; here it is served afterwards.
     """
-    if threading.current_thread() is not threading.main_thread():
+    if threading.current_thread() is not threading.main_thread() or not hasattr(signal, "pthread_sigmask"):
         yield
         return
-    before = signal.signal(signal.SIGINT, signal.SIG_IGN)
+    before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
     try:
         yield
     finally:
-        signal.signal(signal.SIGINT, before)
+        signal.pthread_sigmask(signal.SIG_SETMASK, before)
 
 
 def _taken(results: Iterator[list[V]], closed: threading.Event) -> Iterator[V]:

@@ -1,4 +1,6 @@
-"""The command line. Exit status 0: everything as recorded; 1: a verdict differs from the record; 2: bad input."""
+"""The command line. Exit status 0: everything as recorded; 1: a verdict differs from the record; 2: bad input; 130:
+Ctrl-C.
+"""
 
 from __future__ import annotations
 
@@ -9,7 +11,7 @@ from importlib import import_module
 import click
 
 from exactspline.cli.commands import COMMANDS, DIFFERS, Entry
-from exactspline.cli.output import guard_output
+from exactspline.cli.output import INTERRUPTED, guard_output, to_stderr
 from exactspline.errors import ExactSplineError, command_name
 
 #: This many new objects before Python looks for unused cycles among them: what a command makes mostly stays to its end.
@@ -165,15 +167,13 @@ def main() -> None:
         error.show()
         sys.exit(2)
     except (ExactSplineError, click.UsageError) as error:
-        from exactspline.display.console import show_error
-
-        show_error(_usage_message(error) if isinstance(error, click.UsageError) else error)
+        to_stderr(f"error: {_usage_message(error) if isinstance(error, click.UsageError) else error}")
         sys.exit(2)
-    except click.Abort:
-        sys.stderr.write("interrupted\n")
-        sys.exit(1)
+    except (click.Abort, KeyboardInterrupt):
+        to_stderr("interrupted")
+        sys.exit(INTERRUPTED)
     except OSError as error:
         # what could not be written must not be tried again when Python closes its files
         sys.stdout = None  # Python itself sets it so where there is none
-        sys.stderr.write(f"error: the output cannot be written ({error.strerror})\n")
+        to_stderr(f"error: the output cannot be written ({error.strerror})")
         sys.exit(2)

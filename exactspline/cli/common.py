@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-import sys
 from collections import Counter
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, TypeVar
 
-from exactspline.cli.output import OptionsError, is_quiet, leave_out
+from exactspline.cli.output import OptionsError, is_quiet, leave_out, to_stderr
 from exactspline.cli.parameters import Option
 from exactspline.errors import ClaimError, CurveFileError, ExactSplineError, NumberError, command_name, counted
 from exactspline.numbers.exact import rational
@@ -119,14 +118,12 @@ def read_curves(given: Iterable[tuple[str, Reading]], good: bool) -> tuple[list[
 
 def each_read(names: Iterable[G], read: Callable[[G], V]) -> tuple[list[V], bool]:
     """What can be read, and whether all could: what is bad is reported, and the rest is read."""
-    from exactspline.display.console import show_error
-
     found, good = list[V](), True
     for name in names:
         try:
             found.append(read(name))
         except ExactSplineError as error:
-            show_error(error)
+            to_stderr(f"error: {error}")
             good = False
     return found, good
 
@@ -180,14 +177,15 @@ def tell_notes(reading: Reading, *, curves: bool = True) -> None:
     """
     if is_quiet():
         return
-    sys.stderr.writelines(f"note: {note}\n" for note in reading.notes)
+    for note in reading.notes:
+        to_stderr(f"note: {note}")
     about: dict[str, list[str]] = {}
     for named in reading.curves if curves else ():
         for note in named.notes:
             about.setdefault(note, []).append(named.name)
     for note, names in about.items():
         which = names[0] if len(names) == 1 else counted(len(names), "curve")
-        sys.stderr.write(f"note: {which}: {note}\n")
+        to_stderr(f"note: {which}: {note}")
 
 
 def tell_skipped(reading: Reading, name: str, *, surfaces: bool = True) -> None:
@@ -198,14 +196,14 @@ def tell_skipped(reading: Reading, name: str, *, surfaces: bool = True) -> None:
     if reading.surfaces and surfaces:
         leave_out()
         number = counted(len(reading.surfaces), "surface")
-        sys.stderr.write(f"skipped: {source}: {number}: --surfaces takes these instead\n")
+        to_stderr(f"skipped: {source}: {number}: --surfaces takes these instead")
     if reading.skipped:
         leave_out()
     places: dict[tuple[str, str], list[str]] = {}
     for skipped in reading.skipped:
         places.setdefault((skipped.what, skipped.why), []).append(skipped.where)
     for (what, why), found in places.items():
-        sys.stderr.write(f"skipped: {source}: {_placed(what, found)}: {why}\n")
+        to_stderr(f"skipped: {source}: {_placed(what, found)}: {why}")
 
 
 #: How many places are named of what is skipped for one reason.
@@ -223,7 +221,7 @@ def _placed(what: str, places: list[str]) -> str:
 def tell_written(path: str) -> None:
     """Say on standard error which file was written."""
     if path and not is_quiet():
-        sys.stderr.write(f"written: {path}\n")
+        to_stderr(f"written: {path}")
 
 
 def tell_how_surfaces_are_drawn() -> None:
@@ -231,7 +229,7 @@ def tell_how_surfaces_are_drawn() -> None:
     from exactspline.display.plot.depth import REMARK, knows_depth
 
     if not knows_depth() and not is_quiet():
-        sys.stderr.write(f"{REMARK}\n")
+        to_stderr(REMARK)
 
 
 def also_in_their_planes(curves: list[Nurbs]) -> list[Nurbs]:

@@ -16,7 +16,7 @@ from exactspline.cli.common import (
     tell_notes,
     tell_skipped,
 )
-from exactspline.cli.output import OptionsError, Output, leave_out, printing
+from exactspline.cli.output import OptionsError, Output, leave_out, printing, to_stderr
 from exactspline.cli.parameters import Argument, Exit, Option
 from exactspline.cli.surfaces import surfaces_in
 from exactspline.display.data import picked
@@ -165,7 +165,7 @@ def _repaired(named: NamedCurve | NurbsSurface, snap: str, epsilon: str) -> Snap
             return snapped(named.curve, kinds, epsilon or None)
         except ShapeError as error:
             leave_out()
-            sys.stderr.write(f"not replaced: {named.name}: {error}\n")
+            to_stderr(f"not replaced: {named.name}: {error}")
     return Snapped(named.curve, (), ())
 
 
@@ -228,5 +228,5 @@ def _cell(value: object) -> object:
 def _report(out: Output, notes: list[str], summary: str) -> None:
     """The outcome, on standard error, since standard output may hold the curves."""
     if not out.quiet:
-        sys.stderr.writelines(f"note: {note}\n" for note in notes)
-        sys.stderr.write(f"{summary}\n")
+        for line in (*(f"note: {note}" for note in notes), summary):
+            to_stderr(line)

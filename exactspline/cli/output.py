@@ -36,6 +36,19 @@ class _State:
     left_out = False
 
 
+#: The exit status after Ctrl-C, as shells have it: 128 and the number of the signal.
+INTERRUPTED = 130
+
+
+def to_stderr(line: str) -> None:
+    """Write a line to standard error: the only place that does, since a line may hold names from files, whose control
+    characters must not reach the terminal.
+    """
+    from exactspline.display.wrapping import visible
+
+    sys.stderr.write(visible(line).replace("\n", "\\n") + "\n")
+
+
 def is_quiet() -> bool:
     """Whether only the result is to be printed."""
     return _State.quiet

@@ -48,7 +48,11 @@ def ticking(label: str, total: int) -> Iterator[Callable[[], None]]:
         if shown is None:
             yield lambda: None
             return
-        task = shown.add_task(label, total=total)
+        from rich.markup import escape
+
+        from exactspline.display.wrapping import visible
+
+        task = shown.add_task(escape(visible(label)), total=total)
         yield lambda: shown.advance(task)
 
 

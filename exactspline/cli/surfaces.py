@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-import sys
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from exactspline.cli.common import each_read, only_one, reading_of, tell_notes, tell_skipped, tell_written
-from exactspline.cli.output import OptionsError, Output, leave_out
+from exactspline.cli.output import OptionsError, Output, leave_out, to_stderr
 from exactspline.cli.parameters import Exit
 from exactspline.errors import CurveFileError, counted
 
@@ -43,7 +42,7 @@ def surfaces_in(name: str, reading: Reading, why: str = "without --surfaces thes
     """The surfaces of a file; what else is in it is named on standard error."""
     if reading.curves:
         leave_out()
-        sys.stderr.write(f"skipped: {name}: {counted(len(reading.curves), 'curve')}: {why}\n")
+        to_stderr(f"skipped: {name}: {counted(len(reading.curves), 'curve')}: {why}")
     tell_skipped(reading, name, surfaces=False)
     tell_notes(reading, curves=False)
     return reading.surfaces

@@ -5,6 +5,7 @@ from __future__ import annotations
 import logging
 import signal
 import sys
+import threading
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
@@ -12,7 +13,7 @@ from time import monotonic
 from typing import TYPE_CHECKING, Annotated
 
 from exactspline.cli.common import Approximate, check_approximate, with_distance
-from exactspline.cli.output import OptionsError, Output, leave_out, printing
+from exactspline.cli.output import INTERRUPTED, OptionsError, Output, leave_out, printing, to_stderr
 from exactspline.cli.parameters import Argument, Exit, Option
 from exactspline.cli.progress import bar
 from exactspline.display.sheet import Sheet
@@ -23,7 +24,6 @@ if TYPE_CHECKING:
     from exactspline.batch.lines import Line
     from exactspline.batch.summary import Summary
 
-INTERRUPTED = 130
 Tick = Callable[[float, "Line", bool], None]
 
 
@@ -160,14 +160,14 @@ def sweep(
     families = frozenset(str(source) for source in sources if isinstance(source, Family))
     summary, where, to_stdout = Summary(families), Where(backend, jobs, scheduler), output == "-"
     start = monotonic()
-    with _interruptible() as stopped:
+    with _interruptible(jobs > 1) as stopped:
         with _progress() as tick:
             reported = _printing(tick) if to_stdout else tick
             recorded(sources, work, where, "" if to_stdout else output, summary, reported, stopped, taken)
         interrupted = stopped()
     if interrupted:
         goes_on = f"; the same command continues after them in {output}" if output and not to_stdout else ""
-        sys.stderr.write(f"interrupted after {counted(summary.lines, 'surface' if surfaces else 'curve')}{goes_on}\n")
+        to_stderr(f"interrupted after {counted(summary.lines, 'surface' if surfaces else 'curve')}{goes_on}")
         raise Exit(INTERRUPTED)
     if not to_stdout:
         seconds = monotonic() - start
@@ -208,18 +208,20 @@ def _printing(tick: Tick) -> Tick:
 
 
 @contextmanager
-def _interruptible() -> Iterator[Callable[[], bool]]:
-    """Ctrl-C once: the curves in progress are finished and written; twice: they are dropped, and computed when the
-    sweep continues.
+def _interruptible(several: bool) -> Iterator[Callable[[], bool]]:
+    """Ctrl-C once: the curve in progress is finished and written; twice, or where `several` processes have many of
+    them: what is in progress is dropped, and computed when the sweep continues.
     """
     presses = 0
 
     def pressed(*_: object) -> None:
         nonlocal presses
         presses += 1
-        if presses > 1:
+        if presses > 1 or several:
+            threading.excepthook = lambda _: None  # the threads that watch over the processes would report their end
             raise KeyboardInterrupt
-        sys.stderr.write("\nfinishing the curves in progress; press Ctrl-C again to drop them\n")
+        to_stderr("")
+        to_stderr("finishing the curves in progress; press Ctrl-C again to drop them")
 
     try:
         before = signal.signal(signal.SIGINT, pressed)
@@ -229,7 +231,7 @@ def _interruptible() -> Iterator[Callable[[], bool]]:
     try:
         yield lambda: presses > 0
     except KeyboardInterrupt:
-        sys.stderr.write("interrupted; what has been written is kept\n")
+        to_stderr("interrupted; what has been written is kept")
         raise Exit(INTERRUPTED) from None
     finally:
         signal.signal(signal.SIGINT, before)

@@ -10,7 +10,7 @@ from rich.console import Console
 from rich.text import Text
 
 from exactspline.display.sheet import PIPE
-from exactspline.display.wrapping import hanging, visible
+from exactspline.display.wrapping import hanging
 
 #: The smallest width that is assumed of a terminal.
 NARROWEST = 20
@@ -63,8 +63,3 @@ def legend(out: Console, words: Iterable[str]) -> None:
         out.print()
     for term, meaning in explanations:
         lines(out, f"{term}: {meaning}")
-
-
-def show_error(error: object) -> None:
-    """Print an error as one line on standard error."""
-    Console(stderr=True, highlight=False, emoji=False, soft_wrap=True).print(visible(f"error: {error}"), markup=False)

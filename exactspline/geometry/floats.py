@@ -95,8 +95,9 @@ def at_floats(
     side: str = "right",
 ) -> list[tuple[float, ...]]:
     """The points (of `order` k: the k-th derivatives) at many parameters, every coordinate the correctly rounded
-    double: ``nearest``, ``down`` or ``up``, infinite beyond the largest. A float among the parameters counts with its
-    binary value; where that is outside the domain, the double nearest to an end is this end.
+    double: ``nearest``, ``down`` or ``up``, beyond the largest as IEEE 754 rounds: infinite, or towards zero the
+    largest. A float among the parameters counts with its binary value; where that is outside the domain, the double
+    nearest to an end is this end.
 
     >>> from exactspline import example
     >>> at_floats(example("circle"), [0.5, "1/3"])
@@ -152,7 +153,7 @@ def curvature_floats(
 
 
 def _rounded(x: mpq | Real, rounding: str) -> float:
-    """The double as IEEE 754 rounds, infinite beyond the largest: one overflow does not end the others."""
+    """The double as IEEE 754 rounds, also beyond the largest: one overflow does not end the others."""
     try:
         return x.double(rounding) if isinstance(x, Real) else double(x, rounding)
     except OverflowError:

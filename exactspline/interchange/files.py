@@ -22,6 +22,7 @@ from exactspline.errors import (
     nearest,
     written,
 )
+from exactspline.interchange import own_json
 from exactspline.interchange.examples import example_text, examples
 from exactspline.interchange.format import Format
 from exactspline.interchange.formats import FORMATS
@@ -196,7 +197,9 @@ def _by_suffix(path: str) -> Format:
 
 def _recognized(data: bytes, name: str) -> Format:
     head, suffix = data[:HEAD], Path(name).suffix.lower()
-    for known in FORMATS:
+    # a name in JSON may look like another format: <svg …, [OBJECT …
+    in_json = own_json.looks_like(head)
+    for known in (each for each in FORMATS if not in_json or ".json" in each.suffixes):
         # text that begins with a brace is not necessarily JSON: if the suffix belongs to another format, that one reads
         # it
         braced = known.suffixes == (".json",) and suffix != ".json" and any(suffix in each.suffixes for each in FORMATS)

@@ -279,7 +279,7 @@ def _one_of(low: float, high: float, sign_above: Callable[[mpq], int], rounding:
 
 
 def _rounded(value: mpq, rounding: Rounding) -> float:
-    """The rounded double, infinite beyond the largest double."""
+    """The rounded double; beyond the largest one infinite, or towards zero the largest."""
     try:
         double_value = int(value.numerator) / int(value.denominator)
     except OverflowError:

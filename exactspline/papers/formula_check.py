@@ -100,6 +100,9 @@ def formulas_of(text: str, file: str, known: Mapping[str, Formula], *, plain: bo
     """
     try:
         return _run(_parsed(text, file), file, known, plain)
+    except SyntaxError as error:  # of the parser, or of the compiler, which refuses more: f(a, a), g(by=s, by=s)
+        where = f"{file}, line {error.lineno}"
+        raise FormulaError(f"not Python:  {error.msg}", where=where, remedy="correct the syntax") from None
     except (RecursionError, MemoryError):
         raise FormulaError("an expression nested too deeply", where=file, remedy="assign its parts to names") from None
 
@@ -109,10 +112,6 @@ def _parsed(text: str, file: str) -> ast.Module:
         raise FormulaError(counted(len(text), "character"), where=file, remedy=f"at most {CHARACTERS} are read")
     try:
         return ast.parse(text, file)
-    except SyntaxError as error:
-        raise FormulaError(
-            f"not Python:  {error.msg}", where=f"{file}, line {error.lineno}", remedy="correct the syntax"
-        ) from None
     except ValueError as error:
         raise FormulaError(f"not Python:  {error}", where=file, remedy="write a text file in UTF-8") from None
 

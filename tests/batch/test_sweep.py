@@ -363,8 +363,8 @@ def test_parquet_in_parts_goes_on_behind_the_last_one(tmp_path, serial, monkeypa
 MANY = "degree=4-5 count=800 rational=yes"
 
 
-def started(place, *options):
-    command = [sys.executable, "-m", "exactspline", "sweep", "--random", *MANY.split()]
+def started(place, *options, family=MANY):
+    command = [sys.executable, "-m", "exactspline", "sweep", "--random", *family.split()]
     started = subprocess.Popen(
         [*command, "-o", str(place), *options], start_new_session=True, stdout=subprocess.PIPE, stderr=subprocess.PIPE
     )
@@ -394,6 +394,18 @@ def test_killed_and_interrupted_and_gone_on_with(tmp_path):
         record(each, [Family.parsed(MANY)])
         assert each.read_bytes().startswith(kept)
         assert lines_of(each) == expected
+
+
+@pytest.mark.skipif(not hasattr(os, "killpg"), reason="there are no process groups")
+def test_several_processes_are_interrupted_at_once(tmp_path):
+    """Before, Ctrl-C waited for all curves that the processes had been sent: 10 to 15 seconds of these."""
+    slow = "degree=9 segments=6 dimension=3 count=4000"
+    process = started(tmp_path / "a.jsonl", "--jobs", "2", family=slow)
+    os.killpg(process.pid, signal.SIGINT)
+    pressed = time.monotonic()
+    told = process.communicate(timeout=60)[1].decode()
+    assert time.monotonic() - pressed < 2
+    assert (process.returncode, told) == (130, "interrupted; what has been written is kept\n")
 
 
 # ---- the command

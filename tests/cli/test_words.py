@@ -306,3 +306,28 @@ def test_the_theorem_that_errata_names_can_be_printed():
     shown = run(*arguments)
     assert (arguments[0], shown.returncode) == ("show", 0)
     assert r"--paper primer\_on\_bezier\_curves" in shown.stdout
+
+
+def test_names_of_files_do_not_steer_the_terminal(tmp_path):
+    """Before, notes on standard error held the escape sequences of names as they are: this one renames the window; and
+    a name with `<svg ` in it made the file one of SVG.
+    """
+    curve = {"degree": 1, "knots": [0, 0, 1, 1], "control_points": [["0", "0"], ["1", "2"]]}
+    names = {"name": "\x1b[31mred<svg b", "source": "\x1b]0;owned\x07\nnote: forged"}
+    file = tmp_path / "a.json"
+    file.write_text(json.dumps({"curves": [curve | names, curve | {"name": "b"}]}), encoding="ascii")
+    done = run("inspect", file)
+    assert done.returncode == 0
+    assert "\\x1b]0;owned\\x07\\nnote: forged" in done.stderr
+    assert not {"\x1b", "\x07"} & {*done.stdout, *done.stderr}
+
+
+def test_an_interrupted_command_ends_as_shells_expect(monkeypatch):
+    """Before, with exit status 1, which says that a verdict differs from the record."""
+
+    def interrupted(*_):
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr("exactspline.cli.inspect.each_read", interrupted)
+    done = run("inspect", "circle")
+    assert (done.returncode, done.stderr.split()) == (130, ["interrupted"])

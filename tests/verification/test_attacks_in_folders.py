@@ -367,3 +367,12 @@ def test_what_vanishes_for_the_operand_tried_only_is_refuted(kind, text, tmp_pat
     assert combined(false)[1].verdict == REFUTED
     rows = json.loads(invoke("prove", "--paper", str(folder), "--trust", "--json").output)["rows"]
     assert [row["verdict"] for row in rows if not row["curve"]] == ["REFUTED"]
+
+
+@pytest.mark.parametrize("line", ["f = c.w.d(1, by='s', by='s')", "def g(a, a): return a"])
+def test_what_the_compiler_refuses_is_named_with_its_line(line, tmp_path):
+    """Before, the SyntaxError of `compile`, for what `ast.parse` accepts, was a traceback."""
+    body = line if line.startswith("def") else f"def h(c): return {line.partition('= ')[2]}"
+    folder = written(tmp_path / "own", f"{body}\n{plane_formulas(f='c.w')}", [])
+    with pytest.raises(FormulaError, match=r"formulas\.py, line \d+: not Python: .*; correct the syntax"):
+        len(load_paper(folder).formulas)
