@@ -194,14 +194,14 @@ def _net(numerators: list[BSpline], denominator: BSpline | None, names: list[str
 
 
 def _evolute(curve: Nurbs, question: Question) -> Found:
-    """The evolute, piece by piece; homogeneous control points ``(w x, w y, w)``."""
+    """The evolute, piece by piece; homogeneous control points ``(w x, w y, w)``; where it is missing, and its poles."""
     derived, items = derive("evolute", curve), list[Item]()
     for piece in derived.pieces:
         top, bottom = piece.value.elevated() if isinstance(piece.value, Rational) else (piece.value, None)
         first, *points = _net(list(top), bottom, axes(curve))
         items += [Item(first.what, {}, {**first.facts, "interval": [text(t) for t in piece.interval]}), *points]
     gaps = [Item("missing", {}, {"interval": [text(a), text(b)], "reason": why}) for (a, b), why in derived.missing]
-    return [*items, *gaps], ()
+    return [*items, *gaps, *(Item("pole", {"parameter": pole}) for pole in derived.poles)], ()
 
 
 # ---- extent, area, length
@@ -409,7 +409,7 @@ def _kinds() -> Iterator[Kind]:
     yield Kind("elevate:K", "the control points with the degree raised by K (by default 1)", _elevated)
     yield Kind("split@T", "the control points of the parts before and after T", _split)
     yield Kind("product:IJ", "the control points of the product of the coordinates I and J (0 is x)", _product)
-    yield Kind("evolute", "the control points of the evolute, piece by piece", _evolute)
+    yield Kind("evolute", "the control points of the evolute, piece by piece, and its poles", _evolute)
     for entry in QUESTIONS_ABOUT_CURVES.values():
         yield Kind(entry.form, entry.meaning, partial(_of_registry, entry))
     for name, entry in questions_of(CurvePair).items():

@@ -5,13 +5,13 @@ from __future__ import annotations
 from collections.abc import Container, Mapping
 from dataclasses import dataclass, field
 
+from exactspline.display.pair_data import form_data
 from exactspline.errors import ExactSplineError, as_text, counted, nearest
 from exactspline.geometry.analysis import QUESTIONS, analyse
 from exactspline.numbers.exact import mpq, rational, text
-from exactspline.numbers.intervals import rounded_outwards
 from exactspline.questions.answers import Places
 from exactspline.questions.entry import Answered
-from exactspline.reals.real import RationalNumber, Real
+from exactspline.reals.real import Real
 from exactspline.roots.values import exact_place
 from exactspline.splines.nurbs import Nurbs
 
@@ -135,16 +135,16 @@ def answer_data(answer: Answer, digits: int = DIGITS) -> dict[str, object]:
 
 
 def number_data(value: Real, digits: int = DIGITS) -> dict[str, object]:
-    """A number: exactly where it is known to be rational or of the form ``a + b√c``, in a certified interval, and as
-    the correctly rounded double (null where it is too large, or where its ball does not determine it).
+    """A number: exactly if it is rational or of the form ``a + b√c`` (null if it is neither; ``open`` if that is not
+    decided), in a certified interval, and as the correctly rounded double (null where it is too large, or where its
+    ball does not determine it).
 
     >>> number_data(Real("1/3"))
     {'exact': '1/3', 'low': '1/3', 'high': '1/3', 'double': 0.3333333333333333}
     """
-    enclosure = value.enclosure(digits)
-    low, high = enclosure if isinstance(value, RationalNumber) else rounded_outwards(enclosure, digits)
+    form, (low, high) = form_data(value), value.around(digits)
     try:
         rounded: float | None = value.double()
     except (ExactSplineError, OverflowError):
         rounded = None
-    return {"exact": value.closed_form, "low": text(low), "high": text(high), "double": rounded}
+    return {**form, "low": text(low), "high": text(high), "double": rounded}

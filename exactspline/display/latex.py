@@ -130,8 +130,8 @@ def _(s: Statement) -> str:
 def _(root: Root) -> str:
     if root.exact is not None:
         return rf"s = {fraction(root.exact)}"
-    shown = root.shortly().replace("…", "")
-    return rf"s = {shown}\ldots"
+    shown = re.sub(r"√(\d+)", r"\\sqrt{\1}", root.shortly())
+    return f"s = {shown}".replace("…", r"\ldots")
 
 
 def unicode_latex(line: str) -> str:

@@ -180,7 +180,9 @@ def _(d: Derived) -> str:
     lines = [(f"on [{text(a)}, {text(b)}]", escape(_piece(p.value))) for p in d.pieces for a, b in [p.interval]]
     return facts(
         f"{d.name}, {d.variant}",
-        lines + [(f"missing on [{text(a)}, {text(b)}]", escape(reason.words)) for (a, b), reason in d.missing],
+        lines
+        + [(f"missing on [{text(a)}, {text(b)}]", escape(reason.words)) for (a, b), reason in d.missing]
+        + [(f"at {pole.shortly()}", "a pole") for pole in d.poles],
     )
 
 

@@ -2,17 +2,27 @@
 
 from __future__ import annotations
 
-from contextlib import suppress
 from typing import TYPE_CHECKING, Any
 
 from exactspline.display.data import Data
-from exactspline.display.forms import FLAG, INTEGER, INTERVAL, TEXT, Form, list_of, one_of, or_null, pair_of, record
+from exactspline.display.forms import (
+    FLAG,
+    INTEGER,
+    INTERVAL,
+    TEXT,
+    Form,
+    list_of,
+    one_of,
+    optional,
+    or_null,
+    pair_of,
+    record,
+)
 from exactspline.display.numbers import polynomial_text
 from exactspline.display.sheet import Sheet
 from exactspline.errors import OpenError, ReachError
 from exactspline.geometry.intersections import IntersectionKind, Intersections
 from exactspline.numbers.exact import mpq, text
-from exactspline.numbers.intervals import rounded_outwards
 from exactspline.questions.entry import questions_of
 from exactspline.reals.real import Real, real
 
@@ -39,15 +49,24 @@ def pair_data(pair: CurvePair, digits: int) -> Data:
 def real_data(x: Real | mpq, digits: int) -> Data:
     """A number: exactly where it has a short form, in a certified interval, and to a given number of digits."""
     number = real(x)
-    with suppress(ReachError, OpenError):
-        _ = number.exact  # then its closed form is known
-    low, high = number.enclosure(digits)
-    if low != high:
-        low, high = rounded_outwards(number.enclosure(digits), digits + 1)
-    return {"exact": number.closed_form, "interval": [text(low), text(high)], "decimal": number.decimal(digits)}
+    form, (low, high) = form_data(number), number.around(digits + 1)
+    return {**form, "interval": [text(low), text(high)], "decimal": number.decimal(digits)}
 
 
-REAL = Form(record(exact=or_null(TEXT), interval=INTERVAL, decimal=TEXT).schema, real_data)
+def form_data(x: Real) -> Data:
+    """The closed form of a number, null if it is proved to have none; ``open`` where that is not decided.
+
+    >>> from exactspline.reals.real import square_root
+    >>> form_data(square_root(8)), form_data(square_root(2) + square_root(3))
+    ({'exact': '2√2'}, {'exact': None})
+    """
+    try:
+        return {"exact": x.closed_form}
+    except (ReachError, OpenError):
+        return {"exact": None, "open": True}
+
+
+REAL = Form(record(exact=or_null(TEXT), open=optional(FLAG), interval=INTERVAL, decimal=TEXT).schema, real_data)
 _OVERLAP = record(
     first=pair_of(REAL),
     second=pair_of(REAL),

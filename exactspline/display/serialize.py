@@ -20,7 +20,7 @@ from exactspline.display.forms import (
     record,
 )
 from exactspline.display.numbers import decimal
-from exactspline.display.pair_data import INTERSECTIONS
+from exactspline.display.pair_data import INTERSECTIONS, real_data
 from exactspline.errors import ExactSplineError, ShapeError, a_kind, as_instance, as_integer
 from exactspline.geometry import values_along
 from exactspline.geometry.analysis import analyse
@@ -34,7 +34,7 @@ from exactspline.geometry.planarity import Plane
 from exactspline.geometry.prominence import prominences
 from exactspline.language.rational import Rational
 from exactspline.language.vector import Vector
-from exactspline.numbers.exact import mpz
+from exactspline.numbers.exact import mpz, rational
 from exactspline.numbers.intervals import Interval
 from exactspline.numbers.sides import Side
 from exactspline.questions.answers import CurvePiece, Described, Places
@@ -62,7 +62,7 @@ ANGLE = Form(or_null(record(cosine=TEXT, sine=TEXT, degrees=TEXT)).schema, angle
 
 def decimal_of(root: Root, digits: int) -> str:
     """A root to a given number of digits after the decimal point."""
-    value = root.enclosure(digits + 3).middle
+    value = rational(root.decimal(digits + 3))
     return decimal(value, digits + len(str(mpz(abs(value)))))
 
 
@@ -226,7 +226,8 @@ def coordinate_extrema_data(curve: Nurbs, digits: int) -> list[dict[str, object]
 def derived_data(derived: Derived, curve: str) -> dict[str, object]:
     """A derived object as JSON data: control points as exact text, piece by piece.
 
-    A quotient is given by homogeneous control points ``(w x, w y, …, w)``, a scalar one by ``(w f, w)``.
+    A quotient is given by homogeneous control points ``(w x, w y, …, w)``, a scalar one by ``(w f, w)``; it has no
+    value at its poles.
     """
     derived = as_instance(derived, Derived, "a derived object", "give the result of exactspline.derive")
     return {
@@ -236,6 +237,7 @@ def derived_data(derived: Derived, curve: str) -> dict[str, object]:
         "layout": "directrix, generator" if derived.ruled else "",
         "pieces": [piece_data(piece.interval, piece.value) for piece in derived.pieces],
         "missing": [{"interval": [str(a), str(b)], "reason": reason.words} for (a, b), reason in derived.missing],
+        "poles": [real_data(pole, 20) for pole in derived.poles],
     }
 
 

@@ -22,7 +22,7 @@ from exactspline.numbers.intervals import ball_around
 from exactspline.polynomials.factors import greatest_common_divisor
 from exactspline.polynomials.isolation import zero_on_segment
 from exactspline.reals.ball import InBalls
-from exactspline.reals.real import Real, square_root
+from exactspline.reals.real import Expression, Real, square_root
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.nurbs import Nurbs
 
@@ -35,7 +35,7 @@ def degrees(angle: Angle) -> Real:
     """An angle in degrees, in (−180, 180].
 
     It is rational only for multiples of 30 and 45 degrees: cos² is rational, so Niven's theorem holds for twice the
-    angle.
+    angle. Otherwise it is transcendental, by the theorem of Gelfond and Schneider: ``(−1)^(angle/180)`` is algebraic.
 
     >>> from exactspline.geometry.angles import Angle
     >>> degrees(Angle((mpq(1), mpq(0)), (mpq(1), mpq(1))))
@@ -45,7 +45,7 @@ def degrees(angle: Angle) -> Real:
     """
     if 4 * angle.cosine * angle.cosine in (0, 1, 2, 3, 4):
         return Real(round(float(_angle_ball(angle, 60).mid())))
-    return InBalls(partial(_angle_ball, angle))
+    return InBalls(partial(_angle_ball, angle), transcendental=True)
 
 
 def _angle_ball(angle: Angle, bits: int) -> arb:
@@ -204,6 +204,6 @@ def _exact_length(squared: BSpline) -> Real | None:
             return None
         points = root[0].control_points
         total += square_root(root[1]) * abs(sum(points, start=mpq(0)) / len(points) * (b - a))
-        if total.closed_form is None:
+        if isinstance(total, Expression):
             return None
     return total

@@ -6,22 +6,25 @@ Parameters and coordinates are unitless exact numbers.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Any
 
-from exactspline.errors import FormulaError, ShapeError, counted, shown
+from exactspline.errors import DomainError, FormulaError, ShapeError, counted, shown
 from exactspline.geometry.analysis import analyse
 from exactspline.geometry.constructions import Absence, Construction, Variant, all_constructions, construction
 from exactspline.geometry.domain import intervals_where, part
 from exactspline.hooks import Displayed
 from exactspline.language.formula import Formula, expect_formula
 from exactspline.language.kinds import CURVE, PLANE, SPACE, kind_of
-from exactspline.language.parts import joined, numerator
+from exactspline.language.parts import joined, numerator, split
 from exactspline.language.rational import Rational
 from exactspline.language.ruled import RuledSurface
 from exactspline.language.vector import Vector
 from exactspline.numbers.exact import Number, mpq, rational, short_text, text
 from exactspline.numbers.intervals import Interval
 from exactspline.papers import formula_of
+from exactspline.roots.root import Root
+from exactspline.roots.zero_set import zeros
 from exactspline.splines.expected import curve_of
 from exactspline.splines.lowest_terms import control_point_count, in_lowest_terms, true_degree
 from exactspline.splines.nurbs import Nurbs
@@ -40,7 +43,7 @@ class Piece:
 
 @dataclass(frozen=True)
 class Derived(Displayed):
-    """A derived object in pieces, and the intervals on which it does not exist, each with the reason."""
+    """A derived object in pieces, the intervals on which it does not exist, each with the reason, and its poles."""
 
     name: str
     variant: Variant
@@ -68,6 +71,17 @@ class Derived(Displayed):
         """The number of control points of all pieces together."""
         return sum(control_point_count(piece.value) for piece in self.pieces)
 
+    @cached_property
+    def poles(self) -> tuple[Root, ...]:
+        """The parameters at which it has no value: the zeros of its denominator in lowest terms, in order.
+
+        >>> from exactspline.interchange.examples import example
+        >>> [pole.exact for pole in derive("evolute", example("cubic_s")).poles]
+        [mpq(1,2)]
+        """
+        denominators = (split(in_lowest_terms(piece.value))[1] for piece in self.pieces)
+        return tuple(pole for w in denominators if w is not None for pole in zeros(w))
+
     @property
     def existence(self) -> str:
         """Where it exists, and where it does not and why, in words.
@@ -75,21 +89,38 @@ class Derived(Displayed):
         >>> from exactspline.interchange.examples import example
         >>> print(derive("evolute", example("straight_between_arcs")).existence)
         on [0, 1] and [2, 3]; not on [1, 2]: the curvature vanishes identically (straight segments)
+        >>> print(derive("evolute", example("cubic_s")).existence)
+        on [0, 1] except a pole at 1/2
         """
         there = " and ".join(_shown(piece.interval) for piece in self.pieces)
+        if self.poles:
+            places = ", ".join(pole.shortly() for pole in self.poles)
+            there += f" except {'a pole' if len(self.poles) == 1 else 'poles'} at {places}"
         gaps = [f"not on {_shown(interval)}: {reason.words}" for interval, reason in self.missing]
         return "; ".join([f"on {there}", *gaps])
 
     def __call__(self, t: Number) -> mpq | tuple[mpq, ...]:
-        """Value at a parameter, by the first piece that contains it; raises `ShapeError` where there is none."""
+        """Value at a parameter, by the first piece that contains it; raises `ShapeError` where there is none, and
+        `DomainError` at a pole.
+        """
         t = rational(t)
         for piece in self.pieces:
             if piece.interval[0] <= t <= piece.interval[1]:
-                return piece.value(t) if not isinstance(piece.value, Vector) else tuple(c(t) for c in piece.value)
+                return self._value(piece, t)
         raise ShapeError(
             f"{self.name} does not exist at the parameter {short_text(t)}",
             remedy="; ".join(reason.words for (a, b), reason in self.missing if a <= t <= b) or "stay in the domain",
         )
+
+    def _value(self, piece: Piece, t: mpq) -> mpq | tuple[mpq, ...]:
+        value, w = piece.value, split(piece.value)[1]
+        if w is not None and w(t) == 0:
+            # as written numerator and denominator may vanish where there is a value
+            value = in_lowest_terms(value)
+            if value.denominator(t) == 0:
+                problem = f"{self.name} has a pole at the parameter {short_text(t)}"
+                raise DomainError(problem, where=short_text(t), remedy="choose another parameter")
+        return tuple(c(t) for c in value) if isinstance(value, Vector) else value(t)
 
 
 def _shown(interval: Interval) -> str:
@@ -145,11 +176,21 @@ def derive(what: str | Formula, curve: Nurbs, variant: Variant | str = Variant.M
             for interval in intervals_where(breaks, [each is reason for each in reasons])
         )
     )
-    pieces = tuple(Piece(interval, compute(part(curve, *interval))) for interval in intervals_where(breaks, exists))
+    parts = intervals_where(breaks, exists)
+    pieces = tuple(Piece(interval, _nonnegative(compute(part(curve, *interval)))) for interval in parts)
     if not pieces:
         everywhere = ", ".join(f"on {_shown(interval)} {reason.words}" for interval, reason in missing)
         raise ShapeError(f"{curve.name or 'the curve'} has no {name}: {everywhere}", remedy="choose another curve")
     return Derived(name, Variant(variant), pieces, missing, ruled)
+
+
+def _nonnegative(value: Any) -> Any:
+    """A zero spline whose formal degree is negative, alone or as a component, as the constant 0."""
+    if isinstance(value, Rational):
+        return Rational(_nonnegative(value.numerator), value.product)
+    if isinstance(value, Vector):
+        return Vector(*map(_nonnegative, value))
+    return value.constant(0) if value.degree < 0 else value
 
 
 def _exists(value: Any) -> list[bool]:

@@ -29,7 +29,7 @@ from exactspline.polynomials.plane_pairs import meetings, self_meetings
 from exactspline.polynomials.zero_places import Place
 from exactspline.programs.certain_pairs import certain_pairs
 from exactspline.questions.answers import Answer
-from exactspline.reals.real import Real
+from exactspline.reals.real import RationalNumber, Real
 from exactspline.roots.local_parameters import (
     ImageValue,
     image_splines,
@@ -95,7 +95,7 @@ class Intersection:
 
 def _unknown(parameter: Real) -> tuple[bool, bool]:
     """The sorting key of parameters, the simplest ones first."""
-    return parameter.closed_form is None, isinstance(parameter, ImageValue)
+    return not isinstance(parameter, RationalNumber), isinstance(parameter, ImageValue)
 
 
 @dataclass(frozen=True)
@@ -183,7 +183,7 @@ def self_intersections(curve: Nurbs) -> Intersections:
     >>> from exactspline import Nurbs
     >>> loop = Nurbs(3, [0] * 4 + [1] * 4, [(0, 0), (3, 3), (-2, 3), (1, 0)])
     >>> self_intersections(loop)
-    [<crossing at 0.0669873… and 0.933013…>]
+    [<crossing at (2 - √3)/4 and (2 + √3)/4>]
 
     Raises `ShapeError` for a curve that is not in the plane.
     """

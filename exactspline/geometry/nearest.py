@@ -77,7 +77,7 @@ def nearest(curve: Nurbs, point: Iterable[Number]) -> Nearest:
     >>> from exactspline import Nurbs, example
     >>> parabola = Nurbs(2, [0, 0, 0, 1, 1, 1], [(-1, 1), (0, -1), (1, 1)])  # y = x²
     >>> nearest(parabola, (0, 1))
-    [<nearest point at 0.146447…: distance 0.866025…>, <nearest point at 0.853553…: distance 0.866025…>]
+    [<nearest point at (2 - √2)/4: distance √3/2>, <nearest point at (2 + √2)/4: distance √3/2>]
     >>> nearest(parabola, (0, "1/4"))
     [<nearest point at 1/2: distance 1/4>]
     >>> nearest(example("circle"), (0, 0))

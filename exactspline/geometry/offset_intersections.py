@@ -35,7 +35,7 @@ from exactspline.polynomials.cost import PATCH, QUESTION, Budget, drawing_on
 from exactspline.polynomials.factorization import divided_out
 from exactspline.polynomials.factors import factorize, greatest_common_divisor
 from exactspline.polynomials.two_parameters import S, T, as_form
-from exactspline.reals.real import Real, real, square_root
+from exactspline.reals.real import RationalNumber, Real, real, square_root
 from exactspline.roots.common_zeros import CommonZero, common_zeros, multiplicity
 from exactspline.roots.local_parameters import segment_forms
 from exactspline.roots.of_polynomials import Parameter
@@ -61,7 +61,7 @@ class OffsetIntersection(Intersection):
     @property
     def point(self) -> tuple[mpq | Real, ...]:
         """The coordinates, exactly."""
-        k = int(self.first.closed_form is None and self.second.closed_form is not None)
+        k = int(not isinstance(self.first, RationalNumber) and isinstance(self.second, RationalNumber))
         curve, t, side, d = self.curves[k], (self.first, self.second)[k], self.sides[k], self.distances[k]
         (x, y), (a, b) = at(curve, t, side=side), [at(f, t, side=side) for f in tangent(curve)]
         length = square_root(a * a + b * b)
@@ -116,7 +116,7 @@ def self_intersections(curve: Nurbs, *, offset: Number = 0) -> Intersections:
     >>> from exactspline import Nurbs
     >>> loop = Nurbs(3, [0] * 4 + [1] * 4, [(0, 0), (3, 3), (-2, 3), (1, 0)])
     >>> self_intersections(loop)
-    [<crossing at 0.0669873… and 0.933013…>]
+    [<crossing at (2 - √3)/4 and (2 + √3)/4>]
 
     With `offset`, a signed distance (positive to the left), those of the offset curve at it, by the parameters of the
     curve itself. Its cusps are not among them (`analyse(curve).offset_cusps` has them).
@@ -124,7 +124,7 @@ def self_intersections(curve: Nurbs, *, offset: Number = 0) -> Intersections:
     >>> parabola = Nurbs(2, [0, 0, 0, 1, 1, 1], [(-2, 4), (0, -4), (2, 4)])  # y = x²
     >>> (found,) = self_intersections(parabola, offset=1)
     >>> found, [x.exact for x in found.point]
-    (<crossing at 0.283494… and 0.716506…>, [mpq(0,1), mpq(5,4)])
+    (<crossing at (4 - √3)/8 and (4 + √3)/8>, [mpq(0,1), mpq(5,4)])
 
     The work is limited as for `intersections`; pairs of segments that exceed it, segments with points without a
     tangent, and those whose offsets are one point or may run along each other are named in ``left_out``.

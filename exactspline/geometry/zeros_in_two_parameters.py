@@ -276,7 +276,7 @@ def common_zeros(first: TensorSpline, second: TensorSpline, *more: TensorSpline)
     >>> line = TensorSpline((1, 1), [0, 0, 1, 1], [0, 0, 1, 1], [[0, -1], [1, 0]])  # s − t
     >>> (point,) = common_zeros(circle, line)
     >>> point, point.first == point.second, point.first.minimal_polynomial()
-    (<zero at 0.707107… and 0.707107…>, True, [-1, 0, 2])
+    (<zero at √2/2 and √2/2>, True, [-1, 0, 2])
     >>> common_zeros(circle, circle * line)
     everywhere on a curve in [0, 1] × [0, 1]
     >>> common_zeros(line, line.partial(1, 0))

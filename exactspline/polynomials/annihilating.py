@@ -9,11 +9,13 @@ Source: Loos, Computing in algebraic extensions, 1982.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from functools import lru_cache
 
-from flint import fmpq_poly, fmpz, fmpz_poly, nmod_poly
+from flint import fmpq_poly, fmpz, fmpz_mat, fmpz_poly, nmod_mat, nmod_poly
 
-from exactspline.numbers.exact import PRIME, mpq, sign, to_fmpq
+from exactspline.numbers.exact import mpq, sign, to_fmpq
+from exactspline.numbers.intervals import Interval
 from exactspline.polynomials.cost import check_reach
 from exactspline.polynomials.elimination import resultant
 from exactspline.polynomials.factors import factorize, greatest_common_divisor
@@ -22,6 +24,9 @@ from exactspline.polynomials.factors import factorize, greatest_common_divisor
 DEGREE = 200
 #: The cost of arithmetic modulo a polynomial: nanoseconds per coefficient bit times the degree.
 ARITHMETIC = 10
+#: Nanoseconds for each bit of the reduction of a lattice and of the number in it (measured: 500 to 8000), and the bound
+#: on their sum.
+LATTICE, REDUCTION = 8000, 10**9
 #: The primes modulo which a polynomial is tested for rational zeros.
 PRIMES = (7, 11, 13, 17, 19, 23, 29, 31, 37, 41, 43)
 #: The polynomial x.
@@ -100,32 +105,69 @@ def quotient_at(m: fmpz_poly, top: fmpq_poly, bottom: fmpq_poly) -> fmpz_poly:
     return primitive(resultant(_rows(m), [fmpz_poly([-f[j], g[j]]) for j in range(max(f.degree(), g.degree()) + 1)]))
 
 
-def denominator_at(m: fmpz_poly, top: fmpq_poly, bottom: fmpq_poly) -> fmpz | None:
-    """A multiple of the denominators of all rational numbers ``top(α)/bottom(α)`` for zeros α of m at which `bottom`
-    does not vanish; None where it is certain that there are none.
+def without_quadratic_zero(m: fmpz_poly, top: fmpq_poly, bottom: fmpq_poly) -> bool:
+    """Whether it is certain that no ``top(α)/bottom(α)``, for a zero α of m at which `bottom` does not vanish, is a
+    zero of a polynomial of degree 1 or 2: modulo a prime that does not divide the leading coefficient, this would be a
+    factor of the polynomial of which all of them are zeros. False decides nothing.
 
-    The leading coefficient of ``Res_y(m(y), x g(y) − f(y))``, which is a power of that of m times ``Res(m, g)``; a
-    rational zero of the polynomial is a zero modulo every prime that does not divide it.
-
-    >>> alpha = fmpz_poly([-2, 0, 1])
-    >>> [denominator_at(alpha, fmpq_poly(top), fmpq_poly([0, 3])) for top in ([1, 1], [0, 2])]
-    [None, -18]
+    >>> alpha = fmpz_poly([-2, 0, 0, 1])
+    >>> [without_quadratic_zero(alpha, fmpq_poly(top), fmpq_poly([3])) for top in ([1, 1], [0, 0, 0, 1])]
+    [True, False]
     """
     f, g = _integral(top, bottom)
-    while (common := greatest_common_divisor([g, m])).degree() > 0:
-        m = m // common
-    check_size(m.degree(), max(f.height_bits(), g.height_bits()))
-    if any(_no_quotient_modulo(m, f, g, prime) for prime in PRIMES):
-        return None
-    return m.leading_coefficient() ** max(f.degree() - g.degree(), 0) * m.resultant(g)
+    return any(_no_quadratic_modulo(m, f, g, prime) for prime in PRIMES)
 
 
-def _no_quotient_modulo(m: fmpz_poly, f: fmpz_poly, g: fmpz_poly, prime: int) -> bool:
-    """Whether the polynomial of which all quotients are zeros keeps its degree modulo a prime and has no zero there."""
+def _no_quadratic_modulo(m: fmpz_poly, f: fmpz_poly, g: fmpz_poly, prime: int) -> bool:
+    """Whether the polynomial of which all quotients are zeros keeps its degree modulo a prime and has no factor of
+    degree 1 or 2 there.
+    """
     over, top, bottom = (nmod_poly(p, prime) for p in (m, f, g))
-    if over.degree() < m.degree() or not bottom or not int(over.resultant(bottom)):
+    common, inverse, _ = bottom.xgcd(over)
+    if over.degree() < m.degree() or common.degree():
         return False
-    return all(int(over.resultant(bottom * x - top)) for x in range(prime))
+    n, row, rows = over.degree(), top * inverse % over, []
+    for _ in range(n):
+        rows.append([int(row[k]) for k in range(n)])
+        row = row.left_shift(1) % over
+    return all(p.degree() > 2 for p, _ in nmod_mat(rows, prime).charpoly().factor()[1])
+
+
+def at_most_quadratic(
+    enclosed: Callable[[int], Interval], bits: int, vanishes: Callable[[fmpz_poly], bool]
+) -> fmpz_poly | None:
+    """A polynomial of degree 1 or 2 of which a number is a zero, given its enclosures to any number of digits; None if
+    it is certain that no such polynomial has coefficients of at most this many bits.
+
+    Coefficients A, B, C are a vector ``(A, B, 2ᵏ (A x² + B x + C))`` of a lattice: of a zero, and with x² and x rounded
+    to multiples of 2⁻ᵏ, one of at most ``√18 2ᵇⁱᵗˢ``. Where all Gram–Schmidt vectors of a basis are longer, there is
+    none.
+
+    >>> at_most_quadratic(lambda digits: Interval(mpq(2, 3), mpq(2, 3)), 3, lambda p: p(to_fmpq(mpq(2, 3))) == 0)
+    3*x + (-2)
+
+    Raises `ReachError` if that takes too many bits.
+
+    Source: Kannan, Lenstra and Lovász, Polynomial factorization and nonrandomness of bits of algebraic and some
+    transcendental numbers, Mathematics of Computation 1988.
+    """
+    size, exponent = enclosed(1).low, 3 * bits + 32
+    while True:
+        check_reach(exponent * LATTICE, lambda: f"a polynomial with coefficients of {bits} bits", REDUCTION)
+        longest = fmpz(32) << 2 * bits
+        x = enclosed((exponent + 2 * (abs(int(size)) + 2).bit_length()) * 30103 // 100000 + 1).middle
+        scale = fmpz(1) << exponent
+        square, single = (fmpz(int(power * int(scale) // 1)) for power in (x * x, x))
+        basis = fmpz_mat([[1, 0, square], [0, 1, single], [0, 0, scale]]).lll()
+        gram = basis * basis.transpose()
+        first, both = gram[0, 0], gram[0, 0] * gram[1, 1] - gram[0, 1] ** 2
+        if first > longest and both > longest * first and basis.det() ** 2 == scale**2 > longest * both:
+            return None
+        a, b, rest = (basis[0, k] for k in range(3))
+        found = primitive(fmpz_poly([(rest - a * square - b * single) // scale, b, a]))
+        if vanishes(found):
+            return found
+        exponent *= 2
 
 
 def _integral(top: fmpq_poly, bottom: fmpq_poly) -> tuple[fmpz_poly, fmpz_poly]:
@@ -238,15 +280,3 @@ class QuotientModulo:
 
     def __truediv__(self, other: QuotientModulo) -> QuotientModulo:
         return self._made(self.top * other.bottom, self.bottom * other.top)
-
-
-def may_vanish(p: fmpz_poly, t: mpq) -> bool:
-    """Whether an integer polynomial vanishes at a rational number modulo a prime; False proves that it does not.
-
-    >>> may_vanish(fmpz_poly([-1, 3]), mpq(1, 3)), may_vanish(fmpz_poly([-1, 3]), mpq(1, 2))
-    (True, False)
-    """
-    below = int(t.denominator % PRIME)
-    if not below:
-        return True
-    return int(nmod_poly(p, PRIME)(int(t.numerator * pow(below, -1, PRIME) % PRIME))) == 0

@@ -6,7 +6,6 @@ Enclosures are tried first. Polynomials are used only if enclosures cannot decid
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from fractions import Fraction
 from functools import total_ordering
 from typing import Any, cast
@@ -14,18 +13,10 @@ from typing import Any, cast
 from flint import arb_poly, ctx, fmpz, fmpz_poly
 
 from exactspline.errors import OpenError, ReachError
-from exactspline.numbers.exact import mpq, mpz, rational, text, to_fmpq
+from exactspline.numbers.exact import mpq, mpz, rational, to_fmpq
 from exactspline.numbers.immutable import fill
 from exactspline.numbers.intervals import Interval, ball_around
-from exactspline.polynomials.annihilating import (
-    changes_sign,
-    irreducible_factors,
-    linear,
-    may_vanish,
-    sign_at,
-    square_free,
-    without_rational_zero,
-)
+from exactspline.polynomials.annihilating import changes_sign, irreducible_factors, linear, sign_at, square_free
 from exactspline.polynomials.factors import greatest_common_divisor
 from exactspline.reals.digits import SUSPICIOUS, Digits
 
@@ -40,9 +31,11 @@ OPEN = 1500
 class Algebraic(Digits):
     """Operations on real numbers that enclosures cannot decide. Subclasses define `_annihilator`."""
 
-    __slots__ = ("_exact", "_isolating", "_minimal")
+    __slots__ = ("_closed", "_exact", "_isolating", "_minimal")
     #: The number itself if it is known to be rational; False if it is known to be irrational.
     _exact: mpq | bool | None
+    #: The number as a rational or quadratic one; False if it is proved to be neither, None if that was not asked yet.
+    _closed: Algebraic | bool | None
     _minimal: fmpz_poly | None
     #: A polynomial and an interval in which this number is its only zero.
     _isolating: tuple[fmpz_poly, mpq, mpq] | None
@@ -53,11 +46,6 @@ class Algebraic(Digits):
     def _annihilator(self) -> fmpz_poly:
         """A polynomial with this zero."""
         raise NotImplementedError
-
-    @property
-    def closed_form(self) -> str | None:
-        """The number as text ``p/q`` or ``a + b√c`` if such a form is known, else None."""
-        return text(self._exact) if isinstance(self._exact, _RATIONAL) else None
 
     def _isolated(self) -> tuple[fmpz_poly, mpq, mpq]:
         """A polynomial with this number as a simple zero, and two numbers between which it has no other zero and at
@@ -91,32 +79,34 @@ class Algebraic(Digits):
     def exact(self) -> mpq | None:
         """The rational value of the number, None if it is irrational: decided exactly, without factorization.
 
-        The denominator of a rational zero divides the leading coefficient a of the polynomial, and an interval of width
-        below 1/a contains at most one multiple of 1/a.
-
         >>> from exactspline.reals.real import square_root
         >>> (square_root(2) * square_root(18)).exact, square_root(2).exact
         (mpq(6,1), None)
         """
         if self._exact is None:
             value = self._decided()
-            fill(self, _exact=False if value is None else value)
+            if value is None:
+                fill(self, _exact=False)
+            else:
+                self._set_rational(value)
         return None if isinstance(self._exact, bool) else self._exact
 
     def _decided(self) -> mpq | None:
         """The number if it is rational, else None."""
-        p, low, high = self._isolated()
-        if low == high:
-            return low
-        if without_rational_zero(p):
-            return None
-        candidate = multiple_in(self._enclosed, abs(int(p.leading_coefficient())))
-        if candidate is None or not low <= candidate <= high or not may_vanish(p, candidate):
-            return None
-        if sign_at(p, candidate) != 0:
-            return None
-        self._set_rational(candidate)
-        return candidate
+        raise NotImplementedError
+
+    def around(self, digits: int) -> Interval:
+        """The number itself if it is known to be rational, otherwise the multiples of ``10^−digits`` on both sides of
+        the one that is nearest to it.
+
+        >>> from exactspline.reals.real import square_root
+        >>> square_root(2).around(2)
+        Interval(7/5, 71/50)
+        """
+        if isinstance(self._exact, _RATIONAL):
+            return Interval.point(self._exact)
+        nearest, unit = self._near(digits), mpq(1, mpz(10) ** digits)
+        return Interval(nearest - unit, nearest + unit)
 
     def minimal_polynomial(self) -> list[int]:
         """The irreducible integer polynomial with this zero, constant term first.
@@ -214,17 +204,6 @@ class Algebraic(Digits):
         if common.degree() < 1 or b <= c or d <= a:
             return False
         return changes_sign(common, a, b) and changes_sign(common, c, d) and changes_sign(common, min(a, c), max(b, d))
-
-
-def multiple_in(enclosed: Callable[[int], Interval], denominator: int) -> mpq | None:
-    """The only multiple of ``1/denominator`` that a number may be, given its enclosures to any number of digits.
-
-    >>> multiple_in(lambda digits: Interval(mpq(2, 3), mpq(2, 3)), 6)
-    mpq(2,3)
-    """
-    low, high = enclosed(denominator.bit_length() * 30103 // 100000 + 1)
-    candidate = mpq(-((-low * denominator) // 1), denominator)
-    return candidate if candidate <= high else None
 
 
 def _order(x: Algebraic, y: Algebraic | mpq) -> int:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import partial
 
 from flint import arb, ctx, fmpz_poly
 
@@ -11,7 +12,7 @@ from exactspline.numbers.exact import mpq
 from exactspline.numbers.immutable import fill
 from exactspline.numbers.intervals import Interval, ball_ends
 from exactspline.reals.algebraic import OPEN
-from exactspline.reals.real import Real
+from exactspline.reals.real import UNASKED, Real
 
 
 class InBalls(Real):
@@ -20,15 +21,19 @@ class InBalls(Real):
     they need too many digits. Both are named functions, so that the number can be pickled.
     """
 
-    __slots__ = ("ball", "exactly")
+    __slots__ = ("ball", "exactly", "transcendental")
     ball: Callable[[int], arb]
     exactly: Callable[[], Real] | None
+    #: Whether the number is proved to be transcendental.
+    transcendental: bool
 
-    def __init__(self, ball: Callable[[int], arb], exactly: Callable[[], Real] | None = None) -> None:
-        fill(self, ball=ball, exactly=exactly, _exact=None, _isolating=None, _minimal=None)
+    def __init__(
+        self, ball: Callable[[int], arb], exactly: Callable[[], Real] | None = None, *, transcendental: bool = False
+    ) -> None:
+        fill(self, ball=ball, exactly=exactly, transcendental=transcendental, **UNASKED)
 
     def __reduce__(self) -> tuple[object, ...]:
-        return InBalls, (self.ball, self.exactly)
+        return partial(InBalls, transcendental=self.transcendental), (self.ball, self.exactly)
 
     def _enclosed(self, digits: int) -> Interval:
         bits, width = 10 * digits // 3 + 40, mpq(1, 10**digits)
@@ -39,6 +44,14 @@ class InBalls(Real):
                 return ends
             bits *= 2
         raise OpenError(f"undecided at {digits} digits", remedy="use an enclosure")
+
+    def _found(self) -> Real | None:
+        if self.exactly is not None:
+            return self.exactly()._in_closed_form()
+        return None if self.transcendental else super()._found()
+
+    def _height(self) -> int:
+        return self._annihilator().height_bits() if self.exactly is None else self.exactly()._height()
 
     def _annihilator(self) -> fmpz_poly:
         if self.exactly is None:

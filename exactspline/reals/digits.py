@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from contextlib import suppress
 from functools import cache
 from typing import TYPE_CHECKING, overload
 
@@ -26,6 +27,8 @@ class Digits(Immutable):
     """Numerical representations of a real number. Subclasses define `_enclosed` and `_against_number`."""
 
     __slots__ = ()
+    #: The longest closed form that is shown; without a bound for a number that was given so.
+    _readable: int | None = 60
 
     def _enclosed(self, digits: int) -> Interval:
         """A closed interval that contains the number, at most ``10^−digits`` wide."""
@@ -37,8 +40,8 @@ class Digits(Immutable):
 
     @property
     def closed_form(self) -> str | None:
-        """The number as text ``p/q`` or ``a + b√c`` if such a form is known, else None."""
-        return None
+        """The number as text ``p/q`` or ``(a + b√c)/d``, None if it is neither."""
+        raise NotImplementedError
 
     @property
     def sign(self) -> int:
@@ -112,14 +115,28 @@ class Digits(Immutable):
             digits *= 2
 
     def decimal(self, digits: int) -> str:
-        """The number to this many digits after the decimal point, with an error below one unit of the last digit.
+        """The number to this many digits after the decimal point, rounded to the nearest such number (a tie upwards).
 
         >>> from exactspline.reals.real import Real, square_root
         >>> square_root(2).decimal(5), Real("2/3").decimal(3)
         ('1.41421', '0.667')
         """
-        middle = self.enclosure(as_integer(digits, "a number of digits") + 1).middle
-        return shifted(int((2 * middle * mpz(10) ** digits + 1) // 2), digits)
+        return shifted(self._multiple(as_integer(digits, "a number of digits")), digits)
+
+    def _multiple(self, digits: int) -> int:
+        """``⌊10ᵈⁱᵍⁱᵗˢ x + 1/2⌋``, whatever was computed of the number before; where it cannot be decided on which side
+        of a tie the number is, as if it were one.
+        """
+        scale, reached = mpz(10) ** digits, digits + 2
+        while True:
+            low, high = (int((2 * scale * end + 1) // 2) for end in self._enclosed(reached))
+            if low == high:
+                return high
+            if reached > digits + SUSPICIOUS:
+                with suppress(ReachError, OpenError):
+                    return high - (self._against_number(mpq(2 * high - 1, 2 * scale)) < 0)
+                return high
+            reached += SUSPICIOUS
 
     def mpf(self, digits: int = 15) -> mpmath.mpf:
         """An ``mpmath.mpf`` with an error of at most ``10^−digits`` that prints these digits; the working precision of
@@ -131,7 +148,10 @@ class Digits(Immutable):
         """
         from exactspline.reals.shown_mpf import shown
 
-        return shown(self.enclosure(as_integer(digits, "a number of digits") + 1).middle, digits)
+        return shown(self._near(as_integer(digits, "a number of digits") + 1), digits)
+
+    def _near(self, digits: int) -> mpq:
+        return mpq(self._multiple(digits), mpz(10) ** digits)
 
     def significant(self, digits: int) -> mpmath.mpf:
         """An ``mpmath.mpf`` with a relative error below ``10^−digits``; exactly 0 if the number is 0."""
@@ -148,45 +168,39 @@ class Digits(Immutable):
         """
         requested = as_integer(digits, "a number of digits", 1) + 2
         while True:
-            enclosure = self.enclosure(requested)
-            if self._reached_zero(enclosure, requested):
-                return mpq(0)
-            least = min(abs(enclosure.low), abs(enclosure.high))
-            if enclosure.low * enclosure.high > 0 and enclosure.width * mpz(10) ** digits <= least:
-                return enclosure.middle
+            value = self._near(requested)
+            if abs(value) >= mpq(1, mpz(10) ** (requested - digits - 1)):
+                return value
+            if value == 0 and requested > SUSPICIOUS and self.sign == 0:
+                return value
             requested *= 2
 
-    def _reached_zero(self, enclosure: Interval, digits: int) -> bool:
-        return enclosure.low <= 0 <= enclosure.high and (
-            enclosure.width == 0 or (digits > SUSPICIOUS and self.sign == 0)
-        )
-
     def shortly(self, digits: int = 6) -> str:
-        """Its closed form, or this many significant digits followed by dots; fewer where more would take too long, and
-        dots alone where none are known; `0` if it is 0, and ``0 ± 1e-n`` if it is so near to 0 that nothing more is
-        known of it.
+        """Its closed form if it has a short one, or this many significant digits followed by dots; fewer where more
+        would take too long, and dots alone where none are known; `0` if it is 0, and ``0 ± 1e-n`` if it is so near to 0
+        that nothing more is known of it.
 
         >>> from exactspline.reals.real import square_root
         >>> str(square_root(2) + square_root(3) - square_root(5 + 2 * square_root(6)))
         '0'
         """
-        if (known := self.closed_form) is not None:
-            return known
+        with suppress(ReachError, OpenError):
+            if (known := self.closed_form) is not None and len(known[: self._readable]) == len(known):
+                return known
         shown, requested = "…", 2 * as_integer(digits, "a number of digits", 1) + 2
         try:
             while True:
-                enclosure = self.enclosure(requested)
-                least = min(abs(enclosure.low), abs(enclosure.high))
-                if enclosure.width * 10 ** (digits + 2) <= least:
+                value = self._near(requested)
+                if abs(value) >= mpq(1, mpz(10) ** (requested - digits - 2)):
                     break
-                if requested > LONGEST and enclosure.low <= 0 <= enclosure.high:
+                if requested > LONGEST and not value:
                     shown = f"0 ± 1e-{requested}"
                     if self.sign == 0:
                         return "0"
                 requested *= 2
             from exactspline.reals.shown_mpf import significant
 
-            return f"{significant(enclosure.middle, digits)}…"
+            return f"{significant(value, digits)}…"
         except (ReachError, OpenError):
             return shown if shown != "…" or digits <= FEW else self.shortly(FEW)
 

@@ -11,13 +11,26 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 from functools import partial
 from math import prod
-from operator import add, mul, sub, truediv
+from operator import add, methodcaller, mul, sub, truediv
 from typing import Any, Self, TypeAlias, TypeVar, cast
 
 from flint import arb, ctx, fmpq, fmpq_poly, fmpz_poly
 
 from exactspline.errors import NumberError
-from exactspline.numbers.exact import Number, Rounding, double, gcd, is_square, isqrt, lcm, mpq, mpz, rational, to_fmpq
+from exactspline.numbers.exact import (
+    Number,
+    Rounding,
+    double,
+    gcd,
+    is_square,
+    isqrt,
+    lcm,
+    mpq,
+    mpz,
+    rational,
+    text,
+    to_fmpq,
+)
 from exactspline.numbers.immutable import fill
 from exactspline.numbers.intervals import Interval, ball_around, ball_ends
 from exactspline.polynomials import annihilating
@@ -56,6 +69,8 @@ def without_square_factors(n: mpz) -> tuple[mpz, mpz]:
     return root, n
 
 
+#: What is known of a number that has just been made.
+UNASKED = dict.fromkeys(("_closed", "_exact", "_isolating", "_minimal"))
 V = TypeVar("V")
 #: An operation that applies to numbers, balls and quotients of polynomials.
 Operation: TypeAlias = Callable[..., object]
@@ -90,6 +105,11 @@ class Real(Algebraic):
     _operation: Operation
     _operands: tuple[Real, ...] = ()
 
+    @property
+    def _given(self) -> mpq | None:
+        """The rational number that it was made from."""
+        return None
+
     def __new__(cls, *given: object, **named: object) -> Self:
         """``Real(number)`` is a `RationalNumber`."""
         return cast(Self, object.__new__(RationalNumber if cls is Real else cls))
@@ -102,6 +122,65 @@ class Real(Algebraic):
         rational number.
         """
         return self, fmpq_poly([0, 1]), fmpq_poly([1])
+
+    def _height(self) -> int:
+        """At least the base-2 logarithm of the absolute height: the polynomial of a number of degree n has a Mahler
+        measure of at most ``2ⁿ ʰᵉⁱᵍʰᵗ``.
+        """
+        raise NotImplementedError
+
+    def _found(self) -> Real | None:
+        """What `_in_closed_form` returns, decided for the first time."""
+        place, top, bottom = self._in_terms()
+        leaf = None if place is None or place._operands else place
+        if leaf is not None and annihilating.without_quadratic_zero(leaf._annihilator(), top, bottom):
+            return None
+        p = annihilating.at_most_quadratic(self._enclosed, self._coefficient_bits(), self.is_root_of)
+        return None if p is None else zero_of(p, self)
+
+    def _coefficient_bits(self) -> int:
+        """The bits of the coefficients of the polynomial of this number, if that has degree 1 or 2: none is larger than
+        twice the Mahler measure.
+        """
+        return 2 * self._height() + 1
+
+    def _in_closed_form(self) -> Real | None:
+        """The number as a `RationalNumber` or a `Quadratic`, None if it is neither."""
+        if isinstance(self._exact, type(mpq())):
+            return RationalNumber(self._exact)
+        if self._closed is None:
+            found = self._found()
+            fill(self, _closed=False if found is None else found)
+            if isinstance(found, RationalNumber):
+                self._set_rational(found.value)
+        return None if isinstance(self._closed, bool) else cast(Real, self._closed)
+
+    def _decided(self) -> mpq | None:
+        closed = self._in_closed_form()
+        return closed.value if isinstance(closed, RationalNumber) else None
+
+    @property
+    def closed_form(self) -> str | None:
+        """The number as text ``p/q`` or ``(a + b√c)/d``, None if it is proved to be neither.
+
+        >>> t = square_root(2) + square_root(3)
+        >>> ((t * t - 1) / 2).closed_form, (t * square_root(5 - 2 * square_root(6))).closed_form, t.closed_form
+        ('2 + √6', '1', None)
+
+        Raises `ReachError` or `OpenError` where that remains undecided.
+        """
+        closed = self._in_closed_form()
+        return None if closed is None else closed.closed_form
+
+    def is_root_of(self, polynomial: fmpz_poly) -> bool:
+        """Whether a polynomial with integer coefficients vanishes at this number, decided exactly."""
+        place, top, bottom = self._in_terms()
+        if place is None or place is self:
+            return super().is_root_of(polynomial)
+        n, value = polynomial.degree(), fmpq_poly([0])
+        for k, coefficient in enumerate(polynomial.coeffs()):
+            value += top**k * bottom ** (n - k) * coefficient
+        return place.is_root_of(value.numer())
 
     def _with(self, operation: Operation, other: object, *, swapped: bool = False) -> Real:
         if not isinstance(other, (Real, *EXACT)):
@@ -161,13 +240,18 @@ class RationalNumber(Real):
 
     __slots__ = ("value",)
     value: mpq
+    _readable = None
 
     def __init__(self, value: Number) -> None:
         exact = rational(value)
-        fill(self, value=exact, _exact=exact, _isolating=None, _minimal=None)
+        fill(self, **UNASKED | {"value": exact, "_exact": exact, "_closed": self})
 
     def __reduce__(self) -> tuple[object, ...]:
         return RationalNumber, (self.value,)
+
+    @property
+    def _given(self) -> mpq:
+        return self.value
 
     def _enclosed(self, digits: int) -> Interval:
         return Interval.point(self.value)
@@ -185,6 +269,14 @@ class RationalNumber(Real):
         """The correctly rounded double."""
         return double(self.value, rounding)
 
+    def _height(self) -> int:
+        return max(abs(self.value.numerator), self.value.denominator).bit_length()
+
+    @property
+    def closed_form(self) -> str:
+        """``p/q``."""
+        return text(self.value)
+
 
 class Quadratic(Real):
     """An irrational number ``a + b√c``, with rational a and b ≠ 0 and an integer c > 1 that is not a square.
@@ -198,9 +290,10 @@ class Quadratic(Real):
     a: mpq
     b: mpq
     c: int
+    _readable = None
 
     def __init__(self, a: mpq, b: mpq, c: int) -> None:
-        fill(self, a=a, b=b, c=c, _exact=False, _isolating=None, _minimal=None)
+        fill(self, **UNASKED | {"a": a, "b": b, "c": c, "_exact": False, "_closed": self})
 
     def __reduce__(self) -> tuple[object, ...]:
         return Quadratic, (self.a, self.b, self.c)
@@ -215,6 +308,9 @@ class Quadratic(Real):
     def _annihilator(self) -> fmpz_poly:
         product = self.a**2 - self.b**2 * self.c
         return fmpq_poly([to_fmpq(product), to_fmpq(-2 * self.a), fmpq(1)]).numer()
+
+    def _height(self) -> int:
+        return self._annihilator().height_bits() // 2 + 1
 
     def _against_number(self, t: mpq) -> int:
         rest, square = t - self.a, self.b**2 * self.c
@@ -247,7 +343,7 @@ class Expression(Real):
     _suspicious = 320
 
     def __init__(self, operation: Operation, *operands: Real) -> None:
-        fill(self, _operation=operation, _operands=operands, _reached=None, _exact=None, _isolating=None, _minimal=None)
+        fill(self, _operation=operation, _operands=operands, _reached=None, **UNASKED)
 
     def __reduce__(self) -> tuple[object, ...]:
         return Expression, (self._operation, *self._operands)
@@ -289,15 +385,29 @@ class Expression(Real):
             return (-1 if operation is mul and q < 0 else 1) * y._against_number(_INVERSES[operation](t, q))
         return super()._against_number(t)
 
+    def _in_terms(self) -> tuple[Real | None, fmpq_poly, fmpq_poly]:
+        """Of the only irrational number of which the tree is a rational function, if there is one."""
+        places = [] if self._operation is _root else _places(self)
+        if len(places) != 1:
+            return super()._in_terms()
+        value = _folded(self, _is_place, partial(_quotient_modulo, places[0]._annihilator()))
+        return places[0], value.top, value.bottom
+
+    def _found(self) -> Real | None:
+        """From the closed forms of the leaves, if these decide it."""
+        found = _folded(self, _is_leaf, _closed_leaf, _closed)
+        return super()._found() if found is None else None if isinstance(found, bool) else found
+
+    def _height(self) -> int:
+        height: int = _folded(self, _is_leaf, methodcaller("_height"), _height_of)
+        return height
+
     def _annihilator(self) -> fmpz_poly:
         if self._operation is _root:
             return annihilating.square_root_of(self._operands[0]._irreducible())
-        places = _places(self)
-        if len(places) == 1:
-            (place,) = places
-            modulus = place._annihilator()
-            value = _folded(self, _is_place, partial(_quotient_modulo, modulus))
-            return annihilating.quotient_at(modulus, value.top, value.bottom)
+        place, top, bottom = self._in_terms()
+        if place is not None and place is not self:
+            return annihilating.quotient_at(place._annihilator(), top, bottom)
         for x in _in_order(self, _is_place)[:-1]:
             x._irreducible()
         p, q = (x._irreducible() for x in self._operands)
@@ -308,6 +418,38 @@ class Expression(Real):
 
 #: The inverses ``∘⁻¹`` of operations: comparing ``x ∘ q`` with t is comparing x with ``t ∘⁻¹ q``.
 _INVERSES: dict[Operation, Callable[..., mpq]] = {add: sub, sub: add, mul: truediv, truediv: mul}
+
+
+def _height_of(operation: Operation, *heights: int) -> int:
+    return (heights[0] + 1) // 2 if operation is _root else sum(heights) + (operation in (add, sub))
+
+
+def _closed_leaf(x: Real) -> Real | bool:
+    closed = x._in_closed_form()
+    return False if closed is None else closed
+
+
+def _closed(operation: Operation, x: Real | bool | None, y: Real | bool | None = None) -> Real | bool | None:
+    """The closed form of ``x ∘ y`` by those of x and y: False stands for one that has none, None for an open one."""
+    if operation is _root:
+        # the square of a rational or quadratic number is one
+        return square_root(x) if isinstance(x, RationalNumber) else x if isinstance(x, bool) else None
+    if isinstance(x, Real) and isinstance(y, Real):
+        found = _of_quadratics(operation, *cast(Any, _known(x)), *cast(Any, _known(y)))
+        return False if found is None else found
+    rational_one = x if isinstance(x, RationalNumber) else y if isinstance(y, RationalNumber) else None
+    if rational_one is None or x is None or y is None:
+        return None
+    return rational_one if operation in (mul, truediv) and not rational_one.value else False
+
+
+def zero_of(p: fmpz_poly, number: Real) -> Real:
+    """The number as the zero of its polynomial of degree at most 2."""
+    c, b, a = (mpq(int(p[k])) for k in range(3))
+    if not a:
+        return RationalNumber(-c / b)
+    middle, root = -b / (2 * a), square_root((b * b - 4 * a * c) / (4 * a * a))
+    return middle + root if number._against_number(middle) > 0 else middle - root
 
 
 def _root(x: Any) -> Any:
@@ -354,11 +496,17 @@ def _in_order(number: Real, is_leaf: Callable[[Real], bool]) -> list[Real]:
     return list(ordered.values())
 
 
-def _folded(number: Real, is_leaf: Callable[[Real], bool], of_leaf: Callable[[Real], V]) -> V:
-    """The value of a tree: its operations applied to the values of its leaves."""
+def _folded(
+    number: Real,
+    is_leaf: Callable[[Real], bool],
+    of_leaf: Callable[[Real], V],
+    combine: Callable[..., Any] = lambda operation, *values: operation(*values),
+) -> V:
+    """The value of a tree: its operations applied to the values of its leaves, or what stands for them."""
     values: dict[int, V] = {}
     for x in _in_order(number, is_leaf):
-        values[id(x)] = of_leaf(x) if is_leaf(x) else cast(V, x._operation(*(values[id(y)] for y in x._operands)))
+        known = (values[id(y)] for y in x._operands)
+        values[id(x)] = of_leaf(x) if is_leaf(x) else cast(V, combine(x._operation, *known))
     return values[id(number)]
 
 
@@ -391,10 +539,10 @@ def combined(operation: Operation, x: Real, y: Real) -> Real:
 
 
 def _known(x: Real) -> tuple[mpq, mpq, int] | None:
-    """a, b and c of ``a + b√c``; c is 1 for a rational number."""
-    if isinstance(x._exact, type(mpq())):
-        return x._exact, mpq(0), 1
-    return (x.a, x.b, x.c) if isinstance(x, Quadratic) else None
+    """a, b and c of ``a + b√c`` if x was made so, whatever was found out since; c is 1 for a rational number."""
+    if isinstance(x, Quadratic):
+        return x.a, x.b, x.c
+    return None if x._given is None else (x._given, mpq(0), 1)
 
 
 def _of_quadratics(operation: Operation, a: mpq, b: mpq, c: int, e: mpq, f: mpq, g: int) -> Real | None:
@@ -439,10 +587,9 @@ def square_root(x: Number | Real) -> Real:
         raise NumberError(f"the square root of {value}", remedy="give a number ≥ 0")
     if sign == 0:
         return RationalNumber(0)
-    q = value._exact
-    if not isinstance(q, type(mpq())):
+    if value._given is None:
         return Expression(_root, value)
-    return quadratic(mpq(0), *square_root_parts(q))
+    return quadratic(mpq(0), *square_root_parts(value._given))
 
 
 def real(value: Number | Real) -> Real:
@@ -480,7 +627,7 @@ class Extreme(Real):
     side: int
 
     def __init__(self, side: int, among: Iterable[Real]) -> None:
-        fill(self, side=side, among=tuple(among), _exact=None, _isolating=None, _minimal=None)
+        fill(self, side=side, among=tuple(among), **UNASKED)
 
     def __reduce__(self) -> tuple[object, ...]:
         return Extreme, (self.side, self.among)
@@ -494,6 +641,14 @@ class Extreme(Real):
         signs = [x._against_number(t) for x in self.among]
         return max(signs) if self.side > 0 else min(signs)
 
+    def _value(self) -> Real:
+        return max(self.among) if self.side > 0 else min(self.among)
+
+    def _found(self) -> Real | None:
+        return self._value()._in_closed_form()
+
+    def _height(self) -> int:
+        return self._value()._height()
+
     def _annihilator(self) -> fmpz_poly:
-        value = max(self.among) if self.side > 0 else min(self.among)
-        return value._annihilator()
+        return self._value()._annihilator()

@@ -2,7 +2,7 @@
 
 >>> from exactspline import BSpline
 >>> zeros(BSpline.bezier([1, -2, 1])).roots
-(<Root 0.211325…: multiplicity 1, sign + to −>, <Root 0.788675…: multiplicity 1, sign − to +>)
+(<Root (3 - √3)/6: multiplicity 1, sign + to −>, <Root (3 + √3)/6: multiplicity 1, sign − to +>)
 """
 
 from exactspline.reals.real import between

@@ -15,7 +15,7 @@ from exactspline.polynomials.bernstein import ONE, raiser, value
 from exactspline.polynomials.bezout import PlaneForms
 from exactspline.polynomials.common_arcs import Image, Local, RationalMap
 from exactspline.polynomials.zero_places import Place
-from exactspline.reals.real import RationalNumber, Real
+from exactspline.reals.real import UNASKED, RationalNumber, Real
 from exactspline.roots.root import Root
 from exactspline.roots.values import ValueAt
 from exactspline.splines.bspline import BSpline
@@ -93,7 +93,7 @@ class ImageValue(ValueAt):
     >>> doubled = Image(place, RationalMap(1, fmpz_poly([0, 2]), fmpz_poly([1])))
     >>> x = ImageValue(doubled, Interval(mpq(0), mpq(1)), Interval(mpq(0), mpq(1)))
     >>> x, x.minimal_polynomial()  # z/(1 + z) at z = √2
-    (<Real 0.58578644…>, [2, -4, 1])
+    (<Real 2 - √2>, [2, -4, 1])
     """
 
     __slots__ = ("_image", "_place", "_sides", "_splines")
@@ -103,16 +103,7 @@ class ImageValue(ValueAt):
     _place: Real | None
 
     def __init__(self, image: Image, side: Interval, other: Interval) -> None:
-        fill(
-            self,
-            _image=image,
-            _sides=(side, other),
-            _splines=None,
-            _place=None,
-            _exact=None,
-            _isolating=None,
-            _minimal=None,
-        )
+        fill(self, _image=image, _sides=(side, other), _splines=None, _place=None, **UNASKED)
 
     @property
     def place(self) -> Real:  # type: ignore[override]  # computed when it is needed

@@ -17,7 +17,7 @@ from exactspline.polynomials.bernstein import in_parameter
 from exactspline.polynomials.isolation import LocalZero
 from exactspline.polynomials.refinement import enclosures, sign_at
 from exactspline.reals.algebraic import Algebraic
-from exactspline.reals.real import Real
+from exactspline.reals.real import UNASKED, RationalNumber, Real, zero_of
 
 #: The number of times two roots are compared with a number between them before they are refined.
 BISECTIONS = 5
@@ -87,13 +87,11 @@ class Root(Real, Displayed):
             _first=first,
             _zero=zero,
             _polynomial=None,
-            _minimal=None,
-            _isolating=None,
-            _exact=first.low if first.low == first.high else None,
             left_multiplicity=multiplicities[0],
             right_multiplicity=multiplicities[1],
             signs=signs,
             segment=segment,
+            **UNASKED | {"_exact": first.low if first.low == first.high else None},
         )
 
     def __reduce__(self) -> tuple[object, ...]:
@@ -101,6 +99,10 @@ class Root(Real, Displayed):
         return _restored, (*self._first, multiplicities, self.signs, self._zero, self.segment, self._reached)
 
     # ---- what it is
+
+    @property
+    def _given(self) -> mpq | None:
+        return self._first.low if self._first.low == self._first.high else None
 
     @property
     def low(self) -> mpq:
@@ -137,7 +139,30 @@ class Root(Real, Displayed):
                 return self.low
             if changing.without_rational_zero:
                 return None
-        return super()._decided()
+        # the denominator of a rational zero divides the leading coefficient: there is one such multiple at most
+        denominator = abs(int(self._integers().leading_coefficient()))
+        low, high = self._enclosed(denominator.bit_length() * 30103 // 100000 + 1)
+        candidate = mpq(-((-low * denominator) // 1), denominator)
+        return candidate if candidate <= high and self._against_number(candidate) == 0 else None
+
+    def _found(self) -> Real | None:
+        if self.exact is not None:
+            return RationalNumber(self.exact)
+        p = self._integers()
+        return zero_of(p, self) if p.degree() == 2 else super()._found()
+
+    def _coefficient_bits(self) -> int:
+        """No factor has a larger Mahler measure than the polynomial."""
+        return self._measure() + 1
+
+    def _height(self) -> int:
+        """The measure of the polynomial, divided by the least degree that the number can have."""
+        return self._measure() // (3 if self._in_closed_form() is None else 1) + 1
+
+    def _measure(self) -> int:
+        """At least the base-2 logarithm of the Mahler measure of the polynomial."""
+        p = self._integers()
+        return p.height_bits() + (p.degree() + 1).bit_length() // 2 + 1
 
     def _integers(self) -> fmpz_poly:
         """The polynomial of `polynomial`."""

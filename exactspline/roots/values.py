@@ -20,8 +20,7 @@ from exactspline.numbers.sides import Side
 from exactspline.polynomials import annihilating
 from exactspline.polynomials.bernstein import in_parameter, over_common_denominator
 from exactspline.polynomials.centred_form import bounds_over
-from exactspline.reals.algebraic import multiple_in
-from exactspline.reals.real import Real, square_root
+from exactspline.reals.real import UNASKED, Real, square_root
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.nurbs import Nurbs
 
@@ -42,7 +41,7 @@ class ValueAt(Real):
     place: Real
 
     def __init__(self, top: BSpline, bottom: BSpline, place: Real) -> None:
-        fill(self, top=top, bottom=bottom, place=place, _exact=None, _isolating=None, _minimal=None)
+        fill(self, top=top, bottom=bottom, place=place, **UNASKED)
 
     def __reduce__(self) -> tuple[object, ...]:
         return ValueAt, (self.top, self.bottom, self.place)
@@ -64,15 +63,19 @@ class ValueAt(Real):
     def _annihilator(self) -> fmpz_poly:
         return annihilating.quotient_at(self.place._annihilator(), *self._in_terms()[1:])
 
-    def _decided(self) -> mpq | None:
-        """Without a polynomial of which it is a zero, whose computation takes as many resultants as it has degrees."""
-        if self._isolating is not None:
-            return super()._decided()
-        denominator = annihilating.denominator_at(self.place._annihilator(), *self._in_terms()[1:])
-        if denominator is None:
-            return None
-        candidate = multiple_in(self._enclosed, abs(int(denominator)))
-        return None if candidate is None or self._against_number(candidate) else candidate
+    def _found(self) -> Real | None:
+        place = self.place._in_closed_form()
+        if place is None:
+            return super()._found()
+        top, bottom = (
+            sum((place**k * rational(c) for k, c in enumerate(p.coeffs())), start=Real(0)) for p in self._in_terms()[1:]
+        )
+        return (top / bottom)._in_closed_form()
+
+    def _height(self) -> int:
+        parts = over_common_denominator([(p.numer(), p.denom()) for p in self._in_terms()[1:]])[0]
+        degree = max(p.degree() for p in parts)
+        return degree * self.place._height() + max(p.height_bits() for p in parts) + degree.bit_length()
 
 
 def value_at(top: BSpline, bottom: BSpline, place: mpq | Real, side: Side | str = Side.RIGHT) -> Real:
@@ -119,10 +122,10 @@ def at(
     (mpq(1,2), mpq(1,4))
     >>> x, y = at(parabola, zeros(parabola.p[1].scaled(2) - 1).roots[0])
     >>> x, y == "1/2", y == mpq(1, 2), x.decimal(30)
-    (<Real 0.70710678…>, False, True, '0.707106781186547524400844362105')
+    (<Real √2/2>, False, True, '0.707106781186547524400844362105')
     >>> s = BSpline.identity(0, 2)
     >>> at(s * s * s, zeros(s * s - 2).roots[0]), at(s, "1/3")
-    (<Real 2.8284271…>, mpq(1,3))
+    (<Real 2√2>, mpq(1,3))
 
     Raises `DomainError` outside the domain.
     """

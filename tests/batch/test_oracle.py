@@ -157,8 +157,8 @@ def test_the_box_of_two_equal_irrational_extrema():
     [low, high] = coordinate_range(bent, 1)
     # s = t² has its maximum 11/6, at t = ±√(11/6): the height is rational there, at an irrational parameter
     assert high.double() == float(mpq(121, 36))
-    assert high.closed_form is None
     assert high == mpq(121, 36)
+    assert high.closed_form == "121/36"
     assert low.exact == mpq(-4, 3)
 
 
@@ -210,7 +210,7 @@ def test_exact_lengths():
     assert length(SQUARE).exact == 6
     # a speed that changes its sign is not integrated as it stands
     back = xs.Nurbs(2, [0, 0, 0, 1, 1, 1], [(0, 0), (1, 0), (0, 0)])
-    assert length(back).closed_form is None
+    assert number_data(length(back)).items() >= {"exact": None, "open": True, "double": 1.0}.items()
     assert length(back).double() == 1.0
 
 
@@ -224,10 +224,10 @@ def _antiderivative(points):
 
 def test_a_ball_that_leaves_the_answer_open_says_so():
     number = InBalls(lambda bits: arb(2).sqrt() ** 2 / 2 + arb("1"))
-    assert number.closed_form is None
-    with pytest.raises(OpenError):
-        number > mpq(2)  # noqa: B015
-    assert number_data(number)["double"] == 2.0
+    for question in (lambda: number.closed_form, lambda: number > mpq(2)):
+        with pytest.raises(OpenError):
+            question()
+    assert number_data(number).items() >= {"exact": None, "open": True, "double": 2.0}.items()
     before = ctx.prec
     length(xs.example("circle")).double()
     assert ctx.prec == before

@@ -1,6 +1,7 @@
 """Derived objects on degenerate input: a clear answer each."""
 
-from itertools import pairwise
+from contextlib import suppress
+from itertools import pairwise, product
 
 import pytest
 from gmpy2 import mpq
@@ -8,13 +9,17 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from exactspline import BSpline, Nurbs
-from exactspline.errors import FormulaError, ShapeError
+from exactspline.batch.oracle import items
+from exactspline.display.serialize import derived_data
+from exactspline.errors import DomainError, ExactSplineError, FormulaError, ShapeError
 from exactspline.geometry.constructions import Absence, Variant
 from exactspline.geometry.curvature import curvature_function
 from exactspline.geometry.derived import derive
 from exactspline.geometry.domain import intervals_where
 from exactspline.interchange.examples import example
-from exactspline.papers import find
+from exactspline.language.parts import numerator
+from exactspline.papers import all_formulas, find
+from tests.support.command import run
 
 
 def test_circle_has_constant_curvature():
@@ -147,3 +152,55 @@ def test_a_derived_object_has_the_values_of_its_pieces():
     assert isinstance(point, tuple)
     assert len(point) == 2
     assert number == derive("zero_curvature", curve).pieces[0].value(mpq(1, 3))
+
+
+POLES = [
+    ("evolute", "cubic_s", ["1/2"]), ("circle_centres", "flat_point", ["1/2"]), ("focal_curve", "flat_point", ["1/2"]),
+    ("curvature_squared", "cusp", ["1/2"]), ("evolute", "six_segment_cubic", ["(-7 + √159)/2", "(31 - √321)/4"]),
+    ("evolute", "circle", []), ("evolute", "cusp", []), ("torsion", "twisted_cubic", []), ("f2", "cubic_s", []),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("what", "name", "expected"), POLES, ids=[f"{what} of {name}" for what, name, _ in POLES])
+def test_poles_are_places_of_the_answer(what, name, expected):
+    """Passed: "on [0, 1]" without an exception, and a ZeroDivisionError at 1/2."""
+    for variant in ("minimal", "naive"):
+        found = derive(what, example(name), variant)
+        assert [pole.closed_form for pole in found.poles] == expected
+        assert [pole["exact"] for pole in derived_data(found, name)["poles"]] == expected
+        assert all(form in found.existence and f"at {form}" in found._repr_html_() for form in expected)
+        assert ("pole" in found.existence) == ("pole" in found._repr_html_()) == bool(expected)
+        for form in expected:
+            if "√" not in form:
+                with pytest.raises(DomainError, match=f"{what} has a pole at the parameter {form}"):
+                    found(form)
+
+
+def test_the_oracle_names_poles():
+    told = [item for item in items(example("six_segment_cubic"), "evolute") if item.what == "pole"]
+    assert [item.values["parameter"].closed_form for item in told] == POLES[4][2]
+
+
+def test_where_a_form_as_written_is_0_by_0_there_is_the_value():
+    """Passed: a ZeroDivisionError for the naive evolute at a cusp, where the evolute in lowest terms has a point."""
+    assert derive("evolute", example("cusp"), "naive")("1/2") == derive("evolute", example("cusp"))("1/2")
+
+
+@pytest.mark.parametrize("name", ["parabola", "straight_line", "space_line", "twisted_cubic"])
+def test_what_vanishes_has_a_degree_and_control_points_like_any_spline(name):
+    """Passed: jerk, D3, D21 of a parabola with the degree −1 and without control points, of a line with −2."""
+    vanishing = 0
+    for formula, variant in product(all_formulas().values(), ("minimal", "naive")):
+        with suppress(ExactSplineError):  # of another dimension, or existing nowhere
+            found = derive(formula, example(name), variant)
+            [data] = derived_data(found, name)["pieces"]
+            assert data["degree"] == found.degree >= 0
+            assert data.get("control_points") or data["homogeneous_control_points"]
+            vanishing += numerator(found.pieces[0].value).is_zero
+    assert vanishing > 3
+
+
+def test_a_derivative_that_vanishes_can_be_inspected(tmp_path):
+    """Was refused: "control_points: is not a list of points"."""
+    assert run("derive", "jerk", "parabola", "-o", tmp_path / "jerk.json").returncode == 0
+    assert "stands still" in run("inspect", tmp_path / "jerk.json").stdout

@@ -36,7 +36,7 @@ class PlaneBisector(Bisector):
     >>> line, other = (Nurbs(1, [0, 0, 1, 1], points) for points in ([(0, 0), (2, 0)], [(0, 1), (3, 4)]))
     >>> found = PlaneBisector(line, other)
     >>> found.pieces
-    (<arc from 0.207107… and 0 to 1 and 0.373773…>,)
+    (<arc from (-1 + √2)/2 and 0 to 1 and (-2 + 3√2)/6>,)
     """
 
     def __init__(self, first: Nurbs, second: Nurbs) -> None:
