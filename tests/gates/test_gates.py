@@ -228,6 +228,7 @@ BARE_LISTS = {
     "geometry/plane_features.py: flat_points": "the points of an entry's answer, which adds the pieces",
     "geometry/space_features.py: critical_points": "the points of an entry's answer, which adds the pieces",
     "geometry/space_features.py: flat_points": "the points of an entry's answer, which adds the pieces",
+    "geometry/derived.py: Derived.poles": "its denominator does not vanish throughout",
     "geometry/poles.py: BetweenPoles.reversals": "its cusps and its corners of 180°, both of them answers",
     "geometry/space_features.py: torsion_zeros": "the points of an entry's answer, which adds the pieces",
     "geometry/prominence.py: prominences": "one for each extremum of the answer of an entry",

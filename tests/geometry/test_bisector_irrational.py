@@ -133,7 +133,7 @@ def test_poles_out_of_reach_are_named_and_the_rest_is_there(monkeypatch):
             patch.setattr(root_lines, name, instead)
             found = curve_bisector(CUSP_IN_ORIGIN, other)
             assert component(found).over_root.poles is None
-            assert found.left_out == ("the poles of the lines over (0.707107…) of one curve",)
+            assert found.left_out == ("the poles of the lines over (√2/2) of one curve",)
             data = curve_bisector_data(found, 20)
         assert not data["complete"]
         (line,) = [x for x in data["lines"] if x["over_root"]]
