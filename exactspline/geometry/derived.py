@@ -6,7 +6,6 @@ Parameters and coordinates are unitless exact numbers.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from functools import cached_property
 from typing import Any
 
 from exactspline.errors import DomainError, FormulaError, ShapeError, counted, shown
@@ -22,6 +21,7 @@ from exactspline.language.ruled import RuledSurface
 from exactspline.language.vector import Vector
 from exactspline.numbers.exact import Number, mpq, rational, short_text, text
 from exactspline.numbers.intervals import Interval
+from exactspline.numbers.once import cached_property
 from exactspline.papers import formula_of
 from exactspline.roots.root import Root
 from exactspline.roots.zero_set import zeros
