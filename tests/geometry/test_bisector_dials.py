@@ -233,5 +233,6 @@ def test_every_reason_for_which_there_is_no_surface_is_named():
 def test_parameters_that_are_left_out_are_shown_with_their_exponents():
     """Passed before: "(5.7742e-7…)", two wrong digits, and "(5.7735e-1…)" for 5.7735e-13."""
     t = BSpline.identity(0, 1)
-    assert shown(tuple(zeros(3 * 10**12 * t * t - 1))) == "(5.7735e-7…)"
-    assert shown(tuple(zeros(3 * 10**24 * t * t - 1))) == "(5.7735e-13…)"
+    assert shown(tuple(zeros(3 * 10**12 * t * t - 1))) == "(√3/3000000)"
+    assert shown(tuple(zeros(2 * 10**18 * t * t * t - 1))) == "(7.93701e-7…)"
+    assert shown(tuple(zeros(2 * 10**36 * t * t * t - 1))) == "(7.93701e-13…)"
