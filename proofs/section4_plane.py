@@ -18,6 +18,7 @@ from exactspline.language import dot
 from exactspline.papers import find
 from exactspline.polynomials.isolation import zero_on_segment
 from exactspline.readings.taylor import series_curve
+from exactspline.splines.nurbs import Nurbs
 
 PLANE = [name for name in example_names() if example(name).dimension == 2]
 CURVED = [name for name in PLANE if not find("f2")(example(name)).is_zero]
@@ -54,6 +55,17 @@ def test_equations_7_and_9_to_11():
 def test_degrees(claim):
     """Every degree the section states."""
     assert set(verdict_for_all(claim)) == {"PROVED"}
+
+
+@pytest.mark.parametrize(("d", "counted", "true"), [(3, 17, 15), (4, 27, 25), (5, 37, 35)])
+def test_the_numerator_of_curvature_squared_derivative_is_lower_than_the_whole(d, counted, true):
+    """Passed before: "the degree of the numerator of (κ²)′: 12d − 12". That is the degree of (κ²)′; p′w − pw′ has
+    10d − 13 by Table 1 and 10d − 15 in fact, here on a curve of its own.
+    """
+    curve = Nurbs(d, [0] * (d + 1) + [1] * (d + 1), [((7 * k * k + 3) % 13, (5 * k**3 + k) % 11) for k in range(d + 1)])
+    above = find("curvature_squared_derivative_numerator")(curve)
+    assert (find("curvature_squared_derivative")(curve).degree, above.degree) == (12 * d - 12, counted)
+    assert above.true_degree == true
 
 
 def test_squaring_adds_the_inflections():

@@ -229,7 +229,7 @@ def test_the_time_of_a_row_is_what_it_took():
     start = perf_counter()
     rows = [
         proved(one),
-        judges.judged(judges.Sympy(), one, Proofs()),
+        judges.second_opinion(judges.Sympy(), proved(one)),
         checked(one, Evaluation(example("circle")), "circle", Proofs()),
     ]
     assert all(0 < each.seconds < perf_counter() - start for each in rows)

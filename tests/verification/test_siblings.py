@@ -7,9 +7,9 @@ import exactspline as xs
 from exactspline import BSpline, Nurbs
 from exactspline.display.evidence import worded
 from exactspline.errors import FormulaError, ReachError
-from exactspline.geometry.surface.merged import merged_umbilics
+from exactspline.geometry.surface.merged import merged_umbilic
 from exactspline.geometry.surface.places import Place
-from exactspline.geometry.surface.umbilics import Umbilic, UmbilicKind, UmbilicsOfPatch
+from exactspline.geometry.surface.umbilics import Umbilic, UmbilicKind
 from exactspline.language.choices import Parameter
 from exactspline.numbers.intervals import Box, Interval
 from exactspline.papers import find, load_paper
@@ -58,10 +58,10 @@ def test_an_umbilic_of_two_kinds_is_of_unknown_kind():
 
     def seen(first, second):
         own = [
-            (box, UmbilicsOfPatch((Umbilic(Place(((i, 0),), CommonZero.at(box, (half, mpq(1, 3)))), kind),)))
+            Umbilic(Place(((i, 0),), CommonZero.at(box, (half, mpq(1, 3)))), kind)
             for i, (box, kind) in enumerate(zip(sides, (first, second), strict=True))
         ]
-        (found,) = merged_umbilics(own, Box(Interval(mpq(0), mpq(1)), Interval(mpq(0), mpq(1))), ())
+        found = merged_umbilic(own, (), Box(Interval(mpq(0), mpq(1)), Interval(mpq(0), mpq(1))), ())
         assert found.place.patches == ((0, 0), (1, 0))
         return found.kind
 

@@ -97,8 +97,9 @@ def figure_1() -> Drawn:
             f"a jump, {extrema_at_ends(curve)} extrema at the ends of one segment."
         ),
         (
-            f"(b) the numerator of (κ²)′, {cost(squared.form)}; {counted(len(squared.zeros), 'root')}, the "
-            f"{counted(len(extra), 'root')} of f0 (κ = 0) among them, which are extra."
+            f"(b) the numerator of (κ²)′ raised to the degree of the whole, {cost(squared.form)}; "
+            f"{counted(len(squared.zeros), 'root')}, the {counted(len(extra), 'root')} of f0 (κ = 0) among them, which "
+            "are extra."
         ),
         f"(c) g0, {cost(direct.form)}; {counted(len(direct.zeros), 'root')}.",
         f"Graphs scaled by {powers[0]} and {powers[1]} and trimmed.",
@@ -161,8 +162,8 @@ def figure_2() -> Drawn:
     stored = {min(f.continuity) for f in (squared.form, reduced.form)}
     parts = (
         (
-            f"(a) the graph of the numerator of (κ²)′ of an ellipse γ, {cost(squared.form)}, scaled by {powers[0]}, on "
-            "a logarithmic scale beyond ±1."
+            "(a) the graph of the numerator of (κ²)′ of an ellipse γ, raised to the degree of the whole, "
+            f"{cost(squared.form)}, scaled by {powers[0]}, on a logarithmic scale beyond ±1."
         ),
         (
             f"(b) the ellipse and the graph of g2, eq. (11), {cost(reduced.form)}, scaled by {powers[1]}. Control "

@@ -43,6 +43,13 @@ def curvature_squared_derivative(c):
     return curvature_squared(c).d(1)
 
 
+@formula("§4.2, squaring approach", on="plane")
+def curvature_squared_derivative_numerator(c):
+    """Numerator ``p′w − pw′`` of (κ²)′ for ``κ² = p/w``, ``p = [γ′ γ″]²``, ``w = ‖γ′‖⁶``, before it is raised."""
+    p, w = f0(c) ** 2, speed_squared(c) ** 3
+    return p.d(1) * w - p * w.d(1)
+
+
 @formula("§4.2", on="plane")
 def curvature_derivative_numerator(c):
     """``κ′ ‖γ′‖⁵`` from ``κ = f0 (‖γ′‖²)^(−3/2)`` by the chain rule."""
