@@ -206,7 +206,7 @@ class Analysis(SpaceFacts, Displayed):
 
         >>> from exactspline import Nurbs
         >>> analyse(Nurbs(3, [0] * 4 + [1] * 4, [(0, 0), (3, 3), (-2, 3), (1, 0)])).self_intersections
-        [<crossing at 0.0669873… and 0.933013…>]
+        [<crossing at (2 - √3)/4 and (2 + √3)/4>]
         """
         return self_intersections(self.curve)
 
