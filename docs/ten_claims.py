@@ -14,13 +14,13 @@ from pathlib import Path
 from exactspline import example
 from exactspline.display.evidence import opinion
 from exactspline.display.latex import latex
+from exactspline.extras.coq import judge as coq_judge
+from exactspline.extras.coq.emission import Stated, library
+from exactspline.extras.coq.formulas import Formulas
 from exactspline.language.formula import Formula
 from exactspline.papers import papers
-from exactspline.verification import coq_judge
 from exactspline.verification.claim import Claim
 from exactspline.verification.claims import claims_of
-from exactspline.verification.coq.emission import Stated, library
-from exactspline.verification.coq.formulas import Formulas
 from exactspline.verification.ledger import proved, tasks
 from exactspline.verification.vocabulary import Verdict
 

@@ -23,6 +23,9 @@ __all__ = [*_names, "__version__"]  # noqa: PLE0604
 
 def _printed(form: str, shown: object) -> str | None:
     """The text of an object in a notebook, or what was found in words."""
+    own = type(shown).__module__.split(".")[:3]
+    if own[1:2] == ["extras"]:
+        import_module(".".join([*own, "display"]))
     home = "exactspline.display.evidence" if form == "words" else "exactspline.display.notebook"
     found: str | None = getattr(import_module(home), form)(shown)
     return found

@@ -1,6 +1,6 @@
 # The front door: what is imported from `exactspline`, and what type checkers read of it. A name is imported when it is
 # first used. The headings are those of the reference.
-from . import classroom as classroom
+from .extras import teaching as teaching
 from . import display as display
 from . import interchange as interchange
 from . import language as language

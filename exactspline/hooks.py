@@ -5,11 +5,22 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from enum import Enum
-from typing import ClassVar, Protocol, dataclass_transform
+from importlib import import_module
+from typing import Any, ClassVar, Protocol, dataclass_transform
 
 #: From the name of a format (``html``, ``latex``, ``short``, ``words``) and an object to a text, None where there is
 #: none.
 Printers = Callable[[str, object], str | None]
+
+
+def named(home: str) -> Any:
+    """What a table names as ``module:name``, its module loaded.
+
+    >>> named("exactspline.words:choice").__name__
+    'choice'
+    """
+    module, _, name = home.partition(":")
+    return getattr(import_module(module), name)
 
 
 def _plain(form: str, shown: object) -> str | None:

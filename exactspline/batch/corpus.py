@@ -14,7 +14,7 @@ from exactspline.errors import CurveFileError, ExactSplineError, NumberError, as
 from exactspline.interchange.digests import curve_digest, surface_digest
 from exactspline.interchange.examples import example, example_names
 from exactspline.interchange.files import read_in_pieces
-from exactspline.interchange.formats import FORMATS
+from exactspline.interchange.formats import formats
 from exactspline.interchange.records import Reading, Skipped
 from exactspline.numbers.exact import Number, mpq, rational
 from exactspline.splines.nurbs import Nurbs
@@ -143,7 +143,7 @@ def _places(source: Source) -> list[Source]:
     """
     if not isinstance(source, str) or not os.path.isdir(source):
         return [source]
-    suffixes = {suffix for known in FORMATS for suffix in known.suffixes}
+    suffixes = {suffix for known in formats() for suffix in known.suffixes}
     paths = sorted(path for path in Path(source).rglob("*") if path.suffix.lower() in suffixes and path.is_file())
     return list(map(str, paths)) or [source]
 

@@ -6,13 +6,13 @@ from __future__ import annotations
 
 import gc
 import sys
-from importlib import import_module
 
 import click
 
 from exactspline.cli.commands import COMMANDS, DIFFERS, Entry
 from exactspline.cli.output import INTERRUPTED, guard_output, to_stderr
 from exactspline.errors import ExactSplineError, command_name
+from exactspline.hooks import named
 
 #: This many new objects before Python looks for unused cycles among them: what a command makes mostly stays to its end.
 YOUNG = 100_000
@@ -52,8 +52,7 @@ class Commands(click.Group):
             return Commands(cmd_name, entry.short, entry.commands, epilog=_examples(entry.examples, "Examples"))
         from exactspline.cli.parameters import command_of
 
-        module, _, function = entry.home.partition(":")
-        made = getattr(import_module(f"exactspline.cli.{module}"), function)
+        made = named(f"exactspline.{entry.home}")
         epilog = f"{_examples(entry.examples, 'Examples')}\n\n{_statuses(entry)}"
         return command_of(made, cmd_name, entry.short, epilog)
 

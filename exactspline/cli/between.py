@@ -59,7 +59,7 @@ def between(
     first, second = load_curve(curve), load_curve(other)
     if emit_coq:
         from exactspline.atomic_write import write_text
-        from exactspline.verification.coq.meetings import meeting_theorem
+        from exactspline.extras.coq.intersections import meeting_theorem
 
         see_that_coq_can_name(emit_coq)
         write_text(emit_coq, meeting_theorem(first, second))

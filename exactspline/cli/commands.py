@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 
 @dataclass(frozen=True)
 class Entry:
-    """A command (``module:function`` of this package), or a group of commands."""
+    """A command (``module:function`` of exactspline), or a group of commands."""
 
     short: str
     examples: tuple[str, ...]
@@ -23,26 +23,26 @@ FORMULA = {
     "degrees": Entry(
         "Degrees and control points.",
         ("formula degrees --generic", "formula degrees --at 3", "formula degrees evolute --curve my.json"),
-        "formula.degrees:degrees",
+        "cli.formula.degrees:degrees",
         "a degree differs from the printed one",
     ),
     "reduce": Entry(
         "Factor a formula, your own too.",
         ("formula reduce rectifying_developable", "formula reduce my_formulas.py:pedal"),
-        "formula.reduce:reduce",
+        "cli.formula.reduce:reduce",
     ),
     "conditioning": Entry(
         "Condition numbers of the zeros of each form.",
         ("formula conditioning", "formula conditioning my.json"),
-        "formula.conditioning:conditioning",
+        "cli.formula.conditioning:conditioning",
     ),
 }
 PAPER = {
-    "new": Entry("Begin a paper of your own.", ("paper new my-paper",), "paper:new"),
+    "new": Entry("Begin a paper of your own.", ("paper new my-paper",), "cli.paper:new"),
     "figures": Entry(
         "Draw the figures of the paper.",
         ("paper figures --out pictures", "paper figures --out pictures --figure 2"),
-        "paper:figures",
+        "cli.paper:figures",
     ),
 }
 TEACH = {
@@ -53,7 +53,7 @@ TEACH = {
             "teach triangle my.json --insert 1/2 --times 2 --html > page.html",
             "teach triangle parabola --elevate 1 --product x,y --latex",
         ),
-        "teach.triangle:triangle",
+        "extras.teaching.commands.triangle:triangle",
     ),
     "exercise": Entry(
         "Exercises with small answers.",
@@ -62,7 +62,7 @@ TEACH = {
             "teach exercise evaluation --seed 1 --count 6 --solutions",
             "teach exercise all --html --solutions > sheet.html",
         ),
-        "teach.exercise:exercise",
+        "extras.teaching.commands.exercise:exercise",
     ),
     "check": Entry(
         "Is a student's answer right?",
@@ -71,17 +71,17 @@ TEACH = {
             "teach check my.json --reference cubic_s",
             "teach check mine.py:kappa --reference f2 --factor w",
         ),
-        "teach.check:check",
+        "extras.teaching.commands.check:check",
         "the answer is not right",
     ),
 }
 LIST = {
-    "curves": Entry("The example curves.", ("list curves", "list curves --json"), "list:curves"),
-    "surfaces": Entry("The example surfaces.", ("list surfaces",), "list:surfaces"),
-    "formulas": Entry("What can be derived.", ("list formulas",), "list:formulas"),
-    "papers": Entry("The papers that come along.", ("list papers",), "list:papers"),
-    "questions": Entry("What can be asked of a curve.", ("list questions",), "list:questions"),
-    "words": Entry("Words and signs, explained.", ("list words", "list words nominal"), "list:words"),
+    "curves": Entry("The example curves.", ("list curves", "list curves --json"), "cli.list:curves"),
+    "surfaces": Entry("The example surfaces.", ("list surfaces",), "cli.list:surfaces"),
+    "formulas": Entry("What can be derived.", ("list formulas",), "cli.list:formulas"),
+    "papers": Entry("The papers that come along.", ("list papers",), "cli.list:papers"),
+    "questions": Entry("What can be asked of a curve.", ("list questions",), "cli.list:questions"),
+    "words": Entry("Words and signs, explained.", ("list words", "list words nominal"), "cli.list:words"),
 }
 COMMANDS = {
     "prove": Entry(
@@ -92,15 +92,15 @@ COMMANDS = {
             "prove --curve my.json",
             "prove --section 4.2 --verdict refuted",
         ),
-        "prove:prove",
+        "cli.prove:prove",
         DIFFERS,
     ),
-    "show": Entry("Spell out one claim.", ("show", 'show "eq. (12)"', "show C4.2 --latex"), "show:show", DIFFERS),
-    "errata": Entry("List the errors of the paper.", ("errata", "errata C4.2b"), "errata:errata"),
+    "show": Entry("Spell out one claim.", ("show", 'show "eq. (12)"', "show C4.2 --latex"), "cli.show:show", DIFFERS),
+    "errata": Entry("List the errors of the paper.", ("errata", "errata C4.2b"), "cli.errata:errata"),
     "identity": Entry(
         "Decide one identity.",
         ('identity "f1 = w * f2"', 'identity "file.py:left = w^3 * file.py:right"'),
-        "identity:identity",
+        "cli.identity:identity",
         "the identity does not hold",
     ),
     "inspect": Entry(
@@ -111,17 +111,17 @@ COMMANDS = {
             "inspect font.ttf:ampersand --plot glyph.svg",
             "inspect circle --ask value@1/3 --ask length",
         ),
-        "inspect:inspect",
+        "cli.inspect:inspect",
     ),
     "derive": Entry(
         "Evolutes, focal curves, … exactly.",
         ("derive evolute my.json -o evolute.json", "derive f2 cubic_s"),
-        "derive:derive",
+        "cli.derive:derive",
     ),
     "between": Entry(
         "Where two curves meet, or are nearest.",
         ("between circle ellipse", "between a.json b.svg --plot both.svg", "between a.json b.json --json"),
-        "between:between",
+        "cli.between:between",
     ),
     "bisector": Entry(
         "Bisectors of curves and points.",
@@ -130,7 +130,7 @@ COMMANDS = {
             "bisector cubic_s parabola --plot bisector.svg",
             "bisector twisted_cubic helix_like -o surface.json",
         ),
-        "bisector:bisector",
+        "cli.bisector:bisector",
     ),
     "formula": Entry("What a formula is like.", ("formula reduce f0", "formula degrees evolute"), commands=FORMULA),
     "sweep": Entry(
@@ -140,20 +140,22 @@ COMMANDS = {
             "sweep --random degree=2-5 count=1000 seed=1 --find inflections",
             "sweep curves/ --claim C4.1 -o verdicts.parquet",
         ),
-        "sweep:sweep",
+        "cli.sweep:sweep",
         f"{DIFFERS}, or the program failed on a curve",
         "bad input, or a curve that cannot be read; 130 interrupted",
     ),
     "convert": Entry(
         "Convert files of curves.",
         ("convert drawing.dxf curves.json", "convert font.ttf:ampersand ampersand.json"),
-        "convert:convert",
+        "cli.convert:convert",
     ),
     "paper": Entry("Papers: your own, and figures.", ("paper new my-paper",), commands=PAPER),
-    "coq": Entry("Theorems for the proof assistant Coq.", ("coq theorems", "coq theorems --claim C4.1"), "coq:coq"),
+    "coq": Entry(
+        "Theorems for the proof assistant Coq.", ("coq theorems", "coq theorems --claim C4.1"), "extras.coq.command:coq"
+    ),
     "teach": Entry("Triangles, exercises, answers.", ("teach triangle cubic_s --at 1/3",), commands=TEACH),
     "list": Entry("Curves, surfaces, formulas, papers, words.", ("list curves",), commands=LIST),
-    "schema": Entry("The JSON Schema of a command.", ("schema", "schema prove"), "schema:schema"),
+    "schema": Entry("The JSON Schema of a command.", ("schema", "schema prove"), "cli.schema:schema"),
 }
 
 

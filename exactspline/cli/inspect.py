@@ -233,7 +233,7 @@ def _give(out: Output, inspected: list[Inspected], given: list[Nurbs], certifica
 def _emit(curve: Nurbs, path: str) -> None:
     """The theorems about a curve, in a file."""
     from exactspline.atomic_write import write_text
-    from exactspline.verification.coq.answers import theorem_of
+    from exactspline.extras.coq.answers import theorem_of
 
     write_text(path, theorem_of(curve))
     tell_written(path)

@@ -10,12 +10,11 @@ from functools import singledispatch
 from operator import attrgetter
 from types import NoneType
 
-from exactspline.classroom import differences as wrong
-from exactspline.classroom.answers import shown
 from exactspline.display.numbers import EXACT, Numbers
-from exactspline.errors import ExactSplineError, counted
+from exactspline.errors import ExactSplineError
+from exactspline.hooks import Worded
 from exactspline.language.kinds import constant_text
-from exactspline.numbers.exact import mpq, text
+from exactspline.numbers.exact import mpq, point_text, text
 from exactspline.polynomials.factorization import power_text
 from exactspline.readings.jet import polynomial_text
 from exactspline.symbolic.factorization import Factor
@@ -55,7 +54,7 @@ def _(item: mpq, numbers: Numbers = EXACT) -> str:
 
 @words.register
 def _(item: tuple, numbers: Numbers = EXACT) -> str:  # type: ignore[type-arg]  # of numbers
-    return shown(item)
+    return point_text(item)
 
 
 @words.register(str)
@@ -70,13 +69,12 @@ def _(item: ExactSplineError, numbers: Numbers = EXACT) -> str:
     return numbers.within(str(item))
 
 
-@words.register(Evidence)
-@words.register(wrong.Difference)
-def _(item: Evidence | wrong.Difference, numbers: Numbers = EXACT) -> str:
+@words.register
+def _(item: Evidence, numbers: Numbers = EXACT) -> str:
     return str(item.value) if isinstance(item, Enum) else filled(item.template, item, numbers)
 
 
-def filled(template: str, item: Evidence | wrong.Difference, numbers: Numbers = EXACT) -> str:
+def filled(template: str, item: Worded, numbers: Numbers = EXACT) -> str:
     """A template with the fields of a piece of evidence in words."""
 
     def field(match: re.Match[str]) -> str:
@@ -302,16 +300,3 @@ def _(item: Check, numbers: Numbers = EXACT) -> str:
     if item.vacuous:
         return f"{stated} decides nothing on this curve: {worded(item.finding.computed)}"
     return f"{stated} on this curve" if item.holds else f"not {stated} at the parameter {item.parameter}"
-
-
-# ---- answers of students
-
-
-@words.register
-def _(item: wrong.OtherCount, numbers: Numbers = EXACT) -> str:
-    return f"{counted(item.right, item.of.value)} required, not {item.given}"
-
-
-@words.register
-def _(item: wrong.OtherCoordinates, numbers: Numbers = EXACT) -> str:
-    return f"points with {counted(item.right, 'coordinate')} are required"

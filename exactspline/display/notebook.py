@@ -8,12 +8,9 @@ from html import escape
 from io import BytesIO
 from typing import Any, cast
 
-from exactspline.classroom.exercises import Exercise
-from exactspline.classroom.triangles import ProductTable, Triangle
 from exactspline.display.errata import found_text, true_text
 from exactspline.display.evidence import worded
-from exactspline.display.exercises import task_html
-from exactspline.display.latex import fraction, latex, mathematics
+from exactspline.display.latex import fraction, mathematics
 from exactspline.display.numbers import Numbers
 from exactspline.display.plot.canvas import in_words, settle
 from exactspline.display.quotations import quoted
@@ -26,6 +23,7 @@ from exactspline.geometry.analysis import Analysis
 from exactspline.geometry.derived import Derived
 from exactspline.geometry.planar_maps import MapInspection
 from exactspline.geometry.surface.inspection import SurfaceInspection
+from exactspline.hooks import named
 from exactspline.language.rational import Rational
 from exactspline.language.ruled import RuledSurface
 from exactspline.language.vector import Vector
@@ -48,6 +46,17 @@ SHOWN, LONG = 8, 24
 LONGEST = 200
 #: The fields of a statement that follow its formulas.
 SAID = ("claimed", "found", "factor", "witness", "verdict")
+#: What notebooks show of objects of rooms that are loaded when they are used: the form, the class, the printer.
+BESIDE = (
+    (
+        "text/html",
+        "exactspline.extras.teaching.exercises",
+        "Exercise",
+        "exactspline.extras.teaching.display.exercises:task_html",
+    ),
+    ("text/latex", "exactspline.extras.teaching.triangles", "Triangle", "exactspline.display.latex:latex"),
+    ("text/latex", "exactspline.extras.teaching.triangles", "ProductTable", "exactspline.display.latex:latex"),
+)
 #: Dots per inch of pictures in a notebook.
 RESOLUTION = 80
 #: A long number as a decimal.
@@ -286,10 +295,9 @@ def load_ipython_extension(shell: object) -> None:
     formatters = cast(Any, shell).display_formatter.formatters
     for module, name in (("matplotlib.figure", "Figure"), ("matplotlib.axes._axes", "Axes")):
         formatters["image/png"].for_type_by_name(module, name, _png)
-    formatters["text/html"].for_type(Exercise, task_html)
+    for form, module, name, printer in BESIDE:
+        formatters[form].for_type_by_name(module, name, lambda x, printer=printer: named(printer)(x))
     formatter = formatters["text/latex"]
-    for scheme in (Triangle, ProductTable):
-        formatter.for_type(scheme, latex)
     formatter.for_type(type(mpq()), lambda x: f"${fraction(x)}$")
     formatter.for_type(
         tuple,

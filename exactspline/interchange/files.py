@@ -25,7 +25,7 @@ from exactspline.errors import (
 from exactspline.interchange import own_json
 from exactspline.interchange.examples import example_text, examples
 from exactspline.interchange.format import Format
-from exactspline.interchange.formats import FORMATS
+from exactspline.interchange.formats import formats
 from exactspline.interchange.limits import Limits
 from exactspline.interchange.numbers import NumberText
 from exactspline.interchange.records import NamedCurve, Piece, Reading, Source
@@ -166,10 +166,10 @@ def encoded(
     if surfaces and len(surfaces) < len(named):
         raise CurveFileError("curves and surfaces", remedy="write them into two files")
     if surfaces and not chosen.surfaces:
-        able = ", ".join(sorted(known.name for known in FORMATS if known.surfaces))
+        able = ", ".join(sorted(known.name for known in formats() if known.surfaces))
         raise CurveFileError(f"{chosen.title}: no surfaces are written", remedy=f"these hold surfaces: {able}")
     if chosen.write is None:
-        known = ", ".join(sorted(known.name for known in FORMATS if known.write))
+        known = ", ".join(sorted(known.name for known in formats() if known.write))
         raise CurveFileError(f"{chosen.title} can be read but not written", remedy=f"these can be written: {known}")
     numbers = NumberText(rounding)
     data = chosen.write(list(map(Spline, named)), numbers)
@@ -179,17 +179,17 @@ def encoded(
 
 def named_format(name: str) -> Format:
     """The format with this name; raises `CurveFileError` listing the known names."""
-    for known in FORMATS:
+    for known in formats():
         if known.name == as_text(name, "the name of a format"):
             return known
-    names = ", ".join(sorted(known.name for known in FORMATS))
+    names = ", ".join(sorted(known.name for known in formats()))
     raise CurveFileError(f"there is no format called {name!r}", remedy=f"the formats are {names}")
 
 
 def _by_suffix(path: str) -> Format:
     suffix = Path(path).suffix.lower()
     # *.json means our format; other formats with that suffix are recognized by content and written only when named
-    for known in sorted(FORMATS, key=lambda known: known.name != suffix[1:]):
+    for known in sorted(formats(), key=lambda known: known.name != suffix[1:]):
         if suffix in known.suffixes:
             return known
     raise CurveFileError(f"no format has the suffix {suffix}", where=path, remedy="name the format")
@@ -199,10 +199,12 @@ def _recognized(data: bytes, name: str) -> Format:
     head, suffix = data[:HEAD], Path(name).suffix.lower()
     # a name in JSON may look like another format: <svg …, [OBJECT …
     in_json = own_json.looks_like(head)
-    for known in (each for each in FORMATS if not in_json or ".json" in each.suffixes):
+    for known in (each for each in formats() if not in_json or ".json" in each.suffixes):
         # text that begins with a brace is not necessarily JSON: if the suffix belongs to another format, that one reads
         # it
-        braced = known.suffixes == (".json",) and suffix != ".json" and any(suffix in each.suffixes for each in FORMATS)
+        braced = (
+            known.suffixes == (".json",) and suffix != ".json" and any(suffix in each.suffixes for each in formats())
+        )
         if known.looks_like(head) and not braced:
             return known
     try:

@@ -430,6 +430,15 @@ def text(value: mpq | mpz | int) -> str:
     return str(mpz(value) if type(value) is int else value)
 
 
+def point_text(point: Sequence[mpq]) -> str:
+    """A number, or a point in parentheses, as text.
+
+    >>> point_text([mpq(1)]), point_text([mpq(1), mpq(1, 2)])
+    ('1', '(1, 1/2)')
+    """
+    return text(point[0]) if len(point) == 1 else f"({', '.join(map(text, point))})"
+
+
 def short_text(value: mpq) -> str:
     """The exact text of a number or, if it is long, its beginning and its length, for use in messages.
 

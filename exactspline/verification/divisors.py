@@ -23,7 +23,7 @@ from exactspline.readings.tree import Node, nodes, trace
 from exactspline.symbolic.assumptions import assumption
 from exactspline.symbolic.factorization import jets_for
 from exactspline.verification.claim import Claim
-from exactspline.verification.coq.denominators import Evaluation, factored
+from exactspline.verification.denominators import Evaluation, factored
 
 #: The denominators of curves and of the operands of Table 1: none has zeros.
 WEIGHTS = ("w", "W", "w1", "w2")

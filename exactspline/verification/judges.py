@@ -4,19 +4,19 @@ reported.
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import replace
 from functools import partial
 from typing import Protocol
 
+from exactspline import hooks
 from exactspline.errors import ClaimError, ExactSplineError, nearest
 from exactspline.language.arguments import Evaluated
 from exactspline.language.kinds import kind_of
 from exactspline.readings.sympy_expression import SympyReading
 from exactspline.symbolic.factorization import without_denominator
 from exactspline.verification.claim import Claim
-from exactspline.verification.combined import fitting
-from exactspline.verification.coq_judge import Coq
+from exactspline.verification.combined import Proofs, fitting
 from exactspline.verification.evidence import Fact, JudgesDisagree
 from exactspline.verification.kinds.equality import Identity
 from exactspline.verification.notation import factor_formulas
@@ -34,6 +34,9 @@ class Sympy:
     """
 
     name = column = Name(SympyReading.name)
+
+    def __init__(self, claims: Iterable[Claim] = ()) -> None:
+        """It decides every claim by itself."""
 
     def decide(self, claim: Claim) -> Finding:
         """The worst finding over all cases: rational and polynomial curves of every dimension."""
@@ -66,18 +69,28 @@ class Judge(Protocol):
         """The finding; UNDECIDED where the judge does not handle claims of this kind."""
 
 
-#: The judges other than the ledger's.
-OTHERS = ("sympy", "coq")
+#: The judges other than the ledger's: where each stands, or what makes one.
+_others: dict[str, str | Callable[[Sequence[Claim]], Judge]] = {
+    "sympy": "exactspline.verification.judges:Sympy",
+    "coq": "exactspline.extras.coq.judge:Coq",
+}
 
 
-def judge_named(name: str, claims: Iterable[Claim] = ()) -> Sympy | Coq:
-    """Another judge, of these claims.
+def add_judge(name: str, make: Callable[[Sequence[Claim]], Judge]) -> None:
+    """Let ``prove --judge NAME`` ask another judge, made for the claims that it will be asked for."""
+    _others[name] = make
+
+
+def judge_named(name: str, claims: Sequence[Claim] = ()) -> Judge:
+    """Another judge, for these claims.
 
     Raises `ClaimError` with the existing names.
     """
-    if name not in OTHERS:
-        raise ClaimError(f"there is no judge called {name!r}", remedy=nearest(name, OTHERS))
-    return Coq(claims) if name == "coq" else Sympy()
+    if name not in _others:
+        raise ClaimError(f"there is no judge called {name!r}", remedy=nearest(name, _others))
+    made = _others[name]
+    judge: Judge = (hooks.named(made) if isinstance(made, str) else made)(claims)
+    return judge
 
 
 def agreed(own: Finding, first: Name, other: Finding, second: Name) -> Finding:

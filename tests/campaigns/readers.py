@@ -22,9 +22,9 @@ from typing import Any
 from unittest import mock
 
 from exactspline.errors import CurveFileError, ExactSplineError
-from exactspline.interchange import read, rhino_process
+from exactspline.extras.cad import rhino, rhino_process
+from exactspline.interchange import read
 from exactspline.interchange.files import encoded
-from exactspline.interchange.formats import rhino
 from exactspline.interchange.records import Source
 from tests.support.interchange_seeds import CURVES, cff, seeds, truetype
 

@@ -12,9 +12,10 @@ from xml.etree import ElementTree
 import pytest
 from click.testing import CliRunner
 
-from exactspline.classroom.answers import Circle, Parameters, Points, Polynomials, shown
-from exactspline.classroom.comparison import compare_curves, compare_formulas
-from exactspline.classroom.differences import (
+from exactspline.cli import app
+from exactspline.extras.teaching.answers import Circle, Parameters, Points, Polynomials, shown
+from exactspline.extras.teaching.comparison import compare_curves, compare_formulas
+from exactspline.extras.teaching.differences import (
     Invented,
     Missing,
     OtherDimension,
@@ -24,12 +25,11 @@ from exactspline.classroom.differences import (
     OtherValue,
     Shape,
 )
-from exactspline.classroom.exercises import LARGEST
-from exactspline.classroom.parts import Math
-from exactspline.classroom.reading import AnswerError, numbers, points, polynomials
-from exactspline.classroom.topics import HINTS, TOPICS, TopicError, about, exercise, exercises
-from exactspline.cli import app
-from exactspline.display.exercises import html_page, latex_document, plain, text_lines
+from exactspline.extras.teaching.display.exercises import html_page, latex_document, plain, text_lines
+from exactspline.extras.teaching.exercises import LARGEST
+from exactspline.extras.teaching.parts import Math
+from exactspline.extras.teaching.reading import AnswerError, numbers, points, polynomials
+from exactspline.extras.teaching.topics import HINTS, TOPICS, TopicError, about, exercise, exercises
 from exactspline.interchange.curve_files import curve_data
 from exactspline.interchange.examples import example
 from exactspline.numbers.exact import mpq, rational

@@ -8,11 +8,16 @@ from click.testing import CliRunner
 from hypothesis import given
 from hypothesis import strategies as st
 
-from exactspline.classroom.triangles import de_boor_triangle, elevation_triangles, insertion_triangle, product_tables
 from exactspline.cli import app
 from exactspline.display.latex import mathematics
-from exactspline.display.triangles import html_page, sheets
 from exactspline.errors import DomainError, ExactSplineError, KnotError, ShapeError
+from exactspline.extras.teaching.display.triangles import html_page, sheets
+from exactspline.extras.teaching.triangles import (
+    de_boor_triangle,
+    elevation_triangles,
+    insertion_triangle,
+    product_tables,
+)
 from exactspline.interchange.examples import example, example_names
 from exactspline.numbers.exact import mpq, text
 from exactspline.splines.bspline import BSpline

@@ -8,11 +8,11 @@ from enum import Enum
 from pathlib import Path
 
 import exactspline
-from exactspline.classroom.answers import Finding as StudentFinding
-from exactspline.classroom.differences import Difference
 from exactspline.display.evidence import worded, words
 from exactspline.display.ledger import found, row_data, witness
 from exactspline.errors import ExactSplineError
+from exactspline.extras.teaching.answers import Finding as StudentFinding
+from exactspline.extras.teaching.differences import Difference
 from exactspline.interchange.examples import example, example_names
 from exactspline.numbers.exact import mpq
 from exactspline.papers import papers

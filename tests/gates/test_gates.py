@@ -28,14 +28,14 @@ def planted(code, finder):
 DECIDING = ("geometry/", "symbolic/", "classroom/", "questions/", "roots/", "polynomials/", "reals/", "programs/")
 BY_SENTENCES = {
     "batch/summary.py: Summary.entries": "how many different notes there are",
-    "display/exercises.py: solution_lines": "a heading that a triangle has is not shown twice",
+    "extras/teaching/display/exercises.py: solution_lines": "a heading that a triangle has is not shown twice",
     "display/ledger_run.py: Run._listed": "a sheet is found by its name, which is shown too",
-    "display/triangles.py: _result_html": "the name of an algorithm",
-    "display/triangles.py: _result_sheets": "the name of an algorithm",
-    "display/triangles.py: scheme_data": "the name of an algorithm",
+    "extras/teaching/display/triangles.py: _result_html": "the name of an algorithm",
+    "extras/teaching/display/triangles.py: _result_sheets": "the name of an algorithm",
+    "extras/teaching/display/triangles.py: scheme_data": "the name of an algorithm",
     "papers/__init__.py: find": "the name of a paper, written before that of its formula",
     "verification/claims.py: located": "a user searches in the statements",
-    "verification/coq/refutations.py: _Attempt.text": "a type of Coq",
+    "extras/coq/refutations.py: _Attempt.text": "a type of Coq",
     "verification/errata.py: numbered": "a number that a statement tells already is not told again",
 }
 SENTENCES = {
@@ -172,7 +172,7 @@ SECOND_NUMBERS = {
     "reals/digits.py: Digits": "a view: digits as they are shown",
 }
 WAYS = {
-    "classroom/shapes.py: curvature": "an exercise",
+    "extras/teaching/shapes.py: curvature": "an exercise",
     "display/plot/curvature_lines.py: lines_of_curvature": "curves on a surface",
     "geometry/curvature.py: curvature_function": "curvature as a function",
     "geometry/facts.py: Facts.same_curvature": "a comparison",
@@ -262,7 +262,7 @@ def test_an_entry_about_places_is_annotated_as_one():
 # ---- exact rooms
 
 ROUNDED = {
-    "classroom/topics.py: exercise": "chooses by a seed",
+    "extras/teaching/topics.py: exercise": "chooses by a seed",
     "numbers/exact.py: _finite": "the door for floats",
     "numbers/exact.py: _refuse_float": "refuses floats",
     "numbers/exact.py: _rounded": "rounds to a double, on request",
@@ -286,8 +286,8 @@ ROUNDED = {
     "geometry/many_curves.py: outside": "the certified filter",
     "geometry/many_curves.py: scaled_operands": "the certified filter",
     "interchange/bridges/numpy.py: points_at": "rounds to doubles, on request",
-    "interchange/formats/rhino.py: write": "writes a file of doubles, and names the numbers that are rounded",
-    "interchange/rhino_process.py: _hex": "doubles of a file, bit by bit",
+    "extras/cad/rhino.py: write": "writes a file of doubles, and names the numbers that are rounded",
+    "extras/cad/rhino_process.py: _hex": "doubles of a file, bit by bit",
     "programs/certain_pairs.py: segment_in_doubles": "the certified filter",
     "programs/masses.py: factors": "the certified filter",
     "programs/doubles.py: _carried_out": "the certified filter",

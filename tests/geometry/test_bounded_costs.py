@@ -6,10 +6,10 @@ from gmpy2 import mpq
 
 from exactspline import example
 from exactspline.errors import ReachError
+from exactspline.extras.coq.terms import integer, number
 from exactspline.geometry.surface import inspection
 from exactspline.geometry.surface.inspection import PatchKind, inspect_surface
 from exactspline.polynomials.factors import greatest_common_divisor
-from exactspline.verification.coq.terms import integer, number
 
 
 def test_a_common_divisor_of_long_integers_is_refused():

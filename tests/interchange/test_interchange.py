@@ -15,7 +15,7 @@ from exactspline.errors import CurveFileError, ExactSplineError, NumberError, Sh
 from exactspline.interchange import Limits, read, write
 from exactspline.interchange.examples import example, example_names
 from exactspline.interchange.files import encoded
-from exactspline.interchange.formats import FORMATS
+from exactspline.interchange.formats import formats
 from exactspline.interchange.limits import work
 from exactspline.interchange.own_json import schema
 from tests.support.interchange_seeds import (
@@ -36,7 +36,7 @@ from tests.support.interchange_seeds import (
 )
 from tests.support.strategies import nurbs
 
-WRITERS = [known.name for known in FORMATS if known.write and known.name != "3dm"]
+WRITERS = [known.name for known in formats() if known.write and known.name != "3dm"]
 CARTESIAN_IN_SPACE = ("iges", "3dm")
 
 

@@ -6,7 +6,7 @@ from exactspline import Nurbs
 from exactspline.interchange import read
 from exactspline.interchange.examples import example
 from exactspline.interchange.files import encoded
-from exactspline.interchange.formats import FORMATS
+from exactspline.interchange.formats import formats
 from exactspline.numbers.exact import from_float
 from tests.support.interchange_seeds import ARC, CUBIC, SPACE
 
@@ -96,7 +96,7 @@ def test_open_cascade_evaluates_a_periodic_curve_alike(tmp_path):
 @pytest.mark.parametrize(("name", "reader"), [("step", "STEPControl"), ("iges", "IGESControl")])
 def test_open_cascade_reads_our_step_and_iges(tmp_path, name, reader):
     module = pytest.importorskip(f"OCP.{reader}")
-    suffix = next(known.suffixes[0] for known in FORMATS if known.name == name)
+    suffix = next(known.suffixes[0] for known in formats() if known.name == name)
     place = tmp_path / f"a{suffix}"
     place.write_bytes(encoded([SPACE, SPACE], name)[0])
     control = getattr(module, f"{reader}_Reader")()

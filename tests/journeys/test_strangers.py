@@ -11,15 +11,15 @@ import pytest
 from gmpy2 import mpq
 from mpmath import mp, pi
 
-from exactspline.classroom.triangles import de_boor_triangle, insertion_triangle
 from exactspline.cli.commands import leaves
 from exactspline.cli.common import load_curve
 from exactspline.display.evidence import worded
 from exactspline.errors import CurveFileError, DomainError, ExactSplineError, KnotError, NumberError
+from exactspline.extras.teaching.triangles import de_boor_triangle, insertion_triangle
 from exactspline.interchange.curve_files import curve_data
 from exactspline.interchange.examples import example
 from exactspline.interchange.files import read
-from exactspline.interchange.formats import FORMATS
+from exactspline.interchange.formats import formats
 from exactspline.language.formula import formula
 from exactspline.papers import named_papers
 from exactspline.readings.tree import trace
@@ -28,7 +28,7 @@ from exactspline.verification.combined import combined
 from tests.support.command import invoke
 
 JUNK = b"{\x00\x01\xffjunk"
-OTHERS = sorted({suffix for known in FORMATS for suffix in known.suffixes} - {".json"})
+OTHERS = sorted({suffix for known in formats() for suffix in known.suffixes} - {".json"})
 
 
 @pytest.mark.parametrize("suffix", OTHERS)

@@ -24,7 +24,7 @@ from exactspline.readings.taylor import taylor
 from exactspline.readings.tree import trace
 from exactspline.symbolic.substitution import substitute
 from exactspline.verification.check_arguments import moved_copy, pair_with, point_beside
-from exactspline.verification.coq.denominators import Evaluation
+from exactspline.verification.denominators import Evaluation
 
 FORMULAS = {name: f for name, f in all_formulas().items() if f.curve in ("pair", "point", "plane point")}
 over_formulas = pytest.mark.parametrize("name", FORMULAS)

@@ -9,6 +9,7 @@ import pytest
 from flint import Ordering, fmpq, fmpq_mpoly_ctx, fmpq_poly, fmpz, fmpz_mpoly_ctx, fmpz_poly, nmod_poly
 
 from exactspline.errors import ReachError
+from exactspline.extras.coq.proofs import Nonzero
 from exactspline.numbers.exact import mpq
 from exactspline.polynomials import elimination, factors
 from exactspline.polynomials.cost import Budget, affords, check_reach, drawing_on, height_bits
@@ -17,8 +18,7 @@ from exactspline.polynomials.factorization import Factorization, power_text
 from exactspline.polynomials.factors import factorize, factorize_square_free, greatest_common_divisor, prime_factors
 from exactspline.polynomials.over_root import OverRoot, large_primes
 from exactspline.roots.of_polynomials import check_isolation
-from exactspline.verification.coq.denominators import factored
-from exactspline.verification.coq.proofs import Nonzero
+from exactspline.verification.denominators import factored
 
 CONTEXT = fmpz_mpoly_ctx.get(["s", "t"], Ordering.lex)
 S, T = CONTEXT.gens()

@@ -11,7 +11,7 @@ from exactspline.readings.expression import Operation
 from exactspline.readings.printing.text import print_text
 from exactspline.readings.printing.units import without_units
 from exactspline.readings.tree import Node, nodes
-from exactspline.verification.coq.denominators import Evaluation
+from exactspline.verification.denominators import Evaluation
 
 
 def random_tree(chance, depth):

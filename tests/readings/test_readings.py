@@ -26,7 +26,7 @@ from exactspline.readings.printing.latex import print_latex
 from exactspline.readings.printing.text import print_text
 from exactspline.readings.taylor import Series, series_curve, taylor
 from exactspline.readings.tree import TreeReading, trace
-from exactspline.verification.coq.denominators import Evaluation
+from exactspline.verification.denominators import Evaluation
 from tests.support.sampled import FULL, sample
 
 #: The formulas of one curve; those of two curves, or of a curve and a point, are in test_pairs.py.

@@ -4,9 +4,9 @@ import re
 from io import BytesIO
 
 from exactspline import Nurbs
+from exactspline.extras.cad.iges_records import formatted
 from exactspline.interchange.examples import example
 from exactspline.interchange.files import encoded
-from exactspline.interchange.iges_records import formatted
 
 ARC = Nurbs(2, [0, 0, 0, 1, 1, 1], [(1, 0), (1, 1), (0, 1)], weights=[1, 1, 2], name="arc")
 CUBIC = Nurbs(3, [0, 0, 0, 0, "0.5", 1, 1, 1, 1], [(0, 0), ("0.1", 1), (2, -1), (3, "1.25"), (4, 0)], name="cubic")

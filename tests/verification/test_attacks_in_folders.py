@@ -16,12 +16,12 @@ from exactspline.display.evidence import worded
 from exactspline.display.sheet import Sheet, csv_of
 from exactspline.display.wrapping import code_lines
 from exactspline.errors import ClaimError, ExactSplineError, FormulaError
+from exactspline.extras.coq.answers import theorem_of
 from exactspline.interchange.examples import example
 from exactspline.papers import find, load_paper, papers, resolve
 from exactspline.splines.nurbs import Nurbs
 from exactspline.verification.claims import claims_of, select
 from exactspline.verification.combined import combined
-from exactspline.verification.coq.answers import theorem_of
 from exactspline.verification.errata import errata
 from exactspline.verification.judges import Sympy
 from exactspline.verification.kinds.equality import Vanishing
@@ -316,7 +316,7 @@ def test_errata_name_what_is_not_decided(tmp_path):
 def test_the_kernel_says_why_it_says_nothing(tmp_path):
     """Before, the column of the kernel was blank for every claim of a user's paper."""
     from exactspline.display.evidence import opinion
-    from exactspline.verification.coq_judge import findings
+    from exactspline.extras.coq.judge import findings
 
     folder = written(tmp_path / "p", FORMULAS, [FALSE])
     (claim,) = claims_of(load_paper(folder))

@@ -25,15 +25,15 @@ from docs import ten_claims
 from exactspline import example, examples, intersections, write, zeros
 from exactspline.display.evidence import opinion
 from exactspline.errors import ClaimError
+from exactspline.extras.coq import judge as coq_judge
+from exactspline.extras.coq.answers import answers, theorem_of
+from exactspline.extras.coq.emission import BY_HAND, ROOT, library
+from exactspline.extras.coq.formulas import Formulas
+from exactspline.extras.coq.intersections import meeting_theorem, rational_determinant
 from exactspline.interchange.curve_files import curve_data
 from exactspline.papers import find, papers
 from exactspline.splines.nurbs import Nurbs
-from exactspline.verification import coq_judge
 from exactspline.verification.claims import select
-from exactspline.verification.coq.answers import answers, theorem_of
-from exactspline.verification.coq.emission import BY_HAND, ROOT, library
-from exactspline.verification.coq.formulas import Formulas
-from exactspline.verification.coq.meetings import meeting_theorem, rational_determinant
 from exactspline.verification.vocabulary import Verdict
 from tests.support.bisector_oracle import bezier
 from tests.support.command import run

@@ -9,13 +9,13 @@ from dataclasses import replace
 import pytest
 
 from exactspline.errors import FormulaError
+from exactspline.extras.coq.emission import Stated, library
+from exactspline.extras.coq.theorems import STATED, theorem
 from exactspline.language.kinds import kind_of
 from exactspline.papers import find, papers
 from exactspline.symbolic.assumptions import Assumption
 from exactspline.verification.claim import Claim
 from exactspline.verification.claims import claims_of
-from exactspline.verification.coq.emission import Stated, library
-from exactspline.verification.coq.theorems import STATED, theorem
 from exactspline.verification.vocabulary import Status, Verdict
 
 #: Failures whose correction is no equality, with what it is instead: another claim, or a sentence alone.

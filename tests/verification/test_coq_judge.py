@@ -6,7 +6,7 @@ import pytest
 
 from exactspline.display.evidence import opinion
 from exactspline.errors import FormulaError
-from exactspline.verification import coq_judge
+from exactspline.extras.coq import judge as coq_judge
 from exactspline.verification.claims import all_claims
 from exactspline.verification.evidence import Fact, NoTheorem, Theorem
 from exactspline.verification.verdict import PROVED, REFUTED, UNDECIDED, Finding

@@ -6,9 +6,9 @@ from pathlib import Path
 
 import pytest
 
+from exactspline.extras.coq.terms import identifier
 from exactspline.papers import named_papers
 from exactspline.verification.claims import claims_in
-from exactspline.verification.coq.terms import identifier
 from exactspline.verification.divisors import divisors
 
 THEOREMS = Path(__file__).parents[2] / "proofs" / "coq" / "claims"

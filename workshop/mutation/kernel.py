@@ -19,13 +19,13 @@ from random import Random
 from typing import Any, NamedTuple
 
 from exactspline.errors import FormulaError
+from exactspline.extras.coq.emission import ROOT, Stated, claims_header, library
+from exactspline.extras.coq.formulas import Formulas, body, calls, surface
 from exactspline.language.formula import Formula
 from exactspline.papers import Paper, find, papers
 from exactspline.readings.expression import Operation
 from exactspline.readings.tree import Derivation, Node
 from exactspline.verification.claim import Claim
-from exactspline.verification.coq.emission import ROOT, Stated, claims_header, library
-from exactspline.verification.coq.formulas import Formulas, body, calls, surface
 from exactspline.verification.kinds.equality import Identity
 from exactspline.verification.notation import factor_parts
 from exactspline.verification.vocabulary import Verdict

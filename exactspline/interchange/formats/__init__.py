@@ -1,31 +1,45 @@
-"""The file formats, one module each. To add a format, write a module with a `FORMAT` and add its name to this list.
+"""The table of file formats. Files are recognized by content; the formats are tried in the order of this table.
 
-Files are recognized by content; the formats are tried in the order of this list.
+A format is a module with a `FORMAT`. One of ours has its row here; `add_format` adds one from outside.
 """
 
 from __future__ import annotations
 
-from exactspline.interchange import own_json
+from exactspline.errors import as_instance
+from exactspline.hooks import named
 from exactspline.interchange.format import Format
-from exactspline.interchange.formats import (
-    brep,
-    control_points,
-    dxf,
-    fonts,
-    g2,
-    geomdl_json,
-    gismo,
-    glif,
-    iges,
-    irit,
-    rhino,
-    step,
-    svg,
-)
 
-FORMATS: tuple[Format, ...] = tuple(
-    module.FORMAT
-    for module in (
-        rhino, fonts, step, brep, svg, glif, gismo, geomdl_json, own_json, dxf, iges, g2, irit, control_points
-    )
-)  # fmt: skip
+#: The modules, loaded when the first file is read or written.
+HOMES = (
+    "exactspline.extras.cad.rhino",
+    "exactspline.interchange.formats.fonts",
+    "exactspline.extras.cad.step",
+    "exactspline.extras.cad.brep",
+    "exactspline.interchange.formats.svg",
+    "exactspline.interchange.formats.glif",
+    "exactspline.extras.cad.gismo",
+    "exactspline.extras.cad.geomdl_json",
+    "exactspline.interchange.own_json",
+    "exactspline.extras.cad.dxf",
+    "exactspline.extras.cad.iges",
+    "exactspline.extras.cad.g2",
+    "exactspline.extras.cad.irit",
+    "exactspline.interchange.formats.control_points",
+)
+_known: list[Format] = []
+_added: list[Format] = []
+
+
+def formats() -> tuple[Format, ...]:
+    """The formats, those that were added first."""
+    if not _known:
+        _known.extend(named(f"{home}:FORMAT") for home in HOMES)
+    return (*_added, *_known)
+
+
+def add_format(format: Format) -> None:
+    """Let files of another format be read (and written, where it has a writer) by every function and command that is
+    called afterwards. It is asked before the others whether a file is its own, and replaces one of its name.
+    """
+    as_instance(format, Format, "a format", "give a Format of exactspline.interchange.format")
+    _added[:] = [format, *(each for each in _added if each.name != format.name)]

@@ -1,0 +1,249 @@
+"""IGES text: rational B-spline curves (126) and surfaces (128, without their trims), lines (110), circular arcs (100)
+and conic arcs (104), moved by their transformation (124).
+
+An arc is exact if its two ends are exactly at the same distance from its centre, a conic if its equation holds exactly
+at its ends; otherwise it is skipped, with the reason. A spline is restricted to the parameter interval that its entity
+uses. Coordinates are in the units of the file, which a note states. Curves in the parameter space of a surface (entity
+use 05) are read as plane curves.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+
+from exactspline.errors import CurveFileError, counted
+from exactspline.extras.cad.iges_records import Entry, entries, formatted, unit_of
+from exactspline.interchange.affine import Affine
+from exactspline.interchange.collector import Collector
+from exactspline.interchange.format import Format
+from exactspline.interchange.numbers import NumberText, decimal, whole, with_point
+from exactspline.interchange.records import Reading, Source
+from exactspline.interchange.segments import Segment, arc_around_origin, conic_arc, joined, mapped, polynomial
+from exactspline.interchange.writing import Spline
+from exactspline.numbers.exact import mpq
+from exactspline.splines.nurbs import Nurbs
+
+ARC, COMPOSITE, CONIC, LINE, MATRIX, SPLINE, SURFACE = 100, 102, 104, 110, 124, 126, 128
+NAMES = {
+    COMPOSITE: "composite curve", 106: "copious data", 108: "plane", 112: "parametric spline curve",
+    114: "parametric spline surface", 116: "point", 118: "ruled surface", 120: "surface of revolution",
+    122: "tabulated cylinder", 130: "offset curve", 140: "offset surface",
+    141: "boundary", 142: "curve on a surface", 143: "bounded surface", 144: "trimmed surface",
+}  # fmt: skip
+#: Entities that trim a surface, which is read as a whole.
+TRIMS = (141, 142, 143, 144)
+#: Entities that are curves, or that contain curves not read elsewhere.
+CURVES = (106, 112, 130, 308, 320, 408, 412, 414, 420)
+NAMES |= {308: "subfigure definition", 408: "placed subfigure", 412: "rectangular array of subfigures",
+          414: "circular array of subfigures", 420: "placed network subfigure"}  # fmt: skip
+PARAMETER_SPACE = "05"
+
+
+def looks_like(head: bytes) -> bool:
+    """Whether column 73 of the first line is S, followed by a number."""
+    return bool(re.match(rb"[^\r\n]{72}S[ 0]*1\b", head))
+
+
+class _Values:
+    """The parameters of an entity, read in sequence."""
+
+    def __init__(self, entry: Entry, collector: Collector) -> None:
+        self.texts, self.position, self.collector = entry.parameters, 1, collector
+
+    def text(self) -> str:
+        """The next parameter as text, empty if it is omitted."""
+        if self.position >= len(self.texts):
+            raise CurveFileError(f"only {counted(len(self.texts), 'parameter')}", remedy="complete the record")
+        self.position += 1
+        return self.texts[self.position - 1]
+
+    def whole(self) -> int:
+        """The next parameter as an integer, 0 if it is omitted."""
+        return whole(self.text() or "0")
+
+    def numbers(self, count: int) -> list[mpq]:
+        """The next `count` parameters as decimals, 0 for each that is omitted."""
+        self.collector.count(count)
+        return [decimal(self.text() or "0", self.collector.limits) for _ in range(count)]
+
+    def rows(self, count: int) -> list[list[mpq]]:
+        """The next `count` points in space."""
+        return [self.numbers(3) for _ in range(count)]
+
+
+def read(source: Source) -> Reading:
+    """The curves of a file."""
+    collector = Collector("iges", source)
+    directory = {entry.number: entry for entry in entries(source.text, source.limits)}
+    if unit := unit_of(source.text):
+        collector.note(f"lengths in {unit}: read as written")
+    for entry in directory.values():
+        where = f"entity {entry.kind} (DE {entry.number})"
+        reader = _READERS.get(entry.kind)
+        if entry.kind == MATRIX:
+            continue
+        if reader is None:
+            name = NAMES.get(entry.kind, f"entity {entry.kind}")
+            why = "its parts are read separately" if entry.kind == COMPOSITE else "this type of entity is not read"
+            why = "trims are not read: the surface is read as a whole" if entry.kind in TRIMS else why
+            collector.skip(name, where, why, curve=entry.kind in CURVES)
+            continue
+        with collector.skipping(f"entity {entry.kind}", where, curve=entry.kind != SURFACE):
+            reader(collector, entry, where, _placement(collector, directory, entry))
+    return collector.reading()
+
+
+def _placement(collector: Collector, directory: dict[int, Entry], entry: Entry) -> Affine:
+    """The transformation of an entity, composed with those that its matrix entity refers to."""
+    whole_map = Affine.identity(3)
+    for _ in range(collector.limits.depth):
+        if not entry.matrix:
+            return whole_map
+        following = directory.get(abs(entry.matrix))
+        if following is None or following.kind != MATRIX:
+            raise CurveFileError(f"no matrix at DE {entry.matrix}", remedy="field 7 must refer to an entity 124")
+        numbers = _Values(following, collector).numbers(12)
+        whole_map = Affine([numbers[i : i + 4] for i in (0, 4, 8)]) @ whole_map
+        entry = following
+    raise CurveFileError("matrices form a cycle or are too many", remedy="correct field 7")
+
+
+def _spline(collector: Collector, entry: Entry, where: str, placed: Affine) -> None:
+    values = _Values(entry, collector)
+    last, degree = values.whole(), values.whole()
+    _planar, _closed, flagged_polynomial, periodic = (values.whole() for _ in range(4))
+    if last < 0 or degree < 0:
+        raise CurveFileError(f"{last + 1} points of degree {degree}", remedy="both must be positive")
+    knots, weights = values.numbers(last + degree + 2), values.numbers(last + 1)
+    points = [placed(point) for point in values.rows(last + 1)]
+    start, end = values.numbers(2)
+    within, notes = _used(knots, degree, start, end)
+    if flagged_polynomial and len(set(weights)) > 1:
+        notes.append("flagged polynomial, but its weights differ: read as rational")
+    if periodic and knots[:1] == knots[degree : degree + 1]:
+        notes.append("flagged periodic, but its knots are clamped: read as written")
+    equal = len(set(weights)) == 1
+    plain = None if equal and weights[0] == 1 and flagged_polynomial else weights
+    _add(collector, entry, where, (degree, knots, points, plain), notes, within)
+
+
+def _used(knots: Sequence[mpq], degree: int, start: mpq, end: mpq) -> tuple[tuple[mpq, mpq] | None, list[str]]:
+    """The part of the domain that an entity uses (its V(0) and V(1)), and notes on it."""
+    if len(knots) < 2 * degree + 2 or (start, end) == (low_high := (knots[degree], knots[-degree - 1])):
+        return None, []
+    low, high = max(start, low_high[0]), min(end, low_high[1])
+    if not low < high:
+        return None, [
+            f"the parameters that the entity uses ({start} to {end}) are not in the domain: the whole spline is read"
+        ]
+    beyond = "" if (low, high) == (start, end) else f", of which only {low_high[0]} to {low_high[1]} is in the domain"
+    return (low, high), [f"the entity uses the parameters from {start} to {end}{beyond}"]
+
+
+def _surface(collector: Collector, entry: Entry, where: str, placed: Affine) -> None:
+    values = _Values(entry, collector)
+    last_u, last_v, m, n = (values.whole() for _ in range(4))
+    _closed_u, _closed_v, polynomial, _periodic_u, _periodic_v = (values.whole() for _ in range(5))
+    if min(last_u, last_v, m, n) < 0:
+        raise CurveFileError(f"{last_u + 1} × {last_v + 1} points of degree {m} × {n}", remedy="all must be positive")
+    count = (last_u + 1) * (last_v + 1)
+    collector.room(4 * count)
+    knots = values.numbers(last_u + m + 2), values.numbers(last_v + n + 2)
+    weights, points = values.numbers(count), [placed(point) for point in values.rows(count)]
+    ends = values.numbers(4)
+    sides = [_used(*side) for side in zip(knots, (m, n), ends[::2], ends[1::2], strict=True)]
+    notes = [remark for _, remarks in sides for remark in remarks]
+    whole = [(vector[d], vector[-d - 1]) for vector, d in zip(knots, (m, n), strict=True)]
+    used_u, used_v = (part or domain for (part, _), domain in zip(sides, whole, strict=True))
+    plain = None if polynomial and set(weights) == {1} else weights
+    name, kind = f"{entry.label or entry.kind} {entry.number}", f"entity {SURFACE}"
+    parts, within = (points, plain), (used_u, used_v)
+    collector.add_surface(kind, where, (m, n), knots, *parts, name=name, notes=notes, within=within)
+
+
+Parts = tuple[int, Sequence[mpq], Sequence[Sequence[mpq]], Sequence[mpq] | None]
+
+
+def _add(
+    collector: Collector,
+    entry: Entry,
+    where: str,
+    parts: Parts,
+    notes: Sequence[str] = (),
+    within: tuple[mpq, mpq] | None = None,
+) -> None:
+    degree, knots, points, weights = parts
+    if entry.use == PARAMETER_SPACE and all(point[2] == 0 for point in points):
+        points, notes = [point[:2] for point in points], [*notes, "in the parameter plane of a surface"]
+    if entry.blanked:
+        notes = [*notes, "blanked: not to be displayed"]
+    name, kind = f"{entry.label or entry.kind} {entry.number}", f"entity {entry.kind}"
+    collector.add(kind, where, degree, knots, points, weights, name=name, notes=notes, within=within)
+
+
+def _pieces(collector: Collector, entry: Entry, where: str, segments: Sequence[Segment]) -> None:
+    degree, knots, points = joined(segments)
+    weights = [point[-1] for point in points]
+    plain = [[x / point[-1] for x in point[:-1]] for point in points]
+    _add(collector, entry, where, (degree, knots, plain, None if set(weights) == {1} else weights))
+
+
+def _line(collector: Collector, entry: Entry, where: str, placed: Affine) -> None:
+    if entry.form:
+        raise CurveFileError("an unbounded line or ray", remedy="form 0 is a segment")
+    values = _Values(entry, collector)
+    _pieces(collector, entry, where, [polynomial(*(placed(point) for point in values.rows(2)))])
+
+
+def _at_height(placed: Affine, z: mpq, shift: Sequence[mpq] = (mpq(0), mpq(0))) -> Affine:
+    """The map from the plane of an arc into space."""
+    return placed @ Affine([[1, 0, 0, shift[0]], [0, 1, 0, shift[1]], [0, 0, 1, z]])
+
+
+def _arc(collector: Collector, entry: Entry, where: str, placed: Affine) -> None:
+    z, *numbers = _Values(entry, collector).numbers(7)
+    centre, start, end = numbers[:2], numbers[2:4], numbers[4:]
+    u, v = ((point[0] - centre[0], point[1] - centre[1]) for point in (start, end))
+    _pieces(collector, entry, where, _lifted(arc_around_origin(u, v), _at_height(placed, z, centre)))
+
+
+def _conic(collector: Collector, entry: Entry, where: str, placed: Affine) -> None:
+    *form, z, x1, y1, x2, y2 = _Values(entry, collector).numbers(11)
+    _pieces(collector, entry, where, _lifted(conic_arc(form, (x1, y1), (x2, y2)), _at_height(placed, z)))
+
+
+def _lifted(segments: Sequence[Segment], placed: Affine) -> list[Segment]:
+    return mapped([tuple((x, y, mpq(0), w) for x, y, w in segment) for segment in segments], placed)
+
+
+_READERS = {SPLINE: _spline, SURFACE: _surface, LINE: _line, ARC: _arc, CONIC: _conic}
+
+#: The longest text of a number: it must fit on a line of 64 columns.
+LONGEST_NUMBER = 63
+
+
+def write(splines: Sequence[Spline], numbers: NumberText) -> bytes:
+    """The curves as entities 126, surfaces as entities 128; what is in the plane is placed at z = 0, a curve there
+    flagged planar.
+    """
+    numbers.longest = LONGEST_NUMBER
+    entities = []
+    for i, spline in enumerate(splines, 1):
+        of, points = spline.of, spline.in_space()
+        flags, normal = [0, 0, int(of.polynomial), 0, 0], list[mpq]()
+        kind, name, domain = SURFACE, f"SURF{i}", [end for side in spline.domains for end in side]
+        if isinstance(of, Nurbs):
+            plane = int(of.dimension == 2)
+            flags, normal = [plane, int(of.closed), int(of.polynomial), 0], [mpq(0), mpq(0), mpq(plane)]
+            kind, name = SPLINE, f"CURVE{i}"
+        weights = [mpq(1) if of.polynomial else weight for _, weight in points]
+        coordinates = [x for point, _ in points for x in point]
+        reals = [*(t for knots in spline.knots for t in knots), *weights, *coordinates, *domain, *normal]
+        values = [*(count - 1 for count in spline.counts), *spline.degrees, *flags]
+        entities.append((kind, 0, 0, name, [*map(str, values), *(with_point(numbers(x)) for x in reals)]))
+    what = "Surfaces" if splines[0].is_surface else "Curves"
+    return formatted(entities, f"{what} written by exactspline: every number is exact unless rounding was asked for.")
+
+
+FORMAT = Format("iges", "IGES text", (".igs", ".iges"), looks_like, read, write, surfaces=True)

@@ -1,0 +1,332 @@
+"""The quantified argument of a theorem: the argument of its formulas, as a term, and as jets of the position γ instead
+of the numerators p = w γ; naive formulas are short in these.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import NamedTuple
+
+from flint import fmpq_mpoly
+
+from exactspline.errors import FormulaError
+from exactspline.extras.coq.terms import sum_of_products
+from exactspline.language.arguments import BARRED, COORDINATES, PARAMETERS, POINT, Evaluated
+from exactspline.language.hodograph_kind import HodographKind
+from exactspline.language.implicit_kinds import ImplicitKind
+from exactspline.language.kinds import CurveKind, FramedKind, Kind, PairKind, Symbol, TableKind
+from exactspline.language.surface_kind import FormsKind, SurfaceCurveKind, SurfaceKind
+from exactspline.numbers.exact import from_flint
+from exactspline.numbers.once import cached_property
+from exactspline.readings.jet import JetRing
+from exactspline.readings.rational_jet import JetFraction
+
+#: The names in the base of kinds that are not curves alone, in the plane and in space.
+SHAPES: dict[type[Kind], tuple[str, str]] = {
+    PairKind: ("pair", "pair"),
+    TableKind: ("table", "table"),
+    FramedKind: ("framed_plane", "framed_space"),
+    HodographKind: ("hodograph", "hodograph"),
+    ImplicitKind: ("implicit_curve", "implicit_surface"),
+    SurfaceKind: ("planar_map", "surface"),
+    SurfaceCurveKind: ("curve_on_a_surface", "curve_on_a_surface"),
+    FormsKind: ("two_forms", "two_forms"),
+}
+#: What follows ``every_`` in the name of a quantifier, where it is not the shape.
+QUANTIFIERS = {
+    **{"plane": "plane_curve", "plane_point": "plane_curve_with_point", "plane_with": "plane_curve_with"},
+    **{"space": "space_curve", "space_point": "space_curve_with_point", "space_with": "space_curve_with"},
+    **{"polynomial_plane": "polynomial_plane_curve", "polynomial_space": "polynomial_space_curve"},
+    **{"framed_plane": "framed_plane_curve", "framed_space": "framed_space_curve"},
+    "pair": "two_curves",
+}
+#: The denominators by the shape; by default w alone.
+WEIGHTS = {
+    **{"pair": ("w", "W"), "table": ("w1", "w2")},
+    **dict.fromkeys(("hodograph", "implicit_curve", "implicit_surface", "two_forms"), ()),
+}
+
+
+class Spelling(NamedTuple):
+    """How an argument is written: the variables of a proof and the hypotheses about them, in the order of the
+    quantifier; the list of jets; the rules for their derivatives; the argument as expressions.
+    """
+
+    introduced: list[str]
+    jets: str
+    rules: str
+    deep: str
+
+
+@dataclass(frozen=True)
+class Setting:
+    """A kind of argument in a dimension, with derivatives up to an order; `polynomial` where the denominator is 1. The
+    square `roots` of a frame precede the jets; `differentiates_roots` says whether derivatives of roots occur.
+    """
+
+    kind: Kind
+    dimension: int
+    order: int
+    polynomial: bool = False
+    roots: tuple[str, ...] = ()
+    differentiates_roots: bool = False
+
+    @cached_property
+    def ring(self) -> JetRing:
+        """The jets of positions, denominators and constants."""
+        return JetRing(self.kind, self.dimension, self.order, polynomial=self.polynomial)
+
+    @property
+    def symbols(self) -> tuple[Symbol, ...]:
+        """The functions, then the constants."""
+        return self.kind.symbols(self.dimension, polynomial=self.polynomial)
+
+    @property
+    def has_point(self) -> bool:
+        """Whether the argument includes a point."""
+        return isinstance(self.kind, CurveKind) and self.kind.with_point
+
+    @property
+    def constants(self) -> tuple[str, ...]:
+        """The constants that accompany the curve."""
+        return self.kind.constants if isinstance(self.kind, CurveKind) else ()
+
+    @property
+    def shape(self) -> str:
+        """Its name in the base: ``plane``, ``space_point``, ``pair``, ``table``, …
+
+        Raises `FormulaError` for a kind of argument without a name in the base.
+        """
+        plain = SHAPES.get(type(self.kind), ("plane", "space"))[self.dimension - 2]
+        before = {"hodograph": "primitive_", "plane": "polynomial_", "space": "polynomial_"}.get(plain, "")
+        beside = "_point" if self.has_point else "_with" if self.constants else ""
+        several = isinstance(self.kind, ImplicitKind) and self.kind.functions != "f"
+        if several or (self.has_point and self.constants) or (self.polynomial and beside):
+            raise FormulaError(f"no quantifier over the kind {self.kind.name!r}", remedy="add one to the base")
+        return f"{before if self.polynomial else ''}{plain}{beside}"
+
+    @property
+    def quantifier(self) -> str:
+        """The quantifier of the theorem."""
+        counted = f" {len(self.constants)}" if self.constants else ""
+        return f"every_{QUANTIFIERS.get(self.shape, self.shape)}{counted}"
+
+    @property
+    def opening(self) -> str:
+        """The first step of a proof, before the variables are introduced."""
+        unfolded = self.shape in ("table", "two_forms")
+        return f"unfold every_{self.shape}" if unfolded else f"apply {self.shape}_by_position"
+
+    @property
+    def weights(self) -> tuple[str, ...]:
+        """The denominators, which have no zeros."""
+        return () if self.polynomial else WEIGHTS.get(self.shape, ("w",))
+
+    @cached_property
+    def argument(self) -> Evaluated:
+        """The argument in the fraction reading, its numerators w γ."""
+        one = self.ring.context.constant(1)
+        made = JetFraction(self.ring, one, one)
+        return self.kind.argument(self.dimension, self._operand, made, polynomial=self.polynomial)
+
+    def flat(self, value: object) -> object:
+        """A value as a fraction of the ring."""
+        return value
+
+    def _operand(self, symbol: Symbol) -> JetFraction:
+        weight = "w" if symbol.name in COORDINATES else "W" if symbol.name in BARRED else ""
+        if weight and symbol.name != weight and self.shape != "table" and weight in self.weights:
+            product: JetFraction = self._jet(symbol.name) * self._jet(weight)
+            return product
+        return self._jet(symbol.name)
+
+    def _jet(self, name: str) -> JetFraction:
+        return JetFraction(self.ring, self.ring[name].polynomial, self.ring.context.constant(1))
+
+    def position(self, name: str, order: int = 0) -> int:
+        """The number of a variable in the list of jets, or of its derivative with respect to the first parameter."""
+        parameters = 1 if name in self.ring.rules else max(len(self.ring.symbols[name].parameters), 1)
+        return self._place(self.ring.index[name, (order, *[0] * (parameters - 1))])
+
+    def _place(self, i: int) -> int:
+        """The number of the i-th variable of the ring."""
+        return i + 1
+
+    def named(self, name: str) -> str:
+        """The variable of a proof for an operand."""
+        if self.has_point and name in POINT[: self.dimension]:
+            return name.removeprefix("_")
+        return f"{name}_"
+
+    @cached_property
+    def spelling(self) -> Spelling:
+        """How the argument is written."""
+        return self._spelled()
+
+    def _spelled(self) -> Spelling:
+        weights, n = [f"H{weight}" for weight in self.weights], self.dimension
+        if self.constants:
+            functions = [self.named(symbol.name) for symbol in self.symbols if symbol.parameters]
+            introduced = [*functions, *weights, *[x for name in self.constants for x in (f"{name}_", f"H{name}_")]]
+        else:
+            names = [self.named(symbol.name) for symbol in self.symbols]
+            constants = [f"H{self.named(symbol.name)}" for symbol in self.symbols if not symbol.parameters]
+            introduced = [*names, *constants, *weights]
+        if self.shape == "table":
+            vectors = [self.variables([f"v{j}_{i}" for j in range(n)]) for i in "12"]
+            one, two = ([f"({self.variable(f'{x}{i}')})" for x in "pw"] for i in "12")
+            return self._by_chains(introduced, f"Table {' '.join(one)} {vectors[0]} {' '.join(two)} {vectors[1]}")
+        weight = "number 1" if self.polynomial else self.variable("w")
+        first = f"homogeneous s {self.variables(COORDINATES[:n])} ({weight})"
+        if self.shape == "pair":
+            second = f"homogeneous s_bar {self.variables(BARRED[:n])} ({self.variable('W')})"
+            return self._by_chains(introduced, f"Pair ({first} []) ({second} [])")
+        curve = f"{first} {self.variables(POINT[:n]) if self.has_point else '[]'}"
+        accompanied = f"Accompanied ({curve}) {self.variables(self.constants)}"
+        return self._by_chains(introduced, accompanied if self.constants else curve)
+
+    def _by_chains(self, introduced: list[str], deep: str, own: Sequence[str] = ()) -> Spelling:
+        """The spelling where functions have jets in one parameter; `own` are the rules that the kind adds to these."""
+        free = [symbol for symbol in self.symbols if symbol.parameters and symbol.name not in self.ring.rules]
+        constants = [symbol.name for symbol in self.symbols if not symbol.parameters]
+        rest = [self.named(name) for name in (*self.ring.rules, *constants)]
+        letters = dict(zip(PARAMETERS, ("s", "s_bar"), strict=True))
+        jets = [f"jets {letters[symbol.parameters[0]]} {self.order} {self.named(symbol.name)}" for symbol in free]
+        chains = {parameter: list[str]() for parameter in PARAMETERS}
+        for symbol in free:
+            chains[symbol.parameters[0]].append(f"chain {self.position(symbol.name)} {self.order}")
+        if constants:
+            chains[PARAMETERS[0]].append(f"constants [{'; '.join(str(self.position(c)) for c in constants)}]%positive")
+        if own:
+            chains[PARAMETERS[0]].append(f"[{'; '.join(own)}]%formula")
+        first, second = (" ++ ".join(chains[parameter]) or "[]" for parameter in PARAMETERS)
+        listed = [f"[{'; '.join(rest)}]"] if rest else []
+        return Spelling(introduced, " ++ ".join([*jets, *listed]), f"of_parameters ({first}) ({second})", deep)
+
+    def preamble(self, premises: Sequence[tuple[str, str, object]]) -> list[str]:
+        """The steps that define the variables of the checker; premises are given by name, term and value."""
+        return [
+            f"pose (l := {self.spelling.jets}).",
+            f"pose (r := {self.spelling.rules}).",
+            "assert (R : forall q, rules_hold K l q (r q)) by rules_by_computation.",
+            "pose (roots := [] : list expr).",
+            "assert (Q : roots_hold K l roots) by exact I.",
+        ]
+
+    def variable(self, name: str, order: int = 0) -> str:
+        """A variable of the checker."""
+        return f"var {self.position(name, order)}"
+
+    def variables(self, names: Sequence[str]) -> str:
+        """A list of variables of the checker."""
+        return "[" + "; ".join(map(self.variable, names)) + "]"
+
+    def expression(self, polynomial: fmpq_mpoly) -> str:
+        """A polynomial with integer coefficients as an expression."""
+        terms = []
+        for exponents, coefficient in polynomial.terms():
+            c = from_flint(coefficient)
+            if c.denominator != 1:
+                raise FormulaError(f"the coefficient {c}", remedy="multiply the denominators out")
+            terms.append((int(c), [(f"var {self._place(i)}", int(e)) for i, e in enumerate(exponents) if e]))
+        return sum_of_products(terms, "num")
+
+
+class HodographSetting(Setting):
+    """A polynomial plane curve with γ′ = (u² − v², 2uv) h; a polynomial one has h = 1."""
+
+    def _spelled(self) -> Spelling:
+        u, v = self.variable("u"), self.variable("v")
+        factor = "number 1" if self.polynomial else self.variable("h")
+        rules = [
+            f"({self.position('x')}%positive, ({u} * {u} - {v} * {v}) * {factor})",
+            f"({self.position('y')}%positive, ({u} * {v} + {u} * {v}) * {factor})",
+        ]
+        deep = f"Accompanied (homogeneous s {self.variables('xy')} (number 1) []) [{u}; {v}; {factor}]"
+        return self._by_chains([*[self.named(symbol.name) for symbol in self.symbols], "Hx", "Hy"], deep, rules)
+
+
+class ImplicitSetting(Setting):
+    """A curve along which a function F of the coordinates is constant, and the partial derivatives of F."""
+
+    @property
+    def free(self) -> tuple[str, ...]:
+        """The free operands."""
+        assert isinstance(self.kind, ImplicitKind)
+        return self.kind.free
+
+    @property
+    def symbols(self) -> tuple[Symbol, ...]:
+        """Coordinates, free operands, and the partial derivatives up to the second order."""
+        known = self.kind.symbols(self.dimension)
+        return tuple(symbol for symbol in known if len(symbol.name) <= 3 or symbol.name in self.free)
+
+    def _spelled(self) -> Spelling:
+        axes = COORDINATES[: self.dimension]
+        f, free = ([self.variable(name) for name in names] for names in ([f"f{x}" for x in axes], self.free))
+        second = {x: [self.variable("f" + "".join(sorted(x + y))) for y in axes] for x in axes}
+        if self.dimension == 2:
+            velocity = [f"(- ({f[1]}) * {free[0]})", f"({f[0]} * {free[0]})"]
+        else:
+            velocity = [f"({f[i]} * {free[j]} - {f[j]} * {free[i]})" for i, j in ((1, 2), (2, 0), (0, 1))]
+        rules = [f"({self.position(x)}%positive, {v})" for x, v in zip(axes, velocity, strict=True)]
+        for x in axes:  # the chain rule
+            terms = [f"{each} * {v}" for each, v in zip(second[x], velocity, strict=True)]
+            rules.append(f"({self.position(f'f{x}')}%positive, {' + '.join(terms)})")
+        names = [self.named(symbol.name) for symbol in self.symbols]
+        hypotheses = [*(f"d{x}_" for x in axes), *(f"H{x}" for x in axes), *(f"Hf{x}" for x in axes)]
+        curve = f"homogeneous s {self.variables(axes)} (number 1) []"
+        rows = "; ".join(f"[{'; '.join(row)}]" for row in second.values())
+        deep = f"Implicit ({curve}) [{'; '.join(free)}] [{'; '.join(f)}] [{rows}]"
+        spelled = self._by_chains([*names, *hypotheses], deep, rules)
+        others = [self.named(symbol.name) for symbol in self.symbols if symbol.name not in self.free]
+        jets = [f"jets s {self.order} {self.named(name)}" for name in self.free]
+        return spelled._replace(jets=" ++ ".join([*jets, f"[{'; '.join(others)}]"]))
+
+
+class SurfaceSetting(Setting):
+    """A rational surface in space, or a rational map of the plane, or two quadratic forms in two parameters, with all
+    partial derivatives up to an order.
+    """
+
+    def _spelled(self) -> Spelling:
+        names = [symbol.name for symbol in self.symbols]
+        introduced = [*map(self.named, names), "C", *[f"H{weight}" for weight in self.weights]]
+        jets = " ++ ".join(f"partials {self.order} {self.named(name)}" for name in names)
+        by_u, by_v = (" ++ ".join(f"grid {self.position(name)} {self.order} {i}" for name in names) for i in (0, 1))
+        w, own = self.variable("w"), [name for name in names if name != "w"]
+        deep = f"Patch (homogeneous s {self.variables(own)} ({w}) [])"
+        if isinstance(self.kind, FormsKind):
+            deep = f"Accompanied (rational_curve s [] ({w}) []) {self.variables(own)}"
+        return Spelling(introduced, jets, f"of_parameters ({by_u}) ({by_v})", deep)
+
+
+class SurfaceCurveSetting(Setting):
+    """A curve on a rational surface: its parameters u and v with their derivatives, and the partial derivatives of the
+    surface, which are differentiated along the curve by the chain rule.
+    """
+
+    @property
+    def route(self) -> tuple[str, ...]:
+        """The parameters as functions along the curve."""
+        return tuple(self.kind.composed.values())
+
+    def _operand(self, symbol: Symbol) -> JetFraction:
+        return self._jet(symbol.name) if symbol.name in self.route else super()._operand(symbol)
+
+    def _spelled(self) -> Spelling:
+        coordinates = [symbol.name for symbol in self.symbols if symbol.name not in self.route]
+        names = [self.named(name) for name in (*self.route, *coordinates)]
+        hypotheses = ["C", *[f"F{name}" for name in coordinates], *[f"H{weight}" for weight in self.weights]]
+        jets = [f"jets time {self.order} {self.named(name)}" for name in self.route]
+        jets += [f"partials {self.order} {self.named(name)}" for name in coordinates]
+        by_u, by_v = ([f"grid {self.position(name)} {self.order} {i}" for name in coordinates] for i in (0, 1))
+        along = [f"chain {self.position(name)} {self.order}" for name in self.route]
+        paces = " ".join(str(self.position(name, 1)) for name in self.route)
+        along += [f"chained {self.position(name)} {self.order} {paces}" for name in coordinates]
+        first, second, third = (" ++ ".join(rules) for rules in (by_u, by_v, along))
+        rules = f"of_three_parameters ({first}) ({second}) ({third})"
+        net = f"homogeneous time {self.variables(COORDINATES[: self.dimension])} ({self.variable('w')}) []"
+        deep = f"Path (Patch ({net})) {self.variables(self.route)}"
+        return Spelling([*names, *hypotheses], " ++ ".join(jets), rules, deep)

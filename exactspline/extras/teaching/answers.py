@@ -1,0 +1,313 @@
+"""Correct answers of several kinds; each can read the answer of a student and report the differences."""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
+from itertools import count, zip_longest
+
+from exactspline.extras.teaching.differences import (
+    Difference,
+    Entries,
+    Invented,
+    Missing,
+    OtherCoefficient,
+    OtherCoordinates,
+    OtherCount,
+    OtherNumber,
+    OtherPoint,
+    OtherValue,
+    Shape,
+)
+from exactspline.extras.teaching.parts import Math, Part, Point, Polynomial
+from exactspline.extras.teaching.reading import AnswerError, cleaned, numbers, points, polynomials
+from exactspline.numbers.exact import mpq, text
+from exactspline.splines.bspline import BSpline
+from exactspline.splines.nurbs import Nurbs
+from exactspline.verification.vocabulary import Name
+
+
+@dataclass(frozen=True)
+class Finding:
+    """Whether an answer is right, and its errors otherwise. Its truth value is whether the answer is right."""
+
+    differences: tuple[Difference, ...]
+
+    @property
+    def right(self) -> bool:
+        """Whether there are no differences."""
+        return not self.differences
+
+    def __bool__(self) -> bool:
+        return self.right
+
+    def __repr__(self) -> str:
+        return f"<Finding: {'; '.join(map(str, self.differences)) or 'right'}>"
+
+
+class Answer(ABC):
+    """A correct answer."""
+
+    @property
+    @abstractmethod
+    def form(self) -> str:
+        """How the answer is to be written."""
+
+    @property
+    @abstractmethod
+    def parts(self) -> tuple[Part, ...]:
+        """The answer as it is printed."""
+
+    @property
+    @abstractmethod
+    def written(self) -> str:
+        """The answer as a student would write it."""
+
+    @abstractmethod
+    def differences(self, answer: str) -> Iterator[Difference]:
+        """The errors in an answer, none if it is right. Raises `AnswerError` if it cannot be read."""
+
+    def check(self, answer: str) -> Finding:
+        """The finding on the answer of a student.
+
+        >>> print(*Numbers(("x", "y"), (mpq(1, 2), mpq(3))).check("0.5, 4").differences)
+        y is 3, not 4
+
+        Raises `AnswerError` if it cannot be read.
+        """
+        if not answer.strip():
+            raise AnswerError("the answer is empty", where="answer", remedy=f"write {self.form}")
+        return Finding(tuple(self.differences(answer)))
+
+
+def named(names: Sequence[str], values: Sequence[mpq | Polynomial]) -> tuple[Part, ...]:
+    """Values with their names, separated by commas, for printing."""
+    joined: list[Part] = []
+    for name, value in zip(names, values, strict=True):
+        joined += [*([", "] if joined else []), Math(name, (value,))]
+    return tuple(joined)
+
+
+@dataclass(frozen=True)
+class Numbers(Answer):
+    """Named numbers in a given order."""
+
+    names: tuple[str, ...]
+    values: Point
+
+    @property
+    def form(self) -> str:
+        """How the answer is to be written."""
+        return f"{', '.join(self.names)}: numbers separated by commas" if len(self.names) > 1 else "a number"
+
+    @property
+    def parts(self) -> tuple[Part, ...]:
+        """The answer as it is printed."""
+        return named(self.names, self.values)
+
+    @property
+    def written(self) -> str:
+        """The answer as a student would write it."""
+        return ", ".join(map(text, self.values))
+
+    def differences(self, answer: str) -> Iterator[Difference]:
+        """Each wrong number, or a wrong number of numbers."""
+        answers = numbers(answer)
+        if len(answers) != len(self.values):
+            yield OtherCount(Entries.NUMBERS, len(self.values), len(answers))
+            return
+        for name, right, given in zip(self.names, self.values, answers, strict=True):
+            if given != right:
+                yield OtherNumber(Name(name), right, given)
+
+
+@dataclass(frozen=True)
+class Parameters(Answer):
+    """A set of parameters, in any order; the empty set is written ``none``."""
+
+    values: Point
+    form = "numbers separated by commas, or none"
+
+    @property
+    def parts(self) -> tuple[Part, ...]:
+        """The answer as it is printed."""
+        return (Math("t", self.values),) if self.values else ("none",)
+
+    @property
+    def written(self) -> str:
+        """The answer as a student would write it."""
+        return ", ".join(map(text, self.values)) or "none"
+
+    def differences(self, answer: str) -> Iterator[Difference]:
+        """Each parameter that is missing or wrong."""
+        answers = () if cleaned(answer).lower() == "none" else numbers(answer)
+        for t in self.values:
+            if t not in answers:
+                yield Missing(t)
+        for t in dict.fromkeys(answers):
+            if t not in self.values:
+                yield Invented(t)
+
+
+@dataclass(frozen=True)
+class Points(Answer):
+    """The control points of a curve or a function over the knots of the exercise; they are unique."""
+
+    reference: Nurbs | BSpline
+
+    @property
+    def rows(self) -> tuple[Point, ...]:
+        """The correct control points; for a function its ordinates."""
+        if isinstance(self.reference, BSpline):
+            return tuple((x,) for x in self.reference.control_points)
+        return tuple(tuple(point) for point in self.reference.control_points)
+
+    @property
+    def form(self) -> str:
+        """How the answer is to be written."""
+        many = len(self.rows[0]) > 1
+        return "points in order: (x, y), (x, y), …" if many else "numbers in order, separated by commas"
+
+    @property
+    def parts(self) -> tuple[Part, ...]:
+        """The answer as it is printed."""
+        plain = self.rows if len(self.rows[0]) > 1 else tuple(row[0] for row in self.rows)
+        return (Math("", plain),)
+
+    @property
+    def written(self) -> str:
+        """The answer as a student would write it."""
+        return ", ".join(map(point_text, self.rows))
+
+    def differences(self, answer: str) -> Iterator[Difference]:
+        """Each wrong control point, then a parameter with both values there."""
+        rows, dimension = self.rows, len(self.rows[0])
+        answers = points(answer, dimension)
+        if any(len(point) != dimension for point in answers):
+            yield OtherCoordinates(dimension)
+            return
+        if len(answers) != len(rows):
+            yield OtherCount(Entries.POINTS, len(rows), len(answers))
+            return
+        wrong = [i for i, (right, given) in enumerate(zip(rows, answers, strict=True)) if right != given]
+        for i in wrong:
+            yield OtherPoint(i, rows[i], answers[i])
+        if wrong:
+            yield _witness(self._value, self._of(answers), self.reference.domain)
+
+    def _value(self, t: mpq) -> Point:
+        value = self.reference(t)
+        return value if isinstance(value, tuple) else (value,)
+
+    def _of(self, rows: tuple[Point, ...]) -> Callable[[mpq], Point]:
+        """The function given by a student's control points."""
+        degree, knots = self.reference.degree, self.reference.knots
+        splines = [BSpline(degree, knots, column) for column in zip(*rows, strict=True)]
+        return lambda t: tuple(f(t) for f in splines)
+
+
+@dataclass(frozen=True)
+class Polynomials(Answer):
+    """Named polynomials in t, in any notation."""
+
+    names: tuple[str, ...]
+    values: tuple[Polynomial, ...]
+
+    @property
+    def form(self) -> str:
+        """How the answer is to be written."""
+        return f"{', '.join(self.names)}: polynomials in t separated by commas, such as 1 - 3t + 2t^2"
+
+    @property
+    def parts(self) -> tuple[Part, ...]:
+        """The answer as it is printed."""
+        return named(self.names, self.values)
+
+    @property
+    def written(self) -> str:
+        """The answer as a student would write it."""
+        return ", ".join(
+            " + ".join(f"({text(c)})*t^{i}" for i, c in enumerate(p.coefficients)) or "0" for p in self.values
+        )
+
+    def differences(self, answer: str) -> Iterator[Difference]:
+        """Each wrong coefficient, then a parameter with both values there."""
+        answers = polynomials(answer)
+        if len(answers) != len(self.values):
+            yield OtherCount(Entries.POLYNOMIALS, len(self.values), len(answers))
+            return
+        for name, right, given in zip(self.names, self.values, answers, strict=True):
+            pairs = list(zip_longest(right.coefficients, given.coefficients, fillvalue=mpq(0)))
+            wrong = [(i, a, b) for i, (a, b) in enumerate(pairs) if a != b]
+            for i, a, b in wrong:
+                yield OtherCoefficient(Name(name), i, a, b)
+            if wrong:
+                yield _witness(_values_of(right), _values_of(given), (mpq(0), mpq(1)), Name(name))
+
+
+@dataclass(frozen=True)
+class Circle(Answer):
+    """Whether it is a circle: ``no``, or its centre and the square of its radius."""
+
+    #: Centre and squared radius; empty if it is not a circle.
+    values: Point
+    form = "no, or centre x, centre y, radius²"
+
+    @property
+    def parts(self) -> tuple[Part, ...]:
+        """The answer as it is printed."""
+        if not self.values:
+            return ("no",)
+        *centre, square = self.values
+        return ("yes: centre ", Math("", (tuple(centre),)), ", ", Math("r²", (square,)))
+
+    @property
+    def written(self) -> str:
+        """The answer as a student would write it."""
+        return ", ".join(map(text, self.values)) or "no"
+
+    def differences(self, answer: str) -> Iterator[Difference]:
+        """Whether it is a circle, or which number is wrong."""
+        said_no = cleaned(answer).lower() == "no"
+        if said_no or not self.values:
+            if said_no and self.values:
+                yield Shape.CIRCLE
+            elif not said_no:
+                numbers(answer)
+                yield Shape.NOT_A_CIRCLE
+            return
+        yield from Numbers(("centre x", "centre y", "radius²"), self.values).differences(answer)
+
+
+def _values_of(p: Polynomial) -> Callable[[mpq], Point]:
+    def value(t: mpq) -> Point:
+        total = mpq(0)
+        for c in reversed(p.coefficients):
+            total = total * t + c
+        return (total,)
+
+    return value
+
+
+def simple_parameters(low: mpq, high: mpq) -> Iterator[mpq]:
+    """The rational parameters of an interval, in the order of their denominators; an infinite sequence.
+
+    >>> from itertools import islice
+    >>> [str(t) for t in islice(simple_parameters(mpq(0), mpq(1)), 5)]
+    ['0', '1', '1/2', '1/3', '2/3']
+    """
+    yield from (low, high)
+    for below in count(2):
+        for above in range(1, below):
+            share = mpq(above, below)
+            if share.denominator == below:
+                yield low + (high - low) * share
+
+
+def _witness(
+    right: Callable[[mpq], Point], given: Callable[[mpq], Point], domain: tuple[mpq, mpq], name: Name | None = None
+) -> OtherValue:
+    """A parameter at which two different functions differ: polynomials do so at all but finitely many parameters."""
+    t = next(t for t in simple_parameters(*domain) if right(t) != given(t))
+    return OtherValue(t, right(t), given(t), name)
