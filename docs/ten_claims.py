@@ -47,7 +47,7 @@ INTRODUCTION = """# Ten claims, side by side
 What is printed, the function that computes it, the same function as a definition of Coq with the theorem that is
 proved about it, and three verdicts: for all curves by polynomials in jets, on example curves by splines, and by Coq's
 kernel. The words of the statements are in
-[`Base.v`](../exactspline/verification/coq/theory/Base.v); [what has to be trusted](what-is-trusted.md) says what
+[`Base.v`](../exactspline/extras/coq/theory/Base.v); [what has to be trusted](what-is-trusted.md) says what
 follows from what. `./run coq DIR` writes all theorems.
 
 *Written by `python -m docs.ten_claims`; do not edit.*

@@ -26,8 +26,8 @@ def _printed(form: str, shown: object) -> str | None:
     own = type(shown).__module__.split(".")[:3]
     if own[1:2] == ["extras"]:
         import_module(".".join([*own, "display"]))
-    home = "exactspline.display.evidence" if form == "words" else "exactspline.display.notebook"
-    found: str | None = getattr(import_module(home), form)(shown)
+    home = {"words": "evidence", "latex": "latex"}.get(form, "notebook")
+    found: str | None = getattr(import_module(f"exactspline.display.{home}"), form)(shown)
     return found
 
 

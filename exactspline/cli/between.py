@@ -11,8 +11,8 @@ from exactspline.cli.common import (
     check_distance,
     check_output,
     load_curve,
-    see_that_coq_can_name,
     tell_written,
+    write_theorems,
 )
 from exactspline.cli.output import Output, printing
 from exactspline.cli.parameters import Argument, Option
@@ -58,12 +58,7 @@ def between(
     check_output(emit_coq, curve, other)
     first, second = load_curve(curve), load_curve(other)
     if emit_coq:
-        from exactspline.atomic_write import write_text
-        from exactspline.extras.coq.intersections import meeting_theorem
-
-        see_that_coq_can_name(emit_coq)
-        write_text(emit_coq, meeting_theorem(first, second))
-        tell_written(emit_coq)
+        write_theorems(emit_coq, first, second)
     if epsilon:
         check_distance(epsilon)
     pair = CurvePair(first, second)

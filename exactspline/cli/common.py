@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Annotated, TypeVar
 from exactspline.cli.output import OptionsError, is_quiet, leave_out, to_stderr
 from exactspline.cli.parameters import Option
 from exactspline.errors import ClaimError, CurveFileError, ExactSplineError, NumberError, command_name, counted
+from exactspline.hooks import named
 from exactspline.numbers.exact import rational
 
 if TYPE_CHECKING:
@@ -180,9 +181,9 @@ def tell_notes(reading: Reading, *, curves: bool = True) -> None:
     for note in reading.notes:
         to_stderr(f"note: {note}")
     about: dict[str, list[str]] = {}
-    for named in reading.curves if curves else ():
-        for note in named.notes:
-            about.setdefault(note, []).append(named.name)
+    for each in reading.curves if curves else ():
+        for note in each.notes:
+            about.setdefault(note, []).append(each.name)
     for note, names in about.items():
         which = names[0] if len(names) == 1 else counted(len(names), "curve")
         to_stderr(f"note: {which}: {note}")
@@ -294,17 +295,16 @@ def _see_that_it_is_positive(option: str, given: str, otherwise: str = "") -> No
         raise OptionsError(f"{option} {given}", remedy=f"give a number above 0, such as 1e-9{otherwise}")
 
 
+#: What writes theorems for Coq about curves, loaded when a file of them is asked for.
+THEOREMS = "exactspline.extras.coq.command"
+
+
 def see_that_coq_can_name(path: str) -> None:
     """See that a file has a name that Coq accepts as that of a module."""
-    import re
+    named(f"{THEOREMS}:see_that_coq_can_name")(path)
 
-    if not Path(path).name:
-        raise OptionsError(f"--emit-coq {path!r} is a folder", remedy="name a file in it")
-    stem = Path(path).name.removesuffix(".v")
-    named = re.sub(r"\W", "_", stem, flags=re.ASCII)
-    named = named if named[:1].isalpha() or named[:1] == "_" else f"curve_{named}"
-    if Path(path).name != f"{named}.v":
-        raise OptionsError(
-            f"--emit-coq {path!r}: a file of Coq is named by letters, digits and underscores, a letter first, and .v",
-            remedy=f"{Path(path).with_name(f'{named}.v')} would do",
-        )
+
+def write_theorems(path: str, *curves: Nurbs) -> None:
+    """The theorems about a curve, or about the common points of two, in a file."""
+    named(f"{THEOREMS}:write_theorems")(path, *curves)
+    tell_written(path)

@@ -23,6 +23,7 @@ from exactspline.cli.common import (
     see_that_coq_can_name,
     tell_written,
     with_distance,
+    write_theorems,
 )
 from exactspline.cli.output import OptionsError, Output, printing
 from exactspline.cli.parameters import Argument, Exit, Option
@@ -160,7 +161,7 @@ def inspect(
         found, good = read_curves(read, good)
         _see_that_they_fit(found, approach, epsilon, emit_coq)
         if emit_coq and found:
-            _emit(found[0].curve, emit_coq)
+            write_theorems(emit_coq, found[0].curve)
         inspected = [
             _inspected(replace(each, curve=c), approach or MINIMAL, digits, coordinates, epsilon, stability)
             for each in found
@@ -228,15 +229,6 @@ def _give(out: Output, inspected: list[Inspected], given: list[Nurbs], certifica
         lambda: _print_all(out, inspected),
         by="curve",
     )
-
-
-def _emit(curve: Nurbs, path: str) -> None:
-    """The theorems about a curve, in a file."""
-    from exactspline.atomic_write import write_text
-    from exactspline.extras.coq.answers import theorem_of
-
-    write_text(path, theorem_of(curve))
-    tell_written(path)
 
 
 def _print_all(out: Output, inspected: list[Inspected]) -> None:

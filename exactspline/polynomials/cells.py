@@ -2,7 +2,7 @@
 lemmas: Bernstein coefficients of one sign (no zero), opposite signs at the ends (a zero), a derivative with Bernstein
 coefficients of one sign (at most one zero).
 
-The cells are the input of the proofs in ``verification/coq/theory/Answers.v``; a multiple zero has a witness: a factor
+The cells are the input of the proofs in ``extras/coq/theory/Answers.v``; a multiple zero has a witness: a factor
 of which it is a simple zero, and a cofactor without zeros.
 """
 

@@ -16,7 +16,7 @@ from exactspline.language.kinds import kind_of
 from exactspline.readings.sympy_expression import SympyReading
 from exactspline.symbolic.factorization import without_denominator
 from exactspline.verification.claim import Claim
-from exactspline.verification.combined import Proofs, fitting
+from exactspline.verification.combined import fitting
 from exactspline.verification.evidence import Fact, JudgesDisagree
 from exactspline.verification.kinds.equality import Identity
 from exactspline.verification.notation import factor_formulas
@@ -64,6 +64,10 @@ class Judge(Protocol):
     @property
     def name(self) -> Name:
         """Its name."""
+
+    @property
+    def column(self) -> Name:
+        """The heading of its column."""
 
     def decide(self, claim: Claim) -> Finding:
         """The finding; UNDECIDED where the judge does not handle claims of this kind."""

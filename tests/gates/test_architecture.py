@@ -52,6 +52,14 @@ def test_an_import_is_seen(code):
     assert packages == {"language": {"cli"}}
 
 
+@pytest.mark.parametrize(("module", "seen"), [("interchange.formats", set()), ("interchange.files", {"extras.cad"})])
+def test_the_tables_alone_name_what_loads_when_it_is_used(module, seen):
+    """A row of a table is no import, the same text elsewhere is one, and so is an import in a table."""
+    known = {"extras.cad", "extras.coq"}
+    assert import_graph.imported(ast.parse("HOME = 'exactspline.extras.cad:FORMAT'"), known, module) == seen
+    assert import_graph.imported(ast.parse("from exactspline.extras import coq"), known, module) == {"extras.coq"}
+
+
 def test_a_formula_that_is_looked_up_by_its_name_is_an_import():
     """Passed before: a room below the papers looks up one of their formulas by its name."""
     assert import_graph.imported(ast.parse("find('f2')"), set(import_graph.module_graph()), "language.kind") == {
@@ -71,14 +79,14 @@ def test_a_circle_is_seen():
     assert import_graph.circles(graph) == [["a", "b"]]
 
 
-def test_only_the_front_door_names_modules_of_other_rooms_in_texts():
+def test_only_the_front_door_and_tables_name_modules_of_other_rooms_in_texts():
     """What a user's formulas may import are texts of the check of such files; the command line asks whether a module
     below it was loaded.
     """
     trees = import_graph.trees()
     named = {name: import_graph.named(tree, set(trees)) - {"papers"} for name, tree in trees.items()}
     found = {name for name, targets in named.items() if {t.split(".")[0] for t in targets} - {name.split(".")[0]}}
-    assert found == {"", "cli.output", "papers.formula_check"}
+    assert found == {*import_graph.TABLES, "cli.output", "papers.formula_check"}
 
 
 @pytest.mark.skipif(not ARCHITECTURE.exists(), reason="the documents are in the checkout only")

@@ -52,8 +52,8 @@ for module in pkgutil.walk_packages(xs.__path__, "exactspline."):
         importlib.import_module(module.name)
 assert all(getattr(xs, name) is thing for name, thing in before.items())
 rooms = {name for name, thing in before.items() if isinstance(thing, types.ModuleType)}
-assert rooms == {"classroom", "display", "interchange", "language", "readings", "tables"}
-for room in (xs.classroom, xs.display, xs.interchange, xs.language, xs.readings):
+assert rooms == {"teaching", "display", "interchange", "language", "readings", "tables"}
+for room in (xs.teaching, xs.display, xs.interchange, xs.language, xs.readings):
     assert not any(isinstance(getattr(room, name), types.ModuleType) for name in room.__all__)
 """
     subprocess.run([sys.executable, "-c", code], check=True)
@@ -61,7 +61,7 @@ for room in (xs.classroom, xs.display, xs.interchange, xs.language, xs.readings)
 
 def test_no_submodule_is_called_like_a_name():
     modules = {module.name for module in pkgutil.iter_modules(xs.__path__)}
-    assert modules & set(xs.__all__) == {"classroom", "display", "interchange", "language", "readings", "tables"}
+    assert modules & set(xs.__all__) == {"display", "interchange", "language", "readings", "tables"}
 
 
 def test_importing_the_package_loads_nothing_of_it_but_the_hooks():
@@ -138,7 +138,7 @@ def test_without_printers_a_notebook_shows_the_text(monkeypatch):
 #: drawing libraries, what a user names on the command line, and what only notebooks need.
 IMPORT_BY_STRING = {
     "__init__.py",
-    "cli/__init__.py",
+    "hooks.py",
     "papers/loading.py",
     "display/plot/canvas.py",
     "display/plot/html.py",
@@ -160,7 +160,7 @@ CHECKOUT = ROOT.parent
 #: What a page imports from.
 PUBLIC = {
     "exactspline",
-    *(f"exactspline.{room}" for room in ("classroom", "display", "interchange", "language", "readings", "tables")),
+    *(f"exactspline.{room}" for room in ("teaching", "display", "interchange", "language", "readings", "tables")),
     *("exactspline.display.plot", "exactspline.display.figures"),
 }
 IMPORT = re.compile(r"^\s*(?:from\s+(exactspline[\w.]*)\s+import|import\s+(exactspline[\w.]*))", re.MULTILINE)

@@ -25,7 +25,7 @@ def planted(code, finder):
 # ---- law 3: a decision is data
 
 #: Rooms that decide.
-DECIDING = ("geometry/", "symbolic/", "classroom/", "questions/", "roots/", "polynomials/", "reals/", "programs/")
+DECIDING = ("geometry/", "symbolic/", "extras/teaching/", "questions/", "roots/", "polynomials/", "reals/", "programs/")
 BY_SENTENCES = {
     "batch/summary.py: Summary.entries": "how many different notes there are",
     "extras/teaching/display/exercises.py: solution_lines": "a heading that a triangle has is not shown twice",
@@ -206,7 +206,7 @@ def test_there_is_one_real_type():
 
 
 def test_there_is_one_way_to_a_curvature():
-    rooms = ("geometry", "splines", "roots", "programs", "display", "classroom", "reals", "verification")
+    rooms = ("geometry", "splines", "roots", "programs", "display", "extras", "reals", "verification")
     oracle = "batch/oracle", "batch/inspections"
     assert gates.found_in(gates.trees(), gates.ways_to_a_curvature, (*rooms, *oracle)) == WAYS.keys()
     assert planted("class Curve:\n    def curvature_at(self, t): ...", gates.ways_to_a_curvature) == [
@@ -404,8 +404,11 @@ BY_NAME = {
 def test_what_only_developers_run_is_not_in_the_wheel():
     graph = import_graph.module_graph()
     papers = [name for name in graph if name.startswith(("papers.", "formulas."))]  # with formulas of their tables
-    commands = [f"cli.{entry.home.partition(':')[0]}" for entry in leaves().values()]
-    entrances = ["", "__main__", *papers, *commands]
+    commands = [entry.home.partition(":")[0] for entry in leaves().values()]
+    trees = import_graph.trees()
+    rows = {name for table in import_graph.TABLES for name in import_graph.named(trees[table], set(trees))}
+    displays = [name for name in graph if name.startswith("extras.") and name.endswith(".display")]
+    entrances = ["", "__main__", *papers, *commands, *rows, *displays]
     assert graph.keys() - gates.reached(graph, entrances) == BY_NAME.keys()
 
 

@@ -117,7 +117,7 @@ def handed(function):
 #: Every public function and class by its name; none is public twice.
 PUBLIC = {
     name: getattr(room, name)
-    for room in (xs, xs.classroom, xs.interchange, xs.language, xs.readings, xs.tables, plots)
+    for room in (xs, xs.teaching, xs.interchange, xs.language, xs.readings, xs.tables, plots)
     for name in room.__all__
     if callable(getattr(room, name))
 }
@@ -274,7 +274,7 @@ def test_what_an_error_says():
         (lambda: xs.claims(3), "an int, where the id of a claim is expected"),
         (lambda: xs.degree("f2", dimension="3"), "'3', where a dimension is expected; give an integer from 1 to"),
         (
-            lambda: xs.classroom.elevation_triangles(T, 10**9),
+            lambda: xs.teaching.elevation_triangles(T, 10**9),
             "degree elevation by 1000000000; an integer from 1 to 1000",
         ),
         (lambda: T.elevate_degree(10**9), "degree elevation by 1000000000; an integer from 0 to 1000 "),

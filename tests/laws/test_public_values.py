@@ -77,15 +77,15 @@ RETURNED = {
     "construction": lambda: xs.tables.construction("evolute"),
     "curvature": lambda: [xs.curvature(PLANE_CURVE, "1/3"), xs.curvature(PLANE_CURVE, ROOT)],
     "curvature_function": lambda: xs.tables.curvature_function(PLANE_CURVE),
-    "de_boor_triangle": lambda: xs.classroom.de_boor_triangle(SPLINE, "1/2"),
+    "de_boor_triangle": lambda: xs.teaching.de_boor_triangle(SPLINE, "1/2"),
     "degree": lambda: xs.degree("g2"),
     "degree_table": lambda: xs.tables.degree_table(LINE),
     "derive": lambda: xs.derive("evolute", PLANE_CURVE),
-    "elevation_triangles": lambda: xs.classroom.elevation_triangles(LINE),
+    "elevation_triangles": lambda: xs.teaching.elevation_triangles(LINE),
     "errata": lambda: next(xs.errata()),
     "exercise": lambda: [
-        xs.classroom.exercise("evaluation", 1),
-        xs.classroom.exercise("evaluation", 1).answer.check("0, 0"),
+        xs.teaching.exercise("evaluation", 1),
+        xs.teaching.exercise("evaluation", 1).answer.check("0, 0"),
     ],
     "factor_of": lambda: xs.tables.factor_of("f1", "f2", 2),
     "analyse": lambda: [
@@ -98,7 +98,7 @@ RETURNED = {
     ],
     "find": lambda: xs.find("f2"),
     "formula": lambda: own_formula,
-    "insertion_triangle": lambda: xs.classroom.insertion_triangle(SPLINE, "1/3"),
+    "insertion_triangle": lambda: xs.teaching.insertion_triangle(SPLINE, "1/3"),
     "jets_for": lambda: xs.tables.jets_for(("f2",), 2),
     "measure": lambda: xs.tables.measure(xs.find("f2"), SPLINE),
     "numerical_claims": lambda: xs.tables.numerical_claims("C4.2"),
@@ -107,7 +107,7 @@ RETURNED = {
     "oracle box": lambda: xs.oracle(xs.example("circle"), "bounding_box"),
     "paper": lambda: xs.paper("lifted"),
     "parse_degree": lambda: xs.readings.parse_degree("max(9d - 6, 12d)"),
-    "product_tables": lambda: xs.classroom.product_tables(T, T),
+    "product_tables": lambda: xs.teaching.product_tables(T, T),
     "patch_table": lambda: [row() for row in xs.tables.patch_table([xs.paper("surfaces").find("parabolic")], (2, 2))],
     "prove": lambda: xs.prove("f1", "f2", "w"),
     "proved": lambda: xs.proved(xs.claims("C4.1a")[0]),
@@ -181,7 +181,7 @@ def same(a, b):
 
 
 def test_every_public_name_is_looked_at():
-    rooms = (xs, xs.classroom, xs.interchange, xs.language, xs.readings, xs.tables)
+    rooms = (xs, xs.teaching, xs.interchange, xs.language, xs.readings, xs.tables)
     names = {name for room in rooms for name in room.__all__ if not name.startswith(("plot", "__"))}
     names -= {name for name in xs.__all__ if isinstance(getattr(xs, name), ModuleType)}
     assert names - RETURNED.keys() - COVERED == set()

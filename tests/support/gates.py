@@ -372,7 +372,7 @@ EXACT = (
     "geometry/",
     "roots/",
     "verification/",
-    "classroom/",
+    "extras/",
 )
 ROUNDING = {"double", "float", "round", "complex", "isclose", "allclose", "fsum", "float64", "longdouble"}
 ROUNDED_MODULES = {"math", "cmath", "numpy", "random", "decimal"}

@@ -25,6 +25,10 @@ ORDER = tuple(tuple(layer.split(" | ")) for layer in reversed(LAYERS) if layer !
 FLOOR = {package: i for i, packages in enumerate(ORDER) for package in packages}
 #: A module, or something in one, named in a text: ``exactspline.roots``, ``roots.checker:check``.
 NAMED = re.compile(r"(?:exactspline\.)?(\w+(?:\.\w+)*)\.?(?::\w+)?")
+#: The tables that name what loads when it is used: the rows of these modules alone may name a room above their own.
+TABLES = {"", "cli.commands", "cli.common", "display.notebook", "interchange.formats", "verification.judges"}
+#: The rooms that they may name.
+EXTRA = "extras"
 #: What looks up a formula by its name: with a name in the code it is an import of its paper.
 LOOK_UPS = {"find", "paper", "resolve"}
 
@@ -65,7 +69,11 @@ def imported(tree: ast.AST, modules: set[str], own: str = "") -> set[str]:
             for alias in node.names:
                 inner = f"{base}.{alias.name}" if base else alias.name
                 found.add(inner if inner in modules else base)
-    return found | {name for name in named(tree, modules) if not f"{own}.".startswith(f"{name}.")}
+    return found | {
+        name
+        for name in named(tree, modules)
+        if not f"{own}.".startswith(f"{name}.") and not (own in TABLES and name.split(".")[0] == EXTRA)
+    }
 
 
 def named(tree: ast.AST, modules: set[str]) -> set[str]:
@@ -107,7 +115,8 @@ def module_graph() -> dict[str, set[str]]:
     known = trees()
     graph = {name: imported(tree, set(known), name) - {name} for name, tree in known.items()}
     for stub in ROOT.rglob("__init__.pyi"):
-        graph[module_name(stub.with_suffix(".py"))] |= stubbed(stub)
+        own = module_name(stub.with_suffix(".py"))
+        graph[own] |= {name for name in stubbed(stub) if own not in TABLES or name.split(".")[0] != EXTRA}
     return graph
 
 

@@ -146,7 +146,7 @@ def triangle(data: dict[str, Any]) -> dict[str, Any]:
     curve = _curve(data["curve"])
     low, high = curve.domain
     t = low + (high - low) * xs.rational(data["share"])
-    found = xs.classroom.de_boor_triangle(curve, t)
+    found = xs.teaching.de_boor_triangle(curve, t)
     return {
         "t": str(t),
         "span": [str(u) for u in found.span],
@@ -164,7 +164,7 @@ def refined(data: dict[str, Any]) -> dict[str, Any]:
     """The same curve by more control points: a knot inserted, or the degree raised."""
     curve = _curve(data["curve"])
     if "knot" in data:
-        found = xs.classroom.insertion_triangle(curve, data["knot"])
+        found = xs.teaching.insertion_triangle(curve, data["knot"])
         rows = [[*found.cartesian(row)] for row in found.made]
         weights = [row[-1] if found.rational else 1 for row in found.made]
         made = xs.Nurbs(curve.degree, found.knots, rows, weights)
@@ -188,7 +188,7 @@ def product(data: dict[str, Any]) -> dict[str, Any]:
     low, high = curve.domain
     t = low + (high - low) * xs.rational(data["share"])
     left, right = (functions[name] for name in data["factors"])
-    tables = xs.classroom.product_tables(left, right)
+    tables = xs.teaching.product_tables(left, right)
     table = next(one for one in tables if t <= one.span[1])
     f = left * right
     return {

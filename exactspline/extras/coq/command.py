@@ -2,12 +2,17 @@
 
 from __future__ import annotations
 
-from typing import Annotated
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
 
 from exactspline.cli.common import Papers, Trust, claims_of_papers
+from exactspline.cli.output import OptionsError
 from exactspline.cli.parameters import Argument
 from exactspline.cli.prove import Claims, Sections, named_claims, of_sections
 from exactspline.errors import counted
+
+if TYPE_CHECKING:
+    from exactspline.splines.nurbs import Nurbs
 
 
 def coq(
@@ -18,8 +23,6 @@ def coq(
     trust: Trust = False,
 ) -> None:
     """Write the claims of equalities as theorems of Coq: all of them, or those of some claims, sections or papers."""
-    from pathlib import Path
-
     from exactspline.display import console
     from exactspline.extras.coq.emission import emit
 
@@ -34,3 +37,29 @@ def coq(
     )
     for each in made.unstated:
         console.lines(shown, f"{each.claim.key}: no theorem, {each.why}")
+
+
+def see_that_coq_can_name(path: str) -> None:
+    """See that a file has a name that Coq accepts as that of a module."""
+    import re
+
+    if not Path(path).name:
+        raise OptionsError(f"--emit-coq {path!r} is a folder", remedy="name a file in it")
+    stem = Path(path).name.removesuffix(".v")
+    named = re.sub(r"\W", "_", stem, flags=re.ASCII)
+    named = named if named[:1].isalpha() or named[:1] == "_" else f"curve_{named}"
+    if Path(path).name != f"{named}.v":
+        raise OptionsError(
+            f"--emit-coq {path!r}: a file of Coq is named by letters, digits and underscores, a letter first, and .v",
+            remedy=f"{Path(path).with_name(f'{named}.v')} would do",
+        )
+
+
+def write_theorems(path: str, *curves: Nurbs) -> None:
+    """The theorems about a curve, or about the common points of two, in a file."""
+    from exactspline.atomic_write import write_text
+    from exactspline.extras.coq.answers import theorem_of
+    from exactspline.extras.coq.intersections import meeting_theorem
+
+    see_that_coq_can_name(path)
+    write_text(path, (theorem_of if len(curves) == 1 else meeting_theorem)(*curves))

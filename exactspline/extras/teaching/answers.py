@@ -22,7 +22,7 @@ from exactspline.extras.teaching.differences import (
 )
 from exactspline.extras.teaching.parts import Math, Part, Point, Polynomial
 from exactspline.extras.teaching.reading import AnswerError, cleaned, numbers, points, polynomials
-from exactspline.numbers.exact import mpq, text
+from exactspline.numbers.exact import mpq, point_text, text
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.nurbs import Nurbs
 from exactspline.verification.vocabulary import Name

@@ -1,4 +1,4 @@
-"""The algorithms of the classroom as tables of fractions: de Boor's triangle, knot insertion, degree elevation, the
+"""The algorithms of lessons as tables of fractions: de Boor's triangle, knot insertion, degree elevation, the
 product of two functions. The algorithms that splines use internally (`exactspline.polynomials.bernstein`) are faster;
 here every intermediate point can be read, drawn and checked.
 

@@ -1,4 +1,4 @@
-"""``teach triangle``: the algorithms of the classroom as tables of fractions."""
+"""``teach triangle``: the algorithms of lessons as tables of fractions."""
 
 from __future__ import annotations
 

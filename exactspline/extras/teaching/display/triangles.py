@@ -22,7 +22,7 @@ def title(scheme: Scheme) -> str:
     """The title of a scheme.
 
     >>> from exactspline import BSpline
-    >>> from exactspline.classroom import de_boor_triangle
+    >>> from exactspline.extras.teaching import de_boor_triangle
     >>> title(de_boor_triangle(BSpline.bezier([0, 1, 3]), "1/2"))
     "De Boor's triangle at t = 1/2 in [0, 1], degree 2"
     """
@@ -56,7 +56,7 @@ def sheets(scheme: Scheme) -> list[Sheet]:
 
 def _triangle_sheets(triangle: Triangle) -> list[Sheet]:
     steps = [f"step {r}" for r in range(1, len(triangle.columns))]
-    cells, heading = _grid(triangle, triangle.columns, shown), title(triangle)
+    cells, heading = _grid(triangle, triangle.columns, point_text), title(triangle)
     points = Sheet("point", "given", *steps, rows=cells, title=heading, name=heading)
     ratios = ([label, *rest] for label, _, *rest in _grid(triangle, ((), *triangle.ratios), text) if any(rest))
     shares = Sheet("point", *steps, rows=ratios, title=f"Shares s. {rule(triangle)}", name="shares")
@@ -172,8 +172,8 @@ def _result_html(scheme: Scheme) -> str:
 
 
 def _listed(what: str, rows: Sequence[Row]) -> str:
-    shown = "<mo>,</mo><mspace width='0.6em'/>".join(map(point_mathml, rows))
-    return f"<p>{escape(what)}: {mathml.math(f'<mrow>{shown}</mrow>')}</p>"
+    point_text = "<mo>,</mo><mspace width='0.6em'/>".join(map(point_mathml, rows))
+    return f"<p>{escape(what)}: {mathml.math(f'<mrow>{point_text}</mrow>')}</p>"
 
 
 # ---- data

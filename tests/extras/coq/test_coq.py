@@ -1,7 +1,7 @@
 """The theorems of Coq: all that the papers give is written, what is false does not compile, and answers
 about curves are what the zero sets say.
 
-What needs Coq is skipped without it; `EXACTSPLINE_COQ_MUTANTS=200 pytest tests/verification/test_coq.py` runs as many
+What needs Coq is skipped without it; `EXACTSPLINE_COQ_MUTANTS=200 pytest tests/extras/coq/test_coq.py` runs as many
 corrupted certificates.
 """
 

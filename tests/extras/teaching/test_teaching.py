@@ -13,7 +13,7 @@ import pytest
 from click.testing import CliRunner
 
 from exactspline.cli import app
-from exactspline.extras.teaching.answers import Circle, Parameters, Points, Polynomials, shown
+from exactspline.extras.teaching.answers import Circle, Parameters, Points, Polynomials
 from exactspline.extras.teaching.comparison import compare_curves, compare_formulas
 from exactspline.extras.teaching.differences import (
     Invented,
@@ -32,7 +32,7 @@ from exactspline.extras.teaching.reading import AnswerError, numbers, points, po
 from exactspline.extras.teaching.topics import HINTS, TOPICS, TopicError, about, exercise, exercises
 from exactspline.interchange.curve_files import curve_data
 from exactspline.interchange.examples import example
-from exactspline.numbers.exact import mpq, rational
+from exactspline.numbers.exact import mpq, point_text, rational
 from exactspline.papers import find
 from exactspline.splines.nurbs import Nurbs
 from tests.support.command import invoke
@@ -86,7 +86,7 @@ def test_nothing_is_told_before_it_is_asked_for(topic):
         if made.answer.written == wrong or made.answer.check(wrong):
             continue
         differences = made.answer.check(wrong).differences
-        right = {f" is {shown(each.right)}" for each in differences if isinstance(each, OtherPoint)}
+        right = {f" is {point_text(each.right)}" for each in differences if isinstance(each, OtherPoint)}
         right |= {f" is {each.right}," for each in differences if isinstance(each, OtherNumber)}
         told = invoke(*asked, wrong).output
         assert told.startswith("wrong")

@@ -1,0 +1,46 @@
+"""A format, and a judge, of somebody else's own."""
+
+from exactspline import Nurbs, read
+from exactspline.interchange import formats
+from exactspline.interchange.format import Format
+from exactspline.interchange.records import NamedCurve, Reading
+from exactspline.verification import judges
+from exactspline.verification.claims import select
+from exactspline.verification.verdict import PROVED, Finding
+from exactspline.verification.vocabulary import Name
+from tests.support.command import run
+
+
+def points(source):
+    """Bézier points, one on a line."""
+    rows = [line.split() for line in source.data.decode().splitlines()[1:]]
+    curve = Nurbs(len(rows) - 1, [0] * len(rows) + [1] * len(rows), rows, name="points")
+    return Reading("points", (NamedCurve("points", curve),))
+
+
+def test_a_format_that_was_added_is_read_like_the_others(monkeypatch, tmp_path):
+    monkeypatch.setattr(formats, "_added", [])
+    formats.add_format(Format("points", "Bézier points", (".pts",), lambda head: head.startswith(b"points"), points))
+    place = tmp_path / "curve.pts"
+    place.write_text("points\n0 0\n1/2 1\n1 0\n", encoding="utf-8")
+    assert read(place).curve.degree == 2
+    assert run("inspect", place).stdout.startswith("points: polynomial, degree 2")
+
+
+def test_a_judge_that_was_added_is_asked_like_the_others(monkeypatch):
+    class Credulous:
+        name = column = Name("credulous")
+
+        def __init__(self, claims):
+            self.claims = claims
+
+        def decide(self, claim):
+            return Finding(PROVED)
+
+    monkeypatch.setattr(judges, "_others", dict(judges._others))
+    judges.add_judge("credulous", Credulous)
+    claim = select(["C4.1a"])[0]
+    assert judges.judge_named("credulous", [claim]).decide(claim).verdict == PROVED
+    done = run("prove", "--claim", "C4.2b", "--judge", "credulous")
+    assert done.returncode == 1
+    assert "CONTRADICTION" in done.stdout
