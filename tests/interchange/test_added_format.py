@@ -1,26 +1,26 @@
 """A format, and a judge, of somebody else's own."""
 
-from exactspline import Nurbs, read
+import re
+from pathlib import Path
+
+import pytest
+
+from exactspline import read
 from exactspline.interchange import formats
-from exactspline.interchange.format import Format
-from exactspline.interchange.records import NamedCurve, Reading
 from exactspline.verification import judges
 from exactspline.verification.claims import select
 from exactspline.verification.verdict import PROVED, Finding
 from exactspline.verification.vocabulary import Name
 from tests.support.command import run
 
-
-def points(source):
-    """Bézier points, one on a line."""
-    rows = [line.split() for line in source.data.decode().splitlines()[1:]]
-    curve = Nurbs(len(rows) - 1, [0] * len(rows) + [1] * len(rows), rows, name="points")
-    return Reading("points", (NamedCurve("points", curve),))
+PAGE = Path(__file__).parents[2] / "docs" / "formats.md"
 
 
+@pytest.mark.skipif(not PAGE.exists(), reason="the page is in the checkout only")
 def test_a_format_that_was_added_is_read_like_the_others(monkeypatch, tmp_path):
     monkeypatch.setattr(formats, "_added", [])
-    formats.add_format(Format("points", "Bézier points", (".pts",), lambda head: head.startswith(b"points"), points))
+    (block,) = re.findall(r"```python\n(.*?)```", PAGE.read_text(encoding="utf-8"), re.DOTALL)
+    exec(block, {})
     place = tmp_path / "curve.pts"
     place.write_text("points\n0 0\n1/2 1\n1 0\n", encoding="utf-8")
     assert read(place).curve.degree == 2
