@@ -67,7 +67,7 @@ def build() -> int:
     shutil.copytree(DOCS / "play", play, ignore=shutil.ignore_patterns("__pycache__"))
     shutil.copy(PROJECT / "exactspline" / "display" / "page.css", play / "site.css")
     for kind in ("js", "css"):
-        shutil.copy(PROJECT / "exactspline" / "display" / "plot" / f"turning.{kind}", play / "js")
+        shutil.copy(PROJECT / "exactspline" / "extras" / "pictures3d" / f"turning.{kind}", play / "js")
     shutil.copytree(HERE / "templates", source / "_templates")
     # other programs download and pack while the pages are computed here
     with ThreadPoolExecutor(1) as other:

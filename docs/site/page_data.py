@@ -14,11 +14,11 @@ from docs.site.pages import figure
 from exactspline.display.evidence import worded
 from exactspline.display.ledger import claimed
 from exactspline.display.plot.canvas import Run, sampled
-from exactspline.display.plot.html import Scene, scenes_data
-from exactspline.display.plot.meshes import ruled_mesh, tensor_mesh
-from exactspline.display.plot.turning_surface import inspected_scene
 from exactspline.display.quotations import parts
 from exactspline.display.statement import statement_data
+from exactspline.extras.pictures3d.html import Scene, scenes_data
+from exactspline.extras.pictures3d.meshes import ruled_mesh, tensor_mesh
+from exactspline.extras.pictures3d.turning_surface import inspected_scene
 from exactspline.papers import papers
 from exactspline.verification.claims import claims_in
 from exactspline.verification.degree_tables import GenericRow, generic_table

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import partial
 from typing import TYPE_CHECKING, Annotated, Any, NamedTuple
 
 from exactspline.cli.common import (
@@ -106,7 +107,7 @@ def _coordinates(point: str) -> list[str]:
 
 def _of_two(c: Nurbs, other: Nurbs, variant: str, digits: int) -> Answer:
     from exactspline.display import bisector_data, bisector_sheet
-    from exactspline.display.plot import bisectors as plots
+    from exactspline.display.plot.in_space import picture
     from exactspline.errors import FormulaError
     from exactspline.geometry.bisector.plane_curves import PlaneBisector
     from exactspline.geometry.bisector.two_curves import SurfaceVariant, curve_bisector
@@ -117,16 +118,18 @@ def _of_two(c: Nurbs, other: Nurbs, variant: str, digits: int) -> Answer:
             raise FormulaError(f"the variant {variant!r} of a bisector in the plane", remedy="leave the variant out")
         flat = PlaneBisector(c, other)
         data = head | bisector_data.plane_bisector_data(flat, digits)
-        return Answer(data, *bisector_sheet.of_plane_curves(data), title, lambda: plots.plot_plane_bisector(flat))
+        return Answer(
+            data, *bisector_sheet.of_plane_curves(data), title, partial(picture, "bisector of plane curves", flat)
+        )
     found = curve_bisector(c, other, variant or SurfaceVariant.MINIMAL)
     data = head | bisector_data.curve_bisector_data(found, digits)
     rows, notes = bisector_sheet.of_two_curves(found, digits)
-    return Answer(data, rows, notes, f"{title}, {found.variant}", lambda: plots.plot_curve_bisector(found))
+    return Answer(data, rows, notes, f"{title}, {found.variant}", partial(picture, "bisector of curves", found))
 
 
 def _of_point(c: Nurbs, point: list[str], variant: str, digits: int) -> Answer:
     from exactspline.display import bisector_data, bisector_sheet
-    from exactspline.display.plot import bisectors as plots
+    from exactspline.display.plot.in_space import picture
     from exactspline.errors import FormulaError
     from exactspline.geometry.bisector.point_and_curve import point_bisector
     from exactspline.geometry.bisector.trimmed import trimmed_bisector
@@ -137,7 +140,7 @@ def _of_point(c: Nurbs, point: list[str], variant: str, digits: int) -> Answer:
         ruled = point_bisector(c, point, variant or "direct")
         data, title = head | bisector_data.point_bisector_data(ruled, digits), f"{title} ({ruled.variant})"
         rows, notes = bisector_sheet.of_point_in_space(ruled, digits)
-        return Answer(data, rows, notes, title, lambda: plots.plot_point_bisector(ruled, c, point))
+        return Answer(data, rows, notes, title, partial(picture, "bisector of a point", ruled, c, point))
     if variant:
         raise FormulaError(
             f"the variant {variant!r} of a planar bisector",
@@ -146,7 +149,7 @@ def _of_point(c: Nurbs, point: list[str], variant: str, digits: int) -> Answer:
     found = trimmed_bisector(c, point)
     data, title = head | bisector_data.trimmed_data(found, digits), f"{title}, trimmed"
     rows, notes = bisector_sheet.of_point_in_plane(found, digits)
-    return Answer(data, rows, notes, title, lambda: plots.plot_trimmed_bisector(found, c, point))
+    return Answer(data, rows, notes, title, partial(picture, "trimmed bisector", found, c, point))
 
 
 def _print(out: Output, c: Nurbs, answer: Answer) -> None:

@@ -227,10 +227,10 @@ def tell_written(path: str) -> None:
 
 def tell_how_surfaces_are_drawn() -> None:
     """A note on standard error where no renderer with depth is installed."""
-    from exactspline.display.plot.depth import REMARK, knows_depth
+    from exactspline.display.plot.in_space import picture
 
-    if not knows_depth() and not is_quiet():
-        to_stderr(REMARK)
+    if (remark := picture("remark")) and not is_quiet():
+        to_stderr(remark)
 
 
 def also_in_their_planes(curves: list[Nurbs]) -> list[Nurbs]:

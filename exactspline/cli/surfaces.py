@@ -102,18 +102,16 @@ def _inspected(surface: NurbsSurface, digits: int, plot: str, epsilon: str) -> t
 
 def _drawn(found: SurfaceInspection, plot: str) -> None:
     """A picture, or an interactive page."""
+    from exactspline.display.plot.in_space import picture
+
     if plot.lower().endswith(".html"):
         from exactspline.atomic_write import write_text
         from exactspline.display.plot.canvas import PlotError
-        from exactspline.display.plot.html import page_of
-        from exactspline.display.plot.turning_surface import inspected_scene
 
-        scene = inspected_scene(found)
-        write_text(plot, page_of([scene], scene["title"]), PlotError)
+        write_text(plot, picture("page of an inspected surface", found), PlotError)
         tell_written(plot)
         return
     from exactspline.display.plot.canvas import save
-    from exactspline.display.plot.patches import surface_figure
 
-    save(surface_figure(found), plot)
+    save(picture("inspected surface", found), plot)
     tell_written(plot)

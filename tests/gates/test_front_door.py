@@ -141,7 +141,7 @@ IMPORT_BY_STRING = {
     "hooks.py",
     "papers/loading.py",
     "display/plot/canvas.py",
-    "display/plot/html.py",
+    "extras/pictures3d/html.py",
     "papers/folder.py",
 }
 
@@ -160,8 +160,9 @@ CHECKOUT = ROOT.parent
 #: What a page imports from.
 PUBLIC = {
     "exactspline",
-    *(f"exactspline.{room}" for room in ("teaching", "display", "interchange", "language", "readings", "tables")),
+    *(f"exactspline.{room}" for room in ("display", "interchange", "language", "readings", "tables")),
     *("exactspline.display.plot", "exactspline.display.figures"),
+    *("exactspline.extras.pictures3d", "exactspline.extras.teaching"),
 }
 IMPORT = re.compile(r"^\s*(?:from\s+(exactspline[\w.]*)\s+import|import\s+(exactspline[\w.]*))", re.MULTILINE)
 

@@ -173,7 +173,7 @@ SECOND_NUMBERS = {
 }
 WAYS = {
     "extras/teaching/shapes.py: curvature": "an exercise",
-    "display/plot/curvature_lines.py: lines_of_curvature": "curves on a surface",
+    "extras/pictures3d/curvature_lines.py: lines_of_curvature": "curves on a surface",
     "geometry/curvature.py: curvature_function": "curvature as a function",
     "geometry/facts.py: Facts.same_curvature": "a comparison",
     "geometry/joints.py: Joint.same_curvature": "a comparison",

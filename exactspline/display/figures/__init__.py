@@ -4,16 +4,19 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
+from functools import partial
 from pathlib import Path
 
 from exactspline.atomic_write import write_text
-from exactspline.display.figures.bisectors import figure_4, figure_5, figure_6
 from exactspline.display.figures.plane import Drawn, figure_1, figure_2, figure_3
 from exactspline.display.plot.canvas import PlotError, save
-from exactspline.display.plot.html import turning_page
+from exactspline.display.plot.in_space import picture
 
 #: The figures by number.
-FIGURES: dict[int, Callable[[], Drawn]] = {1: figure_1, 2: figure_2, 3: figure_3, 4: figure_4, 5: figure_5, 6: figure_6}
+FIGURES: dict[int, Callable[[], Drawn]] = {
+    **{1: figure_1, 2: figure_2, 3: figure_3},
+    **{n: partial(picture, f"figure {n}") for n in (4, 5, 6)},
+}
 
 
 @dataclass
@@ -56,6 +59,6 @@ def make(number: int, folder: str | Path, drawn: Drawn | None = None, suffixes: 
         made.files.append(str(place))
     if scenes:
         place = Path(folder) / f"figure{number}.html"
-        write_text(place, turning_page(scenes, caption), PlotError)
+        write_text(place, picture("page", scenes, caption), PlotError)
         made.files.append(str(place))
     return made

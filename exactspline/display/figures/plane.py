@@ -7,7 +7,6 @@ from typing import TYPE_CHECKING, Any, NamedTuple, cast
 from exactspline.display.plot.canvas import GREEN, ORANGE, PAGE, SILVER, VERMILLION, legend_below, new_figure
 from exactspline.display.plot.curves import plot_curve, plot_evolute, plot_features, plot_quotient
 from exactspline.display.plot.functions import draw_roots, plot_function
-from exactspline.display.plot.html import Scene
 from exactspline.errors import counted
 from exactspline.geometry.analysis import analyse
 from exactspline.geometry.constructions import construction
@@ -39,10 +38,10 @@ class Drawn(NamedTuple):
 
     figure: Any
     caption: str
-    scenes: tuple[Scene, ...] = ()
+    scenes: tuple[Any, ...] = ()
 
 
-def captioned(figure: Figure, number: int, caption: str, scenes: tuple[Scene, ...] = ()) -> Drawn:
+def captioned(figure: Figure, number: int, caption: str, scenes: tuple[Any, ...] = ()) -> Drawn:
     """The figure and its caption, which is shown as text of the surrounding page."""
     return Drawn(figure, f"Fig. {number}. {caption}", scenes)
 

@@ -8,7 +8,3 @@ from .curves import plot_features as plot_features
 from .curves import plot_quotient as plot_quotient
 from .functions import plot_function as plot_function
 from .functions import plot_roots as plot_roots
-from .patches import surface_figure as surface_figure
-from .surfaces import plot_bisector as plot_bisector
-from .surfaces import plot_ruled_surface as plot_ruled_surface
-from .surfaces import plot_surface as plot_surface

@@ -8,14 +8,14 @@ from typing import TYPE_CHECKING
 from exactspline.display.plot.canvas import axes_for
 from exactspline.display.plot.curves import plot_curve, plot_quotient
 from exactspline.display.plot.functions import plot_function
+from exactspline.display.plot.in_space import HOMES, picture
 from exactspline.display.plot.options import check_names
-from exactspline.display.plot.patches import surface_figure
-from exactspline.display.plot.surfaces import plot_bisector, plot_ruled_surface, plot_surface
 from exactspline.errors import ShapeError
 from exactspline.geometry.bisector.point_and_curve import PointBisector, RuledPiece
 from exactspline.geometry.bisector.two_curves import CurveBisector
 from exactspline.geometry.derived import Derived
 from exactspline.geometry.surface.inspection import SurfaceInspection
+from exactspline.hooks import named
 from exactspline.language.rational import Rational
 from exactspline.language.ruled import RuledSurface
 from exactspline.language.vector import Vector
@@ -42,9 +42,10 @@ def plot(thing: object, ax: Axes | None = None, **how: object) -> Axes:
     Raises `PlotError` without matplotlib and for options that it does not have, `ShapeError` for other objects.
     """
     if isinstance(thing, SurfaceInspection) and ax is None and not how:
-        return surface_figure(thing).axes[0]
+        axes: Axes = picture("inspected surface", thing).axes[0]
+        return axes
     if isinstance(thing, CurveBisector):
-        of_two: Callable[..., Axes] = plot_bisector
+        of_two: Callable[..., Axes] = named(HOMES["bisector"])
         check_names(of_two, how)
         return of_two(*thing.curves, ax, **how)
     if isinstance(thing, PointBisector | Derived):
@@ -67,12 +68,13 @@ def _way_to_draw(thing: object) -> tuple[Callable[..., Axes], object]:
     if isinstance(thing, ZeroSet):
         return plot_function, thing.spline
     if isinstance(thing, RuledSurface):
-        return plot_ruled_surface, thing
+        return named(HOMES["ruled surface"]), thing
     if isinstance(thing, NurbsSurface):
-        return plot_surface, thing.S
+        return named(HOMES["surface"]), thing.S
     parts = thing.numerator if isinstance(thing, Rational) else thing
     if isinstance(parts, Vector):
-        return (plot_surface if any(isinstance(part, TensorSpline) for part in parts) else plot_quotient), thing
+        in_two = any(isinstance(part, TensorSpline) for part in parts)
+        return (named(HOMES["surface"]) if in_two else plot_quotient), thing
     raise ShapeError(
         f"a {type(thing).__name__} cannot be drawn",
         remedy="draw a curve, a spline, a zero set, a vector or quotient of splines, or a ruled surface",

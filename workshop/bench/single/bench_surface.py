@@ -136,7 +136,7 @@ def test_parabolic_curves_of_bicubics(benchmark):
 
 
 def test_the_torus_drawn(benchmark):
-    from exactspline.display.plot.patches import surface_figure
+    from exactspline.extras.pictures3d.patches import surface_figure
 
     benchmark.group = "the torus, inspected and drawn"
     benchmark.pedantic(lambda: surface_figure(analyse(example("torus"))), rounds=1)

@@ -25,9 +25,9 @@ from exactspline.display.plot.canvas import (
 )
 from exactspline.display.plot.curves import plot_curve
 from exactspline.display.plot.frames import Box, box_around, clipped, grown, kept
-from exactspline.display.plot.meshes import SurfaceMesh, tensor_mesh
-from exactspline.display.plot.surfaces import mark_points, plot_mesh, show_box
 from exactspline.errors import ReachError
+from exactspline.extras.pictures3d.meshes import SurfaceMesh, tensor_mesh
+from exactspline.extras.pictures3d.surfaces import mark_points, plot_mesh, show_box
 from exactspline.geometry.bisector.components import Correspondence, LineComponent, SinglePair, Solutions
 from exactspline.geometry.bisector.plane_curves import PlaneBisector
 from exactspline.geometry.bisector.point_and_curve import PointBisector

@@ -12,9 +12,9 @@ from exactspline.display.figures.plane import Drawn, captioned
 from exactspline.display.plot.canvas import BLACK, GREEN, PAGE, VERMILLION, PlotError, Point, Run, new_figure, sampled
 from exactspline.display.plot.curves import plot_curve, plot_quotient
 from exactspline.display.plot.frames import three_ticks
-from exactspline.display.plot.html import Scene
-from exactspline.display.plot.meshes import SurfaceMesh, ruled_mesh
-from exactspline.display.plot.surfaces import mark_points, plot_mesh
+from exactspline.extras.pictures3d.html import Scene
+from exactspline.extras.pictures3d.meshes import SurfaceMesh, ruled_mesh
+from exactspline.extras.pictures3d.surfaces import mark_points, plot_mesh
 from exactspline.interchange.examples import example
 from exactspline.numbers.exact import mpq
 from exactspline.papers import find

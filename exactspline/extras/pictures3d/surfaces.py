@@ -21,9 +21,9 @@ from exactspline.display.plot.canvas import (
 )
 from exactspline.display.plot.curves import plot_quotient
 from exactspline.display.plot.frames import Box, three_ticks
-from exactspline.display.plot.meshes import SurfaceMesh, ruled_mesh, tensor_mesh
 from exactspline.display.plot.options import check_options, exact_box
 from exactspline.errors import FormulaError, ShapeError, as_items, as_text, counted
+from exactspline.extras.pictures3d.meshes import SurfaceMesh, ruled_mesh, tensor_mesh
 from exactspline.language.arguments import Curve
 from exactspline.language.kinds import PAIR, PLANE_POINT, POINT_IN_SPACE, Kind
 from exactspline.language.rational import Rational
@@ -69,7 +69,7 @@ def plot_mesh(
         raise PlotError("a number beyond 1e100", remedy="scale the data")
     rgb = library("matplotlib.colors").to_rgb(color)
     shades = [shaded([tuple(float(x) for x in p) for p in face], rgb) for face in faces]
-    from exactspline.display.plot.depth import DepthCollection
+    from exactspline.extras.pictures3d.depth import DepthCollection
 
     made = DepthCollection(mesh, color, shades, zorder=1)
     made.set_label("_surface")

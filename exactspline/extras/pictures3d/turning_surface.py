@@ -7,10 +7,20 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 
 from exactspline.display.plot.canvas import BLACK, GREEN, VERMILLION
-from exactspline.display.plot.curvature_lines import FAMILIES, Samples, lines_of_curvature
 from exactspline.display.plot.frames import box_around, grown, three_ticks
-from exactspline.display.plot.html import ROOM, DotData, LineData, SceneData, SurfaceData, dots_of, line_of, places_of
-from exactspline.display.plot.patches import (
+from exactspline.extras.pictures3d.curvature_lines import FAMILIES, Samples, lines_of_curvature
+from exactspline.extras.pictures3d.html import (
+    ROOM,
+    DotData,
+    LineData,
+    SceneData,
+    SurfaceData,
+    dots_of,
+    line_of,
+    page_of,
+    places_of,
+)
+from exactspline.extras.pictures3d.patches import (
     ELLIPTIC,
     FLAT,
     GRID,
@@ -114,3 +124,9 @@ def _dots(inspection: SurfaceInspection) -> Iterator[DotData]:
 
 def _on(inspection: SurfaceInspection, parameters: Iterable[Point]) -> Sequence[Sequence[float]]:
     return [[float(x) for x in inspection.surface(u, v)] for u, v in parameters]
+
+
+def inspected_page(found: SurfaceInspection) -> str:
+    """The page of an inspected surface."""
+    scene = inspected_scene(found)
+    return page_of([scene], scene["title"])

@@ -25,7 +25,7 @@ from mpl_toolkits.mplot3d.art3d import Line3D, Poly3DCollection  # type: ignore[
 from mpl_toolkits.mplot3d.proj3d import proj_transform  # type: ignore[import-untyped]  # has no types
 from numpy.typing import NDArray
 
-from exactspline.display.plot.meshes import SurfaceMesh
+from exactspline.extras.pictures3d.meshes import SurfaceMesh
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -60,6 +60,11 @@ def knows_depth() -> bool:
         return False
     # without a rendering library, VTK aborts the process instead of raising
     return not sys.platform.startswith("linux") or any(map(find_library, ("EGL", "OSMesa")))
+
+
+def remark() -> str:
+    """What is said where surfaces are drawn without it, else nothing."""
+    return "" if knows_depth() else REMARK
 
 
 class DepthCollection(Poly3DCollection):  # type: ignore[misc]  # its base has no types

@@ -6,10 +6,10 @@ from gmpy2 import mpq
 pytest.importorskip("matplotlib")
 pytest.importorskip("pyvista")
 
-from exactspline.display.plot import depth
 from exactspline.display.plot.canvas import new_figure, save
-from exactspline.display.plot.meshes import SurfaceMesh
-from exactspline.display.plot.surfaces import plot_mesh
+from exactspline.extras.pictures3d import depth
+from exactspline.extras.pictures3d.meshes import SurfaceMesh
+from exactspline.extras.pictures3d.surfaces import plot_mesh
 
 RED, BLUE = "#ff0000", "#0000ff"
 

@@ -11,9 +11,9 @@ from math import cos, pi, radians, sin
 from typing import TYPE_CHECKING, Any
 
 from exactspline.display.plot.canvas import BLACK, GREEN, PAGE, VERMILLION, draw, library, new_figure
-from exactspline.display.plot.curvature_lines import FAMILIES, Samples, lines_of_curvature
-from exactspline.display.plot.surfaces import shaded
 from exactspline.errors import as_instance, counted
+from exactspline.extras.pictures3d.curvature_lines import FAMILIES, Samples, lines_of_curvature
+from exactspline.extras.pictures3d.surfaces import shaded
 from exactspline.geometry.surface.inspection import PatchInspection, PatchKind, SurfaceInspection
 from exactspline.geometry.surface.places import Place
 from exactspline.geometry.surface.signs import Point

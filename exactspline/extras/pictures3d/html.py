@@ -16,7 +16,7 @@ from typing import NotRequired, TypedDict
 from exactspline.display.page import page
 from exactspline.display.plot.canvas import BLACK, BLUE, GREEN, GREY, SKY, VERMILLION, Point, Run
 from exactspline.display.plot.frames import Box, box_around, grown, three_ticks
-from exactspline.display.plot.meshes import SurfaceMesh
+from exactspline.extras.pictures3d.meshes import SurfaceMesh
 from exactspline.numbers.exact import mpq
 
 #: The number of isolines along and across a surface, and their colour.
@@ -158,7 +158,7 @@ def turning_page(scenes: Sequence[Scene], title: str) -> str:
 
     >>> from exactspline.interchange.examples import example
     >>> from exactspline.papers import find
-    >>> from exactspline.display.plot.meshes import ruled_mesh
+    >>> from exactspline.extras.pictures3d.meshes import ruled_mesh
     >>> mesh = ruled_mesh(find("tangent_developable")(example("twisted_cubic")), (0, 1))
     >>> made = turning_page([Scene("tangents", mesh)], "a surface")
     >>> "<script src=" in made, "tangents" in made
@@ -169,7 +169,7 @@ def turning_page(scenes: Sequence[Scene], title: str) -> str:
 
 def page_of(scenes: Sequence[SceneData], title: str) -> str:
     """The page of scenes given as data."""
-    here = files("exactspline.display.plot")
+    here = files("exactspline.extras.pictures3d")
     script, style = (here.joinpath(f"turning.{kind}").read_text(encoding="utf-8") for kind in ("js", "css"))
     data = json.dumps(scenes, ensure_ascii=False, separators=(",", ":")).replace("<", "\\u003c")
     body = f"""<p>{escape(title)}</p>

@@ -13,10 +13,10 @@ from exactspline.display.plot.comparisons import plot_approaches
 from exactspline.display.plot.curves import plot_curve, plot_quotient
 from exactspline.display.plot.frames import homogeneous, inside
 from exactspline.display.plot.functions import plot_function, plot_roots
-from exactspline.display.plot.html import Scene, scenes_data, turning_page
-from exactspline.display.plot.meshes import ruled_mesh, tensor_mesh
-from exactspline.display.plot.surfaces import plot_bisector, plot_mesh, plot_ruled_surface, plot_surface
 from exactspline.errors import FormulaError, ShapeError
+from exactspline.extras.pictures3d.html import Scene, scenes_data, turning_page
+from exactspline.extras.pictures3d.meshes import ruled_mesh, tensor_mesh
+from exactspline.extras.pictures3d.surfaces import plot_bisector, plot_mesh, plot_ruled_surface, plot_surface
 from exactspline.interchange.examples import example
 from exactspline.language import Rational, Vector, cross, dot
 from exactspline.language.ruled import RuledSurface

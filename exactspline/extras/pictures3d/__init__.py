@@ -1,0 +1,7 @@
+"""Pictures in space: surfaces and bisectors, shaded with their control nets, drawn by depth where pyvista is installed,
+and as interactive pages. Needs matplotlib (the extra ``plot``).
+"""
+
+import lazy_loader
+
+__getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)
