@@ -8,6 +8,7 @@ from enum import Enum
 from pathlib import Path
 
 import exactspline
+import exactspline.extras.teaching.display  # words of differences
 from exactspline.display.evidence import worded, words
 from exactspline.display.ledger import found, row_data, witness
 from exactspline.errors import ExactSplineError

@@ -104,7 +104,9 @@ def test_no_part_of_a_name_decides():
     assert planted("def f(row):\n    return re.match('D1', row.name)", gates.names_taken_apart)
 
 
-NAMES_TAKEN_APART: dict[str, str] = {}
+NAMES_TAKEN_APART = {
+    "extras/teaching/display/exercises.py: _symbol_latex": "how a symbol is written, nothing is decided"
+}
 
 
 # ---- law 4: a question is an entry

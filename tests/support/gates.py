@@ -372,7 +372,9 @@ EXACT = (
     "geometry/",
     "roots/",
     "verification/",
-    "extras/",
+    "extras/cad/",
+    "extras/coq/",
+    "extras/teaching/",
 )
 ROUNDING = {"double", "float", "round", "complex", "isclose", "allclose", "fsum", "float64", "longdouble"}
 ROUNDED_MODULES = {"math", "cmath", "numpy", "random", "decimal"}

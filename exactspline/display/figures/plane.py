@@ -38,10 +38,10 @@ class Drawn(NamedTuple):
 
     figure: Any
     caption: str
-    scenes: tuple[Any, ...] = ()
+    scenes: tuple[object, ...] = ()
 
 
-def captioned(figure: Figure, number: int, caption: str, scenes: tuple[Any, ...] = ()) -> Drawn:
+def captioned(figure: Figure, number: int, caption: str, scenes: tuple[object, ...] = ()) -> Drawn:
     """The figure and its caption, which is shown as text of the surrounding page."""
     return Drawn(figure, f"Fig. {number}. {caption}", scenes)
 
