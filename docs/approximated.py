@@ -14,9 +14,9 @@ from functools import cache
 from pathlib import Path
 
 import exactspline as xs
-from exactspline.geometry.derived import derive
-from exactspline.geometry.kinds import JointKind
-from exactspline.geometry.poles import between_poles
+from exactspline.geometry.curves.kinds import JointKind
+from exactspline.geometry.curves.poles import between_poles
+from exactspline.geometry.derived.derive import derive
 from exactspline.numbers.exact import mpq
 from exactspline.roots.zero_set import zeros
 from exactspline.splines.bspline import BSpline

@@ -28,11 +28,11 @@ from .interchange.examples import examples as examples
 
 # evaluation
 from .roots.values import at as at
-from .geometry.floats import at_floats as at_floats
-from .geometry.floats import curvature_floats as curvature_floats
-from .geometry.floats import floats as floats
-from .geometry.values_along import curvature as curvature
-from .geometry.values_along import torsion as torsion
+from .geometry.curves.floats import at_floats as at_floats
+from .geometry.curves.floats import curvature_floats as curvature_floats
+from .geometry.curves.floats import floats as floats
+from .geometry.curves.values import curvature as curvature
+from .geometry.curves.values import torsion as torsion
 from .numbers.sides import Side as Side
 
 # zeros
@@ -42,27 +42,27 @@ from .roots.root import Root as Root
 from .certificates import check_certificate as check_certificate
 
 # analysis
-from .geometry.analysis import analyse as analyse
-from .geometry.many_curves import features_of_curves as features_of_curves
-from .geometry.many_curves import features_of_many as features_of_many
+from .geometry.analysis.curves import analyse as analyse
+from .geometry.analysis.many_curves import features_of_curves as features_of_curves
+from .geometry.analysis.many_curves import features_of_many as features_of_many
 from .batch.oracle import oracle as oracle
 from .batch.sweep import sweep as sweep
 from .batch.families import Family as Family
 
 # derived curves and surfaces
-from .geometry.derived import derive as derive
-from .geometry.ruled_surfaces import ruled_surface as ruled_surface
-from .geometry.bisector.any_pair import bisector as bisector
+from .geometry.derived.derive import derive as derive
+from .geometry.derived.ruled_surfaces import ruled_surface as ruled_surface
+from .geometry.bisectors.any_pair import bisector as bisector
 
 # points in common, distances, inside and outside
-from .geometry.offset_intersections import intersections as intersections
-from .geometry.offset_intersections import self_intersections as self_intersections
-from .geometry.zeros_in_two_parameters import common_zeros as common_zeros
-from .geometry.zeros_in_two_parameters import zero_curve as zero_curve
-from .geometry.nearest import nearest as nearest
-from .geometry.distance import distance as distance
-from .geometry.winding import contains as contains
-from .geometry.winding import winding_number as winding_number
+from .geometry.pairs.offsets import intersections as intersections
+from .geometry.pairs.offsets import self_intersections as self_intersections
+from .bivariate.zeros import common_zeros as common_zeros
+from .bivariate.zeros import zero_curve as zero_curve
+from .geometry.pairs.nearest import nearest as nearest
+from .geometry.pairs.distance import distance as distance
+from .geometry.pairs.winding import contains as contains
+from .geometry.pairs.winding import winding_number as winding_number
 
 # pictures
 from .display.plot.anything import plot as plot

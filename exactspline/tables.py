@@ -21,10 +21,10 @@ from exactspline.display.tables import (
     symbolic_table,
     verdicts,
 )
-from exactspline.geometry.constructions import Variant, construction
-from exactspline.geometry.curvature import curvature_function
-from exactspline.geometry.inspection import Approach
-from exactspline.geometry.ruled_surfaces import as_tensor_product, is_developable
+from exactspline.geometry.analysis.inspection import Approach
+from exactspline.geometry.curves.curvature import curvature_function
+from exactspline.geometry.derived.constructions import Variant, construction
+from exactspline.geometry.derived.ruled_surfaces import as_tensor_product, is_developable
 from exactspline.splines.lowest_terms import control_point_count
 from exactspline.splines.tensor import surface_pair
 from exactspline.symbolic.factorization import jets_for

@@ -12,7 +12,7 @@ import pytest
 from gmpy2 import mpq
 from theorem import establish, verdict_for_all
 
-from exactspline.geometry.derived import derive
+from exactspline.geometry.derived.derive import derive
 from exactspline.interchange.examples import example, example_names
 from exactspline.language import dot
 from exactspline.papers import find

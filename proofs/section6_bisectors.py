@@ -13,9 +13,9 @@ import pytest
 from gmpy2 import mpq
 from theorem import establish, verdict_for_all
 
-from exactspline.geometry.bisector.point_and_curve import point_bisector
-from exactspline.geometry.bisector.trimmed import trimmed_bisector
-from exactspline.geometry.bisector.two_curves import curve_bisector
+from exactspline.geometry.bisectors.point_and_curve import point_bisector
+from exactspline.geometry.bisectors.trimmed import trimmed_bisector
+from exactspline.geometry.bisectors.two_curves import curve_bisector
 from exactspline.interchange.examples import example, example_names
 from exactspline.papers import find
 from exactspline.verification.check_arguments import point_beside

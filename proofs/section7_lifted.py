@@ -9,7 +9,7 @@ import pytest
 from gmpy2 import mpq
 from theorem import establish, verdict_for_all
 
-from exactspline.geometry.constructions import all_constructions, construction
+from exactspline.geometry.derived.constructions import all_constructions, construction
 from exactspline.interchange.examples import example, example_names
 from exactspline.language import Vector, dot
 from exactspline.language.kinds import CURVE

@@ -9,15 +9,16 @@ from typing import Any
 from exactspline.batch.lines import EVERYWHERE, Found
 from exactspline.batch.oracle_answers import parts_of
 from exactspline.errors import DomainError, ExactSplineError, ReachError, ShapeError, as_texts
-from exactspline.geometry.analysis import QUESTIONS, analyse, questions_about
-from exactspline.geometry.intersections import Intersections
-from exactspline.geometry.joints import Joint
-from exactspline.geometry.kinds import Feature
-from exactspline.geometry.values_along import curvature, point_at
+from exactspline.geometry.analysis.curves import QUESTIONS, analyse, questions_about
+from exactspline.geometry.curves.joints import Joint
+from exactspline.geometry.curves.kinds import Feature
+from exactspline.geometry.curves.values import curvature, point_at
+from exactspline.geometry.pairs.intersections import Intersections
 from exactspline.numbers.exact import mpq, mpz
-from exactspline.questions.answers import CurvePiece, Described, Places
+from exactspline.questions.answers import Described
 from exactspline.questions.entry import Answered, Entry, Of
 from exactspline.reals.real import Real, real
+from exactspline.roots.answers import CurvePiece, Places
 from exactspline.roots.root import Root
 from exactspline.roots.values import exact_place
 from exactspline.splines.nurbs import Nurbs

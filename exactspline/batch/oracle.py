@@ -16,32 +16,34 @@ from typing import Any, TypeAlias
 from exactspline.batch.lines import EVERYWHERE
 from exactspline.batch.oracle_answers import Answer, Item, Question, QuestionError, parts_of
 from exactspline.errors import DomainError, ShapeError
-from exactspline.geometry import balls, values_along
-from exactspline.geometry.analysis import QUESTIONS as QUESTIONS_ABOUT_CURVES
-from exactspline.geometry.analysis import analyse, questions_about
-from exactspline.geometry.curve_pair import CurvePair
-from exactspline.geometry.derived import derive
-from exactspline.geometry.distance import Distance
-from exactspline.geometry.extent import coordinate_range, slope_zeros
-from exactspline.geometry.intersections import Intersections
-from exactspline.geometry.joints import Joint
-from exactspline.geometry.kinds import Feature, JointKind
-from exactspline.geometry.nearest import Nearest, NearestPoint
-from exactspline.geometry.planarity import Plane
-from exactspline.geometry.values_along import point_at, unit
+from exactspline.geometry.analysis.curves import QUESTIONS as QUESTIONS_ABOUT_CURVES
+from exactspline.geometry.analysis.curves import analyse, questions_about
+from exactspline.geometry.analysis.pairs import CurvePair
+from exactspline.geometry.curves import balls
+from exactspline.geometry.curves import values as values_along
+from exactspline.geometry.curves.extent import coordinate_range, slope_zeros
+from exactspline.geometry.curves.joints import Joint
+from exactspline.geometry.curves.kinds import Feature, JointKind
+from exactspline.geometry.curves.planarity import Plane
+from exactspline.geometry.curves.values import point_at, unit
+from exactspline.geometry.derived.derive import derive
+from exactspline.geometry.pairs.distance import Distance
+from exactspline.geometry.pairs.intersections import Intersections
+from exactspline.geometry.pairs.nearest import Nearest, NearestPoint
 from exactspline.interchange.files import read
 from exactspline.language.rational import Rational
 from exactspline.language.vector import Vector, cross
 from exactspline.numbers.exact import mpq, text
-from exactspline.questions.answers import CurvePiece, Described, Places
+from exactspline.questions.answers import Described
 from exactspline.questions.entry import Entry, questions_of
 from exactspline.reals.real import Real, real
+from exactspline.roots.answers import CurvePiece, Places
 from exactspline.roots.values import exact_place
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.common import with_common_knots
 from exactspline.splines.control_points import Direction
-from exactspline.splines.expected import curve_of
 from exactspline.splines.nurbs import Nurbs, changed
+from exactspline.splines.type_checks import curve_of
 
 #: The largest number of segments times the square of the degree that `elevate` computes (a few seconds).
 MOST_ELEVATED = 1_000_000

@@ -7,11 +7,11 @@ from dataclasses import dataclass, field
 
 from exactspline.display.pair_data import form_data
 from exactspline.errors import ExactSplineError, as_text, counted, nearest
-from exactspline.geometry.analysis import QUESTIONS, analyse
+from exactspline.geometry.analysis.curves import QUESTIONS, analyse
 from exactspline.numbers.exact import mpq, rational, text
-from exactspline.questions.answers import Places
 from exactspline.questions.entry import Answered
 from exactspline.reals.real import Real
+from exactspline.roots.answers import Places
 from exactspline.roots.values import exact_place
 from exactspline.splines.nurbs import Nurbs
 

@@ -10,10 +10,10 @@ from collections.abc import Callable, Mapping
 
 from exactspline.batch.oracle_answers import QuestionError, number_data, parts_of
 from exactspline.display.surface_data import surface_answer_data
-from exactspline.geometry.planar_maps import MapInspection, jacobian_sign
-from exactspline.geometry.registry import REGISTRY
-from exactspline.geometry.surface.forms import SurfaceForms
-from exactspline.geometry.surface.inspection import SurfaceInspection
+from exactspline.geometry.analysis.planar_maps import MapInspection, jacobian_sign
+from exactspline.geometry.analysis.registry import REGISTRY
+from exactspline.geometry.analysis.surfaces import SurfaceInspection
+from exactspline.geometry.surfaces.forms import SurfaceForms
 from exactspline.numbers.exact import mpq, rational
 from exactspline.questions.entry import Of
 from exactspline.reals.real import Real, square_root

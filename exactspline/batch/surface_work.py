@@ -11,7 +11,7 @@ from exactspline.batch.corpus import Item
 from exactspline.batch.surface_oracle import applies, inspection_of, surface_answer, surface_question
 from exactspline.batch.work import DIGITS, MOST_DIGITS, OneByOne
 from exactspline.errors import as_integer, as_texts
-from exactspline.geometry.registry import REGISTRY
+from exactspline.geometry.analysis.registry import REGISTRY
 from exactspline.questions.entry import Of
 from exactspline.splines.surface import NurbsSurface
 

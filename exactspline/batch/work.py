@@ -14,7 +14,7 @@ from exactspline.batch.corpus import Item, Member, Problem
 from exactspline.batch.inspections import USUAL, checked_names, entry_of, inspected
 from exactspline.batch.lines import Found, Judged, Line, Way
 from exactspline.errors import as_flag, as_integer, as_texts
-from exactspline.geometry.analysis import analyse
+from exactspline.geometry.analysis.curves import analyse
 from exactspline.programs.accelerator import filter_curve
 from exactspline.questions.entry import Answered
 from exactspline.splines.nurbs import Nurbs

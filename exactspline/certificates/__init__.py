@@ -3,10 +3,10 @@ shares no code with the programs that write them.
 
 A certificate has a `format` with a version, states in `what` what it proves, and contains the data of the proof: of all
 ``zeros`` of a spline (written by `exactspline.roots.zero_set`), of all ``intersections`` of two plane curves (written
-by `exactspline.geometry.intersection_certificate`), of all ``common zeros`` of functions of two parameters (written by
-`exactspline.geometry.common_zeros_certificate`), of the ``zero curves`` of one and their topology (written by
-`exactspline.geometry.zero_curve_certificate`), or that the ``degree`` of forms cannot be lowered (written by
-`exactspline.verification.minimality`).
+by `exactspline.geometry.pairs.intersection_certificate`), of all ``common zeros`` of functions of two parameters
+(written by `exactspline.bivariate.common_zeros_certificate`), of the ``zero curves`` of one and their topology
+(written by `exactspline.bivariate.zero_curve_certificate`), or that the ``degree`` of forms cannot be lowered (written
+by `exactspline.verification.minimality`).
 """
 
 from collections.abc import Callable, Mapping

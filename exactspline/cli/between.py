@@ -52,7 +52,7 @@ def between(
     from exactspline.display.features import common_points_sheet
     from exactspline.display.pair_data import pair_data, pair_sheet
     from exactspline.display.serialize import described_data
-    from exactspline.geometry.curve_pair import CurvePair
+    from exactspline.geometry.analysis.pairs import CurvePair
 
     check_output(plot, curve, other)
     check_output(emit_coq, curve, other)

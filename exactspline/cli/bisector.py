@@ -109,8 +109,8 @@ def _of_two(c: Nurbs, other: Nurbs, variant: str, digits: int) -> Answer:
     from exactspline.display import bisector_data, bisector_sheet
     from exactspline.display.plot.in_space import picture
     from exactspline.errors import FormulaError
-    from exactspline.geometry.bisector.plane_curves import PlaneBisector
-    from exactspline.geometry.bisector.two_curves import SurfaceVariant, curve_bisector
+    from exactspline.geometry.bisectors.plane_curves import PlaneBisector
+    from exactspline.geometry.bisectors.two_curves import SurfaceVariant, curve_bisector
 
     head, title = {"curves": [c.name, other.name]}, f"bisector of {c.name} (s) and {other.name} (t)"
     if c.dimension == other.dimension == 2:
@@ -131,8 +131,8 @@ def _of_point(c: Nurbs, point: list[str], variant: str, digits: int) -> Answer:
     from exactspline.display import bisector_data, bisector_sheet
     from exactspline.display.plot.in_space import picture
     from exactspline.errors import FormulaError
-    from exactspline.geometry.bisector.point_and_curve import point_bisector
-    from exactspline.geometry.bisector.trimmed import trimmed_bisector
+    from exactspline.geometry.bisectors.point_and_curve import point_bisector
+    from exactspline.geometry.bisectors.trimmed import trimmed_bisector
 
     head: dict[str, object] = {"name": "bisector", "curve": c.name, "point": point}
     title = f"bisector of {c.name} and the point ({', '.join(point)})"

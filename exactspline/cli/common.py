@@ -237,7 +237,7 @@ def also_in_their_planes(curves: list[Nurbs]) -> list[Nurbs]:
     """The curves, each space curve in a coordinate plane followed by itself as a plane curve."""
     if all(c.dimension != 3 for c in curves):
         return list(curves)
-    from exactspline.geometry.planarity import with_plane_curves
+    from exactspline.geometry.curves.planarity import with_plane_curves
 
     return with_plane_curves(curves)
 
@@ -263,7 +263,7 @@ def with_distance(asked: Sequence[str], epsilon: str, usual: Sequence[str]) -> l
     """
     if not epsilon:
         return list(asked)
-    from exactspline.geometry.registry import REGISTRY
+    from exactspline.geometry.analysis.registry import REGISTRY
     from exactspline.questions.entry import Of
 
     check_distance(epsilon)

@@ -41,7 +41,7 @@ def derive(
     from exactspline.cli.surfaces import read_surface
     from exactspline.display.serialize import derived_data
     from exactspline.display.surface_data import surface_value_data
-    from exactspline.geometry.derived import derive as derived
+    from exactspline.geometry.derived.derive import derive as derived
     from exactspline.interchange.curve_files import write_json
     from exactspline.language.formula import Formula
     from exactspline.language.kinds import PLANAR_MAP, SURFACE

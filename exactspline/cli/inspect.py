@@ -31,7 +31,7 @@ from exactspline.cli.progress import ticking
 from exactspline.words import choice
 
 if TYPE_CHECKING:
-    from exactspline.geometry.inspection import Inspection
+    from exactspline.geometry.analysis.inspection import Inspection
     from exactspline.interchange.records import Reading
     from exactspline.splines.nurbs import Nurbs
 
@@ -198,7 +198,7 @@ def _inspect_surfaces(
 
 def _see_that_they_fit(found: Sequence[Read], approach: str, epsilon: str, emit_coq: str) -> None:
     """See that the options for curves fit to each other."""
-    from exactspline.geometry.inspection import Approach
+    from exactspline.geometry.analysis.inspection import Approach
 
     if approach and approach != ALL:
         choice(Approach, approach, "approach", also=(ALL,))
@@ -248,10 +248,10 @@ def _print_all(out: Output, inspected: list[Inspected]) -> None:
 def _inspected(read: Read, approach: str, digits: int, coordinates: bool, epsilon: str, stability: bool) -> Inspected:
     """A curve, its inspection, and all of it as data."""
     from exactspline.display.serialize import answer_data, coordinate_extrema_data, inspection_data, stability_data
-    from exactspline.geometry.analysis import analyse
-    from exactspline.geometry.inspection import compare_approaches, inspect_curve
+    from exactspline.geometry.analysis.curves import analyse
+    from exactspline.geometry.analysis.inspection import compare_approaches, inspect_curve
     from exactspline.numbers.exact import text
-    from exactspline.questions.answers import Places
+    from exactspline.roots.answers import Places
     from exactspline.splines.precision import WRITTEN, distance
 
     c = read.curve
@@ -277,7 +277,7 @@ def _inspected(read: Read, approach: str, digits: int, coordinates: bool, epsilo
 
 def _proofs(c: Nurbs, found: Inspection) -> list[dict[str, object]]:
     """The certificates of every form that was solved."""
-    from exactspline.geometry.inspection import solved
+    from exactspline.geometry.analysis.inspection import solved
 
     return [
         {"curve": c.name, "function": name, "certificate": zero_set.certificate()}
@@ -289,7 +289,7 @@ def _draw(inspected: list[Inspected], given: list[Nurbs], path: str, title: str)
     """One curve next to the functions that were solved, or several curves in one picture."""
     from exactspline.display.plot.canvas import save
     from exactspline.display.plot.comparisons import features_figure, inspect_figure
-    from exactspline.geometry.inspection import solved
+    from exactspline.geometry.analysis.inspection import solved
 
     if len({c.dimension for c in given}) > 1:
         raise OptionsError("--plot and curves of the plane and of space", remedy="draw them separately")

@@ -77,7 +77,7 @@ def answers(*of: str) -> dict[str, dict[str, object]]:
     answer. One that is not asked of all of them is optional.
     """
     from exactspline.display.answer_forms import answer_form
-    from exactspline.geometry.registry import REGISTRY
+    from exactspline.geometry.analysis.registry import REGISTRY
     from exactspline.questions.entry import Of
 
     kinds = [Of(kind) for kind in of]

@@ -12,7 +12,7 @@ from exactspline.errors import CurveFileError, counted
 
 if TYPE_CHECKING:
     from exactspline.display.sheet import Sheet
-    from exactspline.geometry.surface.inspection import SurfaceInspection
+    from exactspline.geometry.analysis.surfaces import SurfaceInspection
     from exactspline.interchange.records import Reading
     from exactspline.splines.surface import NurbsSurface
 
@@ -77,8 +77,8 @@ def _inspected(surface: NurbsSurface, digits: int, plot: str, epsilon: str) -> t
         surface_inspection_data,
         surface_sheet,
     )
-    from exactspline.geometry.planar_maps import jacobian_sign
-    from exactspline.geometry.surface.inspection import inspect_surface
+    from exactspline.geometry.analysis.planar_maps import jacobian_sign
+    from exactspline.geometry.analysis.surfaces import inspect_surface
 
     if surface.dimension == 2:
         if plot:

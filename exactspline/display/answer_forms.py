@@ -6,6 +6,7 @@ from enum import StrEnum
 from types import NoneType
 from typing import Any, get_args, get_type_hints
 
+from exactspline.bivariate.answers import SurfacePlaces
 from exactspline.display import bisector_data, surface_data
 from exactspline.display.bisector_data import FORMS_OF_POINT, MISSING, PAIRS, PARAMETER, SIDES_MISSING
 from exactspline.display.forms import (
@@ -24,21 +25,21 @@ from exactspline.display.forms import (
 from exactspline.display.pair_data import DISTANCE, INTERSECTIONS
 from exactspline.display.serialize import FEATURE, INTERVALS, JOINT, NUMBERS, PLANAR_PIECE
 from exactspline.display.surface_data import places_on_surface
-from exactspline.geometry.distance import Distance
-from exactspline.geometry.intersections import IntersectionKind, Intersections
-from exactspline.geometry.joints import Joint
-from exactspline.geometry.kinds import Feature, FeatureKind
-from exactspline.geometry.meetings_nearby import NearbyMeeting
-from exactspline.geometry.nearby import NearbyFeature
-from exactspline.geometry.planarity import Plane
+from exactspline.geometry.analysis.registry import REGISTRY
+from exactspline.geometry.curves.joints import Joint
+from exactspline.geometry.curves.kinds import Feature, FeatureKind
+from exactspline.geometry.curves.planarity import Plane
+from exactspline.geometry.pairs.distance import Distance
+from exactspline.geometry.pairs.intersections import IntersectionKind, Intersections
 from exactspline.geometry.recognition.pieces import RecognizedPiece
 from exactspline.geometry.recognition.shapes import ShapeKind
-from exactspline.geometry.registry import REGISTRY
-from exactspline.geometry.stability import StableFeature
-from exactspline.geometry.surface.umbilics_nearby import NearbyUmbilic
+from exactspline.geometry.rounded.features import NearbyFeature
+from exactspline.geometry.rounded.intersections import NearbyMeeting
+from exactspline.geometry.rounded.stability import StableFeature
+from exactspline.geometry.rounded.umbilics import NearbyUmbilic
 from exactspline.numbers.exact import mpq
-from exactspline.questions.answers import CurvePiece, Places, SurfacePlaces
 from exactspline.questions.entry import Entry, Of, Question, QuestionWith
+from exactspline.roots.answers import CurvePiece, Places
 
 TEXTS = list_of(TEXT)
 
@@ -106,7 +107,7 @@ def values_form() -> Schema:
 def answer_form(entry: Entry) -> Schema:
     """The form of the answer to a question, by the type that the question promises.
 
-    >>> from exactspline.geometry.analysis import QUESTIONS
+    >>> from exactspline.geometry.analysis.curves import QUESTIONS
     >>> answer_form(QUESTIONS["inflections"])["properties"]["points"]["items"]["properties"]["kind"]["enum"][:2]
     ['cusp', 'stop']
     """

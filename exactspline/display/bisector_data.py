@@ -26,7 +26,8 @@ from exactspline.display.forms import (
 from exactspline.display.pair_data import REAL
 from exactspline.display.serialize import NET, PIECE, decimal_of, piece_data
 from exactspline.errors import ReachError
-from exactspline.geometry.bisector.components import (
+from exactspline.geometry.analysis.registry import REGISTRY
+from exactspline.geometry.bisectors.components import (
     Branch,
     Cause,
     Correspondence,
@@ -36,13 +37,12 @@ from exactspline.geometry.bisector.components import (
     SinglePair,
     Solutions,
 )
-from exactspline.geometry.bisector.flats import Flat
-from exactspline.geometry.bisector.plane_curves import PlaneBisector
-from exactspline.geometry.bisector.point_and_curve import PointBisector, RuledPiece
-from exactspline.geometry.bisector.root_lines import Coordinate
-from exactspline.geometry.bisector.trimmed import PieceKind, TrimmedBisector, TrimmedPiece
-from exactspline.geometry.bisector.two_curves import BisectorPatch, CurveBisector
-from exactspline.geometry.registry import REGISTRY
+from exactspline.geometry.bisectors.flats import Flat
+from exactspline.geometry.bisectors.plane_curves import PlaneBisector
+from exactspline.geometry.bisectors.point_and_curve import PointBisector, RuledPiece
+from exactspline.geometry.bisectors.root_lines import Coordinate
+from exactspline.geometry.bisectors.trimmed import PieceKind, TrimmedBisector, TrimmedPiece
+from exactspline.geometry.bisectors.two_curves import BisectorPatch, CurveBisector
 from exactspline.language.rational import Rational
 from exactspline.language.vector import Vector
 from exactspline.numbers.exact import mpq, text

@@ -9,10 +9,10 @@ from exactspline.display.bisector_data import PairsKind, control_points, degree_
 from exactspline.display.data import Data
 from exactspline.display.sheet import Sheet
 from exactspline.errors import counted
-from exactspline.geometry.bisector.components import LineComponent, PairEquation, PlaneComponent, PoleCurve
-from exactspline.geometry.bisector.point_and_curve import PointBisector
-from exactspline.geometry.bisector.trimmed import TrimmedBisector
-from exactspline.geometry.bisector.two_curves import BisectorPatch, CurveBisector
+from exactspline.geometry.bisectors.components import LineComponent, PairEquation, PlaneComponent, PoleCurve
+from exactspline.geometry.bisectors.point_and_curve import PointBisector
+from exactspline.geometry.bisectors.trimmed import TrimmedBisector
+from exactspline.geometry.bisectors.two_curves import BisectorPatch, CurveBisector
 from exactspline.numbers.exact import short_text
 
 

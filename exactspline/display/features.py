@@ -12,8 +12,8 @@ from exactspline.display import console
 from exactspline.display.described import described, readable, shape_text
 from exactspline.display.numbers import decimal, rounded_down
 from exactspline.display.sheet import Sheet
-from exactspline.geometry.analysis import QUESTIONS, questions_about
-from exactspline.geometry.kinds import FeatureKind, JointKind, kind_name
+from exactspline.geometry.analysis.curves import QUESTIONS, questions_about
+from exactspline.geometry.curves.kinds import FeatureKind, JointKind, kind_name
 from exactspline.geometry.recognition.shapes import ShapeKind
 from exactspline.numbers.exact import decimal_unit, mpq, rational
 from exactspline.questions.entry import Answered

@@ -22,7 +22,7 @@ def glossary() -> dict[str, dict[str, str]]:
     >>> glossary()["verdicts"]["REFUTED"]
     'it fails, and a witness shows where'
     """
-    from exactspline.geometry.registry import terms_of_questions  # loads all that can be asked a question
+    from exactspline.geometry.analysis.registry import terms_of_questions  # loads all that can be asked a question
 
     return _written() | {"questions": terms_of_questions(_by_term(_written()))}
 

@@ -19,10 +19,10 @@ from exactspline.display.statement import fields
 from exactspline.display.svg import curve_picture, graph_picture
 from exactspline.display.tables import Grid, Verdicts, breakable
 from exactspline.errors import counted
-from exactspline.geometry.analysis import Analysis
-from exactspline.geometry.derived import Derived
-from exactspline.geometry.planar_maps import MapInspection
-from exactspline.geometry.surface.inspection import SurfaceInspection
+from exactspline.geometry.analysis.curves import Analysis
+from exactspline.geometry.analysis.planar_maps import MapInspection
+from exactspline.geometry.analysis.surfaces import SurfaceInspection
+from exactspline.geometry.derived.derive import Derived
 from exactspline.hooks import named
 from exactspline.language.rational import Rational
 from exactspline.language.ruled import RuledSurface

@@ -21,20 +21,20 @@ from exactspline.display.forms import (
 from exactspline.display.numbers import polynomial_text
 from exactspline.display.sheet import Sheet
 from exactspline.errors import OpenError, ReachError
-from exactspline.geometry.intersections import IntersectionKind, Intersections
+from exactspline.geometry.pairs.intersections import IntersectionKind, Intersections
 from exactspline.numbers.exact import mpq, text
 from exactspline.questions.entry import questions_of
 from exactspline.reals.real import Real, real
 
 if TYPE_CHECKING:
-    from exactspline.geometry.curve_pair import CurvePair
+    from exactspline.geometry.analysis.pairs import CurvePair
 
 
 def pair_data(pair: CurvePair, digits: int) -> Data:
     """All answers about two curves, each under the name of its question.
 
     >>> from exactspline import Nurbs, example
-    >>> from exactspline.geometry.curve_pair import CurvePair
+    >>> from exactspline.geometry.analysis.pairs import CurvePair
     >>> pair = CurvePair(example("circle"), Nurbs(1, [0, 0, 1, 1], [(0, 0), (2, 0)]))
     >>> pair_data(pair, 5)["intersections"]["points"][0]["second"]
     {'exact': '1/2', 'interval': ['1/2', '1/2'], 'decimal': '0.50000'}

@@ -22,29 +22,30 @@ from exactspline.display.forms import (
 from exactspline.display.numbers import decimal
 from exactspline.display.pair_data import INTERSECTIONS, real_data
 from exactspline.errors import ExactSplineError, ShapeError, a_kind, as_instance, as_integer
-from exactspline.geometry import values_along
-from exactspline.geometry.analysis import analyse
-from exactspline.geometry.angles import Angle
-from exactspline.geometry.derived import Derived
-from exactspline.geometry.inspection import Approach, inspect_curve
-from exactspline.geometry.intersections import Intersections
-from exactspline.geometry.joints import Joint
-from exactspline.geometry.kinds import Feature, FeatureKind, JointKind
-from exactspline.geometry.planarity import Plane
-from exactspline.geometry.prominence import prominences
+from exactspline.geometry.analysis.curves import analyse
+from exactspline.geometry.analysis.inspection import Approach, inspect_curve
+from exactspline.geometry.analysis.prominence import prominences
+from exactspline.geometry.curves import values as values_along
+from exactspline.geometry.curves.angles import Angle
+from exactspline.geometry.curves.joints import Joint
+from exactspline.geometry.curves.kinds import Feature, FeatureKind, JointKind
+from exactspline.geometry.curves.planarity import Plane
+from exactspline.geometry.derived.derive import Derived
+from exactspline.geometry.pairs.intersections import Intersections
 from exactspline.language.rational import Rational
 from exactspline.language.vector import Vector
 from exactspline.numbers.exact import mpz, rational
 from exactspline.numbers.intervals import Interval
 from exactspline.numbers.sides import Side
-from exactspline.questions.answers import CurvePiece, Described, Places
+from exactspline.questions.answers import Described
 from exactspline.reals.real import Real
+from exactspline.roots.answers import CurvePiece, Places
 from exactspline.roots.root import Root, knot_root
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.common import with_common_knots
-from exactspline.splines.expected import curve_of
 from exactspline.splines.lowest_terms import SplineVector
 from exactspline.splines.nurbs import Nurbs
+from exactspline.splines.type_checks import curve_of
 
 
 def angle_data(angle: Angle | None, digits: int) -> dict[str, str] | None:

@@ -7,6 +7,12 @@ from math import prod
 from operator import itemgetter
 from typing import Any
 
+from exactspline.bivariate.answers import SurfacePlaces
+from exactspline.bivariate.borders import Patch
+from exactspline.bivariate.joined_curves import Piece, ZeroComponent
+from exactspline.bivariate.surface_points import Place
+from exactspline.bivariate.zero_curve import Shape
+from exactspline.bivariate.zero_lines import ZeroLine
 from exactspline.display.bisector_data import PARAMETER, control_net
 from exactspline.display.data import Data, picked, plain
 from exactspline.display.described import described_surface, shape_text
@@ -27,27 +33,22 @@ from exactspline.display.forms import (
 from exactspline.display.serialize import ANGLE, NUMBERS, angle_data
 from exactspline.display.sheet import Sheet
 from exactspline.errors import FormulaError, counted
-from exactspline.geometry.planar_maps import MapInspection
+from exactspline.geometry.analysis.planar_maps import MapInspection
+from exactspline.geometry.analysis.surfaces import PatchInspection, PatchKind, SurfaceInspection
+from exactspline.geometry.recognition.patches import RecognizedPart
 from exactspline.geometry.recognition.shapes import ShapeKind
-from exactspline.geometry.surface.chains import Piece, ZeroComponent
-from exactspline.geometry.surface.degenerate import Gap, Pole
-from exactspline.geometry.surface.forms import Patch, lowest
-from exactspline.geometry.surface.inspection import PatchInspection, PatchKind, SurfaceInspection
-from exactspline.geometry.surface.joints import SurfaceJoint, SurfaceJointKind
-from exactspline.geometry.surface.places import Place
-from exactspline.geometry.surface.recognized import RecognizedPart
-from exactspline.geometry.surface.ridges import NoDirections, Ridges
-from exactspline.geometry.surface.umbilics import Umbilic, UmbilicKind
-from exactspline.geometry.surface.umbilics_nearby import NearbyUmbilic
-from exactspline.geometry.surface.zero_curve import Shape
-from exactspline.geometry.surface.zero_lines import ZeroLine
+from exactspline.geometry.rounded.umbilics import NearbyUmbilic
+from exactspline.geometry.surfaces.degenerate import Gap, Pole
+from exactspline.geometry.surfaces.forms import lowest
+from exactspline.geometry.surfaces.joints import SurfaceJoint, SurfaceJointKind
+from exactspline.geometry.surfaces.ridges import NoDirections, Ridges
+from exactspline.geometry.surfaces.umbilics import Umbilic, UmbilicKind
 from exactspline.language.formula import Formula
 from exactspline.language.rational import Rational
 from exactspline.language.vector import Vector
 from exactspline.numbers.exact import mpq, text
 from exactspline.numbers.intervals import Box, Interval, hull, joined
 from exactspline.polynomials.patch_forms import clusters
-from exactspline.questions.answers import SurfacePlaces
 from exactspline.questions.entry import questions_of
 from exactspline.roots.of_polynomials import Parameter, enclosing
 from exactspline.roots.root import Root

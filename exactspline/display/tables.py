@@ -14,11 +14,11 @@ from exactspline.display.numbers import decimal_milliseconds
 from exactspline.display.quotations import quoted
 from exactspline.display.sheet import Sheet
 from exactspline.errors import as_flag, as_items, as_text, as_texts, counted
-from exactspline.geometry.inspection import compare_approaches
+from exactspline.geometry.analysis.inspection import compare_approaches
 from exactspline.hooks import Displayed
 from exactspline.papers import find
-from exactspline.splines.expected import curve_of
 from exactspline.splines.nurbs import Nurbs
+from exactspline.splines.type_checks import curve_of
 from exactspline.symbolic.factorization import POLYNOMIAL
 from exactspline.symbolic.reduction import reduce
 from exactspline.verification.claim import Claim

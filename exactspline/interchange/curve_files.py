@@ -34,7 +34,7 @@ from exactspline.interchange.limits import Limits
 from exactspline.numbers.exact import Number, mpq, rational
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.control_points import exact_points
-from exactspline.splines.given import checked_degree
+from exactspline.splines.inputs import checked_degree
 from exactspline.splines.knots import KnotVector
 from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.surface import NurbsSurface

@@ -37,7 +37,7 @@ class RuledSurface(Immutable, Displayed, Generic[T_co]):
         return RuledSurface, (self.directrix, self.generator)
 
     def __eq__(self, other: object) -> bool:
-        """Whether both directrix and generator are equal (see `exactspline.geometry.ruled_surfaces` for two
+        """Whether both directrix and generator are equal (see `exactspline.geometry.derived.ruled_surfaces` for two
         representations of the same surface).
         """
         if not isinstance(other, RuledSurface):

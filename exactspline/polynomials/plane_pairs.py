@@ -34,8 +34,8 @@ from exactspline.polynomials.common_arcs import (
 )
 from exactspline.polynomials.cost import REMEDY
 from exactspline.polynomials.factors import certainly_coprime, greatest_common_divisor
-from exactspline.polynomials.fibres import Fibre, local_multiplicity
 from exactspline.polynomials.isolation import Isolation, isolate
+from exactspline.polynomials.multiple_points import Fibre, local_multiplicity
 from exactspline.polynomials.zero_places import FIRST, SUSPICIOUS, Place, at, places
 
 #: From this size of a matrix, its minors are polynomials only where balls do not decide their signs.

@@ -24,7 +24,7 @@ from flint import arb, arb_poly, ctx, fmpq, fmpz_poly
 from exactspline.numbers.exact import mpq, mpz, sign, to_fmpq
 from exactspline.numbers.intervals import Interval
 from exactspline.polynomials.isolation import LocalPolynomial, end_signs
-from exactspline.polynomials.proposed import proposed
+from exactspline.polynomials.newton import proposed
 
 #: The initial working precision, and the guard bits of every later step.
 START, GUARD = 64, 12

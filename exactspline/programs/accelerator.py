@@ -20,8 +20,8 @@ from pathlib import Path
 from typing import NamedTuple
 
 from exactspline.errors import FormulaError
+from exactspline.programs.error_bounds import factors, known_of
 from exactspline.programs.instructions import UNIT, ZERO
-from exactspline.programs.masses import factors, known_of
 from exactspline.programs.program import Program
 
 #: The compiled extension, which is not a module of Python: beside this file, absent where there was no compiler; or

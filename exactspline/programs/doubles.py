@@ -15,8 +15,8 @@ from math import comb
 import numpy as np
 
 from exactspline.polynomials.doubles import Bounded, Floats
+from exactspline.programs.error_bounds import Known, factors, known_of
 from exactspline.programs.instructions import UNIT, ZERO, Instruction
-from exactspline.programs.masses import Known, factors, known_of
 from exactspline.programs.program import Program
 
 

@@ -24,7 +24,7 @@ from exactspline.numbers.once import cached_property
 from exactspline.polynomials.tensor_bernstein import stride_for
 from exactspline.programs.compiled import Run, compiled, needed
 from exactspline.programs.denominators import ONE
-from exactspline.programs.given import Given, operands_of
+from exactspline.programs.inputs import Given, operands_of
 from exactspline.programs.instructions import Instructions
 from exactspline.programs.reading import ProgramReading, Signature
 from exactspline.programs.term import Term

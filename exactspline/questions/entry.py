@@ -79,7 +79,7 @@ CURVES = (Of.PLANE_CURVE, Of.SPACE_CURVE)
 class Answered(StrEnum):
     """What an answer consists of."""
 
-    #: Points, and parts all of whose points belong to it (`exactspline.questions.answers.Answer`).
+    #: Points, and parts all of whose points belong to it (`exactspline.roots.answers.Answer`).
     PLACES = "places"
     #: Joints of its segments.
     JOINTS = "joints"
@@ -252,7 +252,7 @@ def questions_of(owner: type) -> dict[str, Entry]:
     """The questions about the objects of a class, by their names, in the order of their definition, those of its base
     classes first.
 
-    >>> from exactspline.geometry.analysis import Analysis
+    >>> from exactspline.geometry.analysis.curves import Analysis
     >>> list(questions_of(Analysis))[:2]
     ['joints', 'singular_points']
     """

@@ -16,8 +16,8 @@ from exactspline.numbers.intervals import Interval
 from exactspline.polynomials.isolation import Isolation, isolate
 from exactspline.roots.root import Root
 from exactspline.splines.bspline import BSpline
-from exactspline.splines.expected import spline_of
 from exactspline.splines.runs import intervals_of, runs
+from exactspline.splines.type_checks import spline_of
 
 
 class Side(NamedTuple):

@@ -35,7 +35,7 @@ from exactspline.polynomials.bernstein import (
 )
 from exactspline.splines import blossom, refinement
 from exactspline.splines.forms import Polynomials
-from exactspline.splines.given import checked_degree, checked_side, exact_row
+from exactspline.splines.inputs import checked_degree, checked_side, exact_row
 from exactspline.splines.knots import SMOOTH, KnotVector, Mesh, clamped, mesh_of
 
 

@@ -8,7 +8,7 @@ from itertools import pairwise
 from exactspline.errors import NumberError, ShapeError, as_instance, as_items, counted, shown
 from exactspline.numbers.exact import Number, mpq, text
 from exactspline.splines.bspline import BSpline
-from exactspline.splines.given import exact_row
+from exactspline.splines.inputs import exact_row
 
 
 class Direction(tuple[mpq, ...]):

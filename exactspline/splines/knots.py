@@ -17,7 +17,7 @@ from exactspline.errors import DomainError, KnotError, ShapeError, as_items, cou
 from exactspline.numbers.exact import Number, mpq, rational, short_text, text, to_fmpz
 from exactspline.numbers.immutable import Immutable, fill
 from exactspline.numbers.intervals import Interval
-from exactspline.splines.given import exact_row
+from exactspline.splines.inputs import exact_row
 
 #: Continuity at a breakpoint where the function has no knot.
 SMOOTH = 1 << 60

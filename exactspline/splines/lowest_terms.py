@@ -20,8 +20,8 @@ from exactspline.polynomials.bernstein import ONE, divide_u_plus_v, over_common_
 from exactspline.polynomials.factors import certainly_coprime, greatest_common_divisor
 from exactspline.splines.bspline import BSpline, from_parts
 from exactspline.splines.common import with_common_knots
-from exactspline.splines.expected import spline_of
 from exactspline.splines.knots import Mesh
+from exactspline.splines.type_checks import spline_of
 
 #: The vectors of splines: polynomial, and over one denominator.
 SplineVector = Vector[BSpline] | Rational[BSpline]

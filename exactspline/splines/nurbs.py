@@ -26,7 +26,7 @@ from exactspline.splines.bspline import BSpline
 from exactspline.splines.common import splines_over, with_common_knots
 from exactspline.splines.control_points import Point, exact_points, exact_weights, lifted, projected
 from exactspline.splines.evaluation import Evaluation
-from exactspline.splines.given import checked_degree, checked_side, exact_row
+from exactspline.splines.inputs import checked_degree, checked_side, exact_row
 from exactspline.splines.insertion import inserted
 from exactspline.splines.knots import KnotVector, Mesh, mesh_of
 from exactspline.splines.nurbs_operations import mapped, same_quotients

@@ -8,7 +8,7 @@ from typing import TypeVar
 from exactspline.errors import ShapeError, as_items
 from exactspline.language.operand import Operand
 from exactspline.numbers.exact import Number, mpq
-from exactspline.splines.given import exact_row
+from exactspline.splines.inputs import exact_row
 
 T = TypeVar("T", bound=Operand)
 

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from exactspline.errors import ShapeError
 from exactspline.numbers.exact import Number, decimal_places, decimal_unit, mpq, rational
-from exactspline.splines.expected import curve_of
 from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.surface import NurbsSurface
+from exactspline.splines.type_checks import curve_of
 
 #: Decimal digits that tell every double from its neighbours, and bits of a double.
 DECIMALS, BITS = 17, 53

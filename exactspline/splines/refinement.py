@@ -18,7 +18,7 @@ from exactspline.polynomials import bernstein
 from exactspline.polynomials.bernstein import Form
 from exactspline.polynomials.factors import factorize
 from exactspline.polynomials.isolation import LocalZero, end_signs, is_nonnegative, isolate
-from exactspline.splines.given import MAX_DEGREE
+from exactspline.splines.inputs import MAX_DEGREE
 from exactspline.splines.knots import SMOOTH, Mesh
 
 

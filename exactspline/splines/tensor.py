@@ -29,7 +29,7 @@ from exactspline.polynomials.bernstein import common_denominators, primitive, ra
 from exactspline.polynomials.patch_forms import PatchForm
 from exactspline.splines import refinement
 from exactspline.splines.bspline import BSpline
-from exactspline.splines.given import exact_row
+from exactspline.splines.inputs import exact_row
 from exactspline.splines.knots import KnotVector, Mesh, clamped
 from exactspline.splines.tensor_net import (
     bezier_nets,

@@ -10,7 +10,7 @@ from exactspline.errors import ExactSplineError, ShapeError, counted, shown
 from exactspline.numbers.exact import Number, mpq
 from exactspline.splines import blossom
 from exactspline.splines.bspline import BSpline
-from exactspline.splines.given import checked_degree
+from exactspline.splines.inputs import checked_degree
 from exactspline.splines.knots import KnotVector, Mesh
 from exactspline.splines.tensor_patches import Degrees
 

@@ -15,7 +15,7 @@ from exactspline.numbers.intervals import Interval
 from exactspline.polynomials.factors import greatest_common_divisor
 from exactspline.polynomials.isolation import zero_on_segment
 from exactspline.splines.bspline import BSpline
-from exactspline.splines.given import checked_degree
+from exactspline.splines.inputs import checked_degree
 from exactspline.splines.lowest_terms import common_factor
 from exactspline.splines.tensor import TensorSpline
 from exactspline.verification.evaluation import between, segment

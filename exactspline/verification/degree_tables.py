@@ -17,8 +17,14 @@ from exactspline.errors import (
     as_integer,
     counted,
 )
-from exactspline.geometry.constructions import Construction, Variant, all_constructions, construction, constructions_for
-from exactspline.geometry.derived import derive
+from exactspline.geometry.derived.constructions import (
+    Construction,
+    Variant,
+    all_constructions,
+    construction,
+    constructions_for,
+)
+from exactspline.geometry.derived.derive import derive
 from exactspline.language.arguments import Curve, Pair
 from exactspline.language.choices import Parameter
 from exactspline.language.formula import Formula, expect_formula
@@ -32,9 +38,9 @@ from exactspline.readings.differential_order import is_polynomial
 from exactspline.readings.printing.text import print_text
 from exactspline.readings.tree import trace
 from exactspline.splines.bspline import BSpline
-from exactspline.splines.expected import curve_of
 from exactspline.splines.lowest_terms import control_point_count, lowest_terms, true_degree_or_none
 from exactspline.splines.nurbs import Nurbs
+from exactspline.splines.type_checks import curve_of
 from exactspline.symbolic.covariants import TrueDegree, degree_at, graded, true_degree
 from exactspline.symbolic.reduction import reduction
 from exactspline.symbolic.substitution import substitute

@@ -133,7 +133,7 @@ def _fails_on_pair(each: Assumption, value: TensorSpline) -> Place | None:
 
 def fails_on_surface(each: Assumption, value: TensorSpline) -> Place | None:
     """The place where a value in two parameters is not as assumed; what could not be decided counts as a zero."""
-    from exactspline.geometry.surface.signs import Sign, sign_on_patch  # most evaluations are of curves
+    from exactspline.bivariate.signs import Sign, sign_on_patch  # most evaluations are of curves
 
     patches = product(*[range(len(mesh)) for mesh in value.meshes])
     for form, (i, j) in ((value.patch_form(*patch), patch) for patch in patches):

@@ -31,7 +31,7 @@ from exactspline.verification.check_arguments import argument
 from exactspline.verification.vocabulary import Name
 
 if TYPE_CHECKING:
-    from exactspline.geometry.constructions import Construction
+    from exactspline.geometry.derived.constructions import Construction
 
 
 def factor_of(left: str | Formula, right: str | Formula, dimension: int, *, polynomial: bool = False) -> Factor | None:
@@ -170,7 +170,7 @@ def symbolic_minimum(c: Construction, dimension: int, *, polynomial: bool = Fals
     In the jet ring numerator and denominator lose their common factor; the degree theorem
     (`exactspline.symbolic.covariants`) does the rest.
 
-    >>> from exactspline.geometry.constructions import construction
+    >>> from exactspline.geometry.derived.constructions import construction
     >>> symbolic_minimum(construction("zero_curvature"), 2), symbolic_minimum(construction("critical_curvature"), 2)
     (3d − 6, 8d − 12)
     """
@@ -208,12 +208,12 @@ def minimum_at(c: Construction, d: int, *, polynomial: bool = False) -> int | No
     """The true degree of the minimal form on the generic curve of one degree d, also below the order of the formula: −1
     for 0, None for 0/0.
 
-    >>> from exactspline.geometry.constructions import construction
+    >>> from exactspline.geometry.derived.constructions import construction
     >>> torsion, focal_curve = construction("torsion"), construction("focal_curve")
     >>> minimum_at(torsion, 3), minimum_at(torsion, 2), minimum_at(focal_curve, 2)
     (6, -1, None)
     """
-    from exactspline.geometry.constructions import Variant
+    from exactspline.geometry.derived.constructions import Variant
 
     reduced = reduction(c.lifted, c.dimension, polynomial)
     numerator, denominator = reduced.parts[0].lowest

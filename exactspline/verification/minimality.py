@@ -23,8 +23,8 @@ from exactspline.certificates import DEGREE, check_certificate
 from exactspline.certificates import certificate as written
 from exactspline.certificates.degrees import is_square_free
 from exactspline.errors import ReductionError, ShapeError
-from exactspline.geometry.constructions import Construction, Variant, construction
-from exactspline.geometry.derived import Piece, derive
+from exactspline.geometry.derived.constructions import Construction, Variant, construction
+from exactspline.geometry.derived.derive import Piece, derive
 from exactspline.language.rational import Rational
 from exactspline.language.vector import Vector
 from exactspline.numbers.exact import mpq, text

@@ -17,8 +17,8 @@ from exactspline.language.parts import split
 from exactspline.numbers.exact import mpq
 from exactspline.papers import all_formulas, find, formula_of, resolve
 from exactspline.readings.degree import Degree, DegreeReading
-from exactspline.splines.expected import curve_of
 from exactspline.splines.nurbs import Nurbs
+from exactspline.splines.type_checks import curve_of
 from exactspline.symbolic.factorization import POLYNOMIAL, Factor, find_factor, jets_for
 from exactspline.symbolic.reduction import Reduction, reduce
 from exactspline.verification.decision import Equation

@@ -21,9 +21,9 @@ from exactspline.batch.surface_oracle import surface_question
 from exactspline.certificates import check_certificate
 from exactspline.cli import app
 from exactspline.errors import ExactSplineError, OpenError
-from exactspline.geometry.analysis import QUESTIONS as QUESTIONS_ABOUT_CURVES
-from exactspline.geometry.balls import degrees, length
-from exactspline.geometry.extent import coordinate_range
+from exactspline.geometry.analysis.curves import QUESTIONS as QUESTIONS_ABOUT_CURVES
+from exactspline.geometry.curves.balls import degrees, length
+from exactspline.geometry.curves.extent import coordinate_range
 from exactspline.reals.ball import InBalls
 from tests.support.sampled import FULL
 from tests.support.vectors import mpf_of
@@ -235,13 +235,13 @@ def test_a_ball_that_leaves_the_answer_open_says_so():
 
 @pytest.mark.parametrize(("cosine", "sine", "degree"), [(0, 1, 90), (-1, 0, 180), (1, 0, 0), (0, -1, -90)])
 def test_degrees_of_right_angles(cosine, sine, degree):
-    from exactspline.geometry.angles import Angle
+    from exactspline.geometry.curves.angles import Angle
 
     assert degrees(Angle((mpq(1), mpq(0)), (mpq(cosine), mpq(sine)))).exact == degree
 
 
 def test_degrees_of_30_45_and_no_others():
-    from exactspline.geometry.angles import Angle
+    from exactspline.geometry.curves.angles import Angle
 
     x = (mpq(1), mpq(0), mpq(0))
     assert degrees(Angle(x, (mpq(1), mpq(1), mpq(1)))).closed_form is None

@@ -23,7 +23,7 @@ from exactspline.batch.results import JsonLines
 from exactspline.batch.summary import Summary
 from exactspline.batch.sweep import Where, recorded
 from exactspline.batch.work import Work
-from exactspline.geometry import analysis
+from exactspline.geometry.analysis import curves as analysis
 from exactspline.numbers.exact import mpq
 from exactspline.polynomials.annihilating import without_rational_zero
 from exactspline.polynomials.isolation import LocalPolynomial

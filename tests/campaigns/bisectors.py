@@ -22,8 +22,8 @@ from gmpy2 import mpq
 
 from exactspline import Nurbs
 from exactspline.errors import ExactSplineError
-from exactspline.geometry.bisector.trimmed import trimmed_bisector
-from exactspline.geometry.bisector.two_curves import curve_bisector
+from exactspline.geometry.bisectors.trimmed import trimmed_bisector
+from exactspline.geometry.bisectors.two_curves import curve_bisector
 from exactspline.roots.root import Root
 from tests.support.bisector_oracle import (
     circle,

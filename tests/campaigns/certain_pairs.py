@@ -12,13 +12,13 @@ from collections import Counter
 from fractions import Fraction
 from random import Random
 
-from exactspline.geometry.late_meetings import PairForm
+from exactspline.geometry.pairs.lazy_intersections import PairForm
 from exactspline.numbers.exact import mpq
 from exactspline.numbers.intervals import Interval
 from exactspline.polynomials.plane_pairs import meetings
 from exactspline.polynomials.refinement import sign_at
 from exactspline.programs.certain_pairs import certain_pairs
-from exactspline.roots.local_parameters import parameter, plane_forms, segment_rows
+from exactspline.roots.segment_forms import parameter, plane_forms, segment_rows
 from tests.campaigns import intersections as pairs
 
 #: Digits to which the exact parameters are compared.

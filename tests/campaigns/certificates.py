@@ -17,8 +17,8 @@ from pathlib import Path
 from random import Random
 
 from exactspline import TensorSpline, check_certificate, common_zeros, intersections, zero_curve
+from exactspline.bivariate.zero_curve import Shape
 from exactspline.errors import ReachError, ShapeError
-from exactspline.geometry.surface.zero_curve import Shape
 from exactspline.polynomials.two_parameters import as_form
 from tests.campaigns.common_zeros import any_polynomial, irrational, tangent, through
 from tests.campaigns.intersections import FAMILIES, curve

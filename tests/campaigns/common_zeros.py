@@ -17,11 +17,11 @@ from random import Random
 
 from flint import arb, ctx, fmpz_mpoly, fmpz_poly
 
+from exactspline.bivariate.common_zeros import common_zeros, multiplicity
 from exactspline.errors import ReachError
 from exactspline.numbers.exact import mpq
 from exactspline.numbers.intervals import Box, Interval
 from exactspline.polynomials.two_parameters import CONTEXT, S, T
-from exactspline.roots.common_zeros import common_zeros, multiplicity
 
 SEED = 31
 #: Per mille of the pairs of a family that may be out of reach.

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from random import Random
 
 from exactspline.errors import ShapeError
-from exactspline.geometry.constructions import Variant
+from exactspline.geometry.derived.constructions import Variant
 from exactspline.numbers.exact import mpq
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.nurbs import Nurbs

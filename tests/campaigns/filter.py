@@ -14,8 +14,8 @@ from collections import Counter
 from fractions import Fraction
 
 from exactspline import Nurbs, features_of_curves, features_of_many, from_floats
-from exactspline.geometry.analysis import Analysis
-from exactspline.geometry.certain import certain
+from exactspline.geometry.analysis.curves import Analysis
+from exactspline.geometry.filter.certain import certain
 from exactspline.numbers.exact import mpq
 from tests.support.filter_causes import CEILING, cause
 

@@ -21,7 +21,7 @@ from random import Random
 
 from exactspline import Nurbs
 from exactspline.errors import ExactSplineError, WeightError
-from exactspline.geometry.intersections import intersections, self_intersections
+from exactspline.geometry.pairs.intersections import intersections, self_intersections
 from tests.support.elimination_oracle import common_points
 
 #: Parameters of the answer and of the oracle are the same below this distance.

@@ -30,11 +30,11 @@ from sympy import Poly, Rational, Symbol, interpolate
 
 from exactspline import Nurbs, analyse
 from exactspline.errors import ExactSplineError
-from exactspline.geometry.intersections import intersections
-from exactspline.geometry.kinds import FeatureKind
-from exactspline.geometry.meetings_nearby import intersections_nearby, self_intersections_nearby
-from exactspline.geometry.nearby import NearbyFeature, features_nearby
-from exactspline.geometry.stability import stability
+from exactspline.geometry.curves.kinds import FeatureKind
+from exactspline.geometry.pairs.intersections import intersections
+from exactspline.geometry.rounded.features import NearbyFeature, features_nearby
+from exactspline.geometry.rounded.intersections import intersections_nearby, self_intersections_nearby
+from exactspline.geometry.rounded.stability import stability
 from tests.support.vectors import cross, mpf_of
 
 SEED = 2032

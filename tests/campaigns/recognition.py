@@ -22,9 +22,9 @@ from gmpy2 import mpq
 from mpmath import mp, mpf
 
 from exactspline import Nurbs, NurbsSurface, example
+from exactspline.geometry.recognition.patches import RecognizedPart, recognized_surface
 from exactspline.geometry.recognition.pieces import RecognizedPiece, recognized
 from exactspline.geometry.recognition.shapes import Circle, Line
-from exactspline.geometry.surface.recognized import RecognizedPart, recognized_surface
 from tests.support.vectors import cross, dot, mpf_of
 
 SEED = 2031

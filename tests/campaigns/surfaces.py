@@ -24,8 +24,8 @@ from random import Random
 from gmpy2 import mpq
 
 from exactspline import NurbsSurface, TensorSpline, analyse
-from exactspline.geometry.surface.inspection import PatchKind, SurfaceInspection
-from exactspline.geometry.surface.places import Place
+from exactspline.bivariate.surface_points import Place
+from exactspline.geometry.analysis.surfaces import PatchKind, SurfaceInspection
 from exactspline.roots.of_polynomials import exactly
 from tests.support.squares import parameters
 from tests.support.surface_oracle import forms, gaussian_curvature, jets

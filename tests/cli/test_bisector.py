@@ -10,7 +10,7 @@ from exactspline import Nurbs, bisector
 from exactspline.cli import app
 from exactspline.display.bisector_sheet import of_plane_curves
 from exactspline.extras.pictures3d.depth import REMARK, knows_depth
-from exactspline.geometry.bisector.two_curves import curve_bisector
+from exactspline.geometry.bisectors.two_curves import curve_bisector
 from exactspline.interchange.curve_files import curve_data, write_json
 from exactspline.interchange.examples import example
 from exactspline.interchange.files import read

@@ -6,9 +6,9 @@ import json
 
 import pytest
 
-from exactspline.geometry.analysis import analyse
-from exactspline.geometry.inspection import Approach
-from exactspline.geometry.kinds import JointKind
+from exactspline.geometry.analysis.curves import analyse
+from exactspline.geometry.analysis.inspection import Approach
+from exactspline.geometry.curves.kinds import JointKind
 from exactspline.interchange.files import read
 from exactspline.numbers.exact import rational
 from tests.geometry.test_shared_curves import FILES

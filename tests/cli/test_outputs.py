@@ -7,7 +7,7 @@ import sys
 
 import pytest
 
-from exactspline.geometry.derived import derive
+from exactspline.geometry.derived.derive import derive
 from exactspline.interchange.examples import example
 from exactspline.interchange.files import read
 from tests.support.command import run

@@ -11,6 +11,7 @@ import jsonschema
 import pytest
 
 from exactspline import examples
+from exactspline.bivariate.zero_curve import Shape
 from exactspline.cli.commands import leaves
 from exactspline.cli.schema import schema_of, schemas
 from exactspline.display.evidence import worded
@@ -19,15 +20,14 @@ from exactspline.display.ledger import WORDS
 from exactspline.display.ledger_pages import ledger_page
 from exactspline.display.numbers import Numbers
 from exactspline.display.wrapping import code_lines
-from exactspline.geometry.bisector.components import Solutions
-from exactspline.geometry.bisector.trimmed import PieceKind
-from exactspline.geometry.intersections import IntersectionKind
-from exactspline.geometry.kinds import FeatureKind, JointKind
+from exactspline.geometry.analysis.surfaces import PatchKind
+from exactspline.geometry.bisectors.components import Solutions
+from exactspline.geometry.bisectors.trimmed import PieceKind
+from exactspline.geometry.curves.kinds import FeatureKind, JointKind
+from exactspline.geometry.pairs.intersections import IntersectionKind
 from exactspline.geometry.recognition.shapes import ShapeKind
-from exactspline.geometry.surface.degenerate import Gap
-from exactspline.geometry.surface.inspection import PatchKind
-from exactspline.geometry.surface.joints import SurfaceJointKind
-from exactspline.geometry.surface.zero_curve import Shape
+from exactspline.geometry.surfaces.degenerate import Gap
+from exactspline.geometry.surfaces.joints import SurfaceJointKind
 from exactspline.interchange.curve_files import curve_data
 from exactspline.interchange.examples import example
 from exactspline.numbers.exact import mpq

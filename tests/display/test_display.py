@@ -25,8 +25,8 @@ from exactspline.display.tables import (
     symbolic_table,
     verdicts,
 )
-from exactspline.geometry.constructions import construction
-from exactspline.geometry.derived import derive
+from exactspline.geometry.derived.constructions import construction
+from exactspline.geometry.derived.derive import derive
 from exactspline.interchange.examples import example, example_names
 from exactspline.language import Vector
 from exactspline.language.kinds import CURVE

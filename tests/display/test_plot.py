@@ -19,8 +19,8 @@ from exactspline.display.plot import canvas, curves
 from exactspline.display.plot.canvas import PlotError
 from exactspline.display.plot.comparisons import inspect_figure
 from exactspline.errors import DomainError, ExactSplineError, ShapeError
-from exactspline.geometry.constructions import construction
-from exactspline.geometry.inspection import solved
+from exactspline.geometry.analysis.inspection import solved
+from exactspline.geometry.derived.constructions import construction
 from exactspline.interchange.examples import example, example_names
 from exactspline.interchange.files import write
 from exactspline.language import Rational, Vector

@@ -296,7 +296,7 @@ def asking(modules: dict[str, ast.Module]) -> Iterator[str]:
 ALLOWED = {
     "display.plot.functions:plot_function": "a spline or a quotient is drawn",
     "interchange.bridges.sympy:to_sympy": "a spline or a curve is written for another library",
-    "programs.given:operands_of": "whether there is a program",
+    "programs.inputs:operands_of": "whether there is a program",
     "readings.bernstein_term:every_coefficient": "a proof about values of its own reading",
     "verification.denominators:factored": "a denominator in factors, a number or a fraction",
     "extras.coq.framed_setting:flat": "fractions with and without roots",

@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 
 from exactspline.cli.commands import leaves
-from exactspline.geometry.registry import ASKED, REGISTRY
+from exactspline.geometry.analysis.registry import ASKED, REGISTRY
 from exactspline.questions.entry import Answered, questions_of
 from tests.support import gates, import_graph
 
@@ -25,7 +25,17 @@ def planted(code, finder):
 # ---- law 3: a decision is data
 
 #: Rooms that decide.
-DECIDING = ("geometry/", "symbolic/", "extras/teaching/", "questions/", "roots/", "polynomials/", "reals/", "programs/")
+DECIDING = (
+    "geometry/",
+    "symbolic/",
+    "extras/teaching/",
+    "questions/",
+    "bivariate/",
+    "roots/",
+    "polynomials/",
+    "reals/",
+    "programs/",
+)
 BY_SENTENCES = {
     "batch/summary.py: Summary.entries": "how many different notes there are",
     "extras/teaching/display/exercises.py: solution_lines": "a heading that a triangle has is not shown twice",
@@ -112,12 +122,12 @@ NAMES_TAKEN_APART = {
 # ---- law 4: a question is an entry
 
 UNREGISTERED = {
-    "geometry/analysis.py: Analysis.critical_points_by": "the question critical_points by another approach, compared",
-    "geometry/analysis.py: Analysis.critical_points_by.compute": "the same",
-    "geometry/certain.py: Certain.critical_points": "the answer of the question critical_points, where it is certain",
-    "geometry/certain.py: Certain.inflections": "the answer of the question inflections, where it is certain",
-    "geometry/extent.py: turning_points": "the answer of the question turning_points, beside what it shares with boxes",
-    "geometry/inspection.py: Inspection.critical_points": "the question critical_points by the approach of a command",
+    "geometry/analysis/curves.py: Analysis.critical_points_by": "critical_points by another approach, compared",
+    "geometry/analysis/curves.py: Analysis.critical_points_by.compute": "the same",
+    "geometry/filter/certain.py: Certain.critical_points": "the answer of critical_points, where it is certain",
+    "geometry/filter/certain.py: Certain.inflections": "the answer of inflections, where it is certain",
+    "geometry/curves/extent.py: turning_points": "the answer of turning_points, beside what it shares with boxes",
+    "geometry/analysis/inspection.py: Inspection.critical_points": "critical_points by the approach of a command",
 }
 QUESTION = "class A(Facts):\n    @{}\n    def loops(self) -> Places[Feature]:\n        return Places(())"
 
@@ -176,20 +186,20 @@ SECOND_NUMBERS = {
 WAYS = {
     "extras/teaching/shapes.py: curvature": "an exercise",
     "extras/pictures3d/curvature_lines.py: lines_of_curvature": "curves on a surface",
-    "geometry/curvature.py: curvature_function": "curvature as a function",
-    "geometry/facts.py: Facts.same_curvature": "a comparison",
-    "geometry/joints.py: Joint.same_curvature": "a comparison",
-    "geometry/joints.py: curvature_of": "curvature of one side of a knot, from its derivatives",
-    "geometry/space_features.py: SpaceFacts.reduced_torsion": "what torsion(curve, t) evaluates",
-    "geometry/space_features.py: SpaceFacts.torsion_numerator": "a form, whose zeros are asked for",
-    "geometry/space_features.py: torsion_zeros": "the answer of the question torsion_zeros",
-    "geometry/surface/constant.py: constant_curvature": "of a patch of a surface",
-    "geometry/floats.py: curvature_floats": "the doubles of the curvatures at many parameters",
-    "geometry/surface/constant.py: has_curvature": "of a patch of a surface",
-    "geometry/surface/forms.py: SurfaceForms.curvature": "of a surface: numerator and denominator",
-    "geometry/surface/inspection.py: SurfaceInspection.curvature": "of a surface, where it is constant",
-    "geometry/values_along.py: curvature": "curvature at a parameter",
-    "geometry/values_along.py: torsion": "torsion at a parameter",
+    "geometry/curves/curvature.py: curvature_function": "curvature as a function",
+    "geometry/curves/facts.py: Facts.same_curvature": "a comparison",
+    "geometry/curves/joints.py: Joint.same_curvature": "a comparison",
+    "geometry/curves/joints.py: curvature_of": "curvature of one side of a knot, from its derivatives",
+    "geometry/curves/space_features.py: SpaceFacts.reduced_torsion": "what torsion(curve, t) evaluates",
+    "geometry/curves/space_features.py: SpaceFacts.torsion_numerator": "a form, whose zeros are asked for",
+    "geometry/curves/space_features.py: torsion_zeros": "the answer of the question torsion_zeros",
+    "geometry/surfaces/constant.py: constant_curvature": "of a patch of a surface",
+    "geometry/curves/floats.py: curvature_floats": "the doubles of the curvatures at many parameters",
+    "geometry/surfaces/constant.py: has_curvature": "of a patch of a surface",
+    "geometry/surfaces/forms.py: SurfaceForms.curvature": "of a surface: numerator and denominator",
+    "geometry/analysis/surfaces.py: SurfaceInspection.curvature": "of a surface, where it is constant",
+    "geometry/curves/values.py: curvature": "curvature at a parameter",
+    "geometry/curves/values.py: torsion": "torsion at a parameter",
 }
 SURD = """
 class Surd:
@@ -219,29 +229,34 @@ def test_there_is_one_way_to_a_curvature():
 # ---- law 6: none, all of these, or these
 
 BARE_LISTS = {
-    "geometry/at_knots.py: on_runs": "what belongs to some segments, joined with the points of the others",
-    "geometry/bisector/correspondence.py: nodes": "places of pairs, steps of an answer",
-    "geometry/bisector/components.py: LinePiece.poles": "its denominator does not vanish throughout",
-    "geometry/bisector/cusps.py: cusps_of": "of a piece of a curve that moves",
-    "geometry/facts.py: Facts.regular": "some of the roots given",
-    "geometry/facts.py: Facts.regular_pairs": "some of the roots given",
-    "geometry/facts.py: located": "the roots of a zero set, whose intervals the answer has beside them",
-    "geometry/plane_features.py: critical_points": "the points of an entry's answer, which adds the pieces",
-    "geometry/plane_features.py: flat_points": "the points of an entry's answer, which adds the pieces",
-    "geometry/space_features.py: critical_points": "the points of an entry's answer, which adds the pieces",
-    "geometry/space_features.py: flat_points": "the points of an entry's answer, which adds the pieces",
-    "geometry/derived.py: Derived.poles": "its denominator does not vanish throughout",
-    "geometry/poles.py: BetweenPoles.reversals": "its cusps and its corners of 180°, both of them answers",
-    "geometry/space_features.py: torsion_zeros": "the points of an entry's answer, which adds the pieces",
-    "geometry/prominence.py: prominences": "one for each extremum of the answer of an entry",
-    "geometry/singular_points.py: singular_on_patch": "isolated, of a square-free function: there are no pieces",
-    "geometry/surface/merged.py: single_places": "the points of an entry's answer, which adds the parts of patches",
+    "bivariate/borders.py: roots_along": "a step of a search",
+    "bivariate/monotone_arcs.py: border_pairs": "a step of a search",
+    "geometry/filter/jumps_at_knots.py: on_runs": "what belongs to some segments, joined with the points of the others",
+    "geometry/bisectors/correspondence.py: nodes": "places of pairs, steps of an answer",
+    "geometry/bisectors/components.py: LinePiece.poles": "its denominator does not vanish throughout",
+    "geometry/bisectors/cusps.py: cusps_of": "of a piece of a curve that moves",
+    "geometry/curves/facts.py: Facts.regular": "some of the roots given",
+    "geometry/curves/facts.py: Facts.regular_pairs": "some of the roots given",
+    "geometry/curves/facts.py: located": "the roots of a zero set, whose intervals the answer has beside them",
+    "geometry/curves/plane_features.py: critical_points": "the points of an entry's answer, which adds the pieces",
+    "geometry/curves/plane_features.py: flat_points": "the points of an entry's answer, which adds the pieces",
+    "geometry/curves/space_features.py: critical_points": "the points of an entry's answer, which adds the pieces",
+    "geometry/curves/space_features.py: flat_points": "the points of an entry's answer, which adds the pieces",
+    "geometry/derived/derive.py: Derived.poles": "its denominator does not vanish throughout",
+    "geometry/curves/poles.py: BetweenPoles.reversals": "its cusps and its corners of 180°, both of them answers",
+    "geometry/curves/space_features.py: torsion_zeros": "the points of an entry's answer, which adds the pieces",
+    "geometry/analysis/prominence.py: prominences": "one for each extremum of the answer of an entry",
+    "bivariate/singular_points.py: singular_on_patch": "isolated, of a square-free function: there are no pieces",
+    "bivariate/across_borders.py: single_places": "the points of an entry's answer, which adds the parts of patches",
 }
 
 
 def test_no_answer_is_a_bare_list_of_points():
     """Passed before: the umbilics of a sphere, the zeros of a map that vanishes on a patch."""
-    assert gates.found_in(gates.trees(), gates.lists_of_places, ("geometry/", "questions/")) == BARE_LISTS.keys()
+    assert (
+        gates.found_in(gates.trees(), gates.lists_of_places, ("geometry/", "bivariate/", "questions/"))
+        == BARE_LISTS.keys()
+    )
     code = "@question(Of.SURFACE)\ndef umbilics(self) -> {}: ..."
     for bad in (
         "tuple[Umbilic, ...]",
@@ -271,30 +286,30 @@ ROUNDED = {
     "numbers/exact.py: _unrounded": "rounds to a double, on request",
     "numbers/exact.py: double_between": "rounds to a double, on request",
     "numbers/exact.py: from_float": "the door for floats",
-    "geometry/balls.py: degrees": "digits that are shown",
-    "geometry/floats.py: _doubles": "rounds to a double, on request",
-    "geometry/floats.py: _rounded": "rounds to a double, on request",
-    "geometry/floats.py: curvature_floats": "rounds to doubles, on request",
-    "geometry/floats.py: place_of": "rounds to a double, on request",
+    "geometry/curves/balls.py: degrees": "digits that are shown",
+    "geometry/curves/floats.py: _doubles": "rounds to a double, on request",
+    "geometry/curves/floats.py: _rounded": "rounds to a double, on request",
+    "geometry/curves/floats.py: curvature_floats": "rounds to doubles, on request",
+    "geometry/curves/floats.py: place_of": "rounds to a double, on request",
     "numbers/exact.py: double_root": "rounds to a double, on request",
-    "geometry/nearby_forms.py: Family.crossing": "a guess: a number that any may be, certified afterwards",
-    "geometry/stability.py: _Lifting._moved": "a guess: a curve, whose features are counted exactly afterwards",
-    "geometry/stability.py: _Lifting._rows": "the same",
-    "geometry/stability.py: _Lifting.curves": "the same",
-    "geometry/stability.py: _best": "the same",
-    "geometry/many_curves.py: _double": "the certified filter",
-    "geometry/many_curves.py: _doubles": "the certified filter",
-    "geometry/many_curves.py: _found": "the certified filter, which counts what has no double",
-    "geometry/many_curves.py: outside": "the certified filter",
-    "geometry/many_curves.py: scaled_operands": "the certified filter",
+    "geometry/rounded/forms.py: Family.crossing": "a guess: a number that any may be, certified afterwards",
+    "geometry/rounded/stability.py: _Lifting._moved": "a guess: a curve, whose features are counted exactly afterwards",
+    "geometry/rounded/stability.py: _Lifting._rows": "the same",
+    "geometry/rounded/stability.py: _Lifting.curves": "the same",
+    "geometry/rounded/stability.py: _best": "the same",
+    "geometry/analysis/many_curves.py: _double": "the certified filter",
+    "geometry/analysis/many_curves.py: _doubles": "the certified filter",
+    "geometry/analysis/many_curves.py: _found": "the certified filter, which counts what has no double",
+    "geometry/analysis/many_curves.py: outside": "the certified filter",
+    "geometry/analysis/many_curves.py: scaled_operands": "the certified filter",
     "interchange/bridges/numpy.py: points_at": "rounds to doubles, on request",
     "extras/cad/rhino.py: write": "writes a file of doubles, and names the numbers that are rounded",
     "extras/cad/rhino_process.py: _hex": "doubles of a file, bit by bit",
     "programs/certain_pairs.py: segment_in_doubles": "the certified filter",
-    "programs/masses.py: factors": "the certified filter",
+    "programs/error_bounds.py: factors": "the certified filter",
     "programs/doubles.py: _carried_out": "the certified filter",
     "polynomials/doubles.py: ordinates": "a guess, certified afterwards",
-    "polynomials/proposed.py: proposed": "a guess, certified afterwards",
+    "polynomials/newton.py: proposed": "a guess, certified afterwards",
     "reals/digits.py: Digits.__float__": "rounds to a double, on request",
     "reals/real.py: RationalNumber.double": "rounds to a double, on request",
     "verification/conditioning/compare.py: _at_root": "what is measured is the error of doubles",
@@ -331,9 +346,9 @@ def test_what_rounds_is_found(code):
 
 #: Where FLINT's own functions may be called: the doors, and what costs nothing.
 UNBOUNDED = {
-    "geometry/balls.py: _rooted": "paid for, by degree and bits, where the zeros are apart",
-    "geometry/bisector/polynomials.py: common_divisor": "over the field of a root: Euclid's algorithm, bounded",
-    "geometry/zero_curve_certificate.py: _part_at": "over the field of a root: a door with an estimated cost",
+    "geometry/curves/balls.py: _rooted": "paid for, by degree and bits, where the zeros are apart",
+    "geometry/bisectors/polynomials.py: common_divisor": "over the field of a root: Euclid's algorithm, bounded",
+    "bivariate/zero_curve_certificate.py: _part_at": "over the field of a root: a door with an estimated cost",
     "numbers/exact.py: common_divisor": "integers",
     "polynomials/bernstein.py: add": "integers",
     "polynomials/bernstein.py: common_denominators": "integers",
@@ -353,11 +368,11 @@ UNBOUNDED = {
     "polynomials/factors.py: certainly_square_free": "modulo a prime, in one variable",
     "polynomials/factors.py: factorize_square_free": "the door",
     "polynomials/factors.py: prime_factors": "integers, of a bounded number of bits",
-    "polynomials/fibres.py: Fibre.__init__": "over the field of a place: Euclid's algorithm, bounded",
+    "polynomials/multiple_points.py: Fibre.__init__": "over the field of a place: Euclid's algorithm, bounded",
     "polynomials/over_root.py: _inverse": "a step of Euclid's algorithm, whose cost is bounded as a whole",
     "polynomials/over_root.py: OverRoot.radical": "over the field of a root: a door with an estimated cost",
     "polynomials/over_root.py: _divisor_modulo": "modulo a prime, in one variable",
-    "roots/common_zeros.py: Column.of": "over the field of a root: a door with an estimated cost",
+    "bivariate/common_zeros.py: Column.of": "over the field of a root: a door with an estimated cost",
     "verification/minimality.py: bezout_combination": "modulo a prime, in one variable",
 }
 

@@ -3,12 +3,12 @@
 from typing import assert_type
 
 import exactspline as xs
-from exactspline.geometry.kinds import Feature
-from exactspline.geometry.planar_maps import MapInspection
-from exactspline.geometry.surface.inspection import SurfaceInspection
+from exactspline.geometry.analysis.planar_maps import MapInspection
+from exactspline.geometry.analysis.surfaces import SurfaceInspection
+from exactspline.geometry.curves.kinds import Feature
 from exactspline.language.rational import Rational
 from exactspline.language.vector import Vector
-from exactspline.questions.answers import Places
+from exactspline.roots.answers import Places
 from exactspline.roots.root import Root
 from exactspline.roots.zero_set import ZeroSet
 

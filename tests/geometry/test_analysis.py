@@ -12,17 +12,17 @@ from gmpy2 import mpq
 
 from exactspline import Nurbs
 from exactspline.errors import ShapeError
-from exactspline.geometry import facts as facts_module
-from exactspline.geometry import space_features
-from exactspline.geometry.analysis import analyse
-from exactspline.geometry.constructions import Construction
-from exactspline.geometry.inspection import compare_approaches, inspect_curve, solved
-from exactspline.geometry.joints import Ends
+from exactspline.geometry.analysis.curves import analyse
+from exactspline.geometry.analysis.inspection import compare_approaches, inspect_curve, solved
+from exactspline.geometry.curves import facts as facts_module
+from exactspline.geometry.curves import space_features
+from exactspline.geometry.curves.joints import Ends
+from exactspline.geometry.derived.constructions import Construction
 from exactspline.interchange.examples import example, example_names
 from exactspline.polynomials import isolation as isolation_module
 from exactspline.programs import accelerator
-from exactspline.questions.answers import CurvePiece
 from exactspline.roots import zero_set as zero_set_module
+from exactspline.roots.answers import CurvePiece
 
 
 def spline(segments, dimension, seed=1):

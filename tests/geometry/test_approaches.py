@@ -3,8 +3,8 @@
 import pytest
 from gmpy2 import mpq
 
-from exactspline.geometry.analysis import analyse
-from exactspline.geometry.inspection import Approach, compare_approaches, inspect_curve
+from exactspline.geometry.analysis.curves import analyse
+from exactspline.geometry.analysis.inspection import Approach, compare_approaches, inspect_curve
 from exactspline.interchange.examples import example, example_names
 from exactspline.interchange.files import read
 from exactspline.papers import find

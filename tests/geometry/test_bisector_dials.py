@@ -14,13 +14,13 @@ from gmpy2 import mpq
 from exactspline import BSpline, Nurbs, zeros
 from exactspline.cli import app
 from exactspline.errors import ShapeError
-from exactspline.geometry.bisector import two_curves
-from exactspline.geometry.bisector.components import Solutions, SpecialPairs
-from exactspline.geometry.bisector.missing import STILL, THROUGH
-from exactspline.geometry.bisector.point_and_curve import point_bisector
-from exactspline.geometry.bisector.single_pairs import shown
-from exactspline.geometry.bisector.special_pairs import special_pairs
-from exactspline.geometry.bisector.two_curves import curve_bisector
+from exactspline.geometry.bisectors import two_curves
+from exactspline.geometry.bisectors.components import Solutions, SpecialPairs
+from exactspline.geometry.bisectors.missing import STILL, THROUGH
+from exactspline.geometry.bisectors.point_and_curve import point_bisector
+from exactspline.geometry.bisectors.single_pairs import shown
+from exactspline.geometry.bisectors.special_pairs import special_pairs
+from exactspline.geometry.bisectors.two_curves import curve_bisector
 from exactspline.interchange.curve_files import curve_data, write_json
 from exactspline.polynomials.cost import Budget
 from tests.campaigns import bisectors as bisector_campaign

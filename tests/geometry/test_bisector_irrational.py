@@ -16,9 +16,9 @@ from exactspline import BSpline
 from exactspline.cli import app
 from exactspline.display.bisector_data import curve_bisector_data
 from exactspline.errors import ReachError
-from exactspline.geometry.bisector import root_lines
-from exactspline.geometry.bisector.polynomials import vanish_together
-from exactspline.geometry.bisector.two_curves import curve_bisector
+from exactspline.geometry.bisectors import root_lines
+from exactspline.geometry.bisectors.polynomials import vanish_together
+from exactspline.geometry.bisectors.two_curves import curve_bisector
 from exactspline.interchange.curve_files import curve_data, write_json
 from exactspline.polynomials.elimination import resultant
 from exactspline.polynomials.over_root import OverRoot, by_powers

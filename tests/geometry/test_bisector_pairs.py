@@ -14,8 +14,8 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
 from exactspline import BSpline, Nurbs
-from exactspline.geometry.bisector.components import Solutions
-from exactspline.geometry.bisector.two_curves import curve_bisector
+from exactspline.geometry.bisectors.components import Solutions
+from exactspline.geometry.bisectors.two_curves import curve_bisector
 from exactspline.language.rational import Rational
 from exactspline.numbers.exact import to_fmpq
 from exactspline.roots.root import Root

@@ -11,8 +11,8 @@ import mpmath
 import pytest
 from gmpy2 import mpq
 
-from exactspline.geometry.bisector.components import Solutions
-from exactspline.geometry.bisector.two_curves import curve_bisector
+from exactspline.geometry.bisectors.components import Solutions
+from exactspline.geometry.bisectors.two_curves import curve_bisector
 from exactspline.language.rational import Rational
 from exactspline.roots.root import Root
 from tests.support.bisector_answers import of_family, of_random_pair, random_pair

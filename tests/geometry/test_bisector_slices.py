@@ -9,7 +9,7 @@ import pytest
 from gmpy2 import mpq
 
 from exactspline import BSpline, Nurbs
-from exactspline.geometry.bisector.two_curves import curve_bisector
+from exactspline.geometry.bisectors.two_curves import curve_bisector
 from tests.campaigns.bisectors import differences
 from tests.support.bisector_answers import of_family, of_random_pair, random_pair
 from tests.support.bisector_oracle import FAMILIES, bezier, circle, curve_of, mapped

@@ -7,14 +7,14 @@ from flint import fmpz_poly
 from gmpy2 import mpq
 
 from exactspline import BSpline, Nurbs, zeros
-from exactspline.geometry.bisector import cusps, single_pairs
-from exactspline.geometry.bisector.components import Solutions
-from exactspline.geometry.bisector.correspondence import graph_intervals
-from exactspline.geometry.bisector.lines import Path, along
-from exactspline.geometry.bisector.polynomials import vanish_together
-from exactspline.geometry.bisector.single_pairs import zeros_of_vector
-from exactspline.geometry.bisector.special_pairs import runs_on
-from exactspline.geometry.bisector.system import System, piece
+from exactspline.geometry.bisectors import cusps, single_pairs
+from exactspline.geometry.bisectors.components import Solutions
+from exactspline.geometry.bisectors.correspondence import graph_intervals
+from exactspline.geometry.bisectors.lines import Path, along
+from exactspline.geometry.bisectors.polynomials import vanish_together
+from exactspline.geometry.bisectors.single_pairs import zeros_of_vector
+from exactspline.geometry.bisectors.special_pairs import runs_on
+from exactspline.geometry.bisectors.system import System, piece
 from exactspline.numbers.intervals import UNIT
 from exactspline.polynomials.two_parameters import S, T
 from tests.support.bisector_oracle import FAMILIES

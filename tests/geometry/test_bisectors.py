@@ -11,8 +11,8 @@ from hypothesis import strategies as st
 
 from exactspline import Nurbs
 from exactspline.errors import FormulaError, ShapeError
-from exactspline.geometry.bisector.point_and_curve import AXES, point_bisector
-from exactspline.geometry.bisector.two_curves import CURVE_FORMS, curve_bisector
+from exactspline.geometry.bisectors.point_and_curve import AXES, point_bisector
+from exactspline.geometry.bisectors.two_curves import CURVE_FORMS, curve_bisector
 from exactspline.interchange.examples import example, example_names
 from exactspline.papers import find
 from exactspline.roots.zero_set import zeros

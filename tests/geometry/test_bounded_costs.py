@@ -7,8 +7,8 @@ from gmpy2 import mpq
 from exactspline import example
 from exactspline.errors import ReachError
 from exactspline.extras.coq.terms import integer, number
-from exactspline.geometry.surface import inspection
-from exactspline.geometry.surface.inspection import PatchKind, inspect_surface
+from exactspline.geometry.analysis import surfaces as inspection
+from exactspline.geometry.analysis.surfaces import PatchKind, inspect_surface
 from exactspline.polynomials.factors import greatest_common_divisor
 
 

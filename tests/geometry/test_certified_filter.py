@@ -20,9 +20,14 @@ from tests.support.sampled import sample
 
 np = pytest.importorskip("numpy")
 
-from exactspline.geometry.filtered import filtered  # noqa: E402  # needs numpy
-from exactspline.geometry.many_curves import features_in_parts, features_of_curves, features_of_many, scaled_operands  # noqa: E402
-from exactspline.geometry.plane_programs import plane_program  # noqa: E402
+from exactspline.geometry.analysis.many_curves import (  # noqa: E402
+    features_in_parts,
+    features_of_curves,
+    features_of_many,
+    scaled_operands,
+)
+from exactspline.geometry.filter.filtered import filtered  # noqa: E402  # needs numpy
+from exactspline.geometry.filter.plane_programs import plane_program  # noqa: E402
 from exactspline.polynomials.doubles import Bounded, isolated, ordinates, values_at  # noqa: E402
 from exactspline.programs.doubles import in_doubles  # noqa: E402
 

@@ -8,8 +8,8 @@ import pytest
 from gmpy2 import mpq
 
 from exactspline import Nurbs
-from exactspline.geometry.analysis import analyse
-from exactspline.geometry.kinds import JointKind
+from exactspline.geometry.analysis.curves import analyse
+from exactspline.geometry.curves.kinds import JointKind
 from exactspline.interchange.files import read
 from tests.geometry.test_shared_curves import FILES
 from tests.support.answers import places

@@ -10,8 +10,8 @@ from gmpy2 import mpq
 
 from exactspline import BSpline, Nurbs
 from exactspline.errors import FormulaError, ReductionError
-from exactspline.geometry.constructions import Variant, all_constructions, construction
-from exactspline.geometry.ruled_surfaces import same_surface
+from exactspline.geometry.derived.constructions import Variant, all_constructions, construction
+from exactspline.geometry.derived.ruled_surfaces import same_surface
 from exactspline.interchange.examples import example
 from exactspline.language.parts import split
 from exactspline.papers import find

@@ -12,10 +12,10 @@ from exactspline import BSpline, Nurbs
 from exactspline.batch.oracle import items
 from exactspline.display.serialize import derived_data
 from exactspline.errors import DomainError, ExactSplineError, FormulaError, ShapeError
-from exactspline.geometry.constructions import Absence, Variant
-from exactspline.geometry.curvature import curvature_function
-from exactspline.geometry.derived import derive
-from exactspline.geometry.domain import intervals_where
+from exactspline.geometry.curves.curvature import curvature_function
+from exactspline.geometry.derived.constructions import Absence, Variant
+from exactspline.geometry.derived.derive import derive
+from exactspline.geometry.derived.domain import intervals_where
 from exactspline.interchange.examples import example
 from exactspline.language.parts import numerator
 from exactspline.papers import all_formulas, find

@@ -11,11 +11,11 @@ from hypothesis import strategies as st
 from exactspline import BSpline, Nurbs
 from exactspline.certificates import check_certificate
 from exactspline.errors import FormulaError, ShapeError
-from exactspline.geometry.analysis import analyse
-from exactspline.geometry.angles import Angle
-from exactspline.geometry.inspection import Approach, compare_approaches, inspect_curve
-from exactspline.geometry.joints import curvature_of
-from exactspline.geometry.values_along import curvature
+from exactspline.geometry.analysis.curves import analyse
+from exactspline.geometry.analysis.inspection import Approach, compare_approaches, inspect_curve
+from exactspline.geometry.curves.angles import Angle
+from exactspline.geometry.curves.joints import curvature_of
+from exactspline.geometry.curves.values import curvature
 from exactspline.interchange.examples import example
 from exactspline.verification.claims import select
 from exactspline.verification.ledger import audit

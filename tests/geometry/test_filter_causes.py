@@ -13,7 +13,7 @@ from tests.support.sampled import FULL
 
 np = pytest.importorskip("numpy")
 
-from exactspline.geometry.many_curves import features_of_curves  # noqa: E402  # needs numpy
+from exactspline.geometry.analysis.many_curves import features_of_curves  # noqa: E402  # needs numpy
 from exactspline.polynomials.doubles import Bounded, without_zeros  # noqa: E402
 
 #: Families of integers of that many bits: what is left of 3000 curves of each, of which tests look at a third.

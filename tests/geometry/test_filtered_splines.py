@@ -16,8 +16,9 @@ from tests.campaigns import filter as campaign
 
 np = pytest.importorskip("numpy")
 
-from exactspline.geometry import analysis, many_curves  # noqa: E402  # needs numpy
-from exactspline.geometry.many_curves import curve_features_in_parts, features_of_curves  # noqa: E402
+from exactspline.geometry.analysis import curves as analysis  # noqa: E402  # needs numpy
+from exactspline.geometry.analysis import many_curves  # noqa: E402
+from exactspline.geometry.analysis.many_curves import curve_features_in_parts, features_of_curves  # noqa: E402
 
 
 def same_as_exact(curves):

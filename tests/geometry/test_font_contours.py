@@ -11,7 +11,7 @@ from pathlib import Path
 import pytest
 
 from exactspline import Nurbs
-from exactspline.geometry.analysis import analyse
+from exactspline.geometry.analysis.curves import analyse
 from tests.support.contour_oracle import Piece, features
 
 pytest.importorskip("fontTools")

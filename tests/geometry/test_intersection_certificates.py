@@ -11,7 +11,7 @@ import pytest
 from exactspline import check_certificate, example, intersections, self_intersections
 from exactspline.certificates.intersections import polynomial_determinant, sign_throughout
 from exactspline.errors import ReachError, ShapeError
-from exactspline.geometry.intersection_certificate import intersection_certificate
+from exactspline.geometry.pairs.intersection_certificate import intersection_certificate
 from tests.campaigns.certificates import SORTS, campaign, of_intersections
 from tests.support.bisector_oracle import bezier
 

@@ -10,7 +10,7 @@ from gmpy2 import mpq
 
 from exactspline import Nurbs, example, intersections, self_intersections
 from exactspline.errors import ShapeError
-from exactspline.geometry.intersections import CollectedPoints
+from exactspline.geometry.pairs.intersections import CollectedPoints
 from exactspline.numbers.exact import rational
 from tests.campaigns.intersections import FAMILIES, above_ceiling, bezier_rows, campaign, curve, multiplied
 from tests.support.bisector_oracle import bezier
@@ -337,8 +337,8 @@ def wave(count, phase, degree=1):
 
 def test_many_segments_meet_in_linear_time():
     """Only pairs whose boxes meet are decided: as many as there are segments, not their square."""
-    from exactspline.geometry.box_tree import BoxTree, pairs_that_may_meet
-    from exactspline.roots.local_parameters import segment_forms
+    from exactspline.geometry.pairs.box_tree import BoxTree, pairs_that_may_meet
+    from exactspline.roots.segment_forms import segment_forms
 
     first, second = wave(2000, 1), wave(2000, 3)
     trees = [BoxTree([segment_forms(c, i) for i in range(c.segments)], 4) for c in (first, second)]

@@ -4,8 +4,8 @@ import pytest
 from gmpy2 import mpq
 
 from exactspline import Nurbs
-from exactspline.geometry.analysis import analyse
-from exactspline.geometry.joints import geometric_order
+from exactspline.geometry.analysis.curves import analyse
+from exactspline.geometry.curves.joints import geometric_order
 
 
 @pytest.mark.parametrize(("ahead", "degrees"), [((1, 0), None), ((0, 1), 90), ((-1, 0), 180)])

@@ -6,9 +6,9 @@ from gmpy2 import mpq
 import exactspline as xs
 from exactspline import Nurbs
 from exactspline.errors import ShapeError
-from exactspline.geometry.curve_pair import CurvePair
-from exactspline.geometry.kinds import FeatureKind
-from exactspline.geometry.nearby import features_nearby
+from exactspline.geometry.analysis.pairs import CurvePair
+from exactspline.geometry.curves.kinds import FeatureKind
+from exactspline.geometry.rounded.features import features_nearby
 from exactspline.testing.families import SHAPES
 from tests.campaigns import nearby as campaign
 

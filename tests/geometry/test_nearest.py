@@ -7,7 +7,7 @@ from gmpy2 import mpq
 
 from exactspline import Nurbs, example, square_root
 from exactspline.errors import ShapeError
-from exactspline.geometry.nearest import nearest
+from exactspline.geometry.pairs.nearest import nearest
 
 
 def curve_of(random, dimension, *, rational):

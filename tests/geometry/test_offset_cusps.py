@@ -8,7 +8,7 @@ from mpmath import mp
 import exactspline as xs
 from exactspline.batch.oracle import oracle
 from exactspline.errors import ShapeError
-from exactspline.geometry.analysis import analyse
+from exactspline.geometry.analysis.curves import analyse
 from exactspline.numbers.exact import mpq
 
 PLANE = [name for name in xs.examples("curves") if xs.example(name).dimension == 2]

@@ -12,7 +12,7 @@ from gmpy2 import mpq
 import exactspline as xs
 from exactspline import Nurbs, analyse, bisector, example, intersections, self_intersections
 from exactspline.errors import ReachError, ShapeError
-from exactspline.geometry.bisector.plane_pair import tangent
+from exactspline.geometry.bisectors.plane_pair import tangent
 from tests.support.bisector_oracle import bezier
 from tests.support.bisector_oracle import line as polyline
 

@@ -8,10 +8,10 @@ from gmpy2 import mpq
 
 import exactspline as xs
 from exactspline.errors import ShapeError
+from exactspline.geometry.recognition.patches import recognized_surface
 from exactspline.geometry.recognition.pieces import recognized
 from exactspline.geometry.recognition.proof import rounded_up, signs
 from exactspline.geometry.recognition.shapes import Circle, Conic, Line, ShapeKind
-from exactspline.geometry.surface.recognized import recognized_surface
 from tests.campaigns import recognition as campaign
 
 SHARED = Path(__file__).parents[3] / "shared" / "curves"

@@ -12,8 +12,8 @@ import pytest
 from mpmath import mp, mpf
 
 from exactspline import NurbsSurface, analyse, example
-from exactspline.geometry.surface import ridges
-from exactspline.geometry.surface.ridges import RidgeSearch, bisected, other_family, principal_directions, winds_once
+from exactspline.geometry.surfaces import ridges
+from exactspline.geometry.surfaces.ridges import RidgeSearch, bisected, other_family, principal_directions, winds_once
 from exactspline.numbers.exact import mpq, sign
 from exactspline.numbers.intervals import UNIT, Box, Interval
 from exactspline.polynomials.cost import Budget, drawing_on

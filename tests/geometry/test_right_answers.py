@@ -7,12 +7,12 @@ import pytest
 from gmpy2 import mpq
 
 from exactspline import BSpline, Nurbs
-from exactspline.geometry import values_along
-from exactspline.geometry.analysis import analyse
-from exactspline.geometry.curvature import curvature_function
-from exactspline.geometry.inspection import Approach, compare_approaches, inspect_curve
-from exactspline.geometry.kinds import JointKind
-from exactspline.geometry.values_along import curvature, torsion
+from exactspline.geometry.analysis.curves import analyse
+from exactspline.geometry.analysis.inspection import Approach, compare_approaches, inspect_curve
+from exactspline.geometry.curves import values as values_along
+from exactspline.geometry.curves.curvature import curvature_function
+from exactspline.geometry.curves.kinds import JointKind
+from exactspline.geometry.curves.values import curvature, torsion
 from tests.support.command import invoke
 from tests.support.space_curves import power_curve
 from tests.support.vectors import mpf_of

@@ -7,8 +7,14 @@ from hypothesis import assume, given
 from exactspline import BSpline
 from exactspline.display.evidence import worded
 from exactspline.errors import DomainError, ReductionError, ShapeError
-from exactspline.geometry.constructions import all_constructions
-from exactspline.geometry.ruled_surfaces import as_tensor_product, is_developable, point_at, ruled_surface, same_surface
+from exactspline.geometry.derived.constructions import all_constructions
+from exactspline.geometry.derived.ruled_surfaces import (
+    as_tensor_product,
+    is_developable,
+    point_at,
+    ruled_surface,
+    same_surface,
+)
 from exactspline.interchange.examples import example, example_names
 from exactspline.language import Rational, Vector, cross
 from exactspline.language.ruled import RuledSurface

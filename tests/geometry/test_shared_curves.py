@@ -10,9 +10,9 @@ import pytest
 from exactspline.certificates import check_certificate
 from exactspline.display.evidence import worded
 from exactspline.errors import ShapeError
-from exactspline.geometry.constructions import constructions_for
-from exactspline.geometry.derived import derive
-from exactspline.geometry.planarity import with_plane_curves
+from exactspline.geometry.curves.planarity import with_plane_curves
+from exactspline.geometry.derived.constructions import constructions_for
+from exactspline.geometry.derived.derive import derive
 from exactspline.interchange.files import read
 from exactspline.splines.lowest_terms import true_degree
 from exactspline.verification.claims import all_claims

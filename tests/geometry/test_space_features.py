@@ -14,14 +14,14 @@ from exactspline import BSpline, Nurbs
 from exactspline.cli import app
 from exactspline.display.evidence import worded
 from exactspline.errors import DomainError, FormulaError, ShapeError
-from exactspline.geometry import values_along
-from exactspline.geometry.analysis import analyse
-from exactspline.geometry.constructions import Absence
-from exactspline.geometry.derived import derive
-from exactspline.geometry.inspection import inspect_curve
-from exactspline.geometry.kinds import JointKind
-from exactspline.geometry.planarity import as_plane_curve, planar_pieces, plane_of
-from exactspline.geometry.values_along import curvature, torsion
+from exactspline.geometry.analysis.curves import analyse
+from exactspline.geometry.analysis.inspection import inspect_curve
+from exactspline.geometry.curves import values as values_along
+from exactspline.geometry.curves.kinds import JointKind
+from exactspline.geometry.curves.planarity import as_plane_curve, planar_pieces, plane_of
+from exactspline.geometry.curves.values import curvature, torsion
+from exactspline.geometry.derived.constructions import Absence
+from exactspline.geometry.derived.derive import derive
 from exactspline.interchange.examples import example, example_names
 from exactspline.papers import find
 from exactspline.verification.claims import all_claims

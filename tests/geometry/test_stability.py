@@ -9,9 +9,9 @@ from gmpy2 import mpq
 
 import exactspline as xs
 from exactspline.errors import ShapeError
-from exactspline.geometry.kinds import FeatureKind
-from exactspline.geometry.nearby import features_nearby
-from exactspline.geometry.stability import stability
+from exactspline.geometry.curves.kinds import FeatureKind
+from exactspline.geometry.rounded.features import features_nearby
+from exactspline.geometry.rounded.stability import stability
 from tests.campaigns.nearby import drawn, moved
 
 CORNER = xs.Nurbs(1, [0, 0, 1, 2, 2], [(0, 0), (1, 0), (1, 1)])

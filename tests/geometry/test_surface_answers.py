@@ -12,13 +12,13 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from exactspline import NurbsSurface, TensorSpline, analyse, example, rational
-from exactspline.geometry.planar_maps import MapKind
-from exactspline.geometry.surface import zero_curve
-from exactspline.geometry.surface.degenerate import Gap
-from exactspline.geometry.surface.inspection import PatchKind
-from exactspline.geometry.surface.singular_cells import singular_cells
-from exactspline.geometry.surface.umbilics import UmbilicKind
-from exactspline.geometry.surface.zero_curve import Shape
+from exactspline.bivariate import zero_curve
+from exactspline.bivariate.singular_cells import singular_cells
+from exactspline.bivariate.zero_curve import Shape
+from exactspline.geometry.analysis.planar_maps import MapKind
+from exactspline.geometry.analysis.surfaces import PatchKind
+from exactspline.geometry.surfaces.degenerate import Gap
+from exactspline.geometry.surfaces.umbilics import UmbilicKind
 from exactspline.numbers.exact import mpq
 from exactspline.splines.surface import Along
 from tests.support.sampled import sample

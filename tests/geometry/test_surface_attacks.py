@@ -6,11 +6,11 @@ import pytest
 from gmpy2 import mpq
 
 from exactspline import NurbsSurface, analyse, example
+from exactspline.bivariate.borders import Edge
 from exactspline.display.surface_data import surface_inspection_data
-from exactspline.geometry.planar_maps import MapKind
-from exactspline.geometry.surface.inspection import PatchKind
-from exactspline.geometry.surface.joints import SurfaceJointKind
-from exactspline.roots.borders import Edge
+from exactspline.geometry.analysis.planar_maps import MapKind
+from exactspline.geometry.analysis.surfaces import PatchKind
+from exactspline.geometry.surfaces.joints import SurfaceJointKind
 from tests.support.squares import parameters
 from tests.support.surface_oracle import gaussian_curvature
 

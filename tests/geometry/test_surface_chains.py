@@ -6,7 +6,7 @@ import pytest
 from gmpy2 import mpq
 
 from exactspline import NurbsSurface, analyse, example
-from exactspline.geometry.surface.zero_curve import Shape
+from exactspline.bivariate.zero_curve import Shape
 from tests.support.squares import graph, parameters
 
 

@@ -6,9 +6,9 @@ import pytest
 from gmpy2 import isqrt, mpq
 
 from exactspline import NurbsSurface, analyse, example
-from exactspline.geometry.surface.constant import constant_curvature, has_curvature
-from exactspline.geometry.surface.forms import SurfaceForms
-from exactspline.geometry.surface.signs import Sign, sign_on_patch
+from exactspline.bivariate.signs import Sign, sign_on_patch
+from exactspline.geometry.surfaces.constant import constant_curvature, has_curvature
+from exactspline.geometry.surfaces.forms import SurfaceForms
 from exactspline.language.arguments import Operands
 from exactspline.language.choices import Parameter
 from exactspline.language.kinds import FORMS, SURFACE

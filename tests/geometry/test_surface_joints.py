@@ -11,8 +11,8 @@ from gmpy2 import mpq
 
 from exactspline import NurbsSurface, analyse, example
 from exactspline.cli import app
-from exactspline.geometry.surface.inspection import PatchKind
-from exactspline.geometry.surface.joints import SurfaceJointKind
+from exactspline.geometry.analysis.surfaces import PatchKind
+from exactspline.geometry.surfaces.joints import SurfaceJointKind
 from exactspline.interchange.curve_files import surface_data
 from exactspline.splines.surface import Along
 

@@ -4,17 +4,17 @@ import pytest
 from gmpy2 import mpq
 
 from exactspline import BSpline, NurbsSurface, zeros
-from exactspline.geometry.surface.forms import lowest
-from exactspline.geometry.surface.inspection import inspect_surface
-from exactspline.geometry.surface.joints import SurfaceJointKind
-from exactspline.geometry.surface.places import Place
-from exactspline.geometry.surface.singular import SingularPoints
+from exactspline.bivariate import common_zeros
+from exactspline.bivariate.borders import EDGES, vanishes_at
+from exactspline.bivariate.common_zeros import CommonZero, zeros_of
+from exactspline.bivariate.surface_points import Place
+from exactspline.geometry.analysis.surfaces import inspect_surface
+from exactspline.geometry.surfaces.forms import lowest
+from exactspline.geometry.surfaces.joints import SurfaceJointKind
+from exactspline.geometry.surfaces.singular import SingularPoints
 from exactspline.numbers.intervals import UNIT, Box, Interval
 from exactspline.polynomials.patch_forms import PatchForm
 from exactspline.polynomials.two_parameters import S, T, as_form
-from exactspline.roots import common_zeros
-from exactspline.roots.borders import EDGES, vanishes_at
-from exactspline.roots.common_zeros import CommonZero, zeros_of
 from exactspline.splines.tensor import TensorSpline
 
 

@@ -17,19 +17,19 @@ from click.testing import CliRunner
 from gmpy2 import mpq
 
 from exactspline import NurbsSurface, analyse, example
+from exactspline.bivariate import singular_cells
+from exactspline.bivariate.common_zeros import Found, zeros_of
+from exactspline.bivariate.signs import Sign, sign_on_patch
+from exactspline.bivariate.zero_curve import Shape, ZeroCurve
 from exactspline.cli import app
 from exactspline.cli.output import OptionsError
 from exactspline.display.surface_data import map_sheet, surface_inspection_data, surface_sheet
 from exactspline.errors import FormulaError
-from exactspline.geometry.planar_maps import MapKind
-from exactspline.geometry.surface import singular_cells
-from exactspline.geometry.surface.inspection import PatchKind
-from exactspline.geometry.surface.signs import Sign, sign_on_patch
-from exactspline.geometry.surface.zero_curve import Shape, ZeroCurve
+from exactspline.geometry.analysis.planar_maps import MapKind
+from exactspline.geometry.analysis.surfaces import PatchKind
 from exactspline.interchange.curve_files import surface_data
 from exactspline.polynomials.patch_forms import PatchForm
 from exactspline.polynomials.two_parameters import S, T, as_form
-from exactspline.roots.common_zeros import Found, zeros_of
 from tests.campaigns import surfaces
 from tests.campaigns.surfaces import is_good, run
 from tests.support.dials import factors, over_dials

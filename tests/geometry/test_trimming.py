@@ -12,8 +12,8 @@ from mpmath import mp
 
 from exactspline import BSpline, Nurbs
 from exactspline.errors import ShapeError
-from exactspline.geometry.bisector import conditions as module
-from exactspline.geometry.bisector.trimmed import PieceKind, trimmed_bisector
+from exactspline.geometry.bisectors import conditions as module
+from exactspline.geometry.bisectors.trimmed import PieceKind, trimmed_bisector
 from exactspline.interchange.examples import example
 from exactspline.papers import find
 from exactspline.polynomials.elimination import discriminant

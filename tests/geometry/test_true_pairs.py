@@ -8,7 +8,7 @@ import numpy as np
 
 import exactspline as xs
 from exactspline.errors import ReachError
-from exactspline.geometry.bisector import true_pairs
+from exactspline.geometry.bisectors import true_pairs
 from exactspline.numbers.exact import sign
 from exactspline.numbers.intervals import UNIT, Box, Interval
 from exactspline.polynomials.patch_forms import PatchForm

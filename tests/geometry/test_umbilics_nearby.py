@@ -7,7 +7,7 @@ from gmpy2 import mpq
 
 import exactspline as xs
 from exactspline.errors import ShapeError
-from exactspline.geometry.surface.umbilics_nearby import umbilics_nearby
+from exactspline.geometry.rounded.umbilics import umbilics_nearby
 from tests.campaigns.recognition import moved_surface
 
 

@@ -11,11 +11,13 @@ import pytest
 from gmpy2 import mpq
 
 import exactspline as xs
+from exactspline.certificates import CertificateError
 from exactspline.display import plot as plots
 from exactspline.display.described import described
 from exactspline.errors import ShapeError
-from exactspline.geometry.analysis import QUESTIONS
-from exactspline.geometry.floats import place_of
+from exactspline.extras import pictures3d
+from exactspline.geometry.analysis.curves import QUESTIONS
+from exactspline.geometry.curves.floats import place_of
 from exactspline.numbers.exact import from_float
 from tests.support.command import run
 from tests.support.sampled import sample
@@ -81,8 +83,8 @@ VALUES = {
 }
 #: What stands in the other places while one of them is varied.
 OTHERS = ("plane curve", "space curve", "surface", "spline", "int", "text", "formula", "claim", "points")
-#: The checker of certificates shares no code with the library, its errors neither: they are `ValueError`s.
-OWN_ERRORS = {"check_certificate": ValueError}
+#: The checker of certificates shares no code with the library, its errors neither.
+OWN_ERRORS = {"check_certificate": CertificateError}
 
 
 def of_geomdl():
@@ -117,7 +119,7 @@ def handed(function):
 #: Every public function and class by its name; none is public twice.
 PUBLIC = {
     name: getattr(room, name)
-    for room in (xs, xs.teaching, xs.interchange, xs.language, xs.readings, xs.tables, plots)
+    for room in (xs, xs.teaching, xs.interchange, xs.language, xs.readings, xs.tables, plots, pictures3d)
     for name in room.__all__
     if callable(getattr(room, name))
 }
@@ -131,7 +133,7 @@ def test_every_public_name(name, tmp_path, monkeypatch):
         pytest.importorskip(name.partition("_")[2])
     function = PUBLIC[name]
     # to draw takes long
-    calls = sample(list(handed(function)), 40 if name in plots.__all__ else 100, seed=name)
+    calls = sample(list(handed(function)), 40 if name in (*plots.__all__, *pictures3d.__all__) else 100, seed=name)
     wrong = [error for _, arguments in calls if (error := raised(name, function, arguments)) is not None]
     assert not wrong
 

@@ -9,8 +9,8 @@ from hypothesis import strategies as st
 
 from exactspline import BSpline, Nurbs
 from exactspline.errors import ExactSplineError
-from exactspline.geometry.analysis import analyse
-from exactspline.geometry.bisector.two_curves import curve_bisector
+from exactspline.geometry.analysis.curves import analyse
+from exactspline.geometry.bisectors.two_curves import curve_bisector
 from exactspline.interchange.examples import example
 from tests.support.same_curves import CHANGES, from_rows, homogeneous, mirrored
 from tests.support.strategies import nurbs

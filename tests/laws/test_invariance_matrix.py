@@ -17,10 +17,10 @@ from hypothesis import strategies as st
 from exactspline import Nurbs, derive
 from exactspline.batch.oracle import oracle
 from exactspline.errors import ExactSplineError
-from exactspline.geometry.analysis import analyse
-from exactspline.geometry.bisector.point_and_curve import point_bisector
-from exactspline.geometry.bisector.trimmed import PieceKind, trimmed_bisector
-from exactspline.geometry.bisector.two_curves import curve_bisector
+from exactspline.geometry.analysis.curves import analyse
+from exactspline.geometry.bisectors.point_and_curve import point_bisector
+from exactspline.geometry.bisectors.trimmed import PieceKind, trimmed_bisector
+from exactspline.geometry.bisectors.two_curves import curve_bisector
 from exactspline.interchange.examples import example
 from exactspline.reals.real import Real
 from tests.geometry.test_bisector_pairs import assert_complete_on_a_grid

@@ -17,7 +17,7 @@ from exactspline.cli import app
 from exactspline.display.figures import FIGURES, folder, make
 from exactspline.display.plot.canvas import PlotError
 from exactspline.display.plot.comparisons import inspect_figure
-from exactspline.geometry.analysis import analyse
+from exactspline.geometry.analysis.curves import analyse
 from exactspline.interchange.examples import example
 from exactspline.splines.nurbs import Nurbs
 from exactspline.verification.claims import all_claims

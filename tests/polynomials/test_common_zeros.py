@@ -8,15 +8,15 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from exactspline.geometry.surface.common_factor import common_factor, odd_part, rational_lines, without_powers
-from exactspline.geometry.surface.signs import Sign, sign_on_patch
-from exactspline.geometry.surface.zero_curve import Begun, Shape, ZeroCurve
+from exactspline.bivariate.common_factor import common_factor, odd_part, rational_lines, without_powers
+from exactspline.bivariate.common_zeros import zeros_of
+from exactspline.bivariate.signs import Sign, sign_on_patch
+from exactspline.bivariate.zero_curve import Begun, Shape, ZeroCurve
 from exactspline.numbers.exact import mpq
 from exactspline.numbers.intervals import UNIT, Box, Interval
 from exactspline.polynomials.certified_boxes import Isolated, contracting, isolate, simplest
 from exactspline.polynomials.patch_forms import PatchForm, Sized, clusters, of_powers, powers_of
 from exactspline.polynomials.two_parameters import CONTEXT, S, T, as_form, as_polynomial
-from exactspline.roots.common_zeros import zeros_of
 
 ONE = CONTEXT.from_dict({(0, 0): 1})
 

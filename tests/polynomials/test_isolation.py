@@ -9,7 +9,7 @@ from gmpy2 import mpq
 from exactspline.errors import DomainError
 from exactspline.polynomials import cells, refinement
 from exactspline.polynomials.isolation import LocalPolynomial, isolate
-from exactspline.polynomials.proposed import proposed
+from exactspline.polynomials.newton import proposed
 from exactspline.polynomials.refinement import enclosures
 from exactspline.polynomials.zero_places import Place
 

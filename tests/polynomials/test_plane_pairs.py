@@ -12,11 +12,11 @@ from exactspline.numbers.exact import mpq, to_fmpq
 from exactspline.polynomials import bezout
 from exactspline.polynomials.bezout import PlaneForms, bezout_matrix, determinant, self_matrix
 from exactspline.polynomials.common_arcs import RationalMap, common_arcs
-from exactspline.polynomials.fibres import Fibre
 from exactspline.polynomials.isolation import isolate
+from exactspline.polynomials.multiple_points import Fibre
 from exactspline.polynomials.plane_pairs import meetings, self_meetings
 from exactspline.polynomials.zero_places import Place, at, places
-from exactspline.roots.local_parameters import plane_forms
+from exactspline.roots.segment_forms import plane_forms
 
 
 def bezier(*points):

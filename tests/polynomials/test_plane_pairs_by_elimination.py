@@ -16,8 +16,8 @@ from exactspline.numbers.exact import mpq, to_fmpq
 from exactspline.numbers.intervals import UNIT, Interval
 from exactspline.polynomials.bezout import PlaneForms
 from exactspline.polynomials.common_arcs import RationalMap
-from exactspline.polynomials.fibres import Fibre, local_multiplicity, multiplicity_of_sum
 from exactspline.polynomials.isolation import isolate
+from exactspline.polynomials.multiple_points import Fibre, local_multiplicity, multiplicity_of_sum
 from exactspline.polynomials.plane_pairs import (
     IDENTITY,
     Elimination,
@@ -28,7 +28,7 @@ from exactspline.polynomials.plane_pairs import (
 )
 from exactspline.polynomials.two_parameters import S, T, lifted
 from exactspline.polynomials.zero_places import Place, at, places
-from exactspline.roots.local_parameters import parameter, plane_forms
+from exactspline.roots.segment_forms import parameter, plane_forms
 from tests.support import elimination_oracle as oracle
 from tests.support.local_algebra import local_dimension
 

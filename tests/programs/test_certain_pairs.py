@@ -12,10 +12,10 @@ from random import Random
 import pytest
 
 from exactspline import Nurbs, intersections
-from exactspline.geometry import late_meetings
+from exactspline.geometry.pairs import lazy_intersections as late_meetings
 from exactspline.numbers.exact import mpq
 from exactspline.programs.certain_pairs import HIGHEST, OPEN, TOGETHER, certain_pairs, filter_pairs, segment_in_doubles
-from exactspline.roots.local_parameters import segment_rows
+from exactspline.roots.segment_forms import segment_rows
 from tests.campaigns import certain_pairs as campaign
 from tests.support.rounding import FLUSHED, MODES, rounding
 from tests.support.sampled import FULL

@@ -21,9 +21,9 @@ from typing import Any
 import pytest
 
 from exactspline import Nurbs, analyse, example
-from exactspline.geometry.analysis import Analysis
-from exactspline.geometry.certain import certain
-from exactspline.geometry.plane_programs import plane_program
+from exactspline.geometry.analysis.curves import Analysis
+from exactspline.geometry.filter.certain import certain
+from exactspline.geometry.filter.plane_programs import plane_program
 from exactspline.numbers.exact import mpq
 from exactspline.programs import accelerator
 from exactspline.programs.certain_pairs import ARCH, LINE, OPEN, filter_pairs, segment_in_doubles

@@ -7,8 +7,8 @@ import pytest
 from exactspline import BSpline, Nurbs, rational
 from exactspline.errors import FormulaError
 from exactspline.formulas.lifted import critical_curvature_lifted, tangent_lifted
-from exactspline.geometry.domain import part
-from exactspline.geometry.facts import TOGETHER
+from exactspline.geometry.curves.facts import TOGETHER
+from exactspline.geometry.derived.domain import part
 from exactspline.interchange.examples import example
 from exactspline.language import Vector
 from exactspline.language.arguments import Curve, Operands
@@ -20,7 +20,7 @@ from exactspline.language.vector import det
 from exactspline.papers import find, papers
 from exactspline.programs import evaluated, program_for
 from exactspline.programs.compiled import needed
-from exactspline.programs.given import operands_of
+from exactspline.programs.inputs import operands_of
 from exactspline.programs.instructions import Instruction, Instructions
 from exactspline.programs.program import program_of, values
 from exactspline.splines.tensor import surface_pair
@@ -210,7 +210,7 @@ def test_bounds_grow_with_the_roundings():
     np = pytest.importorskip("numpy")
     from exactspline.polynomials.roundings import ROUNDING, UNDERFLOW
     from exactspline.programs.doubles import bounded_by
-    from exactspline.programs.masses import SLACK, Known
+    from exactspline.programs.error_bounds import SLACK, Known
 
     masses = np.array([[1.0, 4.0]])
     for roundings in (1, 8, 64):

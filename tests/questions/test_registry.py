@@ -15,12 +15,12 @@ from exactspline.cli import app
 from exactspline.cli.schema import answers, schema_of
 from exactspline.display.glossary import glossary
 from exactspline.errors import ReachError, ShapeError
-from exactspline.geometry import analysis
-from exactspline.geometry.analysis import QUESTIONS, Analysis, analyse, questions_about
-from exactspline.geometry.registry import REGISTRY
-from exactspline.geometry.surface import inspection
-from exactspline.questions.answers import Places
+from exactspline.geometry.analysis import curves as analysis
+from exactspline.geometry.analysis import surfaces as inspection
+from exactspline.geometry.analysis.curves import QUESTIONS, Analysis, analyse, questions_about
+from exactspline.geometry.analysis.registry import REGISTRY
 from exactspline.questions.entry import CURVES, Of, question, question_with, questions_of
+from exactspline.roots.answers import Places
 
 LINE = xs.Nurbs(1, [0, 0, 1, 1], [(0, 0), (1, 1)])
 SPACE_LINE = xs.Nurbs(1, [0, 0, 1, 1], [(0, 0, 0), (1, 1, 1)])
@@ -132,7 +132,7 @@ def test_a_question_that_stands_nowhere_else_is_asked_everywhere(monkeypatch):
             return Places((), (xs_piece(a, a + xs.rational(part) * (b - a)),))
 
     def xs_piece(a, b):
-        from exactspline.questions.answers import CurvePiece
+        from exactspline.roots.answers import CurvePiece
 
         return CurvePiece(((a, b),))
 

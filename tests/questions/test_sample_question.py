@@ -65,7 +65,7 @@ def answers(tmp_path_factory):
     """What all who ask questions say in a copy of the package with the entry."""
     folder = tmp_path_factory.mktemp("copy")
     shutil.copytree(Path(exactspline.__file__).parent, folder / "exactspline")
-    file = folder / "exactspline" / "geometry" / "analysis.py"
+    file = folder / "exactspline" / "geometry" / "analysis" / "curves.py"
     code = file.read_text(encoding="utf-8")
     assert code.count("\n    @property\n    def flatness(self)") == 1
     file.write_text(code.replace("\n    @property\n    def flatness(self)", ENTRY), encoding="utf-8")

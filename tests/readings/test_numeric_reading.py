@@ -8,9 +8,9 @@ import pytest
 from gmpy2 import mpq
 
 from exactspline.errors import DomainError
-from exactspline.geometry.bisector.point_and_curve import point_bisector
-from exactspline.geometry.bisector.two_curves import curve_bisector
-from exactspline.geometry.derived import derive
+from exactspline.geometry.bisectors.point_and_curve import point_bisector
+from exactspline.geometry.bisectors.two_curves import curve_bisector
+from exactspline.geometry.derived.derive import derive
 from exactspline.interchange.examples import example, example_names
 from exactspline.papers import find
 from exactspline.readings.taylor import series_curve

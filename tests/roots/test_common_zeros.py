@@ -6,18 +6,18 @@ import pytest
 from flint import fmpz_poly
 
 from exactspline import NurbsSurface, analyse
+from exactspline.bivariate import common_zeros as solver
+from exactspline.bivariate import singular_cells
+from exactspline.bivariate.common_zeros import Column, Found, common_zeros, multiplicity
+from exactspline.bivariate.zero_curve import Shape, ZeroCurve
 from exactspline.errors import ReachError
-from exactspline.geometry.surface import singular_cells
-from exactspline.geometry.surface.umbilics import UmbilicKind
-from exactspline.geometry.surface.zero_curve import Shape, ZeroCurve
+from exactspline.geometry.surfaces.umbilics import UmbilicKind
 from exactspline.numbers.exact import mpq
 from exactspline.numbers.intervals import UNIT, Box, Interval
 from exactspline.polynomials import certified_boxes
 from exactspline.polynomials.certified_boxes import Isolation
 from exactspline.polynomials.cost import Budget, drawing_on
 from exactspline.polynomials.two_parameters import S, T, as_form, value_at
-from exactspline.roots import common_zeros as solver
-from exactspline.roots.common_zeros import Column, Found, common_zeros, multiplicity
 from tests.campaigns.common_zeros import FAMILIES, above_ceiling, any_polynomial, difference, run
 from tests.support.squares import graph, parameters
 

@@ -10,7 +10,7 @@ from flint import fmpz_poly
 from exactspline.numbers.exact import mpq
 from exactspline.polynomials.isolation import LocalPolynomial, LocalZero, isolate
 from exactspline.polynomials.refinement import enclosures
-from exactspline.roots.late_zero import LateZero
+from exactspline.roots.lazy_root import LateZero
 
 Z = fmpz_poly([0, 1])
 

@@ -13,7 +13,7 @@ from exactspline.polynomials.common_arcs import Image, RationalMap
 from exactspline.polynomials.isolation import isolate
 from exactspline.polynomials.zero_places import Place, at
 from exactspline.reals.real import square_root
-from exactspline.roots.local_parameters import (
+from exactspline.roots.segment_forms import (
     image_of,
     image_splines,
     parameter,

@@ -12,7 +12,7 @@ import pytest
 from exactspline import BSpline, Nurbs, certificates, zeros
 from exactspline.certificates import check_certificate
 from exactspline.certificates.zeros import product_of, sturm_count
-from exactspline.geometry.inspection import solved
+from exactspline.geometry.analysis.inspection import solved
 from exactspline.numbers.exact import mpq
 from tests.support.sampled import sample
 

@@ -12,9 +12,9 @@ from hypothesis import strategies as st
 
 from exactspline import BSpline, Nurbs
 from exactspline.errors import ShapeError
-from exactspline.geometry.analysis import analyse
-from exactspline.geometry.constructions import Variant, all_constructions, construction
-from exactspline.geometry.derived import derive
+from exactspline.geometry.analysis.curves import analyse
+from exactspline.geometry.derived.constructions import Variant, all_constructions, construction
+from exactspline.geometry.derived.derive import derive
 from exactspline.interchange.examples import example, example_names
 from exactspline.language import kinds
 from exactspline.language.arguments import Curve
@@ -23,7 +23,7 @@ from exactspline.language.parts import split
 from exactspline.language.vector import Vector, det
 from exactspline.language.wronskians import logarithmic_numerator, osculating, wronskian, wronskians
 from exactspline.papers import find
-from exactspline.programs.given import operands_of
+from exactspline.programs.inputs import operands_of
 from exactspline.programs.program import program_of
 from exactspline.splines.knots import Mesh
 from exactspline.splines.lowest_terms import primitive, primitive_part, true_degree, without_factor

@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 
 import exactspline as xs
 from exactspline.errors import DomainError, FormulaError, KnotError, ShapeError, WeightError
-from exactspline.geometry.values_along import curvature, torsion
+from exactspline.geometry.curves.values import curvature, torsion
 from exactspline.readings.taylor import series_curve
 from tests.support.strategies import nurbs
 

@@ -1,6 +1,6 @@
 """The answers to all questions of the registry about one curve, for tests that compare two curves."""
 
-from exactspline.geometry.analysis import analyse, questions_about
+from exactspline.geometry.analysis.curves import analyse, questions_about
 from exactspline.questions.entry import Answered
 
 

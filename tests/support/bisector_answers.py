@@ -6,7 +6,7 @@ from random import Random
 from gmpy2 import mpq
 
 from exactspline import Nurbs
-from exactspline.geometry.bisector.two_curves import curve_bisector
+from exactspline.geometry.bisectors.two_curves import curve_bisector
 from tests.support.bisector_oracle import FAMILIES, mapped
 from tests.support.dials import factors
 

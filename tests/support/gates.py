@@ -370,6 +370,7 @@ EXACT = (
     "symbolic/",
     "questions/",
     "geometry/",
+    "bivariate/",
     "roots/",
     "verification/",
     "extras/cad/",

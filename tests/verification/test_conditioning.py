@@ -17,7 +17,7 @@ from hypothesis import strategies as st
 from exactspline import BSpline
 from exactspline.cli import app
 from exactspline.errors import FormulaError, ShapeError
-from exactspline.geometry.constructions import construction
+from exactspline.geometry.derived.constructions import construction
 from exactspline.interchange.curve_files import curve_data
 from exactspline.interchange.examples import example
 from exactspline.polynomials.bernstein import from_bezier

@@ -16,7 +16,7 @@ from exactspline.certificates import check_certificate
 from exactspline.certificates.degrees import is_irreducible, is_prime
 from exactspline.certificates.numbers import integer
 from exactspline.errors import ReductionError, ShapeError
-from exactspline.geometry.constructions import all_constructions
+from exactspline.geometry.derived.constructions import all_constructions
 from exactspline.interchange.examples import example
 from exactspline.verification.minimality import attained, bezout_combination, certificate, witness
 from tests.support.sampled import sample

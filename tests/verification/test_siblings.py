@@ -5,17 +5,16 @@ from gmpy2 import mpq
 
 import exactspline as xs
 from exactspline import BSpline, Nurbs
+from exactspline.bivariate.common_zeros import CommonZero
+from exactspline.bivariate.surface_points import Place
 from exactspline.display.evidence import worded
 from exactspline.errors import FormulaError, ReachError
-from exactspline.geometry.surface.merged import merged_umbilic
-from exactspline.geometry.surface.places import Place
-from exactspline.geometry.surface.umbilics import Umbilic, UmbilicKind
+from exactspline.geometry.surfaces.umbilics import Umbilic, UmbilicKind, merged_umbilic
 from exactspline.language.choices import Parameter
 from exactspline.numbers.intervals import Box, Interval
 from exactspline.papers import find, load_paper
 from exactspline.polynomials import factors
 from exactspline.polynomials.cost import Budget
-from exactspline.roots.common_zeros import CommonZero
 from exactspline.verification import combined, generic_proof
 from exactspline.verification.claims import all_claims, claims_of
 from exactspline.verification.degree_tables import construction_table, formula_degrees

@@ -11,7 +11,7 @@ import pytest
 from gmpy2 import mpq
 
 from exactspline.errors import CurveFileError, ShapeError
-from exactspline.geometry.winding import FillRule, winding_number
+from exactspline.geometry.pairs.winding import FillRule, winding_number
 from exactspline.interchange import read
 from workshop.boolean.__main__ import main
 from workshop.boolean.angles import confirms, suspects

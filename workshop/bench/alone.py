@@ -46,7 +46,7 @@ def run(name: str, count: int, limit: int, jobs: int = 1) -> Took:
 
 
 def _inspect(count: int) -> Callable[[], object]:
-    from exactspline.geometry.inspection import inspect_curve
+    from exactspline.geometry.analysis.inspection import inspect_curve
     from workshop.bench.inputs import along
 
     # formulas are traced once per kind of curve, whatever its length
@@ -62,7 +62,7 @@ def _read(count: int) -> Callable[[], object]:
 
 
 def _analyse(count: int) -> Callable[[], object]:
-    from exactspline.geometry.analysis import analyse
+    from exactspline.geometry.analysis.curves import analyse
     from workshop.bench.inputs import along
 
     def call() -> object:
@@ -73,7 +73,7 @@ def _analyse(count: int) -> Callable[[], object]:
 
 
 def _first_use(count: int) -> Callable[[], object]:
-    from exactspline.geometry.analysis import analyse
+    from exactspline.geometry.analysis.curves import analyse
     from workshop.bench.inputs import MIXED
 
     curves = [MIXED.curve(i) for i in range(count)]
@@ -81,7 +81,7 @@ def _first_use(count: int) -> Callable[[], object]:
 
 
 def _trim(_: int) -> Callable[[], object]:
-    from exactspline.geometry.bisector.trimmed import trimmed_bisector
+    from exactspline.geometry.bisectors.trimmed import trimmed_bisector
     from workshop.bench.inputs import wandering
 
     c = wandering(3, 500, rational=False)
@@ -89,7 +89,7 @@ def _trim(_: int) -> Callable[[], object]:
 
 
 def _trim_rational(_: int) -> Callable[[], object]:
-    from exactspline.geometry.bisector.trimmed import trimmed_bisector
+    from exactspline.geometry.bisectors.trimmed import trimmed_bisector
     from workshop.bench.inputs import wandering
 
     c = wandering(5, 10, rational=True)

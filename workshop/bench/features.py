@@ -10,8 +10,8 @@ from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
 from exactspline.batch.families import Family
-from exactspline.geometry.analysis import analyse
-from exactspline.geometry.kinds import FeatureKind
+from exactspline.geometry.analysis.curves import analyse
+from exactspline.geometry.curves.kinds import FeatureKind
 from exactspline.splines.nurbs import Nurbs
 from workshop.bench import alone
 from workshop.bench.inputs import MIXED
@@ -51,7 +51,7 @@ def _together(curves: Sequence[Nurbs]) -> Iterator[Row]:
     if not installed("numpy"):
         yield missing(FEATURES, TOGETHER, "numpy")
         return
-    from exactspline.geometry.many_curves import features_of_curves
+    from exactspline.geometry.analysis.many_curves import features_of_curves
 
     features = features_of_curves(_again(curves))
     timed: dict[str, Timed] = {OURS: (features_of_curves, lambda: _again(curves))}  # type: ignore[dict-item]  # as made
@@ -73,7 +73,7 @@ def _batch(count: int, kind: str) -> Iterator[Row]:
         return
     import numpy
 
-    from exactspline.geometry.many_curves import features_of_many
+    from exactspline.geometry.analysis.many_curves import features_of_many
 
     words = f"degree=3 count={count} seed=2 rational={'yes' if kind else 'no'}"
     data = [_floats(c) for c in map(Family.parsed(words).curve, range(count))]

@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterator
 from fractions import Fraction
 from typing import Any
 
-from exactspline.geometry.floats import curvature_floats
+from exactspline.geometry.curves.floats import curvature_floats
 from exactspline.numbers.exact import mpq
 from exactspline.splines.nurbs import Nurbs
 from workshop.bench.inputs import curve

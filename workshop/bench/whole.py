@@ -13,7 +13,7 @@ from tempfile import TemporaryDirectory
 
 from exactspline.batch.corpus import Problem, items
 from exactspline.errors import ExactSplineError
-from exactspline.geometry.inspection import inspect_curve
+from exactspline.geometry.analysis.inspection import inspect_curve
 from exactspline.interchange.examples import example_names
 from exactspline.splines.nurbs import Nurbs
 from workshop.bench.row import OURS, Options, Row, best, bounded

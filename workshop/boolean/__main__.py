@@ -15,7 +15,7 @@ from collections.abc import Sequence
 from exactspline.atomic_write import write_text
 from exactspline.display.sheet import Sheet
 from exactspline.errors import CurveFileError
-from exactspline.geometry.winding import FillRule
+from exactspline.geometry.pairs.winding import FillRule
 from exactspline.numbers.exact import rational, text
 from workshop.boolean.grading import ENGINES, Graded, Outcome, graded, started
 from workshop.boolean.judge import Operation, judged

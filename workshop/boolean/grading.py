@@ -11,7 +11,7 @@ from importlib import resources
 from importlib.util import find_spec
 
 from exactspline.errors import ExactSplineError
-from exactspline.geometry.winding import FillRule
+from exactspline.geometry.pairs.winding import FillRule
 from exactspline.numbers.exact import mpq, text
 from workshop.boolean.angles import confirms, farthest, suspects
 from workshop.boolean.judge import Judgement, Operation, judged, judged_at

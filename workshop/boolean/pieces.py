@@ -9,7 +9,7 @@ from itertools import pairwise
 from typing import NamedTuple
 
 from exactspline.errors import CurveFileError, ShapeError
-from exactspline.geometry.winding import FillRule
+from exactspline.geometry.pairs.winding import FillRule
 from exactspline.interchange.limits import Limits
 from exactspline.interchange.svg_paths import subpaths
 from exactspline.numbers.exact import mpq

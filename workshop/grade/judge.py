@@ -11,7 +11,7 @@ from math import isfinite, ulp
 from typing import Any
 
 from exactspline.errors import ExactSplineError
-from exactspline.geometry.analysis import analyse
+from exactspline.geometry.analysis.curves import analyse
 from exactspline.numbers.exact import double, from_float, mpq
 from exactspline.splines.nurbs import Nurbs
 from exactspline.testing import Case

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from enum import StrEnum
 
-from exactspline.geometry.analysis import QUESTIONS as OF_CURVES
+from exactspline.geometry.analysis.curves import QUESTIONS as OF_CURVES
 
 
 class Judged(StrEnum):

@@ -7,8 +7,8 @@ from dataclasses import replace
 from typing import Any
 
 from exactspline.errors import ExactSplineError
-from exactspline.geometry.analysis import analyse
-from exactspline.geometry.kinds import FeatureKind
+from exactspline.geometry.analysis.curves import analyse
+from exactspline.geometry.curves.kinds import FeatureKind
 from exactspline.numbers.exact import mpq
 from exactspline.numbers.intervals import Interval
 from exactspline.splines.nurbs import Nurbs

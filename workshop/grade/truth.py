@@ -12,13 +12,13 @@ from functools import reduce
 from operator import add
 
 from exactspline.errors import ExactSplineError
-from exactspline.geometry import balls
-from exactspline.geometry.analysis import analyse
-from exactspline.geometry.curve_pair import CurvePair
-from exactspline.geometry.extent import coordinate_range, slope
-from exactspline.geometry.intersections import intersections
-from exactspline.geometry.nearest import nearest
-from exactspline.geometry.values_along import curvature, point_at, torsion, unit
+from exactspline.geometry.analysis.curves import analyse
+from exactspline.geometry.analysis.pairs import CurvePair
+from exactspline.geometry.curves import balls
+from exactspline.geometry.curves.extent import coordinate_range, slope
+from exactspline.geometry.curves.values import curvature, point_at, torsion, unit
+from exactspline.geometry.pairs.intersections import intersections
+from exactspline.geometry.pairs.nearest import nearest
 from exactspline.language.vector import Vector, triple
 from exactspline.numbers.exact import double, from_float, mpq, text
 from exactspline.reals.real import Real, square_root

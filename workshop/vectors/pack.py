@@ -15,8 +15,8 @@ from exactspline.atomic_write import write_text
 from exactspline.batch.oracle import items, pair_items
 from exactspline.batch.oracle_answers import Item
 from exactspline.errors import ExactSplineError
-from exactspline.geometry.analysis import QUESTIONS, questions_about
-from exactspline.geometry.curve_pair import CurvePair
+from exactspline.geometry.analysis.curves import QUESTIONS, questions_about
+from exactspline.geometry.analysis.pairs import CurvePair
 from exactspline.numbers.exact import double, text
 from exactspline.questions.entry import Answered, questions_of
 from exactspline.reals.real import Real

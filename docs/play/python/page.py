@@ -113,7 +113,7 @@ def pair(data: dict[str, Any]) -> dict[str, Any]:
     """The common points of two plane curves; the pairs of one abscissa, of one ordinate, and of the bisector if it is
     asked for, drawn in doubles.
     """
-    from exactspline.geometry.bisector.plane_pair import PlanePair
+    from exactspline.geometry.bisectors.plane_pair import PlanePair
 
     first, second = _curve(data["first"]), _curve(data["second"])
     found = xs.intersections(first, second)

@@ -181,7 +181,7 @@ def _elsewhere(everything: bool) -> dict[str, Iterable[str]]:
 
 def _certify(names: list[str] | None) -> None:
     """Certificates of all constructions on the curves, or on the witnesses of the generic curve."""
-    from exactspline.geometry.constructions import all_constructions, constructions_for
+    from exactspline.geometry.derived.constructions import all_constructions, constructions_for
     from exactspline.verification.degree_tables import WITNESSES
     from exactspline.verification.minimality import attained, certificate
 

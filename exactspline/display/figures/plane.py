@@ -8,8 +8,8 @@ from exactspline.display.plot.canvas import GREEN, ORANGE, PAGE, SILVER, VERMILL
 from exactspline.display.plot.curves import plot_curve, plot_evolute, plot_features, plot_quotient
 from exactspline.display.plot.functions import draw_roots, plot_function
 from exactspline.errors import counted
-from exactspline.geometry.analysis import analyse
-from exactspline.geometry.constructions import construction
+from exactspline.geometry.analysis.curves import analyse
+from exactspline.geometry.derived.constructions import construction
 from exactspline.interchange.examples import example
 from exactspline.language.rational import Rational
 from exactspline.numbers.exact import mpq

@@ -11,10 +11,10 @@ from exactspline.display.plot.functions import plot_function
 from exactspline.display.plot.in_space import HOMES, picture
 from exactspline.display.plot.options import check_names
 from exactspline.errors import ShapeError
-from exactspline.geometry.bisector.point_and_curve import PointBisector, RuledPiece
-from exactspline.geometry.bisector.two_curves import CurveBisector
-from exactspline.geometry.derived import Derived
-from exactspline.geometry.surface.inspection import SurfaceInspection
+from exactspline.geometry.analysis.surfaces import SurfaceInspection
+from exactspline.geometry.bisectors.point_and_curve import PointBisector, RuledPiece
+from exactspline.geometry.bisectors.two_curves import CurveBisector
+from exactspline.geometry.derived.derive import Derived
 from exactspline.hooks import named
 from exactspline.language.rational import Rational
 from exactspline.language.ruled import RuledSurface

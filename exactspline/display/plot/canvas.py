@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, Any, TypeVar
 
 from exactspline.atomic_write import write_atomically
 from exactspline.errors import ExactSplineError, a_kind, counted, shown
-from exactspline.geometry.kinds import Feature
+from exactspline.geometry.curves.kinds import Feature
 from exactspline.numbers.exact import Number, mpq, rational
 from exactspline.roots.root import Root
 from exactspline.splines.nurbs import Nurbs

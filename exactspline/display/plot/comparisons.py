@@ -28,20 +28,20 @@ from exactspline.display.plot.canvas import (
 from exactspline.display.plot.curves import plot_curve, plot_evolute, plot_features
 from exactspline.display.plot.functions import draw_roots, plot_function
 from exactspline.errors import as_items, counted
-from exactspline.geometry.analysis import QUESTIONS, analyse, questions_about
-from exactspline.geometry.constructions import construction
-from exactspline.geometry.facts import among, located
-from exactspline.geometry.joints import Joint
-from exactspline.geometry.kinds import Feature, FeatureKind, kind_name
+from exactspline.geometry.analysis.curves import QUESTIONS, analyse, questions_about
+from exactspline.geometry.curves.facts import among, located
+from exactspline.geometry.curves.joints import Joint
+from exactspline.geometry.curves.kinds import Feature, FeatureKind, kind_name
+from exactspline.geometry.derived.constructions import construction
 from exactspline.numbers.exact import iroot, mpq
 from exactspline.numbers.sides import Side
 from exactspline.questions.entry import Answered
 from exactspline.roots.root import Root, knot_root
 from exactspline.roots.zero_set import ZeroSet
 from exactspline.splines.bspline import BSpline
-from exactspline.splines.expected import curve_of
 from exactspline.splines.lowest_terms import control_point_count
 from exactspline.splines.nurbs import Nurbs
+from exactspline.splines.type_checks import curve_of
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -98,7 +98,7 @@ def inspect_figure(
     points in the titles are those of the objects. Returns the ``matplotlib.figure.Figure``; raises what the functions
     above raise.
 
-    >>> from exactspline.geometry.constructions import construction
+    >>> from exactspline.geometry.derived.constructions import construction
     >>> from exactspline.interchange.examples import example
     >>> from exactspline.roots.zero_set import zeros
     >>> f = construction("zero_curvature").on(example("cubic_s"), "paper")

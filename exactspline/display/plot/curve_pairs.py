@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING
 
 from exactspline.display.plot.canvas import BLACK, GREEN, VERMILLION, draw, legend_below, new_figure, parameter
 from exactspline.display.plot.curves import plot_curve
-from exactspline.geometry.curve_pair import CurvePair
-from exactspline.geometry.intersections import Overlap
+from exactspline.geometry.analysis.pairs import CurvePair
+from exactspline.geometry.pairs.intersections import Overlap
 from exactspline.numbers.exact import mpq
 from exactspline.reals.real import Real
 

@@ -27,8 +27,8 @@ from exactspline.display.plot.canvas import (
 from exactspline.display.plot.frames import Box, box_around, grown, homogeneous, inside, kept, longer_side, usual_box
 from exactspline.display.plot.options import check_options, exact_box
 from exactspline.errors import ShapeError, a_kind, as_items
-from exactspline.geometry.derived import derive
-from exactspline.geometry.kinds import Feature
+from exactspline.geometry.curves.kinds import Feature
+from exactspline.geometry.derived.derive import derive
 from exactspline.language.parts import split
 from exactspline.language.rational import Rational
 from exactspline.language.vector import Vector
@@ -37,8 +37,8 @@ from exactspline.numbers.sides import Side
 from exactspline.roots.root import Root
 from exactspline.roots.zero_set import zeros
 from exactspline.splines.bspline import BSpline
-from exactspline.splines.expected import curve_of
 from exactspline.splines.nurbs import Nurbs
+from exactspline.splines.type_checks import curve_of
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

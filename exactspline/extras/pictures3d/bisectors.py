@@ -28,11 +28,11 @@ from exactspline.display.plot.frames import Box, box_around, clipped, grown, kep
 from exactspline.errors import ReachError
 from exactspline.extras.pictures3d.meshes import SurfaceMesh, tensor_mesh
 from exactspline.extras.pictures3d.surfaces import mark_points, plot_mesh, show_box
-from exactspline.geometry.bisector.components import Correspondence, LineComponent, SinglePair, Solutions
-from exactspline.geometry.bisector.plane_curves import PlaneBisector
-from exactspline.geometry.bisector.point_and_curve import PointBisector
-from exactspline.geometry.bisector.trimmed import TrimmedBisector
-from exactspline.geometry.bisector.two_curves import CurveBisector
+from exactspline.geometry.bisectors.components import Correspondence, LineComponent, SinglePair, Solutions
+from exactspline.geometry.bisectors.plane_curves import PlaneBisector
+from exactspline.geometry.bisectors.point_and_curve import PointBisector
+from exactspline.geometry.bisectors.trimmed import TrimmedBisector
+from exactspline.geometry.bisectors.two_curves import CurveBisector
 from exactspline.language.rational import Rational
 from exactspline.language.vector import Vector, cross, dot
 from exactspline.numbers.exact import Number, mpq, rational
@@ -59,7 +59,7 @@ def plot_curve_bisector(bisector: CurveBisector, ax: Axes | None = None, *, box:
     pairs, in a box around both curves.
 
     >>> from exactspline import Nurbs
-    >>> from exactspline.geometry.bisector.two_curves import curve_bisector
+    >>> from exactspline.geometry.bisectors.two_curves import curve_bisector
     >>> low, high = (Nurbs(1, [0, 0, 1, 1], [(0, 0, z), (2, 0, z)]) for z in (0, 1))
     >>> [text.get_text() for text in plot_curve_bisector(curve_bisector(low, high)).get_legend().get_texts()]
     ['curve of s', 'curve of t', 'lines of s - t = 0']
@@ -234,7 +234,7 @@ def plot_plane_bisector(bisector: PlaneBisector, ax: Axes | None = None) -> Axes
     others in grey.
 
     >>> from exactspline import Nurbs
-    >>> from exactspline.geometry.bisector.plane_curves import PlaneBisector
+    >>> from exactspline.geometry.bisectors.plane_curves import PlaneBisector
     >>> line, other = (Nurbs(1, [0, 0, 1, 1], points) for points in ([(0, 0), (2, 0)], [(0, 1), (3, 4)]))
     >>> [text.get_text() for text in plot_plane_bisector(PlaneBisector(line, other)).get_legend().get_texts()]
     ['curve of s', 'curve of t', 'bisector']
@@ -272,7 +272,7 @@ def plot_trimmed_bisector(
     """The true bisector of a point and a plane curve: arcs, and the straight pieces of ends and corners.
 
     >>> from exactspline import Nurbs
-    >>> from exactspline.geometry.bisector.trimmed import trimmed_bisector
+    >>> from exactspline.geometry.bisectors.trimmed import trimmed_bisector
     >>> line = Nurbs(1, [0, 0, 1, 1], [(-4, 0), (4, 0)])
     >>> ax = plot_trimmed_bisector(trimmed_bisector(line, (0, 2)), line, (0, 2))
     >>> [text.get_text() for text in ax.get_legend().get_texts()]

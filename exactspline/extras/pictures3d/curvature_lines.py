@@ -12,9 +12,10 @@ from itertools import product
 from math import atan2, comb, cos, dist, hypot, inf, sin
 from typing import TYPE_CHECKING, Any, NamedTuple
 
+from exactspline.bivariate.borders import Patch
 from exactspline.display.plot.canvas import GREY, library
 from exactspline.formulas.surfaces.by_forms import area_of_forms, minimality_of_forms, parabolic_of_forms
-from exactspline.geometry.surface.forms import Patch, SurfaceForms
+from exactspline.geometry.surfaces.forms import SurfaceForms
 from exactspline.language.arguments import Operands
 from exactspline.language.vector import Vector, cross, dot, norm2
 from exactspline.numbers.once import cached_property

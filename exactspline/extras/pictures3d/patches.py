@@ -10,13 +10,13 @@ from collections.abc import Iterator
 from math import cos, pi, radians, sin
 from typing import TYPE_CHECKING, Any
 
+from exactspline.bivariate.signs import Point
+from exactspline.bivariate.surface_points import Place
 from exactspline.display.plot.canvas import BLACK, GREEN, PAGE, VERMILLION, draw, library, new_figure
 from exactspline.errors import as_instance, counted
 from exactspline.extras.pictures3d.curvature_lines import FAMILIES, Samples, lines_of_curvature
 from exactspline.extras.pictures3d.surfaces import shaded
-from exactspline.geometry.surface.inspection import PatchInspection, PatchKind, SurfaceInspection
-from exactspline.geometry.surface.places import Place
-from exactspline.geometry.surface.signs import Point
+from exactspline.geometry.analysis.surfaces import PatchInspection, PatchKind, SurfaceInspection
 from exactspline.numbers.exact import mpq
 from exactspline.roots.of_polynomials import enclosing
 from exactspline.splines.surface import Along

@@ -31,10 +31,10 @@ from exactspline.language.vector import Vector
 from exactspline.numbers.exact import Number, rational
 from exactspline.papers import find
 from exactspline.splines.bspline import BSpline
-from exactspline.splines.expected import curve_of
 from exactspline.splines.lowest_terms import SplineSurface
 from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.tensor import TensorSpline, surface_pair
+from exactspline.splines.type_checks import curve_of
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

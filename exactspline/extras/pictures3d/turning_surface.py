@@ -6,6 +6,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 
+from exactspline.bivariate.signs import Point
 from exactspline.display.plot.canvas import BLACK, GREEN, VERMILLION
 from exactspline.display.plot.frames import box_around, grown, three_ticks
 from exactspline.extras.pictures3d.curvature_lines import FAMILIES, Samples, lines_of_curvature
@@ -32,8 +33,7 @@ from exactspline.extras.pictures3d.patches import (
     singular_spots,
     umbilic_spots,
 )
-from exactspline.geometry.surface.inspection import PatchInspection, SurfaceInspection
-from exactspline.geometry.surface.signs import Point
+from exactspline.geometry.analysis.surfaces import PatchInspection, SurfaceInspection
 from exactspline.numbers.exact import from_float
 
 #: The meanings of the colours of faces.

@@ -21,9 +21,9 @@ from exactspline.extras.teaching.exercises import (
 from exactspline.extras.teaching.parts import Math, Point
 from exactspline.extras.teaching.triangles import de_boor_triangle
 from exactspline.formulas.derivatives import towards_centre
-from exactspline.geometry import values_along
-from exactspline.geometry.analysis import analyse
-from exactspline.geometry.kinds import FeatureKind
+from exactspline.geometry.analysis.curves import analyse
+from exactspline.geometry.curves import values as values_along
+from exactspline.geometry.curves.kinds import FeatureKind
 from exactspline.language.vector import Vector, det
 from exactspline.numbers.exact import is_square, mpq, text
 from exactspline.papers import find

@@ -18,10 +18,10 @@ from exactspline.errors import DomainError, KnotError, ShapeError, counted, show
 from exactspline.numbers.exact import Number, mpq, rational, short_text, text
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.control_points import Point, projected
-from exactspline.splines.expected import curve_of, spline_of
-from exactspline.splines.given import MAX_DEGREE
+from exactspline.splines.inputs import MAX_DEGREE
 from exactspline.splines.knots import KnotVector
 from exactspline.splines.nurbs import Nurbs
+from exactspline.splines.type_checks import curve_of, spline_of
 
 #: A tuple of coordinates: the value of a function, the point of a polynomial curve, or ``(w x, …, w)`` of a rational
 #: curve.

@@ -1,1 +1,3 @@
-"""Which pieces of a curve are lines, circles or conics, exactly or within a proved distance."""
+"""Curves and surfaces that are lines, circles, conics, planes, spheres, cylinders, cones or tori, exactly or within a
+proved distance.
+"""

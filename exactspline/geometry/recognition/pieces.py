@@ -15,14 +15,15 @@ from exactspline.geometry.recognition.proof import never_negative, proved_distan
 from exactspline.geometry.recognition.shapes import Conic, CurveShape, Plane, Point, Shape, ShapeKind, upper_square_root
 from exactspline.numbers.exact import Number, mpq
 from exactspline.numbers.once import cached_property
-from exactspline.questions.answers import CurvePiece, Described
+from exactspline.questions.answers import Described
 from exactspline.reals.real import Real, real
+from exactspline.roots.answers import CurvePiece
 from exactspline.roots.values import sign_at
 from exactspline.roots.zero_set import zeros
 from exactspline.splines.bspline import BSpline
-from exactspline.splines.expected import curve_of
 from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.precision import distance
+from exactspline.splines.type_checks import curve_of
 
 #: A segment is divided into this many parts, at whose ends points are taken to guess a shape.
 PARTS = 6

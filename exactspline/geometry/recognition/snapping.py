@@ -15,9 +15,9 @@ from exactspline.interchange.segments import Segment, arc_around_origin, joined,
 from exactspline.language.wronskians import wronskians
 from exactspline.numbers.exact import Number, mpq
 from exactspline.numbers.sides import Side
-from exactspline.splines.expected import curve_of
 from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.precision import distance
+from exactspline.splines.type_checks import curve_of
 from exactspline.words import choice
 
 #: The shapes that can be written exactly between two given points.

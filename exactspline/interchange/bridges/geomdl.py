@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING
 from exactspline.errors import ShapeError
 from exactspline.interchange.bridges.values import doubles, exact, exact_rows
 from exactspline.interchange.writing import homogeneous
-from exactspline.splines.expected import curve_of
 from exactspline.splines.nurbs import Nurbs
+from exactspline.splines.type_checks import curve_of
 
 if TYPE_CHECKING:
     import geomdl.abstract

@@ -6,8 +6,8 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 from exactspline.numbers.exact import mpq
-from exactspline.splines.expected import curve_of
 from exactspline.splines.nurbs import Nurbs
+from exactspline.splines.type_checks import curve_of
 
 if TYPE_CHECKING:
     import mpmath

@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, NamedTuple
 from exactspline.errors import as_items
 from exactspline.interchange.bridges.values import doubles
 from exactspline.numbers.exact import Number, from_float, is_float
-from exactspline.splines.expected import curve_of
 from exactspline.splines.nurbs import Nurbs
+from exactspline.splines.type_checks import curve_of
 
 if TYPE_CHECKING:
     import numpy as np

@@ -10,8 +10,8 @@ from exactspline.errors import ShapeError, shown
 from exactspline.interchange.bridges.values import doubles, exact, exact_rows
 from exactspline.numbers.exact import mpq
 from exactspline.splines.bspline import BSpline
-from exactspline.splines.expected import curve_of
 from exactspline.splines.nurbs import Nurbs
+from exactspline.splines.type_checks import curve_of
 
 if TYPE_CHECKING:
     import numpy as np

@@ -6,8 +6,8 @@ from typing import TYPE_CHECKING
 
 from exactspline.errors import ShapeError, a_kind
 from exactspline.interchange.bridges.values import doubles, exact, exact_rows
-from exactspline.splines.expected import curve_of
 from exactspline.splines.nurbs import Nurbs
+from exactspline.splines.type_checks import curve_of
 
 if TYPE_CHECKING:
     import splinepy.spline

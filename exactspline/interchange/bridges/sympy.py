@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING
 from exactspline.errors import as_instance
 from exactspline.numbers.exact import mpq
 from exactspline.splines.bspline import BSpline
-from exactspline.splines.expected import curve_of
 from exactspline.splines.nurbs import Nurbs
+from exactspline.splines.type_checks import curve_of
 
 if TYPE_CHECKING:
     import sympy

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import cast
 
 from exactspline.errors import FormulaError, ShapeError, counted
-from exactspline.geometry.constructions import Variant, construction
+from exactspline.geometry.derived.constructions import Variant, construction
 from exactspline.numbers.exact import mpq, text
 from exactspline.numbers.intervals import Interval
 from exactspline.polynomials.bernstein import Form, value

@@ -140,7 +140,7 @@ def count_of_extrema(zero_set: ZeroSet, own: Evaluation) -> int | None:
     """The number of extrema of the curvature, if a formula with these zeros changes its sign there and nowhere else;
     otherwise None, since the formula does not determine them.
     """
-    from exactspline.geometry.analysis import analyse
+    from exactspline.geometry.analysis.curves import analyse
 
     extrema = analyse(own.curve).curvature_extrema
     changes = [root for root in zero_set if root.sign_change]
@@ -156,7 +156,7 @@ def extrema_at_ends(curve: Nurbs) -> int:
     >>> extrema_at_ends(example("six_segment_cubic"))
     2
     """
-    from exactspline.geometry.analysis import analyse
+    from exactspline.geometry.analysis.curves import analyse
 
     jumps = [each.root for each in analyse(curve).curvature_extrema if each.by_jump]
     return max(sum(root in ends for root in jumps) for ends in pairwise(curve.breakpoints))
@@ -164,8 +164,8 @@ def extrema_at_ends(curve: Nurbs) -> int:
 
 def _cusps(formula: Formula, own: Evaluation) -> int | None:
     """The number of places where a derived curve turns back, between its poles; None where it is not one curve."""
-    from exactspline.geometry.derived import derive
-    from exactspline.geometry.poles import between_poles
+    from exactspline.geometry.curves.poles import between_poles
+    from exactspline.geometry.derived.derive import derive
 
     derived = derive(formula, own.curve)
     return None if derived.missing else len(between_poles(derived).reversals)

@@ -12,7 +12,7 @@ from time import process_time
 import pytest
 
 from exactspline import Nurbs
-from exactspline.geometry.inspection import inspect_curve
+from exactspline.geometry.analysis.inspection import inspect_curve
 
 
 def spline(segments, dimension):

@@ -12,7 +12,7 @@ from time import perf_counter
 import pytest
 
 from exactspline import Nurbs
-from exactspline.geometry.analysis import analyse
+from exactspline.geometry.analysis.curves import analyse
 from exactspline.roots.zero_set import zeros
 
 FORMS = ("squaring", "paper", "minimal")
@@ -64,7 +64,7 @@ def cost(form, degree, segments, rounds=3):
 
 
 def zero_form_only(c, form):
-    from exactspline.geometry.constructions import construction
+    from exactspline.geometry.derived.constructions import construction
 
     return construction("critical_curvature").on(c, form)
 

@@ -12,7 +12,7 @@ from time import process_time
 import numpy as np
 
 from exactspline import Nurbs, analyse
-from exactspline.geometry.many_curves import features_of_many
+from exactspline.geometry.analysis.many_curves import features_of_many
 from exactspline.numbers.exact import from_float
 
 

@@ -16,10 +16,10 @@ from flint import Ordering, fmpz_mpoly_ctx
 from sympy.polys.rings import ring
 
 from exactspline import NurbsSurface, analyse, example
-from exactspline.geometry.surface.forms import SurfaceForms, on_patch
-from exactspline.geometry.surface.signs import sign_on_patch
-from exactspline.geometry.surface.umbilics import umbilics_of_patch
-from exactspline.geometry.surface.zero_curve import ZeroCurve
+from exactspline.bivariate.signs import sign_on_patch
+from exactspline.bivariate.zero_curve import ZeroCurve
+from exactspline.geometry.surfaces.forms import SurfaceForms, on_patch
+from exactspline.geometry.surfaces.umbilics import umbilics_of_patch
 
 BICUBICS = range(20)
 

@@ -1,0 +1,80 @@
+"""Points found patch by patch, as points of the whole surface: each once on borders and seams, with the sides from
+which it was found, and none that is on an edge, a line or a curve on which the same holds everywhere.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Container, Hashable, Iterable, Sequence
+from itertools import product
+
+from exactspline.bivariate.surface_points import Place
+from exactspline.numbers.intervals import Box
+from exactspline.roots.of_polynomials import Parameter
+from exactspline.splines.surface import Along
+
+#: A point by its parameters.
+Spot = tuple[Parameter, Parameter]
+#: The ends of an interval of parameters.
+Ends = tuple[Parameter, Parameter]
+#: A closed rectangle of parameters, or an edge, a line.
+Sides = tuple[Ends, Ends]
+#: The sides of a point, in u and in v, on which something lies: independent of how knots cut the patches around it.
+Sectors = set[tuple[int, int]]
+
+
+def single_places(
+    places: Iterable[Place], parts: Sequence[Sides], curves: Container[Spot], domain: Box, closed: Sequence[Along]
+) -> list[list[Place]]:
+    """The places that are one point, together; without points on borders of patches that are in one of the `parts`, or
+    at which an arc of one of the `curves` ends: it does not matter on which patch these are.
+    """
+    groups: dict[Hashable, list[Place]] = {}
+    for place in places:
+        if place.is_inside:
+            groups[id(place)] = [place]
+            continue
+        spot = once(place.spot, domain, closed)
+        if spot not in curves and not any(is_in(spot, part, domain, closed) for part in parts):
+            groups.setdefault(spot, []).append(place)
+    return list(groups.values())
+
+
+def together(own: Sequence[Place]) -> Place:
+    """One point found on several patches."""
+    first, *others = own
+    return first.with_patches(tuple(patch for place in others for patch in place.patches))
+
+
+def is_in(spot: Spot, box: Sides, domain: Box, closed: Sequence[Along]) -> bool:
+    """Whether a point is in a closed rectangle, with the two ends of a closed surface identified."""
+    return any(within(one, box) for one in alike(spot, domain, closed))
+
+
+def within(spot: Spot, box: Sides) -> bool:
+    """Whether a point is in a closed rectangle."""
+    return all(low <= t <= high for t, (low, high) in zip(spot, box, strict=True))
+
+
+def once(spot: Spot, domain: Box, closed: Sequence[Along]) -> Spot:
+    """The point with the first parameter instead of the last one where the surface is closed."""
+    u, v = (
+        side[0] if line in closed and t == side[1] else t for t, side, line in zip(spot, domain, Along, strict=True)
+    )
+    return u, v
+
+
+def alike(spot: Spot, domain: Box, closed: Sequence[Along]) -> list[Spot]:
+    """All pairs of parameters of a point: two for each seam that it is on."""
+    u, v = (
+        list(side) if line in closed and (t == side[0] or t == side[1]) else [t]
+        for t, side, line in zip(spot, domain, Along, strict=True)
+    )
+    return list(product(u, v))
+
+
+def sectors(spot: Spot, box: Box) -> Sectors:
+    """The sides of a point of a closed rectangle on which the rectangle is."""
+    first, second = (
+        [sign for sign, end in ((-1, low), (1, high)) if t != end] for t, (low, high) in zip(spot, box, strict=True)
+    )
+    return set(product(first, second))

@@ -1,0 +1,324 @@
+"""The proof of all common zeros of functions of two parameters, as JSON data for `exactspline.certificates`."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from dataclasses import dataclass
+from itertools import combinations, pairwise, product
+from typing import Any
+
+from flint import fmpq_poly, fmpz_mpoly, fmpz_poly
+
+from exactspline.bivariate.borders import EDGES
+from exactspline.bivariate.common_zeros import CommonZero, Projection, projected
+from exactspline.certificates import COMMON_ZEROS
+from exactspline.certificates import certificate as written
+from exactspline.certificates.common_zeros import CROSSED, EDGE, ELIMINATED, FIRST, POINT, SECOND
+from exactspline.errors import ReachError
+from exactspline.numbers.exact import mpq, text, to_fmpq
+from exactspline.numbers.intervals import UNIT, Box, Interval
+from exactspline.numbers.once import cached_property
+from exactspline.polynomials.elimination import resultant
+from exactspline.polynomials.factorization import divided_out
+from exactspline.polynomials.factors import greatest_common_divisor
+from exactspline.polynomials.patch_forms import PatchForm, Sized, halved, powers_of
+from exactspline.polynomials.two_parameters import CONTEXT, S, T, as_form, lifted, rows_of
+from exactspline.roots.of_polynomials import Place, enclosing
+from exactspline.roots.root import Root
+from exactspline.roots.vanishing import vanish_at
+from exactspline.splines.tensor import TensorSpline
+
+#: The sizes of regions (bits) that are tried, and the largest number of boxes.
+BITS, BOXES = (1, 2, 3, 4, 6, 8, 12, 16, 24, 32, 48, 64, 96, 128, 192, 256), 20_000
+#: The largest product of the degrees of two functions whose multiple zeros are proved (a few seconds to check).
+DEGREES = 150
+#: The bits of the coefficients of combinations.
+SHORT = 16
+REMEDY = "ask for the points; they are exact also without a certificate"
+
+#: A zero of two functions, and the patches on which it was found.
+Found = tuple[Place, Iterable[tuple[int, int]]]
+
+
+def common_zeros_certificate(functions: Sequence[TensorSpline], found: Sequence[Found]) -> dict[str, object]:
+    """The certificate of all common zeros of functions on one mesh, given these zeros and the patches that have them.
+
+    Raises `ReachError` where there are too many boxes, or the degrees are too high.
+    """
+
+    def proved(patch: tuple[int, int]) -> dict[str, Any]:
+        places = [place for place, own in found if patch in own]
+        return _patch([f.patch_form(*patch) for f in functions], functions[0].patch(*patch), places)
+
+    return written(COMMON_ZEROS, on_each_patch(functions[0], proved))
+
+
+def on_each_patch(function: TensorSpline, proved: Callable[[tuple[int, int]], dict[str, object]]) -> dict[str, object]:
+    """The knots in both directions, and what is proved of each patch between them, with its indices."""
+    first, second = (range(len(mesh)) for mesh in function.meshes)
+    return {
+        "knots": [[text(t) for t in mesh.breaks] for mesh in function.meshes],
+        "patches": [{"patch": list(patch)} | proved(patch) for patch in product(first, second)],
+    }
+
+
+def _patch(given: Sequence[PatchForm], sides: Box, places: Sequence[Place]) -> dict[str, Any]:
+    degree = max(f.degree[0] for f in given), max(f.degree[1] for f in given)
+    forms = [form.elevated(degree) for form in given]
+    zeros = [ZeroOnPatch(forms, sides, place) for place in places]
+    regions = [zero.region(bits) for zero, bits in zip(zeros, _sizes(zeros), strict=True)]
+    return {
+        "functions": [[[str(x) for x in row] for row in form.matrix.tolist()] for form in forms],
+        "zeros": [zero.data(region) for zero, region in zip(zeros, regions, strict=True)],
+        "boxes": list(_boxes(forms, regions)),
+    }
+
+
+def _sizes(zeros: Sequence[ZeroOnPatch]) -> list[int]:
+    """For each zero the size of the largest region that serves, apart from the others."""
+    sizes = [zero.serving(0) for zero in zeros]
+    for i, j in combinations(range(len(zeros)), 2):
+        while zeros[i].region(sizes[i]).meets(zeros[j].region(sizes[j])):
+            for k in (i, j):
+                sizes[k] = zeros[k].serving(sizes[k])
+    return sizes
+
+
+@dataclass
+class ZeroOnPatch:
+    """A zero on a patch, in the parameters of its unit square."""
+
+    forms: Sequence[PatchForm]
+    sides: Box
+    place: Place
+
+    @cached_property
+    def simple(self) -> tuple[int, int] | None:
+        """Two of the functions whose Jacobian is regular here, where the zero can be proved by these."""
+        if len(self.forms) > 2 and self.exact is None and self.edge is None:
+            return None
+        polynomials = self.polynomials
+        for i, j in combinations(range(len(self.forms)), 2):
+            (a, b), (c, d) = ([polynomials[k].derivative(at) for at in (0, 1)] for k in (i, j))
+            jacobian = a * d - b * c
+            if jacobian and not vanish_at([jacobian], *self.local.place):
+                return i, j
+        return None
+
+    @cached_property
+    def local(self) -> CommonZero:
+        """The zero in the unit square."""
+        return CommonZero(UNIT, CommonZero.at(self.sides, self.place).local)
+
+    @cached_property
+    def polynomials(self) -> list[fmpz_mpoly]:
+        """The functions, in the parameters of the unit square."""
+        rows = [powers_of(f) for f in self.forms]
+        return [CONTEXT.from_dict({(i, j): x for i, row in enumerate(p) for j, x in enumerate(row) if x}) for p in rows]
+
+    @cached_property
+    def eliminated(self) -> tuple[Projection, list[list[int]], fmpz_poly]:
+        """The projection of a zero that is not simple, the pair of combinations of which it is one, and the other
+        factors of their resultant.
+        """
+        polynomials, k = self.polynomials, 0
+        if greatest_common_divisor(polynomials).total_degree() > 0:
+            raise ReachError("a certificate of a multiple zero of functions with a common factor", remedy=REMEDY)
+        while True:
+            pair = [[1] + [0] * (len(polynomials) - 1), [0] + [k**i for i in range(len(polynomials) - 1)]]
+            first, second = (sum((c * p for c, p in zip(row, polynomials, strict=True)), S * 0) for row in pair)
+            if second and greatest_common_divisor([first, second]).total_degree() == 0:
+                break
+            k += 1
+        if first.total_degree() * second.total_degree() > DEGREES:
+            raise ReachError("a certificate of a multiple zero of functions of these degrees", remedy=REMEDY)
+        found = projected(self.local, first, second)
+        rows = [rows_of(p.compose(T, S - found.slope * T)) for p in (first, second)]
+        return found, pair, divided_out(resultant(*rows), found.minimal)
+
+    @cached_property
+    def exact(self) -> tuple[mpq, ...] | None:
+        """Both parameters where they are rational."""
+        known = [x.exact if isinstance(x, Root) else x for x in self.place]
+        local = [side.local(x) for side, x in zip(self.sides, known, strict=True) if x is not None]
+        return tuple(local) if len(local) == len(known) else None
+
+    @cached_property
+    def edge(self) -> tuple[int, int] | None:
+        """The edge that it is on: a direction and an end."""
+        ends = ((k, end) for k, end in EDGES if self.place[k] == self.sides[k][end])
+        return next(ends, None)
+
+    def region(self, bits: int) -> Box:
+        """A box around it, about ``2^(1−bits)`` wide, in the square."""
+        width, digits = mpq(1, 1 << bits), bits // 3 + 2
+        around = []
+        for side, x in zip(self.sides, self.place, strict=True):
+            scale = max(mpq(1), 1 / side.width)
+            more = len(str(int(scale)))
+            middle = side.local(enclosing(x, digits + more).middle)
+            middle = mpq((middle / width + mpq(1, 2)) // 1) * width  # few digits
+            around.append(Interval(max(mpq(0), middle - width), min(mpq(1), middle + width)))
+        return Box(*around)
+
+    def combinations(self, region: Box) -> list[list[int]]:
+        """Combinations that are nearly multiples of the distances in both parameters."""
+        assert self.simple is not None
+        i, j = self.simple
+        rows = _preconditioning(self.forms[i].part(region), self.forms[j].part(region))
+        return [_of_two(row, i, j, len(self.forms)) for row in rows]
+
+    def _pair(self, region: Box) -> list[PatchForm]:
+        parts = [f.part(region) for f in self.forms]
+        return [_combination(parts, row) for row in self.combinations(region)]
+
+    def serving(self, last: int) -> int:
+        """The size of the largest region that serves, smaller than the last one."""
+        for bits in BITS:
+            if bits > last and self.serves(bits):
+                return bits
+        raise ReachError(f"a certificate of a common zero in a region of less than {BITS[-1]} bits", remedy=REMEDY)
+
+    def serves(self, bits: int) -> bool:
+        """Whether a region has one zero at most, and this one's existence can be proved in it."""
+        region = self.region(bits)
+        if self.simple is None:
+            return self.is_alone(region)
+        pair = self._pair(region)
+        (a, b), (c, d) = ([form.derivative(k).range for k in (0, 1)] for form in pair)
+        straight, across = [x * y for x in a for y in d], [x * y for x in b for y in c]
+        if not (min(straight) > max(across) or max(straight) < min(across)):
+            return False
+        return self.exact is not None or self.edge is not None or self._is_crossed(pair)
+
+    def is_alone(self, region: Box) -> bool:
+        """Whether the resultant has no other root in the projection of a region."""
+        found, _, rest = self.eliminated
+        side = _projected_side(region, found.slope)
+        return bool(on_interval(rest, side).sign) and (found.minimal.degree() == 1 or has_one_root(found.minimal, side))
+
+    def _is_crossed(self, pair: Sequence[PatchForm]) -> bool:
+        signs = [[_sign(form.edge(k, end)) for end in (0, 1)] for k, form in enumerate(pair)]
+        return all(one * other == -1 for one, other in signs)
+
+    def data(self, region: Box) -> dict[str, object]:
+        """The region, the combinations, and the proof of existence."""
+        data: dict[str, object] = {"region": [[text(x) for x in side] for side in region]}
+        if self.simple is None:
+            return data | {"by": ELIMINATED} | self.by_elimination(region)
+        data["combinations"] = [[str(x) for x in row] for row in self.combinations(region)]
+        if self.exact is not None:
+            return data | {"by": POINT, "point": [text(x) for x in self.exact]}
+        return data | ({"by": CROSSED} if self.edge is None else {"by": EDGE, "edge": list(self.edge)})
+
+    def by_elimination(self, region: Box) -> dict[str, object]:
+        """The proof in a region in which it `is_alone`."""
+        found, pair, _ = self.eliminated
+        above, bottom = found.s.numer(), found.s.denom()
+        return {
+            "slope": str(found.slope),
+            "minimal": [str(c) for c in found.minimal.coeffs()],
+            "above": [str(c) for c in above.coeffs()],
+            "below": str(bottom),
+            "pair": [[str(c) for c in row] for row in pair],
+            "power": found.power,
+            "at": [text(x) for x in self._at(region, found)],
+        }
+
+    def _at(self, region: Box, found: Projection) -> Interval:
+        """An interval of z in which it is proved that the zero is in its region."""
+        minimal = found.minimal
+        if minimal.degree() == 1:
+            return Interval.point(mpq(-int(minimal[0]), int(minimal[1])))
+        side, heights = _projected_side(region, found.slope), [found.s, fmpq_poly([0, 1]) - found.s * found.slope]
+        while not all(map(_is_between, heights, region, [side, side])):
+            low, high = side
+            middle = (low + high) / 2
+            first, value = (minimal(to_fmpq(x)) for x in (low, middle))
+            side = Interval(low, middle) if first * value < 0 else Interval(middle, high)
+        return side
+
+
+def _projected_side(region: Box, slope: int) -> Interval:
+    """The values of ``t + slope s`` on a box."""
+    low, high = (t + slope * s for s, t in zip(*region, strict=True))
+    return Interval(low, high)
+
+
+def on_interval(p: fmpz_poly, side: Interval) -> PatchForm:
+    """A polynomial in one variable on an interval."""
+    return as_form(lifted(p, 0)).part(Box(side, UNIT.second))
+
+
+def has_one_root(p: fmpz_poly, side: Interval) -> bool:
+    """Whether a polynomial certainly has one root in an interval, by Descartes' rule."""
+    values = [x for x in on_interval(p, side).entries if x]
+    return (
+        sum((a > 0) != (b > 0) for a, b in pairwise(values)) == 1 and p(to_fmpq(side.low)) * p(to_fmpq(side.high)) < 0
+    )
+
+
+def _is_between(p: fmpq_poly, bounds: Interval, side: Interval) -> bool:
+    """Whether a polynomial is certainly between two numbers on an interval."""
+    below, above = ((p - to_fmpq(bounds.low)).numer(), (p - to_fmpq(bounds.high)).numer())
+    return bool(on_interval(below, side).range[0] >= 0 and on_interval(above, side).range[1] <= 0)
+
+
+def _of_two(row: Sequence[int], i: int, j: int, count: int) -> list[int]:
+    """A combination of two functions as one of all."""
+    found = [0] * count
+    found[i], found[j] = row
+    return found
+
+
+def _combination(forms: Sequence[PatchForm], coefficients: Sequence[int]) -> PatchForm:
+    matrix = forms[0].matrix * coefficients[0]
+    for f, c in zip(forms[1:], coefficients[1:], strict=True):
+        matrix += f.matrix * c
+    return PatchForm(matrix)
+
+
+def _short(a: Any, b: Any) -> list[int]:
+    """Two integers in nearly the same ratio, of few bits."""
+    shift = max(0, max(int(a).bit_length(), int(b).bit_length()) - SHORT)
+    return [int(a) >> shift, int(b) >> shift]
+
+
+def _sign(values: Sequence[Any]) -> int:
+    return 1 if min(values) > 0 else -1 if max(values) < 0 else 0
+
+
+def _boxes(forms: Sequence[PatchForm], regions: Sequence[Box]) -> Iterator[object]:
+    """Cuts of boxes, regions and combinations with one sign."""
+    todo, boxes = [Sized(UNIT, list(forms), 0)], 0
+    while todo:
+        part, boxes = todo.pop(), boxes + 1
+        if boxes > BOXES:
+            raise ReachError(f"a certificate of more than {BOXES} boxes", remedy=REMEDY)
+        k = next((k for k, region in enumerate(regions) if region.contains(part.box)), None)
+        if k is not None:
+            yield k
+            continue
+        excluded = next((row for row in _candidates(part.forms) if _combination(part.forms, row).sign), None)
+        if excluded is not None:
+            yield [str(x) for x in excluded]
+            continue
+        yield FIRST if part.box.first.width >= part.box.second.width else SECOND
+        todo += reversed(halved(part))
+
+
+def _candidates(forms: Sequence[PatchForm]) -> Iterator[list[int]]:
+    """Combinations that may have one sign."""
+    count = len(forms)
+    yield from ([int(k == i) for k in range(count)] for i in range(count))
+    for i, j in combinations(range(count), 2):
+        for row in _preconditioning(forms[i], forms[j]):
+            yield _of_two(row, i, j, count)
+
+
+def _preconditioning(f: PatchForm, g: PatchForm) -> list[list[int]]:
+    """The rows of the adjugate of the Jacobian, estimated from the corners."""
+    (a, b), (c, d) = (
+        (right + top - low - up, up + top - low - right) for low, up, right, top in (f.corners, g.corners)
+    )
+    return [_short(d, -b), _short(-c, a)]

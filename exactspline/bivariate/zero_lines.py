@@ -1,0 +1,127 @@
+"""Isoparametric lines along which K vanishes: on borders of patches and inside, independent of the knots that
+cut them.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from typing import NamedTuple
+
+from exactspline.bivariate.borders import Edge, Patch, along, line_of, roots_along
+from exactspline.bivariate.common_factor import divided, line_factor
+from exactspline.numbers.intervals import Box, Interval, joined
+from exactspline.polynomials.patch_forms import PatchForm, of_powers
+from exactspline.roots.of_polynomials import Parameter, exactly
+from exactspline.splines.surface import Along
+
+
+@dataclass(frozen=True)
+class ZeroLine:
+    """An isoparametric line along which a form vanishes: the parameter ``along`` runs over the `interval`, the other
+    one is `value`.
+
+    `one_sided` means that it vanishes only as a limit from one side of the line.
+    """
+
+    along: Along
+    value: Parameter
+    interval: Interval
+    #: Whether the line runs through a whole period of a closed surface.
+    closed: bool = False
+    one_sided: bool = False
+
+    @property
+    def box(self) -> tuple[tuple[Parameter, Parameter], tuple[Parameter, Parameter]]:
+        """The parameters of its points."""
+        across = self.value, self.value
+        return (self.interval, across) if self.along is Along.U else (across, self.interval)
+
+
+class LinesOfPatch(NamedTuple):
+    """The edges of a patch and the lines inside along which a form vanishes, as seen from this patch; everywhere
+    if `flat`.
+    """
+
+    patch: Patch
+    sides: Box
+    edges: Sequence[Edge]
+    inner: Sequence[tuple[Along, Parameter]]
+    flat: bool
+
+
+def without_lines(form: PatchForm, sides: Box) -> tuple[PatchForm, tuple[tuple[Along, Parameter], ...]]:
+    """A square-free form on a patch without the factors in a single parameter that vanish inside, and the lines on
+    which these vanish, in the parameters of the surface.
+
+    >>> from gmpy2 import mpq
+    >>> rest, lines = without_lines(PatchForm.of_net([[-1, -2], [1, 2]]), ((mpq(0), mpq(4)), (mpq(0), mpq(1))))
+    >>> rest.degree, lines
+    ((0, 1), ((<Along.V: 'v'>, mpq(2,1)),))
+    """
+    lines: list[tuple[Along, Parameter]] = []
+    for direction in (0, 1):
+        own = [[x] for x in line_factor(form, direction).coeffs()]
+        factor = of_powers(own if direction == 0 else [[x for (x,) in own]])
+        across, (low, high) = Edge(1 - direction, 0), sides[direction]
+        inside = [t for t in roots_along(along(factor, across, sides), across, sides) if low < t < high]
+        if inside:
+            form = divided(form, factor)
+            lines += [(line_of(Edge(direction, 0)), exactly(t)) for t in inside]
+    return form, tuple(lines)
+
+
+def zero_lines(
+    counts: tuple[int, int],
+    domain: Box,
+    patches: Sequence[LinesOfPatch],
+    closed: Sequence[Along] = (),
+    *,
+    beside_flat: bool = False,
+) -> tuple[ZeroLine, ...]:
+    """The lines on all patches, of which there are this many in each direction, neighbours joined; those that are
+    borders of flat patches only if it is asked for lines `beside_flat` ones.
+    """
+    sides: dict[tuple[Along, Parameter, bool], set[Interval]] = {}
+    by_place = {one.patch: one for one in patches}
+    for one in patches:
+        for edge in one.edges:
+            behind = by_place.get(_behind(one.patch, edge, counts, closed))
+            if behind is not None and behind.flat and not beside_flat:
+                continue
+            one_sided = behind is not None and not (behind.flat or Edge(edge.direction, 1 - edge.end) in behind.edges)
+            key = line_of(edge), edge.value(one.sides), one_sided
+            sides.setdefault(key, set()).add(one.sides[1 - edge.direction])
+        for line, value in one.inner:
+            sides.setdefault((line, value, False), set()).add(one.sides[line.direction])
+    lines = []
+    for (line, value, one_sided), intervals in sorted(sides.items(), key=lambda item: item[0]):
+        whole = domain[line.direction]
+        lines += [
+            ZeroLine(line, value, side, line in closed and side == whole, one_sided) for side in joined(intervals)
+        ]
+    return _without_seam(lines, domain, closed)
+
+
+def _behind(patch: Patch, edge: Edge, counts: tuple[int, int], closed: Sequence[Along]) -> Patch:
+    """The patch on the other side of an edge; at the end of a surface that is not closed, the index of a patch that
+    does not exist.
+    """
+    place = list(patch)
+    k = edge.direction
+    place[k] += 1 if edge.end else -1
+    if list(Along)[k] in closed:
+        place[k] %= counts[k]
+    return place[0], place[1]
+
+
+def _without_seam(lines: list[ZeroLine], domain: Box, closed: Sequence[Along]) -> tuple[ZeroLine, ...]:
+    """The lines; one on the seam of a closed surface is listed once."""
+    kept = []
+    for line in lines:
+        across = Along.V if line.along is Along.U else Along.U
+        low, high = domain[across.direction]
+        if across in closed and line.value == high and replace(line, value=low) in lines:
+            continue
+        kept.append(line)
+    return tuple(kept)

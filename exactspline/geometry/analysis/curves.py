@@ -1,0 +1,472 @@
+"""One curve, one analysis: everything known of a curve is read from one lazy object that belongs to it. `analyse` makes
+it at the first call and keeps it with the curve. Each fact is computed when it is first needed and then kept; several
+threads may share it. An analysis is not part of the curve's value: it is not compared, and a copied or pickled curve
+has none; a pickled analysis is that of its curve, computed anew.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, overload
+
+from exactspline.errors import ShapeError
+from exactspline.geometry.curves import plane_features, space_features
+from exactspline.geometry.curves.extent import slope_zeros, turning_points
+from exactspline.geometry.curves.facts import ZeroForm, kept_by
+from exactspline.geometry.curves.joints import curvature_of
+from exactspline.geometry.curves.kinds import Feature, FeatureKind
+from exactspline.geometry.curves.planarity import Plane, planar_pieces, plane_of
+from exactspline.geometry.curves.space_features import SpaceFacts
+from exactspline.geometry.derived.constructions import Variant, construction
+from exactspline.geometry.filter.certain import Certain, certain
+from exactspline.geometry.pairs.intersections import Intersections, self_intersections
+from exactspline.geometry.pairs.nearest import Nearest, nearest
+from exactspline.geometry.pairs.winding import winding_number
+from exactspline.geometry.recognition.pieces import RecognizedPiece, recognized
+from exactspline.geometry.rounded.features import NearbyFeature, features_nearby, singular_points_nearby
+from exactspline.geometry.rounded.intersections import NearbyMeeting, self_intersections_nearby
+from exactspline.geometry.rounded.stability import StableFeature, stability
+from exactspline.hooks import Displayed
+from exactspline.language.rational import Rational
+from exactspline.numbers.exact import Number, mpq, rational
+from exactspline.numbers.sides import Side
+from exactspline.questions.entry import CURVES, Answered, Entry, Fact, Of, question, question_with, questions_of
+from exactspline.roots.answers import CurvePiece, Places
+from exactspline.roots.root import knot_root
+from exactspline.splines.bspline import BSpline
+from exactspline.splines.nurbs import Nurbs
+from exactspline.splines.surface import NurbsSurface
+from exactspline.splines.type_checks import curve_of
+
+if TYPE_CHECKING:
+    from exactspline.geometry.analysis.planar_maps import MapInspection
+    from exactspline.geometry.analysis.surfaces import SurfaceInspection
+
+
+def _coordinates(point: str | tuple[Number, ...]) -> Sequence[Number]:
+    """Those of a point, which may be given as a text such as ``1/2,2``."""
+    return point.split(",") if isinstance(point, str) else point
+
+
+class Analysis(SpaceFacts, Displayed):
+    """Everything that can be computed of one curve in the plane or in space. Its questions are the entries of the
+    registry (`exactspline.questions.entry.questions_of`).
+
+    All parameters are certified roots. A point where γ′ = 0 is a singular point and nothing else. On a closed curve the
+    seam is a knot like any other and counts once, at the start of the domain; no parameter is outside the domain.
+
+    >>> from exactspline.interchange.examples import example
+    >>> found = analyse(example("ellipse"))
+    >>> [f.kind.value for f in found.curvature_extrema], found.inflections, found.corners
+    (['maximum', 'minimum', 'maximum', 'minimum'], nowhere, ())
+    """
+
+    def __reduce__(self) -> tuple[object, ...]:
+        return analyse, (self.curve,)
+
+    def __repr__(self) -> str:
+        return f"<Analysis of {self.curve!r}>"
+
+    @property
+    def in_space(self) -> bool:
+        """Whether it is a space curve; raises `ShapeError` when it is neither in the plane nor in space."""
+        self.check_dimension()
+        return self.curve.dimension == 3
+
+    @property
+    def critical_form(self) -> str:
+        """The construction whose zeros are the critical points of the curvature."""
+        return "space_critical_curvature" if self.in_space else "critical_curvature"
+
+    @question(*CURVES, proof=lambda facts: facts.flatness.zeros)
+    def inflections(self) -> Places[Feature]:
+        """The zeros of the curvature at regular points.
+
+        ``inflection``: the sign changes (in space: the direction of κN is reversed); ``undulation``: it does not;
+        ``flat end``: the domain ends there; ``flat point``: at a knot of a space curve, the osculating planes of the
+        two sides differ. At a knot with one tangent the curvature may change its sign by a jump (`by_jump`). Everywhere
+        on straight pieces.
+
+        >>> from exactspline import Nurbs, example
+        >>> [f.kind.value for f in analyse(example("six_segment_cubic")).inflections]
+        ['inflection', 'inflection']
+        >>> [(f.kind.value, f.root.exact) for f in analyse(example("flat_point")).inflections]
+        [('inflection', mpq(1,2))]
+        >>> analyse(Nurbs(1, [0, 0, 1, 1], [(0, 0), (1, 1)])).inflections
+        everywhere on [0, 1]
+
+        Raises `ShapeError` for a curve that is neither in the plane nor in space.
+        """
+        if self._certain is not None:
+            return self._certain.inflections
+        module = space_features if self.in_space else plane_features
+        return Places(tuple(module.flat_points(self)), self.straight_pieces)
+
+    @Fact
+    def _certain(self) -> Certain | None:
+        """What is certain without exact arithmetic."""
+        return None if self.in_space else certain(self)
+
+    @property
+    def decided_in_doubles(self) -> bool | None:
+        """Whether the certified filter decided the zeros of κ and of κ′; None where it was not asked."""
+        asked = self._known.get("_certain", self)
+        return None if asked is self else asked is not None
+
+    @question(*CURVES, proof=lambda facts: facts.zero_form(facts.critical_form).zeros)
+    def critical_points(self) -> Places[Feature]:
+        """The extrema of the curvature and the points where κ′ = 0 without an extremum (``stationary``).
+
+        Everywhere on pieces of constant curvature.
+
+        >>> from exactspline import example
+        >>> len(analyse(example("ellipse")).critical_points), analyse(example("circle")).critical_points
+        (4, everywhere on [0, 4])
+        """
+        return self.critical_points_by(Variant.MINIMAL) if self._certain is None else self._certain.critical_points
+
+    def critical_points_by(self, variant: Variant | str) -> Places[Feature]:
+        """The same from the form of a variant."""
+
+        def compute() -> Places[Feature]:
+            module = space_features if self.in_space else plane_features
+            return Places(tuple(module.critical_points(self, variant)), self.constant_pieces)
+
+        return self.once(("critical points", variant), compute)
+
+    @question(*CURVES, part_of="critical_points", proof=lambda facts: facts.zero_form(facts.critical_form).zeros)
+    def curvature_extrema(self) -> Places[Feature]:
+        """The extrema of the curvature (in space except those with κ = 0).
+
+        Inside segments, and at knots where κ is continuous and κ′ changes its sign, with or without a jump. Everywhere
+        on pieces of constant curvature.
+
+        >>> from exactspline import example
+        >>> found = analyse(example("six_segment_cubic")).curvature_extrema
+        >>> len(found), sum(f.by_jump for f in found)
+        (8, 2)
+        >>> [f.kind.value for f in analyse(example("rational_space_cubic")).curvature_extrema]
+        ['maximum', 'minimum']
+
+        Raises `ShapeError` for a curve that is neither in the plane nor in space.
+        """
+        if self._certain is not None and self._certain.only_extrema:
+            return self.critical_points
+        return self.critical_points.where(lambda f: f.kind is not FeatureKind.STATIONARY)
+
+    @question(Of.SPACE_CURVE, proof=lambda facts: facts.zero_form("zero_torsion", Variant.PAPER).zeros)
+    def torsion_zeros(self) -> Places[Feature]:
+        """The zeros of the torsion at regular points.
+
+        ``torsion zero``: τ changes its sign; ``torsion touch``: it does not; ``torsion end``: the domain ends there. At
+        a knot with one osculating plane the sign may change by a jump. Everywhere on planar pieces.
+
+        >>> from exactspline import example
+        >>> analyse(example("space_quartic")).torsion_zeros
+        nowhere
+
+        Raises `ShapeError` for a curve that is not in space.
+        """
+        if not self.in_space:
+            raise ShapeError("the torsion of a curve in R2", remedy="this needs a curve in space")
+        return Places(tuple(space_features.torsion_zeros(self)), tuple(piece for piece, _ in self.planar_pieces))
+
+    @question(*CURVES, answered=Answered.PIECES, of_piece="straight")
+    def straight_pieces(self) -> tuple[CurvePiece, ...]:
+        """The pieces on which the curve is straight.
+
+        They are cut at corners and where the curve stands still, and continue across the seam of a closed curve where
+        that is smooth.
+
+        >>> from exactspline import example
+        >>> [str(piece) for piece in analyse(example("straight_between_arcs")).straight_pieces]
+        ['[1, 2]']
+        """
+        if self._certain is not None:
+            return self._certain.straight
+        return tuple(self.pieces_where_zero(self.flatness))
+
+    @question(*CURVES, answered=Answered.PIECES, of_piece="κ′ ≡ 0")
+    def constant_pieces(self) -> tuple[CurvePiece, ...]:
+        """The pieces on which the curvature is constant.
+
+        Circular arcs and straight pieces, in space also other curves; cut where the curvature or the tangent jumps.
+
+        >>> from exactspline import example
+        >>> [str(piece) for piece in analyse(example("circle")).constant_pieces]
+        ['[0, 4]']
+        """
+        if self._certain is not None:
+            return self._certain.straight
+        return tuple(self.pieces_where_zero(self.zero_form(self.critical_form)))
+
+    @question(Of.PLANE_CURVE, answered=Answered.PAIRS)
+    def self_intersections(self) -> Intersections:
+        """The points through which a plane curve passes more than once.
+
+        >>> from exactspline import Nurbs
+        >>> analyse(Nurbs(3, [0] * 4 + [1] * 4, [(0, 0), (3, 3), (-2, 3), (1, 0)])).self_intersections
+        [<crossing at (2 - √3)/4 and (2 + √3)/4>]
+        """
+        return self_intersections(self.curve)
+
+    @question_with("1/2,2", *CURVES, answered=Answered.NEAREST)
+    def nearest(self, point: str | tuple[Number, ...]) -> Nearest:
+        """The points of the curve that are nearest to a point, given by its coordinates.
+
+        >>> from exactspline import example
+        >>> analyse(example("circle")).nearest("0,3")
+        [<nearest point at 1: distance 2>]
+
+        Raises `ShapeError` for a point of another dimension.
+        """
+        return nearest(self.curve, _coordinates(point))
+
+    @question_with("1/2,2", Of.PLANE_CURVE, answered=Answered.VALUE)
+    def winding_number(self, point: str | tuple[Number, ...]) -> int:
+        """How often a closed plane curve winds around a point, counterclockwise.
+
+        >>> from exactspline import example
+        >>> analyse(example("circle")).winding_number("1/2,1/3")
+        1
+
+        Raises `DomainError` for a point on the curve, and `ShapeError` for a curve that is not closed.
+        """
+        return winding_number(self.curve, _coordinates(point))
+
+    @question(Of.SPACE_CURVE, answered=Answered.PLANAR_PIECES, of_piece="planar, τ ≡ 0")
+    def planar_pieces(self) -> tuple[tuple[CurvePiece, Plane], ...]:
+        """The pieces of a space curve that lie in one plane without being straight, and their planes."""
+        return tuple(planar_pieces(self.curve)) if self.in_space and not all(self._twist.polynomials) else ()
+
+    @question(Of.SPACE_CURVE, answered=Answered.PLANE)
+    def plane(self) -> Plane | None:
+        """The plane of a space curve that has one."""
+        return plane_of(self.curve) if self.in_space and not any(self._twist.polynomials) else None
+
+    @question(*CURVES, answered=Answered.DESCRIBED)
+    def shapes(self) -> tuple[RecognizedPiece, ...]:
+        """The pieces that are lines, circles or conics, exactly or within 10⁻⁹ of the curve's size.
+
+        See `exactspline.geometry.recognition.pieces.recognized`.
+
+        >>> from exactspline import example
+        >>> [(str(found.shape), found.exact) for found in analyse(example("ellipse")).shapes]
+        [('ellipse: centre (0, 0), half axes (2, 1)', True)]
+        """
+        return recognized(self.curve)
+
+    @question_with("1/1000000", *CURVES, answered=Answered.DESCRIBED, nearby=True)
+    def shapes_within(self, epsilon: Number) -> tuple[RecognizedPiece, ...]:
+        """The pieces that are lines, circles or conics within this distance.
+
+        >>> from exactspline import Nurbs
+        >>> arc = Nurbs(2, [0, 0, 0, 1, 1, 1], [(1, 0), (1, 1), (0, 1)], [1, "0.7071", 1])
+        >>> [str(found.shape.kind) for found in analyse(arc).shapes_within("1/10000")]
+        ['circle']
+
+        Raises `ShapeError` for a distance that is not positive.
+        """
+        return recognized(self.curve, epsilon)
+
+    @question_with("1/1000000", *CURVES, answered=Answered.DESCRIBED, nearby=True)
+    def features_within(self, epsilon: Number) -> tuple[NearbyFeature, ...]:
+        """What all curves have whose control points and weights differ by at most this, and what some of them may have.
+
+        See `exactspline.geometry.rounded.features.features_nearby`.
+
+        >>> from exactspline import example
+        >>> found = analyse(example("cubic_s")).features_within("1e-9")
+        >>> [(feature.kind.value, feature.certain, feature.single) for feature in found]
+        [('minimum', True, True), ('inflection', True, True), ('maximum', True, True)]
+
+        Raises `ShapeError` for a curve that is neither in the plane nor in space, and for a distance that is not
+        positive.
+        """
+        return features_nearby(self.curve, epsilon)
+
+    @question_with("1/1000000", *CURVES, answered=Answered.DESCRIBED, nearby=True)
+    def self_intersections_within(self, epsilon: Number) -> tuple[NearbyMeeting, ...]:
+        """Where all curves meet themselves whose control points and weights differ by at most this, and where some of
+        them may.
+
+        See `exactspline.geometry.rounded.intersections.self_intersections_nearby`.
+
+        >>> from exactspline import Nurbs
+        >>> loop = Nurbs(3, [0] * 4 + [1] * 4, [(0, 0), (3, 2), (-2, 2), (1, 0)])
+        >>> [found.certain for found in analyse(loop).self_intersections_within("1e-6")]
+        [True]
+
+        Raises `ShapeError` like `features_within`.
+        """
+        return self_intersections_nearby(self.curve, epsilon)
+
+    @question_with("1/1000", *CURVES, answered=Answered.DESCRIBED, nearby=True)
+    def cusps_within(self, epsilon: Number) -> tuple[NearbyFeature, ...]:
+        """Where curves whose control points and weights differ by at most this may have cusps or other singular points;
+        none of them has one elsewhere.
+
+        See `exactspline.geometry.rounded.features.singular_points_nearby`.
+
+        >>> from exactspline import example
+        >>> len(analyse(example("cusp")).cusps_within("1/1000")), analyse(example("circle")).cusps_within("1/1000")
+        (1, ())
+
+        Raises `ShapeError` like `features_within`.
+        """
+        return singular_points_nearby(self.curve, epsilon)
+
+    @question(*CURVES, answered=Answered.DESCRIBED, on_request=True)
+    def stability(self) -> tuple[StableFeature, ...]:
+        """Inflections (in space: zeros of the torsion), extrema of the curvature and corners, and how far control
+        points and weights may be changed without one of them vanishing.
+
+        See `exactspline.geometry.rounded.stability.stability`.
+
+        >>> from exactspline import example
+        >>> [(found.kind.value, found.radius < found.gone) for found in analyse(example("cubic_s")).stability]
+        [('minimum', True), ('inflection', True), ('maximum', True)]
+
+        Raises `ShapeError` for a curve that is neither in the plane nor in space.
+        """
+        return stability(self.curve)
+
+    @question_with("0", *CURVES, proof=lambda facts, axis: slope_zeros(facts.curve, axis))
+    def turning_points(self, axis: int | str) -> Places[Feature]:
+        """The extrema of a coordinate (0 is x): where it changes from increasing to decreasing or back.
+
+        These are the places where type designers put points. Everywhere where the coordinate is constant.
+
+        >>> from exactspline import example
+        >>> [(f.kind.value, f.root.exact) for f in analyse(example("circle")).turning_points(1)]
+        [('maximum', mpq(1,1)), ('minimum', mpq(3,1))]
+
+        Raises `ShapeError` for a coordinate that the curve does not have.
+        """
+        return turning_points(self.curve, axis)
+
+    @question_with("1/10", Of.PLANE_CURVE, proof=lambda facts, distance: facts.offset_form(distance).zeros)
+    def offset_cusps(self, distance: Number) -> Places[Feature]:
+        """The parameters of the cusps of the offset curve at a signed distance d (positive to the left): κ = 1/d.
+
+        ``cusp``: 1 − dκ, the ratio of the offset's speed to the curve's, changes its sign; ``stop``: it does not. At a
+        knot where κ jumps, 1 − dκ may vanish on one side alone, or change its sign without a zero (`by_jump`).
+        Everywhere on circular arcs of which the offset is the centre.
+
+        >>> from exactspline import example
+        >>> [(f.kind.value, round(float(f.root), 3)) for f in analyse(example("ellipse")).offset_cusps(1)]
+        [('cusp', 0.233), ('cusp', 1.767), ('cusp', 2.233), ('cusp', 3.767)]
+        >>> analyse(example("circle")).offset_cusps(1), analyse(example("circle")).offset_cusps(-1)
+        (everywhere on [0, 4], nowhere)
+
+        Raises `ShapeError` for a space curve and for the distance 0. Source: Farouki and Neff, Analytic properties of
+        plane offset curves, CAGD 1990.
+        """
+        d, form = rational(distance), self.offset_form(distance)
+        side = 1 if d > 0 else -1
+        points = []
+        for root, _ in self.regular_pairs([(root, False) for root in form.zeros]):
+            joint = self.joint(root.low) if root.at_knot else None
+            smooth = joint is None or (joint.tangent_continuous and joint.curvatures is None)
+            if smooth and self.sign_of("zero_curvature", root) == side:
+                kind = FeatureKind.CUSP if root.sign_change else FeatureKind.STOP
+                points.append(Feature(kind, root, "offset"))
+        for joint in self.joints:
+            if joint.curvatures is not None:
+                at_knot = [(1 - d * curvature).sign for curvature in joint.curvatures]
+                before, behind = (
+                    sign or self._sign_next_to(form, d, joint.parameter, side)
+                    for sign, side in zip(at_knot, Side, strict=True)
+                )
+                if before * behind < 0 or (before * behind and 0 in at_knot):
+                    kind = FeatureKind.CUSP if before != behind else FeatureKind.STOP
+                    points.append(Feature(kind, knot_root(joint.parameter), "offset", by_jump=True))
+        points.sort(key=lambda feature: feature.root)
+        bend = self.zero_form("zero_curvature")
+        pieces = [x for x in self.pieces_where_zero(form) if bend.sign_at(knot_root(x.start)) == side]
+        return Places(tuple(points), tuple(pieces))
+
+    def _sign_next_to(self, form: ZeroForm, d: mpq, t: mpq, side: Side) -> int:
+        """The sign of 1 − dκ just left or right of a breakpoint, 0 where it vanishes on the whole segment: the same at
+        every parameter between the breakpoint and the nearest zero or singular point.
+        """
+        breaks = self.curve.breakpoints
+        i = (breaks.index(t) - (side is Side.LEFT)) % (len(breaks) - 1)
+        a, b = breaks[i], breaks[i + 1]
+        if form.zeros.isolations[i] is None:
+            return 0
+        near, far = (b, a) if side is Side.LEFT else (a, b)
+        place = (near + far) / 2
+        inner = [root for root in (*form.zeros, *self.speed.zeros) if root.segment == (a, b)]
+        while any((root <= place) != (side is Side.LEFT) or root == place for root in inner):
+            place = (near + place) / 2
+        point, velocity, second, third = (self.curve.derivative(k, place) for k in range(4))
+        return (1 - d * curvature_of((point, velocity, second, third))).sign
+
+    def offset_form(self, distance: Number) -> ZeroForm:
+        """d²κ² − 1 without its denominator, and its zeros."""
+        d = rational(distance)
+        if self.in_space or not d:
+            raise ShapeError("the offset of a curve", remedy="this needs a plane curve, and a distance that is not 0")
+
+        def form() -> BSpline:
+            squared = construction("curvature_squared").on(self.operands, Variant.MINIMAL, self.value_of)
+            assert isinstance(squared, Rational)
+            numerator: BSpline = squared.scalar * (d * d) - squared.denominator
+            return numerator
+
+        return self.once(("offset", d), lambda: self.solved(form))
+
+    @property
+    def flatness(self) -> ZeroForm:
+        """The form that vanishes where the curvature does, and its zeros."""
+        return self.bending if self.in_space else self.zero_form("zero_curvature")
+
+
+@overload
+def analyse(given: Nurbs) -> Analysis:
+    """Everything that can be computed of a curve."""
+
+
+@overload
+def analyse(given: NurbsSurface) -> SurfaceInspection | MapInspection:
+    """Everything that can be computed of a surface, or of a map of a rectangle into the plane."""
+
+
+def analyse(given: Nurbs | NurbsSurface) -> Analysis | SurfaceInspection | MapInspection:
+    """Everything that can be computed of a curve, of a surface in space, or of a map of a rectangle into the plane.
+    Each question is answered when it is first asked. The analysis of a curve is made once and kept with the curve.
+
+    >>> from exactspline.interchange.examples import example
+    >>> curve = example("cusp")
+    >>> analyse(curve) is analyse(curve), [f.kind.value for f in analyse(curve).singular_points]
+    (True, ['cusp'])
+    >>> analyse(example("ellipsoid"))
+    <SurfaceInspection of <NurbsSurface ellipsoid: rational, degree 2 × 2, 9 × 5 control points in R3>>
+
+    Raises `ShapeError` for anything else, and for a surface that is neither in space nor in the plane.
+    """
+    if isinstance(given, NurbsSurface):
+        from exactspline.geometry.analysis.planar_maps import MapInspection
+        from exactspline.geometry.analysis.surfaces import SurfaceInspection
+
+        return MapInspection(given) if given.dimension == 2 else SurfaceInspection(given)
+    curve = curve_of(given)
+    return kept_by(curve).reader(lambda kept: Analysis(curve, kept))
+
+
+#: The registry: what can be asked of a curve, by name.
+QUESTIONS: dict[str, Entry] = questions_of(Analysis)
+
+
+def questions_about(curve: Nurbs) -> dict[str, Entry]:
+    """The questions that can be asked of a curve.
+
+    >>> from exactspline.interchange.examples import example
+    >>> ["torsion_zeros" in questions_about(example(name)) for name in ("circle", "twisted_cubic")]
+    [False, True]
+
+    Raises `ShapeError` for a curve that is neither in the plane nor in space.
+    """
+    of = Of.SPACE_CURVE if analyse(curve).in_space else Of.PLANE_CURVE
+    return {name: entry for name, entry in QUESTIONS.items() if of in entry.about.of}

@@ -1,0 +1,145 @@
+"""Everything that `inspect` shows of a curve, read from its analysis; and a comparison of the approaches to critical
+curvature.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from exactspline.geometry.analysis.curves import Analysis, analyse, questions_about
+from exactspline.geometry.curves.facts import among, located
+from exactspline.geometry.curves.kinds import Feature
+from exactspline.geometry.derived.constructions import Variant
+from exactspline.roots.answers import Places
+from exactspline.roots.zero_set import ZeroSet
+from exactspline.splines.bspline import BSpline
+from exactspline.splines.lowest_terms import control_point_count
+from exactspline.splines.nurbs import Nurbs
+from exactspline.splines.type_checks import curve_of
+from exactspline.words import Word, choice
+
+
+class Approach(Word):
+    """The approaches to critical curvature, first the paper's, then two more."""
+
+    SQUARING = "squaring"
+    DIRECT = "direct"
+    REDUCED = "reduced"
+    LIFTED = "lifted"
+    MINIMAL = "minimal"
+
+    def variant(self, curve: Nurbs) -> Variant:
+        """The form that it solves on a curve; for space curves the paper has no reduced form."""
+        if self is Approach.REDUCED and curve.dimension == 2:
+            return Variant.PAPER
+        return Variant(self.value)
+
+
+@dataclass(frozen=True)
+class Inspection:
+    """The analysis of a curve, its critical points by one approach."""
+
+    approach: Approach
+    curve: Nurbs
+
+    @property
+    def analysis(self) -> Analysis:
+        """The analysis stored with the curve."""
+        return analyse(self.curve)
+
+    @property
+    def critical_points(self) -> Places[Feature]:
+        """The extrema of the curvature and the points where κ′ = 0 without an extremum."""
+        if self.approach is Approach.MINIMAL:
+            return self.analysis.critical_points
+        return self.analysis.critical_points_by(self.approach.variant(self.curve))
+
+    @property
+    def answers(self) -> dict[str, object]:
+        """The answers to all questions that belong into a report, by name."""
+        return {
+            name: self.critical_points if name == "critical_points" else entry.answer(self.analysis)
+            for name, entry in questions_about(self.curve).items()
+            if entry.about.reported
+        }
+
+
+def inspect_curve(curve: Nurbs, approach: Approach | str = Approach.MINIMAL) -> Inspection:
+    """The features of a curve in the plane or in space by one approach (`Approach`) to critical curvature.
+
+    >>> from exactspline.interchange.examples import example
+    >>> [len(inspect_curve(example(name)).critical_points) for name in ("ellipse", "rational_space_cubic")]
+    [4, 2]
+
+    Raises `ShapeError` for a curve that is neither in the plane nor in space, `FormulaError` for an unknown approach.
+    """
+    analyse(curve).check_dimension()
+    return Inspection(choice(Approach, approach, "approach"), curve)
+
+
+#: What is solved, in the words of the table of features.
+SOLVED = {
+    "zero_curvature": "κ = 0",
+    "critical_curvature": "κ′ = 0",
+    "space_critical_curvature": "κ′ = 0",
+    "zero_torsion": "τ = 0",
+}
+
+
+def solved(curve: Nurbs, approach: Approach | str) -> list[tuple[str, str, BSpline, ZeroSet]]:
+    """The functions that an inspection solves: names, titles, functions and their zeros.
+
+    >>> from exactspline.interchange.examples import example
+    >>> [name for name, *_ in solved(example("twisted_cubic"), "minimal")]
+    ['zero_torsion', 'space_critical_curvature', 'zero_curvature']
+    """
+    analysis = analyse(curve)
+    first = ("zero_torsion", Variant.PAPER) if analysis.in_space else ("zero_curvature", Variant.MINIMAL)
+    rows = []
+    for name, variant in (first, (analysis.critical_form, choice(Approach, approach, "approach").variant(curve))):
+        form = analysis.zero_form(name, variant)
+        rows.append((name, SOLVED[name], form.form, form.zeros))
+    if analysis.in_space:
+        rows.append(("zero_curvature", "common factor of γ′ × γ″", analysis.bending.form, analysis.bending.zeros))
+    return rows
+
+
+@dataclass(frozen=True)
+class ApproachResult:
+    """The cost and the result of one approach to critical curvature.
+
+    `extraneous` are roots at which κ′ neither vanishes nor changes its sign by a jump (those of κ that squaring
+    adds for a plane curve, and singular points); `missing` are critical points that it does not find.
+    """
+
+    name: Approach
+    degree: int
+    control_points: int
+    roots: int
+    extraneous: int
+    missing: int
+    seconds: float
+
+
+def compare_approaches(curve: Nurbs) -> list[ApproachResult]:
+    """All approaches on one curve, their results compared exactly with the minimal form.
+
+    >>> from exactspline.interchange.examples import example
+    >>> [(str(a.name), a.degree, a.roots, a.extraneous) for a in compare_approaches(example("six_segment_cubic"))]
+    [('squaring', 24, 8, 2), ('direct', 6, 6, 0), ('reduced', 6, 6, 0), ('lifted', 6, 6, 0), ('minimal', 5, 6, 0)]
+    """
+    analysis = analyse(curve_of(curve))
+    true = [root for root, _ in located(analysis.zero_form(analysis.critical_form).zeros)]
+    expected = [f.root for f in analysis.critical_points]
+    rows = []
+    for approach in Approach:
+        form = analysis.zero_form(analysis.critical_form, approach.variant(curve))
+        own = form.zeros.roots
+        extraneous = among(own, true).count(False)
+        missing = among(expected, [root for root, _ in located(form.zeros)]).count(False)
+        rows.append(
+            ApproachResult(
+                approach, form.form.degree, control_point_count(form.form), len(own), extraneous, missing, form.seconds
+            )
+        )
+    return rows

@@ -1,0 +1,55 @@
+"""The bisector of two curves, or of a curve and a point."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import overload
+
+from exactspline.errors import ShapeError
+from exactspline.geometry.bisectors.common import Bisector
+from exactspline.geometry.bisectors.plane_curves import PlaneBisector
+from exactspline.geometry.bisectors.point_and_curve import PointBisector, point_bisector, refuse_point
+from exactspline.geometry.bisectors.trimmed import TrimmedBisector, trimmed_bisector
+from exactspline.geometry.bisectors.two_curves import CurveBisector, curve_bisector
+from exactspline.numbers.exact import Number
+from exactspline.splines.nurbs import Nurbs
+from exactspline.splines.type_checks import curve_of
+
+
+@overload
+def bisector(first: Nurbs, second: Nurbs) -> CurveBisector | PlaneBisector:
+    """The bisector of two curves in space or in the plane."""
+
+
+@overload
+def bisector(first: Nurbs, second: Iterable[Number]) -> PointBisector | TrimmedBisector:
+    """The bisector of a curve and a point."""
+
+
+def bisector(first: Nurbs, second: Nurbs | Iterable[Number]) -> Bisector:
+    """The bisector of a curve and another curve, or a point (its coordinates), in pieces.
+
+    Of two space curves a surface in patches, of equal *critical* distances, with lines, planes and single pairs; of a
+    space curve and a point ruled surfaces; of a plane curve and a point the curves of equal distances; of two plane
+    curves the arcs of pairs of parameters, not trimmed.
+
+    >>> from exactspline import example
+    >>> bisector(example("twisted_cubic"), example("rational_space_cubic"))
+    <CurveBisector: 1 piece>
+    >>> bisector(example("ellipse_in_space"), (1, 1, 2))
+    <PointBisector: 3 pieces>
+    >>> line = Nurbs(1, [0, 0, 1, 1], [(-1, 0), (1, 0)])
+    >>> bisector(line, (0, 2)).pieces[0]("1/2")
+    (mpq(0,1), mpq(1,1))
+
+    Raises `ShapeError` where dimensions do not fit, and for a point on a plane curve.
+    """
+    first = curve_of(first)
+    if isinstance(second, Nurbs):
+        return PlaneBisector(first, second) if first.dimension == 2 else curve_bisector(first, second)
+    if first.dimension == 3:
+        return point_bisector(first, second)
+    if first.dimension != 2:
+        raise ShapeError(f"a curve in R{first.dimension}", remedy="bisectors need the plane or space")
+    refuse_point(first)
+    return trimmed_bisector(first, second)

@@ -1,0 +1,149 @@
+"""Single pairs of a patch: where the curves meet, touch, or their three planes happen to share a line."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from flint import fmpz_mpoly
+
+from exactspline.bivariate.common_zeros import common_zeros
+from exactspline.errors import ReachError
+from exactspline.geometry.bisectors.components import Cause, SinglePair, Solutions, SpecialPairs
+from exactspline.geometry.bisectors.polynomials import vanish_together
+from exactspline.geometry.bisectors.system import System
+from exactspline.numbers.exact import short_text
+from exactspline.numbers.intervals import Box
+from exactspline.polynomials.factors import greatest_common_divisor
+from exactspline.roots.of_polynomials import Parameter, Place
+from exactspline.roots.root import Root
+
+#: Combinations of the components of a vector, tried one after the other.
+COMBINATIONS = ((3, 5, -7), (11, -2, 1), (1, 13, 4), (-5, 1, 17))
+
+Found = tuple[list[Place], tuple[str, ...]]
+
+
+def zeros_of_vector(f: fmpz_mpoly | None, components: list[fmpz_mpoly], sides: Box) -> Found:
+    """The pairs at which all components (and f) vanish; and what could not be decided."""
+    given = [p for p in ([f] if f is not None else []) + components if p]
+    if greatest_common_divisor(given).total_degree() > 0:
+        return [], (f"pairs on {sides.shortly}: the conditions have a common factor",)
+    return _decided(given, sides)
+
+
+def _decided(conditions: list[fmpz_mpoly], sides: Box, also: Sequence[fmpz_mpoly] = ()) -> Found:
+    """The common zeros of polynomials without a common factor, except those at which one of the others is certainly
+    not zero; and what could not be decided.
+    """
+    try:
+        return [zero.place for zero in common_zeros(conditions, sides, also=also)], ()
+    except ReachError as error:
+        return [], (f"single pairs on {sides.shortly}: {error.problem}",)
+
+
+def shown(place: Sequence[Parameter]) -> str:
+    """Parameters as text."""
+    return "(" + ", ".join(x.shortly() if isinstance(x, Root) else short_text(x) for x in place) + ")"
+
+
+def crossings(system: System) -> Found:
+    """The isolated pairs at which the curves meet, without the curves of pairs along which they overlap; and what could
+    not be decided.
+    """
+    shared = greatest_common_divisor(system.chord)
+    return zeros_of_vector(None, [f / shared for f in system.chord], system.sides) if shared else ([], ())
+
+
+def touching(system: System, meetings: list[Place]) -> SpecialPairs:
+    """The common points with a common tangent, except those at cusps; their solutions are the normal plane."""
+    pairs, left_out = [], []
+    for place in meetings:
+        if at_cusp(system, place):
+            continue
+        touches = _touches(system, place)
+        if touches:
+            pairs.append(SinglePair(*place, Solutions.PLANE, Cause.OVERLAP, system))
+        elif touches is None:
+            left_out.append(f"whether the curves touch at {shown(place)}")
+    return SpecialPairs(pairs=tuple(pairs), left_out=tuple(left_out))
+
+
+def _touches(system: System, place: Place) -> bool | None:
+    """Whether the tangents at a pair are parallel; None where that is not decided."""
+    return vanish_together([f for f in system.crosses()[1] if f], *place)
+
+
+def singles(system: System, factors: list[fmpz_mpoly], meetings: list[Place]) -> SpecialPairs:
+    """The single pairs of a patch except those at cusps; `factors` are the equations whose pairs have lines."""
+    tangencies = touching(system, meetings)
+    others, left_out = _dependent(system, [*factors, *system.cusps], meetings)
+    lines = [(x, Cause.DEPENDENT) for x in others]
+    # where the curves meet all minors vanish, and with them their common factor if that is one of them
+    if not any(p and (p / system.factor).total_degree() == 0 for p in (system.determinant, *system.numerators)):
+        lines += [(x, Cause.CROSSING) for x in meetings if _touches(system, x) is False]
+    pairs = [
+        SinglePair(*place, Solutions.LINE, cause, system)
+        for place, cause in lines
+        if not at_cusp(system, place) and not any(_lies_on(g, place) for g in factors)
+    ]
+    return tangencies + SpecialPairs(pairs=tuple(pairs), left_out=left_out)
+
+
+def at_cusp(system: System, place: Place) -> bool:
+    """Whether a curve has no tangent at a pair: its solutions then satisfy fewer conditions, and are listed with the
+    cusps.
+    """
+    return any(_lies_on(q, place) for q in system.cusps)
+
+
+def _lies_on(g: fmpz_mpoly, place: Place) -> bool:
+    """Whether a pair lies on a curve of pairs, and so has its line already; where that is not decided, it is listed
+    again.
+    """
+    return bool(vanish_together([g], *place))
+
+
+def _dependent(system: System, factors: list[fmpz_mpoly], meetings: list[Place]) -> Found:
+    """The pairs with a line of solutions at which the curves do not meet; and what could not be decided.
+
+    Where the determinant vanishes, the numerators are a multiple of the normal n of the three planes' normals: they
+    vanish when their product with one vector u does, and u·n does not.
+    """
+    determinant, *numerators = (p / system.factor for p in (system.determinant, *system.numerators))
+    conditions = [p for p in (determinant, *numerators) if p]
+    if any(p.total_degree() == 0 for p in conditions):
+        return [], ()
+    combined = next((p for u in COMBINATIONS if _are_coprime(determinant, p := _combined(numerators, u))), None)
+    pair = conditions if combined is None else [determinant, combined]
+    singular, open_parts = _decided(pair, system.sides, conditions)
+    places, left_out = [], list(open_parts)
+    for place in singular:
+        # a pair on an equation has its line already
+        if place in meetings or any(_lies_on(g, place) for g in factors):
+            continue
+        rank = _has_rank_2(system, place)
+        if rank:
+            places.append(place)
+        elif rank is None:
+            left_out.append(f"the rank of the system at {shown(place)}")
+    return places, tuple(left_out)
+
+
+def _combined(components: Sequence[fmpz_mpoly], u: tuple[int, ...]) -> fmpz_mpoly:
+    total = components[0] * u[0]
+    for p, k in zip(components[1:], u[1:], strict=True):
+        total += p * k
+    return total
+
+
+def _are_coprime(p: fmpz_mpoly, q: fmpz_mpoly) -> bool:
+    return bool(p and q) and greatest_common_divisor([p, q]).total_degree() == 0
+
+
+def _has_rank_2(system: System, place: Place) -> bool | None:
+    """Whether the normals of the three planes are not all parallel; if they are, and the curves do not meet, the planes
+    are three different ones.
+    """
+    everything = [f for v in system.crosses() for f in v if f]
+    parallel = vanish_together(everything, *place)
+    return None if parallel is None else not parallel

@@ -1,0 +1,154 @@
+"""The linear system of two curves on one patch, with polynomials in both parameters as its entries.
+
+A point B = γ + Y/(w w̄) lies in both normal planes and in the plane of equal distance when ``a·Y = 0``, ``b·Y = b·E``
+and ``2E·Y = E·E``: a and b are the tangents γ′ and γ̄′ without their common factors, E = w p̄ − w̄ p is the chord.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from flint import fmpz_mpoly, fmpz_poly
+
+from exactspline.geometry.bisectors.polynomials import Three, ThreeOfTwo, common_divisor
+from exactspline.language.vector import Vector, cross, det, dot, norm2
+from exactspline.numbers.intervals import Box, Interval
+from exactspline.numbers.once import cached_property
+from exactspline.polynomials.factors import factorize, greatest_common_divisor
+from exactspline.polynomials.two_parameters import lifted
+from exactspline.roots.of_polynomials import roots_in
+from exactspline.roots.values import segment_polynomials
+from exactspline.splines.nurbs import Nurbs
+
+
+@dataclass(frozen=True)
+class Piece:
+    """One segment of a curve as polynomials in its parameter: the point ``p/w`` and the tangent without its zeros.
+
+    ``cusps`` are irreducible polynomials whose roots on the interval are the zeros of γ′; where γ′ vanishes identically
+    the tangent is zero.
+    """
+
+    interval: Interval
+    p: Three
+    w: fmpz_poly
+    tangent: Three
+    cusps: tuple[fmpz_poly, ...]
+
+    def __reduce__(self) -> tuple[object, ...]:
+        # polynomials of FLINT do not pickle
+        parts = [self.p, [self.w], self.tangent, self.cusps]
+        return _piece, (self.interval, [[[int(x) for x in f.coeffs()] for f in part] for part in parts])
+
+    @property
+    def stands_still(self) -> bool:
+        """Whether the segment is one point."""
+        return not any(self.tangent)
+
+
+def _piece(interval: Interval, parts: list[list[list[int]]]) -> Piece:
+    p, (w,), tangent, cusps = ([fmpz_poly(f) for f in part] for part in parts)
+    return Piece(interval, p, w, tangent, tuple(cusps))
+
+
+def piece(curve: Nurbs, i: int) -> Piece:
+    """Segment i of a curve.
+
+    >>> from exactspline.interchange.examples import example
+    >>> piece(example("twisted_cubic"), 0).tangent
+    [1, 2*x, 3*x^2]
+    """
+    interval = Interval(*curve.breakpoints[i : i + 2])
+    *p, w = segment_polynomials((*curve.p, curve.w), i)
+    shared = common_divisor([*p, w])
+    *p, w = [f // shared for f in (*p, w)]
+    velocity = [f.derivative() * w - f * w.derivative() for f in p]
+    if not any(velocity):
+        return Piece(interval, p, w, velocity, ())
+    shared = common_divisor(velocity)
+    cusps = tuple(q for q, _ in factorize(shared).powers if q.degree() > 0 and roots_in(q, *interval))
+    return Piece(interval, p, w, [f // shared for f in velocity], cusps)
+
+
+@dataclass(frozen=True)
+class System:
+    """The rows of two pieces, each over both parameters."""
+
+    first: Piece
+    second: Piece
+
+    def __reduce__(self) -> tuple[object, ...]:
+        # computed values are recomputed when needed
+        return System, (self.first, self.second)
+
+    @property
+    def sides(self) -> Box:
+        """The closed rectangle of the patch."""
+        return Box(self.first.interval, self.second.interval)
+
+    @cached_property
+    def a(self) -> Vector[fmpz_mpoly]:
+        """The tangent of the first curve, nowhere zero on its side."""
+        return Vector(*[lifted(f, 0) for f in self.first.tangent])
+
+    @cached_property
+    def b(self) -> Vector[fmpz_mpoly]:
+        """The tangent of the second curve, nowhere zero on its side."""
+        return Vector(*[lifted(f, 1) for f in self.second.tangent])
+
+    @cached_property
+    def chord(self) -> Vector[fmpz_mpoly]:
+        """``E = w p̄ − w̄ p``."""
+        (p, w), (q, v) = (
+            ([lifted(f, k) for f in own.p], lifted(own.w, k)) for k, own in enumerate((self.first, self.second))
+        )
+        return Vector(*[w * y - v * x for x, y in zip(p, q, strict=True)])
+
+    @property
+    def cusps(self) -> list[fmpz_mpoly]:
+        """Equations of the pairs at which one of the curves has no tangent."""
+        return [lifted(q, k) for k, own in enumerate((self.first, self.second)) for q in own.cusps]
+
+    @cached_property
+    def weight(self) -> fmpz_mpoly:
+        """``w w̄``."""
+        return lifted(self.first.w, 0) * lifted(self.second.w, 1)
+
+    @cached_property
+    def determinant(self) -> fmpz_mpoly:
+        """``[a b E]``."""
+        value: fmpz_mpoly = det(self.a, self.b, self.chord)
+        return value
+
+    @cached_property
+    def numerators(self) -> ThreeOfTwo:
+        """``2 [a b E] Y`` by Cramer's rule: ``2 (b·E)(E × a) + (E·E)(a × b)``."""
+        a, b, e = self.a, self.b, self.chord
+        over, square = dot(b, e) * 2, norm2(e)
+        return [over * x + square * y for x, y in zip(cross(e, a), cross(a, b), strict=True)]
+
+    @cached_property
+    def factor(self) -> fmpz_mpoly:
+        """The common factor of determinant and numerators: along its zeros the system is singular, and the minors do
+        not exclude solutions. Zero where all of them vanish.
+        """
+        return greatest_common_divisor([self.determinant, *self.numerators])
+
+    def transposed(self) -> System:
+        """The system with the curves exchanged."""
+        return System(self.second, self.first)
+
+    def crosses(self) -> list[Vector[fmpz_mpoly]]:
+        """The cross products of the three normals, two at a time: all zero where they are parallel."""
+        return [cross(self.a, self.chord), cross(self.a, self.b), cross(self.b, self.chord)]
+
+
+def divides(factor: fmpz_mpoly, v: Vector[fmpz_mpoly]) -> bool:
+    """Whether a polynomial divides all components."""
+    return all(not f or not divmod(f, factor)[1] for f in v)
+
+
+def irreducible_factors(p: fmpz_mpoly) -> list[fmpz_mpoly]:
+    """The irreducible factors that depend on a parameter, each once, their first coefficient positive."""
+    factors = [q for q in factorize(p).bases if q.total_degree() > 0]
+    return sorted((q if q.leading_coefficient() > 0 else -q for q in factors), key=str)

@@ -1,0 +1,211 @@
+"""Space curves, or pieces of them, that lie in a plane: the plane exactly, and in a coordinate plane the curve as a
+plane curve.
+
+A curve p/w lies in the plane n·x = c exactly where n·p − c·w is identically zero: a linear relation between the Bézier
+points of (p, w), found by elimination over the rationals.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+
+from flint import fmpz, fmpz_mat
+
+from exactspline.geometry.derived.domain import space
+from exactspline.numbers.exact import common_divisor, content, mpq, ratio, sign, text
+from exactspline.polynomials.bernstein import Form, over_common_denominator
+from exactspline.roots.answers import CurvePiece
+from exactspline.splines.nurbs import Nurbs
+from exactspline.splines.runs import intervals_of
+
+AXES = "xyz"
+
+
+@dataclass(frozen=True)
+class Plane:
+    """The plane ``normal·x = offset``: integers without a common divisor, the first nonzero component of the normal
+    being positive.
+
+    >>> str(Plane((1, 0, -2), 3))
+    'x − 2z = 3'
+    """
+
+    normal: tuple[int, int, int]
+    offset: int
+
+    def __str__(self) -> str:
+        axis = self.axis
+        if axis is not None:
+            return f"{AXES[axis]} = {text(mpq(self.offset, self.normal[axis]))}".replace("= -", "= −")
+        terms = [(k, name) for k, name in zip(self.normal, AXES, strict=True) if k]
+        parts = [("− " if k < 0 else "+ ") + (str(abs(k)) if abs(k) != 1 else "") + name for k, name in terms]
+        left = " ".join(parts).removeprefix("+ ")
+        return f"{left} = {self.offset}".replace("= -", "= −")
+
+    @property
+    def axis(self) -> int | None:
+        """The number of the coordinate that is constant on a coordinate plane (or one parallel to it), else None."""
+        nonzero = [i for i, k in enumerate(self.normal) if k]
+        return nonzero[0] if len(nonzero) == 1 else None
+
+
+def plane_of(curve: Nurbs) -> Plane | None:
+    """The plane in which a space curve lies, None when there is none; for a straight curve a coordinate plane (or one
+    parallel to it) where it lies in one, otherwise None.
+
+    >>> from exactspline.interchange.examples import example
+    >>> print(plane_of(example("planar_in_space"))), plane_of(example("twisted_cubic"))
+    x − z = −1
+    (None, None)
+
+    Raises `ShapeError` for a curve that is not in space.
+    """
+    points: Rows = []
+    for segment in _rows(space(curve)):
+        points = _span([*points, *segment])
+        if len(points) == 4:
+            return None
+    relations = _relations(points)
+    if len(relations) == 1:
+        return _plane(relations[0])
+    for i in (2, 1, 0):
+        if relations and len(_relations([(row[i], row[3]) for row in points])) == 1:
+            (a, k) = _relations([(row[i], row[3]) for row in points])[0]
+            return _plane([a if j == i else mpq(0) for j in range(3)] + [k])
+    return None
+
+
+def planar_pieces(curve: Nurbs) -> list[tuple[CurvePiece, Plane]]:
+    """The longest pieces on each of which a space curve lies in one plane (τ ≡ 0) without being straight, with their
+    planes; on a closed curve they continue across the seam.
+
+    Two of them can share a straight piece.
+
+    >>> from exactspline.interchange.examples import example
+    >>> [str(piece) for piece, _ in planar_pieces(example("planar_in_space"))]
+    ['[0, 1]']
+    """
+    rows, breaks = _rows(space(curve)), curve.breakpoints
+    count = len(rows)
+    planar_runs = _planar_runs(rows)
+    if curve.closed and all(last - first < count for first, last, _ in planar_runs):
+        # twice around, so that a run that crosses the seam is seen completely
+        planar_runs = [
+            (first % count, first % count + last - first, span)
+            for first, last, span in _planar_runs([*rows, *rows])
+            if 1 <= first <= count
+        ]
+    planar = sorted((run for run in planar_runs if len(run[2]) == 3), key=lambda run: run[:2])
+    return [
+        (CurvePiece(intervals_of(breaks, first, last - first)), _plane(_relations(span)[0]))
+        for first, last, span in planar
+    ]
+
+
+Rows = list[tuple[fmpz, ...]]
+
+
+def _planar_runs(rows: list[Rows]) -> list[tuple[int, int, Rows]]:
+    """The maximal runs of segments ``[first, last)`` that lie in one plane, and the span of their points."""
+    planar_runs: list[tuple[int, int, Rows]] = []
+    first = last = 0
+    span: Rows = []
+    while last < len(rows):
+        wider = _span([*span, *rows[last]])
+        if len(wider) < 4:
+            span, last = wider, last + 1
+            continue
+        if span:
+            planar_runs.append((first, last, span))
+        # the next run begins with the earliest segment that lies in one plane with the next one
+        first, span = last, _span(rows[last])
+        while len(span) < 4 and len(wider := _span([*span, *rows[first - 1]])) < 4:
+            first, span = first - 1, wider
+        last += 1
+        if len(span) == 4:
+            first, span = last, []
+    if span:
+        planar_runs.append((first, last, span))
+    return planar_runs
+
+
+def _rows(curve: Nurbs) -> list[Rows]:
+    """Integer multiples of the homogeneous Bézier points (p, w), segment by segment."""
+    n = curve.degree
+    columns = [s.elevated_to(curve.p[0]).forms for s in (*curve.p, curve.w)]
+    return [_whole(n, parts) for parts in zip(*columns, strict=True)]
+
+
+def _whole(n: int, forms: Sequence[Form]) -> Rows:
+    """The coefficients of forms of degree n side by side, over one denominator."""
+    polynomials, _ = over_common_denominator(forms)
+    return [tuple([c[i] for c in polynomials]) for i in range(n + 1)]
+
+
+def _span(rows: Rows) -> Rows:
+    """A basis of the span of the rows, in echelon form: integers without a common divisor, each pivot being the only
+    nonzero entry of its column.
+    """
+    matrix, _, rank = fmpz_mat(rows).rref()
+    return [_primitive(row) for row in matrix.tolist()[:rank]]
+
+
+def _primitive(row: Sequence[fmpz]) -> tuple[fmpz, ...]:
+    divisor = common_divisor(row)
+    return tuple([x // divisor for x in row])
+
+
+def _relations(rows: Rows) -> list[list[mpq]]:
+    """A basis of the linear relations between the coordinates of the rows."""
+    reduced, width = _span(rows), len(rows[0])
+    pivots = [next(j for j in range(width) if row[j]) for row in reduced]
+    basis = []
+    for free in (j for j in range(width) if j not in pivots):
+        relation = [mpq(j == free) for j in range(width)]
+        for row, j in zip(reduced, pivots, strict=True):
+            relation[j] = ratio(-row[free], row[j])
+        basis.append(relation)
+    return basis
+
+
+def _plane(relation: list[mpq]) -> Plane:
+    """The plane of a relation n·p + k w = 0."""
+    unit = content(relation) * sign(next(x for x in relation if x))
+    a, b, c, k = [int(x / unit) for x in relation]
+    return Plane((a, b, c), -k)
+
+
+def as_plane_curve(curve: Nurbs) -> Nurbs | None:
+    """A space curve with a constant coordinate as a plane curve, None when there is no such coordinate.
+
+    The plane is seen from the tip of the axis: the coordinates are (x, y), (z, x) or (y, z), so that [γ′ γ″] is the
+    component of γ′ × γ″ along it.
+
+    >>> from exactspline import Nurbs
+    >>> as_plane_curve(Nurbs(1, [0, 0, 1, 1], [(1, 7, 2), (3, 7, 5)])).control_points
+    ((mpq(2,1), mpq(1,1)), (mpq(5,1), mpq(3,1)))
+    """
+    plane = plane_of(curve)
+    if plane is None or plane.axis is None:
+        return None
+    i, j = (plane.axis + 1) % 3, (plane.axis + 2) % 3
+    name = f"{curve.name or 'the curve'} in the plane {plane}"
+    x, y = curve.p[i].control_points, curve.p[j].control_points
+    weights = [mpq(1)] * len(x) if curve.polynomial else curve.w.control_points
+    points = list(zip(x, y, weights, strict=True))
+    return Nurbs.from_homogeneous(curve.degree, curve.knots, points, name=name, source=curve.source)
+
+
+def with_plane_curves(curves: Iterable[Nurbs]) -> list[Nurbs]:
+    """The curves; each one with a constant coordinate is followed by itself as a plane curve.
+
+    >>> from exactspline.interchange.examples import example
+    >>> len(with_plane_curves([example("planar_in_space"), example("circle")]))
+    2
+    """
+    result = []
+    for curve in curves:
+        flat = as_plane_curve(curve) if curve.dimension == 3 else None
+        result += [curve] if flat is None else [curve, flat]
+    return result

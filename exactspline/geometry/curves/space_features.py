@@ -1,0 +1,163 @@
+"""Zeros of the torsion, extrema and zeros of the curvature, and special pieces of a space curve, from its facts.
+
+In space κ ≥ 0. Where κ = 0 (γ′ × γ″ = 0 at a regular point) it has a minimum: these points are listed by their own
+kinds, and not again among the extrema. The form [D1 D2 D3] of the torsion vanishes there whether or not τ does, so that
+τ itself, in lowest terms, decides. A zero where γ′ vanishes is a singular point and nothing else.
+"""
+
+from __future__ import annotations
+
+from bisect import bisect_left
+
+from exactspline.formulas.lifted import torsion_zeros_lifted
+from exactspline.geometry.curves.facts import Facts, ZeroForm, among
+from exactspline.geometry.curves.joints import Point, limit_direction, same_direction
+from exactspline.geometry.curves.kinds import Feature, FeatureKind, JointKind
+from exactspline.geometry.derived.constructions import Variant
+from exactspline.geometry.derived.domain import space
+from exactspline.language.rational import Rational
+from exactspline.language.vector import norm2
+from exactspline.numbers.exact import mpq
+from exactspline.numbers.sides import Side
+from exactspline.questions.entry import Fact
+from exactspline.roots.root import Root, knot_root
+from exactspline.splines.bspline import BSpline
+from exactspline.splines.lowest_terms import common_factor, where_it_exists
+
+BINORMAL, TORSION = "binormal_form", "D1_D2_D3"
+
+
+class SpaceFacts(Facts):
+    """The facts of one space curve."""
+
+    @Fact
+    def bending(self) -> ZeroForm:
+        """A spline that vanishes exactly where all components of γ′ × γ″ do, and its zeros."""
+        return self.solved(lambda: common_factor(self.binormal))
+
+    @Fact
+    def reduced_torsion(self) -> Rational[BSpline]:
+        """τ as a quotient in lowest terms, segment by segment; 0/1 where the curve is straight."""
+        w, bend = self.operands.w, norm2(self.binormal)
+        top = self._twist if self.operands.polynomial else self._twist * w * w
+        return where_it_exists(Rational(top, bend))
+
+    @Fact
+    def _twist(self) -> BSpline:
+        """``[γ′ γ″ γ‴]`` times a power of the weight function."""
+        space(self.operands)
+        form = self.lowest_of(torsion_zeros_lifted)
+        assert isinstance(form, BSpline)
+        return form
+
+    @Fact
+    def torsion_numerator(self) -> ZeroForm:
+        """The numerator of τ in lowest terms."""
+        return self.solved(lambda: self.reduced_torsion.scalar)
+
+    def bend(self, t: mpq, side: Side | str) -> Point:
+        """A positive multiple of γ′ × γ″ at a parameter, its limit at a knot; zeros where κ = 0."""
+        left, right = self.sides(t)
+        return tuple(c(left if side == Side.LEFT else right, side) for c in self.binormal)
+
+    def is_flat(self, root: Root) -> bool:
+        """Whether γ′ × γ″ = 0 at a root (at a knot: seen from both sides)."""
+        if root.low == root.high:
+            return not any(any(self.bend(root.low, side)) for side in Side)
+        roots = self.bending.zeros.roots
+        position = bisect_left(roots, root)
+        return position < len(roots) and roots[position] == root
+
+
+def flat_points(facts: SpaceFacts) -> list[Feature]:
+    """The zeros of the curvature at regular points, and where κN is reversed by a jump."""
+    least = FeatureKind.MINIMUM
+    features = [
+        Feature(
+            FeatureKind.INFLECTION if root.multiplicity % 2 else FeatureKind.UNDULATION,
+            root,
+            BINORMAL,
+            of_absolute=least,
+        )
+        for root, by_jump in facts.regular(facts.bending.zeros)
+        if not root.at_knot and not by_jump
+    ]
+    features += [f for joint in facts.joints if joint.tangent_continuous for f in _flat_knot(facts, joint.parameter)]
+    if not facts.closed:
+        for t, side in ((facts.breaks[0], Side.RIGHT), (facts.breaks[-1], Side.LEFT)):
+            flat = not any(facts.bend(t, side)) and any(limit_direction(facts.binormal, t, side))
+            if flat and not facts.is_singular(knot_root(t)):
+                features.append(Feature(FeatureKind.FLAT_END, knot_root(t), BINORMAL, of_absolute=least))
+    return sorted(features, key=lambda f: f.root)
+
+
+def _flat_knot(facts: SpaceFacts, t: mpq) -> list[Feature]:
+    """The zero of the curvature at a knot with one tangent, if there is one, or its reversal by a jump."""
+    left, right = facts.bend(t, Side.LEFT), facts.bend(t, Side.RIGHT)
+    flat = not any(left) and not any(right)
+    if not any(left) or not any(right):
+        left, right = facts.binormal_limits(t)
+    if not any(left) or not any(right):
+        return []
+    if same_direction(left, tuple(-x for x in right)):
+        kind = FeatureKind.INFLECTION
+    elif not flat:
+        return []
+    else:
+        kind = FeatureKind.UNDULATION if same_direction(left, right) else FeatureKind.FLAT_POINT
+    absolute = FeatureKind.MINIMUM if flat else None
+    by_jump = kind is FeatureKind.INFLECTION and not flat
+    return [Feature(kind, knot_root(t), BINORMAL, by_jump, absolute)]
+
+
+def torsion_zeros(facts: SpaceFacts) -> list[Feature]:
+    """The zeros of the torsion at regular points, and its changes of sign by a jump."""
+    zeros = facts.regular(facts.zero_form("zero_torsion", Variant.PAPER).zeros)
+    true = among([root for root, _ in zeros], facts.torsion_numerator.zeros.roots)
+    features = []
+    for (root, by_jump), zero in zip(zeros, true, strict=True):
+        if root.at_knot:
+            features += _torsion_at_knot(facts, root, root.sign_change or by_jump)
+        elif zero:
+            features.append(Feature(_torsion_kind(root), root, TORSION))
+    return features
+
+
+def _torsion_kind(root: Root) -> FeatureKind:
+    if None in root.signs:
+        return FeatureKind.TORSION_END
+    return FeatureKind.TORSION_ZERO if root.sign_change else FeatureKind.TORSION_TOUCH
+
+
+def _torsion_at_knot(facts: SpaceFacts, root: Root, changes: bool) -> list[Feature]:
+    """A zero of the torsion at a knot where the two sides have one osculating plane: of τ itself on both sides, or a
+    change of its sign.
+    """
+    t, torsion, joint = root.low, facts.reduced_torsion, facts.joint(root.low)
+    if t in facts.curve.domain and not facts.closed:
+        at_end = torsion(t, Side.LEFT if t == facts.breaks[-1] else Side.RIGHT) == 0
+        return [Feature(FeatureKind.TORSION_END, root, TORSION)] if at_end else []
+    if joint is not None and (not joint.tangent_continuous or joint.kind is JointKind.TURN):
+        return []
+    left, right = facts.sides(t)
+    if torsion(left, Side.LEFT) == torsion(right, Side.RIGHT) == 0:
+        return [Feature(_torsion_kind(root), root, TORSION)]
+    return [Feature(FeatureKind.TORSION_ZERO, root, TORSION, by_jump=True)] if changes else []
+
+
+def critical_points(facts: SpaceFacts, variant: Variant | str) -> list[Feature]:
+    """The extrema of the curvature and the points where κ′ = 0 without an extremum, except those where κ = 0."""
+    features = []
+    for root, by_jump in facts.regular(facts.zero_form("space_critical_curvature", variant).zeros):
+        joint = facts.joint(root.low) if root.at_knot else None
+        if (joint is None or joint.same_curvature) and not facts.is_flat(root):
+            features.append(_extremum(root, variant, by_jump=by_jump))
+    return features
+
+
+def _extremum(root: Root, variant: Variant | str, *, by_jump: bool) -> Feature:
+    left, right = root.signs
+    if not left or not right or left == right:
+        return Feature(FeatureKind.STATIONARY, root, variant)
+    kind = FeatureKind.MAXIMUM if left > 0 else FeatureKind.MINIMUM
+    return Feature(kind, root, variant, by_jump, kind)

@@ -1,0 +1,196 @@
+"""Points, directions, curvature and torsion of a curve at a parameter, rational or not, as real numbers."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from exactspline.errors import DomainError, ShapeError
+from exactspline.geometry.curves.facts import facts_of
+from exactspline.geometry.derived.domain import part, space
+from exactspline.language.arguments import Curve
+from exactspline.language.rational import Rational
+from exactspline.language.vector import Vector, cross, det, norm2
+from exactspline.numbers.exact import Number, mpq, text
+from exactspline.numbers.exact import sign as sign_of
+from exactspline.numbers.sides import Side
+from exactspline.papers import find
+from exactspline.reals.real import Real
+from exactspline.roots.values import exact_place, segment_of, sign_at, signed_root, value_at, within
+from exactspline.splines.bspline import BSpline
+from exactspline.splines.inputs import checked_side
+from exactspline.splines.lowest_terms import in_lowest_terms
+from exactspline.splines.type_checks import curve_of
+
+if TYPE_CHECKING:
+    from exactspline.splines.nurbs import Nurbs
+
+
+def point_at(curve: Nurbs, place: mpq | Real, order: int = 0, side: Side | str = Side.RIGHT) -> tuple[Real, ...]:
+    """The point or a derivative of a curve at a rational parameter or an irrational root.
+
+    >>> from exactspline import example, zeros
+    >>> circle = example("circle")
+    >>> [x.double() for x in point_at(circle, zeros(circle.p[0] - circle.p[1]).roots[0], 1)]
+    [-1.2071067811865475, 1.2071067811865475]
+    """
+    place = exact_place(place)
+    if not isinstance(place, Real):
+        return tuple(map(Real, curve.derivative(order, place, side) if order else curve(place, side)))
+    within(curve.domain, place)
+    numerators, denominator = _derivative(curve, order)
+    return tuple(value_at(f, denominator, place) for f in numerators)
+
+
+def _derivative(curve: Nurbs, order: int) -> tuple[list[BSpline], BSpline]:
+    """The derivative of some order as a quotient of splines."""
+    if curve.polynomial:
+        return [x.d(order) for x in curve.p], curve.w
+    numerators, slope, denominator = list(curve.p), curve.w.d(), curve.w
+    for k in range(1, order + 1):
+        # (N/wᵏ)′ = (N′ w − k w′ N)/wᵏ⁺¹
+        numerators = [f.d() * curve.w - (slope * f).scaled(k) for f in numerators]
+        denominator = denominator * curve.w
+    return numerators, denominator
+
+
+def unit(vector: Vector[BSpline], place: mpq | Real, name: str = "T") -> list[Real]:
+    """The components of a vector divided by its length at a parameter.
+
+    >>> from exactspline import BSpline
+    >>> t = BSpline.identity(0, 2)
+    >>> unit(Vector(t, t * t), mpq(1))
+    [<Real √2/2>, <Real √2/2>]
+
+    Raises `DomainError` if the vector vanishes there.
+    """
+    signs = [sign_at(x, place) for x in vector]
+    if not any(signs):
+        raise DomainError(f"{name} is undefined: the vector vanishes there", remedy="choose another parameter")
+    squared = norm2(vector)
+    return [signed_root(s, value_at(x * x, squared, place)) for x, s in zip(vector, signs, strict=True)]
+
+
+def curvature(curve: Nurbs, t: Number | Real, side: Side | str = Side.RIGHT) -> Real:
+    """The curvature of a curve at a parameter: in the plane signed (positive where the curve turns left), in space not
+    negative; at a knot the limit from this `side`.
+
+    >>> from exactspline import Nurbs, zeros
+    >>> parabola = Nurbs(2, [0, 0, 0, 1, 1, 1], [(0, 0), ("1/2", 0), (1, 1)])
+    >>> curvature(parabola, 0), curvature(parabola, "1/2")
+    (<Real 2>, <Real √2/2>)
+    >>> curvature(parabola, zeros(parabola.p[1].scaled(2) - 1).roots[0]).minimal_polynomial()
+    [-4, 0, 27]
+
+    Raises `DomainError` where γ′ = 0 and outside the domain, `ShapeError` unless in the plane or in space.
+    """
+    curve, place = in_plane_or_space(curve), exact_place(t)
+    if not isinstance(place, Real):
+        sign, top, bottom = signed_square(curve, place, left=checked_side(side))
+        if not bottom:
+            raise DomainError(f"γ′ = 0 {_named(place)}", remedy="choose another parameter")
+        return signed_root(sign, Real(mpq(top, bottom)))
+    i = segment_at(curve, place, side)
+    _refuse_singular(curve, i, place, side)
+    squared, turning = facts_of(curve).once(("curvature on a segment", i), lambda: _curvature_forms(curve, i))
+    sign = 1 if turning is None else sign_at(turning, place, side)
+    return signed_root(sign, _value(squared, place, side))
+
+
+def in_plane_or_space(curve: Nurbs) -> Nurbs:
+    """A curve in the plane or in space."""
+    if curve_of(curve).dimension not in (2, 3):
+        raise ShapeError(f"a curve in R{curve.dimension}", remedy="curvature needs a curve in the plane or in space")
+    return curve
+
+
+def signed_square(curve: Nurbs, t: mpq, *, left: bool) -> tuple[int, int, int]:
+    """The sign of κ (in space not negative) and κ² as a quotient of integers at a rational parameter; where γ′ = 0 its
+    denominator is 0.
+
+    For γ = p/w and the vectors ``N = w p′ − w′ p`` and ``M = w p″ − w″ p`` it is γ′ = N/w² and γ″ = M/w² − 2(w′/w) γ′,
+    so that γ′ × γ″ = (N × M)/w⁴.
+
+    >>> from exactspline import Nurbs
+    >>> signed_square(Nurbs(2, [0, 0, 0, 1, 1, 1], [(0, 0), ("1/2", 0), (1, 1)]), mpq(1, 2), left=False)
+    (1, 67108864, 134217728)
+    """
+    *p, (w, slope, bend) = curve._evaluation.numbers(t, 2, left=left)
+    first, second = (Vector(*[w * row[k] - of_w * row[0] for row in p]) for k, of_w in ((1, slope), (2, bend)))
+    if curve.dimension == 3:
+        sign, turned = 1, norm2(cross(first, second))
+    else:
+        turning = det(first, second)
+        sign, turned = sign_of(turning), turning * turning
+    return sign, turned * w**4, norm2(first) ** 3
+
+
+def _curvature_forms(curve: Nurbs, i: int) -> tuple[Rational[BSpline], BSpline | None]:
+    """κ² on a segment, and in the plane a spline with the sign of κ."""
+    c = _part(curve, i)
+    if curve.dimension == 3:
+        return find("space_curvature_squared")(c), None
+    return find("curvature_squared")(c), find("f2")(c) * c.w
+
+
+def torsion(curve: Nurbs, t: Number | Real, side: Side | str = Side.RIGHT) -> Real:
+    """The torsion of a space curve at a parameter (its limit where κ = 0), positive for a right-handed helix; at a knot
+    the limit from this `side`.
+
+    >>> from exactspline import example
+    >>> torsion(example("twisted_cubic"), 0)
+    <Real 3>
+
+    Raises `DomainError` where γ′ = 0 or the torsion has a pole, `ShapeError` unless the curve is in space and not
+    straight there.
+    """
+    curve, place = curve_of(curve), exact_place(t)
+    i = segment_at(space(curve), place, side)
+    _refuse_singular(curve, i, place, side)
+    tau = facts_of(curve).once(("torsion on a segment", i), lambda: _torsion_form(curve, i))
+    if sign_at(tau.denominator, place, side) == 0:
+        raise DomainError(f"the torsion has a pole {_named(place)}", remedy="choose another parameter")
+    return _value(tau, place, side)
+
+
+def _torsion_form(curve: Nurbs, i: int) -> Rational[BSpline]:
+    """τ on a segment in lowest terms."""
+    torsion = find("torsion")(_part(curve, i))
+    if torsion.denominator.is_zero:
+        raise ShapeError("the torsion of a straight piece", remedy="choose a parameter where the curve is not straight")
+    reduced: Rational[BSpline] = in_lowest_terms(torsion)
+    return reduced
+
+
+def segment_at(curve: Nurbs, place: mpq | Real, side: Side | str) -> int:
+    """The index of the segment that contains a parameter or a root."""
+    left = checked_side(side)
+    if not isinstance(place, Real):
+        return curve.mesh.locate(place, left=left)
+    within(curve.domain, place)
+    return segment_of(curve.w, place)
+
+
+def _part(curve: Nurbs, i: int) -> Curve[BSpline]:
+    """The curve over a segment."""
+    return part(curve, *curve.breakpoints[i : i + 2])
+
+
+def _value(value: Rational[BSpline], place: mpq | Real, side: Side | str) -> Real:
+    if not isinstance(place, Real):
+        return Real(value.number(place, side=side))
+    return value_at(value.scalar, value.denominator, place)
+
+
+def _refuse_singular(curve: Nurbs, i: int, place: mpq | Real, side: Side | str) -> None:
+    if is_singular(curve, i, place, side):
+        raise DomainError(f"γ′ = 0 {_named(place)}", remedy="choose another parameter")
+
+
+def is_singular(curve: Nurbs, i: int, place: mpq | Real, side: Side | str) -> bool:
+    """Whether γ′ = 0 at a parameter on a segment."""
+    velocity = facts_of(curve).once(("velocity on a segment", i), lambda: tuple(find("D1")(_part(curve, i))))
+    return all(sign_at(x, place, side) == 0 for x in velocity)
+
+
+def _named(place: mpq | Real) -> str:
+    return "at the root" if isinstance(place, Real) else f"at the parameter {text(place)}"

@@ -1,0 +1,224 @@
+"""The user's interface to the derived objects of a curve, in any variant; the places where they do not exist are named.
+
+Parameters and coordinates are unitless exact numbers.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+from exactspline.errors import DomainError, FormulaError, ShapeError, counted, shown
+from exactspline.formulas.lifted import binormal_lifted, inflections_lifted, tangent_lifted, torsion_zeros_lifted
+from exactspline.geometry.derived.constructions import Absence, Construction, Variant, all_constructions, construction
+from exactspline.geometry.derived.domain import intervals_where, part
+from exactspline.hooks import Displayed
+from exactspline.language.formula import Formula, expect_formula
+from exactspline.language.kinds import CURVE, PLANE, SPACE, kind_of
+from exactspline.language.parts import joined, numerator, split
+from exactspline.language.rational import Rational
+from exactspline.language.ruled import RuledSurface
+from exactspline.language.vector import Vector
+from exactspline.numbers.exact import Number, mpq, rational, short_text, text
+from exactspline.numbers.intervals import Interval
+from exactspline.numbers.once import cached_property
+from exactspline.papers import formula_of
+from exactspline.roots.root import Root
+from exactspline.roots.zero_set import zeros
+from exactspline.splines.bspline import BSpline
+from exactspline.splines.lowest_terms import control_point_count, in_lowest_terms, true_degree
+from exactspline.splines.nurbs import Nurbs
+from exactspline.splines.type_checks import curve_of
+
+
+@dataclass(frozen=True)
+class Piece:
+    """A derived object over an interval of the curve's parameter: a spline, a vector of them, or a `Rational`."""
+
+    interval: Interval
+    value: Any
+
+    def __repr__(self) -> str:
+        return f"<Piece on {_shown(self.interval)}>"
+
+
+@dataclass(frozen=True)
+class Derived(Displayed):
+    """A derived object in pieces, the intervals on which it does not exist, each with the reason, and its poles."""
+
+    name: str
+    variant: Variant
+    pieces: tuple[Piece, ...]
+    missing: tuple[tuple[Interval, Absence], ...]
+    #: Whether it is a ruled surface; the values are then those of the directrix and the generator.
+    ruled: bool = False
+
+    def __repr__(self) -> str:
+        return f"<Derived {self.name}, {self.variant}: {counted(len(self.pieces), 'piece')}>"
+
+    @property
+    def degree(self) -> int:
+        """The highest represented degree of the pieces."""
+        degrees: list[int] = [piece.value.degree for piece in self.pieces]
+        return max(degrees)
+
+    @property
+    def true_degree(self) -> int:
+        """The highest degree of the pieces in lowest terms."""
+        return max(true_degree(piece.value) for piece in self.pieces)
+
+    @property
+    def control_points(self) -> int:
+        """The number of control points of all pieces together."""
+        return sum(control_point_count(piece.value) for piece in self.pieces)
+
+    @cached_property
+    def poles(self) -> tuple[Root, ...]:
+        """The parameters at which it has no value: the zeros of its denominator in lowest terms, in order.
+
+        >>> from exactspline.interchange.examples import example
+        >>> [pole.exact for pole in derive("evolute", example("cubic_s")).poles]
+        [mpq(1,2)]
+        """
+        denominators = (split(in_lowest_terms(piece.value))[1] for piece in self.pieces)
+        return tuple(pole for w in denominators if w is not None for pole in zeros(w))
+
+    @property
+    def existence(self) -> str:
+        """Where it exists, and where it does not and why, in words.
+
+        >>> from exactspline.interchange.examples import example
+        >>> print(derive("evolute", example("straight_between_arcs")).existence)
+        on [0, 1] and [2, 3]; not on [1, 2]: the curvature vanishes identically (straight segments)
+        >>> print(derive("evolute", example("cubic_s")).existence)
+        on [0, 1] except a pole at 1/2
+        """
+        there = " and ".join(_shown(piece.interval) for piece in self.pieces)
+        if self.poles:
+            places = ", ".join(pole.shortly() for pole in self.poles)
+            there += f" except {'a pole' if len(self.poles) == 1 else 'poles'} at {places}"
+        gaps = [f"not on {_shown(interval)}: {reason.words}" for interval, reason in self.missing]
+        return "; ".join([f"on {there}", *gaps])
+
+    def __call__(self, t: Number) -> mpq | tuple[mpq, ...]:
+        """Value at a parameter, by the first piece that contains it; raises `ShapeError` where there is none, and
+        `DomainError` at a pole.
+        """
+        t = rational(t)
+        for piece in self.pieces:
+            if piece.interval[0] <= t <= piece.interval[1]:
+                return self._value(piece, t)
+        raise ShapeError(
+            f"{self.name} does not exist at the parameter {short_text(t)}",
+            remedy="; ".join(reason.words for (a, b), reason in self.missing if a <= t <= b) or "stay in the domain",
+        )
+
+    def _value(self, piece: Piece, t: mpq) -> mpq | tuple[mpq, ...]:
+        value, w = piece.value, split(piece.value)[1]
+        if w is not None and w(t) == 0:
+            # as written numerator and denominator may vanish where there is a value
+            value = in_lowest_terms(value)
+            if value.denominator(t) == 0:
+                problem = f"{self.name} has a pole at the parameter {short_text(t)}"
+                raise DomainError(problem, where=short_text(t), remedy="choose another parameter")
+        return tuple(c(t) for c in value) if isinstance(value, Vector) else value(t)
+
+
+def _shown(interval: Interval) -> str:
+    return f"[{text(interval[0])}, {text(interval[1])}]"
+
+
+def derive(what: str | Formula, curve: Nurbs, variant: Variant | str = Variant.MINIMAL) -> Derived:
+    """A construction or a formula on a curve.
+
+    `what` is the name of a construction (``evolute`` of a plane curve; of a space curve ``focal_curve``, the centres of
+    its osculating spheres, ``circle_centres``, those of its osculating circles, ``torsion``, …), a formula, or the name
+    of a formula (``f2``, ``g0``, …). The result is in lowest terms, if no other variant is asked for: of a formula
+    ``naive``, as written. Where an object does not exist (the evolute of a straight piece) the other pieces are
+    returned and the missing ones named.
+
+    >>> from exactspline.interchange.examples import example
+    >>> derive("evolute", example("circle"))("1/2")
+    (mpq(0,1), mpq(0,1))
+
+    Raises `FormulaError` for an unknown name or variant, `ShapeError` for a curve of the wrong dimension or where it
+    exists nowhere.
+    """
+    curve = curve_of(curve)
+    name = what if isinstance(what, str) else expect_formula(what).name
+    made = construction(name) if isinstance(what, str) and name in all_constructions() else None
+    if made is not None:
+        needed, compute = kind_of(made.curve), lambda c: made.on(c, variant)
+        formula = made.formula(variant)
+    else:
+        formula = formula_of(what)
+        if not isinstance(variant, str) or variant not in (Variant.MINIMAL, Variant.NAIVE):
+            raise FormulaError(
+                f"{name} has no variant {shown(variant)}",
+                remedy=f"a formula has the variants {Variant.MINIMAL} and {Variant.NAIVE} (as written)",
+            )
+        needed = formula.kind
+        compute = (
+            (lambda c: joined(in_lowest_terms(formula(c))))
+            if variant == Variant.MINIMAL
+            else (lambda c: joined(formula(c)))
+        )
+    if needed not in (CURVE, PLANE, SPACE) or curve.dimension not in needed.dimensions:
+        of = f"{needed.name} curve" if needed.made_of_a_curve else needed.name
+        raise ShapeError(f"{name} of a curve in R{curve.dimension}", remedy=f"it is defined for a {of}")
+    value = formula(curve)
+    ruled = isinstance(value, RuledSurface)
+    exists, breaks = _exists(value), curve.breakpoints
+    reasons = [None if here else _why_missing(made, curve, i) for i, here in enumerate(exists)]
+    missing = tuple(
+        sorted(
+            (interval, reason)
+            for reason in {each for each in reasons if each is not None}
+            for interval in intervals_where(breaks, [each is reason for each in reasons])
+        )
+    )
+    parts = intervals_where(breaks, exists)
+    pieces = tuple(Piece(interval, _nonnegative(compute(part(curve, *interval)))) for interval in parts)
+    if not pieces:
+        everywhere = ", ".join(f"on {_shown(interval)} {reason.words}" for interval, reason in missing)
+        raise ShapeError(f"{curve.name or 'the curve'} has no {name}: {everywhere}", remedy="choose another curve")
+    return Derived(name, Variant(variant), pieces, missing, ruled)
+
+
+def _nonnegative(value: Any) -> Any:
+    """A zero spline whose formal degree is negative, alone or as a component, as the constant 0."""
+    if isinstance(value, Rational):
+        return Rational(_nonnegative(value.numerator), value.product)
+    if isinstance(value, Vector):
+        return Vector(*map(_nonnegative, value))
+    return value.constant(0) if value.degree < 0 else value
+
+
+def _exists(value: Any) -> list[bool]:
+    """Segment by segment, whether a denominator, and the generator of a ruled surface, are not identically zero."""
+    if isinstance(value, RuledSurface):
+        ends = [_exists(part) for part in (value.directrix, value.generator)]
+        generator = zip(*[c.polynomials for c in numerator(value.generator)], strict=True)
+        return [all(here) and any(parts) for *here, parts in zip(*ends, generator, strict=True)]
+    if isinstance(value, Rational):
+        return [bool(c) for c in value.denominator.polynomials]
+    return [True] * len((value[0] if isinstance(value, Vector) else value).mesh)
+
+
+def _why_missing(made: Construction | None, curve: Nurbs, i: int) -> Absence:
+    """Why a construction does not exist on a segment: what vanishes identically there on the curve itself."""
+    if made is not None and curve.dimension in (2, 3):
+        here = part(curve, *curve.breakpoints[i : i + 2])
+        bend, in_space = (inflections_lifted, False) if curve.dimension == 2 else (binormal_lifted, True)
+        if _vanishes(tangent_lifted(here)):
+            return Absence.STILL
+        if _vanishes(bend(here)):
+            return Absence.STRAIGHT
+        if in_space and _vanishes(torsion_zeros_lifted(here)):
+            return Absence.PLANAR
+    return Absence.DENOMINATOR
+
+
+def _vanishes(value: Vector[BSpline] | BSpline) -> bool:
+    """Whether all components are identically zero."""
+    return all(c.is_zero for c in (value if isinstance(value, Vector) else [value]))

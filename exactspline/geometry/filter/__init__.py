@@ -1,0 +1,1 @@
+"""The certified filter: inflections and extrema of curvature decided in doubles with proved bounds."""

@@ -1,0 +1,78 @@
+"""The forms of κ and κ′ of many segments in doubles, and their zeros: what is certified, and which segments must be
+decided in exact arithmetic. This module loads numpy.
+
+Derivation: docs/certified-filter.md.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from exactspline.errors import FormulaError
+from exactspline.geometry.filter.plane_programs import plane_program
+from exactspline.polynomials.doubles import (
+    Bounded,
+    Flags,
+    Floats,
+    Isolated,
+    isolated,
+    narrowed,
+    ordinates,
+    without_zeros,
+)
+from exactspline.programs.doubles import in_doubles
+
+#: How many segments are computed together, so that their numbers fit into the cache.
+AT_ONCE = 4096
+
+
+class Form(NamedTuple):
+    """A form on many segments: its ordinates, and its zeros on the segments where they are certified."""
+
+    rows: Bounded
+    zeros: Isolated
+
+
+class Filtered(NamedTuple):
+    """κ and κ′ up to positive factors on many segments, and ‖γ′‖²; the segments on which something is not certified:
+    `open` of these, a sign that decides a zero, or `slow`, that γ′ has no zero and all weights are positive.
+    """
+
+    curvature: Form
+    critical: Form
+    speed: Bounded
+    open: Flags
+    slow: Flags
+
+
+def filtered(degree: int, operands: list[Floats]) -> Filtered | None:
+    """What is certified for segments of one degree, from the scaled coefficients of their components and, for rational
+    ones, of their weight functions, rounded at most twice; no Bézier ordinate is larger than 1. None where doubles
+    cannot hold the forms.
+
+    >>> done = filtered(3, [np.array([[0.0, 1, 2, 1]]) / 4, np.array([[0.0, 3, -3, 1]]) / 4])
+    >>> done.curvature.zeros.row.tolist(), done.open.tolist()
+    ([0], [False])
+    """
+    slow, undecided = np.zeros((2, len(operands[0])), dtype=bool)
+    if len(operands) == 3:
+        slow |= ~(operands[2] > 0).all(axis=1)
+    try:
+        forms = in_doubles(plane_program(degree, len(operands) == 3), operands, roundings=2)
+    except FormulaError:
+        return None
+    *rows, speed = (ordinates(*form) for form in forms)
+    slow |= ~without_zeros(speed)
+    solved = [_solved(form, undecided) for form in rows]
+    left = undecided | slow
+    curvature, critical = (Form(rows, narrowed(rows, zeros.where(~left[zeros.row]))) for rows, zeros in solved)
+    return Filtered(curvature, critical, speed, undecided, slow)
+
+
+def _solved(rows: Bounded, undecided: Flags) -> Form:
+    """The zeros of a form; segments on which they are not certified are added to the undecided ones."""
+    zeros, open_ = isolated(rows)
+    undecided |= open_
+    return Form(rows, zeros)

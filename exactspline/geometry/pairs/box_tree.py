@@ -1,0 +1,152 @@
+"""Pairs of segments that may meet: boxes around segments in a binary tree, in time linear in the pairs whose boxes
+meet.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+from exactspline.roots.segment_forms import SegmentForms, SegmentRows
+
+#: A segment by its forms, or by their integers.
+Segment = SegmentForms | SegmentRows
+#: An interval of integers in each coordinate; None for everything.
+IntegerBox = tuple[tuple[int, int], ...] | None
+
+#: The bits of a coordinate of the boxes.
+BITS = 30
+
+
+def shift_for(segments: Sequence[Segment]) -> int:
+    """The shift with which coordinates of the size of the starting points have about `BITS` bits."""
+    sizes = [int(x[0]).bit_length() - int(w[0]).bit_length() for _, (*p, w) in segments for x in p if x[0]]
+    return max(0, BITS - max(sizes, default=0))
+
+
+def box_of(segment: Segment, shift: int) -> IntegerBox:
+    """Integers that enclose ``2^shift`` times every coordinate on a segment, by its control points; None where their
+    weights have different signs.
+
+    >>> from flint import fmpz_poly
+    >>> box_of((1, [fmpz_poly([0, 1]), fmpz_poly([3, 3])]), 2)
+    ((0, 2),)
+    """
+    n, (*coordinates, w) = segment
+    weights = [int(w[i]) for i in range(n + 1)]
+    if min(weights) <= 0 <= max(weights):
+        return None
+    box = []
+    for f in coordinates:
+        quotients = [(int(f[i]) << shift) // weight for i, weight in enumerate(weights)]
+        box.append((min(quotients), max(quotients) + 1))
+    return tuple(box)
+
+
+class BoxTree:
+    """Boxes around segments, with a margin on each side, and around all of them from one to another.
+
+    >>> from exactspline import example
+    >>> from exactspline.roots.segment_forms import segment_forms
+    >>> tree = BoxTree([segment_forms(example("circle"), i) for i in range(4)], 4)
+    >>> tree.boxes[0]  # a quarter of the unit circle, in units of 1/16
+    ((0, 17), (0, 17))
+    """
+
+    def __init__(self, segments: Sequence[Segment], shift: int, margin: int = 0) -> None:
+        boxes = [box_of(segment, shift) for segment in segments]
+        self.boxes = [box and tuple((low - margin, high + margin) for low, high in box) for box in boxes]
+        self._joined: dict[tuple[int, int], IntegerBox] = {}
+        self._join(0, len(self.boxes))
+
+    def _join(self, first: int, last: int) -> IntegerBox:
+        """The box of the segments from one up to, and without, another."""
+        if last == first + 1:
+            box = self.boxes[first]
+        else:
+            middle = (first + last) // 2
+            box = joined(self._join(first, middle), self._join(middle, last))
+        self._joined[first, last] = box
+        return box
+
+    def box(self, first: int, last: int) -> IntegerBox:
+        """The box of a node of the tree."""
+        return self._joined[first, last]
+
+
+def joined(one: IntegerBox, other: IntegerBox) -> IntegerBox:
+    """The least box around two."""
+    if one is None or other is None:
+        return None
+    return tuple((min(a, c), max(b, d)) for (a, b), (c, d) in zip(one, other, strict=True))
+
+
+def meets(one: IntegerBox, other: IntegerBox) -> bool:
+    """Whether two boxes have a point in common.
+
+    >>> meets(((0, 2),), ((3, 4),)), meets(((0, 2),), None)
+    (False, True)
+    """
+    if one is None or other is None:
+        return True
+    return all(a <= d and c <= b for (a, b), (c, d) in zip(one, other, strict=True))
+
+
+def pairs_that_may_meet(first: BoxTree, second: BoxTree) -> Iterator[tuple[int, int]]:
+    """The indices of segments whose boxes meet; of a tree and itself every pair once, the smaller index first."""
+    todo = [((0, len(first.boxes)), (0, len(second.boxes)))]
+    while todo:
+        one, other = todo.pop()
+        if first is second and one[0] >= other[1]:
+            continue
+        if not meets(first.box(*one), second.box(*other)):
+            continue
+        sizes = one[1] - one[0], other[1] - other[0]
+        if sizes == (1, 1):
+            yield one[0], other[0]
+        elif sizes[0] >= sizes[1]:
+            middle = sum(one) // 2
+            todo += [((middle, one[1]), other), ((one[0], middle), other)]
+        else:
+            middle = sum(other) // 2
+            todo += [(one, (middle, other[1])), (one, (other[0], middle))]
+
+
+#: Two vectors: all between them, from the first counterclockwise to the second, by less than a half turn.
+Cone = tuple[tuple[int, int], tuple[int, int]]
+
+
+def legs(segment: Segment) -> list[tuple[int, int]]:
+    """Positive multiples of the vectors from one control point of a segment in the plane to the next, without zeros;
+    none where weights vanish or have different signs.
+
+    >>> from flint import fmpz_poly
+    >>> legs((2, [fmpz_poly([0, 1, 2]), fmpz_poly([0, 1, 1]), fmpz_poly([1, 2, 1])]))
+    [(1, 1), (3, 1)]
+    """
+    n, forms = segment
+    x, y, w = ([int(c[k]) for k in range(n + 1)] for c in forms)
+    if min(w) <= 0 <= max(w):
+        return []
+    crossed = ((x[k + 1] * w[k] - x[k] * w[k + 1], y[k + 1] * w[k] - y[k] * w[k + 1]) for k in range(n))
+    return [leg for leg in crossed if any(leg)]
+
+
+def cone_around(vectors: Sequence[tuple[int, int]]) -> Cone | None:
+    """The least cone around vectors; None where there are none, or no open half plane contains all of them. If it
+    contains the legs of a segment, a curve of positive weights runs on in one direction.
+
+    >>> cone_around([(1, 0), (1, 1), (2, -1)]), cone_around([(1, 0), (0, 1), (-1, 0)])
+    (((2, -1), (1, 1)), None)
+    """
+    if not vectors:
+        return None
+    first = last = vectors[0]
+    for x, y in vectors:
+        behind, before = first[0] * y - first[1] * x, x * last[1] - y * last[0]
+        if behind > 0 > before:
+            last = x, y
+        elif behind < 0 < before:
+            first = x, y
+        elif behind < 0 or before < 0 or (behind == before == 0 and first[0] * x + first[1] * y < 0):
+            return None
+    return first, last

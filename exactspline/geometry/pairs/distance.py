@@ -1,0 +1,434 @@
+"""The distance of two curves: the pairs of nearest points, each certified, and the arcs of such pairs.
+
+A pair at the least distance is a common point, or has an end or a knot of one of the curves, or is a common zero of the
+two derivatives of the squared distance. Along the zeros of a common factor of both the distance is constant: they are
+arcs of such pairs, and single points (`exactspline.bivariate.monotone_arcs`). All others are isolated by boxes
+(`exactspline.bivariate.common_zeros`), where the distance is not above that of a pair already known. Distances that are
+near each other are compared exactly.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass, field
+from functools import partial, reduce
+from operator import add, itemgetter
+from typing import Any, TypeVar
+
+from flint import arb, fmpq_poly, fmpz_mpoly, fmpz_poly
+
+from exactspline.bivariate.common_zeros import CommonZero, projected, zeros_of
+from exactspline.bivariate.monotone_arcs import monotone_arcs
+from exactspline.errors import ReachError, ShapeError, counted
+from exactspline.geometry.pairs.box_tree import IntegerBox, box_of, shift_for
+from exactspline.geometry.pairs.intersections import Intersections, Overlap, intersections
+from exactspline.geometry.pairs.nearest import nearest
+from exactspline.hooks import Displayed
+from exactspline.numbers.exact import mpq, to_fmpq, to_fmpz
+from exactspline.numbers.intervals import UNIT, Box, Interval, ball_around, joined
+from exactspline.numbers.sides import Side
+from exactspline.polynomials.bernstein import in_parameter, over_common_denominator, quotient_slope
+from exactspline.polynomials.cost import bounded
+from exactspline.polynomials.factors import factorize, greatest_common_divisor
+from exactspline.polynomials.over_root import OverRoot
+from exactspline.polynomials.patch_forms import PatchForm
+from exactspline.polynomials.two_parameters import S, T, as_form, as_polynomial, enclosed, lifted, over, rows_of
+from exactspline.polynomials.zero_places import FIRST
+from exactspline.reals.ball import InBalls
+from exactspline.reals.real import Real, real, square_root
+from exactspline.roots.of_polynomials import Parameter, as_splines, exactly, roots_in
+from exactspline.roots.root import Root
+from exactspline.roots.segment_forms import SegmentForms, segment_forms
+from exactspline.roots.values import value_at
+from exactspline.splines.nurbs import Nurbs
+from exactspline.splines.type_checks import curve_of
+
+V = TypeVar("V")
+Point = tuple[mpq, ...]
+#: How near a lower bound is brought to a bound: by a factor of 1 − 2^−k with k below this.
+NARROW = 40
+#: The first number of digits of squared distances, and how many more, once they are bounded within a factor of two, are
+#: compared before it is decided exactly whether they are equal.
+BOUND, TIED = 12, 800
+
+
+@dataclass(frozen=True)
+class ClosestPair:
+    """A parameter of each curve, at the least distance."""
+
+    first: Real
+    second: Real
+    squared: Real = field(compare=False)
+
+    def __repr__(self) -> str:
+        return f"<closest at {self.first.shortly()} and {self.second.shortly()}>"
+
+
+@dataclass(frozen=True, repr=False)
+class Distance(Displayed):
+    """The least distance of two curves, and the pairs of points at it: exact numbers, and exactly equally near.
+
+    `everywhere` are the arcs all of whose points are at it, by their parameters on both curves: arcs in common, arcs
+    that stay at this distance (of parallel segments, of circles about one point), arcs of a circle about a point of the
+    other curve, and pieces that stand still (with an arc of a circle, all pairs of both). Their ends are among the
+    pairs, the points between are not listed. `left_out` names what would take too long to decide. Then the square of
+    the distance is at least `lower`, a rational number; otherwise `lower` is None.
+    """
+
+    pairs: tuple[ClosestPair, ...]
+    lower: mpq | None = None
+    left_out: tuple[str, ...] = ()
+    everywhere: tuple[Overlap, ...] = ()
+
+    @property
+    def squared(self) -> Real:
+        """The square of the distance of the pairs."""
+        return self.pairs[0].squared
+
+    @property
+    def value(self) -> Real:
+        """The distance of the pairs."""
+        return square_root(self.squared)
+
+    def __repr__(self) -> str:
+        arcs = f", everywhere on {list(self.everywhere)}" if self.everywhere else ""
+        doubt = f", undecided: {'; '.join(self.left_out)}" if self.left_out else ""
+        return f"<Distance {self.value.shortly()} between {list(self.pairs)}{arcs}{doubt}>"
+
+
+def distance(first: Nurbs, second: Nurbs) -> Distance:
+    """The distance of two curves in the plane or in space, and the pairs of parameters at which they are nearest.
+
+    >>> from exactspline import Nurbs
+    >>> parabola = Nurbs(2, [0, 0, 0, 1, 1, 1], [(-1, 1), (0, -1), (1, 1)])  # y = x²
+    >>> line = Nurbs(1, [0, 0, 1, 1], [(-1, -2), (1, 0)])  # y = x − 1
+    >>> found = distance(parabola, line)
+    >>> found
+    <Distance 3√2/8 between [<closest at 3/4 and 15/16>]>
+    >>> distance(line, Nurbs(1, [0, 0, 1, 1], [(-1, -1), (0, 0)])).everywhere  # y = x
+    (<overlap of [1/4, 3/4] and [0, 1]>,)
+
+    Raises `ShapeError` for curves of different dimensions.
+    """
+    if curve_of(first).dimension != curve_of(second).dimension:
+        raise ShapeError(
+            f"a curve in R{first.dimension} and one in R{second.dimension}", remedy="give curves of one dimension"
+        )
+    return nearest_pairs(first, second, intersections(first, second))
+
+
+def nearest_pairs(first: Nurbs, second: Nurbs, meeting: Intersections) -> Distance:
+    """The same of curves whose common points are known."""
+    zero = Real(0)
+    if meeting.points or meeting.everywhere:
+        pairs = [ClosestPair(p.first, p.second, zero) for p in meeting]
+        for arc in meeting.everywhere:
+            pairs += _ends(arc, zero, (first, second))
+        left_out = list(meeting.left_out)
+        each = _each_once(pairs, left_out)
+        return Distance(each, mpq(0) if left_out else None, tuple(left_out), meeting.everywhere)
+    return _Search(first, second, meeting.left_out).answer()
+
+
+def _ends(arc: Overlap, squared: Real, curves: tuple[Nurbs, Nurbs]) -> list[ClosestPair]:
+    """The pairs at the ends of an arc."""
+    sides = [[_at_seam(t, curve) for t in ends] for curve, ends in zip(curves, (arc.first, arc.second), strict=True)]
+    return [ClosestPair(s, t, squared) for s, t in zip(*sides, strict=True)]
+
+
+def _at_seam(t: Real, curve: Nurbs) -> Real:
+    """A parameter, that of the seam of a closed curve as its start."""
+    return Real(curve.domain.low) if curve.closed and t == curve.domain.high else t
+
+
+def _within(arc: Overlap, other: Overlap) -> bool:
+    """Whether an arc is a part of another one."""
+    sides = (arc.first, other.first), (arc.second, other.second)
+    return all(c <= a and b <= d for (a, b), (c, d) in sides)
+
+
+def _largest(arcs: Iterable[tuple[Overlap, Real]]) -> list[tuple[Overlap, Real]]:
+    """The arcs that are no parts of others, each once."""
+    kept: list[tuple[Overlap, Real]] = []
+    for arc, squared in arcs:
+        if not any(_within(arc, other) for other, _ in kept):
+            kept = [*(one for one in kept if not _within(one[0], arc)), (arc, squared)]
+    return kept
+
+
+def _between(pair: ClosestPair, arc: Overlap) -> bool:
+    """Whether a pair is no end of an arc, or of a piece with which all pairs count, but on it."""
+    sides = (pair.first, arc.first), (pair.second, arc.second)
+    return all(low <= t <= high for t, (low, high) in sides) and any(t not in ends for t, ends in sides)
+
+
+def _each_once(pairs: Sequence[ClosestPair], left_out: list[str]) -> tuple[ClosestPair, ...]:
+    """Pairs without those that are there already; names what would take too long to compare."""
+    each: list[ClosestPair] = []
+    try:
+        for pair in pairs:
+            if not any(pair == other for other in each):
+                each.append(pair)
+    except ReachError as error:
+        left_out.append(f"which of {counted(len(pairs), 'pair')} are the same: {error.problem}")
+        return tuple(pairs)
+    return tuple(each)
+
+
+class _Search:
+    """The pairs of nearest points of curves that do not meet."""
+
+    def __init__(self, first: Nurbs, second: Nurbs, left_out: tuple[str, ...]) -> None:
+        self.curves, self.left_out = (first, second), list(left_out)
+        self.lower: mpq | None = mpq(0) if left_out else None
+        self.segments = [[segment_forms(curve, i) for i in range(curve.segments)] for curve in self.curves]
+        self.arcs: list[tuple[Overlap, Real]] = []
+        self.found = [pair for k in (0, 1) for pair in self._at_knots(k)]
+        self.digits, self.bound = _bound([pair.squared for pair in self.found])
+        self.arcs = _largest(self.arcs)
+        self.found = [pair for pair in self.found if not any(_between(pair, arc) for arc, _ in self.arcs)]
+        for i, j in self._near_pairs():
+            with bounded():
+                self._inside(i, j)
+
+    def _at_knots(self, k: int) -> Iterator[ClosestPair]:
+        """The points of curve k nearest to the ends and knots of the other one, and to its pieces that stand still."""
+        for place, centre in self._places(1 - k):
+            around = nearest(self.curves[k], centre)
+            arcs = [(part, point.squared) for point in around for part in [(point.parameter,) * 2]]
+            for low, high in (part for piece in around.everywhere for part in piece.parts):
+                squared = Real(_total([(x - y) ** 2 for x, y in zip(self.curves[k](low), centre, strict=True)]))
+                arcs.append(((Real(low), Real(high)), squared))
+            for part, squared in arcs:
+                sides = ((Real(place.low), Real(place.high)), part)
+                arc = Overlap(sides[1 - k], sides[k], None, None)
+                if place.low < place.high or part[0] < part[1]:
+                    self.arcs.append((arc, squared))
+                yield from _ends(arc, squared, self.curves)
+
+    def _places(self, k: int) -> Iterator[tuple[Interval, Point]]:
+        """The pieces of a curve that stand still, and its ends and knots that belong to none of them, with the points:
+        two where the curve jumps.
+        """
+        curve, still = self.curves[k], dict[Point, list[Interval]]()
+        for i, (degree, _) in enumerate(self.segments[k]):
+            if degree == 0:
+                still.setdefault(curve(curve.breakpoints[i]), []).append(Interval(*curve.breakpoints[i : i + 2]))
+        for t in curve.breakpoints:
+            for point in dict.fromkeys(curve(t, side) for side in Side):
+                if not any(low <= t <= high for low, high in still.get(point, ())):
+                    yield Interval(t, t), point
+        yield from ((piece, point) for point, pieces in still.items() for piece in joined(pieces))
+
+    def _near_pairs(self) -> Iterator[tuple[int, int]]:
+        """The pairs of segments that may be nearer than the bound."""
+        shift = shift_for([segment for segments in self.segments for segment in segments])
+        boxes = [[box_of(segment, shift) for segment in segments] for segments in self.segments]
+        limit = self.bound * (1 << 2 * shift)
+        for i, one in enumerate(boxes[0]):
+            for j, other in enumerate(boxes[1]):
+                moving = self.segments[0][i][0] > 0 and self.segments[1][j][0] > 0
+                if moving and _squared_gap(one, other) <= limit:
+                    yield i, j
+
+    def _inside(self, i: int, j: int) -> None:
+        """The critical pairs inside two segments at which the distance is not above the bound."""
+        first, second = (Interval(*c.breakpoints[k : k + 2]) for c, k in zip(self.curves, (i, j), strict=True))
+        forms = _Forms(self.segments[0][i], self.segments[1][j], Box(first, second))
+        farther, undecided = forms.excess(self.bound), [UNIT]
+        if farther.sign == 1:
+            return
+        try:
+            shared = greatest_common_divisor(forms.slopes)
+            rest = [as_form(p / shared) for p in forms.slopes if p]
+            zeros = zeros_of(rest, not_positive=[farther])
+            # pairs with an end are found otherwise, and so are those at which the common factor vanishes
+            inside = [zero for zero in zeros.zeros if zero.is_inside and not zero.is_zero_of(as_form(shared))]
+            self.found += [_pair(zero, forms, rest) for zero in inside]
+            for factor in factorize(shared).bases:
+                self._constant(factor, forms)
+            undecided = zeros.undecided
+        except ReachError:
+            pass  # named below
+        if undecided:
+            self.left_out.append(f"the points inside the segments over {first.shortly} and {second.shortly}")
+            least = forms.least(undecided, self.bound)
+            self.lower = least if self.lower is None else min(self.lower, least)
+
+    def _constant(self, factor: fmpz_mpoly, forms: _Forms) -> None:
+        """The zeros of an irreducible common factor, on connected parts of which the distance is constant."""
+        form = as_form(factor)
+        if form.sign is not None:
+            return
+        arcs, turning = monotone_arcs(factor)
+        pair = form, as_form(factor.derivative(0) * factor.derivative(1))
+        self.found += [_pair(zero, forms, pair) for zero in turning if zero.is_inside]
+        carried = _map(over(form, forms.sides))
+        for arc in arcs:
+            squared = forms.value(*arc.inner)
+            if squared.enclosure(self.digits).low <= self.bound:
+                ends = sorted((CommonZero(forms.sides, end).place for end in (arc.start, arc.end)), key=itemgetter(1))
+                first, second = ((real(a), real(b)) for a, b in zip(*ends, strict=True))
+                self.arcs.append((Overlap(first, second, *carried), squared))
+
+    def answer(self) -> Distance:
+        """The nearest of the pairs, and the arcs of such pairs."""
+        found: list[tuple[Real, ClosestPair | Overlap]] = [(pair.squared, pair) for pair in self.found]
+        found += [(squared, arc) for arc, squared in self.arcs]
+        digits = self.digits
+        while len(found) > 1 and digits <= self.digits + TIED:
+            bounds = [squared.enclosure(digits) for squared, _ in found]
+            limit = min(high for _, high in bounds)
+            found = [one for one, (low, _) in zip(found, bounds, strict=True) if low <= limit]
+            digits += digits - self.digits + BOUND
+        try:
+            least = min(squared for squared, _ in found)
+            found = [one for one in found if one[0] == least]
+        except ReachError as error:
+            self.left_out.append(f"which of {counted(len(found), 'pair or arc')} are the nearest: {error.problem}")
+            self.lower = min(squared.enclosure(digits).low for squared, _ in found)
+        pairs = _each_once([one for _, one in found if isinstance(one, ClosestPair)], self.left_out)
+        arcs = tuple(one for _, one in found if isinstance(one, Overlap))
+        if self.lower is not None and pairs[0].squared < self.lower:
+            return Distance(pairs, everywhere=arcs)
+        return Distance(pairs, self.lower, tuple(self.left_out), arcs)
+
+
+def _bound(values: Sequence[Real]) -> tuple[int, mpq]:
+    """A bound of the least of some numbers, at most twice it, and the digits to which it is known."""
+    digits = BOUND
+    while True:
+        bounds = [value.enclosure(digits) for value in values]
+        low, high = (min(ends) for ends in zip(*bounds, strict=True))
+        if high <= 2 * low:
+            return digits, high
+        digits *= 2
+
+
+def _map(p: fmpz_mpoly) -> tuple[tuple[int, ...] | None, tuple[int, ...] | None, bool]:
+    """Numerator and denominator of the parameter of one curve as a function of the other's where a polynomial in both
+    vanishes that is linear in it, and whether it is that of the second; None where there is no such function.
+    """
+    for of_second, q in enumerate((p.compose(T, S), p)):
+        rows = rows_of(q)
+        if len(rows) == 2 and max(row.degree() for row in rows) > 0:
+            sign = -1 if rows[1].leading_coefficient() < 0 else 1
+            top, bottom = (tuple(int(x) * sign for x in row.coeffs()) for row in (-rows[0], rows[1]))
+            return top, bottom, bool(of_second)
+    return None, None, False
+
+
+def _squared_gap(one: IntegerBox, other: IntegerBox) -> int:
+    """A lower bound of the squared distance of what is in two boxes."""
+    if one is None or other is None:
+        return 0
+    return sum(max(c - b, a - d, 0) ** 2 for (a, b), (c, d) in zip(one, other, strict=True))
+
+
+class _Forms:
+    """The squared distance of two segments over these sides as a quotient, and its derivatives: polynomials in s and t,
+    which are here the local parameters of the segments.
+    """
+
+    def __init__(self, first: SegmentForms, second: SegmentForms, sides: Box) -> None:
+        self.segments, self.sides = (first, second), sides
+        (*p, w), (*q, v) = ([in_parameter(x, n, UNIT.first)[0] for x in forms] for n, forms in (first, second))
+        chord = [lifted(x, 0) * lifted(v, 1) - lifted(w, 0) * lifted(y, 1) for x, y in zip(p, q, strict=True)]
+        self.squared, self.weight = _total([e * e for e in chord]), lifted(w * w, 0) * lifted(v * v, 1)
+        #: The derivatives of the squared distance, up to positive factors.
+        self.slopes = (
+            _total([e * lifted(quotient_slope(x, w), 0) for e, x in zip(chord, p, strict=True)]),
+            _total([e * lifted(quotient_slope(y, v), 1) for e, y in zip(chord, q, strict=True)]),
+        )
+
+    def __reduce__(self) -> tuple[object, ...]:
+        rows = [(n, [[int(x) for x in form.coeffs()] for form in forms]) for n, forms in self.segments]
+        return _forms, (*rows, self.sides)
+
+    def excess(self, bound: mpq) -> PatchForm:
+        """Positive where the squared distance is above a bound."""
+        return as_form(self.squared * to_fmpz(bound.denominator) - self.weight * to_fmpz(bound.numerator))
+
+    def least(self, boxes: Sequence[Box], bound: mpq) -> mpq:
+        """A lower bound of the squared distance on all boxes, near to a bound if that is possible."""
+        least = mpq(0)
+        for k in range(1, NARROW):
+            closer = bound * (1 - mpq(1, 1 << k))
+            excess = self.excess(closer)
+            if any(excess.part(box).sign != 1 for box in boxes):
+                break
+            least = closer
+        return least
+
+    def value(self, s: Parameter, t: Parameter) -> Real:
+        """The squared distance at parameters of which one is rational."""
+        k, known, other = (0, s, t) if not isinstance(s, Root) else (1, t, s)
+        assert not isinstance(known, Root)
+        top, bottom = (
+            fmpq_poly([row(to_fmpq(known)) for row in rows_of(p if k == 0 else p.compose(T, S))])
+            for p in (self.squared, self.weight)
+        )
+        return _quotient(top, bottom, mpq(1), other)
+
+    def value_at(self, zero: CommonZero, pair: Sequence[PatchForm]) -> Real:
+        """The squared distance at a zero that two forms without a common factor have in common: as a function of a
+        number ``z = t + λ s`` in whose field both parameters are.
+        """
+        slope, minimal, _, s, _ = projected(zero, *map(as_polynomial, pair))
+        modulus, high = fmpq_poly(minimal), mpq(1 + slope)
+        sheared = [OverRoot.of(p.compose(T, S - slope * T), modulus) for p in (self.squared, self.weight)]
+        top, bottom = (
+            reduce(lambda x, c: (x * s + c) % modulus, reversed(p.coefficients), fmpq_poly([])) for p in sheared
+        )
+        roots, bits = roots_in(minimal, mpq(0), high, whole=True), FIRST
+        while len(roots) > 1:
+            (a, b), (c, d) = zero.refine(bits)
+            roots, bits = [z for z in roots if c + slope * a <= z <= d + slope * b], 2 * bits
+        return _quotient(top, bottom, high, exactly(roots[0]))
+
+    def near(self, box: Box) -> arb:
+        """A ball around the squared distance on a box; FLINT's precision is the caller's."""
+        s, t = (ball_around(*side) for side in box)
+        return enclosed(self.squared, s, t) / enclosed(self.weight, s, t)
+
+
+def _forms(*given: Any) -> _Forms:
+    """Unpickles the forms of two segments."""
+    *segments, sides = given
+    first, second = ((n, [fmpz_poly(row) for row in rows]) for n, rows in segments)
+    return _Forms(first, second, sides)
+
+
+def _quotient(top: fmpq_poly, bottom: fmpq_poly, high: mpq, place: Parameter) -> Real:
+    """The value of a quotient at a number in [0, high]."""
+    whole = over_common_denominator([(f.numer(), f.denom()) for f in (top, bottom)])[0]
+    above, below = as_splines(whole, mpq(0), high)
+    return value_at(above, below, place)
+
+
+def _total(terms: list[V]) -> V:
+    return reduce(add, terms)
+
+
+def _pair(zero: CommonZero, forms: _Forms, pair: Sequence[PatchForm]) -> ClosestPair:
+    """A critical pair, a zero that two forms have in common: its numbers are enclosed by boxes, and computed exactly
+    when that is asked for.
+    """
+    if (exact := zero.exact) is not None:
+        s, t = forms.sides.at(*exact)
+        return ClosestPair(Real(s), Real(t), forms.value(*exact))
+    first, second = (InBalls(partial(_enclosing, zero, k, forms), partial(_parameter, zero, k, forms)) for k in (0, 1))
+    return ClosestPair(first, second, InBalls(partial(_squared, zero, forms), partial(forms.value_at, zero, pair)))
+
+
+def _enclosing(zero: CommonZero, k: int, forms: _Forms, bits: int) -> arb:
+    return ball_around(*forms.sides[k].part(zero.refine(bits)[k]))
+
+
+def _parameter(zero: CommonZero, k: int, forms: _Forms) -> Real:
+    on = zero.on(forms.sides)
+    return real(on.t if k else on.s)
+
+
+def _squared(zero: CommonZero, forms: _Forms, bits: int) -> arb:
+    return forms.near(zero.refine(bits))

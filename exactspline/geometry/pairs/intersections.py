@@ -1,0 +1,452 @@
+"""The common points of two curves, and of a curve and itself: every pair of parameters, exactly, with its multiplicity,
+and the arcs that they have in common.
+
+Segments that cannot meet are excluded by boxes; each remaining pair is decided by Bézout's matrix
+(`exactspline.polynomials.plane_pairs`). Space curves are projected to a plane, and the third coordinate is compared
+exactly.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from enum import StrEnum
+from functools import partial
+from typing import Any, NamedTuple
+
+from exactspline.errors import ReachError, ShapeError
+from exactspline.geometry.pairs.box_tree import BoxTree, Cone, cone_around, legs, pairs_that_may_meet, shift_for
+from exactspline.geometry.pairs.intersection_certificate import intersection_certificate
+from exactspline.geometry.pairs.lazy_intersections import PairForm
+from exactspline.geometry.pairs.sides_at_knots import changes_side, half_branches, interlace
+from exactspline.geometry.pairs.space_intersections import SpaceForms, space_meetings
+from exactspline.hooks import Displayed
+from exactspline.numbers.exact import common_divisor, mpq
+from exactspline.numbers.intervals import Interval
+from exactspline.polynomials.bezout import PlaneForms
+from exactspline.polynomials.common_arcs import Arc, Local, Meeting, Meetings, Rest
+from exactspline.polynomials.cost import PATCH, QUESTION, Budget, drawing_on
+from exactspline.polynomials.plane_pairs import meetings, self_meetings
+from exactspline.polynomials.zero_places import Place
+from exactspline.programs.certain_pairs import certain_pairs
+from exactspline.reals.real import RationalNumber, Real
+from exactspline.roots.answers import Answer
+from exactspline.roots.segment_forms import (
+    ImageValue,
+    image_splines,
+    is_joined,
+    is_point,
+    parameter,
+    segment_forms,
+    segment_rows,
+)
+from exactspline.roots.values import at, segment_polynomials
+from exactspline.splines.nurbs import Nurbs
+from exactspline.splines.type_checks import curve_of
+
+
+class IntersectionKind(StrEnum):
+    """How two curves meet at a point."""
+
+    #: Each changes from one side of the other to the other side.
+    CROSSING = "crossing"
+    #: They stay on their sides.
+    TOUCHING = "touching"
+    #: One of the curves ends there.
+    END = "end"
+    #: At a knot of one of them; it is not decided whether they cross.
+    KNOT = "knot"
+    #: In space, where curves have no sides; of offsets, where it is not decided whether they cross.
+    SPACE = "common point"
+
+
+@dataclass(frozen=True)
+class Intersection:
+    """One common point: a parameter of each curve.
+
+    `multiplicity` is the intersection multiplicity: 1 where the tangents differ, k + 1 where the curves have contact of
+    order k. At knots it is the least of those of the segments that meet there. It is None in space, and where two arcs
+    of one algebraic curve continue each other.
+    """
+
+    first: Real
+    second: Real
+    kind: IntersectionKind
+    multiplicity: int | None
+    curves: tuple[Nurbs, Nurbs]
+    #: Whether the parameter of the first, and of the second, is a knot (or an end).
+    at_knot: tuple[bool, bool] = (False, False)
+
+    @property
+    def point(self) -> tuple[mpq | Real, ...]:
+        """The coordinates, exactly."""
+        # a zero, and before it a rational number, is simpler than the value of a map at a zero
+        k = min((0, 1), key=lambda k: _unknown((self.first, self.second)[k]))
+        return at(self.curves[k], (self.first, self.second)[k])
+
+    @property
+    def contact(self) -> int | None:
+        """The order of contact: the multiplicity less one."""
+        return None if self.multiplicity is None else self.multiplicity - 1
+
+    def __repr__(self) -> str:
+        times = "" if self.multiplicity in (None, 1) else f", multiplicity {self.multiplicity}"
+        return f"<{self.kind} at {self.first.shortly()} and {self.second.shortly()}{times}>"
+
+
+def _unknown(parameter: Real) -> tuple[bool, bool]:
+    """The sorting key of parameters, the simplest ones first."""
+    return not isinstance(parameter, RationalNumber), isinstance(parameter, ImageValue)
+
+
+@dataclass(frozen=True)
+class Overlap:
+    """An arc that two curves have in common: the parameters of both at its ends, in the order of the second. Both are
+    monotone along it.
+
+    `numerator` and `denominator` are the coefficients, constant term first, of polynomials N and D such that the
+    parameter of the first curve is ``N(t)/D(t)`` at the parameter t of the second (or the other way round with
+    `of_second`); both are None where the parameters are not rational functions of each other.
+    """
+
+    first: tuple[Real, Real]
+    second: tuple[Real, Real]
+    numerator: tuple[int, ...] | None
+    denominator: tuple[int, ...] | None
+    of_second: bool = False
+
+    @property
+    def reversed(self) -> bool:
+        """Whether the curves run in opposite directions."""
+        return self.first[0] > self.first[1]
+
+    def __repr__(self) -> str:
+        first, second = ("[{}, {}]".format(*(x.shortly() for x in ends)) for ends in (self.first, self.second))
+        return f"<overlap of {first} and {second}{', reversed' if self.reversed else ''}>"
+
+
+@dataclass(frozen=True, repr=False)
+class Intersections(Answer[Intersection, Overlap], Displayed):
+    """All common points of two curves in the order of the parameter of the first, and `everywhere` the arcs that they
+    have in common, whose points are not listed one by one. `left_out` names the pairs of segments that were out of
+    reach; an answer with such a pair is not "nowhere".
+    """
+
+    left_out: tuple[str, ...] = ()
+    curves: tuple[Nurbs, Nurbs] | None = field(default=None, compare=False)
+
+    def __bool__(self) -> bool:
+        return super().__bool__() or bool(self.left_out)
+
+    def certificate(self) -> dict[str, object]:
+        """A proof, as JSON data with exact strings, that these are all (see `exactspline.certificates`): of two plane
+        curves without arcs in common, of which none passes several times through a common point.
+
+        >>> from exactspline import Nurbs, check_certificate
+        >>> first, second = (Nurbs(1, [0, 0, 1, 1], [(0, y), (1, 1 - y)]) for y in (0, 1))
+        >>> check_certificate(intersections(first, second).certificate())
+        {'points': 1}
+
+        Raises `ShapeError` in space, and `ReachError` for other curves.
+        """
+        if self.curves is None:
+            raise ShapeError("a certificate of a curve and itself", remedy="give two curves")
+        return intersection_certificate(*self.curves)
+
+    def _parts(self) -> list[str]:
+        return super()._parts() + [f"undecided: {what}" for what in self.left_out]
+
+
+def intersections(first: Nurbs, second: Nurbs) -> Intersections:
+    """All common points of two curves, in the plane or in space (`exactspline.intersections` says more).
+
+    >>> from exactspline import Nurbs, example
+    >>> intersections(example("ellipse"), Nurbs(1, [0, 0, 1, 1], [(-4, 0), (4, 0)]))
+    [<crossing at 0 and 3/4>, <crossing at 2 and 1/4>]
+
+    Raises `ShapeError` for curves of different dimensions, and outside plane and space.
+    """
+    for curve in (curve_of(first), curve_of(second)):
+        if curve.dimension not in (2, 3):
+            raise ShapeError(f"a curve in R{curve.dimension}", remedy="give curves in the plane or in space")
+    if first.dimension != second.dimension:
+        raise ShapeError(
+            f"a curve in R{first.dimension} and one in R{second.dimension}", remedy="give curves of one dimension"
+        )
+    return CollectedPoints(first, second).answer()
+
+
+def self_intersections(curve: Nurbs) -> Intersections:
+    """The points through which a plane curve passes more than once, each as a pair of parameters s < t; neighbouring
+    segments, and the ends of a closed curve, do not meet in their common knot. All parameters between which the curve
+    stands still count as one.
+
+    >>> from exactspline import Nurbs
+    >>> loop = Nurbs(3, [0] * 4 + [1] * 4, [(0, 0), (3, 3), (-2, 3), (1, 0)])
+    >>> self_intersections(loop)
+    [<crossing at (2 - √3)/4 and (2 + √3)/4>]
+
+    Raises `ShapeError` for a curve that is not in the plane.
+    """
+    if curve_of(curve).dimension != 2:
+        raise ShapeError(f"a curve in R{curve.dimension}", remedy="give a curve in the plane")
+    return CollectedPoints(curve, curve, alone=True).answer()
+
+
+class _Found(NamedTuple):
+    """A common point of two segments: their indices, both parameters, and which knots these are (None: inside)."""
+
+    segments: tuple[int, int]
+    parameters: tuple[Real, Real]
+    knots: tuple[int | None, int | None]
+    multiplicity: int | None
+
+    def exchanged(self) -> _Found:
+        """The same with the curves exchanged."""
+        return _Found(self.segments[::-1], self.parameters[::-1], self.knots[::-1], self.multiplicity)
+
+    def is_at(self, other: _Found) -> bool:
+        """Whether both are the same pair of parameters."""
+        return all(
+            (a is not None and a == b) or x == y
+            for a, b, x, y in zip(self.knots, other.knots, self.parameters, other.parameters, strict=True)
+        )
+
+
+class CollectedPoints:
+    """The common points and arcs of pairs of segments, each once."""
+
+    def __init__(self, first: Nurbs, second: Nurbs, *, alone: bool = False) -> None:
+        self.curves, self.alone, self.in_space = (first, second), alone, first.dimension == 3
+        self.segments = [[segment_rows(curve, i) for i in range(curve.segments)] for curve in self.curves[: 2 - alone]]
+        #: The common points inside two segments.
+        self.inner: list[tuple[tuple[int, int], Meeting]] = []
+        self.at_knots: dict[tuple[object, object], list[list[_Found]]] = {}
+        self.arcs: list[Overlap] = []
+        self.left_out: list[str] = []
+        self._cones: dict[int, Cone | None] = {}
+        self._knots = [self._different_knots(k) for k in range(2)]
+        pairs = self._pairs()
+        certain = certain_pairs(self.segments[0], self.segments[-1], pairs)
+        #: The common points that are certain in doubles.
+        self.certain = [(pair, found) for pair, found in zip(pairs, certain, strict=True) if found]
+        with drawing_on(Budget(QUESTION + PATCH * max(len(pairs) - 1, 0))):
+            for (i, j), found in zip(pairs, certain, strict=True):
+                if found is None and not (alone and self.runs_on(i, j)):
+                    self._collect(i, j)
+
+    def _pairs(self) -> list[tuple[int, int]]:
+        """The pairs of segments whose boxes meet, each once."""
+        shift = shift_for([segment for segments in self.segments for segment in segments])
+        trees = [BoxTree(segments, shift) for segments in self.segments]
+        return list(pairs_that_may_meet(trees[0], trees[-1]))
+
+    def runs_on(self, i: int, j: int) -> bool:
+        """Whether one curve certainly runs on in one direction on a segment, or from one to the next: then it meets
+        itself there in their common knot at most.
+        """
+        curve, last = self.curves[0], len(self.segments[0]) - 1
+        if j > i + 1 and not (i == 0 and j == last and curve.closed):
+            return False
+        if j == i + 1 and curve.p[0].continuity[i] < 0:
+            return False
+        cones = [self._cone(k) for k in (i, j)]
+        return None not in cones and cone_around([leg for cone in cones for leg in cone or ()]) is not None
+
+    def _cone(self, i: int) -> Cone | None:
+        """The cone around the legs of a segment, computed once."""
+        if i not in self._cones:
+            self._cones[i] = cone_around(legs(self.segments[0][i]))
+        return self._cones[i]
+
+    def _form(self, k: int, i: int) -> Any:
+        """A segment of one of the curves, in the plane or in space."""
+        n, forms = segment_forms(self.curves[k], i)
+        return (SpaceForms if self.in_space else PlaneForms)(n, *forms)
+
+    def _side(self, k: int, i: int) -> Interval:
+        return Interval(*self.curves[k].breakpoints[i : i + 2])
+
+    def _collect(self, i: int, j: int) -> None:
+        one, other = self._form(0, i), self._form(1, j)
+        try:
+            if self.alone and i == j:
+                found = self_meetings(one)
+            else:
+                found = space_meetings(one, other) if self.in_space else meetings(one, other)
+        except ReachError as error:
+            sides = " and ".join(self._side(k, at).shortly for k, at in enumerate((i, j)))
+            self.left_out.append(f"the segments over {sides}: {error.problem}")
+            return
+        self._add(found, i, j)
+
+    def _add(self, found: Meetings, i: int, j: int) -> None:
+        sides = self._side(0, i), self._side(1, j)
+        for point in found.points:
+            knots = self._knot(0, i, point.first), self._knot(1, j, point.second)
+            if knots == (None, None):
+                self.inner.append(((i, j), point))
+            else:
+                self._put(_Found((i, j), _parameters(point, *sides), knots, point.multiplicity))
+        for arc in found.arcs:
+            self.arcs.append(_overlap(arc, *sides))
+        for rest in found.rests:
+            if self.alone and self._is_joint(rest, i, j):
+                continue
+            at_rest, other = sides[::-1] if rest.exchanged else sides
+            still = Real(at_rest.low), Real(at_rest.high)
+            place = (Real(other.low), Real(other.high))
+            if rest.place is not None:
+                place = (parameter(rest.place, other, at_rest),) * 2
+            first, second = (place, still) if rest.exchanged else (still, place)
+            self.arcs.append(Overlap(first, second, None, None))
+
+    def _different_knots(self, k: int) -> list[int]:
+        """For each knot the first one that is the same: at the seam of a closed curve, and, of a curve and itself, the
+        knots between which it stands still.
+        """
+        indices, segments = list(range(self.curves[k].segments + 1)), self.segments[0] if self.alone else []
+        for i, segment in enumerate(segments):
+            if is_point(segment) and all(map(is_joined, segments[max(i - 1, 0) : i + 1], segments[max(i, 1) : i + 2])):
+                indices[i + 1] = indices[i]
+        return [0 if self.curves[k].closed and index == indices[-1] else index for index in indices]
+
+    def _is_joint(self, rest: Rest, i: int, j: int) -> bool:
+        """Whether a segment on which a curve stands still is met by the same one or a neighbour, in their knot."""
+        still, other = (j, i) if rest.exchanged else (i, j)
+        others = self._knots[0][other : other + 2] if rest.place is None else [self._knot(0, other, rest.place)]
+        return any(knot in self._knots[0][still : still + 2] for knot in others)
+
+    def _knot(self, k: int, i: int, local: Local) -> int | None:
+        """The index of the knot that a parameter on segment i is; the first one of those that are the same."""
+        if not isinstance(local, Place) or local.exact not in (0, 1):
+            return None
+        return self._knots[k][i + int(local.exact)]
+
+    def _put(self, point: _Found) -> None:
+        s, t = point.knots
+        if self.alone:
+            if s == t:
+                return
+            if t == 0:
+                point = point.exchanged()
+                s, t = point.knots
+        key = (("knot", s) if s is not None else point.segments[0], ("knot", t) if t is not None else point.segments[1])
+        groups = self.at_knots.setdefault(key, [])
+        group = next((group for group in groups if group[0].is_at(point)), None)
+        if group is None:
+            groups.append([point])
+        else:
+            group.append(point)
+
+    def answer(self) -> Intersections:
+        """All of it, in order."""
+        at_knots = [
+            self._at_knot(group)
+            for groups in self.at_knots.values()
+            for group in groups
+            if not self._ends_an_arc(group[0])
+        ]
+        count = len(at_knots) + len(self.inner) + sum(len(found) for _, found in self.certain)
+        answer = Intersections.late(count, partial(self._in_order, at_knots), tuple(self.arcs))
+        vars(answer).update(left_out=tuple(self.left_out), curves=None if self.alone else self.curves)
+        return answer
+
+    def _in_order(self, at_knots: list[Intersection]) -> tuple[Intersection, ...]:
+        """All common points, in the order of the first curve."""
+        for pair, found in self.certain:
+            forms = PairForm.of(self.segments[0][pair[0]], self.segments[-1][pair[1]])
+            self.inner += [(pair, forms.meeting(each)) for each in found]
+        self.certain = []
+        points = [*at_knots, *(self._inside(*found) for found in self.inner)]
+        return tuple(sorted(points, key=lambda point: point.first) if len(points) > 1 else points)
+
+    def _inside(self, pair: tuple[int, int], point: Meeting) -> Intersection:
+        times = point.multiplicity
+        parameters = _parameters(point, *(self._side(k, i) for k, i in enumerate(pair)))
+        if self.in_space:
+            return Intersection(*parameters, IntersectionKind.SPACE, None, self.curves)
+        kind = IntersectionKind.CROSSING if times is not None and times % 2 else IntersectionKind.TOUCHING
+        return Intersection(*parameters, kind, times, self.curves)
+
+    def _ends_an_arc(self, point: _Found) -> bool:
+        place = tuple(self._at(k, point) for k in (0, 1))
+        # with the seam of a closed curve as its start, the parameters of a curve and itself may change their order
+        places = (place, place[::-1]) if self.alone else (place,)
+        return any(
+            (self._from_seam(0, x), self._from_seam(1, y)) in places
+            for arc in self.arcs
+            for x, y in zip(arc.first, arc.second, strict=True)
+        )
+
+    def _from_seam(self, k: int, t: Real) -> Real:
+        """A parameter, that of the end of a closed curve as its start."""
+        low, high = self.curves[k].domain
+        return Real(low) if self.curves[k].closed and t == high else t
+
+    def _at_knot(self, group: list[_Found]) -> Intersection:
+        point = group[0]
+        times = [each.multiplicity for each in group if each.multiplicity is not None]
+        return Intersection(
+            self._at(0, point),
+            self._at(1, point),
+            self._kind(group),
+            min(times, default=None),
+            self.curves,
+            (point.knots[0] is not None, point.knots[1] is not None),
+        )
+
+    def _at(self, k: int, point: _Found) -> Real:
+        knot = point.knots[k]
+        return point.parameters[k] if knot is None else Real(self.curves[k].breakpoints[knot])
+
+    def _kind(self, group: list[_Found]) -> IntersectionKind:
+        knots = group[0].knots
+        for curve, knot in zip(self.curves, knots, strict=True):
+            if knot in (0, curve.segments) and not curve.closed:
+                return IntersectionKind.END
+        if self.in_space:
+            return IntersectionKind.SPACE
+        s, t = knots
+        if len({each.segments for each in group}) < (2 if s is None or t is None else 4):
+            return IntersectionKind.KNOT
+        if s is not None and t is not None:
+            crosses = self._cross_at_knots(s, t)
+        else:
+            k = 0 if s is not None else 1
+            crosses = self._cross_at_knot(k, s or t or 0, group[0].segments[1 - k])
+        if crosses is None:
+            return IntersectionKind.KNOT
+        return IntersectionKind.CROSSING if crosses else IntersectionKind.TOUCHING
+
+    def _cross_at_knot(self, k: int, knot: int, other: int) -> bool | None:
+        """Whether curve k, which has a knot here, changes its side of a segment of the other one, which has none."""
+        before, behind = self._form(k, self._before(k, knot)), self._form(k, knot)
+        return changes_side(self._form(1 - k, other), before, behind)
+
+    def _before(self, k: int, knot: int) -> int:
+        return (knot or self.curves[k].segments) - 1
+
+    def _cross_at_knots(self, s: int, t: int) -> bool | None:
+        """Whether two curves that both have a knot here change sides."""
+        one, other = (
+            half_branches(self._form(k, self._before(k, knot)), self._form(k, knot)) for k, knot in enumerate((s, t))
+        )
+        return interlace(one, other)
+
+
+def _parameters(point: Meeting, first: Interval, second: Interval) -> tuple[Real, Real]:
+    """The parameters of a common point of segments over two intervals."""
+    return parameter(point.first, first, second), parameter(point.second, second, first)
+
+
+def _overlap(arc: Arc, first: Interval, second: Interval) -> Overlap:
+    one = parameter(arc.first[0], first, second), parameter(arc.first[1], first, second)
+    other = parameter(arc.second[0], second, first), parameter(arc.second[1], second, first)
+    if arc.map is None:
+        return Overlap(one, other, None, None)
+    sides = (second, first) if arc.exchanged else (first, second)
+    top, bottom = segment_polynomials(image_splines(arc.map, *sides), 0)
+    # in lowest terms up to a constant already
+    common = common_divisor([top.content(), bottom.content()]) * (-1 if bottom.leading_coefficient() < 0 else 1)
+    coefficients = [tuple(int(x // common) for x in p.coeffs()) for p in (top, bottom)]
+    return Overlap(one, other, coefficients[0], coefficients[1], arc.exchanged)

@@ -1,0 +1,386 @@
+"""The common points of the offsets of two plane curves, and those at which the offset of a curve meets itself: pairs of
+parameters whose normals meet, at the distances of the offsets.
+
+They are common zeros of two polynomials, one for each distance; where the distances are equal, one says that both
+points are equally far from where the normals meet. For a curve and itself both vanish where s = t; they are divided by
+s − t. Where the normals are parallel the polynomials vanish whether or not the offsets meet; there it is decided by the
+length of the chord.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+from itertools import groupby
+from math import ceil
+
+from flint import fmpz_mpoly
+
+from exactspline.bivariate.common_zeros import CommonZero, common_zeros, multiplicity
+from exactspline.bivariate.singular_points import sign_at
+from exactspline.errors import ReachError, ShapeError, counted
+from exactspline.geometry.bisectors.plane_pair import PlanePair, tangent
+from exactspline.geometry.bisectors.system import piece
+from exactspline.geometry.curves.facts import facts_of
+from exactspline.geometry.pairs.box_tree import BoxTree, pairs_that_may_meet, shift_for
+from exactspline.geometry.pairs.intersections import Intersection, IntersectionKind, Intersections
+from exactspline.geometry.pairs.intersections import intersections as intersections_of_curves
+from exactspline.geometry.pairs.intersections import self_intersections as self_intersections_of_curve
+from exactspline.language.vector import Vector, det, dot, norm2
+from exactspline.numbers.exact import Number, mpq, rational
+from exactspline.numbers.exact import sign as sign_of
+from exactspline.numbers.intervals import Box, Interval
+from exactspline.numbers.once import cached_property
+from exactspline.numbers.sides import Side
+from exactspline.polynomials.cost import PATCH, QUESTION, Budget, drawing_on
+from exactspline.polynomials.factorization import divided_out
+from exactspline.polynomials.factors import factorize, greatest_common_divisor
+from exactspline.polynomials.two_parameters import S, T, as_form
+from exactspline.reals.real import RationalNumber, Real, real, square_root
+from exactspline.roots.of_polynomials import Parameter
+from exactspline.roots.root import Root
+from exactspline.roots.segment_forms import segment_forms
+from exactspline.roots.values import at
+from exactspline.roots.vanishing import vanish_at
+from exactspline.splines.nurbs import Nurbs
+from exactspline.splines.type_checks import curve_of
+
+
+@dataclass(frozen=True, repr=False)
+class OffsetIntersection(Intersection):
+    """A common point of the offsets of two curves, or of one, at signed `distances` (positive to the left); both
+    parameters are those of the curves. The multiplicity is None, and the kind a common point, where the normals are
+    parallel.
+
+    At a corner an offset has two ends: `sides` tells from which side of each parameter it arrives (right elsewhere).
+    """
+
+    distances: tuple[mpq, mpq] = (mpq(), mpq())
+    sides: tuple[Side, Side] = (Side.RIGHT, Side.RIGHT)
+
+    @property
+    def point(self) -> tuple[mpq | Real, ...]:
+        """The coordinates, exactly."""
+        k = int(not isinstance(self.first, RationalNumber) and isinstance(self.second, RationalNumber))
+        curve, t, side, d = self.curves[k], (self.first, self.second)[k], self.sides[k], self.distances[k]
+        (x, y), (a, b) = at(curve, t, side=side), [at(f, t, side=side) for f in tangent(curve)]
+        length = square_root(a * a + b * b)
+        return x - b * d / length, y + a * d / length
+
+
+def intersections(first: Nurbs, second: Nurbs, *, offset: Number | tuple[Number, Number] = 0) -> Intersections:
+    """All common points of two curves, in the plane or in space.
+
+    Each point is a pair of exact parameters, with its intersection multiplicity and its kind: a crossing, a touching
+    point (of contact order multiplicity − 1), an end, or a knot. Arcs that both curves run along are given as intervals
+    with the exact map between the parameters. The seam of a closed curve is a knot like any other.
+
+    >>> from exactspline import Nurbs, example
+    >>> line = Nurbs(1, [0, 0, 1, 1], [(-4, 0), (4, 0)])
+    >>> intersections(example("ellipse"), line)
+    [<crossing at 0 and 3/4>, <crossing at 2 and 1/4>]
+    >>> tangent = Nurbs(1, [0, 0, 1, 1], [(-3, 1), (3, 1)])
+    >>> intersections(tangent, example("ellipse"))
+    [<touching at 1/2 and 1, multiplicity 2>]
+    >>> parabola = Nurbs(2, [0, 0, 0, 1, 1, 1], [(0, 0), ("1/2", 0), (1, 1)])
+    >>> intersections(parabola, parabola.restrict("1/2", 1).reverse())
+    everywhere on <overlap of [1, 1/2] and [1/2, 1], reversed>
+
+    With `offset`, a signed distance (positive to the left) or one for each curve, those of the offsets of two plane
+    curves, by the parameters of the curves themselves.
+
+    >>> intersections(example("ellipse"), line, offset=("1/4", 0))
+    [<knot at 0 and 23/32>, <knot at 2 and 9/32>]
+
+    The work is limited to about ten seconds (somewhat more for many pairs of segments); what exceeds this is named in
+    ``left_out``; of offsets also segments with points without a tangent, and those whose offsets are one point or may
+    run along each other.
+
+    Raises `ShapeError` for curves of different dimensions, outside plane and space, for offsets in space, and for more
+    than two of them.
+
+    Source: Bézout's matrix as in Manocha and Demmel, Algorithms for intersecting parametric and algebraic curves I,
+    ACM Transactions on Graphics 1994.
+    """
+    given = offset if isinstance(offset, tuple) else (offset, offset)
+    if len(given) != 2:
+        raise ShapeError(counted(len(given), "offset"), remedy="give one distance, or one for each curve")
+    distances = rational(given[0]), rational(given[1])
+    return _Search((first, second), distances).answer() if any(distances) else intersections_of_curves(first, second)
+
+
+def self_intersections(curve: Nurbs, *, offset: Number = 0) -> Intersections:
+    """The points through which a plane curve passes more than once, each as a pair of parameters s < t; neighbouring
+    segments, and the ends of a closed curve, do not meet in their common knot.
+
+    >>> from exactspline import Nurbs
+    >>> loop = Nurbs(3, [0] * 4 + [1] * 4, [(0, 0), (3, 3), (-2, 3), (1, 0)])
+    >>> self_intersections(loop)
+    [<crossing at (2 - √3)/4 and (2 + √3)/4>]
+
+    With `offset`, a signed distance (positive to the left), those of the offset curve at it, by the parameters of the
+    curve itself. Its cusps are not among them (`analyse(curve).offset_cusps` has them).
+
+    >>> parabola = Nurbs(2, [0, 0, 0, 1, 1, 1], [(-2, 4), (0, -4), (2, 4)])  # y = x²
+    >>> (found,) = self_intersections(parabola, offset=1)
+    >>> found, [x.exact for x in found.point]
+    (<crossing at (4 - √3)/8 and (4 + √3)/8>, [mpq(0,1), mpq(5,4)])
+
+    The work is limited as for `intersections`; pairs of segments that exceed it, segments with points without a
+    tangent, and those whose offsets are one point or may run along each other are named in ``left_out``.
+
+    Raises `ShapeError` for a curve that is not in the plane.
+    """
+    d = rational(offset)
+    return _Search((curve, curve), (d, d), alone=True).answer() if d else self_intersections_of_curve(curve)
+
+
+class _Search:
+    """The pairs of segments, and what is found; `alone`: of a curve and itself."""
+
+    def __init__(self, curves: tuple[Nurbs, Nurbs], distances: tuple[mpq, mpq], *, alone: bool = False) -> None:
+        for curve in curves:
+            if curve_of(curve).dimension != 2:
+                raise ShapeError(f"a curve in R{curve.dimension}", remedy="offsets need curves in the plane")
+        self.curves, self.distances, self.alone = curves, distances, alone
+        self.left_out: list[str] = []
+        self.points: list[OffsetIntersection] = []
+
+    @cached_property
+    def met(self) -> Intersections:
+        """Where the curves themselves meet."""
+        return self_intersections_of_curve(self.curves[0]) if self.alone else intersections_of_curves(*self.curves)
+
+    def answer(self) -> Intersections:
+        """All of it, in order."""
+        pairs = self._pairs()
+        with drawing_on(Budget(QUESTION + PATCH * max(len(pairs) - 1, 0))):
+            for pair in pairs:
+                try:
+                    found = list(_OfSegments(self, pair).points())
+                except ReachError as error:
+                    where = " and ".join(side.shortly for side in self.over(pair))
+                    self.left_out.append(f"the segments over {where}: {error.problem}")
+                    continue
+                self.points += map(self._from_seam, found)
+        ordered = groupby(sorted(self.points, key=_where), _where)
+        return Intersections(tuple(_once(list(own)) for _, own in ordered), (), tuple(self.left_out))
+
+    def _pairs(self) -> list[tuple[int, int]]:
+        """The pairs of segments whose boxes, widened by the distances, meet."""
+        segments = [[segment_forms(curve, i) for i in range(curve.segments)] for curve in self.curves[: 2 - self.alone]]
+        shift = shift_for([segment for own in segments for segment in own])
+        wide = [ceil(abs(d) * (1 << shift)) for d in self.distances]
+        trees = [BoxTree(own, shift, by) for own, by in zip(segments, wide, strict=False)]
+        return list(pairs_that_may_meet(trees[0], trees[-1]))
+
+    def over(self, pair: tuple[int, int]) -> Box:
+        """The parameters of a pair of segments."""
+        return Box(*(Interval(*curve.breakpoints[k : k + 2]) for curve, k in zip(self.curves, pair, strict=True)))
+
+    def _from_seam(self, point: OffsetIntersection) -> OffsetIntersection:
+        """A point with the start of a closed curve instead of its end, where there is no corner; of a curve and itself
+        the start comes first.
+        """
+        for k, curve in enumerate(self.curves):
+            low, high = curve.domain
+            places, sides, knots = [point.first, point.second], list(point.sides), list(point.at_knot)
+            if curve.closed and places[k] == high and facts_of(curve).tangent_continuous(0):
+                places[k], sides[k] = Real(low), Side.RIGHT
+                if self.alone:
+                    places, sides, knots = places[::-1], sides[::-1], knots[::-1]
+                at_knot = knots[0], knots[1]
+                point = replace(point, first=places[0], second=places[1], sides=(sides[0], sides[1]), at_knot=at_knot)
+        return point
+
+
+def _where(point: OffsetIntersection) -> tuple[Real, Real, tuple[Side, Side]]:
+    return point.first, point.second, point.sides
+
+
+def _once(found: Sequence[OffsetIntersection]) -> OffsetIntersection:
+    """One point of the pairs of segments that meet in a knot, with the least of their multiplicities."""
+    times = [point.multiplicity for point in found if point.multiplicity is not None]
+    return replace(found[0], multiplicity=min(times, default=None))
+
+
+class _OfSegments:
+    """The common points of the offsets of two segments."""
+
+    def __init__(self, search: _Search, segments: tuple[int, int]) -> None:
+        self.search, self.curves, self.segments = search, search.curves, segments
+        self.sides, self.alone = search.over(segments), search.alone and segments[0] == segments[1]
+        own = list(zip(self.curves, segments, strict=True))
+        if any(piece(curve, k).stands_still or piece(curve, k).cusps for curve, k in own):
+            raise ReachError("a segment on which the curve has a point without a tangent")
+        self.pair = pair = PlanePair.of_segments(*own)
+        a, b, e = pair.a, pair.b, pair.chord
+        one, other = search.distances
+        first, second = ((dot(b, e), a, one), (dot(a, e), b, other))
+        #: Zero where the normals meet at the distances.
+        self.equations = [self._distance(*first), self._distance(*second)]
+        if abs(one) == abs(other):
+            self.equations[1] = pair.equidistant
+        #: Positive where they meet on the side of each offset, unless it is the curve.
+        self.beside = [f * pair.across * pair.weight * sign_of(d) for f, _, d in (first, second) if d]
+        self.square, self.along, self.normal = norm2(e), dot(a, b), det(a, e) * pair.weight
+        self.triangle = self._triangle()
+
+    def _distance(self, f: fmpz_mpoly, velocity: Vector[fmpz_mpoly], d: mpq) -> fmpz_mpoly:
+        """Zero where the normals meet at a distance from one of the points."""
+        if not d:
+            return f
+        reached: fmpz_mpoly = self.pair.across * self.pair.weight * int(d.numerator)
+        value: fmpz_mpoly = f**2 * norm2(velocity) * int(d.denominator) ** 2 - reached**2
+        return value
+
+    def _chord(self, d: mpq) -> fmpz_mpoly:
+        """Zero where the chord has a length."""
+        weight: fmpz_mpoly = self.pair.weight
+        value: fmpz_mpoly = self.square * int(d.denominator) ** 2 - weight**2 * int(d.numerator) ** 2
+        return value
+
+    def _triangle(self) -> fmpz_mpoly:
+        """Zero where the chord is the third side of a triangle whose two others have the lengths of the distances and
+        are normals of the curves (law of cosines). It is not zero at most common normals and common points of the
+        curves, at which both equations vanish.
+        """
+        one, other = self.search.distances
+        m = int(one.denominator * other.denominator)
+        weight: fmpz_mpoly = self.pair.weight
+        left = self.square * m**2 - weight**2 * int((one**2 + other**2) * m**2)
+        right = weight**2 * self.along * int(2 * one * other * m**2)
+        value: fmpz_mpoly = left**2 * norm2(self.pair.a) * norm2(self.pair.b) - right**2
+        return value
+
+    def points(self) -> Iterator[OffsetIntersection]:
+        """All points."""
+        q, p = self.equations
+        if not (p and q):
+            self._check_circles()
+            return
+        if self.alone:
+            p, q, self.triangle = (divided_out(f, S - T) for f in (p, q, self.triangle))
+        shared = greatest_common_divisor([p, q])
+        pair = p / shared, q / shared
+        for zero in common_zeros(pair, self.sides, [self.triangle]):
+            if self._is_met(zero):
+                yield self._point(zero, pair)
+        for factor in factorize(shared).bases if shared.total_degree() > 0 else ():
+            for zero in self._on(factor):
+                if self._is_met(zero):
+                    yield self._point(zero, None)
+
+    def _check_circles(self) -> None:
+        """Where an equation is zero everywhere: an arc of a circle whose radius is its distance, or two arcs of one
+        circle or line at one distance, whose offsets meet only where the arcs do.
+        """
+        one, other = self.search.distances
+        if not self.equations[0] or abs(one) != abs(other):
+            raise ReachError("an arc of a circle with its radius as the distance, whose offset may be a single point")
+        points = [((p.first,) * 2, (p.second,) * 2) for p in self.search.met]
+        if self._run_along() or any(self._reached(*own) for own in points):
+            raise ReachError("arcs of one circle or line, of curves that meet")
+
+    def _run_along(self) -> bool:
+        """Whether the offsets may run along each other since the curves do so."""
+        met = self.search.met
+        arcs = [arc for arc in met.everywhere if not self._between(-1 if arc.reversed else 1)]
+        return bool(met.left_out) or any(self._reached(arc.first, arc.second, inside=True) for arc in arcs)
+
+    def _reached(self, one: tuple[Real, Real], other: tuple[Real, Real], *, inside: bool = False) -> bool:
+        """Whether two ranges of parameters meet the segments, `inside`: in more than their ends."""
+        pairs = ((one, other), (other, one)) if self.search.alone else ((one, other),)
+        return any(
+            all(
+                low < high if inside else low <= high
+                for ends, side in zip(pair, self.sides, strict=True)
+                for low, high in ((min(ends), side.high), (side.low, max(ends)))
+            )
+            for pair in pairs
+        )
+
+    def _between(self, same: int) -> mpq:
+        """By how much the offsets are apart where the tangents have the same direction (1), or opposite ones (−1)."""
+        one, other = self.search.distances
+        return one - same * other
+
+    def _on(self, factor: fmpz_mpoly) -> list[CommonZero]:
+        """The pairs at which both equations vanish along a curve, and the chord is a common normal with the length by
+        which the offsets are apart.
+        """
+        if divmod(self.pair.across, factor)[1]:
+            self._exclude(factor)
+            return []
+        return [zero for same in (1, -1) for zero in self._on_common_normals(factor, same)]
+
+    def _exclude(self, factor: fmpz_mpoly) -> None:
+        if not as_form(factor).part(self.sides).sign:
+            raise ReachError("offsets that may run along each other")
+
+    def _on_common_normals(self, factor: fmpz_mpoly, same: int) -> list[CommonZero]:
+        """Those where the tangents have the same direction (1), or opposite ones (−1)."""
+        apart = self._between(same)
+        signs = [(self.along, same), (self.normal, sign_of(apart))]
+        if any(required and as_form(f).part(self.sides).sign == -required for f, required in signs):
+            return []
+        conditions = [self._chord(apart)] if apart else list(self.pair.chord)
+        along = greatest_common_divisor([factor, *conditions])
+        if along.total_degree() == 0:
+            return common_zeros([factor, *conditions], self.sides)
+        if apart:
+            self._exclude(along)
+            return common_zeros([factor / along, *conditions], self.sides)
+        if self._run_along():
+            raise ReachError("offsets that may run along each other")
+        # arcs that continue each other have an end in common
+        ends = [S * int(x.denominator) - int(x.numerator) for x in self.sides.first]
+        zeros = common_zeros([factor / along, *conditions], self.sides)
+        return zeros + common_zeros([along, ends[0] * ends[1]], self.sides)
+
+    def _is_met(self, zero: CommonZero) -> bool:
+        """Whether the normals of a pair, of a curve and itself the first parameter below the second, meet on the sides
+        of the offsets at their distances.
+        """
+        s, t = zero.place
+        if self.search.alone and (not s < t or (self.curves[0].closed and (s, t) == self.curves[0].domain)):
+            return False
+        if not _vanishes(self.pair.across, zero):
+            return all(_sign(f, zero) > 0 for f in self.beside)
+        # the normals are parallel: the offsets meet on the common normal, or where the curves do
+        apart = self._between(_sign(self.along, zero))
+        if not apart:
+            return _vanishes(self.square, zero)
+        return _vanishes(self._chord(apart), zero) and _sign(self.normal, zero) == sign_of(apart)
+
+    def _point(self, zero: CommonZero, pair: Sequence[fmpz_mpoly] | None) -> OffsetIntersection:
+        first, second = map(real, zero.place)
+        times = None
+        if pair is not None and not _vanishes(self.pair.across, zero):
+            times = multiplicity(zero, *pair)
+        knots = [
+            not isinstance(x, Root) and x in curve.breakpoints for curve, x in zip(self.curves, zero.place, strict=True)
+        ]
+        kind = IntersectionKind.SPACE
+        if any(knots):
+            kind = IntersectionKind.KNOT
+        elif times is not None:
+            kind = IntersectionKind.CROSSING if times % 2 else IntersectionKind.TOUCHING
+        one, other = map(self._side, (0, 1), zero.place)
+        at_knot, distances = (knots[0], knots[1]), self.search.distances
+        return OffsetIntersection(first, second, kind, times, self.curves, at_knot, distances, (one, other))
+
+    def _side(self, k: int, x: Parameter) -> Side:
+        """Left where a parameter is the end of its segment, and a corner."""
+        curve = self.curves[k]
+        is_end = x == self.sides[k].high != curve.domain[1]
+        is_corner = is_end and not facts_of(curve).tangent_continuous(self.segments[k] + 1)
+        return Side.LEFT if is_corner else Side.RIGHT
+
+
+def _vanishes(p: fmpz_mpoly, zero: CommonZero) -> bool:
+    return not p or vanish_at([p], *zero.place)
+
+
+def _sign(p: fmpz_mpoly, zero: CommonZero) -> int:
+    return 0 if _vanishes(p, zero) else sign_at(p, zero)

@@ -1,0 +1,304 @@
+"""Where all surfaces near a surface have an umbilic, and where some of them may have one.
+
+Umbilics are common zeros of the coefficients A and B of the lines of curvature. Their values and gradients on a
+rectangle of parameters, for all surfaces whose control points and weights differ by at most epsilon, are enclosed by
+Taylor series with balls for coefficients, from control points of all derivatives with balls for coordinates. A value
+other than zero shows that no surface has an umbilic there; Krawczyk's operator that maps a rectangle into itself shows
+that each has one, and no second.
+"""
+
+from __future__ import annotations
+
+from bisect import bisect_right
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import lru_cache, reduce
+from itertools import product
+from math import comb, factorial, perm, prod
+from typing import Any, cast
+
+from flint import arb, arb_mat, ctx
+
+from exactspline.errors import ShapeError
+from exactspline.formulas.surfaces.by_forms import line_uu_of_forms, line_uv_of_forms
+from exactspline.formulas.surfaces.lifted import area_squared_lifted, lifted_forms
+from exactspline.geometry.rounded.forms import PRECISION, Settled, basis_ordinates, dot
+from exactspline.numbers.exact import Number, mpq, to_fmpq
+from exactspline.numbers.intervals import Box, Interval, ball_around, ball_ends
+from exactspline.polynomials.patch_forms import clusters
+from exactspline.readings.taylor_surface import DoubleSeries
+from exactspline.splines.knots import KnotVector
+from exactspline.splines.precision import distance
+from exactspline.splines.surface import NurbsSurface
+from exactspline.splines.type_checks import surface_of
+
+#: How many rectangles are looked at, and how many on each patch at least: what remains is given as it is.
+MOST, MOST_OF_A_PATCH = 440, 10
+#: How many times as much a form may change on a rectangle as it differs between surfaces, for it not to be halved.
+SPREAD = 8
+#: Derivatives that are needed: two for the forms, and one for their gradients.
+TERMS = 4
+#: How often a rectangle with an umbilic is narrowed.
+STEPS = 6
+#: The narrowest rectangle, in bits of the patch.
+NARROWEST = 60
+
+
+@dataclass(frozen=True)
+class NearbyUmbilic:
+    """An umbilic of the surfaces near a surface, in a rectangle of parameters.
+
+    ``certain``: every one of these surfaces has exactly one there. Otherwise some may have umbilics there, any number,
+    and others none.
+    """
+
+    sides: Box
+    certain: bool
+
+
+def umbilics_nearby(surface: NurbsSurface, epsilon: Number) -> tuple[NearbyUmbilic, ...]:
+    """The umbilics that all surfaces near a surface have, and those that some of them may have: all whose control
+    points and, for a rational surface, weights differ by at most epsilon. One on a border of patches is never certain.
+
+    >>> from exactspline import example
+    >>> umbilics_nearby(example("hyperbolic_paraboloid"), "1/1000000")
+    ()
+
+    Raises `ShapeError` for a surface that is not in space, for an epsilon that is not positive, and where it lets a
+    weight vanish.
+    """
+    given = surface_of(surface)
+    if given.dimension != 3:
+        raise ShapeError(f"umbilics in R{given.dimension}", remedy="this needs a surface in space")
+    rows, columns = given.patches
+    with ctx.workprec(PRECISION):
+        near = _SurfacesNear(given, distance(epsilon, given))
+        found = [x for i in range(rows) for j in range(columns) for x in _Search(near, (i, j)).found()]
+    certain = [x for x in found if x.certain]
+    joined = [NearbyUmbilic(box, certain=False) for box, _ in clusters([x.sides for x in found if not x.certain])]
+    return tuple(sorted([*certain, *joined], key=lambda each: each.sides))
+
+
+class _Balls(DoubleSeries):
+    """A series with balls for coefficients."""
+
+    __slots__ = ()
+
+    @staticmethod
+    def number(value: Any) -> Any:
+        """A constant as a ball."""
+        return value if isinstance(value, arb) else arb(to_fmpq(mpq(value)))
+
+    @property
+    def ball(self) -> arb:
+        """The values."""
+        return cast(arb, self.value)
+
+    @property
+    def gradient(self) -> list[arb]:
+        """The derivatives with respect to both parameters."""
+        return [cast(Any, self.coefficients).get(place, arb(0)) for place in ((1, 0), (0, 1))]
+
+
+class _SurfacesNear:
+    """The control points of all surfaces near a surface, with balls for coordinates."""
+
+    def __init__(self, surface: NurbsSurface, within: mpq) -> None:
+        self.surface = surface
+        ball = arb(0, arb(to_fmpq(within)).upper())
+        weights = [
+            [_Balls.number(w) + (arb(0) if surface.polynomial else ball) for w in row] for row in surface.weights
+        ]
+        if not all(w > 0 for row in weights for w in row):
+            raise ShapeError(f"surfaces within {within}", remedy="weights that stay positive: a smaller epsilon")
+        points = [
+            [
+                [(_Balls.number(p[c]) + ball) * w for p, w in zip(*rows, strict=True)]
+                for rows in zip(surface.control_points, weights, strict=True)
+            ]
+            for c in range(3)
+        ]
+        self.nets = [*points, weights]
+
+    def patch(self, i: int, j: int) -> tuple[Box, list[dict[tuple[int, int], arb_mat]]]:
+        """The parameters of a patch and the control nets of each homogeneous coordinate with its derivatives."""
+        sides = self.surface.w.patch(i, j)
+        cuts, bases = zip(
+            *(
+                _of_segment(knots, n, side.low)
+                for knots, n, side in zip(self.surface.knots, self.surface.degree, sides, strict=True)
+            ),
+            strict=True,
+        )
+        left, right = bases[0].transpose(), bases[1]
+        found = []
+        for net in self.nets:
+            cut = arb_mat([row[cuts[1]] for row in net[cuts[0]]])
+            found.append(dict(_derivatives(left * cut * right)))
+        return sides, found
+
+
+def _of_segment(knots: KnotVector, n: int, start: mpq) -> tuple[slice, arb_mat]:
+    """The control points of a segment, and the ordinates of their basis functions on it."""
+    j = bisect_right(knots, start) - 1
+    width = knots[j + 1] - knots[j]
+    local = tuple((knots[k] - knots[j]) / width for k in range(j - n, j + n + 2))
+    return slice(j - n, j + 1), arb_mat([list(row) for row in basis_ordinates(n, local)])
+
+
+def _derivatives(net: arb_mat) -> Iterator[tuple[tuple[int, int], arb_mat]]:
+    """The nets of all partial derivatives that are needed, by their orders."""
+    m, n = net.nrows() - 1, net.ncols() - 1
+    for i in range(min(m + 1, TERMS)):
+        for j in range(min(n + 1, TERMS - i)):
+            yield (i, j), _differences(m, i) * net * _differences(n, j).transpose()
+
+
+def _differences(n: int, order: int) -> arb_mat:
+    """The matrix of the derivative of an order of ordinates in the Bernstein basis."""
+    rows = [
+        [
+            (-1) ** (order - k + i) * comb(order, k - i) * perm(n, order) if 0 <= k - i <= order else 0
+            for k in range(n + 1)
+        ]
+        for i in range(n + 1 - order)
+    ]
+    return arb_mat(rows)
+
+
+class _Search:
+    """The umbilics on one patch, in local parameters from 0 to 1."""
+
+    def __init__(self, near: _SurfacesNear, patch: tuple[int, int]) -> None:
+        self.surface = near.surface
+        self.sides, self.nets = near.patch(*patch)
+        self.most = MOST // prod(near.surface.patches) + MOST_OF_A_PATCH
+        self.settled = Settled()
+
+    def found(self) -> Iterator[NearbyUmbilic]:
+        """All of them, in the parameters of the surface."""
+        open_boxes = list(self._possible())
+        for boxes, certain in ((self.settled.places, True), (open_boxes, False)):
+            yield from (NearbyUmbilic(self.sides.part(box), certain) for box in boxes)
+
+    def _possible(self) -> Iterator[Box]:
+        """Rectangles outside which there is no umbilic but the certain ones."""
+        unit = Interval(mpq(0), mpq(1))
+        level, done = [(Box(unit, unit), 0)], 0
+        while level:
+            after: list[tuple[Box, int]] = []
+            for box, depth in level:
+                done += 1
+                if self.settled.contains(box):
+                    continue
+                is_left = done > self.most or depth > NARROWEST or self._is_left(box)
+                if is_left:
+                    yield box
+                elif is_left is not None:
+                    after += [(half, depth + 1) for half in box.halves(depth % 2)]
+            level = after
+
+    def _is_left(self, box: Box) -> bool | None:
+        """None where there is no umbilic, or a single one that is certain; True where smaller parts would not be
+        decided.
+        """
+        if not all(f.ball.contains(0) for f in self._forms(box, TERMS - 1)):
+            return None
+        here, around = self._forms(_point(box)), self._forms(box)
+        gap = [ball_around(-side.width / 2, side.width / 2) for side in box]
+        values = [f.ball for f in here]
+        if all(v.contains(0) for v in values) and self._may_have_one_at_each_corner(box):
+            return True
+        slopes = [f.gradient for f in around]
+        enclosed = [v + dot(g, gap) for v, g in zip(values, slopes, strict=True)]
+        if not all(x.contains(0) for x in enclosed):
+            return None
+        (a, b), (c, d) = slopes
+        if not (a * d - b * c).contains(0) and self._settles(box, [f.gradient for f in here]):
+            return None
+        return all(
+            v.contains(0) and SPREAD * v.rad() >= dot([abs(x) for x in g], [abs(x).upper() for x in gap]).mid()
+            for v, g in zip(values, slopes, strict=True)
+        )
+
+    def _may_have_one_at_each_corner(self, box: Box) -> bool:
+        """Whether no smaller part would be decided, as on a sphere."""
+        corners = (Box.point(u, v) for u, v in product(*box))
+        return all(f.ball.contains(0) for corner in corners for f in self._forms(corner, TERMS - 1))
+
+    def _settles(self, box: Box, slopes: list[list[arb]]) -> bool:
+        """Whether each surface has exactly one umbilic in a rectangle around this one."""
+        (a, b), (c, d) = ([x.mid() for x in row] for row in slopes)
+        determinant = a * d - b * c
+        inverse = [[d / determinant, -b / determinant], [-c / determinant, a / determinant]]
+        around = Box(
+            *(Interval(max(side.low - side.width, mpq(0)), min(side.high + side.width, mpq(1))) for side in box)
+        )
+        place = self._krawczyk(around, inverse)
+        if place is None or not place.is_inside(around) or not self._is_regular(around):
+            return False
+        for _ in range(STEPS):
+            image = self._krawczyk(place, inverse)
+            if image is None or not image.is_inside(place):
+                break
+            place = image
+        return self.settled.add(place, around)
+
+    def _krawczyk(self, box: Box, inverse: list[list[arb]]) -> Box | None:
+        """The image of a rectangle: it contains the zeros in the rectangle of all surfaces, and each has exactly one
+        where it is inside of the rectangle.
+        """
+        here, around = self._forms(_point(box)), self._forms(box)
+        values, slopes = [f.ball for f in here], [f.gradient for f in around]
+        sides = []
+        for k, (row, side) in enumerate(zip(inverse, box, strict=True)):
+            half = [ball_around(-other.width / 2, other.width / 2) for other in box]
+            rest = [int(k == m) - dot(row, [g[m] for g in slopes]) for m in (0, 1)]
+            image = arb(to_fmpq(side.middle)) - dot(row, values) + dot(rest, half)
+            if not image.is_finite():
+                return None
+            sides.append(ball_ends(image))
+        return Box(*sides)
+
+    def _is_regular(self, box: Box) -> bool:
+        """Whether all surfaces have a tangent plane, and S_u ≠ 0, on a rectangle."""
+        argument = self._argument(box, TERMS - 1)
+        return bool(area_squared_lifted(argument).value > 0 and lifted_forms(argument).E.value > 0)
+
+    def _forms(self, box: Box, terms: int = TERMS) -> tuple[_Balls, _Balls]:
+        """A and B on a rectangle, with their gradients."""
+        forms = lifted_forms(self._argument(box, terms))
+        return line_uu_of_forms(forms), line_uv_of_forms(forms)
+
+    def _argument(self, box: Box, terms: int) -> Any:
+        """The surfaces as series: each coefficient with its values on the whole rectangle."""
+        series = iter([_series(nets, box, terms) for nets in self.nets])
+        made: Any = self.surface.mapped(lambda _: next(series))
+        return made
+
+
+def _series(nets: dict[tuple[int, int], arb_mat], box: Box, terms: int) -> _Balls:
+    """The series of a coordinate, from the nets of its derivatives."""
+    found = {}
+    for (i, j), net in nets.items():
+        if i + j < terms:
+            left, right = _cutting(net.nrows() - 1, box.first), _cutting(net.ncols() - 1, box.second)
+            values: list[arb] = (left * net * right.transpose()).entries()
+            found[i, j] = reduce(arb.union, values) / (factorial(i) * factorial(j))
+    return _Balls(cast(Any, found), terms)
+
+
+@lru_cache(256)
+def _cutting(n: int, side: Interval) -> arb_mat:
+    """The matrix that gives the ordinates on an interval: products of the two weights of each of its ends."""
+    (low, high), rows = side, []
+    for i in range(n + 1):
+        row = [mpq(1)]
+        for t in (*[low] * (n - i), *[high] * i):
+            row = [(1 - t) * x + t * y for x, y in zip([*row, mpq(0)], [mpq(0), *row], strict=True)]
+        rows.append([arb(to_fmpq(x)) for x in row])
+    return arb_mat(rows)
+
+
+def _point(box: Box) -> Box:
+    return Box.point(*box.middle)

@@ -1,1 +1,0 @@
-"""The features of a surface: certified signs, curves and points where its curvature is special."""

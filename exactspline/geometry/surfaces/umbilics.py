@@ -1,0 +1,209 @@
+"""Umbilics: where the two principal curvatures are equal, and every direction is a principal direction.
+
+They are the common zeros of the three coefficients A, B, C of the lines of curvature where the surface has a tangent
+plane. Since ``A G − B F + C E = 0``, two of them suffice: A and B where E > 0, B and C where G > 0.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from enum import StrEnum
+from itertools import pairwise, product
+
+from exactspline.bivariate.across_borders import alike, sectors, together, within
+from exactspline.bivariate.borders import EDGES, Edge, Patch, along, common_along, roots_along
+from exactspline.bivariate.common_factor import common_factor, divided, without_powers
+from exactspline.bivariate.common_zeros import CommonZero, zeros_of
+from exactspline.bivariate.surface_points import Place
+from exactspline.bivariate.zero_curve import ZeroCurve
+from exactspline.errors import ReachError
+from exactspline.geometry.surfaces.forms import Reduced, SurfaceForms, on_patch, sides_of
+from exactspline.geometry.surfaces.singular import FAR, SingularPoints, curve_of, singular_points, with_single_points
+from exactspline.numbers.exact import mpq
+from exactspline.numbers.intervals import UNIT, Box
+from exactspline.polynomials.patch_forms import PatchForm
+from exactspline.polynomials.rounded_forms import rounded
+from exactspline.polynomials.two_parameters import as_form, as_polynomial
+from exactspline.roots.of_polynomials import Parameter, exactly
+from exactspline.splines.surface import Along
+
+#: Bits of a point at which the kind of an umbilic is read off, the last for surfaces 10³⁰⁰ times as high as wide.
+KIND_BITS = 20, 40, 130, 2400
+
+
+class UmbilicKind(StrEnum):
+    """How the lines of curvature turn on a loop around an umbilic: by half a turn in its sense, or against it
+    (a star).
+    """
+
+    POSITIVE = "lemon or monstar"
+    NEGATIVE = "star"
+    MULTIPLE = "multiple"
+    UNKNOWN = "of unknown kind"
+
+
+@dataclass(frozen=True)
+class Umbilic:
+    """One umbilic: where it is, and its kind: of index ½, of index −½, or a multiple zero of the equations.
+
+    `one_sided` means that it is an umbilic only of some of the patches that meet there.
+    """
+
+    place: Place
+    kind: UmbilicKind
+    one_sided: bool = False
+
+
+@dataclass(frozen=True)
+class UmbilicsOfPatch:
+    """The umbilics of one closed patch.
+
+    `umbilics`: single ones inside, and those on the border, at which curves may end, also those of other patches
+    (`exactspline.bivariate.across_borders` tells them apart); `everywhere`: all points of the patch; `edges`: the edges
+    consisting of umbilics; `curve`: the zeros of a common factor of the equations, where these are not only isolated
+    points; `undecided`: boxes of parameters in which there may be more.
+    """
+
+    umbilics: tuple[Umbilic, ...] = ()
+    everywhere: bool = False
+    edges: tuple[Edge, ...] = ()
+    curve: ZeroCurve | None = field(default=None, compare=False)
+    undecided: tuple[Box, ...] = ()
+
+
+def umbilics_of_patch(forms: SurfaceForms, patch: Patch, singular: SingularPoints | None = None) -> UmbilicsOfPatch:
+    """The umbilics of a patch, each certified.
+
+    >>> from exactspline import example
+    >>> umbilics = umbilics_of_patch(SurfaceForms(example("monkey_saddle")), (0, 0))
+    >>> [(umbilic.place.exact, umbilic.kind.value) for umbilic in umbilics.umbilics], umbilics.undecided
+    ([((mpq(0,1), mpq(0,1)), 'star')], ())
+    """
+    singular = singular_points(forms, patch) if singular is None else singular
+    if singular.degenerate:
+        return UmbilicsOfPatch()
+    own = [on_patch(f, patch) for f in forms.lines]
+    if not any(own):
+        return UmbilicsOfPatch(everywhere=True)
+    search = _Search(forms, patch, own, singular)
+    edges, on_edges = search.on_edges()
+    inside, curve, undecided = search.inside()
+    return UmbilicsOfPatch((*on_edges, *inside), False, edges, curve, undecided)
+
+
+class _Search:
+    """The equations of one patch."""
+
+    def __init__(
+        self, forms: SurfaceForms, patch: Patch, own: Sequence[Reduced | None], singular: SingularPoints
+    ) -> None:
+        self.patch, self.own, self.singular = patch, own, singular
+        self.sides = sides_of(forms.surface, patch)
+        area = on_patch(forms.area, patch)
+        assert area is not None
+        self.area = area
+        #: E, F, G.
+        self.first = [f.patch_form(*patch) for f in forms.first]
+
+    def on_edges(self) -> tuple[tuple[Edge, ...], list[Umbilic]]:
+        """Edges of umbilics, and those on the other edges, at which a curve of umbilics may end."""
+        given = [f.whole for f in self.own if f is not None]
+        edges, places = [], dict[tuple[Parameter, Parameter], None]()
+        for edge in EDGES:
+            if edge in self.singular.edges:
+                continue
+            common = common_along(given, edge, self.sides)
+            if not common:
+                edges.append(edge)
+                continue
+            area = along(self.area.whole, edge, self.sides)
+            roots = [root for root in roots_along(common, edge, self.sides) if not root.is_root_of(area)]
+            places.update({edge.place(self.sides, exactly(root)): None for root in roots})
+        single = [x for x in places if not any(x[edge.direction] == edge.value(self.sides) for edge in edges)]
+        return tuple(edges), [self._umbilic(CommonZero.at(self.sides, place)) for place in single]
+
+    def _umbilic(self, zero: CommonZero) -> Umbilic:
+        return Umbilic(Place((self.patch,), zero), self._kind(zero))
+
+    def inside(self) -> tuple[list[Umbilic], ZeroCurve | None, tuple[Box, ...]]:
+        """The umbilics inside, a curve of them, and what could not be decided."""
+        given = {k: f.form for k, f in enumerate(self.own) if f is not None}
+        # singular points at which the equations vanish though common factors are divided out
+        known, singular = self.singular.inside, self.singular.curve
+        if singular is not None:
+            given = {k: without_powers(f, singular.form) for k, f in given.items()}
+        factor = common_factor(list(given.values()))
+        if factor is not None:
+            given = {k: divided(f, factor) for k, f in given.items()}
+        for f in ([] if singular is None else [singular.form]) + ([] if factor is None else [factor]):
+            known = [zero for zero in known if rounded(f, zero.refine(FAR)).sign in (1, -1)]
+        # A G − B F + C E = 0
+        cofactors = [[self.first[2 - k]] for k in given]
+        found = zeros_of(list(given.values()), self.sides, cofactors=cofactors, known=known)
+        undecided = list(found.undecided)
+        zeros = [zero for zero in found.zeros if zero.is_inside and self._has_tangent_plane(zero, known, undecided)]
+        curve, along_curve = (None, False) if factor is None else curve_of(factor)
+        if curve is not None:
+            zeros, rest = with_single_points(curve, zeros, self.singular.inside)
+            undecided += rest
+            zeros = [zero.on(self.sides) for zero in zeros if self._has_tangent_plane(zero, (), undecided)]
+        umbilics = [self._umbilic(zero) for zero in zeros]
+        return umbilics, curve if along_curve else None, tuple(self.sides.part(box) for box in undecided)
+
+    def _has_tangent_plane(self, zero: CommonZero, known: Sequence[CommonZero], undecided: list[Box]) -> bool:
+        """Whether the surface has a tangent plane at a zero of the equations; False also where that is undecided."""
+        if any(point.is_in_region_of(zero) for point in known):
+            return False
+        try:
+            return not zero.is_zero_of(self.area.form)
+        except ReachError:
+            undecided.append(zero.refine(FAR))
+            return False
+
+    def _kind(self, zero: CommonZero) -> UmbilicKind:
+        """Half the sign of the Jacobian of A and B is the index where E > 0; of B and C where G > 0. Multiple where
+        both Jacobians vanish.
+        """
+        lengths = self.first[0], self.first[2]
+        pairs = [(f.whole, g.whole, e) for (f, g), e in zip(pairwise(self.own), lengths, strict=True) if f and g]
+        for bits, (f, g, length) in product(KIND_BITS, pairs):
+            around = (side.grown(mpq(1, 1 << bits)) for side in zero.refine(bits))
+            box = Box(*(side.inside(whole) for side, whole in zip(around, UNIT, strict=True)))
+            if rounded(length, box).sign == 1 and (sign := jacobian_sign(f, g, box)):
+                return UmbilicKind.POSITIVE if sign > 0 else UmbilicKind.NEGATIVE
+        try:
+            multiple = zero.isolated is None and all(zero.is_zero_of(jacobian(f, g)) for f, g, _ in pairs)
+        except ReachError:
+            return UmbilicKind.UNKNOWN
+        return UmbilicKind.MULTIPLE if multiple else UmbilicKind.UNKNOWN
+
+
+def jacobian(f: PatchForm, g: PatchForm) -> PatchForm:
+    """The Jacobian determinant of two forms, up to a positive constant."""
+    p, q = as_polynomial(f), as_polynomial(g)
+    return as_form(p.derivative(0) * q.derivative(1) - p.derivative(1) * q.derivative(0))
+
+
+def jacobian_sign(f: PatchForm, g: PatchForm, box: Box) -> int:
+    """The sign of the Jacobian determinant on a box, not a point, where its range excludes 0, otherwise 0."""
+    (a, b), (c, d) = ([h.slopes(i) for i in (0, 1)] for h in (rounded(f, box), rounded(g, box)))
+    first = [x * y for x in a for y in d]
+    second = [x * y for x in b for y in c]
+    if min(first) > max(second):
+        return 1
+    return -1 if max(first) < min(second) else 0
+
+
+def merged_umbilic(own: Sequence[Umbilic], whole: Sequence[Box], domain: Box, closed: Sequence[Along]) -> Umbilic:
+    """One umbilic found on several patches: one-sided where not all of its sides have it, those in patches that are
+    umbilic as a `whole` among them; of unknown kind where patches say different ones (their curvatures jump there).
+    """
+    place, kinds = together([one.place for one in own]), {one.kind for one in own}
+    if place.is_inside:
+        return own[0]
+    others, found = alike(place.spot, domain, closed), [(one.place.spot, one.place.zero.sides) for one in own]
+    found += [(spot, box) for spot in others for box in whole if within(spot, box)]
+    seen = {sector for spot, box in found for sector in sectors(spot, box)}
+    around = {sector for spot in others for sector in sectors(spot, domain)}
+    return Umbilic(place, own[0].kind if len(kinds) == 1 else UmbilicKind.UNKNOWN, one_sided=seen != around)

@@ -1,0 +1,121 @@
+"""Where something holds: at points, on pieces of a curve, or both."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass, replace
+from typing import Generic, Self, TypeVar, overload
+
+from exactspline.numbers.exact import mpq, text
+from exactspline.numbers.intervals import Interval
+
+T_co = TypeVar("T_co", covariant=True)
+W = TypeVar("W")
+
+
+@dataclass(frozen=True)
+class CurvePiece:
+    """A piece of a curve by its parameters: one interval, or two where it runs across the seam of a closed curve.
+
+    The parts are in the order in which the curve runs through them, all inside the domain.
+
+    >>> print(CurvePiece(((mpq(3), mpq(4)), (mpq(0), mpq(1, 2)))))
+    [3, 4] ∪ [0, 1/2]
+    """
+
+    parts: tuple[Interval, ...]
+
+    @property
+    def start(self) -> mpq:
+        """The parameter at which the piece begins."""
+        return self.parts[0][0]
+
+    @property
+    def end(self) -> mpq:
+        """The parameter at which the piece ends: below `start` where it runs across the seam."""
+        return self.parts[-1][1]
+
+    @property
+    def across_seam(self) -> bool:
+        """Whether the piece runs across the seam of a closed curve."""
+        return len(self.parts) > 1
+
+    def __contains__(self, t: object) -> bool:
+        return any(a <= t <= b for a, b in self.parts)  # type: ignore[operator]  # any type comparable with mpq
+
+    def __str__(self) -> str:
+        return " ∪ ".join(f"[{text(a)}, {text(b)}]" for a, b in self.parts)
+
+
+@dataclass(frozen=True, repr=False)
+class Answer(Sequence[T_co], Generic[T_co, W]):
+    """Where something holds: at single points, and `everywhere` on these parts, whose points are not listed one by one.
+    As a sequence it is that of its points; it is true unless the answer is "nowhere".
+    """
+
+    points: tuple[T_co, ...]
+    everywhere: tuple[W, ...] = ()
+
+    @classmethod
+    def late(cls, count: int, make: Callable[[], tuple[T_co, ...]], everywhere: tuple[W, ...] = ()) -> Self:
+        """An answer of this many points, which are made when they are first asked for.
+
+        >>> found = Places.late(2, lambda: ("first", "second"))
+        >>> len(found), found == Places(("first", "second"))
+        (2, True)
+        """
+        answer = cls.__new__(cls)
+        vars(answer).update(everywhere=everywhere, _late=(count, make))
+        return answer
+
+    def __getattr__(self, name: str) -> tuple[T_co, ...]:
+        kept = vars(self)
+        if name != "points" or "_late" not in kept:
+            raise AttributeError(f"{type(self).__name__!r} object has no attribute {name!r}")
+        points: tuple[T_co, ...] = kept["_late"][1]()
+        kept["points"] = points
+        return points
+
+    def __getstate__(self) -> dict[str, object]:
+        kept = {"points": self.points} | vars(self)
+        kept.pop("_late", None)
+        return kept
+
+    @overload
+    def __getitem__(self, index: int) -> T_co: ...
+    @overload
+    def __getitem__(self, index: slice) -> tuple[T_co, ...]: ...
+    def __getitem__(self, index: int | slice) -> T_co | tuple[T_co, ...]:
+        return self.points[index]
+
+    def __len__(self) -> int:
+        kept = vars(self)
+        return len(kept["points"]) if "points" in kept else int(kept["_late"][0])
+
+    def __iter__(self) -> Iterator[T_co]:
+        return iter(self.points)
+
+    def __bool__(self) -> bool:
+        return bool(len(self) or self.everywhere)
+
+    def where(self, holds: Callable[[T_co], bool]) -> Self:
+        """The points with a property, on the same parts."""
+        return replace(self, points=tuple(filter(holds, self.points)))
+
+    def __repr__(self) -> str:
+        return ", and ".join(self._parts()) or "nowhere"
+
+    def _parts(self) -> list[str]:
+        points = ["[" + ", ".join(map(repr, self.points)) + "]"] if self.points else []
+        return points + [f"everywhere on {part}" for part in self.everywhere]
+
+
+class Places(Answer[T_co, CurvePiece]):
+    """Where on a curve something holds: at points in the order of the parameter, and everywhere on pieces.
+
+    >>> nowhere, on_a_line = Places(()), Places((), (CurvePiece(((mpq(0), mpq(1)),)),))
+    >>> len(nowhere), bool(nowhere), len(on_a_line), bool(on_a_line)
+    (0, False, 0, True)
+    >>> on_a_line
+    everywhere on [0, 1]
+    """
