@@ -18,6 +18,7 @@ class SurfacePart:
     is a single number), or a curve inside of the rectangle.
 
     >>> from gmpy2 import mpq
+    >>> from exactspline.numbers.intervals import Interval
     >>> print(SurfacePart((0, 0), Box(Interval(mpq(0), mpq(1)), Interval.point(mpq(2)))))
     [0, 1] × [2, 2]
     """
@@ -37,6 +38,7 @@ class SurfacePlaces(Answer[T_co, SurfacePart]):
     rectangles of parameters in which there may be more. An answer with such a rectangle is not "nowhere".
 
     >>> from gmpy2 import mpq
+    >>> from exactspline.numbers.intervals import Interval
     >>> unit = Box(Interval(mpq(0), mpq(1)), Interval(mpq(0), mpq(1)))
     >>> SurfacePlaces((), undecided=(unit,)), bool(SurfacePlaces((), undecided=(unit,)))
     (undecided in [0, 1] × [0, 1], True)
