@@ -27,6 +27,8 @@ class Formula(Displayed):
         self.function: Callable[..., Any] = function
         self.source, self.kind, self.symbol = source, kind, symbol
         self.name = self.__name__ = function.__name__
+        #: Whether its text was read before it ran, by us or by `exactspline.papers.formula_check`.
+        self.checked = False
         #: The dimensions in which the parameters of its derivatives have been checked.
         self._lettered: set[int] = set()
         self.__doc__, self.__module__ = function.__doc__, function.__module__

@@ -103,6 +103,8 @@ class Paper:
             home = f"{self.package}.{module}"
             values = vars(import_module(home)).values()
             formulas |= {f.name: f for f in values if isinstance(f, Formula) and f.__module__ == home}
+        for each in formulas.values():
+            each.checked = True
         for _, file in () if self.package else self.formula_files():
             formulas |= trusted_formulas(file) if self.trusted else checked_formulas(file, self.importable)
         return formulas

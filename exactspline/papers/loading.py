@@ -38,7 +38,10 @@ def checked_formulas(file: Traversable, importable: Importable, *, plain: bool =
     except (OSError, UnicodeDecodeError) as error:
         raise FormulaError(f"cannot be read: {error}", where=place, remedy="write a text file in UTF-8") from None
     known: Mapping[str, Formula] = importable() if any(room in text for room in ROOMS) else {}
-    return {name: guarded(each, place) for name, each in formulas_of(text, place, known, plain=plain).items()}
+    read = formulas_of(text, place, known, plain=plain)
+    for each in read.values():
+        each.checked = True
+    return {name: guarded(each, place) for name, each in read.items()}
 
 
 def trusted_formulas(file: Traversable) -> dict[str, Formula]:

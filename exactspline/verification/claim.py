@@ -39,6 +39,7 @@ from exactspline.verification.evidence import (
     UndefinedAt,
 )
 from exactspline.verification.notation import WEIGHTS, spelled
+from exactspline.verification.one_function import expect_functions
 from exactspline.verification.paper_curves import check_curve_name, curve_named, curve_names, one_patch_surfaces
 from exactspline.verification.segments import on_segments
 from exactspline.verification.verdict import (
@@ -391,8 +392,12 @@ class Claim(Immutable, Displayed):
         denominator that vanishes where w = 1, is raised unless another case refutes it.
         """
         with sharing():
-            found = worst_case(lambda polynomial, n: self.decide(n, polynomial), self.of.worlds, self.dimensions)
+            found = worst_case(lambda polynomial, n: self._decided(n, polynomial), self.of.worlds, self.dimensions)
         return self.reading, found
+
+    def _decided(self, dimension: int, polynomial: bool) -> Finding:
+        expect_functions(self.compared, dimension, polynomial=polynomial)
+        return self.decide(dimension, polynomial)
 
     @property
     def equality(self) -> Statement | None:

@@ -23,6 +23,7 @@ from exactspline.symbolic.factorization import POLYNOMIAL, Factor, find_factor, 
 from exactspline.symbolic.reduction import Reduction, reduce
 from exactspline.verification.decision import Equation
 from exactspline.verification.evidence import At, Difference
+from exactspline.verification.one_function import expect_functions, expect_one_function, expect_same_again
 from exactspline.verification.verdict import PROVED, VACUOUS, VERIFIED, Finding, worst
 from exactspline.verification.vocabulary import Verdict
 from exactspline.words import choice
@@ -151,7 +152,9 @@ def _decided(equation: Equation, dimension: int | None = None) -> Proof:
 def _proved(equation: Equation, kind: Kind, n: int) -> Proof:
     """The answer in one dimension."""
     _check_kinds(kind, equation.formulas, n)
-    curve = jets_for(equation.formulas, n, factor=equation.factor)
+    curve = jets_for(equation.formulas, n, factor=equation.factor).remembering()  # what is compared, proves
+    for each in equation.formulas:
+        expect_one_function(each, curve)
     left, right = equation.left(curve), equation.right(curve)
     quotient = None if kind.adjoins_roots or right.is_zero else find_factor(left, right)
     names = equation.left.name, equation.right.name
@@ -218,6 +221,7 @@ def degree(
         raise FormulaError(
             f"the degree of {named.name} in {counted}", remedy=f"it is a function of {' and '.join(known)}"
         )
+    expect_functions((named,), n, polynomial=polynomial)
     nominal = DegreeReading(parameter=counted).count(named, n, polynomial=polynomial)
     reduction = reduce(named, dimension=n, polynomial=polynomial, parameter=counted)
     return DegreeAnswer(named.name, n, nominal, reduction.main.generic_lowest)
@@ -246,6 +250,7 @@ def verify(left: Named, right: Named, curve: Nurbs, factor: str = "1") -> Check:
                 f"{f.name} is a formula of the kind {f.kind.name}, and the curve is in R{curve.dimension}",
                 remedy="compare formulas of a curve like this one",
             )
+        expect_same_again(f, curve)
     ps, qs = (split(f(curve))[0] for f in sides)
     if len(ps) != len(qs):
         raise FormulaError(
@@ -274,7 +279,10 @@ def reduction(
     named = find(formula) if isinstance(formula, str) else formula
     counted = None if parameter is None else choice(Parameter, parameter, "parameter")
     dimension, polynomial = _given_dimension(dimension), as_flag(polynomial, POLYNOMIAL)
-    return reduce(named, dimension=dimension, polynomial=polynomial, parameter=counted)
+    found = reduce(named, dimension=dimension, polynomial=polynomial, parameter=counted)
+    read = named if isinstance(named, Formula) else Formula(named, found.name, found.kind, "")
+    expect_functions((read,), found.dimension, polynomial=polynomial)
+    return found
 
 
 def _given_dimension(dimension: int | None) -> int | None:

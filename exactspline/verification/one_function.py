@@ -1,0 +1,120 @@
+"""Formulas whose text nobody read before they ran: typed at the prompt, or in files that are trusted. One that counts
+its calls, draws numbers or looks at what its operands are is no function of a curve, and nothing is proved of it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import Any
+
+from exactspline.errors import FormulaError, InapplicableError, VanishingDivisorError
+from exactspline.interchange.examples import example, example_surface
+from exactspline.language.adjoined_root import Adjoined
+from exactspline.language.arguments import Evaluated
+from exactspline.language.formula import Formula
+from exactspline.language.parts import split
+from exactspline.readings.jet import Jet, JetRing
+from exactspline.readings.other_parameter import InOtherParameter
+from exactspline.readings.rational_jet import JetFraction
+from exactspline.symbolic.factorization import jets_for
+from exactspline.symbolic.substitution import substitute
+from exactspline.verification.check_arguments import argument
+
+#: A rational and a polynomial example on which values are compared, by dimension: curves and surfaces.
+CURVES = {2: ("rational_cubic", "cubic_s"), 3: ("rational_space_cubic", "flat_point")}
+SURFACES = {2: ("planar_map", "folded_map"), 3: ("rational_biquadratic", "bicubic")}
+
+
+def expect_functions(formulas: Iterable[Formula], dimension: int, *, polynomial: bool = False) -> None:
+    """`expect_one_function` of each formula, on an indeterminate argument of its own."""
+    for each in formulas:
+        if not each.checked:
+            n = dimension if dimension in each.kind.dimensions else each.kind.dimensions[0]
+            expect_one_function(each, jets_for((each,), n, polynomial=polynomial))
+
+
+def expect_one_function(formula: Formula, c: Evaluated) -> None:
+    """Refuse a formula whose value on an indeterminate argument is another one in a second evaluation, for the same
+    operands in another class (those of a curve whose other parameter is its own), or on examples of splines.
+
+    Raises `FormulaError`, naming the formula, for one that differs, or that has no value there.
+    """
+    if formula.checked:
+        return
+    expect_same_again(formula, c)
+    found = split(formula(c))[0]
+    rings = [x.ring for x in map(_inner, found) if isinstance(x, JetFraction)]
+    try:
+        for ring in rings[:1]:
+            if found != [_unwrapped(x) for x in split(formula(_in_another_class(ring)))[0]]:
+                raise _several(formula)
+            if not all(_same_on(found, formula, each) for each in _examples(ring)):
+                raise _several(formula)
+    except (TypeError, AttributeError, IndexError):  # values of other shapes, or what only one class has
+        raise _several(formula) from None
+
+
+def expect_same_again(formula: Formula, c: Evaluated) -> None:
+    """Refuse a formula that nobody read and that has another value when it is evaluated again.
+
+    Raises `FormulaError`, naming the formula.
+    """
+    if not formula.checked and split(formula(c)) != split(formula(c.copied())):
+        raise _several(formula)
+
+
+def _several(formula: Formula) -> FormulaError:
+    return FormulaError(
+        f"{formula.name} has several values for one argument: in a second evaluation, or in another reading",
+        where=formula.source,
+        remedy="compute with the argument alone: no counters, no random numbers, no questions about types",
+    )
+
+
+def _in_another_class(ring: JetRing) -> Evaluated:
+    one = JetFraction(ring, ring.context.constant(1), ring.context.constant(1))
+
+    def operand(jet: Jet) -> InOtherParameter:
+        return InOtherParameter(JetFraction(ring, jet.polynomial, one.bottom), one)
+
+    named, unit = (lambda symbol: operand(ring[symbol.name])), operand(ring.number(1))
+    return ring.kind.argument(ring.dimension, named, unit, polynomial=ring.polynomial)
+
+
+def _inner(x: Any) -> Any:
+    return _inner(x.plain) if isinstance(x, Adjoined) else x
+
+
+def _unwrapped(x: Any) -> Any:
+    """A value in the class of the indeterminates, with the same roots adjoined."""
+    if isinstance(x, Adjoined):
+        return Adjoined(*map(_unwrapped, (x.plain, x.rooted, x.square)))
+    return x.value if isinstance(x, InOtherParameter) else x
+
+
+def _examples(ring: JetRing) -> list[Evaluated]:
+    """Arguments on examples; none where roots are adjoined, and of kinds of which one curve or surface is none."""
+    kind = ring.kind
+    if kind.adjoins_roots or not (kind.made_of_a_curve or kind.made_of_a_surface):
+        return []
+    names, read = (SURFACES, example_surface) if kind.made_of_a_surface else (CURVES, example)
+    try:
+        return [argument(kind.name, read(name)).argument for name in names[ring.dimension][ring.polynomial :]]
+    except InapplicableError:
+        return []
+
+
+def _same_on(found: list[Any], formula: Formula, given: Any) -> bool:
+    """Whether a formula has its value for indeterminates on an example, too; what does not exist there differs not."""
+    try:
+        components, below = split(formula(given))
+    except VanishingDivisorError:
+        return True
+
+    def agree(x: Any, general: Any) -> bool:
+        if not isinstance(general, JetFraction):
+            return bool(x == general)
+        top, bottom = (substitute(Jet(general.ring, part), given) for part in (general.top, general.bottom))
+        return bool(x * bottom == (top if below is None else top * below))
+
+    return len(components) == len(found) and all(map(agree, components, found))
