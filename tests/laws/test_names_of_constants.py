@@ -10,6 +10,7 @@ from exactspline.papers import load_paper
 from exactspline.readings.sympy_expression import SympyReading
 from exactspline.verification.claims import claims_of
 from exactspline.verification.questions import degree, proof_of, prove
+from tests.campaigns import false_claims
 from tests.verification.test_own_paper import written
 
 LETTERS = sorted({*ascii_letters} - RESERVED)
@@ -86,3 +87,10 @@ def test_an_identity_is_read_by_the_parser_of_factors(tmp_path):
     for right in ("w * * once", "* once", "once *", "w ^ 2 once", "w / once", "w + once", "w***2 * once", "w^2^1 once"):
         with pytest.raises(ExactSplineError):
             proof_of(f"{file}:square = {right}")
+
+
+def test_no_door_proves_what_is_false_of_constants():
+    """A sample of the campaign."""
+    tally, wrong = false_claims.campaign(10, 2)
+    assert wrong == []
+    assert {door for door, _ in tally} >= {"prove", "sympy", "prove --curve", "identity", "of typed functions"}
