@@ -130,7 +130,8 @@ def sides_of(chance, kind, a, b):
 
 def drawn_claim(chance, i):
     """A false claim: its entry without names, and the bodies of the formulas that it names."""
-    kind = chance.choice(KINDS)
+    first = i < len(LETTERS)  # every letter is held against a coordinate of the point once
+    kind = chance.choice(KINDS[2 * first :])
     names = [LETTERS[i % len(LETTERS)], chance.choice(LETTERS)]
     if names[0] == names[1] or {*names} == {"lambda_1", "mu2"}:
         names[1] = next(each for each in LETTERS if each != names[0])
@@ -138,9 +139,12 @@ def drawn_claim(chance, i):
     told = {"curve": f"{kind} with {', '.join(names)}"}
     while True:
         left, right = sides_of(chance, kind, a, b)
+        if first:
+            place = f"c.point[{(ord(names[0][0]) - ord('a')) % (2 if 'plane' in kind else 3)}]"
+            left, right = f"{a} * c.w", f"{place} * c.w"
         if differ(chance, 2 if "plane" in kind else 3, names, left, right):
             break
-    sort = i // len(LETTERS) % 8 if chance.random() < 0.6 else chance.randint(0, 3)
+    sort = 0 if first else i // len(LETTERS) % 8 if chance.random() < 0.6 else chance.randint(0, 3)
     wrong = chance.choice(
         [
             ({"kind": "type", "claimed": "rational"}, {"formula": f"({left}) / {a}"}),
