@@ -7,7 +7,9 @@ from __future__ import annotations
 import os
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
+from operator import itemgetter
 from pathlib import Path
+from typing import NamedTuple
 
 from exactspline.batch.families import Family
 from exactspline.errors import CurveFileError, ExactSplineError, NumberError, as_flag
@@ -175,10 +177,10 @@ def _parts(source: Source, taken: Taken) -> Iterator[Part]:
 
 
 def _of_file(place: str, taken: Taken) -> Iterator[Part]:
-    """The curves, or surfaces, of a file followed by what was skipped in it, or the problem of the whole file. No
-    reference to a returned curve is kept here, since a curve stores everything computed from it.
+    """The curves, or surfaces, of a file and what was skipped in it, in the order of the file, or the problem of the
+    whole file. No reference to a returned curve is kept here, since a curve stores everything computed from it.
     """
-    read, others, skipped = 0, 0, list[Skipped]()
+    found = others = 0
     try:
         if os.path.isdir(place):
             raise CurveFileError("is a folder without a file of a format that is read", remedy="name another folder")
@@ -186,44 +188,50 @@ def _of_file(place: str, taken: Taken) -> Iterator[Part]:
             yield place, place, example(place), (1, 1), ()
             return
         for reading, done, count in read_in_pieces(place, taken.approximate):
-            left = _left(reading, taken, others)
-            others += len(left)
-            skipped += [*left, *reading.skipped]
-            kept, notes = _kept(reading, taken), reading.notes
-            size = len(kept)
+            entries = _entries(reading, taken, others)
+            others += len(reading.curves if taken.surfaces else reading.surfaces)
+            size = len(entries)
             del reading
-            while kept:
-                name, given, own = kept.pop()
-                read += 1
+            while entries:
+                name, given, notes = entries.pop()
+                found += 1
                 # only a part of the piece read last has been processed
-                yield place, name, given, (size * done - len(kept), size * count), (*notes, *own)
+                yield place, name, given, (size * done - len(entries), size * count), notes
                 del given
     except ExactSplineError as error:
         yield place, "", Problem.of(error), (1, 1), ()
         return
-    if not read and not skipped:
+    if not found:
         what = "surface" if taken.surfaces else "curve"
         yield place, "", Problem.of(CurveFileError(f"holds no {what}")), (1, 1), ()
-    for each in skipped:
-        kind = NOT_READ if each.curve else SKIPPED
-        yield place, each.where, Problem(kind, f"{each.what}: {each.why}"), (1, 1), ()
 
 
-def _kept(reading: Reading, taken: Taken) -> list[tuple[str, Nurbs | NurbsSurface, tuple[str, ...]]]:
-    """What is taken of a file, the last first: its name, the curve or surface, and the notes on it."""
-    if taken.surfaces:
-        return [(surface.name, surface, ()) for surface in reversed(reading.surfaces)]
-    return [(named.name, named.curve, named.notes) for named in reversed(reading.curves)]
+class Entry(NamedTuple):
+    """What a file holds: a curve, a surface, or the problem of what was skipped; its name, and the notes on it."""
+
+    name: str
+    given: Nurbs | NurbsSurface | Problem
+    notes: tuple[str, ...]
 
 
-def _left(reading: Reading, taken: Taken, before: int) -> list[Skipped]:
-    """What is not taken of a file, after this many others."""
-    what = "curve" if taken.surfaces else "surface"
-    names = [each.name for each in (reading.curves if taken.surfaces else reading.surfaces)]
-    return [
-        Skipped(what, f"{what} {i}", f"{name}: {_other(taken)}", curve=False)
-        for i, name in enumerate(names, before + 1)
+def _entries(reading: Reading, taken: Taken, others: int) -> list[Entry]:
+    """The curves or surfaces taken of a part of a file and the problems of what was skipped, the last first. What is
+    not taken, after this many others, comes behind the rest.
+    """
+    curves = [Entry(each.name, each.curve, (*reading.notes, *each.notes)) for each in reading.curves]
+    surfaces = [Entry(each.name, each, reading.notes) for each in reading.surfaces]
+    kept, left, what = (surfaces, curves, "curve") if taken.surfaces else (curves, surfaces, "surface")
+    behind = len(curves), len(surfaces)
+    more = [
+        Skipped(what, f"{what} {i}", f"{each.name}: {_other(taken)}", False, behind)
+        for i, each in enumerate(left, others + 1)
     ]
+    placed = list(enumerate(kept))
+    for each in reversed((*reading.skipped, *more)):
+        problem = Problem(NOT_READ if each.curve else SKIPPED, f"{each.what}: {each.why}")
+        placed.append((each.after[taken.surfaces], Entry(each.where, problem, ())))
+    # of those at one place the curve is the last, and these are read backwards
+    return [entry for _, entry in sorted(placed, key=itemgetter(0), reverse=True)]
 
 
 def _other(taken: Taken) -> str:

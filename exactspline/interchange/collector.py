@@ -51,7 +51,7 @@ class Collector:
     def skip(self, what: str, where: str, why: str, *, curve: bool = True) -> None:
         """Record an entity that is not read; `curve` states whether a curve is missing as a result."""
         self.count(1)
-        self.skipped.append(Skipped(what, where, why, curve))
+        self.skipped.append(Skipped(what, where, why, curve, (len(self.curves), len(self.surfaces))))
 
     @contextmanager
     def skipping(self, what: str, where: str, *, curve: bool = True, damaged: str = "") -> Iterator[None]:

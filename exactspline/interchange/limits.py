@@ -15,7 +15,8 @@ class Limits:
 
     `digits` limits the characters of one number, `exponent` its power of ten, `depth` the nesting of brackets and
     elements, `objects` the number of entities, points and numbers in a file, `work` the cost of converting one curve to
-    Bézier segments (see `work`; 10⁸ is about two seconds).
+    Bézier segments (see `work`; 10⁸ is about two seconds), `seconds` the processor time of a library that reads the
+    file in another process (``3dm``), for every megabyte begun.
     """
 
     megabytes: int = 32
@@ -25,6 +26,7 @@ class Limits:
     degree: int = 100
     objects: int = 2_000_000
     work: int = 50_000_000
+    seconds: int = 2
 
 
 def work(degree: int, knots: Sequence[mpq], numbers: int) -> int:

@@ -23,14 +23,16 @@ class NamedCurve:
 
 @dataclass(frozen=True)
 class Skipped:
-    """An entity of a file that is not read: its type, its place in the file, the reason, and whether a curve is missing
-    as a result (not the case for surfaces, texts, or definitions that are not drawn).
+    """An entity of a file that is not read: its type, its place in the file, the reason, whether a curve is missing
+    as a result (not the case for surfaces, texts, or definitions that are not drawn), and the numbers of curves and of
+    surfaces that were read before it (of a font, in its glyph).
     """
 
     what: str
     where: str
     why: str
     curve: bool = True
+    after: tuple[int, int] = (0, 0)
 
     def __str__(self) -> str:
         return f"{self.where}: {self.what} skipped, {self.why}"

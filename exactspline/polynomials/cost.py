@@ -12,7 +12,7 @@ from functools import cache, partial, wraps
 from operator import methodcaller
 from typing import Any, Generic, ParamSpec, TypeVar
 
-from flint import fmpq, fmpz
+from flint import fmpq, fmpz, fmpz_poly
 
 from exactspline.errors import ReachError
 
@@ -193,11 +193,11 @@ def _duration(nanoseconds: int) -> str:
     return f"about {seconds} s" if seconds < 10**6 else "more than a week"
 
 
-def height_bits(coefficients: Iterable[fmpz | fmpq]) -> int:
-    """The number of bits of the largest in absolute value of FLINT integers, or of the numerators and denominators of
-    FLINT rationals.
+def height_bits(coefficients: Iterable[fmpz | fmpq | fmpz_poly]) -> int:
+    """The number of bits of the largest in absolute value of FLINT integers, of the numerators and denominators of
+    FLINT rationals, or of the coefficients of polynomials.
 
-    >>> from flint import fmpq, fmpz
+    >>> from flint import fmpq, fmpz, fmpz_poly
     >>> height_bits([fmpz(3), fmpz(-8)]), height_bits([fmpq(1, 16)])
     (4, 5)
     """

@@ -33,6 +33,20 @@ def test_curves_that_could_not_be_read_end_with_2(tmp_path):
     assert [line.error.kind for line in xs.sweep(str(place)) if line.error] == ["Skipped", "Skipped"]
 
 
+def test_a_curve_left_out_stands_where_the_file_has_it(tmp_path):
+    """False before: what a reader skips came behind the other curves of its file; what it skipped in the glyphs before
+    a damaged one was not told.
+    """
+    arc, lines = '<path d="M0 0A3 2 30 0 1 1 1"/>', [f'<path d="M0 0L{i} 1"/>' for i in (1, 2)]
+    for order in ([arc, *lines], [lines[0], arc, lines[1]], [*lines, arc, arc], [arc, lines[0], arc, arc, lines[1]]):
+        place = tmp_path / "a.svg"
+        place.write_text(f"<svg>{''.join(order)}</svg>")
+        swept = list(xs.sweep(str(place)))
+        assert [line.error is not None for line in swept] == [each == arc for each in order]
+    skipped = xs.read(str(place)).skipped
+    assert [line.error.message for line in swept if line.error] == [f"{each.what}: {each.why}" for each in skipped]
+
+
 def test_a_folder_without_curves_ends_with_2(tmp_path):
     """False before: exit status 0, nothing said, of a folder of which no file is one of curves."""
     (tmp_path / "readme.txt").write_text("no curve")

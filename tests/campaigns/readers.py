@@ -69,7 +69,7 @@ def entries_by_fork(source: Source) -> list[dict[str, Any]]:
             signal.setitimer(signal.ITIMER_PROF, PATIENCE)
             os.dup2(os.open(os.devnull, os.O_WRONLY), 2)
             with open(theirs, "w") as pipe:
-                json.dump(rhino_process.entries(source.data), pipe)
+                json.dump(rhino_process.entries(source.data, SECONDS), pipe)
         except BaseException:
             os._exit(1)
         os._exit(0)

@@ -10,7 +10,7 @@ import tracemalloc
 import pytest
 
 from exactspline.errors import ExactSplineError
-from exactspline.interchange import read
+from exactspline.interchange import Limits, read
 from exactspline.interchange.files import encoded
 from tests.campaigns.readers import fuzz, originals
 from tests.support.interchange_seeds import CURVES
@@ -42,6 +42,17 @@ def test_a_damaged_archive_is_read_or_refused():
             data[chance.randrange(32, len(data))] = chance.randrange(256)
         with contextlib.suppress(ExactSplineError):
             read(bytes(data), "3dm")
+
+
+def test_a_damaged_archive_takes_no_longer_than_its_limit():
+    """False before: every file whose reading never ends took half a minute, a folder of a hundred fifty minutes; and a
+    sound one was refused where other programs ran.
+    """
+    pytest.importorskip("rhino3dm")
+    data = bytearray(encoded(CURVES, "3dm", rounding=True)[0])
+    data[43] = 250  # the length of the first chunk is negative now, which rhino3dm follows in a circle
+    with pytest.raises(ExactSplineError, match="takes rhino3dm more than 1 second of processor time"):
+        read(bytes(data), "3dm", limits=Limits(seconds=1))
 
 
 @pytest.mark.parametrize("data", [

@@ -13,6 +13,7 @@ from __future__ import annotations
 
 import json
 import os
+import signal
 import subprocess
 import sys
 import tempfile
@@ -20,7 +21,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
-from exactspline.errors import CurveFileError
+from exactspline.errors import CurveFileError, counted
 from exactspline.interchange.affine import Affine
 from exactspline.interchange.collector import Collector
 from exactspline.interchange.format import Format
@@ -30,8 +31,8 @@ from exactspline.interchange.segments import ellipse
 from exactspline.interchange.writing import Spline
 from exactspline.numbers.exact import mpq, rational
 
-#: Time limit for reading one archive, in seconds.
-SECONDS = 30
+#: What a process returns that the system ended because of its processor time.
+OUT_OF_TIME = -getattr(signal, "SIGXCPU", 24)
 #: Objects that are curves or place curves.
 CURVES = ("InstanceReference", "Curve", "PolyCurve", "ArcCurve", "LineCurve", "PolylineCurve", "NurbsCurve")
 MISSING = "the first and last knots, which openNURBS omits, repeat their neighbours"
@@ -70,17 +71,22 @@ def read(source: Source) -> Reading:
 
 
 def _entries(source: Source) -> list[dict[str, Any]]:
-    """The objects that rhino3dm reads from the archive, in a separate process."""
-    command = [sys.executable, "-m", "exactspline.extras.cad.rhino_process"]
+    """The objects that rhino3dm reads from the archive, in a separate process: of a damaged one it may never end. Its
+    limit is one of processor time, so that it does not depend on what else runs; five times that also ends a process
+    that waits, or one on a system without such limits.
+    """
+    seconds = source.limits.seconds * (1 + (len(source.data) >> 20))
+    command = [sys.executable, "-m", "exactspline.extras.cad.rhino_process", str(seconds)]
     environment = os.environ | {"PYTHONPATH": os.pathsep.join(filter(None, sys.path))}
     try:
         done = subprocess.run(
-            command, input=source.data, capture_output=True, timeout=SECONDS, check=True, env=environment
+            command, input=source.data, capture_output=True, timeout=5 * seconds, check=True, env=environment
         )
         entries: list[dict[str, Any]] = json.loads(done.stdout)
-    except subprocess.TimeoutExpired:
-        raise CurveFileError(f"takes rhino3dm more than {SECONDS} seconds", remedy="repair the file") from None
-    except (subprocess.CalledProcessError, ValueError):
+    except (subprocess.SubprocessError, ValueError) as error:
+        if isinstance(error, subprocess.TimeoutExpired) or getattr(error, "returncode", 0) == OUT_OF_TIME:
+            problem = f"takes rhino3dm more than {counted(seconds, 'second')} of processor time"
+            raise CurveFileError(problem, remedy="repair the file, or read it with larger limits") from None
         raise CurveFileError("is not an archive readable by rhino3dm", remedy="repair the file") from None
     return entries
 

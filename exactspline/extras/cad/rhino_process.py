@@ -18,10 +18,6 @@ def _hex(*values: float) -> list[str]:
     return [float(value).hex() for value in values]
 
 
-#: Limit on its processor time in seconds: it ends even if the parent process was killed.
-SECONDS = 60
-
-
 def _described(rhino: Any, geometry: Any, where: str, name: str, notes: list[str]) -> list[dict[str, Any]]:
     entry: dict[str, Any] = {"kind": type(geometry).__name__, "where": where, "name": name, "notes": notes}
     if isinstance(geometry, rhino.PolyCurve):
@@ -73,15 +69,17 @@ def _net(surface: Any) -> dict[str, Any]:
     }
 
 
-def entries(data: bytes) -> list[dict[str, object]]:
-    """The contents of an archive; limits the memory of this process first."""
+def entries(data: bytes, seconds: int) -> list[dict[str, object]]:
+    """The contents of an archive; limits the memory of this process and its processor time first, so that it ends even
+    if the parent process was killed.
+    """
     import rhino3dm
 
     try:
         import resource
 
         resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
-        resource.setrlimit(resource.RLIMIT_CPU, (SECONDS, SECONDS))
+        resource.setrlimit(resource.RLIMIT_CPU, (seconds, seconds + 1))  # killed without a reason at the second
     except (ImportError, ValueError, OSError):
         # this system has no such limits; the time is still bounded
         pass
@@ -98,8 +96,8 @@ def entries(data: bytes) -> list[dict[str, object]]:
 
 
 def main() -> None:
-    """Read an archive from standard input."""
-    json.dump(entries(sys.stdin.buffer.read()), sys.stdout)
+    """Read an archive from standard input, for at most this many seconds."""
+    json.dump(entries(sys.stdin.buffer.read(), int(sys.argv[1])), sys.stdout)
 
 
 if __name__ == "__main__":

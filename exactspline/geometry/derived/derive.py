@@ -23,6 +23,7 @@ from exactspline.numbers.exact import Number, mpq, rational, short_text, text
 from exactspline.numbers.intervals import Interval
 from exactspline.numbers.once import cached_property
 from exactspline.papers import formula_of
+from exactspline.polynomials.cost import bounded
 from exactspline.roots.root import Root
 from exactspline.roots.zero_set import zeros
 from exactspline.splines.bspline import BSpline
@@ -166,7 +167,8 @@ def derive(what: str | Formula, curve: Nurbs, variant: Variant | str = Variant.M
     if needed not in (CURVE, PLANE, SPACE) or curve.dimension not in needed.dimensions:
         of = f"{needed.name} curve" if needed.made_of_a_curve else needed.name
         raise ShapeError(f"{name} of a curve in R{curve.dimension}", remedy=f"it is defined for a {of}")
-    value = formula(curve)
+    with bounded():
+        value = formula(curve)
     ruled = isinstance(value, RuledSurface)
     exists, breaks = _exists(value), curve.breakpoints
     reasons = [None if here else _why_missing(made, curve, i) for i, here in enumerate(exists)]
