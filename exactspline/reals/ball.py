@@ -26,6 +26,8 @@ class InBalls(Real):
     exactly: Callable[[], Real] | None
     #: Whether the number is proved to be transcendental.
     transcendental: bool
+    #: As for expressions: more digits cost less than a polynomial.
+    _suspicious = 320
 
     def __init__(
         self, ball: Callable[[int], arb], exactly: Callable[[], Real] | None = None, *, transcendental: bool = False

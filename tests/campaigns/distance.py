@@ -33,7 +33,7 @@ LEFT_OUT = "left out"
 #: Seconds after which an answer counts as slow.
 SLOW = 10
 #: Decimal digits in which distances are compared that are not decided exactly here.
-DIGITS = 700
+DIGITS = 2000
 #: Decimal digits by which ties are missed.
 MISSED = (None, None, 5, 20, 50, 100, 250)
 TURNS = [((1, 0), (0, 1)), ((mpq(3, 5), mpq(-4, 5)), (mpq(4, 5), mpq(3, 5))), ((0, -1), (1, 0))]
@@ -217,10 +217,11 @@ def _is_least(found, curves, random):
             squared = squared[0].squared if squared.points else None
             if squared is None:
                 continue
-            if squared < found.squared:
+            as_near = same(squared, found.squared)
+            if squared.enclosure(DIGITS).high < found.squared.enclosure(DIGITS).low:
                 return f"{found}: nearer from {t} of curve {k}"
             seam = [high] if curves[k].closed and low in own else []
-            if (squared == found.squared) != (_on_arc(found, k, t) or t in own + seam):
+            if (as_near and squared == found.squared) != (_on_arc(found, k, t) or t in own + seam):
                 return f"{found}: {t} of curve {k} is on an arc or as near, not both"
         for t in own[:4]:
             for side in (t, low + high - t):
