@@ -48,8 +48,7 @@ EDGES = tuple(Edge(direction, end) for direction, end in product((0, 1), (0, 1))
 
 def along(form: PatchForm, edge: Edge, sides: Box) -> fmpz_poly:
     """A form along an edge as a polynomial in the other parameter of the surface, up to a positive constant."""
-    n = form.degree[1 - edge.direction]
-    return in_parameter(from_integers(form.edge(*edge)), n, sides[1 - edge.direction])[0]
+    return in_parameter(from_integers(form.edge(*edge)), form.degree[1 - edge.direction], sides[1 - edge.direction])[0]
 
 
 def common_along(forms: Sequence[PatchForm], edge: Edge, sides: Box) -> fmpz_poly:

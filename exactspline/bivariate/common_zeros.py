@@ -381,9 +381,7 @@ def multiplicity(zero: CommonZero, f: fmpz_mpoly, g: fmpz_mpoly) -> int:
     [3, 1]
     """
     jacobian = f.derivative(0) * g.derivative(1) - f.derivative(1) * g.derivative(0)
-    if not vanish_at([jacobian], *zero.place):
-        return 1
-    return projected(zero, f, g).multiplicity
+    return projected(zero, f, g).multiplicity if vanish_at([jacobian], *zero.place) else 1
 
 
 class Projection(NamedTuple):

@@ -146,16 +146,14 @@ class ZeroOnPatch:
     @cached_property
     def edge(self) -> tuple[int, int] | None:
         """The edge that it is on: a direction and an end."""
-        ends = ((k, end) for k, end in EDGES if self.place[k] == self.sides[k][end])
-        return next(ends, None)
+        return next(((k, end) for k, end in EDGES if self.place[k] == self.sides[k][end]), None)
 
     def region(self, bits: int) -> Box:
         """A box around it, about ``2^(1−bits)`` wide, in the square."""
         width, digits = mpq(1, 1 << bits), bits // 3 + 2
         around = []
         for side, x in zip(self.sides, self.place, strict=True):
-            scale = max(mpq(1), 1 / side.width)
-            more = len(str(int(scale)))
+            more = len(str(int(max(mpq(1), 1 / side.width))))
             middle = side.local(enclosing(x, digits + more).middle)
             middle = mpq((middle / width + mpq(1, 2)) // 1) * width  # few digits
             around.append(Interval(max(mpq(0), middle - width), min(mpq(1), middle + width)))

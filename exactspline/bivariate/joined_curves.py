@@ -128,9 +128,7 @@ def _other(way: _Way, node: Hashable) -> Hashable:
 
 def _place(node: Hashable, special: dict[Hashable, Spot]) -> Spot | None:
     """The parameters of a point; None for one on the border of an undecided box."""
-    if isinstance(node, _OnBorder):
-        return node.spot
-    return special.get(node)
+    return node.spot if isinstance(node, _OnBorder) else special.get(node)
 
 
 class _OnBorder(NamedTuple):

@@ -110,11 +110,8 @@ def _signs(form: PatchForm, boxes: Sequence[Box]) -> Signs:
     positive, negative = witnesses.get(1), witnesses.get(-1)
     if undecided:
         return Signs(Sign.UNDECIDED, positive, negative, tuple(zeros))
-    if zeros:
-        sign_told = Sign.NOT_NEGATIVE if positive else Sign.NOT_POSITIVE
-    else:
-        sign_told = Sign.POSITIVE if positive else Sign.NEGATIVE
-    return Signs(sign_told, positive, negative, tuple(sorted(zeros)))
+    told = (Sign.NOT_NEGATIVE, Sign.NOT_POSITIVE) if zeros else (Sign.POSITIVE, Sign.NEGATIVE)
+    return Signs(told[not positive], positive, negative, tuple(sorted(zeros)))
 
 
 def _witness(form: PatchForm) -> tuple[int, Point]:

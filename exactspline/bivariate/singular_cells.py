@@ -126,9 +126,7 @@ def kind_on(form: PatchForm, box: Box) -> Crossing | None:
     squares = [c * c, d * d] + [c * 0] * (c <= 0 <= d)
     if min(products) > max(squares):
         return Crossing.POINT
-    if max(products) < min(squares):
-        return Crossing.NODE
-    return None
+    return Crossing.NODE if max(products) < min(squares) else None
 
 
 # ---- any other singular point
@@ -171,8 +169,7 @@ class _Cells:
             second = next(side for t, side in heights if t == point.t)
             if not (first and second and all(self._is_free(first, end, point) for end in second)):
                 return
-            box = Box(first, second)
-            yield Cell(box, Crossing.OTHER, point)
+            yield Cell(Box(first, second), Crossing.OTHER, point)
 
     def _is_free(self, side: Interval, t: mpq, point: CommonZero) -> bool:
         """Whether the curve does not meet a side of a box, or only in the singular point."""

@@ -89,8 +89,7 @@ def singular_on_patch(
     for zero in elimination.common_zeros([p, *slopes], sides) if all(slopes) else ():
         order = _order(zero, slopes)
         if order > 2:
-            kind = PointKind.ISOLATED if zero.place in single else PointKind.MULTIPLE
-            yield zero.place, kind, order, None
+            yield zero.place, PointKind.ISOLATED if zero.place in single else PointKind.MULTIPLE, order, None
             continue
         yield zero.place, *_double(zero, slopes, zero.place in single)
 

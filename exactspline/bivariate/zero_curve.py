@@ -229,8 +229,7 @@ class ZeroCurve:
         if direction is None:
             return None
         value = mpq(int(place[direction] == 1))
-        own = self._zeros_on(direction, value, UNIT.second)
-        return next(vertex for vertex, t in own if t == place[1 - direction])
+        return next(vertex for vertex, t in self._zeros_on(direction, value, UNIT.second) if t == place[1 - direction])
 
     def _vanishes_around(self, box: Box) -> bool:
         """Whether the form vanishes along a whole side of a box: its zeros there are not isolated points."""
@@ -245,8 +244,7 @@ class ZeroCurve:
         for value in (c, d):
             events.update({vertex: value for vertex, _ in self._zeros_on(1 - direction, value, box[direction])})
         self._vertices.update(dict.fromkeys(events))
-        places = sorted(events.items(), key=itemgetter(1))
-        for (first, low), (last, high) in pairwise(places):
+        for (first, low), (last, high) in pairwise(sorted(events.items(), key=itemgetter(1))):
             middle = between(low, high)
             ends = [self._value(direction, x, middle) for x in (a, b)]
             if min(ends) < 0 < max(ends):

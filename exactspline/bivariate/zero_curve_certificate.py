@@ -169,8 +169,7 @@ class _Subdivision:
         self._separate(box, 1 - direction)
         own, digits = self._separate(box, direction), 1
         while True:
-            places = sorted(self.places[key][k] for key, k in own)
-            if all(one.high < other.low for one, other in pairwise(places)):
+            if all(one.high < other.low for one, other in pairwise(sorted(self.places[key][k] for key, k in own))):
                 return
             digits *= 2
             for key, k in own:

@@ -44,8 +44,7 @@ def check_common_zeros(certificate: Mapping[str, object]) -> dict[str, int]:
     counts = {count for count, _ in found}
     require(len(counts) == 1, "another number of functions on another patch")
     multiplicities = [times for _, own in found for times in own]
-    zeros = {"zeros": len(multiplicities)}
-    return zeros | ({"multiplicity": sum(multiplicities)} if counts == {2} else {})
+    return {"zeros": len(multiplicities)} | ({"multiplicity": sum(multiplicities)} if counts == {2} else {})
 
 
 def on_each_patch(
@@ -116,8 +115,7 @@ def _check_boxes(functions: Sequence[Net], tokens: Sequence[Any], regions: Seque
             pairs = [halves(net, k) for net in nets]
             for end in (1, 0):
                 side = (low, middle) if end == 0 else (middle, high)
-                half = (box[0], side) if k else (side, box[1])
-                todo.append((half, [pair[end] for pair in pairs]))
+                todo.append(((box[0], side) if k else (side, box[1]), [pair[end] for pair in pairs]))
         elif type(token) is int:
             require(0 <= token < len(regions), "the number of a region that does not exist")
             inside = all(a <= low <= high <= b for (low, high), (a, b) in zip(box, regions[token], strict=True))
@@ -149,8 +147,7 @@ def turned(net: Net) -> Net:
 
 def part(net: Net, box: Box) -> Net:
     """The Bernstein coefficients on a box, up to a positive constant that depends on the box and the degrees alone."""
-    rows = [values_on(row, *box[1]) for row in net]
-    return turned([values_on(column, *box[0]) for column in turned(rows)])
+    return turned([values_on(column, *box[0]) for column in turned([values_on(row, *box[1]) for row in net])])
 
 
 def _combined(nets: Sequence[Net], coefficients: Sequence[int]) -> Net:

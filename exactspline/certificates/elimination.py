@@ -205,8 +205,7 @@ def sheared(powers: Sequence[Sequence[int]], slope: int) -> Rows:
                 # t^j = Σ C(j, k) z^(j − k) (−slope s)^k
                 while len(rows) <= i + k:
                     rows.append([])
-                term = [0] * (j - k) + [x * comb(j, k) * (-slope) ** k]
-                rows[i + k] = total(rows[i + k], term)
+                rows[i + k] = total(rows[i + k], [0] * (j - k) + [x * comb(j, k) * (-slope) ** k])
     return trimmed([trimmed(row) for row in rows])
 
 
@@ -243,8 +242,7 @@ def determinant(matrix: list[list[int]]) -> int:
             rows[k], rows[pivot] = rows[pivot], [-x for x in rows[k]]
         top = rows[k]
         for row in rows[k + 1 :]:
-            pairs = zip(row[k + 1 :], top[k + 1 :], strict=True)
-            row[k + 1 :] = [(top[k] * x - row[k] * y) // last for x, y in pairs]
+            row[k + 1 :] = [(top[k] * x - row[k] * y) // last for x, y in zip(row[k + 1 :], top[k + 1 :], strict=True)]
         last = top[k]
     return last
 
@@ -303,8 +301,7 @@ def check_single_zero(
     for p in rows:
         require(not remainder_of(composed(p, above, minimal), minimal), "a function that is not zero there")
     for x, (least, most) in ((above, box[0]), (total([Fraction(0), Fraction(1)], [-slope * c for c in above]), box[1])):
-        own = remainder_of(x, minimal) or [Fraction(0)]
-        values = on_interval(own, low, high)
+        values = on_interval(remainder_of(x, minimal) or [Fraction(0)], low, high)
         require(least <= min(values) and max(values) <= most, "a zero that may be outside its region")
     power = given["power"]
     require(power > 0, "a power that is not positive")

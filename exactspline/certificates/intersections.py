@@ -46,8 +46,7 @@ def check_intersections(certificate: Mapping[str, object]) -> dict[str, int]:
 
 def _pair(given: Any) -> dict[str, Any]:
     """Two segments, and what proves their common points."""
-    indices = read(given, {"segments": (count, count)})
-    return {**indices, **read(given, APART if "apart" in given else ELIMINATED)}
+    return {**read(given, {"segments": (count, count)}), **read(given, APART if "apart" in given else ELIMINATED)}
 
 
 def _segment(given: Mapping[str, Any]) -> list[Polynomial]:
@@ -96,8 +95,7 @@ def _bezout(curve: list[Polynomial], point: list[Polynomial]) -> list[list[Polyn
             line = _along(_across(points[i], points[j]), point)
             # (σⁱ sʲ − σʲ sⁱ)/(s − σ) = Σ σ^(i + r) s^(j − 1 − r)
             for r in range(j - i):
-                entry = matrix[i + r][j - 1 - r]
-                matrix[i + r][j - 1 - r] = [a + b for a, b in zip(entry, line, strict=True)]
+                matrix[i + r][j - 1 - r] = [a + b for a, b in zip(matrix[i + r][j - 1 - r], line, strict=True)]
     return matrix
 
 

@@ -185,8 +185,7 @@ class _OnPatch:
         for at in (c, d):
             events.update({vertex: (at, at) for vertex, _ in self._on_side(1 - direction, at, (a, b))})
         self._vertices.update(dict.fromkeys(events))
-        places = sorted(events.items(), key=lambda event: event[1])
-        for (first, (_, low)), (last, (high, _)) in pairwise(places):
+        for (first, (_, low)), (last, (high, _)) in pairwise(sorted(events.items(), key=lambda event: event[1])):
             require(low < high, "zeros whose order is not proved")
             middle = (low + high) / 2
             ends = [self._value((at, middle) if direction == 0 else (middle, at)) for at in (a, b)]

@@ -46,8 +46,7 @@ def check_zeros(certificate: Mapping[str, object], sturm: bool = True) -> dict[s
         require(len(c) == max(n + 1, 0), "wrong number of coefficients")
         return _segment(c, segment, sturm) if any(c) else None
 
-    parts = each("segments", checked, data["segments"])
-    roots, jumps, intervals = _whole(breaks, parts, data["periodic"])
+    roots, jumps, intervals = _whole(breaks, each("segments", checked, data["segments"]), data["periodic"])
     require(len(data["roots"]) == len(roots), f"{len(roots)} roots proved, another number claimed")
     for i, (claim, (low, high, where, facts)) in enumerate(zip(data["roots"], roots, strict=True)):
         a, b = claim["low"], claim["high"]
@@ -73,8 +72,7 @@ def _whole(breaks: list[Fraction], parts: list[Any], periodic: bool) -> tuple[li
     for i in range(segments + (not periodic)):
         left = None if i == 0 and not periodic else (parts[i - 1][1] if parts[i - 1] else (None, 0))
         right = None if i == segments else (parts[i][0] if parts[i] else (None, 0))
-        sides = [s for s in (left, right) if s]
-        if all(m for m, _ in sides):
+        if all(side[0] for side in (left, right) if side):
             facts = (left and left[0], right and right[0]), (left and left[1], right and right[1])
             roots.append((breaks[i], breaks[i], None, facts))
         elif (

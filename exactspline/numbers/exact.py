@@ -482,6 +482,5 @@ def _positional(match: re.Match[str], radix: int, per_digit: int, value: str) ->
         raise NumberError(f"{value.strip()[:40]!r} has an exponent beyond {MAX_EXPONENT}", remedy="scale the data")
     mantissa = mpz(whole + part, radix) * (-1 if match[1] == "-" else 1)
     exponent -= per_digit * len(part)
-    base = 10 if radix == 10 else 2
-    scale = mpz(base) ** abs(exponent)
+    scale = mpz(10 if radix == 10 else 2) ** abs(exponent)
     return mpq(mantissa * scale) if exponent >= 0 else mpq(mantissa, scale)

@@ -236,8 +236,7 @@ def linear(value: mpq) -> fmpz_poly:
 
 def sign_at(p: fmpz_poly, t: mpq) -> int:
     """The sign of a polynomial at a rational number."""
-    at = p(to_fmpq(t))
-    return sign(at)
+    return sign(p(to_fmpq(t)))
 
 
 def changes_sign(p: fmpz_poly, low: mpq, high: mpq) -> bool:

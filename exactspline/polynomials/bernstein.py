@@ -51,8 +51,7 @@ def from_bezier(points: Sequence[mpq]) -> Form:
     (x^2 + x, 1)
     """
     n = len(points) - 1
-    scaled = [comb(n, i) * b for i, b in enumerate(points)]
-    integers, m = over_one_denominator(scaled)
+    integers, m = over_one_denominator([comb(n, i) * b for i, b in enumerate(points)])
     return fmpz_poly(integers), fmpz(m)
 
 
@@ -114,8 +113,7 @@ def common_denominators(
     """Two lists of polynomials over the denominators k and m, brought to common denominators."""
     shared = [x // x.gcd(y) for x, y in zip(k, m, strict=True)]
     denominators = tuple([x * y for x, y in zip(shared, m, strict=True)])
-    lifts = [d // x for d, x in zip(denominators, k, strict=True)]
-    return _times(p, lifts), _times(q, shared), denominators
+    return _times(p, [d // x for d, x in zip(denominators, k, strict=True)]), _times(q, shared), denominators
 
 
 def _times(polynomials: Sequence[fmpz_poly], factors: Sequence[fmpz]) -> tuple[fmpz_poly, ...]:

@@ -192,8 +192,7 @@ def _packed(matrix: Matrix, degree: int) -> fmpz_poly:
     width, length = (bits + 8) // 8, size * degree + 1
     _check(size**3 * length * bits * PACKED // 100, size, degree, height)
     base = fmpz(1) << (8 * width)
-    value = fmpz_mat([[x(base) for x in row] for row in matrix]).det()
-    return _unpacked(int(value), width, length)
+    return _unpacked(int(fmpz_mat([[x(base) for x in row] for row in matrix]).det()), width, length)
 
 
 def _interpolated(matrix: Matrix, degree: int) -> fmpz_poly:

@@ -143,10 +143,8 @@ def _preimages(f: RationalMap, at_value: Coordinate) -> Isolation:
     if (exact := at_value.exact) is not None:
         return isolate(f.top * to_fmpz(exact.denominator) - f.bottom * to_fmpz(exact.numerator), f.degree)
     g, modulus = at_value.function, at_value.place.irreducible
-    count = max(g.top.degree(), g.bottom.degree()) + 1
-    rows = [f.top * g.bottom[k] - f.bottom * g.top[k] for k in range(count)]
-    eliminant = resultant([fmpz_poly([c]) for c in modulus.coeffs()], rows)
-    return isolate(eliminant, f.degree * modulus.degree())
+    rows = [f.top * g.bottom[k] - f.bottom * g.top[k] for k in range(max(g.top.degree(), g.bottom.degree()) + 1)]
+    return isolate(resultant([fmpz_poly([c]) for c in modulus.coeffs()], rows), f.degree * modulus.degree())
 
 
 def _is_before(one: Place, other: Place) -> bool:

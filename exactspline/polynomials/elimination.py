@@ -34,8 +34,7 @@ def discriminant(rows: Sequence[fmpz_poly]) -> fmpz_poly:
     bits = (2 * m - 1) * (bits_of_values(rows, bound) + m.bit_length())
     _check(bound + 1, m * m, bits, f"the discriminant of a polynomial of degree {degree} × {m}")
     start = first_integer(rows[-1], bound + 1)
-    values = [_at(rows, k).discriminant() for k in range(start, start + bound + 1)]
-    return _through_whole(values, start)
+    return _through_whole([_at(rows, k).discriminant() for k in range(start, start + bound + 1)], start)
 
 
 def resultant(first: Sequence[fmpz_poly], second: Sequence[fmpz_poly]) -> fmpz_poly:
@@ -50,8 +49,7 @@ def resultant(first: Sequence[fmpz_poly], second: Sequence[fmpz_poly]) -> fmpz_p
     bits = n * bits_of_values(first, bound) + m * bits_of_values(second, bound) + (m + n) * (m + n).bit_length()
     _check(bound + 1, max(m, 1) * max(n, 1), bits, f"the resultant of degree {bound} of two polynomials")
     start = first_integer(first[-1] * second[-1], bound + 1)
-    values = [_at(first, k).resultant(_at(second, k)) for k in range(start, start + bound + 1)]
-    return _through_whole(values, start)
+    return _through_whole([_at(first, k).resultant(_at(second, k)) for k in range(start, start + bound + 1)], start)
 
 
 def bits_of_values(rows: Sequence[fmpz_poly], count: int) -> int:

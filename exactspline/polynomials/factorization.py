@@ -94,8 +94,7 @@ class Factorization(Generic[P]):
         x y⁻¹
         """
         mine = [(base, min(e, other.exponent(base))) for base, e in self.powers]
-        others = [(base, min(e, 0)) for base, e in other.powers if not self.exponent(base)]
-        return Factorization([*mine, *others])
+        return Factorization([*mine, *[(base, min(e, 0)) for base, e in other.powers if not self.exponent(base)]])
 
     def without(self, part: Factorization[P]) -> Factorization[P]:
         """The quotient by another factorization."""

@@ -93,8 +93,7 @@ def factorize(p: P) -> Factored[P]:
         cost = _cost(p, FACTOR)
         if isinstance(p, fmpz_poly) and cost > WORTH_A_TRY:
             parts = factorize_square_free(p)
-            powers = [(q, e) for base, e in parts.powers for q in _split(base)]
-            return _believed(p, parts.constant, powers)
+            return _believed(p, parts.constant, [(q, e) for base, e in parts.powers for q in _split(base)])
         if isinstance(p, fmpz_mpoly) and cost > WORTH_A_TRY and _certainly_irreducible(p):
             content = _content(p) if p.leading_coefficient() > 0 else -_content(p)
             return _believed(p, content, [(p / content, 1)])
@@ -244,10 +243,8 @@ def _by_flint(p: Any) -> Any:
     if not isinstance(p, fmpz_mpoly):
         return p.factor()
     context = p.context()
-    rationals = fmpq_mpoly_ctx.get(context.names(), context.ordering())
-    constant, factors = rationals.from_dict(p.to_dict()).factor()
-    scaled = [(context.from_dict({e: x.p for e, x in base.to_dict().items()}), k) for base, k in factors]
-    return constant.p, scaled
+    constant, factors = fmpq_mpoly_ctx.get(context.names(), context.ordering()).from_dict(p.to_dict()).factor()
+    return constant.p, [(context.from_dict({e: x.p for e, x in base.to_dict().items()}), k) for base, k in factors]
 
 
 def _believed(p: P, constant: Any, factors: list[tuple[P, int]]) -> Factored[P]:
@@ -273,9 +270,7 @@ def _degrees(p: fmpz_poly | fmpz_mpoly | fmpq_mpoly) -> list[int]:
 
 def _bits(p: fmpz_poly | fmpz_mpoly | fmpq_mpoly) -> int:
     """The number of bits of the largest coefficient of a polynomial."""
-    if isinstance(p, fmpz_poly):
-        return int(p.height_bits())
-    return height_bits(p.coeffs())
+    return int(p.height_bits()) if isinstance(p, fmpz_poly) else height_bits(p.coeffs())
 
 
 def _cost(p: fmpz_poly | fmpz_mpoly | fmpq_mpoly, per_bit: dict[int, int]) -> int:

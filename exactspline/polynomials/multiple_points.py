@@ -51,8 +51,7 @@ class Fibre:
         return fmpq_poly([form[n] if t == 1 else form(to_fmpq(t / (1 - t)))])
 
     def _minor(self, p: fmpz_poly, a: fmpq_poly, q: fmpz_poly, b: fmpq_poly) -> OverRoot:
-        n = max(p.degree(), q.degree())
-        return OverRoot([a * p[i] - b * q[i] for i in range(n + 1)], self.modulus)
+        return OverRoot([a * p[i] - b * q[i] for i in range(max(p.degree(), q.degree()) + 1)], self.modulus)
 
     def _without(self, common: OverRoot, carried: RationalMap) -> OverRoot:
         top, bottom = self._element(carried.top, carried.degree), self._element(carried.bottom, carried.degree)

@@ -102,8 +102,7 @@ class PatchForm:
 
     def halves(self, direction: int) -> tuple[PatchForm, PatchForm]:
         """The form on the two halves of the square (direction 0: in x), with a common constant."""
-        m = self.degree[direction]
-        matrix, (first, second) = self.matrix, halving(m)
+        matrix, (first, second) = self.matrix, halving(self.degree[direction])
         if direction == 0:
             return PatchForm(first * matrix), PatchForm(second * matrix)
         return PatchForm(matrix * first.transpose()), PatchForm(matrix * second.transpose())
@@ -127,8 +126,7 @@ class PatchForm:
         constant for 0 ≤ x ≤ 1.
         """
         weights, _ = _weights(self.degree[direction], x)
-        line = weights * self.matrix if direction == 0 else self.matrix * weights.transpose()
-        return line.entries()
+        return (weights * self.matrix if direction == 0 else self.matrix * weights.transpose()).entries()
 
     def derivative(self, direction: int) -> PatchForm:
         """The derivative with respect to x (direction 0) or y, with the same constant; for degree 0 the zero form of
@@ -296,8 +294,7 @@ def _without_ends(matrix: fmpz_mat) -> tuple[fmpz_mat, int, int]:
 def _lowest(matrix: fmpz_mat) -> fmpz_mat:
     """The coefficients at the lowest degree of x, up to a constant."""
     n = int(matrix.nrows()) - 1
-    powers = _to_powers(n) * matrix
-    rows = powers.table()
+    rows = (_to_powers(n) * matrix).table()
     degree = max((k for k, row in enumerate(rows) if any(row)), default=0)
     return PatchForm(_from_powers(degree) * fmpz_mat(rows[: degree + 1])).primitive().matrix if degree < n else matrix
 

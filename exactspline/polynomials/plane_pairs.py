@@ -214,9 +214,7 @@ def meetings(first: PlaneForms, second: PlaneForms) -> Meetings:
 
     Raises `ReachError` for what would take too long.
     """
-    if first.degree > second.degree:
-        return _meetings(second, first).exchanged()
-    return _meetings(first, second)
+    return _meetings(second, first).exchanged() if first.degree > second.degree else _meetings(first, second)
 
 
 def _meetings(first: PlaneForms, second: PlaneForms) -> Meetings:
@@ -348,8 +346,7 @@ def _crossings_at(first: PlaneForms, second: PlaneForms, carried: RationalMap, p
 def _is_value(partner: Local, carried: RationalMap, place: Place) -> bool:
     """Whether a parameter of the first curve is the value of a map."""
     if isinstance(partner, Place):
-        form = carried.top if partner.exact == 0 else carried.bottom
-        return place.sign(form, carried.degree) == 0
+        return place.sign(carried.top if partner.exact == 0 else carried.bottom, carried.degree) == 0
     own = partner.map
     difference = own.top * carried.bottom - own.bottom * carried.top
     return place.sign(difference, own.degree + carried.degree) == 0

@@ -48,8 +48,7 @@ def at(p: fmpz_mpoly, variable: int, value: mpq) -> fmpz_poly:
     n = max((row.degree() for row in rows), default=0)
     bottom = int(value.denominator)
     numerator = fmpz_poly([int(value.numerator)])
-    values = [substituted(row, max(n, 0), fmpz_poly([bottom]), numerator)[0] for row in rows]
-    return fmpz_poly(values)
+    return fmpz_poly([substituted(row, max(n, 0), fmpz_poly([bottom]), numerator)[0] for row in rows])
 
 
 def value_at(p: fmpz_mpoly, s: mpq, t: mpq) -> mpq:

@@ -98,8 +98,7 @@ class Place:
         if self.exact is None and not self.zero.factor.without_rational_zero:
             p = self.irreducible
             if p.degree() == 1:
-                t = ratio(p[0], p[0] - p[1])
-                self.interval = Interval.point(t)
+                self.interval = Interval.point(ratio(p[0], p[0] - p[1]))
         return self.exact
 
     @property

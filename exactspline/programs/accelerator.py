@@ -196,8 +196,7 @@ def signs(program: Program, rows: Sequence[tuple[Sequence[Sequence[int]], int]],
         data = array("d", numbers + [below for _, below in rows])
     except OverflowError:
         return None
-    outputs = prepared.outputs
-    stride = OF_SEGMENT + 4 * outputs
+    stride = OF_SEGMENT + 4 * prepared.outputs
     start, room = stride * segments, FEW * segments
     found = array("d", bytes(8 * (start + OF_ZERO * room)))
     count = filter_curve(byref(prepared), data.buffer_info()[0], segments, found.buffer_info()[0], room)

@@ -110,9 +110,7 @@ def _text(instruction: Instruction, constants: dict[str, Any]) -> str:
         return f"{a}.derivative()"
     if name == "over_u":
         return a
-    if name == "scale":
-        return _multiple(a, numbers[0], constants)
-    return f"{a} * m{numbers[0]}"
+    return _multiple(a, numbers[0], constants) if name == "scale" else f"{a} * m{numbers[0]}"
 
 
 def _multiple(a: str, m: int, constants: dict[str, Any]) -> str:

@@ -99,6 +99,4 @@ def _in_order(powers: dict[Atom, int]) -> tuple[tuple[Atom, int], ...]:
 def _text(atom: Atom) -> str:
     if isinstance(atom, OfOperand):
         return f"below{atom.group}"
-    if isinstance(atom, WidthNumerator):
-        return "top"
-    return f"({atom.first.text}).lcm({atom.second.text})"
+    return "top" if isinstance(atom, WidthNumerator) else f"({atom.first.text}).lcm({atom.second.text})"

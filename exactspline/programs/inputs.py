@@ -92,8 +92,7 @@ def _of_pair(kind: PairKind, pair: Pair[Any]) -> Given | None:
     if not (independent and of_meshes and all(mesh.unit for mesh in meshes)):
         return None
     groups = (*_groups(own[0]), *[len(own[0]) + k for k in _groups(own[1])])
-    degrees = tuple([f.degree for f in splines])
-    signature = Signature(kind, pair.dimension, False, degrees, groups, unit_widths=True)
+    signature = Signature(kind, pair.dimension, False, tuple([f.degree for f in splines]), groups, unit_widths=True)
     return Given(pair, splines, meshes, signature, stride)
 
 

@@ -197,8 +197,7 @@ class Term(RingOperand):
     def _on_patches_over(self, below: Denominator, degrees: tuple[int, ...]) -> Self:
         if self.degrees != degrees or self.below.powers != below.powers:
             raise _outside("a sum of unequal degrees or denominators on patches")
-        number = self.number * (below.constant // self.below.constant)
-        return self._on_patches()._with(number=number, below=below)
+        return self._on_patches()._with(number=self.number * (below.constant // self.below.constant), below=below)
 
     def _down_to(self, raised: int, widths: int) -> Self:
         """With these powers of ``u + v`` and of the width's denominator kept apart and the others multiplied in."""
@@ -333,8 +332,7 @@ class Term(RingOperand):
             raise _outside("a value on patches in one parameter only")
         if self.node == ZERO:
             return ZERO
-        code = self.recorder.instructions
-        return code.scaled(self._down_to(0, 0).node, self.number)
+        return self.recorder.instructions.scaled(self._down_to(0, 0).node, self.number)
 
     def continuity_of(self, operands: Sequence[tuple[int, ...]], inner: int, axis: int = 0) -> tuple[int, ...]:
         """The continuity at the inner breakpoints of a parameter, from that of all operands."""

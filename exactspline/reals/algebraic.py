@@ -126,9 +126,7 @@ class Algebraic(Digits):
 
     def _computed_minimal(self) -> fmpz_poly:
         p, low, high = self._isolated()
-        if low == high:
-            return linear(low)
-        return next(f for f in irreducible_factors(p) if changes_sign(f, low, high))
+        return linear(low) if low == high else next(f for f in irreducible_factors(p) if changes_sign(f, low, high))
 
     def is_root_of(self, polynomial: fmpz_poly) -> bool:
         """Whether a polynomial with integer coefficients vanishes at this number, decided exactly.

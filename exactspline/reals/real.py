@@ -306,8 +306,7 @@ class Quadratic(Real):
         return Interval(self.a + mpq(low, scale), self.a + mpq(high, scale))
 
     def _annihilator(self) -> fmpz_poly:
-        product = self.a**2 - self.b**2 * self.c
-        return fmpq_poly([to_fmpq(product), to_fmpq(-2 * self.a), fmpq(1)]).numer()
+        return fmpq_poly([to_fmpq(self.a**2 - self.b**2 * self.c), to_fmpq(-2 * self.a), fmpq(1)]).numer()
 
     def _height(self) -> int:
         return self._annihilator().height_bits() // 2 + 1
@@ -533,9 +532,7 @@ def combined(operation: Operation, x: Real, y: Real) -> Real:
         return RationalNumber(0)
     if zeros[1]:
         return x
-    if zeros[0] and operation is add:
-        return y
-    return Expression(operation, x, y)
+    return y if zeros[0] and operation is add else Expression(operation, x, y)
 
 
 def _known(x: Real) -> tuple[mpq, mpq, int] | None:
@@ -587,9 +584,7 @@ def square_root(x: Number | Real) -> Real:
         raise NumberError(f"the square root of {value}", remedy="give a number ≥ 0")
     if sign == 0:
         return RationalNumber(0)
-    if value._given is None:
-        return Expression(_root, value)
-    return quadratic(mpq(0), *square_root_parts(value._given))
+    return Expression(_root, value) if value._given is None else quadratic(mpq(0), *square_root_parts(value._given))
 
 
 def real(value: Number | Real) -> Real:

@@ -324,8 +324,7 @@ def _digits(width: mpq, most: int) -> int:
     """The number of decimal digits determined by an interval of this width, at most `most`."""
     if width == 0:
         return most
-    quotient = int(1 / width)
-    return min(most, max(0, (quotient.bit_length() - 1) * 30103 // 100000))
+    return min(most, max(0, (int(1 / width).bit_length() - 1) * 30103 // 100000))
 
 
 def knot_root(t: mpq) -> Root:

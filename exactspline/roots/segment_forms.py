@@ -164,8 +164,7 @@ def root_at(place: Place, side: Interval) -> Real:
     if (t := place.exact) is not None:
         return RationalNumber(side.at(t))
     zero = place.zero
-    times = (zero.multiplicity, zero.multiplicity)
-    root = Root(side.at(zero.low), side.at(zero.high), times, zero.signs, zero, side)
+    root = Root(side.at(zero.low), side.at(zero.high), (zero.multiplicity, zero.multiplicity), zero.signs, zero, side)
     low, high = place.interval
     root._keep(side.at(low), side.at(high))
     return root

@@ -213,8 +213,7 @@ def sign_at(f: BSpline, t: mpq | Real, side: Side | str = Side.RIGHT) -> int:
     """
     place = exact_place(t)
     if not isinstance(place, Real):
-        value = f(place, side)
-        return sign(value)
+        return sign(f(place, side))
     digits, zero = 5, None
     while True:
         low, high = place.enclosure(digits)
@@ -247,8 +246,7 @@ def segment_polynomials(splines: Sequence[BSpline], i: int) -> list[fmpz_poly]:
     >>> segment_polynomials([BSpline.bezier([0, "1/2"]), BSpline.bezier([1, 1])], 0)
     [x, 2]
     """
-    parts = [in_powers(f, i) for f in splines]
-    return over_common_denominator([(f.numer(), f.denom()) for f in parts])[0]
+    return over_common_denominator([(f.numer(), f.denom()) for f in (in_powers(f, i) for f in splines)])[0]
 
 
 def segment_polynomial(f: BSpline, i: int) -> fmpz_poly:

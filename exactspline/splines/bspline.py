@@ -471,5 +471,4 @@ def integral(f: BSpline) -> BSpline:
             values.append(values[-1] + point * (b - a) / degree)
         points += values
         reached = values[-1]
-    knots = [t for t in f.breakpoints for _ in range(degree + 1)]
-    return BSpline(degree, knots, points)
+    return BSpline(degree, [t for t in f.breakpoints for _ in range(degree + 1)], points)

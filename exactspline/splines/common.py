@@ -69,8 +69,7 @@ def with_common_denominators(splines: Sequence[BSpline]) -> list[BSpline]:
     for forms in zip(*[f.forms for f in splines], strict=True):
         polynomials, denominator = over_common_denominator(forms)
         columns.append([(c, denominator) for c in polynomials])
-    rows = zip(*columns, strict=True)
-    return [f.over_forms(mesh, row) for f, row in zip(splines, rows, strict=True)]
+    return [f.over_forms(mesh, row) for f, row in zip(splines, zip(*columns, strict=True), strict=True)]
 
 
 def on_one_mesh(splines: Iterable[TensorSpline], letters: tuple[str, str]) -> list[TensorSpline]:

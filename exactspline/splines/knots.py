@@ -276,8 +276,7 @@ def _mesh_of(knots: KnotVector, degree: int) -> MeshOf:
     spans = [j for j in range(first, last) if t[j] < t[j + 1]]
     breaks = [t[j] for j in spans] + [t[last]]
     # the knots between two spans are equal
-    continuity = tuple([degree - (j - i) for i, j in pairwise(spans)])
-    return Mesh(breaks), continuity, spans
+    return Mesh(breaks), tuple([degree - (j - i) for i, j in pairwise(spans)]), spans
 
 
 def clamped(mesh: Mesh, continuity: Sequence[int], degree: int) -> KnotVector:

@@ -77,9 +77,7 @@ def true_degree(value: BSpline | SplineVector) -> int:
     if not isinstance(value, Rational):
         components: list[BSpline] = list(value) if isinstance(value, Vector) else [value]
         return max(c.true_degree for c in components)
-    if value.is_zero:
-        return -1
-    return max(n for _, n in lowest_terms(value))
+    return -1 if value.is_zero else max(n for _, n in lowest_terms(value))
 
 
 def true_degree_or_none(value: BSpline | SplineVector) -> int | None:
@@ -176,8 +174,7 @@ def primitive(f: BSpline) -> BSpline:
     content = common_divisor(c.content() for c in polynomials)
     if content != 1:
         polynomials = [c // content for c in polynomials]
-    ones = (ONE,) * len(polynomials)
-    return from_parts(f.degree, f.mesh, f.continuity, tuple(polynomials), ones, leaf())
+    return from_parts(f.degree, f.mesh, f.continuity, tuple(polynomials), (ONE,) * len(polynomials), leaf())
 
 
 V = TypeVar("V", bound=SplineValue)

@@ -128,8 +128,7 @@ def reduce_degree(f: S, by: int = 1) -> S:
             )
         lower.append((quotient, k))
     n = f.degree - by
-    result = type(f).from_forms(n, f.mesh, tuple(min(c, n) for c in f.continuity), lower)
-    return _without_smooth_knots(result)
+    return _without_smooth_knots(type(f).from_forms(n, f.mesh, tuple(min(c, n) for c in f.continuity), lower))
 
 
 def _without_smooth_knots(f: S) -> S:
@@ -177,8 +176,7 @@ def insert_knot(f: S, t: Number, times: int = 1) -> S:
     """The same function with one more knot (or several) at a parameter inside the domain."""
     t, lowered = insertable(f.degree, f.mesh, f.continuity, t, times)
     g = over(f, f.mesh if t in f.mesh.breaks else Mesh(sorted([*f.mesh.breaks, t])))
-    position = g.mesh.breaks.index(t) - 1
-    return type(f).from_forms(f.degree, g.mesh, _replaced(g.continuity, position, lowered), g.forms)
+    return type(f).from_forms(f.degree, g.mesh, _replaced(g.continuity, g.mesh.breaks.index(t) - 1, lowered), g.forms)
 
 
 def remove_knot(f: S, t: Number, times: int = 1) -> S:
@@ -355,8 +353,7 @@ def _rational(zero: LocalZero, knot: mpq, segment: Interval) -> mpq:
     """The local parameter at which a knot of the outer spline is crossed, or the error where it is irrational."""
     if zero.low == zero.high:
         return zero.low
-    factors = factorize(zero.factor.polynomial).bases
-    own = next(q for q in factors if len(set(end_signs(q, zero.low, zero.high))) > 1)
+    own = next(q for q in factorize(zero.factor.polynomial).bases if len(set(end_signs(q, zero.low, zero.high))) > 1)
     if own.degree() == 1:
         return ratio(own[0], own[0] - own[1])
     raise ReductionError(

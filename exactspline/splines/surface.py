@@ -46,8 +46,7 @@ def check_weight(w: TensorSpline) -> None:
     """
     sign = 0
     for i, j in product(range(len(w.meshes[0])), range(len(w.meshes[1]))):
-        form = w.patch_form(i, j)
-        found = _sign_or_box(form)
+        found = _sign_or_box(w.patch_form(i, j))
         if not isinstance(found, int):
             box, certain = found
             raise _zero(w.patch(i, j).part(box), certain)
@@ -100,8 +99,7 @@ def _crosses(part: Sized) -> bool:
 
 
 def _zero(box: Box, certain: bool) -> WeightError:
-    point = all(a == b for a, b in box)
-    where = f"at {box}" if point else f"where {box}"
+    where = f"at {box}" if all(a == b for a, b in box) else f"where {box}"
     problem = (
         f"the denominator w has a zero {where}"
         if certain

@@ -139,9 +139,7 @@ class TensorSpline(Immutable, TensorParts, RingOperand):
     @property
     def control_point_counts(self) -> tuple[int, int]:
         """How many control points there are along s and along t."""
-        if min(self.degree) < 0:
-            return 0, 0
-        return control_point_counts(self.knots, self.degree)
+        return (0, 0) if min(self.degree) < 0 else control_point_counts(self.knots, self.degree)
 
     def bezier_net(self, i: int, j: int) -> list[list[mpq]]:
         """The Bézier points of the patch over segment i of s and segment j of t."""

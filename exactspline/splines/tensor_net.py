@@ -103,6 +103,5 @@ def control_net(
         for k in range(n):
             segments = [[row[k] for row in patches[j]] for patches in nets]
             columns.append(blossom.to_control_points(knots[0].knots, degrees.s, meshes[0].breaks, segments))
-    rows = zip(*columns, strict=True)
-    segmented = ([row[j : j + n] for j in range(0, len(row), n)] for row in rows)
+    segmented = ([row[j : j + n] for j in range(0, len(row), n)] for row in zip(*columns, strict=True))
     return tuple(blossom.to_control_points(knots[1].knots, degrees.t, meshes[1].breaks, parts) for parts in segmented)

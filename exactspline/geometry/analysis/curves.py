@@ -182,9 +182,7 @@ class Analysis(SpaceFacts, Displayed):
         >>> [str(piece) for piece in analyse(example("straight_between_arcs")).straight_pieces]
         ['[1, 2]']
         """
-        if self._certain is not None:
-            return self._certain.straight
-        return tuple(self.pieces_where_zero(self.flatness))
+        return tuple(self.pieces_where_zero(self.flatness)) if self._certain is None else self._certain.straight
 
     @question(*CURVES, answered=Answered.PIECES, of_piece="κ′ ≡ 0")
     def constant_pieces(self) -> tuple[CurvePiece, ...]:

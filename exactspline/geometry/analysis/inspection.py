@@ -30,9 +30,7 @@ class Approach(Word):
 
     def variant(self, curve: Nurbs) -> Variant:
         """The form that it solves on a curve; for space curves the paper has no reduced form."""
-        if self is Approach.REDUCED and curve.dimension == 2:
-            return Variant.PAPER
-        return Variant(self.value)
+        return Variant.PAPER if self is Approach.REDUCED and curve.dimension == 2 else Variant(self.value)
 
 
 @dataclass(frozen=True)

@@ -283,8 +283,7 @@ class SurfaceInspection(Inspected, Displayed):
         Source: Cazals, Faugère, Pouget and Rouillier, The implicit structure of ridges of a smooth parametric surface,
         Computer Aided Geometric Design 2006.
         """
-        known = [(one.singular, one.umbilics) for one in self.patches]
-        return ridges_of_surface(self._forms, known, self.closed)
+        return ridges_of_surface(self._forms, [(one.singular, one.umbilics) for one in self.patches], self.closed)
 
     @question(Of.SURFACE, answered=Answered.CURVES)
     def singular_curves(self) -> tuple[ZeroComponent, ...]:
@@ -380,8 +379,7 @@ class SurfaceInspection(Inspected, Displayed):
     def _zeros_of_curvature(self) -> tuple[ZeroComponent, ...]:
         """The zeros of K that are not on lines, joined across borders of patches."""
         pieces = [piece for one in self.patches for piece in one.pieces]
-        undecided = _boxes(one.open_signs for one in self.patches)
-        return chained(pieces, self.surface.domain, self.closed, undecided)
+        return chained(pieces, self.surface.domain, self.closed, _boxes(one.open_signs for one in self.patches))
 
     @property
     def kinds(self) -> tuple[PatchKind, ...]:
@@ -456,8 +454,7 @@ def inspect_patch(forms: SurfaceForms, patch: Patch) -> PatchInspection:
     minimal = on_patch(forms.minimality, patch) is None
     own, curvature = on_patch(forms.parabolic, patch), constant_curvature(forms, patch)
     if own is None:
-        flat = all(on_patch(f, patch) is None for f in forms.second)
-        kind = PatchKind.PLANAR if flat else PatchKind.DEVELOPABLE
+        kind = PatchKind.PLANAR if all(on_patch(f, patch) is None for f in forms.second) else PatchKind.DEVELOPABLE
         return PatchInspection(patch, sides, kind, minimal, None, None, singular, umbilics, curvature)
     if umbilics.everywhere:
         assert curvature, "a surface all of whose points are umbilics is a plane or a sphere"
@@ -505,8 +502,7 @@ def _sign_by_zeros(form: PatchForm, curve: ZeroCurve, simple: PatchForm) -> Sign
         keeps = sign.sign is not Sign.BOTH
         return Sign.BOTH if not keeps else Sign.NOT_NEGATIVE if sign.positive else Sign.NOT_POSITIVE
     rest, lines = without_lines(odd, UNIT)
-    same = as_polynomial(odd) in (as_polynomial(simple), -as_polynomial(simple))
-    own = curve if same else ZeroCurve(rest)
+    own = curve if as_polynomial(odd) in (as_polynomial(simple), -as_polynomial(simple)) else ZeroCurve(rest)
     if lines or own.has_branches:
         return Sign.BOTH
     if not own.complete:

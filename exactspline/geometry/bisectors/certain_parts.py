@@ -50,10 +50,7 @@ def possible_parts(families: Sequence[Sequence[fmpz_poly]], e: fmpz_poly, n: int
 
 def _total(rows: Sequence[fmpz_poly]) -> fmpz_poly:
     """The family in the middle of its range, up to a positive constant."""
-    total = fmpz_poly([])
-    for row in rows:
-        total += row
-    return total
+    return sum(rows, start=fmpz_poly([]))
 
 
 def _sign(form: fmpz_poly, n: int) -> int:

@@ -42,8 +42,7 @@ def standing(system: System) -> SpecialPairs:
     if second.stands_still:
         solutions = Solutions.PLANE if any(system.chord) else Solutions.SPACE
         return SpecialPairs(planes=(PlaneComponent(solutions, Cause.BOTH_STILL, system.sides, None),))
-    path = Path(constant(first.interval[0]), (PARAMETER, ONE))
-    surface = lines_along(system, path, second.interval, WITHOUT_FIRST)
+    surface = lines_along(system, Path(constant(first.interval[0]), (PARAMETER, ONE)), second.interval, WITHOUT_FIRST)
     lines: tuple[LineComponent, ...] = ()
     if surface is not None:
         own = LinePiece(1, *second.interval, None, surface)
@@ -126,6 +125,5 @@ def over_both_cusps(system: System) -> SpecialPairs:
         if meet is None:
             left_out.append(f"whether the cusps at {shown((s, t))} coincide")
             continue
-        solutions = Solutions.SPACE if meet else Solutions.PLANE
-        pairs.append(SinglePair(s, t, solutions, Cause.BOTH_CUSPS, system))
+        pairs.append(SinglePair(s, t, Solutions.SPACE if meet else Solutions.PLANE, Cause.BOTH_CUSPS, system))
     return SpecialPairs(pairs=tuple(pairs), left_out=tuple(left_out))

@@ -144,6 +144,5 @@ def _has_rank_2(system: System, place: Place) -> bool | None:
     """Whether the normals of the three planes are not all parallel; if they are, and the curves do not meet, the planes
     are three different ones.
     """
-    everything = [f for v in system.crosses() for f in v if f]
-    parallel = vanish_together(everything, *place)
+    parallel = vanish_together([f for v in system.crosses() for f in v if f], *place)
     return None if parallel is None else not parallel

@@ -67,18 +67,15 @@ def special_pairs(first: Nurbs, second: Nurbs, budget: Budget | None = None) -> 
 
     with drawing_on(budget or Budget()) as paid:
         for i, j in product(range(first.segments), range(second.segments)):
-            sides = Interval(*first.breakpoints[i : i + 2]), Interval(*second.breakpoints[j : j + 2])
-            where = Box(*sides).shortly
+            where = Box(Interval(*first.breakpoints[i : i + 2]), Interval(*second.breakpoints[j : j + 2])).shortly
             if paid.spent:
                 not_tried.append(where)
             else:
-                everything = f"the parts other than the surface on {where}"
-                pairs += _in_reach(everything, partial(of_segments, i, j))
+                pairs += _in_reach(f"the parts other than the surface on {where}", partial(of_segments, i, j))
     if not_tried:
         more = f" and {counted(len(not_tried) - 1, 'rectangle')} more" if len(not_tried) > 1 else ""
         parts = f"the parts other than the surface on {not_tried[0]}{more}"
-        name = f"{parts}: the bound on the whole answer was reached before"
-        pairs += SpecialPairs(left_out=(name,))
+        pairs += SpecialPairs(left_out=(f"{parts}: the bound on the whole answer was reached before",))
     return _without_repetition(pairs, first, second)
 
 
@@ -125,8 +122,7 @@ def _everywhere(system: System) -> SpecialPairs:
     nothing.
     """
     (a, b), side = system.sides
-    inner = mpq((2 * a + b) / 3)
-    surface = lines_along(system, Path(constant(inner), (PARAMETER, ONE)), side)
+    surface = lines_along(system, Path(constant(mpq((2 * a + b) / 3)), (PARAMETER, ONE)), side)
     if surface is None:
         return SpecialPairs()
     own = LinePiece(1, *side, None, surface)
@@ -174,8 +170,7 @@ def _has(system: System, place: Place, kind: Solutions) -> bool:
     """Whether a single pair of an equation has the solutions that a general one has; raises `ReachError` where that
     would take too long.
     """
-    conditions = [f for v in system.crosses() for f in v if f]
-    return kind == Solutions.PLANE or not vanish_at(conditions, *place)
+    return kind == Solutions.PLANE or not vanish_at([f for v in system.crosses() for f in v if f], *place)
 
 
 def _value(top: fmpz_poly, bottom: fmpz_poly, s: Parameter, side: Interval) -> mpq:

@@ -84,8 +84,7 @@ class TrimmedPiece:
         value = self.value
         if (low, high) == value.denominator.domain:
             return value
-        top = Vector(*[x.restrict(low, high) for x in value.vector])
-        return Rational(top, value.denominator.restrict(low, high))
+        return Rational(Vector(*[x.restrict(low, high) for x in value.vector]), value.denominator.restrict(low, high))
 
 
 @dataclass(frozen=True, repr=False)

@@ -43,8 +43,7 @@ class Angle:
         """The sine."""
         a, b = self._directions
         size = square_root(1 - dot(a, b) ** 2 / self._lengths)
-        to_the_right = len(a) == 2 and a[0] * b[1] < a[1] * b[0]
-        return -size if to_the_right else size
+        return -size if len(a) == 2 and a[0] * b[1] < a[1] * b[0] else size
 
     @property
     def _lengths(self) -> mpq:

@@ -63,11 +63,8 @@ def length(curve: Nurbs) -> Real:
     >>> length(Nurbs(2, [0, 0, 0, 1, 1, 1], [(0, 0), (1, 1), (2, 0)])).double()
     2.295587149392638
     """
-    velocity = facts_of(curve).velocity
-    known = _exact_length(norm2(velocity)) if curve.polynomial else None
-    if known is not None:
-        return known
-    return InBalls(partial(_length_ball, curve))
+    known = _exact_length(norm2(facts_of(curve).velocity)) if curve.polynomial else None
+    return InBalls(partial(_length_ball, curve)) if known is None else known
 
 
 def _length_ball(curve: Nurbs, bits: int) -> arb:

@@ -87,8 +87,7 @@ class ZeroForm:
         """
         breaks = self.form.mesh.breaks
         if root.low == root.high:
-            value = self.form(root.low, side)
-            return sign(value)
+            return sign(self.form(root.low, side))
         segment = bisect_right(breaks, root.low) - 1
         if root.segment != breaks[segment : segment + 2]:
             while segment + 1 < len(breaks) - 1 and breaks[segment + 1] <= root:
@@ -298,8 +297,7 @@ class Facts(Remembers):
         >>> [(joint.parameter, joint.order) for joint in analyse(example("straight_between_arcs")).joints]
         [(mpq(1,1), 1), (mpq(2,1), 1)]
         """
-        count = len(self.breaks) - 1
-        return tuple(self._joint(i) for i in range(0 if self.closed else 1, count))
+        return tuple(self._joint(i) for i in range(0 if self.closed else 1, len(self.breaks) - 1))
 
     def joint(self, t: mpq) -> Joint | None:
         """The joint at a parameter, None where there is none."""
@@ -466,8 +464,7 @@ class Facts(Remembers):
     def _singular_kind(self, joint: Joint) -> FeatureKind:
         if joint.angle is not None:
             return FeatureKind.CUSP if joint.angle.reverses else FeatureKind.CORNER
-        directions = self._directions(self.velocity, joint.parameter)
-        return FeatureKind.STOP if all(map(any, directions)) else FeatureKind.REST
+        return FeatureKind.STOP if all(map(any, self._directions(self.velocity, joint.parameter))) else FeatureKind.REST
 
     @Fact
     def _singular_roots(self) -> list[Root]:

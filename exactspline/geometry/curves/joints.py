@@ -66,9 +66,7 @@ class Joint:
     @property
     def same_curvature(self) -> bool:
         """Whether tangent and curvature are continuous: κ with its sign in the plane, κ ≥ 0 in space."""
-        if self.curvatures is not None:
-            return self.curvatures[0] == self.curvatures[1]
-        return self.tangent_continuous
+        return self.tangent_continuous if self.curvatures is None else self.curvatures[0] == self.curvatures[1]
 
 
 class Ends:

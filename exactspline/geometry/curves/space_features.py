@@ -39,8 +39,7 @@ class SpaceFacts(Facts):
     def reduced_torsion(self) -> Rational[BSpline]:
         """τ as a quotient in lowest terms, segment by segment; 0/1 where the curve is straight."""
         w, bend = self.operands.w, norm2(self.binormal)
-        top = self._twist if self.operands.polynomial else self._twist * w * w
-        return where_it_exists(Rational(top, bend))
+        return where_it_exists(Rational(self._twist if self.operands.polynomial else self._twist * w * w, bend))
 
     @Fact
     def _twist(self) -> BSpline:
@@ -106,8 +105,7 @@ def _flat_knot(facts: SpaceFacts, t: mpq) -> list[Feature]:
     else:
         kind = FeatureKind.UNDULATION if same_direction(left, right) else FeatureKind.FLAT_POINT
     absolute = FeatureKind.MINIMUM if flat else None
-    by_jump = kind is FeatureKind.INFLECTION and not flat
-    return [Feature(kind, knot_root(t), BINORMAL, by_jump, absolute)]
+    return [Feature(kind, knot_root(t), BINORMAL, kind is FeatureKind.INFLECTION and not flat, absolute)]
 
 
 def torsion_zeros(facts: SpaceFacts) -> list[Feature]:

@@ -126,8 +126,7 @@ def is_developable(surface: SplineSurface) -> bool:
     """
     _check_is_ruled(surface)
     _check_generator(surface)
-    lowest = cast("RuledSurface[Vector[BSpline]]", in_lowest_terms(surface))
-    return development(lowest).is_zero
+    return development(cast("RuledSurface[Vector[BSpline]]", in_lowest_terms(surface))).is_zero
 
 
 def _check_is_ruled(surface: object) -> None:

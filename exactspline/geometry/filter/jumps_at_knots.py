@@ -90,8 +90,7 @@ def on_runs(curve: Nurbs, left: Set[int]) -> tuple[list[Feature], list[Feature]]
         return None
     found: tuple[list[Feature], list[Feature]] = ([], [])
     starts = [i for i in sorted(left) if i - 1 not in left]
-    ends = [i for i in sorted(left) if i + 1 not in left]
-    for start, end in zip(starts, ends, strict=True):
+    for start, end in zip(starts, [i for i in sorted(left) if i + 1 not in left], strict=True):
         first, last = max(start - 1, 0), min(end + 2, count)
         facts = Facts(curve.restrict(curve.breakpoints[first], curve.breakpoints[last]))
         own = slice(start - first, end + 1 - first)

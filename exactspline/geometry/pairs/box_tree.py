@@ -96,9 +96,7 @@ def pairs_that_may_meet(first: BoxTree, second: BoxTree) -> Iterator[tuple[int, 
     todo = [((0, len(first.boxes)), (0, len(second.boxes)))]
     while todo:
         one, other = todo.pop()
-        if first is second and one[0] >= other[1]:
-            continue
-        if not meets(first.box(*one), second.box(*other)):
+        if (first is second and one[0] >= other[1]) or not meets(first.box(*one), second.box(*other)):
             continue
         sizes = one[1] - one[0], other[1] - other[0]
         if sizes == (1, 1):

@@ -143,8 +143,7 @@ def _at_seam(t: Real, curve: Nurbs) -> Real:
 
 def _within(arc: Overlap, other: Overlap) -> bool:
     """Whether an arc is a part of another one."""
-    sides = (arc.first, other.first), (arc.second, other.second)
-    return all(c <= a and b <= d for (a, b), (c, d) in sides)
+    return all(c <= a and b <= d for (a, b), (c, d) in ((arc.first, other.first), (arc.second, other.second)))
 
 
 def _largest(arcs: Iterable[tuple[Overlap, Real]]) -> list[tuple[Overlap, Real]]:
@@ -298,8 +297,7 @@ def _bound(values: Sequence[Real]) -> tuple[int, mpq]:
     """A bound of the least of some numbers, at most twice it, and the digits to which it is known."""
     digits = BOUND
     while True:
-        bounds = [value.enclosure(digits) for value in values]
-        low, high = (min(ends) for ends in zip(*bounds, strict=True))
+        low, high = (min(ends) for ends in zip(*[value.enclosure(digits) for value in values], strict=True))
         if high <= 2 * low:
             return digits, high
         digits *= 2

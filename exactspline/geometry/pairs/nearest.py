@@ -124,8 +124,7 @@ def near_segments(segments: list[SegmentForms], delta: tuple[mpq, ...]) -> list[
         return [0]
     shift = shift_for(segments)
     scaled = [x * (1 << shift) for x in delta]
-    boxes = [box_of(segment, shift) for segment in segments]
-    bounds = [_bounds(box, scaled) for box in boxes]
+    bounds = [_bounds(box_of(segment, shift), scaled) for segment in segments]
     nearest_far = min((far for _, far in bounds if far is not None), default=None)
     return [i for i, (near, _) in enumerate(bounds) if nearest_far is None or near <= nearest_far]
 

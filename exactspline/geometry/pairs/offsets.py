@@ -355,9 +355,7 @@ class _OfSegments:
 
     def _point(self, zero: CommonZero, pair: Sequence[fmpz_mpoly] | None) -> OffsetIntersection:
         first, second = map(real, zero.place)
-        times = None
-        if pair is not None and not _vanishes(self.pair.across, zero):
-            times = multiplicity(zero, *pair)
+        times = multiplicity(zero, *pair) if pair is not None and not _vanishes(self.pair.across, zero) else None
         knots = [
             not isinstance(x, Root) and x in curve.breakpoints for curve, x in zip(self.curves, zero.place, strict=True)
         ]

@@ -71,8 +71,7 @@ def planes(points: Sequence[Point], limit: mpq) -> Iterator[Plane]:
     if len(three) < 3 or not any(normal := cross_product(minus(three[1], three[0]), minus(three[2], three[0]))):
         return
     through = Plane(three[0], normal)
-    exact = all_near(through, points, NOTHING)
-    plane = through if exact else _fitted_plane(_spread(points, MOST_POINTS))
+    plane = through if all_near(through, points, NOTHING) else _fitted_plane(_spread(points, MOST_POINTS))
     if plane is not None and all_near(plane, points, limit * limit):
         yield plane
 
@@ -113,8 +112,7 @@ def rounded(x: mpq, unit: mpq) -> mpq:
 
 def _line(points: Sequence[Point]) -> Line | None:
     """From the first point to the last, or to the one farthest from it."""
-    offsets = [minus(point, points[0]) for point in points]
-    direction = max(offsets, key=lambda offset: scalar(offset, offset))
+    direction = max([minus(point, points[0]) for point in points], key=lambda offset: scalar(offset, offset))
     return Line(points[0], direction) if any(direction) else None
 
 
@@ -294,8 +292,7 @@ def _conic_through(points: Sequence[Point], plane: Plane | None) -> Conic | None
             )
         )
     (v, one), (w, other) = pairs
-    degrees = (2, 2, 2, 1, 1, 0)
-    return _conic([mpq((w * k - v * m) * unit**e) for k, m, e in zip(one, other, degrees, strict=True)])
+    return _conic([mpq((w * k - v * m) * unit**e) for k, m, e in zip(one, other, (2, 2, 2, 1, 1, 0), strict=True)])
 
 
 def _through(a: tuple[int, int], b: tuple[int, int]) -> tuple[int, int, int]:

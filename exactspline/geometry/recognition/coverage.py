@@ -306,8 +306,7 @@ class _Covering:
         """
         todo, flat = list[Sized](), [f for pair in pairs for f in pair]
         for patch in self.forms.patches:
-            forms = [self._inside(f, patch) or f.patch_form(*patch) for f in flat]
-            todo.append(Sized(UNIT, forms, 0))
+            todo.append(Sized(UNIT, [self._inside(f, patch) or f.patch_form(*patch) for f in flat], 0))
         remaining = BOXES + len(todo)
         while todo and remaining:
             remaining -= 1

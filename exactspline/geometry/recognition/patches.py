@@ -89,8 +89,7 @@ def recognized_surface(surface: NurbsSurface, epsilon: Number | None = None) -> 
     everything = [x for own in samples.values() for x in own]
     for shape in _proposed(given, everything, limit):
         if (within := _proved(given, everything, shape, limit)) is not None:
-            once = covers_once(given, shape, within)
-            return (RecognizedPart(tuple(samples), shape, within, whole=True, once=once),)
+            return (RecognizedPart(tuple(samples), shape, within, whole=True, once=covers_once(given, shape, within)),)
     return tuple(_by_patches(given, samples, limit)) if len(samples) > 1 else ()
 
 

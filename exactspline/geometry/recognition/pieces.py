@@ -12,7 +12,16 @@ from operator import mul
 from exactspline.errors import ShapeError
 from exactspline.geometry.recognition.candidates import candidates, farthest, planes
 from exactspline.geometry.recognition.proof import never_negative, proved_distance, signs
-from exactspline.geometry.recognition.shapes import Conic, CurveShape, Plane, Point, Shape, ShapeKind, upper_square_root
+from exactspline.geometry.recognition.shapes import (
+    Conic,
+    CurveShape,
+    Plane,
+    Point,
+    Shape,
+    ShapeKind,
+    cross_product,
+    upper_square_root,
+)
 from exactspline.numbers.exact import Number, mpq
 from exactspline.numbers.once import cached_property
 from exactspline.questions.answers import Described
@@ -260,8 +269,5 @@ def _linear(curve: Nurbs, centre: Point, direction: Sequence[mpq]) -> BSpline:
 
 def _across(curve: Nurbs, centre: Point, start: Sequence[mpq], shape: CurveShape) -> BSpline:
     """A function that vanishes where the curve, seen from a centre, is in the direction of its start or opposite."""
-    if n := shape.normal:
-        turned = [n[i - 2] * start[i - 1] - n[i - 1] * start[i - 2] for i in range(3)]
-    else:
-        turned = [-start[1], start[0]]
+    turned = cross_product(shape.normal, start) if shape.normal else [-start[1], start[0]]
     return _linear(curve, centre, turned)

@@ -24,8 +24,7 @@ def proved_distance(
     """
     if shape.holds(of):
         return mpq(0)
-    factors = chain(FACTORS, (mpq(2) ** k for k in count(2)))
-    for within in (rounded_up(found * factor) for factor in factors):
+    for within in (rounded_up(found * factor) for factor in chain(FACTORS, (mpq(2) ** k for k in count(2)))):
         if not within or within > limit or (shape.most is not None and within > shape.most):
             return None
         if all(never_negative(f) for f in shape.margins(of, within)):
@@ -55,8 +54,7 @@ def signs(f: BSpline) -> set[int]:
         of_points = {sign(x) for x in points}
         if len(of_points) > 1:
             of_points -= {0}
-        ends_of_points = {sign(points[0]), sign(points[-1])} - {0}
-        if len(of_points) == 1 or len(ends_of_points) == 2:
+        if len(of_points) == 1 or len({sign(points[0]), sign(points[-1])} - {0}) == 2:
             found |= of_points
         else:
             hard.add(Interval(*ends))

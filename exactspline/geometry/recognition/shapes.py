@@ -381,8 +381,7 @@ class Conic(CurveShape):
     @cached_property
     def kind(self) -> ShapeKind:  # type: ignore[override]  # known when the matrix is
         """Ellipse, parabola or hyperbola."""
-        kinds = {1: ShapeKind.ELLIPSE, 0: ShapeKind.PARABOLA, -1: ShapeKind.HYPERBOLA}
-        return kinds[sign(self._minor)]
+        return {1: ShapeKind.ELLIPSE, 0: ShapeKind.PARABOLA, -1: ShapeKind.HYPERBOLA}[sign(self._minor)]
 
     @property
     def closes(self) -> bool:  # type: ignore[override]  # likewise
@@ -454,8 +453,7 @@ class Conic(CurveShape):
         steep = scalar(axis, b) / scalar(axis, axis)
         height = (level - rest * along) / steep
         rows = [[x * y + u * v for y, v in zip(across, axis, strict=True)] for x, u in zip(across, axis, strict=True)]
-        right = [x * along + u * height for x, u in zip(across, axis, strict=True)]
-        return self._where(rows, right), axis
+        return self._where(rows, [x * along + u * height for x, u in zip(across, axis, strict=True)]), axis
 
     @cached_property
     def _bending(self) -> mpq:

@@ -101,8 +101,7 @@ def _around_axes(samples: Sequence[Sample], limit: mpq) -> Iterator[Shape]:
         fitted = _Fit(model, [[(x - m) / size for x, m in zip(each.point, middle, strict=True)] for each in few])
         if fitted.worst(start) * size > limit * WORSE and fitted.worst(start) > mpq(1, 64):
             continue
-        best = fitted.improved(start)
-        for shape in fitted.shapes(best, middle, size):
+        for shape in fitted.shapes(fitted.improved(start), middle, size):
             if candidates.all_near(shape, [x.point for x in samples], limit * limit):
                 yield shape
                 break
@@ -116,8 +115,7 @@ def _starts(local: Sequence[tuple[Point, Point]]) -> Iterator[tuple[_Model, list
         circle = candidates.fitted_circle(flat, Plane((mpq(0),) * 3, tuple(axis)))
         if circle is not None:
             yield CYLINDER, _numbers(circle.centre, axis, gmpy2.sqrt(mpfr(circle.radius_squared)))
-    lines = [(*cross_product(p, n), *n) for p, n in local]
-    complex_ = candidates.least(lines)
+    complex_ = candidates.least([(*cross_product(p, n), *n) for p, n in local])
     if not any(complex_[:3]):
         return
     axis, moment = complex_[:3], complex_[3:]

@@ -192,8 +192,7 @@ class CurvesNear:
     def __init__(self, curve: Nurbs, within: mpq) -> None:
         self.curve, self.within, self.rational = curve, within, not curve.polynomial
         self.per_point = curve.dimension + self.rational
-        program = plane_program if curve.dimension == 2 else space_program
-        self._program = program(curve.degree, self.rational)
+        self._program = (plane_program if curve.dimension == 2 else space_program)(curve.degree, self.rational)
         self._known = dict[int, tuple[Any, ...]]()
         ball = arb(0, arb(to_fmpq(within)).upper())
         self._points = [[arb(to_fmpq(x)) for x in point] for point in curve.control_points]
@@ -227,8 +226,7 @@ class CurvesNear:
             NOTHING if form.remainder is None else form.remainder,
         ]
         binomials = [arb(comb(m, k)) for k in range(m + 1)]
-        entries = [row[k] / binomials[k] for row in rows for k in range(m + 1)]
-        return Family(arb_mat(len(rows), m + 1, entries))
+        return Family(arb_mat(len(rows), m + 1, [row[k] / binomials[k] for row in rows for k in range(m + 1)]))
 
     def _forms(self, i: int) -> tuple[Any, ...]:
         """All forms on a segment, as of width 1."""
@@ -348,8 +346,7 @@ def _difference_matrix(n: int) -> arb_mat:
 def _halving(n: int) -> tuple[arb_mat, arb_mat]:
     """The matrices that give the ordinates on the halves, by de Casteljau's algorithm."""
     left = [[mpq(comb(k, i), 2**k) for k in range(n + 1)] for i in range(n + 1)]
-    right = [row[::-1] for row in left[::-1]]
-    return _matrix(left), _matrix(right)
+    return _matrix(left), _matrix([row[::-1] for row in left[::-1]])
 
 
 def _matrix(rows: Sequence[Sequence[mpq]]) -> arb_mat:

@@ -373,8 +373,7 @@ def _towards(row: Row, x: arb) -> Row:
 def _crosses(first: Sequence[_Part], second: Sequence[_Part]) -> bool:
     """Whether all velocities of the second turn to the same side of all of the first."""
     us, vs = ([v for part in parts for v in zip(*part.velocity, strict=True)] for parts in (first, second))
-    sides = {sign_of(u[0] * v[1] - u[1] * v[0]) for u, v in product(us, vs)}
-    return sides in ({1}, {-1})
+    return {sign_of(u[0] * v[1] - u[1] * v[0]) for u, v in product(us, vs)} in ({1}, {-1})
 
 
 def _around(a: Interval, b: Interval) -> Interval:

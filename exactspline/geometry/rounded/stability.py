@@ -164,8 +164,7 @@ def _lacks(curve: Nurbs, kind: FeatureKind, before: int, low: Real, high: Real) 
 
 
 def _size(curve: Nurbs) -> mpq:
-    columns = list(zip(*curve.control_points, strict=True))
-    return max(max(column) - min(column) for column in columns) or mpq(1)
+    return max(max(column) - min(column) for column in zip(*curve.control_points, strict=True)) or mpq(1)
 
 
 class _Radii:

@@ -129,8 +129,7 @@ class SurfaceForms:
     @cached_property
     def curvature(self) -> tuple[TensorSpline, TensorSpline]:
         """Numerator and denominator of K: ``w⁴ · w⁸ (LN − M²)`` and ``‖Π_n‖⁴``."""
-        w = self.surface.w
-        return self.parabolic * w**4, self.area * self.area
+        return self.parabolic * self.surface.w**4, self.area * self.area
 
     @property
     def patches(self) -> list[Patch]:

@@ -240,8 +240,7 @@ def other_family(lines: Sequence[fmpz_mpoly], cubic: Sequence[fmpz_mpoly]) -> fm
         # the direction (1, 0), and the one in which b p + c q vanishes
         shared = greatest_common_divisor([b, c])
         other = -c / shared, b / shared
-        value = _cubic(cubic, *other)
-        return cubic[0] or value or None
+        return cubic[0] or _cubic(cubic, *other) or None
     # a² times the cubic form is r p q² + t q³ modulo the quadratic one
     r = cubic[0] * (b * b - a * c) - cubic[1] * a * b + cubic[2] * a * a
     t = cubic[0] * b * c - cubic[1] * a * c + cubic[3] * a * a

@@ -139,8 +139,7 @@ class _Search:
         for f in ([] if singular is None else [singular.form]) + ([] if factor is None else [factor]):
             known = [zero for zero in known if rounded(f, zero.refine(FAR)).sign in (1, -1)]
         # A G − B F + C E = 0
-        cofactors = [[self.first[2 - k]] for k in given]
-        found = zeros_of(list(given.values()), self.sides, cofactors=cofactors, known=known)
+        found = zeros_of(list(given.values()), self.sides, cofactors=[[self.first[2 - k]] for k in given], known=known)
         undecided = list(found.undecided)
         zeros = [zero for zero in found.zeros if zero.is_inside and self._has_tangent_plane(zero, known, undecided)]
         curve, along_curve = (None, False) if factor is None else curve_of(factor)
