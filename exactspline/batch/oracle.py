@@ -210,10 +210,8 @@ def _evolute(curve: Nurbs, question: Question) -> Found:
 
 
 def _bounding_box(curve: Nurbs, question: Question) -> Found:
-    items = [
-        Item(axis, dict(zip(("low", "high"), coordinate_range(curve, i), strict=True)))
-        for i, axis in enumerate(axes(curve))
-    ]
+    ranges = [coordinate_range(curve, i) for i in range(curve.dimension)]
+    items = [Item(axis, {"low": low, "high": high}) for axis, (low, high) in zip(axes(curve), ranges, strict=True)]
     return items, (slope_zeros(curve, i).certificate() for i in range(curve.dimension))
 
 
@@ -370,15 +368,13 @@ def _described(each: Described) -> Item:
 
 
 def _piece(what: str, piece: CurvePiece) -> Item:
-    values = {"start": real(piece.start), "end": real(piece.end)}
-    return Item(what, values, {"across_seam": piece.across_seam})
+    return Item(what, {"start": real(piece.start), "end": real(piece.end)}, {"across_seam": piece.across_seam})
 
 
 def _joint(joint: Joint) -> Item:
     values = {"parameter": real(joint.parameter)}
     if joint.angle is not None:
-        values |= {"degrees": balls.degrees(joint.angle)}
-        values |= {"cosine": joint.angle.cosine, "sine": joint.angle.sine}
+        values |= {"degrees": balls.degrees(joint.angle), "cosine": joint.angle.cosine, "sine": joint.angle.sine}
     if joint.gap is not None:
         values["gap"] = joint.gap
     if joint.curvatures is not None:

@@ -55,8 +55,7 @@ class Results(ABC):
     def check_settings(self, place: Path, *, new: bool) -> None:
         """Write the settings next to new results, or compare them with the existing ones."""
         if new:
-            text = json.dumps(self.settings, ensure_ascii=False, indent=1) + "\n"
-            write_text(place, text, ResultsError)
+            write_text(place, json.dumps(self.settings, ensure_ascii=False, indent=1) + "\n", ResultsError)
             return
         try:
             known = json.loads(place.read_text(encoding="utf-8"))

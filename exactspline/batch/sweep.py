@@ -148,9 +148,7 @@ def opened(place: str, settings: Settings) -> Results:
 
     Raises `ResultsError`, also where pyarrow is needed and missing.
     """
-    if place.endswith(".parquet"):
-        return Parquet(Path(place), settings)
-    return JsonLines(Path(place), settings)
+    return Parquet(Path(place), settings) if place.endswith(".parquet") else JsonLines(Path(place), settings)
 
 
 def _compute(

@@ -83,13 +83,8 @@ class Work(OneByOne):
         """
         digits = as_integer(digits, "a number of digits", 0, MOST_DIGITS)
         located = _located(as_texts(claims, "ids of claims", "the id of a claim"))
-        usual = () if located else USUAL
-        return cls(
-            checked_names(usual if find is None else find),
-            located,
-            digits,
-            as_flag(values, "whether points get their values"),
-        )
+        names = checked_names((() if located else USUAL) if find is None else find)
+        return cls(names, located, digits, as_flag(values, "whether points get their values"))
 
     def settings(self) -> dict[str, object]:
         """On what the lines depend, as data."""

@@ -68,8 +68,7 @@ class Commands(click.Group):
         name = args[0]
         if name not in self.entries and not name.startswith("-"):
             below = {sub: f"{group} {sub}" for group, entry in self.entries.items() for sub in entry.commands}
-            known = {each: each for each in self.entries} | below
-            raise _unknown(name, known, ctx)
+            raise _unknown(name, {each: each for each in self.entries} | below, ctx)
         return super().resolve_command(ctx, args)
 
 

@@ -79,12 +79,8 @@ def between(
 
     def people() -> None:
         shown = console.console()
-        for k, sheet in enumerate(sheets):
-            if k:
-                shown.print()
-            shown.print(sheet)
-        left_out = data["intersections"]["left_out"] or data["distance"]["left_out"]
-        for what in left_out:
+        console.below_each_other(shown, sheets)
+        for what in data["intersections"]["left_out"] or data["distance"]["left_out"]:
             console.lines(shown, f"not decided: {what}")
 
     row = {"key": f"{curve} and {other}", "curves": [first.name, second.name]} | data

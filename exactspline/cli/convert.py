@@ -89,13 +89,8 @@ def convert(
         check_distance(epsilon)
     check_approximate(approximate)
     check_output(target, source.rpartition(":")[0] or source, source)
-    reading = read(
-        source,
-        from_format or None,
-        degree=degree,
-        knots=knots.replace(",", " ").split() or None,
-        approximate=approximate or None,
-    )
+    own = knots.replace(",", " ").split() or None
+    reading = read(source, from_format or None, degree=degree, knots=own, approximate=approximate or None)
     what = "surface" if reading.surfaces and (surfaces or not reading.curves) else "curve"
     chosen = _chosen(reading, what, source, only or [])
     if snap and what == "surface":
@@ -181,8 +176,7 @@ def _replacements(repair: Snapped | None) -> list[str]:
         return f"[{end_text(text(piece.piece.start))}, {end_text(text(piece.piece.end))}]"
 
     replaced = [f"{place(x)} replaced by a {x.kind}: {shape_text(x.shape.numbers, x.within)}" for x in repair.replaced]
-    kept = [f"{place(x)} stays: no {x.kind} through its end points is near enough" for x in repair.kept]
-    return replaced + kept
+    return replaced + [f"{place(x)} stays: no {x.kind} through its end points is near enough" for x in repair.kept]
 
 
 def _all_replacements(

@@ -123,10 +123,7 @@ class Output:
         from exactspline.display import console
 
         out = console.console()
-        for i, sheet in enumerate(sheets):
-            if i:
-                out.print()
-            out.print(sheet)
+        console.below_each_other(out, sheets)
         if not self.quiet:
             tags = [tag for sheet in sheets for tag in sheet.tags]
             console.legend(out, [*[name for sheet in sheets for name in sheet.columns], *tags])

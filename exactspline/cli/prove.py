@@ -102,8 +102,7 @@ def prove(
     claims = of_sections(named_claims(claim or [], known), section or [])
     given, good = loaded(curve or [])
     read, all_read = each_read(surface or [], read_surfaces)
-    patches = [each for several in read for each in several]
-    on: list[Nurbs | NurbsSurface] = [*also_in_their_planes(given), *patches]
+    on: list[Nurbs | NurbsSurface] = [*also_in_their_planes(given), *[each for several in read for each in several]]
     curves = on if curve or surface else None
     if judge and curves is not None:
         options = "--judge and --curve" if curve else "--judge and --surface"

@@ -42,8 +42,7 @@ def schemas() -> dict[str, dict[str, dict[str, object]]]:
     found["between"] |= answers("two curves")
     for name, fields in FORMS_BESIDE.items():
         found[name] |= {field: form.schema | {"optional": True} for field, form in fields.items()}
-    forms = surface_answer_forms()
-    found["oracle surface"]["answer"] = {"anyOf": [values_form(), *forms.values(), {"type": "null"}]}
+    found["oracle surface"]["answer"] = {"anyOf": [values_form(), *surface_answer_forms().values(), {"type": "null"}]}
     return found
 
 

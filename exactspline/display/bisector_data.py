@@ -282,8 +282,7 @@ def plane_bisector_data(bisector: PlaneBisector, digits: int) -> Data:
     )
     data: Data = form.write(bisector, digits)
     missing = [{"sides": plain(sides), "reason": "the pairs are not decided"} for sides in bisector.missing]
-    kind = "bisector of two plane curves"
-    return {"kind": kind} | data | {"missing": missing, "complete": not bisector.missing}
+    return {"kind": "bisector of two plane curves"} | data | {"missing": missing, "complete": not bisector.missing}
 
 
 # ---- a point and a curve
@@ -344,8 +343,7 @@ def degree_of(value: SplineVector | Rational[TensorSpline]) -> str:
 
 def control_points(value: Rational[TensorSpline]) -> int:
     """The number of control points of a patch."""
-    top = value.vector[0].elevated_to(value.denominator)
-    m, n = top.control_point_counts
+    m, n = value.vector[0].elevated_to(value.denominator).control_point_counts
     return int(m * n)
 
 

@@ -83,29 +83,20 @@ def _pair_shown(pair: Any) -> str:
 
 def of_point_in_plane(found: TrimmedBisector, digits: int) -> tuple[list[Row], list[str]]:
     """The pieces of the trimmed bisector of a point and a plane curve, and notes on what is missing."""
-    rows = [
-        Row(
-            str(piece.kind),
-            f"[{shown(piece.low, digits)}, {shown(piece.high, digits)}]",
-            str(piece.value.degree),
-            "" if piece.foot is None else f"foot at {short_text(piece.foot)}",
-        )
-        for piece in found.pieces
-    ]
+    rows = []
+    for piece in found.pieces:
+        ends = f"[{shown(piece.low, digits)}, {shown(piece.high, digits)}]"
+        foot = "" if piece.foot is None else f"foot at {short_text(piece.foot)}"
+        rows.append(Row(str(piece.kind), ends, str(piece.value.degree), foot))
     return rows, [f"missing: {reason}" for reason in found.missing] + [f"left out: {what}" for what in found.left_out]
 
 
 def of_point_in_space(found: PointBisector, digits: int) -> tuple[list[Row], list[str]]:
     """The ruled pieces of the bisector of a point and a space curve, and notes on what is missing."""
-    rows = [
-        Row(
-            "ruled surface",
-            piece.interval.shortly,
-            str(piece.surface.degree),
-            f"ruling parameter {piece.moved}" if piece.moved else "",
-        )
-        for piece in found.pieces
-    ]
+    rows = []
+    for piece in found.pieces:
+        moved = f"ruling parameter {piece.moved}" if piece.moved else ""
+        rows.append(Row("ruled surface", piece.interval.shortly, str(piece.surface.degree), moved))
     rows += [Row("singular", shown(root, digits), "–", "the generator vanishes") for root in found.singular]
     return rows, [f"missing: {interval.shortly}: {reason}" for interval, reason in found.missing]
 

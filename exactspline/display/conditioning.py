@@ -29,9 +29,8 @@ def print_comparisons(found: Sequence[tuple[Nurbs, Conditioning]], *, quiet: boo
     """Print the tables, the verdicts and what was not compared."""
     shown = console.console()
     for c, each in found:
-        made = comparison_sheet(c, each)
         if each.roots:
-            shown.print(made)
+            shown.print(comparison_sheet(c, each))
         else:
             console.lines(shown, f"{c.name}: {each.construction} has no zero inside a segment")
         for form, verdict in each.verdicts.items():

@@ -9,7 +9,7 @@ from collections.abc import Iterable
 from rich.console import Console
 from rich.text import Text
 
-from exactspline.display.sheet import PIPE
+from exactspline.display.sheet import PIPE, Sheet
 from exactspline.display.wrapping import hanging
 
 #: The smallest width that is assumed of a terminal.
@@ -52,6 +52,14 @@ def lines(out: Console, text: str, indent: int = 2, style: str = "", first: int 
 def unbroken(out: Console, text: str, style: str = "") -> None:
     """Print a text as it is, to be copied: a line longer than the width of the console is not broken."""
     out.print(Text(text, style=style, no_wrap=True, overflow="ignore"), soft_wrap=True)
+
+
+def below_each_other(out: Console, sheets: Iterable[Sheet]) -> None:
+    """Print tables with an empty line between them."""
+    for i, sheet in enumerate(sheets):
+        if i:
+            out.print()
+        out.print(sheet)
 
 
 def legend(out: Console, words: Iterable[str]) -> None:

@@ -59,10 +59,8 @@ def _add_rows(made: Sheet, c: Nurbs, data: Mapping[str, Any]) -> None:
             made.add_row(kind, f["decimal"], f["parameter"] or "–", *values, remark)
     empty = ("",) * (1 if in_space else 0)
     for f in data.get("coordinate_extrema", []):
-        kind = f"{f['kind']} of {'xyz'[f['coordinate']]}"
-        made.add_row(
-            kind, f["decimal"], f["parameter"] or "–", f.get("curvature", ""), *empty, "at a knot" * f["at_knot"]
-        )
+        kind, exactly = f"{f['kind']} of {'xyz'[f['coordinate']]}", f["parameter"] or "–"
+        made.add_row(kind, f["decimal"], exactly, f.get("curvature", ""), *empty, "at a knot" * f["at_knot"])
     for joint in data["joints"]:
         # singular joints are among the singular points
         if joint["kind"] in (JointKind.GAP, JointKind.CORNER, JointKind.TURN, JointKind.CURVATURE_JUMP):
@@ -80,12 +78,11 @@ def _add_rows(made: Sheet, c: Nurbs, data: Mapping[str, Any]) -> None:
             made.add_row("runs over itself", *both, "", *empty, "reversed" * arc["reversed"])
     for name in _asked(c, Answered.PIECES):
         for piece in data[name]:
-            made.add_row(QUESTIONS[name].about.of_piece, _intervals(piece), _intervals(piece), "", *empty, "")
+            made.add_row(QUESTIONS[name].about.of_piece, *[_intervals(piece)] * 2, "", *empty, "")
     for found in data["shapes"]:
         # exact lines are among the straight pieces
         if found["kind"] != ShapeKind.LINE or found["numbers"]["within"] != ["0"]:
-            interval = _intervals(found["intervals"])
-            made.add_row(found["kind"], interval, interval, "", *empty, _of_shape(found))
+            made.add_row(found["kind"], *[_intervals(found["intervals"])] * 2, "", *empty, _of_shape(found))
     for piece in data.get("planar_pieces", []):
         interval, lies_in = _intervals(piece["intervals"]), f"in the plane {piece['plane']}"
         made.add_row(QUESTIONS["planar_pieces"].about.of_piece, interval, interval, "", *empty, lies_in)
@@ -139,12 +136,10 @@ def _print_rest(out: Console, c: Nurbs, data: Mapping[str, Any]) -> None:
     if data.get("plane"):
         reason = "it has no torsion, no focal curve and no osculating spheres"
         console.lines(out, f"{c.name} lies in the plane {data['plane']}: {reason}")
-    for sheet in _extra(c, data):
+    approaches = [_approaches(data["approaches"])] if "approaches" in data else []
+    for sheet in [*_extra(c, data), *approaches]:
         out.print()
         out.print(sheet)
-    if "approaches" in data:
-        out.print()
-        out.print(_approaches(data["approaches"]))
 
 
 def _intervals(parts: list[list[str]]) -> str:
@@ -185,14 +180,8 @@ def _of_shape(found: Mapping[str, Any]) -> str:
 
 def nearby_sheet(c: Nurbs, data: Mapping[str, object]) -> Sheet:
     """What all curves near a curve have, and what some of them may have."""
-    made = Sheet(
-        "what",
-        "each has",
-        "between",
-        "and",
-        title=f"All curves within {readable(str(data['epsilon']))} of {c.name}",
-        heads=2,
-    )
+    title = f"All curves within {readable(str(data['epsilon']))} of {c.name}"
+    made = Sheet("what", "each has", "between", "and", title=title, heads=2)
     for found in _in_order(data["nearby"]):
         ((low, high),) = found["intervals"]
         number = ("exactly one" if found["single"] else "at least one") if found["certain"] else "perhaps some"

@@ -78,8 +78,7 @@ def prose(text: str) -> str:
     >>> print(prose("λ = ζ/‖γ′‖: then ‖γ̄″‖² = w⁴ f2 & 5 % of a curve (of degree d)"))
     $\lambda = \zeta /\|\gamma '\|$: then $\|\bar{\gamma }''\|^{2} = w^{4}\,f_{2}$ \& 5 \% of a curve (of degree $d$)
     """
-    tokens = text.split(" ")
-    return " ".join(_joined(tokens))
+    return " ".join(_joined(text.split(" ")))
 
 
 #: Short words that are no formulas; those of one letter are where they stand beside an operator.

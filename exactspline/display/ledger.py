@@ -48,9 +48,7 @@ def section(claim: Claim) -> str:
     >>> [section(select([i])[0]) for i in ("C4.2b", "T3", "E12", "Fig. 2", "L1")]
     ['§4.2', 'Table 1', 'equations', 'figures', 'beyond the paper']
     """
-    if claim.status == Status.OURS:
-        return OURS
-    return claim.section or claim.source
+    return OURS if claim.status == Status.OURS else claim.section or claim.source
 
 
 def claimed(claim: Claim) -> str:
@@ -126,8 +124,7 @@ def row_data(row: Row) -> dict[str, object]:
 
 def ledger(rows: Iterable[Row], title: str = "", numbers: Numbers = EXACT, *, name: str = "", judge: str = "") -> Sheet:
     """The rows of one curve (or of all curves), one per line; with those of a second `judge`."""
-    asked = (judge,) if judge else ()
-    columns = ("verdict", "claim", "statement", "found", "witness", *asked)
+    columns = ("verdict", "claim", "statement", "found", "witness", *((judge,) if judge else ()))
     cells = []
     for row in rows:
         mark = "" if row.as_recorded else f" (recorded: {recorded(row)})"

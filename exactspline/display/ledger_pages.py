@@ -165,9 +165,7 @@ def _on_curves(rows: Iterable[Row]) -> str:
     for row in rows:
         if row.curve:
             lines.setdefault((row.verdict, witness(row)), []).append(row.curve)
-    if not lines:
-        return ""
-    return table((result, ", ".join(curves), where) for (result, where), curves in lines.items())
+    return table((result, ", ".join(curves), where) for (result, where), curves in lines.items()) if lines else ""
 
 
 def _formulas(source: Paper) -> str:

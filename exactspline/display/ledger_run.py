@@ -112,10 +112,7 @@ class Run:
 
     def _listed(self, shown: Console, everything: bool) -> None:
         sheets = self.sheets()
-        for i, sheet in enumerate(sheets if everything else [s for s in sheets if s.name == "all curves"]):
-            if i:
-                shown.print()
-            shown.print(sheet)
+        console.below_each_other(shown, sheets if everything else [s for s in sheets if s.name == "all curves"])
         concrete = [row for row in self.rows if row.curve]
         if concrete and not everything:
             made = by_curve(concrete)

@@ -154,16 +154,8 @@ def _(zero_set: ZeroSet) -> str:
     rows = []
     for root in zero_set:
         left, right = ({None: "end", 1: "+", -1: "−", 0: "0"}[s] for s in root.signs)
-        interval = _isolating(root) if root.exact is None else ""
-        rows.append(
-            (
-                f"${mathematics(root)}$",
-                root.multiplicity,
-                f"{left} to {right}",
-                interval,
-                "knot" if root.at_knot else "",
-            )
-        )
+        interval, where = _isolating(root) if root.exact is None else "", "knot" if root.at_knot else ""
+        rows.append((f"${mathematics(root)}$", root.multiplicity, f"{left} to {right}", interval, where))
     jumps = [
         f"jump at {_short(x.parameter)}: from {_short(x.left.value)} to {_short(x.right.value)}" for x in zero_set.jumps
     ]
@@ -280,11 +272,8 @@ def short(x: object) -> str:
         return f"<BSpline: {described}>" if len(x.control_points) > LONG else repr(x)
     if isinstance(x, (Vector, Rational, RuledSurface)):
         described = _described(x)
-        return (
-            f"<{described}>"
-            if described and (isinstance(x, RuledSurface) or control_point_count(x) > LONG // 4)
-            else repr(x)
-        )
+        if described and (isinstance(x, RuledSurface) or control_point_count(x) > LONG // 4):
+            return f"<{described}>"
     return repr(x)
 
 

@@ -129,8 +129,7 @@ def shown(low: mpq, high: mpq, digits: int) -> str:
     ('0.3333', '-0.5')
     """
     middle = (low + high) / 2
-    scaled = abs(middle) * mpq(10) ** digits
-    whole = int((scaled + mpq(1, 2)) // 1)
+    whole = int((abs(middle) * mpq(10) ** digits + mpq(1, 2)) // 1)
     before, behind = divmod(whole, 10**digits)
     tail = str(behind).rjust(digits, "0").rstrip("0") if digits else ""
     return ("-" if middle < 0 and whole else "") + str(before) + (f".{tail}" if tail else "")
@@ -235,8 +234,7 @@ def _extent_of(curve: ZeroComponent) -> Iterator[str]:
 
 
 def _of_curve(curve: ZeroComponent) -> str:
-    across = f", across {counted(len(curve.patches), 'patch')}" if len(curve.patches) > 1 else ""
-    return curve.shape.value + across
+    return curve.shape.value + (f", across {counted(len(curve.patches), 'patch')}" if len(curve.patches) > 1 else "")
 
 
 def _extent(piece: Piece) -> Box:
@@ -305,8 +303,7 @@ def surface_sheet(inspection: SurfaceInspection, digits: int, shapes: Sequence[R
     for kind, box, remark in _regions(inspection):
         made.add_row(kind, *(str(side) for side in box), remark)
     for part in inspection.shapes if shapes is None else shapes:
-        sides = [surface.w.patch(*patch) for patch in part.patches]
-        for box in _together(_together(sorted(sides), 0), 1):
+        for box in _together(_together(sorted([surface.w.patch(*patch) for patch in part.patches]), 0), 1):
             remark = f"{shape_text(part.shape.numbers, part.within)}, {COVERED[part.once]}"
             made.add_row(str(part.kind), *(str(side) for side in box), remark)
     for line in inspection.parabolic_lines:

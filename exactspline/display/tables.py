@@ -196,28 +196,12 @@ def degree_table(curve: Nurbs) -> Grid:
     >>> degree_table(example("ellipse"))["control points"][:3]
     ['52', '16', '16']
     """
-    rows = [call() for call in construction_table(curve_of(curve))]
-    cells = [
-        (
-            r.formula,
-            r.variant,
-            r.nominal,
-            *("–" if count is None else count for count in (r.represented, r.true, r.control_points)),
-            r.generic,
-            decimal_milliseconds(r.seconds),
-        )
-        for r in rows
-    ]
-    columns = [
-        "construction",
-        "variant",
-        "degree in d",
-        "degree here",
-        "true degree",
-        "control points",
-        "true degree in d",
-        "ms",
-    ]
+    cells = []
+    for r in [call() for call in construction_table(curve_of(curve))]:
+        counts = ("–" if count is None else count for count in (r.represented, r.true, r.control_points))
+        cells.append((r.formula, r.variant, r.nominal, *counts, r.generic, decimal_milliseconds(r.seconds)))
+    degrees = ("degree in d", "degree here", "true degree", "control points", "true degree in d")
+    columns = ["construction", "variant", *degrees, "ms"]
     return Grid(columns, cells, f"{curve.name}: degree {curve.degree}, {counted(curve.segments, 'segment')}")
 
 
@@ -273,8 +257,7 @@ class Numbers(Decided):
     def __init__(self, statements: Iterable[Statement]) -> None:
         statements = list(statements)
         self.as_recorded = all(s.as_recorded for s in statements)
-        columns = ["claim", "source", "statement", "printed", "computed", "verdict"]
-        super().__init__(columns, map(_printed, statements))
+        super().__init__(["claim", "source", "statement", "printed", "computed", "verdict"], map(_printed, statements))
 
 
 def printed_numbers(*ids: str) -> Numbers:

@@ -52,8 +52,7 @@ class Affine:
     def __matmul__(self, inner: Affine) -> Affine:
         """The composition: first `inner`, then this map."""
         columns = [self([row[j] for row in inner.rows], 0) for j in range(len(inner.rows))]
-        shift = self([row[-1] for row in inner.rows])
-        return Affine([*zip(*columns, shift, strict=True)])
+        return Affine([*zip(*columns, self([row[-1] for row in inner.rows]), strict=True)])
 
 
 def unit(vector: Sequence[mpq]) -> list[mpq]:

@@ -33,8 +33,7 @@ def ellipse(centre: Iterable[Number], u: Iterable[Number], v: Iterable[Number]) 
     >>> ellipse((0, 0, 1), (2, 0, 0), (0, 1, 1))(1)
     (mpq(0,1), mpq(1,1), mpq(2,1))
     """
-    rows = list(zip(_point(u), _point(v), _point(centre), strict=True))
-    return _curve(full_ellipse(Affine(rows)), "ellipse")
+    return _curve(full_ellipse(Affine(list(zip(_point(u), _point(v), _point(centre), strict=True)))), "ellipse")
 
 
 def arc(centre: Iterable[Number], start: Iterable[Number], end: Iterable[Number]) -> Nurbs:

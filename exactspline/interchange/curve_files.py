@@ -231,5 +231,4 @@ def _data(
 
 def write_json(path: str | os.PathLike[str], data: object) -> None:
     """Write JSON atomically: either the whole file is written or nothing."""
-    text = json.dumps(data, indent=1, ensure_ascii=False) + "\n"
-    write_text(as_path(path), text)
+    write_text(as_path(path), json.dumps(data, indent=1, ensure_ascii=False) + "\n")

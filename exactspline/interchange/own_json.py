@@ -100,8 +100,7 @@ def write(splines: Sequence[Spline], numbers: NumberText) -> bytes:
         (surface_data(s.of) if isinstance(s.of, NurbsSurface) else curve_data(s.of)) | {"name": s.name} for s in splines
     ]
     several: Any = entries if splines[0].is_surface else {"curves": entries}
-    data = entries[0] if len(entries) == 1 else several
-    return (json.dumps(data, indent=1, ensure_ascii=False) + "\n").encode()
+    return (json.dumps(entries[0] if len(entries) == 1 else several, indent=1, ensure_ascii=False) + "\n").encode()
 
 
 FORMAT = Format("json", "exactspline JSON", (".json",), looks_like, read, write, surfaces=True)

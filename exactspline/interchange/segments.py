@@ -115,8 +115,7 @@ def _paired(matrix: Sequence[Point], p: Sequence[mpq], q: Sequence[mpq]) -> mpq:
 
 def _conic(matrix: Sequence[Point], start: Point, end: Point, ellipse: bool, pieces: int) -> list[Segment]:
     p, q = (*start, mpq(1)), (*end, mpq(1))
-    tangents = [_applied(matrix, x) for x in (p, q)]
-    pole = cross(*tangents)
+    pole = cross(_applied(matrix, p), _applied(matrix, q))
     pole_value = _paired(matrix, pole, pole)
     if start == end or pole[2] == 0 or pole_value == 0:
         return _split(matrix, start, end, ellipse, pieces)

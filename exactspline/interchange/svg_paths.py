@@ -72,8 +72,7 @@ class _Pen:
             except NumberError:
                 if self.within is None:
                     raise
-                near = elliptic_arc(start, end, radii, degrees, large, sweep, self.within)
-                self.parts[-1].segments += near
+                self.parts[-1].segments += elliptic_arc(start, end, radii, degrees, large, sweep, self.within)
                 self.parts[-1].approximated = True
         except ExactSplineError as error:
             self.parts[-1].divided = True

@@ -83,8 +83,7 @@ def pen_segments(curve: Nurbs) -> list[list[Point]]:
             f"a {kind} curve of degree {curve.degree} in R{curve.dimension}",
             remedy="this format holds polynomial plane curves of degree 1 to 3",
         )
-    columns = [component.segments for component in curve.p]
-    segments = [[*zip(*rows, strict=True)] for rows in zip(*columns, strict=True)]
+    segments = [[*zip(*rows, strict=True)] for rows in zip(*[component.segments for component in curve.p], strict=True)]
     for before, after in pairwise(segments):
         if before[-1] != after[0]:
             raise ShapeError("a jump", remedy="split the curve there")

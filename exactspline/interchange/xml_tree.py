@@ -151,8 +151,7 @@ class _Entities:
             self._refuse(f"entities of {self.longest} characters, {len(references)} times")
 
     def _refuse(self, problem: str) -> None:
-        line = f"line {self.parser.CurrentLineNumber}"
-        raise CurveFileError(problem, where=line, remedy="write the text itself")
+        raise CurveFileError(problem, where=f"line {self.parser.CurrentLineNumber}", remedy="write the text itself")
 
 
 def attribute(value: str) -> str:

@@ -139,8 +139,7 @@ def framed(curve: Curve[T]) -> FramedCurve:
     sigma = root_of(norm2(first))
     if curve.dimension == 2:
         return FramedCurve(curve, {"sigma": sigma}, sigma.lifted)
-    bend = norm2(cross(first, gamma.d(2)))
-    rho = root_of(sigma.lifted(bend))
+    rho = root_of(sigma.lifted(norm2(cross(first, gamma.d(2)))))
     return FramedCurve(
         curve, {"sigma": rho.lifted(sigma), "rho": rho}, lambda operand: rho.lifted(sigma.lifted(operand))
     )

@@ -395,9 +395,7 @@ def _fits(other: object) -> bool:
 
 
 def _all_times(a: Any, factors: list[Any]) -> Any:
-    if not factors:
-        return a
-    return a * Product(*factors).value
+    return a * Product(*factors).value if factors else a
 
 
 def _times(a: Any, b: Any) -> Any:

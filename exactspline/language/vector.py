@@ -279,9 +279,7 @@ def det(*rows: Vector[S]) -> S:
             f"determinant of {n} vectors of {sorted({len(row) for row in rows})} components",
             remedy="pass n ≥ 2 vectors of n components",
         )
-    if n == 3:
-        return dot(cross(rows[0], rows[1]), rows[2])
-    return dot(generalized_cross(*rows[:-1]), rows[-1])
+    return dot(cross(rows[0], rows[1]), rows[2]) if n == 3 else dot(generalized_cross(*rows[:-1]), rows[-1])
 
 
 #: Triple scalar product ``[a b c]``: the determinant of three vectors.

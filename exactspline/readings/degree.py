@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Mapping
-from functools import cache
+from functools import cache, reduce
 
 from exactspline.errors import FormulaError, InapplicableError, as_text
 from exactspline.language.arguments import Curve, Evaluated, Pair
@@ -235,11 +235,7 @@ def parse_degree(text: str) -> Degree:
 def _parsed(text: str) -> Degree:
     source = text.replace("−", "-").replace(" ", "")
     if source.startswith("max(") and source.endswith(")"):
-        parts = [_parsed(part) for part in source[4:-1].split(",")]
-        result = parts[0]
-        for part in parts[1:]:
-            result = result.max(part)
-        return result
+        return reduce(Degree.max, map(_parsed, source[4:-1].split(",")))
     if match := re.fullmatch(r"(\d+)\((.+)\)", source):
         inner = _parsed(match[2])
         return Degree((tuple((n, k * int(match[1])) for n, k in c), m * int(match[1])) for c, m in inner.terms)
@@ -312,8 +308,7 @@ class DegreeReading(Reading):
                 return Degree.named(self.degree + degree.removeprefix("d"), parameter)
             return Degree(parse_degree(degree).terms, counted=parameter)
 
-        one = Degree.number(0, counted=parameter)
-        argument = kind.argument(dimension, operand, one, polynomial=polynomial)
+        argument = kind.argument(dimension, operand, Degree.number(0, counted=parameter), polynomial=polynomial)
         if polynomial and isinstance(argument, Pair):
             uncounted = argument.first if parameter is Parameter.SECOND else argument.second
             uncounted.w = Degree.number(0, still=True, counted=parameter)

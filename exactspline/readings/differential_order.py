@@ -86,8 +86,7 @@ def _highest(value: Any) -> int:
         return value.order
     if isinstance(value, Adjoined):
         return max(map(_highest, (value.plain, value.rooted, value.square)))
-    parts = value if isinstance(value, Vector) else [value.numerator, value.denominator]
-    return max(map(_highest, parts))
+    return max(map(_highest, value if isinstance(value, Vector) else [value.numerator, value.denominator]))
 
 
 @lru_cache(4096)

@@ -179,5 +179,4 @@ class FactoredJetReading(IndeterminateReading):
 
     def argument(self, kind: Kind, dimension: int, *, polynomial: bool = False) -> Evaluated:
         """The argument in which every operand is an indeterminate."""
-        jets = JetReading(self.order).argument(kind, dimension, polynomial=polynomial)
-        return jets.mapped(_factored)
+        return JetReading(self.order).argument(kind, dimension, polynomial=polynomial).mapped(_factored)

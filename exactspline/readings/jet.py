@@ -182,6 +182,16 @@ def derivative_mark(parameters: Sequence[str], orders: Sequence[int]) -> str:
     return f"_{letters}" if letters else ""
 
 
+def only_grading(gradings: set[tuple[int, int]]) -> tuple[int, int]:
+    """The degree and the weight that all terms of a polynomial have; raises `FormulaError` if they differ."""
+    if len(gradings) != 1:
+        raise FormulaError(
+            f"a polynomial with the gradings {sorted(gradings)}",
+            remedy="degree and weight are defined only for homogeneous polynomials",
+        )
+    return gradings.pop()
+
+
 class Jet(RingOperand):
     """A differential polynomial."""
 
@@ -243,12 +253,7 @@ class Jet(RingOperand):
         functions = len(self.ring.variables) - len(self.ring.constants)
         monomials = ([int(x) for x in m] for m in self.polynomial.monoms())
         gradings = {(sum(e[:functions]), sum(x * k for x, k in zip(e, orders, strict=True))) for e in monomials}
-        if len(gradings) != 1:
-            raise FormulaError(
-                f"a polynomial with the gradings {sorted(gradings)}",
-                remedy="degree and weight are defined only for homogeneous polynomials",
-            )
-        return gradings.pop()
+        return only_grading(gradings)
 
     @property
     def is_zero(self) -> bool:
@@ -271,8 +276,7 @@ def polynomial_text(jet: Jet, limit: int = 12) -> str:
     if not count:
         return "0"
     terms = [(p.monomial(i), p.coefficient(i)) for i in range(min(limit, count))]
-    parts = [_term_text(jet.ring, exponents, from_flint(c)) for exponents, c in terms]
-    text = " ".join(parts).removeprefix("+ ")
+    text = " ".join([_term_text(jet.ring, exponents, from_flint(c)) for exponents, c in terms]).removeprefix("+ ")
     return (text if not text.startswith("− ") else "−" + text[2:]) + (
         f" + … ({counted(count, 'term')})" if count > limit else ""
     )

@@ -8,6 +8,7 @@ expansion; the number of leading terms that vanish is the difference between nom
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import reduce
 from typing import Any, NamedTuple
 
 from flint import Ordering, fmpq_mpoly, fmpq_mpoly_ctx, fmpq_poly
@@ -106,8 +107,7 @@ class Expansion(RingOperand):
     def scaled(self, constant: Constant) -> Expansion:
         """The expansion times an exact constant."""
         q = to_fmpq(rational(constant))
-        parts = {grading: [q * a for a in terms] for grading, terms in self.parts.items()} if q else {}
-        return self._made(parts)
+        return self._made({grading: [q * a for a in terms] for grading, terms in self.parts.items()} if q else {})
 
     def _first_derivative(self, by: str | None) -> Expansion:
         """The derivative, term by term; that of a constant is exactly zero. For the other parameter of a surface, the
@@ -221,8 +221,7 @@ class LeadingTermsReading(Reading):
         (other,) = (p for p in kind.parameters(dimension) if p != self.parameter)
         places = [(s.name, i, n) for s in symbols for i in range(self.terms) for n in range(self.order + 1)]
         context = fmpq_mpoly_ctx.get(["d", *[f"{name}{i}_{n}" for name, i, n in places]], Ordering.degrevlex)
-        gens = context.gens()
-        known = dict(zip(places, gens[1:], strict=True))
+        known = dict(zip(places, context.gens()[1:], strict=True))
         follows = {k: known[name, i, n + 1] for k, (name, i, n) in enumerate(places, start=1) if n < self.order}
         across = Across(other, follows)
 
@@ -259,11 +258,8 @@ def generic_true_degree(
     )
     symbols = formula.kind.symbols(dimension, polynomial=polynomial)
     name = next(symbol.degree_in(parameter) for symbol in symbols if parameter in symbol.parameters)
-    degrees = [parse_degree(f"{k}{name}-{m + drop}") for part in leading for (k, m), (drop, _) in part.items()]
-    result = degrees[0]
-    for degree in degrees[1:]:
-        result = result.max(degree)
-    return result
+    degrees = (parse_degree(f"{k}{name}-{m + drop}") for part in leading for (k, m), (drop, _) in part.items())
+    return reduce(Degree.max, degrees)
 
 
 Leading = dict[tuple[int, int], tuple[int, fmpq_mpoly]]

@@ -54,8 +54,7 @@ class JetFraction(FieldOperand):
             return JetFraction(self.ring, top, bounded_product(self.bottom, right.bottom))
         shared = _gcd(self.bottom, right.bottom)
         mine, its = self.bottom / shared, right.bottom / shared
-        total = bounded_product(self.top, its) + bounded_product(right.top, mine)
-        top, rest = _without_common(total, shared)
+        top, rest = _without_common(bounded_product(self.top, its) + bounded_product(right.top, mine), shared)
         return JetFraction(self.ring, top, bounded_product(bounded_product(mine, its), rest))
 
     def _times(self, right: JetFraction) -> JetFraction:

@@ -188,9 +188,7 @@ def vanishes(expression: sympy.Expr) -> bool:
 
     Raises `FormulaError` for a denominator that vanishes identically, and for an expression that is not rational.
     """
-    if expression.is_Rational:
-        return bool(expression == 0)
-    return not Fractions(expression).value(expression).unit
+    return bool(expression == 0) if expression.is_Rational else not Fractions(expression).value(expression).unit
 
 
 class _Product:
@@ -255,8 +253,7 @@ class Fractions:
             total = total + multiplied(factors, lifted)
         if not total:
             return _Product(sympy.QQ(0), Factorization())
-        shared = _Product(sympy.QQ(1, denominator), common)
-        return shared.times(self.product(total, [base for base, _ in common.below]))
+        return _Product(sympy.QQ(1, denominator), common).times(self.product(total, [base for base, _ in common.below]))
 
     def product(self, total: PolyElement, denominators: list[PolyElement]) -> _Product:
         """A polynomial as a product: its content, the variables and the given denominators that divide it, and the

@@ -274,6 +274,4 @@ def applied(n: Node, args: Sequence[object], c: object) -> object:
         return n.value
     if n.op is Operation.NAMED:
         return args[0]
-    if n.op in _WITH_VALUE:
-        return _WITH_VALUE[n.op](*args, n.value)
-    return _CARRIED_OUT[n.op](*args)
+    return _WITH_VALUE[n.op](*args, n.value) if n.op in _WITH_VALUE else _CARRIED_OUT[n.op](*args)

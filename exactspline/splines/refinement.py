@@ -145,7 +145,7 @@ def _without_smooth_knots(f: S) -> S:
     return type(f).from_forms(f.degree, Mesh(breaks), tuple(f.continuity[i] for i in keep), merged)
 
 
-def _inner(mesh: Mesh, given: Number) -> mpq:
+def inner(mesh: Mesh, given: Number) -> mpq:
     """A parameter inside the domain."""
     (a, b), t = mesh.domain, rational(given)
     if not a < t < b:
@@ -159,7 +159,7 @@ def _inner(mesh: Mesh, given: Number) -> mpq:
 
 def insertable(degree: int, mesh: Mesh, continuities: Sequence[int], t: Number, times: int) -> tuple[mpq, int]:
     """The parameter at which knots are to be inserted, and the continuity that remains there."""
-    t = _inner(mesh, t)
+    t = inner(mesh, t)
     if type(times) is not int or times < 1:
         raise KnotError(f"{shown(times)} knots to insert", remedy="insert an integer of them, at least one")
     i = bisect_left(mesh.breaks, t)
@@ -181,7 +181,7 @@ def insert_knot(f: S, t: Number, times: int = 1) -> S:
 
 def remove_knot(f: S, t: Number, times: int = 1) -> S:
     """The same function with one knot (or several) removed; `ReductionError` names the derivative that jumps there."""
-    t = _inner(f.mesh, t)
+    t = inner(f.mesh, t)
     multiplicity = max(f.degree - f.continuity[f.mesh.breaks.index(t) - 1], 0) if t in f.mesh.breaks else 0
     if type(times) is not int or not 1 <= times <= multiplicity:
         raise KnotError(
@@ -215,7 +215,7 @@ def continuity_at(f: Piecewise, t: Number) -> int:
     >>> BSpline(2, [0, 0, 0, 1, 1, 2, 2, 2], [0, 0, 1, 2, 5]).continuity_at(1)
     1
     """
-    t = _inner(f.mesh, t)
+    t = inner(f.mesh, t)
     if t not in f.mesh.breaks:
         return f.degree
     derivative = f

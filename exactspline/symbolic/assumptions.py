@@ -86,66 +86,34 @@ def _formula(name: str) -> Callable[[Any], Any]:
     return value
 
 
-def _of_second(name: str) -> Callable[[Any], Any]:
-    return lambda c: find(name)(c.second)
+def _nowhere(name: str, meaning: str, polynomial: Callable[[Any], Any], *kinds: str, **others: Any) -> Assumption:
+    return Assumption(name, name, f"{name} has no zero", meaning, polynomial, kinds, **others)
+
+
+def _regular(name: str, meaning: str, formula: str, *kinds: str, **others: Any) -> Assumption:
+    return _nowhere(name, meaning, _formula(formula), *kinds, formula=formula, **others)
 
 
 _EVERYWHERE = (
-    Assumption(
-        "w",
-        "w",
-        "w has no zero",
-        "the weight function, without zeros",
-        lambda c: _first(c).w,
-        (*ALONE, *PAIR, *SURFACES),
-    ),
-    Assumption(
-        "w̄",
-        "w̄",
-        "w̄ has no zero",
-        "the weight function of the second curve, without zeros",
-        lambda c: c.second.w,
-        PAIR,
-        second=True,
-    ),
-    Assumption(
-        "γ′",
-        "γ′",
-        "γ′ has no zero",
-        "positive where the curve is regular",
-        _formula("D1_squared"),
-        (*ALONE, *PAIR),
-        formula="D1_squared",
-    ),
-    Assumption(
+    _nowhere("w", "the weight function, without zeros", lambda c: _first(c).w, *ALONE, *PAIR, *SURFACES),
+    _nowhere("w̄", "the weight function of the second curve, without zeros", lambda c: c.second.w, *PAIR, second=True),
+    _regular("γ′", "positive where the curve is regular", "D1_squared", *ALONE, *PAIR),
+    _nowhere(
         "γ̄′",
-        "γ̄′",
-        "γ̄′ has no zero",
         "positive where the second curve is regular",
-        _of_second("D1_squared"),
-        PAIR,
+        lambda c: find("D1_squared")(c.second),
+        *PAIR,
         second=True,
         formula="D1_squared",
     ),
-    Assumption(
+    _regular(
         "γ′×γ″",
-        "γ′×γ″",
-        "γ′×γ″ has no zero",
         "positive where the curve is regular and its curvature is not zero",
-        _formula("binormal_form_squared"),
-        SPACE,
-        formula="binormal_form_squared",
+        "binormal_form_squared",
+        *SPACE,
         implies=("γ′",),
     ),
-    Assumption(
-        "S_u×S_v",
-        "S_u×S_v",
-        "S_u×S_v has no zero",
-        "positive where the surface is regular",
-        _formula("surfaces:area_squared_lifted"),
-        ("surface",),
-        formula="surfaces:area_squared_lifted",
-    ),
+    _regular("S_u×S_v", "positive where the surface is regular", "surfaces:area_squared_lifted", "surface"),
 )
 
 

@@ -14,7 +14,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
-from functools import partial
+from functools import partial, reduce
 from typing import Any
 
 from flint import Ordering, fmpq, fmpq_mpoly, fmpq_mpoly_ctx, fmpz
@@ -24,7 +24,7 @@ from exactspline.language.choices import Parameter
 from exactspline.polynomials.cost import LONGEST_LOOP, Budget, check_reach, drawing_on
 from exactspline.polynomials.factors import greatest_common_divisor
 from exactspline.readings.degree import Degree
-from exactspline.readings.jet import Jet, JetRing
+from exactspline.readings.jet import Jet, JetRing, only_grading
 from exactspline.readings.leading_terms import common_roots
 
 #: Nanoseconds of L for a term and a variable in it (measured: 100 to 340), and for the square of the number of
@@ -187,12 +187,7 @@ def grading(jet: Jet, parameter: Parameter = Parameter.FIRST) -> tuple[int, int]
     moving = _moving(jet.ring, parameter)
     exponents = ([int(x) for x in m] for m in jet.polynomial.monoms())
     gradings = {(sum(e[n] for n, _ in moving), sum(e[n] * i for n, i in moving)) for e in exponents}
-    if len(gradings) != 1:
-        raise FormulaError(
-            f"a polynomial with the gradings {sorted(gradings)}",
-            remedy="degree and weight are defined only for homogeneous polynomials",
-        )
-    return gradings.pop()
+    return only_grading(gradings)
 
 
 def _homogeneous(jet: Jet, parameter: Parameter) -> tuple[int, int] | None:
@@ -236,13 +231,8 @@ def generic_degree(jets: Sequence[Jet], parameter: Parameter = Parameter.FIRST) 
     >>> generic_degree([c.p[0] * c.w.d(1) - c.p[0].d(1) * c.w, c.w])
     max(2d − 2, d)
     """
-    degrees = [
-        _true_degree([part], known, parameter).generic for jet in jets for known, part in _graded(jet, parameter)
-    ]
-    result = degrees[0]
-    for degree in degrees[1:]:
-        result = result.max(degree)
-    return result
+    parts = (part for jet in jets for part in _graded(jet, parameter))
+    return reduce(Degree.max, (_true_degree([part], known, parameter).generic for known, part in parts))
 
 
 def truncated(jets: Iterable[Jet], d: int, parameter: Parameter = Parameter.FIRST) -> list[Jet]:
@@ -291,8 +281,7 @@ def lowered(ring: JetRing, polynomial: fmpq_mpoly, parameter: Parameter) -> fmpq
     used = polynomial.degrees()
     for n, i in _moving(ring, parameter):
         if i and used[n + 1]:
-            below = ring.lowered(n, parameter)
-            total += polynomial.derivative(n + 1) * (i * (d - i + 1)) * gens[below + 1]
+            total += polynomial.derivative(n + 1) * (i * (d - i + 1)) * gens[ring.lowered(n, parameter) + 1]
     return total
 
 

@@ -94,8 +94,7 @@ class Factor(Displayed):
 
 def _factor(constant: mpq, powers: tuple[tuple[str, Terms, int], ...], ring: JetRing) -> Factor:
     """Unpickles a factor."""
-    named = [(Named(name, ring.of_terms(terms)), e) for name, terms, e in powers]
-    return Factor(constant, Factorization(named), ring)
+    return Factor(constant, Factorization([(Named(name, ring.of_terms(terms)), e) for name, terms, e in powers]), ring)
 
 
 #: What `polynomial` asks.

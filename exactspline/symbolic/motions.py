@@ -58,8 +58,7 @@ def _translated(p: Vector[Any], w: Any, k: Constants) -> tuple[Vector[Any], Any]
 
 def _rotated(p: Vector[Any], w: Any, k: Constants) -> tuple[Vector[Any], Any]:
     """Rotations by Cayley's parameters: all rotations except half turns, which are limits of these."""
-    rows = rotation_rows(len(p), k)
-    return Vector(*[_combination(row, p) for row in rows]), w
+    return Vector(*[_combination(row, p) for row in rotation_rows(len(p), k)]), w
 
 
 def rotation_rows(n: int, constants: Mapping[str, N]) -> list[list[N]]:
@@ -116,8 +115,7 @@ def _projective(p: Vector[Any], w: Any, k: Constants) -> tuple[Vector[Any], Any]
 
 def _inverted(p: Vector[Any], w: Any, k: Constants) -> tuple[Vector[Any], Any]:
     """z ↦ 1/z in the plane; in space the inversion in the unit sphere, after a reflection."""
-    turned = Vector(p[0], -p[1], *p[2:])
-    return turned.mapped(lambda x: x * w), norm2(p)
+    return Vector(p[0], -p[1], *p[2:]).mapped(lambda x: x * w), norm2(p)
 
 
 def _combination(row: Sequence[Any], p: Sequence[Any] | Vector[Any]) -> Any:

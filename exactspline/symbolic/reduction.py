@@ -160,9 +160,7 @@ class Part:
         return self._generic(self.kept)
 
     def _generic(self, powers: Iterable[tuple[Jet, int]]) -> Degree:
-        if self.is_zero:
-            return Degree.number(-1)
-        return self._times(self._of_core, powers)
+        return Degree.number(-1) if self.is_zero else self._times(self._of_core, powers)
 
     def _times(self, total: Degree, powers: Iterable[tuple[Jet, int]]) -> Degree:
         """The degree of a product with powers of factors, each degree computed once."""
@@ -190,9 +188,7 @@ class Part:
         """
         numerator = self._generic((p.jet, p.above - p.below) for p in self.powers)
         below = [(p.jet, p.below - p.above) for p in self.powers if p.below > p.above]
-        if not below or self.is_zero:
-            return numerator
-        return numerator.max(self._times(Degree.number(0), below))
+        return numerator if not below or self.is_zero else numerator.max(self._times(Degree.number(0), below))
 
     @property
     def is_zero(self) -> bool:

@@ -226,8 +226,7 @@ def _shown(claim: Claim) -> tuple[str, ...]:
 
     def named(formula: str) -> str:
         """A formula by the name that `find` knows, or from the loaded folder."""
-        own = f"paper.find({formula!r})"
-        return repr(known_as(claim.find(formula))).replace("'", '"') if source.package else own
+        return repr(known_as(claim.find(formula))).replace("'", '"') if source.package else f"paper.find({formula!r})"
 
     def found(formula: str) -> str:
         return f"find({named(formula)})" if source.package else named(formula)

@@ -108,8 +108,7 @@ def agreed(own: Finding, first: Name, other: Finding, second: Name) -> Finding:
     >>> str(agreed(Finding(PROVED), one, Finding(UNDECIDED), two).verdict)
     'PROVED'
     """
-    opposed = {own.verdict, other.verdict} == {PROVED, REFUTED}
-    if not opposed:
+    if {own.verdict, other.verdict} != {PROVED, REFUTED}:
         return own
     proved, refuted = (first, second) if own.verdict == PROVED else (second, first)
     witness = own.witness if own.verdict == REFUTED else other.witness

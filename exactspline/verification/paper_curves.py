@@ -20,8 +20,7 @@ def one_patch_surfaces() -> tuple[NurbsSurface, ...]:
     >>> [surface.name for surface in one_patch_surfaces()][:3]
     ['bicubic', 'biquadratic', 'cross_cap']
     """
-    surfaces = map(example_surface, example_surface_names())
-    return tuple(surface for surface in surfaces if surface.patches == (1, 1))
+    return tuple(surface for surface in map(example_surface, example_surface_names()) if surface.patches == (1, 1))
 
 
 @cache

@@ -60,8 +60,7 @@ def degrees(
     if generic or at is not None:
         _generic(out, name or [], at)
         return
-    usual = ["rational_cubic", "rational_space_cubic" if formulas else "six_segment_cubic"]
-    chosen, good = loaded(curve or usual)
+    chosen, good = loaded(curve or ["rational_cubic", "rational_space_cubic" if formulas else "six_segment_cubic"])
     make = formula_table if formulas else construction_table
     tables = [(c, tracked(make(c), c.name)) for c in also_in_their_planes(chosen)]
     _check_names(name or [], [row.formula for _, rows in tables for row in rows], elsewhere=_elsewhere(formulas))

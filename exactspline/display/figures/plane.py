@@ -67,14 +67,8 @@ def figure_1() -> Drawn:
     # each marker has the same meaning in (a), (b) and (c)
     plot_features(curve, inner, top, label="κ′ = 0", color=GREEN)
     plot_features(curve, jumps, top, label="κ′ changes its sign by a jump", color=GREEN, hollow=True)
-    plot_features(
-        curve,
-        [f.root for f in analyse(curve).inflections],
-        top,
-        marker="X",
-        label="inflections, κ = 0",
-        color=VERMILLION,
-    )
+    flat = [f.root for f in analyse(curve).inflections]
+    plot_features(curve, flat, top, marker="X", label="inflections, κ = 0", color=VERMILLION)
     _crop(top, curve)
     top.set_title("(a) curvature critical points")
     squared = analyse(curve).zero_form("critical_curvature", SQUARING)

@@ -238,9 +238,7 @@ def save(figure_or_ax: Figure | Axes, path: str | os.PathLike[str]) -> None:
             "is neither SVG nor PNG", where=str(place), remedy=f"use a name that ends in {' or '.join(SUFFIXES)}"
         )
     figure: Any = figure_or_ax if hasattr(figure_or_ax, "savefig") else figure_or_ax.figure
-    metadata = (
-        {"Date": None, "Description": in_words(figure)} if suffix == ".svg" else {"Description": in_words(figure)}
-    )
+    metadata = ({"Date": None} if suffix == ".svg" else {}) | {"Description": in_words(figure)}
     settle(figure)
     with library("matplotlib").rc_context({"svg.hashsalt": "exactspline"}):
         write_atomically(

@@ -119,17 +119,9 @@ def plot_features(
     ax = axes_for(ax, curve_of(curve).dimension)
     places = [curve(parameter(t, curve.domain)) for t in as_items(points, "parameters")]
     if places:
-        draw(
-            ax,
-            places,
-            marker,
-            color=color,
-            markeredgecolor=color if hollow else "white",
-            markerfacecolor="white" if hollow else color,
-            markersize=size,
-            label=label or "_features",
-            zorder=KNOTS - 1,
-        )
+        edge, face = (color, "white") if hollow else ("white", color)
+        colors = {"color": color, "markeredgecolor": edge, "markerfacecolor": face}
+        draw(ax, places, marker, markersize=size, label=label or "_features", zorder=KNOTS - 1, **colors)
         legend_below(ax)
     return ax
 
@@ -156,12 +148,8 @@ def plot_evolute(curve: Nurbs, ax: Axes | None = None, *, label: str = "evolute"
         style = "-" if 1000 * longer_side(box_around(run)) > longer_side(near) else "."
         draw(ax, run, style, color=color, linewidth=1.5, label="_evolute" if i else label, zorder=2.5)
     ax.dataLim.set(limits)
-    ax.update_datalim(
-        [
-            [float(x) for x in corner]
-            for corner in box_around([*box, *[p for run in runs for p in run if inside(p, near)]])
-        ]
-    )
+    corners = box_around([*box, *[p for run in runs for p in run if inside(p, near)]])
+    ax.update_datalim([[float(x) for x in corner] for corner in corners])
     ax.set_aspect("equal", adjustable="datalim")
     legend_below(ax)
     return ax
@@ -230,15 +218,8 @@ def plot_quotient(
         points = [kept(tuple(x / w for x in xs), box) if w else None for *xs, w in rows]
         draw_polygons(ax, polygons(knots, degree, points), len(points), color=polygon_color, hidden=points.count(None))
     for i, run in enumerate(runs_between_poles(quotient, box)):
-        draw(
-            ax,
-            run,
-            "-" if longer_side(box_around(run)) else ".",
-            color=color,
-            linewidth=2,
-            label="_curve" if i else label,
-            zorder=3,
-        )
+        style = "-" if longer_side(box_around(run)) else "."
+        draw(ax, run, style, color=color, linewidth=2, label="_curve" if i else label, zorder=3)
     ax.set_aspect("equal", adjustable="box" if ax.name == "3d" else "datalim")
     legend_below(ax)
     return ax

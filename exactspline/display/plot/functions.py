@@ -90,13 +90,8 @@ def plot_function(
     _scale(ax, [y for run in graph for _, y in run], [y for _, y in points], scale)
     ax.axhline(0, color=BLACK, linewidth=0.8, zorder=1)
     if points:
-        draw_polygons(
-            ax,
-            polygons(f.knots.knots, f.degree, points),
-            len(points),
-            1 if ax.get_yscale() == "linear" else BENDS,
-            polygon_color,
-        )
+        bends = 1 if ax.get_yscale() == "linear" else BENDS
+        draw_polygons(ax, polygons(f.knots.knots, f.degree, points), len(points), bends, polygon_color)
     _draw_graph(ax, graph, color, label or "graph")
     if roots is not None:
         draw_roots(ax, roots, f.domain, *MARKS[0])
@@ -143,12 +138,10 @@ def _scale(ax: Axes, graph: Sequence[mpq], polygon: Sequence[mpq], scale: str | 
         linear = float(max(sizes[len(sizes) // 10] if uneven else top, highest / LARGEST))
         last = floor(log10(highest))
         first = round(log10(linear))
-        name, how = (
-            ("asinh", {"linear_width": linear})
-            if uneven
-            else ("symlog", {"linthresh": linear, "linscale": 1 + max(0, last - first)})
-        )
-        ax.set_yscale(name, **how)
+        if uneven:
+            ax.set_yscale("asinh", linear_width=linear)
+        else:
+            ax.set_yscale("symlog", linthresh=linear, linscale=1 + max(0, last - first))
         lowest = min(last, first + uneven * (1 + (last - first) // 8))
         ticks = [sign * 10.0**k for k in range(last, lowest - 1, -((last - lowest + 3) // 3)) for sign in (-1, 1)]
         ax.yaxis.set_major_locator(library("matplotlib.ticker").FixedLocator([0, *ticks]))
@@ -171,17 +164,8 @@ def draw_roots(
         if points:
             counted = f"{len(points)} {what.format('s' * (len(points) > 1))}"
             at = [(parameter(t, domain), mpq(0)) for t in points]
-            draw(
-                ax,
-                at,
-                marker,
-                color=color,
-                markerfacecolor=face,
-                markeredgecolor=edge,
-                markersize=7,
-                label=counted,
-                zorder=5,
-            )
+            colors = {"color": color, "markerfacecolor": face, "markeredgecolor": edge}
+            draw(ax, at, marker, markersize=7, label=counted, zorder=5, **colors)
     draw_runs(ax, zero_runs(roots, 0), ZERO, color=color, linewidth=5, zorder=2.5)
 
 
@@ -220,15 +204,8 @@ def plot_roots(roots: ZeroSet | Sequence[Root], ax: Axes | None = None, *, color
         for root, (low, high) in zip(certified, bars, strict=True)
     ]
     for i, (low, high) in enumerate(bars):
-        draw(
-            ax,
-            [(low, mpq(i)), (high, mpq(i))],
-            "|-",
-            color=BLACK,
-            linewidth=2,
-            markersize=12,
-            label="_interval" if i else "isolating interval",
-        )
+        bar, label = [(low, mpq(i)), (high, mpq(i))], "_interval" if i else "isolating interval"
+        draw(ax, bar, "|-", color=BLACK, linewidth=2, markersize=12, label=label)
         kind = f"{color}" if certified[i].sign_change else "white"
         draw(ax, [(at[i], mpq(i))], "o", color=color, markerfacecolor=kind, markersize=7, label="_root", zorder=3)
     empty: list[float] = []

@@ -89,11 +89,8 @@ def _spline(collector: Collector, words: Tokens, dimension: int, where: str) -> 
     collector.count(distinct)
     pairs = [(words.number(), words.count()) for _ in range(distinct)]
     if degree > collector.limits.degree or any(not 1 <= times <= degree + 1 for _, times in pairs):
-        collector.skip(
-            "B-spline curve",
-            where,
-            f"multiplicities beyond 1 to {degree + 1}, or a degree above {collector.limits.degree}",
-        )
+        why = f"multiplicities beyond 1 to {degree + 1}, or a degree above {collector.limits.degree}"
+        collector.skip("B-spline curve", where, why)
         return
     collector.count(sum(times for _, times in pairs))
     knots = [knot for knot, times in pairs for _ in range(times)]
@@ -118,8 +115,7 @@ def _unrolled(pairs: Sequence[tuple[mpq, int]], degree: int) -> tuple[list[mpq],
         raise CurveFileError("end knots of a periodic curve that do not match", remedy="repeat each equally often")
     period = pairs[-1][0] - pairs[0][0]
     once = knots[pairs[0][1] :]
-    rounds = more // len(once) + 1
-    after = [t + period * (r + 1) for r in range(rounds) for t in once][:more]
+    after = [t + period * (r + 1) for r in range(more // len(once) + 1) for t in once][:more]
     # the knots before the first one are those before the last one, shifted back by the period
     cycle = knots[: len(knots) - pairs[-1][1]]
     before = [t - period * (r + 1) for r in reversed(range(more // len(cycle) + 1)) for t in cycle]

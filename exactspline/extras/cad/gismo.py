@@ -71,8 +71,7 @@ def _parts(
             remedy="give full rows",
         )
     points = [values[i : i + dimension] for i in range(0, len(values), dimension)]
-    weights = next((collector.numbers(e.text.split()) for e in below if e.tag == "weights"), None)
-    return sides, points, weights
+    return sides, points, next((collector.numbers(e.text.split()) for e in below if e.tag == "weights"), None)
 
 
 def _side(collector: Collector, vector: Element) -> Side:

@@ -123,8 +123,7 @@ def _spline(collector: Collector, entry: Entry, where: str, placed: Affine) -> N
         notes.append("flagged polynomial, but its weights differ: read as rational")
     if periodic and knots[:1] == knots[degree : degree + 1]:
         notes.append("flagged periodic, but its knots are clamped: read as written")
-    equal = len(set(weights)) == 1
-    plain = None if equal and weights[0] == 1 and flagged_polynomial else weights
+    plain = None if len(set(weights)) == 1 and weights[0] == 1 and flagged_polynomial else weights
     _add(collector, entry, where, (degree, knots, points, plain), notes, within)
 
 
@@ -192,8 +191,7 @@ def _pieces(collector: Collector, entry: Entry, where: str, segments: Sequence[S
 def _line(collector: Collector, entry: Entry, where: str, placed: Affine) -> None:
     if entry.form:
         raise CurveFileError("an unbounded line or ray", remedy="form 0 is a segment")
-    values = _Values(entry, collector)
-    _pieces(collector, entry, where, [polynomial(*(placed(point) for point in values.rows(2)))])
+    _pieces(collector, entry, where, [polynomial(*(placed(point) for point in _Values(entry, collector).rows(2)))])
 
 
 def _at_height(placed: Affine, z: mpq, shift: Sequence[mpq] = (mpq(0), mpq(0))) -> Affine:

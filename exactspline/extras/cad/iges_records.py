@@ -115,18 +115,10 @@ def entries(text: str, limits: Limits) -> list[Entry]:
     for i in range(0, len(lines["D"]), 2):
         first, second = lines["D"][i].ljust(80), lines["D"][i + 1].ljust(80)
         block = "".join(blocks.get(i + 1, []))
-        result.append(
-            Entry(
-                i + 1,
-                _field(first, 0),
-                _field(second, 4),
-                _field(first, 6),
-                first[64:72].replace(" ", "0")[4:6],
-                first[64:72].replace(" ", "0")[:2] == "01",
-                second[56:64].strip(),
-                parameters(block, separator, ending, limits) if block else [],
-            )
-        )
+        status = first[64:72].replace(" ", "0")
+        numbers = _field(first, 0), _field(second, 4), _field(first, 6)
+        values = parameters(block, separator, ending, limits) if block else []
+        result.append(Entry(i + 1, *numbers, status[4:6], status[:2] == "01", second[56:64].strip(), values))
     return result
 
 
@@ -151,8 +143,7 @@ def formatted(entities: list[tuple[int, int, int, str, list[str]]], title: str) 
         directory.append(f"{kind:8}{0:8}{0:8}{len(lines):8}{form:8}" + " " * 16 + f"{label[:8]:>8}{0:8}")
         data += [f"{line:<64} {pointer:7}" for line in lines]
     sheets = {"S": start, "G": _wrapped(settings, 72, ",", ";"), "D": directory, "P": data}
-    ended = "".join(f"{letter}{len(lines):7}" for letter, lines in sheets.items())
-    sheets["T"] = [ended]
+    sheets["T"] = ["".join(f"{letter}{len(lines):7}" for letter, lines in sheets.items())]
     return "".join(
         f"{line:<72}{letter}{i:7}\n" for letter, lines in sheets.items() for i, line in enumerate(lines, 1)
     ).encode("ascii", "replace")

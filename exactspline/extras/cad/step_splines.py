@@ -78,8 +78,7 @@ def add_spline(
     if kind == keywords.with_knots:
         knots = [_listed_knots(file, *pair) for pair in zip(specific[:n], specific[n : 2 * n], strict=True)]
     else:
-        counts = [len(net), len(net[0])][-n:]
-        knots = [_standard_knots(kind, *pair) for pair in zip(degrees, counts, strict=True)]
+        knots = [_standard_knots(kind, *pair) for pair in zip(degrees, [len(net), len(net[0])][-n:], strict=True)]
         notes = [*notes, f"{kind}: knots as defined by the standard"]
     weights = None
     if entity.get(keywords.rational):

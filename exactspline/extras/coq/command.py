@@ -45,8 +45,7 @@ def see_that_coq_can_name(path: str) -> None:
 
     if not Path(path).name:
         raise OptionsError(f"--emit-coq {path!r} is a folder", remedy="name a file in it")
-    stem = Path(path).name.removesuffix(".v")
-    named = re.sub(r"\W", "_", stem, flags=re.ASCII)
+    named = re.sub(r"\W", "_", Path(path).name.removesuffix(".v"), flags=re.ASCII)
     named = named if named[:1].isalpha() or named[:1] == "_" else f"curve_{named}"
     if Path(path).name != f"{named}.v":
         raise OptionsError(

@@ -124,8 +124,7 @@ def by_table(paper: Paper) -> Iterator[tuple[str, list[Claim]]]:
     """The claims of a paper by the file that contains them."""
     groups: dict[str, list[Claim]] = {}
     for table, claim in zip(paper.claim_tables(), claims_of(paper.name), strict=True):
-        stem = Path(table.place.split(",")[0]).stem
-        groups.setdefault(stem, []).append(claim)
+        groups.setdefault(Path(table.place.split(",")[0]).stem, []).append(claim)
     yield from groups.items()
 
 

@@ -142,14 +142,8 @@ def _axioms(answer: str) -> tuple[Name, ...]:
 
 def _coqc(place: Path, file: str) -> tuple[bool, str]:
     try:
-        run = subprocess.run(
-            ["coqc", "-q", "-R", ".", ROOT, file],
-            cwd=place,
-            capture_output=True,
-            text=True,
-            timeout=SECONDS,
-            check=False,
-        )
+        command = ["coqc", "-q", "-R", ".", ROOT, file]
+        run = subprocess.run(command, cwd=place, capture_output=True, text=True, timeout=SECONDS, check=False)
     except subprocess.TimeoutExpired:
         return False, ""
     return run.returncode == 0, run.stdout

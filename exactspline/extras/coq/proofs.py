@@ -228,9 +228,7 @@ class Proof(Nonzero):
 
     def _fraction(self, top: fmpq_mpoly, bottom: fmpq_mpoly) -> str:
         above = self.setting.expression(top)
-        if bottom.is_one():
-            return f"({above})%formula"
-        return f"(({above}) / ({self.setting.expression(bottom)}))%formula"
+        return f"({above})%formula" if bottom.is_one() else f"(({above}) / ({self.setting.expression(bottom)}))%formula"
 
     def _list(self) -> str:
         return f"(firstn {len(self.atoms)} atoms)"

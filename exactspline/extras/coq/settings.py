@@ -155,9 +155,7 @@ class Setting:
 
     def named(self, name: str) -> str:
         """The variable of a proof for an operand."""
-        if self.has_point and name in POINT[: self.dimension]:
-            return name.removeprefix("_")
-        return f"{name}_"
+        return name.removeprefix("_") if self.has_point and name in POINT[: self.dimension] else f"{name}_"
 
     @cached_property
     def spelling(self) -> Spelling:

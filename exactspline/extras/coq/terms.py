@@ -206,5 +206,4 @@ def leaves(tree: Node) -> set[str]:
 
 def paths(node: Node) -> set[str]:
     """The parts of the argument whose operands occur in a tree."""
-    parts = (name.rpartition(".")[0] for name in leaves(node))
-    return {f"{path}." if path else "" for path in parts}
+    return {f"{path}." if path else "" for path in (name.rpartition(".")[0] for name in leaves(node))}

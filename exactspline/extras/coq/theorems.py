@@ -143,8 +143,7 @@ class _Theorem(Statement[tuple[str, list[str]]]):
         self.setting = setting_of(kind, dimension, order, polynomial=polynomial, trees=trees)
         self.writer = Writer(named)
         self.evaluation = Evaluation(self.setting.argument, self.setting.flat)
-        several = len(kind.dimensions) > 1
-        self.name = identifier(claim.key) + (f"_in_dimension_{dimension}" if several else "")
+        self.name = identifier(claim.key) + (f"_in_dimension_{dimension}" if len(kind.dimensions) > 1 else "")
         premises = [self._premise(i, a) for i, a in enumerate(a for a in claim.assumes if a.formula)]
         self.proof = Proof(self.setting, self.name, premises, self.evaluation, self.writer)
         if self.setting.differentiates_roots:
@@ -266,8 +265,7 @@ class _Theorem(Statement[tuple[str, list[str]]]):
 
     def on_surface(self, left: Node, right: Formula) -> tuple[str, list[str]]:
         """The statement that a plane curve is the directrix of a ruled surface of the same curve in space."""
-        inside = Calling(POINT_IN_SPACE, 3)
-        directrix = inside.calls(right).directrix
+        directrix = Calling(POINT_IN_SPACE, 3).calls(right).directrix
         argument = self.setting.argument
         assert isinstance(argument, Curve)  # such a claim is about a plane curve
         in_space = Evaluation(embedded(argument))
@@ -320,6 +318,4 @@ def times_factor(claim: Identity, theorem: Statement[Conclusion], right: Node) -
 def _part(claim: Identity, theorem: Statement[Conclusion], name: str) -> Node:
     if name in WEIGHTS:
         return Node(Operation.LEAF, value={"w": "first.w", "W": "second.w"}[name] if theorem.kind is PAIR else "w")
-    if name[0].isalpha():
-        return theorem.called(claim.find(name))
-    return Node(Operation.NUMBER, value=rational(name))
+    return theorem.called(claim.find(name)) if name[0].isalpha() else Node(Operation.NUMBER, value=rational(name))

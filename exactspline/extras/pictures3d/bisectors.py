@@ -221,8 +221,7 @@ def plot_point_bisector(bisector: PointBisector, curve: Nurbs, point: Sequence[N
     for piece in bisector.pieces:
         directrix = piece.surface.directrix
         assert isinstance(directrix, Rational)
-        rulings = _rulings_over(directrix, piece.surface.generator, *piece.interval)
-        _plot(ax, lines_mesh(rulings, box), "bisector", SKY)
+        _plot(ax, lines_mesh(_rulings_over(directrix, piece.surface.generator, *piece.interval), box), "bisector", SKY)
     mark_points(ax, [place], "point")
     show_box(ax, box)
     legend_once(ax)

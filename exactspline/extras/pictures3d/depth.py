@@ -226,9 +226,5 @@ def _add_lines(vista: Any, plotter: Any, seen: _Seen, lines: Iterable[Any], pixe
     for (color, width), runs in drawn.items():
         plotter.add_mesh(_polylines(vista, runs), color=to_rgb(color), line_width=width * pixels, lighting=False)
     for (color, size), places in dots.items():
-        plotter.add_mesh(
-            vista.PolyData(np.vstack(places)),
-            color=to_rgb(color),
-            point_size=size * pixels,
-            render_points_as_spheres=True,
-        )
+        cloud = vista.PolyData(np.vstack(places))
+        plotter.add_mesh(cloud, color=to_rgb(color), point_size=size * pixels, render_points_as_spheres=True)

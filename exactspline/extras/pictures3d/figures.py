@@ -85,8 +85,7 @@ def _alike(frames: Sequence[Any]) -> None:
             getattr(ax, f"{axis}axis").set_ticks([float(x) for x in three_ticks(low, high, longest)])
             getattr(ax, f"set_{axis}label")(axis)
     for ax in frames:
-        sides = [high - low for low, high in (getattr(ax, f"get_{axis}lim")() for axis in "xyz")]
-        ax.set_box_aspect(sides, zoom=ZOOM)
+        ax.set_box_aspect([high - low for low, high in (getattr(ax, f"get_{axis}lim")() for axis in "xyz")], zoom=ZOOM)
         ax.view_init(*VIEW)
 
 

@@ -252,8 +252,7 @@ def tensor_mesh(surface: Vector[TensorSpline] | Rational[TensorSpline], box: Box
     sampled = _Sampled([*numerator, *([] if w is None else [w])], w is not None)
     grids = [_grid(mesh.breaks) for mesh in numerator[0].meshes]
     places = [[sampled(s, t) for t in grids[1]] for s in grids[0]]
-    there = [p for row in places for p, _ in row if p is not None]
-    box = usual_box(there, w is not None) if box is None else box
+    box = usual_box([p for row in places for p, _ in row if p is not None], w is not None) if box is None else box
     # one patch for either sign of the denominator, so that no face reaches across a pole
     patches = [
         [[kept(p, box) if sign == side else None for p, sign in row] for row in places] for side in (True, False)

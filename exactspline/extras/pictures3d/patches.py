@@ -184,17 +184,9 @@ def _in_the_plane(ax: Axes, inspection: SurfaceInspection, samples: Samples, lin
     _dots(ax, list(umbilic_spots(inspection)), VERMILLION, "o")
     for place, umbilic in zip(umbilic_spots(inspection), inspection.umbilics, strict=True):
         halo = [library("matplotlib.patheffects").withStroke(linewidth=2, foreground="white")]
+        beside: dict[str, Any] = {"xytext": (5, 5), "textcoords": "offset points", "annotation_clip": True}
         u, v = map(float, place)
-        ax.annotate(
-            umbilic.kind.value,
-            (u, v),
-            xytext=(5, 5),
-            textcoords="offset points",
-            fontsize="small",
-            annotation_clip=True,
-            zorder=5,
-            path_effects=halo,
-        )
+        ax.annotate(umbilic.kind.value, (u, v), fontsize="small", zorder=5, path_effects=halo, **beside)
     _dots(ax, list(singular_spots(inspection)), GREEN, "s")
     (a, b), (c, d) = inspection.surface.domain
     ax.set_xlim(float(a), float(b))
@@ -258,15 +250,11 @@ def _legend(figure: Figure, inspection: SurfaceInspection, lines: bool) -> None:
     patch, line = library("matplotlib.patches").Patch, library("matplotlib.lines").Line2D
     kinds = set(inspection.kinds)
     shown = [
-        (
-            bool(kinds & {PatchKind.ELLIPTIC, PatchKind.ELLIPTIC_BUT, PatchKind.SPHERICAL, PatchKind.MIXED}),
-            "K > 0",
-            ELLIPTIC,
-        ),
-        (bool(kinds & {PatchKind.HYPERBOLIC, PatchKind.HYPERBOLIC_BUT, PatchKind.MIXED}), "K < 0", HYPERBOLIC),
-        (bool(kinds & {PatchKind.PLANAR, PatchKind.DEVELOPABLE}), "K = 0", FLAT),
+        ({PatchKind.ELLIPTIC, PatchKind.ELLIPTIC_BUT, PatchKind.SPHERICAL, PatchKind.MIXED}, "K > 0", ELLIPTIC),
+        ({PatchKind.HYPERBOLIC, PatchKind.HYPERBOLIC_BUT, PatchKind.MIXED}, "K < 0", HYPERBOLIC),
+        ({PatchKind.PLANAR, PatchKind.DEVELOPABLE}, "K = 0", FLAT),
     ]
-    handles: list[Any] = [patch(facecolor=color, label=label) for there, label, color in shown if there]
+    handles: list[Any] = [patch(facecolor=color, label=label) for these, label, color in shown if kinds & these]
     if next(_curves(inspection), None) or inspection.parabolic_lines:
         handles.append(line([], [], color=BLACK, linewidth=1.6, label="parabolic curve"))
     if lines:

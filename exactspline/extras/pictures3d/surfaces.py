@@ -81,15 +81,8 @@ def plot_mesh(
     if control_net and mesh.net:
         for run in mesh.net:
             draw(ax, run, color=net_color, linewidth=0.6, label="_net", zorder=2)
-        draw(
-            ax,
-            dict.fromkeys(p for run in mesh.net for p in run),
-            "o",
-            color=BLUE,
-            markersize=2.5,
-            label=_counted(mesh),
-            zorder=2.1,
-        )
+        points = dict.fromkeys(p for run in mesh.net for p in run)
+        draw(ax, points, "o", color=BLUE, markersize=2.5, label=_counted(mesh), zorder=2.1)
     _framed(ax, [p for face in faces for p in face])
     legend_below(ax)
     return ax
@@ -217,8 +210,7 @@ def plot_bisector(
     check_options(control_net=control_net, box=box)
     kind, default, handed = _argument(curve_of(curve), other)
     ax = axes_for(ax, 2 if kind is PLANE_POINT else 3)
-    name = as_text(formula, "the name of a formula")
-    bisector = find(name or default)
+    bisector = find(as_text(formula, "the name of a formula") or default)
     if bisector.kind is not kind:
         raise FormulaError(
             f"{bisector.name} is not a bisector of these",

@@ -18,7 +18,7 @@ from exactspline.extras.teaching.exercises import (
     points_of,
     small,
 )
-from exactspline.extras.teaching.parts import Math, Polynomial
+from exactspline.extras.teaching.parts import Math, Polynomial, sentence
 from exactspline.extras.teaching.triangles import (
     de_boor_triangle,
     elevation_triangles,
@@ -73,14 +73,10 @@ def derivative(rng: Random) -> Drawn:
     curve = Nurbs(curve.degree, curve.knots, points)
     hodograph = Nurbs.from_splines([f.d() for f in curve.p])
     task = (*given_curve(curve), ". Find its derivative at ", Math("t", (t,)), ".")
-    solution = (
-        f"The derivative has the degree {hodograph.degree}, the knots ",
-        knots_of(hodograph),
-        " and the control points ",
-        points_of(hodograph),
-        ". De Boor's triangle: ",
-        de_boor_triangle(hodograph, t),
+    words = (
+        f"The derivative has the degree {hodograph.degree}, the knots % and the control points %. De Boor's triangle: "
     )
+    solution = (*sentence(words, knots_of(hodograph), points_of(hodograph)), de_boor_triangle(hodograph, t))
     return task, Numbers(("x′", "y′"), curve.derivative(1, t)), solution
 
 
@@ -105,10 +101,10 @@ def elevation(rng: Random) -> Drawn:
     if points is None:
         return None
     curve = Nurbs(curve.degree, curve.knots, points)
-    task = (
-        f"A Bézier curve of degree {curve.degree} has the control points ",
+    task = sentence(
+        f"A Bézier curve of degree {curve.degree} has the control points %. Write it as a Bézier curve of degree "
+        f"{curve.degree + 1}: what are its control points?",
         points_of(curve),
-        f". Write it as a Bézier curve of degree {curve.degree + 1}: what are its control points?",
     )
     (triangle,) = elevation_triangles(curve)
     return task, Points(curve.elevate_degree()), ("Neighbours are combined: ", triangle)
@@ -123,39 +119,31 @@ def subdivision(rng: Random) -> Drawn:
         return None
     curve = Nurbs(curve.degree, curve.knots, points)
     first, _ = curve.split(t)
-    task = (
-        *given_bezier(curve),
-        ". It is cut at ",
-        Math("t", (t,)),
-        ". What are the control points of its first part?",
+    asked = sentence(". It is cut at %. What are the control points of its first part?", Math("t", (t,)))
+    return (
+        (*given_bezier(curve), *asked),
+        Points(first),
+        ("The upper edge of de Casteljau's triangle: ", de_boor_triangle(curve, t)),
     )
-    return task, Points(first), ("The upper edge of de Casteljau's triangle: ", de_boor_triangle(curve, t))
 
 
 def product(rng: Random) -> Drawn:
     """The Bézier points of the product of two functions."""
-    degrees = rng.choice(((1, 1), (1, 2), (2, 2)))
-    f, g = (BSpline.bezier([x for (x,) in drawn_points(rng, n + 1, 1)]) for n in degrees)
+    f, g = (BSpline.bezier([x for (x,) in drawn_points(rng, n + 1, 1)]) for n in rng.choice(((1, 1), (1, 2), (2, 2))))
     points = cleared([(x,) for x in f.control_points], [(x,) for x in (f * g).control_points])
     if points is None or g.is_zero or any(x == y for x, y in pairwise(g.control_points)):
         return None
     f = BSpline.bezier([x for (x,) in points])
-    task = (
-        f"The function f has the degree {f.degree} and the Bézier points ",
-        points_of(f),
-        f", the function g the degree {g.degree} and the Bézier points ",
-        points_of(g),
-        ". Find the Bézier points of the product fg.",
+    task = sentence(
+        f"The function f has the degree {f.degree} and the Bézier points %, the function g the degree {g.degree} and "
+        "the Bézier points %. Find the Bézier points of the product fg.",
+        *map(points_of, (f, g)),
     )
     (table,) = product_tables(f, g)
-    solution = (
-        "The points times binomial coefficients are ",
-        Math("", table.left),
-        " and ",
-        Math("", table.right),
-        "; the sums of the diagonals of their table are ",
-        Math("", table.sums),
-        f", which are divided by the binomial coefficients of degree {f.degree + g.degree}.",
+    solution = sentence(
+        "The points times binomial coefficients are % and %; the sums of the diagonals of their table are %, which are "
+        f"divided by the binomial coefficients of degree {f.degree + g.degree}.",
+        *(Math("", numbers) for numbers in (table.left, table.right, table.sums)),
     )
     return task, Points(f * g), solution
 
@@ -194,19 +182,12 @@ def bezier(rng: Random) -> Drawn:
     made = tuple(_coefficients(f) for f in curve.p)
     if not all(small(c) and len(c) > 1 for c in made) or max(map(len, made)) != curve.degree + 1:
         return None
-    x, y = map(Polynomial, made)
-    task = (
-        "A curve is given by ",
-        Math("x(t)", (x,)),
-        " and ",
-        Math("y(t)", (y,)),
-        f". Find its Bézier points of degree {curve.degree} over [0, 1].",
-    )
-    solution = (
+    words = f"A curve is given by % and %. Find its Bézier points of degree {curve.degree} over [0, 1]."
+    task = sentence(words, *(Math(name, (Polynomial(c),)) for name, c in zip(("x(t)", "y(t)"), made, strict=True)))
+    solution = sentence(
         "The coefficient of t to the power k, divided by the binomial coefficient, is the k-th difference of the "
-        "Bézier points, which are therefore ",
+        "Bézier points, which are therefore %.",
         points_of(curve),
-        ".",
     )
     return task, Points(curve), solution
 
@@ -219,18 +200,16 @@ def continuity(rng: Random) -> Drawn:
     knots = [0] * (degree + 1) + [1] * smooth + [2] * (degree + 1)
     f = BSpline(degree, knots, [x for (x,) in drawn_points(rng, len(knots) - degree - 1, 1)])
     f = f.insert_knot(1, multiplicity - smooth) if multiplicity > smooth else f
-    values = [(x,) for x in f.control_points]
-    factor = max(int(x.denominator) for (x,) in values)
+    factor = max(int(x.denominator) for x in f.control_points)
     if factor > 4 or f.true_degree < degree:
         return None
     f = f.scaled(factor)
     if not small(f.control_points):
         return None
-    task = (
-        *given_curve(f, "function"),
-        ". How many times is it continuously differentiable at ",
+    asked = sentence(
+        ". How many times is it continuously differentiable at %? (−1 if it jumps, "
+        f"{degree} if it is the same polynomial on both sides.)",
         Math("t", (mpq(1),)),
-        f"? (−1 if it jumps, {degree} if it is the same polynomial on both sides.)",
     )
     order = f.continuity_at(1)
     solution: list[str] = []
@@ -238,4 +217,4 @@ def continuity(rng: Random) -> Drawn:
         g = f.d(k)
         sides = f"{text(g(1, 'left'))} from the left and {text(g(1))} from the right"
         solution.append(f"{'The value' if not k else f'The derivative of order {k}'} is {sides}. ")
-    return task, Numbers(("the order",), (mpq(order),)), tuple(solution)
+    return (*given_curve(f, "function"), *asked), Numbers(("the order",), (mpq(order),)), tuple(solution)

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass
+from itertools import chain
 from typing import TypeAlias
 
 from exactspline.extras.teaching.triangles import Triangle
@@ -34,3 +36,14 @@ class Math:
 
 #: A sequence of prose and formulas.
 Part: TypeAlias = str | Math | Triangle
+
+
+def sentence(words: str, *parts: Math) -> tuple[str | Math, ...]:
+    """Prose and formulas in turn: each ``%`` of the prose stands for the next formula.
+
+    >>> sentence("% has the end %.", Math("t"), Math("b"))
+    (Math(name='t', values=()), ' has the end ', Math(name='b', values=()), '.')
+    """
+    first, *others = words.split("%")
+    rest: Iterable[str | Math] = chain.from_iterable(zip(parts, others, strict=True))
+    return tuple(part for part in (first, *rest) if part)

@@ -18,7 +18,7 @@ from exactspline.extras.teaching.exercises import (
     points_of,
     small,
 )
-from exactspline.extras.teaching.parts import Math, Point
+from exactspline.extras.teaching.parts import Math, Point, sentence
 from exactspline.extras.teaching.triangles import de_boor_triangle
 from exactspline.formulas.derivatives import towards_centre
 from exactspline.geometry.analysis.curves import analyse
@@ -48,11 +48,11 @@ def support(rng: Random) -> Drawn:
     basis = BSpline(f.degree, f.knots, [int(k == i) for k in range(len(f.control_points))])
     touched = [k for k, (c, _) in enumerate(basis.forms) if c]
     low, high = f.breakpoints[touched[0]], f.breakpoints[touched[-1] + 1]
-    task = (
-        f"A B-spline function of degree {f.degree} has the knots ",
+    task = sentence(
+        f"A B-spline function of degree {f.degree} has the knots % and "
+        f"{counted(len(f.control_points), 'control point')}, counted from 0. On which interval does it change when "
+        f"control point {i} is changed? Give its two ends.",
         knots_of(f),
-        f" and {counted(len(f.control_points), 'control point')}, counted from 0. On which interval does it change "
-        f"when control point {i} is changed? Give its two ends.",
     )
     solution = (
         f"The basis function number {i} begins at the knot number {i} and ends at the knot number {i} + "
@@ -74,10 +74,9 @@ def hull(rng: Random) -> Drawn:
         f". Which bounds on [{text(a)}, {text(b)}] follow from its control points? Give the best lower and upper "
         "bound.",
     )
-    solution = (
-        f"On this interval only {counted(len(active), 'control point')} have influence, ",
-        Math("", tuple(active)),
-        ", and the value is a mean of them with positive weights.",
+    influence = f"On this interval only {counted(len(active), 'control point')} have influence"
+    solution = sentence(
+        f"{influence}, %, and the value is a mean of them with positive weights.", Math("", tuple(active))
     )
     return task, Numbers(("the lower bound", "the upper bound"), (min(active), max(active))), solution
 
@@ -93,20 +92,17 @@ def inflections(rng: Random) -> Drawn:
     parameters = tuple(f.root.exact for f in inflections_found if f.root.exact is not None)
     if not inflections_found or len(parameters) < len(inflections_found) or any(t.denominator > 6 for t in parameters):
         return None
-    task = (
-        "A cubic Bézier curve over [0, 1] has the control points ",
+    task = sentence(
+        "A cubic Bézier curve over [0, 1] has the control points %. At which parameters inside (0, 1) does it have an "
+        "inflection, where the curvature changes sign?",
         points_of(curve),
-        ". At which parameters inside (0, 1) does it have an inflection, where the curvature changes sign?",
     )
     values = tuple(Math(f"f({text(t)})", (bend(t),)) for t in parameters)
     reduced = bend.reduce_degree(bend.degree - bend.true_degree)
-    solution = (
-        Math("f = x′y″ − y′x″"),
-        f" has the true degree {reduced.degree} and the Bézier points ",
-        points_of(reduced),
-        "; its interior zeros at which it changes sign: ",
-        *[part for value in values for part in (value, " ")],
+    words = (
+        f"% has the true degree {reduced.degree} and the Bézier points %; its interior zeros at which it changes sign: "
     )
+    solution = sentence(words + "% " * len(values), Math("f = x′y″ − y′x″"), points_of(reduced), *values)
     return task, Parameters(parameters), solution
 
 
@@ -128,8 +124,7 @@ def _with_rational_speed(rng: Random) -> tuple[Nurbs, mpq]:
     """A Bézier curve and the parameter of one of its ends, where the length of γ′ is rational."""
     degree, at_end = rng.choice((2, 3)), rng.random() < 1 / 2
     first, *rest = drawn_points(rng, degree)
-    step = rng.choice(DIRECTIONS)
-    points = [first, tuple(x + d for x, d in zip(first, step, strict=True)), *rest]
+    points = [first, tuple(x + d for x, d in zip(first, rng.choice(DIRECTIONS), strict=True)), *rest]
     return bezier_curve(points[::-1] if at_end else points), mpq(at_end)
 
 
@@ -140,14 +135,10 @@ def curvature(rng: Random) -> Drawn:
     if not value or max(value.denominator, abs(value.numerator)) > LARGEST:
         return None
     task = (*given_bezier(curve), ". Find its curvature at ", Math("t", (t,)), ", positive where it turns left.")
-    solution = (
-        "The derivatives there are ",
-        Math("", (curve.derivative(1, t),)),
-        " and ",
-        Math("", (curve.derivative(2, t),)),
-        "; their determinant over the third power of the length of the first is ",
+    solution = sentence(
+        "The derivatives there are % and %; their determinant over the third power of the length of the first is %.",
+        *(Math("", (curve.derivative(order, t),)) for order in (1, 2)),
         Math("κ", (value,)),
-        ".",
     )
     return task, Numbers(("κ",), (value,)), solution
 
@@ -169,22 +160,11 @@ def osculating(rng: Random) -> Drawn:
     if centre is None or not small(centre):
         return None
     square = sum(((a - b) ** 2 for a, b in zip(centre, curve(t), strict=True)), mpq(0))
-    task = (
-        *given_bezier(curve),
-        ". Find the osculating circle at ",
-        Math("t", (t,)),
-        ": the coordinates of its centre and the square of its radius.",
-    )
-    solution = (
-        "With the derivatives ",
-        Math("", (curve.derivative(1, t),)),
-        " and ",
-        Math("", (curve.derivative(2, t),)),
-        " at the point ",
-        Math("", (curve(t),)),
-        " the centre is ",
-        Math("", (centre,)),
-        ", a point of the evolute.",
+    words = ". Find the osculating circle at %: the coordinates of its centre and the square of its radius."
+    task = (*given_bezier(curve), *sentence(words, Math("t", (t,))))
+    solution = sentence(
+        "With the derivatives % and % at the point % the centre is %, a point of the evolute.",
+        *(Math("", (at,)) for at in (curve.derivative(1, t), curve.derivative(2, t), curve(t), centre)),
     )
     return task, Numbers(("centre x", "centre y", "radius²"), (*centre, square)), solution
 
@@ -202,12 +182,11 @@ def circle(rng: Random) -> Drawn:
     answer, solution = _circle_of(curve)
     if not all(v.denominator <= 16 for v in answer.values):
         return None
-    task = (
-        "A rational Bézier curve of degree 2 has the control points ",
+    task = sentence(
+        "A rational Bézier curve of degree 2 has the control points % with the weights %. Is it an arc of a circle? If "
+        "so, give the centre and the square of the radius.",
         points_of(curve),
-        " with the weights ",
         Math("", curve.weights),
-        ". Is it an arc of a circle? If so, give the centre and the square of the radius.",
     )
     return task, answer, solution
 
@@ -232,8 +211,7 @@ def weight(rng: Random) -> Drawn:
     w = mpq(rng.choice((1, 2, 3, 4)), rng.choice((1, 1, 2, 3)))
     points = drawn_points(rng, 3)
     knots = [0, 0, 0, 1, 1, 1]
-    through = Nurbs(2, knots, points, [1, w, 1])("1/2")
-    first = cleared(points, [through])
+    first = cleared(points, [Nurbs(2, knots, points, [1, w, 1])("1/2")])
     if first is None:
         return None
     a, m, b = (x for x, _ in first)
@@ -241,29 +219,14 @@ def weight(rng: Random) -> Drawn:
         return None
     curve = Nurbs(2, knots, first, [1, w, 1])
     place = curve("1/2")
-    task = (
-        "A rational Bézier curve of degree 2 has the control points ",
-        points_of(curve),
-        " with the weights 1, w, 1. For which w is its point at ",
-        Math("t", (mpq(1, 2),)),
-        " the point ",
-        Math("", (place,)),
-        "?",
+    task = sentence(
+        "A rational Bézier curve of degree 2 has the control points % with the weights 1, w, 1. For which w is its "
+        "point at % the point %?",
+        *(points_of(curve), Math("t", (mpq(1, 2),)), Math("", (place,))),
     )
     s = place[0]
     # s (1 + w) = (a + b)/2 + w m
     weight_value = ((a + b) / 2 - s) / (s - m)
-    solution = (
-        "At t = 1/2 the curve has x = ",
-        Math("", (s,)),
-        ", where (",
-        Math("", (a,)),
-        " + 2w·",
-        Math("", (m,)),
-        " + ",
-        Math("", (b,)),
-        ") / (2 + 2w) has to be; so ",
-        Math("w", (weight_value,)),
-        ".",
-    )
+    words = "At t = 1/2 the curve has x = %, where (% + 2w·% + %) / (2 + 2w) has to be; so %."
+    solution = sentence(words, *(Math("", (x,)) for x in (s, a, m, b)), Math("w", (weight_value,)))
     return task, Numbers(("w",), (weight_value,)), solution

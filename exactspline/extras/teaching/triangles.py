@@ -14,13 +14,14 @@ from dataclasses import dataclass
 from itertools import pairwise
 from math import comb
 
-from exactspline.errors import DomainError, KnotError, ShapeError, counted, shown
-from exactspline.numbers.exact import Number, mpq, rational, short_text, text
+from exactspline.errors import KnotError, ShapeError, counted, shown
+from exactspline.numbers.exact import Number, mpq, rational, short_text
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.control_points import Point, projected
 from exactspline.splines.inputs import MAX_DEGREE
 from exactspline.splines.knots import KnotVector
 from exactspline.splines.nurbs import Nurbs
+from exactspline.splines.refinement import inner
 from exactspline.splines.type_checks import curve_of, spline_of
 
 #: A tuple of coordinates: the value of a function, the point of a polynomial curve, or ``(w x, …, w)`` of a rational
@@ -117,16 +118,9 @@ def de_boor_triangle(curve: Nurbs | BSpline, t: Number) -> Triangle:
     Raises `DomainError` outside the domain.
     """
     _expected(curve)
-    parameter, knots, degree = rational(t), curve.knots, curve.degree
-    low, high = knots.domain(degree)
-    if not low <= parameter <= high:
-        raise DomainError(
-            f"the parameter {short_text(parameter)} is outside the domain [{text(low)}, {text(high)}]",
-            remedy="stay inside",
-            parameter=parameter,
-            domain=(low, high),
-        )
-    return _downwards(curve, parameter, "de Boor", degree)
+    parameter = rational(t)
+    curve.mesh.locate(parameter)
+    return _downwards(curve, parameter, "de Boor", curve.degree)
 
 
 def insertion_triangle(curve: Nurbs | BSpline, t: Number, times: int = 1) -> Triangle:
@@ -141,15 +135,8 @@ def insertion_triangle(curve: Nurbs | BSpline, t: Number, times: int = 1) -> Tri
     degree.
     """
     _expected(curve)
-    parameter, knots, degree = rational(t), curve.knots, curve.degree
-    low, high = knots.domain(degree)
-    if not low < parameter < high:
-        raise DomainError(
-            f"{short_text(parameter)} is not inside the domain ({text(low)}, {text(high)})",
-            remedy="choose a parameter inside the domain",
-            parameter=parameter,
-        )
-    present = knots.multiplicity(parameter)
+    parameter, degree = inner(curve.mesh, t), curve.degree
+    present = curve.knots.multiplicity(parameter)
     if type(times) is not int or times < 1 or present + times > degree:
         times_text = counted(times, "time") if type(times) is int else shown(times)
         raise KnotError(
@@ -198,8 +185,7 @@ def product_tables(left: BSpline, right: BSpline) -> tuple[ProductTable, ...]:
         (points,) = f.restrict(a, b).segments
         return tuple(comb(f.degree, i) * x for i, x in enumerate(points))
 
-    spans = pairwise(mesh.breaks)
-    return tuple(ProductTable((a, b), scaled(left, a, b), scaled(right, a, b)) for a, b in spans)
+    return tuple(ProductTable((a, b), scaled(left, a, b), scaled(right, a, b)) for a, b in pairwise(mesh.breaks))
 
 
 def _expected(curve: Nurbs | BSpline) -> Nurbs | BSpline:

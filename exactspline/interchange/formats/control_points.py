@@ -28,8 +28,7 @@ def read(source: Source) -> Reading:
     collector = Collector("cptw", source)
     rows = [line.replace(",", " ").split() for line in source.text.splitlines()]
     points = [collector.numbers(row) for row in rows if row]
-    weighted = PurePath(source.name).suffix.lower() != ".cpt"
-    complete(collector, "control points", points, homogeneous=weighted)
+    complete(collector, "control points", points, homogeneous=PurePath(source.name).suffix.lower() != ".cpt")
     return collector.reading()
 
 

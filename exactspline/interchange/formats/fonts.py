@@ -52,8 +52,7 @@ def pieces(source: Source) -> Iterator[Piece]:
         from fontTools.ttLib import TTFont
     except ImportError:
         raise CurveFileError("fontTools is not installed", remedy="pip install fonttools") from None
-    opened = [_opened(TTFont, source, number) for number in range(_count(source))]
-    requested = _requested(opened, source.part)
+    requested = _requested([_opened(TTFont, source, number) for number in range(_count(source))], source.part)
     for number, (font, name) in enumerate(requested, 1):
         for note in font.notes:
             collector.note(note)

@@ -182,8 +182,7 @@ class _Drawing:
             if element.attributes.get("transform", "").strip() or MOVING & {*style, *sheet}:
                 self.collector.note("the outermost svg is moved on the page: not applied")
             return replace(place, notes=self._hidden(element, style, sheet))
-        shaping = SHAPING.get(element.tag, frozenset()) | {"all"}
-        if given := shaping & {*style, *sheet}:
+        if given := (SHAPING.get(element.tag, frozenset()) | {"all"}) & {*style, *sheet}:
             raise ShapeError(f"CSS sets {in_words(given)}", remedy="write attributes")
         moving = {name for name in MOVING & style.keys() if style[name].lower() != "none"} | MOVING & sheet
         if moving or ORIGIN & sheet:
@@ -269,13 +268,8 @@ def _shape(collector: Collector, element: Element, where: str, place: _Place) ->
             collector.skip("subpath", at, part.problem)
             continue
         placed = mapped(part.segments, place.placed)
-        collector.add_segments(
-            element.tag,
-            at,
-            placed,
-            f"{name}.{i}" if several else name,
-            [*notes, *_of_arcs(part, collector.source.within)],
-        )
+        own = f"{name}.{i}" if several else name
+        collector.add_segments(element.tag, at, placed, own, [*notes, *_of_arcs(part, collector.source.within)])
 
 
 def _in_its_coordinates(within: mpq | None, placed: Affine) -> mpq | None:

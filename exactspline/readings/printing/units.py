@@ -56,9 +56,7 @@ def _number(value: Number) -> Expression:
 def _negative(n: Expression) -> Expression:
     if n.op is Operation.NUMBER:
         return _number(-n.value)
-    if n.op is Operation.NEGATIVE:
-        return n.args[0]
-    return Expression(Operation.NEGATIVE, (n,), vector=n.is_vector)
+    return n.args[0] if n.op is Operation.NEGATIVE else Expression(Operation.NEGATIVE, (n,), vector=n.is_vector)
 
 
 def _made(op: Operation, a: Expression, b: Expression) -> Expression:

@@ -141,8 +141,7 @@ def _at_root(
     factor = quotient(own, n, minimal.forms[i], minimal.degree)
     growth, one_sign = None, False
     if factor is not None:
-        signs = {c > 0 for c in factor[0].coeffs() if c != 0}
-        one_sign = len(signs) == 1
+        one_sign = len({c > 0 for c in factor[0].coeffs() if c != 0}) == 1
         if multiplicity == root.multiplicity:
             growth = Interval.point(mpq(1)) if one_sign else condition_number(factor, n - minimal.degree, root, 0)
     return FormAtRoot(form, n, multiplicity, condition_number(own, n, root, multiplicity), growth, one_sign, double)

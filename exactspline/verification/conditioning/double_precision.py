@@ -62,8 +62,7 @@ def to_doubles(points: list[mpq]) -> list[float] | None:
     smallest normal double.
     """
     largest = max(abs(b) for b in points)
-    shift = 1000 - int(largest.numerator).bit_length() + int(largest.denominator).bit_length()
-    scale = mpq(2) ** shift
+    scale = mpq(2) ** (1000 - int(largest.numerator).bit_length() + int(largest.denominator).bit_length())
     doubles = [_double(b * scale) for b in points]
     return None if any(b and abs(y) < float_info.min for b, y in zip(points, doubles, strict=True)) else doubles
 

@@ -104,9 +104,7 @@ def _value_latex(value: Value) -> str:
 
 
 def _symbol_latex(name: str) -> str:
-    if re.search("[a-z]{3}", name):
-        return rf"\text{{{prose(name)}}}"
-    return unicode_latex(name)
+    return rf"\text{{{prose(name)}}}" if re.search("[a-z]{3}", name) else unicode_latex(name)
 
 
 def _part_latex(part: Part) -> str:
