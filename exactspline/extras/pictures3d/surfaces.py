@@ -210,7 +210,8 @@ def plot_bisector(
     check_options(control_net=control_net, box=box)
     kind, default, handed = _argument(curve_of(curve), other)
     ax = axes_for(ax, 2 if kind is PLANE_POINT else 3)
-    bisector = find(as_text(formula, "the name of a formula") or default)
+    name = as_text(formula, "the name of a formula")
+    bisector = find(name or default)
     if bisector.kind is not kind:
         raise FormulaError(
             f"{bisector.name} is not a bisector of these",
