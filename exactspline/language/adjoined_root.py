@@ -8,7 +8,6 @@ follows from σ² = S: ``σ′ = S′ / (2 S) · σ``.
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from typing import cast
 
 from exactspline.errors import FormulaError
@@ -112,17 +111,13 @@ class FramedCurve(Curve[Adjoined]):
     In the plane the operands are ``a + b σ``, in space ``(a + b σ) + (c + e σ) ρ``.
     """
 
-    def __init__(self, curve: Curve[T], roots: dict[str, Adjoined], change: Callable[[T], Adjoined]) -> None:
-        lifted = curve.mapped(change)
-        super().__init__(lifted.p, lifted.w, polynomial=curve.polynomial, point=lifted.point)
-        self.sigma = roots["sigma"]
-        self.rho = roots.get("rho")
+    def __init__(self, curve: Curve[Adjoined], sigma: Adjoined, rho: Adjoined | None = None) -> None:
+        super().__init__(curve.p, curve.w, polynomial=curve.polynomial, gamma=curve.gamma, point=curve.point)
+        self.sigma, self.rho = sigma, rho
 
     def copied(self) -> FramedCurve:
         """A new curve with the same operands and roots."""
-        plain = object.__new__(FramedCurve)
-        vars(plain).update(vars(self))
-        return plain
+        return FramedCurve(self, self.sigma, self.rho)
 
 
 def framed(curve: Curve[T]) -> FramedCurve:
@@ -138,8 +133,6 @@ def framed(curve: Curve[T]) -> FramedCurve:
     first = gamma.d(1)
     sigma = root_of(norm2(first))
     if curve.dimension == 2:
-        return FramedCurve(curve, {"sigma": sigma}, sigma.lifted)
+        return FramedCurve(curve.mapped(sigma.lifted), sigma)
     rho = root_of(sigma.lifted(norm2(cross(first, gamma.d(2)))))
-    return FramedCurve(
-        curve, {"sigma": rho.lifted(sigma), "rho": rho}, lambda operand: rho.lifted(sigma.lifted(operand))
-    )
+    return FramedCurve(curve.mapped(lambda operand: rho.lifted(sigma.lifted(operand))), rho.lifted(sigma), rho)

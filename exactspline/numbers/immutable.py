@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from typing import NoReturn, Self
+from collections.abc import Callable
+from typing import Any, NoReturn, Self
 
 _set = object.__setattr__
 
@@ -38,3 +39,17 @@ def fill(value: Immutable, /, **fields: object) -> None:
     """Set the attributes of a value: at construction, and to store lazily computed ones."""
     for name, content in fields.items():
         _set(value, name, content)
+
+
+def setters(owner: type, *names: str) -> list[Callable[[Any, Any], None]]:
+    """What sets these slots of a class, one function for each: at the construction of values of which so many are made
+    that `fill` would take too long.
+
+    >>> class Point(Immutable):
+    ...     __slots__ = ("x",)
+    >>> (set_x,), origin = setters(Point, "x"), Point()
+    >>> set_x(origin, 0)
+    >>> origin.x
+    0
+    """
+    return [getattr(owner, name).__set__ for name in names]

@@ -13,7 +13,7 @@ Riesenfeld, Bounds on a polynomial, BIT 1981.
 from __future__ import annotations
 
 from contextlib import suppress
-from typing import NamedTuple
+from typing import NamedTuple, Protocol
 
 from flint import fmpz_poly
 
@@ -72,6 +72,34 @@ class LocalPolynomial:
 
 def _local(*coefficients: int) -> LocalPolynomial:
     return LocalPolynomial(fmpz_poly(list(coefficients)))
+
+
+class Zero(Protocol):
+    """A zero inside a segment: a `LocalZero`, or one that is computed when it is asked for."""
+
+    @property
+    def low(self) -> mpq:
+        """The lower end of its interval."""
+
+    @property
+    def high(self) -> mpq:
+        """The upper end of its interval."""
+
+    @property
+    def multiplicity(self) -> int:
+        """Its multiplicity."""
+
+    @property
+    def signs(self) -> tuple[int, int]:
+        """The signs of the form on both sides."""
+
+    @property
+    def factor(self) -> LocalPolynomial:
+        """A factor with this simple zero."""
+
+    @property
+    def changing(self) -> tuple[LocalPolynomial, int]:
+        """A polynomial that changes its sign there, and its sign before."""
 
 
 class LocalZero(NamedTuple):

@@ -12,7 +12,7 @@ from exactspline.numbers.exact import mpq, ratio, to_fmpq
 from exactspline.numbers.exact import sign as sign_of
 from exactspline.numbers.intervals import Interval, sign_of_ball
 from exactspline.polynomials.factors import factorize, greatest_common_divisor
-from exactspline.polynomials.isolation import Isolation, LocalPolynomial, LocalZero, end_signs
+from exactspline.polynomials.isolation import Isolation, LocalPolynomial, LocalZero, Zero, end_signs
 from exactspline.polynomials.refinement import enclosures, sign_at
 
 #: The first precision (bits) of a place, and the one after which a value is suspected to be zero.
@@ -31,7 +31,7 @@ class Place:
 
     __slots__ = ("_ball", "_irreducible", "bits", "interval", "zero")
 
-    def __init__(self, zero: LocalZero) -> None:
+    def __init__(self, zero: Zero) -> None:
         self.zero, self.interval, self.bits = zero, Interval(zero.low, zero.high), 0
         self._irreducible: fmpz_poly | None = None
         self._ball: tuple[int, arb] | None = None

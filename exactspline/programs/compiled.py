@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from typing import Any
+from typing import Any, NamedTuple
 
 from flint import fmpz, fmpz_poly
 
@@ -21,9 +21,16 @@ Run = Callable[
 ]
 
 
+class Output(NamedTuple):
+    """A result of a program: the instruction that computes its polynomial, and its denominator."""
+
+    instruction: int
+    below: Denominator
+
+
 def compiled(
     listed: Sequence[Instruction],
-    outputs: Sequence[tuple[int, Denominator]],
+    outputs: Sequence[Output],
     given: Sequence[int | None],
     groups: Sequence[int],
     multipliers: Sequence[Multiplier],
@@ -35,12 +42,12 @@ def compiled(
     >>> from exactspline.programs.denominators import OfOperand
     >>> load = [Instruction("load", (), (0,)), Instruction("load", (), (1,))]
     >>> below = Denominator.of(OfOperand(0))
-    >>> run = compiled([*load, Instruction("mul", (0, 1))], [(2, below * below)], [0, 1], [0], [])
+    >>> run = compiled([*load, Instruction("mul", (0, 1))], [Output(2, below * below)], [0, 1], [0], [])
     >>> run([[fmpz_poly([1, 1])], [fmpz_poly([2, 3])]], [[fmpz(5)]], [(fmpz(1), fmpz(1))])
     [(3*x^2 + 5*x + 2, 25)]
     """
     constants: dict[str, Any] = {"one": fmpz_poly([1]), "nothing": fmpz_poly([]), "u_plus_v": U_PLUS_V, "fmpz": fmpz}
-    used = needed(listed, [i for i, _ in outputs], given)
+    used = needed(listed, [one.instruction for one in outputs], given)
     own = [i for i in sorted(used) if i not in given]
     lifts = dict.fromkeys(listed[i].numbers[0] for i in own if listed[i].name == "lift")
     lines = [f"m{k} = {_multiplier(multipliers[k])}" for k in lifts]
@@ -48,7 +55,7 @@ def compiled(
     names = [f"t{i}" if i in used else f"unused{k}" for k, i in enumerate(given)]
     names += [f"below{group}" for group in groups]
     below = {}
-    for k, denominator in enumerate(dict.fromkeys(denominator for _, denominator in outputs)):
+    for k, denominator in enumerate(dict.fromkeys(one.below for one in outputs)):
         below[denominator] = f"d{k}"
         lines.append(f"d{k} = {denominator.text}")
     values = [_name(i) if i != ZERO else "nothing" for i, _ in outputs] + [below[d] for _, d in outputs]

@@ -22,7 +22,7 @@ from exactspline.language.ruled import RuledSurface
 from exactspline.language.vector import Vector
 from exactspline.numbers.once import cached_property
 from exactspline.polynomials.tensor_bernstein import stride_for
-from exactspline.programs.compiled import Run, compiled, needed
+from exactspline.programs.compiled import Output, Run, compiled, needed
 from exactspline.programs.denominators import ONE
 from exactspline.programs.inputs import Given, operands_of
 from exactspline.programs.instructions import Instructions
@@ -122,7 +122,7 @@ class Program:
     @cached_property
     def run(self) -> Run:
         """The function over all segments or patches, compiled when it is first needed."""
-        outputs = list(zip(self.outputs, [term.below for term in self.terms], strict=True))
+        outputs = [Output(i, term.below) for i, term in zip(self.outputs, self.terms, strict=True)]
         return compiled(self.instructions.listed, outputs, self._columns, self.groups, self._multipliers)
 
     def _stage(self, reading: ProgramReading, which: int) -> Stage:
@@ -133,7 +133,7 @@ class Program:
         loads = [i for i in loads if reading.recorder.parameters[listed[i].numbers[0]] == own]
         operands = tuple([listed[i].numbers[0] for i in loads])
         groups = tuple([k for k in self.groups if reading.recorder.parameters[k] == own])
-        required = [(listed[i].arguments[0], ONE) for i in spread]
+        required = [Output(listed[i].arguments[0], ONE) for i in spread]
         return Stage(compiled(listed, required, loads, groups, reading.recorder.multipliers), operands, groups, spread)
 
     def __call__(self, argument: Evaluated) -> SplineValue:
@@ -160,7 +160,7 @@ class Program:
         """The terms of the value in one parameter."""
         operands, mesh = given.splines, given.meshes[0]
         below = [operands[k].denominators for k in self.groups]
-        columns: Any = tuple(zip(*self.run([f._polynomials for f in operands], below, mesh.widths), strict=True))
+        columns: Any = tuple(zip(*self.run([f.numerators for f in operands], below, mesh.widths), strict=True))
         inner, count = len(mesh.widths) - 1, len(self.terms)
         continuities = [f.continuity for f in operands] if inner else ()
         return [
@@ -182,10 +182,10 @@ class Program:
         stride = given.stride if highest < given.stride else stride_for(highest)
         polynomials: list[Sequence[fmpz_poly]] = []
         below: list[Sequence[fmpz]] = []
-        for which, (run, operands, groups, brought) in enumerate(self._stages):
-            own = [given.splines[k].denominators for k in groups]
-            made = run([given.splines[k]._polynomials for k in operands], own, meshes[which].widths)
-            for column in list(zip(*made, strict=True))[: len(brought)]:
+        for which, stage in enumerate(self._stages):
+            own = [given.splines[k].denominators for k in stage.groups]
+            made = stage.run([given.splines[k].numerators for k in stage.operands], own, meshes[which].widths)
+            for column in list(zip(*made, strict=True))[: len(stage.spread)]:
                 packed = tuple([c.inflate(stride) for c in column]) if which else column
                 polynomials.append(spread(packed, which, meshes))
             below += [spread(m, which, meshes) for m in own]

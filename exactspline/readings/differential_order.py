@@ -67,7 +67,7 @@ def is_polynomial(formula: Formula, dimension: int) -> bool:
     >>> is_polynomial(f2, 2), is_polynomial(f0, 2)
     (True, False)
     """
-    value = _orders(formula, dimension)
+    value = orders(formula, dimension)
     return all(isinstance(part, Order) for part in (value if isinstance(value, Vector) else [value]))
 
 
@@ -78,7 +78,7 @@ def order_of(formula: Formula, dimension: int) -> int:
     >>> order_of(D3, 3)
     3
     """
-    return _highest(_orders(formula, dimension))
+    return _highest(orders(formula, dimension))
 
 
 def _highest(value: Any) -> int:
@@ -90,7 +90,8 @@ def _highest(value: Any) -> int:
 
 
 @lru_cache(4096)
-def _orders(formula: Formula, dimension: int) -> Any:
+def orders(formula: Formula, dimension: int) -> Any:
+    """The value of a formula in this reading, for curves of a dimension."""
     kind = formula.kind if isinstance(formula, Formula) else CURVE
     return joined(formula(_argument(kind, dimension)))
 

@@ -41,7 +41,7 @@ class Algebraic(Digits):
     _isolating: tuple[fmpz_poly, mpq, mpq] | None
 
     #: The number of digits after which numbers not yet separated are tested for equality.
-    _suspicious = SUSPICIOUS
+    suspicious_digits = SUSPICIOUS
 
     def _annihilator(self) -> fmpz_poly:
         """A polynomial with this zero."""
@@ -117,9 +117,10 @@ class Algebraic(Digits):
 
         Raises `ReachError` if its computation would be too expensive.
         """
-        return [int(x) for x in self._irreducible().coeffs()]
+        return [int(x) for x in self.irreducible_polynomial().coeffs()]
 
-    def _irreducible(self) -> fmpz_poly:
+    def irreducible_polynomial(self) -> fmpz_poly:
+        """The polynomial whose coefficients `minimal_polynomial` lists: shared, not to be changed."""
         if self._minimal is None:
             fill(self, _minimal=self._computed_minimal())
         return cast(fmpz_poly, self._minimal)
@@ -207,7 +208,7 @@ class Algebraic(Digits):
 def _order(x: Algebraic, y: Algebraic | mpq) -> int:
     """The sign of ``x − y``, by enclosures or, if these do not separate the numbers, by polynomials."""
     digits, suspected = 7, False
-    suspicious = max(n._suspicious for n in (x, y) if isinstance(n, Algebraic))
+    suspicious = max(n.suspicious_digits for n in (x, y) if isinstance(n, Algebraic))
     while True:
         a, b = x._enclosed(digits)
         c, d = y._enclosed(digits) if isinstance(y, Algebraic) else (y, y)

@@ -49,7 +49,7 @@ class InBalls(Real):
 
     def _found(self) -> Real | None:
         if self.exactly is not None:
-            return self.exactly()._in_closed_form()
+            return self.exactly().in_closed_form()
         return None if self.transcendental else super()._found()
 
     def _height(self) -> int:

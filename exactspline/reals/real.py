@@ -130,7 +130,7 @@ class Real(Algebraic):
         raise NotImplementedError
 
     def _found(self) -> Real | None:
-        """What `_in_closed_form` returns, decided for the first time."""
+        """What `in_closed_form` returns, decided for the first time."""
         place, top, bottom = self._in_terms()
         leaf = None if place is None or place._operands else place
         if leaf is not None and annihilating.without_quadratic_zero(leaf._annihilator(), top, bottom):
@@ -144,7 +144,7 @@ class Real(Algebraic):
         """
         return 2 * self._height() + 1
 
-    def _in_closed_form(self) -> Real | None:
+    def in_closed_form(self) -> Real | None:
         """The number as a `RationalNumber` or a `Quadratic`, None if it is neither."""
         if isinstance(self._exact, type(mpq())):
             return RationalNumber(self._exact)
@@ -156,7 +156,7 @@ class Real(Algebraic):
         return None if isinstance(self._closed, bool) else cast(Real, self._closed)
 
     def _decided(self) -> mpq | None:
-        closed = self._in_closed_form()
+        closed = self.in_closed_form()
         return closed.value if isinstance(closed, RationalNumber) else None
 
     @property
@@ -169,7 +169,7 @@ class Real(Algebraic):
 
         Raises `ReachError` or `OpenError` where that remains undecided.
         """
-        closed = self._in_closed_form()
+        closed = self.in_closed_form()
         return None if closed is None else closed.closed_form
 
     def is_root_of(self, polynomial: fmpz_poly) -> bool:
@@ -339,7 +339,7 @@ class Expression(Real):
     #: The narrowest enclosure computed so far; a single tuple, so that threads never see ends of different intervals.
     _reached: Interval | None
     #: More digits than for other numbers, because they cost less than the polynomial of a tree.
-    _suspicious = 320
+    suspicious_digits = 320
 
     def __init__(self, operation: Operation, *operands: Real) -> None:
         fill(self, _operation=operation, _operands=operands, _reached=None, **UNASKED)
@@ -403,13 +403,13 @@ class Expression(Real):
 
     def _annihilator(self) -> fmpz_poly:
         if self._operation is _root:
-            return annihilating.square_root_of(self._operands[0]._irreducible())
+            return annihilating.square_root_of(self._operands[0].irreducible_polynomial())
         place, top, bottom = self._in_terms()
         if place is not None and place is not self:
             return annihilating.quotient_at(place._annihilator(), top, bottom)
         for x in _in_order(self, _is_place)[:-1]:
-            x._irreducible()
-        p, q = (x._irreducible() for x in self._operands)
+            x.irreducible_polynomial()
+        p, q = (x.irreducible_polynomial() for x in self._operands)
         if self._operation in (add, sub):
             return annihilating.sum_of(p, q if self._operation is add else annihilating.negated(q))
         return annihilating.product_of(p, q if self._operation is mul else annihilating.inverted(q))
@@ -424,7 +424,7 @@ def _height_of(operation: Operation, *heights: int) -> int:
 
 
 def _closed_leaf(x: Real) -> Real | bool:
-    closed = x._in_closed_form()
+    closed = x.in_closed_form()
     return False if closed is None else closed
 
 
@@ -640,7 +640,7 @@ class Extreme(Real):
         return max(self.among) if self.side > 0 else min(self.among)
 
     def _found(self) -> Real | None:
-        return self._value()._in_closed_form()
+        return self._value().in_closed_form()
 
     def _height(self) -> int:
         return self._value()._height()

@@ -57,15 +57,18 @@ class Answer(Sequence[T_co], Generic[T_co, W]):
     everywhere: tuple[W, ...] = ()
 
     @classmethod
-    def late(cls, count: int, make: Callable[[], tuple[T_co, ...]], everywhere: tuple[W, ...] = ()) -> Self:
-        """An answer of this many points, which are made when they are first asked for.
+    def late(
+        cls, count: int, make: Callable[[], tuple[T_co, ...]], everywhere: tuple[W, ...] = (), **fields: object
+    ) -> Self:
+        """An answer of this many points, which are made when they are first asked for; `fields` are the other ones.
 
         >>> found = Places.late(2, lambda: ("first", "second"))
         >>> len(found), found == Places(("first", "second"))
         (2, True)
         """
-        answer = cls.__new__(cls)
-        vars(answer).update(everywhere=everywhere, _late=(count, make))
+        answer = cls((), everywhere, **fields)
+        object.__delattr__(answer, "points")
+        object.__setattr__(answer, "_late", (count, make))
         return answer
 
     def __getattr__(self, name: str) -> tuple[T_co, ...]:

@@ -11,7 +11,7 @@ from exactspline.numbers.once import cached_property
 from exactspline.polynomials.isolation import LocalPolynomial, LocalZero
 
 
-class LateForm(Protocol):
+class LazyForm(Protocol):
     """A form on a segment, computed when it is asked for."""
 
     @property
@@ -23,17 +23,16 @@ class LateForm(Protocol):
         """Its zeros inside the segment, by exact arithmetic."""
 
 
-class LateZero:
+class LazyRoot:
     """A simple zero inside a segment that is computed exactly when it is asked for: it has the attributes of a
     `LocalZero`. `number` is its number among the zeros of the form; with an interval, it is the only one inside.
     """
 
     multiplicity = 1
 
-    def __init__(self, form: LateForm, number: int, before: int, interval: tuple[float, float] | None = None) -> None:
+    def __init__(self, form: LazyForm, number: int, before: int, interval: tuple[float, float] | None = None) -> None:
         self.form, self.number, self.before, self.signs = form, number, before, (before, -before)
-        if interval is not None:
-            self.low, self.high = map(mpq, interval)
+        self._interval = interval
 
     @cached_property
     def exactly(self) -> LocalZero:
@@ -55,10 +54,20 @@ class LateZero:
         whole = form.polynomial.degree() == 1 or form.without_rational_zero
         return (form, self.before) if whole else self.exactly.changing
 
-    def __getattr__(self, name: str) -> object:
-        if name in LocalZero._fields:
-            return getattr(self.exactly, name)
-        raise AttributeError(name)
+    @property
+    def low(self) -> mpq:
+        """The ends of the interval, as those of a `LocalZero`."""
+        return self.exactly.low if self._interval is None else mpq(self._interval[0])
+
+    @property
+    def high(self) -> mpq:
+        """See `low`."""
+        return self.exactly.high if self._interval is None else mpq(self._interval[1])
+
+    @property
+    def factor(self) -> LocalPolynomial:
+        """A factor of the form with this zero, as that of a `LocalZero`."""
+        return self.exactly.factor
 
     def __reduce__(self) -> tuple[object, ...]:
         return LocalZero, tuple(self.exactly)

@@ -14,7 +14,7 @@ from exactspline.numbers.immutable import fill
 from exactspline.numbers.intervals import Interval
 from exactspline.polynomials.annihilating import linear, primitive
 from exactspline.polynomials.bernstein import in_parameter
-from exactspline.polynomials.isolation import LocalZero
+from exactspline.polynomials.isolation import Zero
 from exactspline.polynomials.refinement import enclosures, sign_at
 from exactspline.reals.algebraic import Algebraic
 from exactspline.reals.real import UNASKED, RationalNumber, Real, zero_of
@@ -55,7 +55,7 @@ class Root(Real, Displayed):
     _reached: Interval
     #: The initial interval: the spline may have other roots at its ends.
     _first: Interval
-    _zero: LocalZero | None
+    _zero: Zero | None
     #: Computed on first use.
     _polynomial: fmpz_poly | None
     #: The multiplicities seen from the two sides, which can differ at a knot; None at an end of the domain.
@@ -72,7 +72,7 @@ class Root(Real, Displayed):
         high: mpq,
         multiplicities: tuple[int | None, int | None],
         signs: tuple[int | None, int | None],
-        zero: LocalZero | None = None,
+        zero: Zero | None = None,
         segment: Interval | None = None,
     ) -> None:
         first = Interval(rational(low), rational(high))
@@ -157,7 +157,7 @@ class Root(Real, Displayed):
 
     def _height(self) -> int:
         """The measure of the polynomial, divided by the least degree that the number can have."""
-        return self._measure() // (3 if self._in_closed_form() is None else 1) + 1
+        return self._measure() // (3 if self.in_closed_form() is None else 1) + 1
 
     def _measure(self) -> int:
         """At least the base-2 logarithm of the Mahler measure of the polynomial."""
@@ -221,13 +221,13 @@ class Root(Real, Displayed):
         while low < high and ((high - low) * scale > 1 or low == self._first[0] or high == self._first[1]):
             for u, v in enclosures(changing, (low - a) / width, (high - a) / width, before, bits):
                 low, high = a + width * u, a + width * v
-                self._keep(low, high)
+                self.narrow_to(low, high)
                 if progress is not None:
                     progress(_digits(high - low, digits))
             bits = 2 * bits + 64
         return Interval(low, high)
 
-    def _keep(self, low: mpq, high: mpq) -> None:
+    def narrow_to(self, low: mpq, high: mpq) -> None:
         """Store an interval, unless another thread has stored a narrower one."""
         if low == high:
             self._set_rational(low)
@@ -261,7 +261,7 @@ class Root(Real, Displayed):
         segment = None if self.segment is None else side.part(self.segment)
         times = self.left_multiplicity, self.right_multiplicity
         root = Root(side.at(self._first.low), side.at(self._first.high), times, self.signs, self._zero, segment)
-        root._keep(side.at(self.low), side.at(self.high))
+        root.narrow_to(side.at(self.low), side.at(self.high))
         return root
 
     # ---- comparisons
@@ -287,7 +287,7 @@ class Root(Real, Displayed):
         sign = self._against_number(t)
         low, high = self._reached
         if sign:
-            self._keep(*((max(low, t), high) if sign > 0 else (low, min(high, t))))
+            self.narrow_to(*((max(low, t), high) if sign > 0 else (low, min(high, t))))
         return sign
 
     def _against_number(self, t: mpq) -> int:
@@ -306,17 +306,11 @@ class Root(Real, Displayed):
 
 
 def _restored(
-    low: mpq,
-    high: mpq,
-    multiplicities: Any,
-    signs: Any,
-    zero: LocalZero | None,
-    segment: Interval | None,
-    reached: Interval,
+    low: mpq, high: mpq, multiplicities: Any, signs: Any, zero: Zero | None, segment: Interval | None, reached: Interval
 ) -> Root:
     """Unpickles a root with its current interval."""
     root = Root(low, high, multiplicities, signs, zero, segment)
-    root._keep(*reached)
+    root.narrow_to(*reached)
     return root
 
 

@@ -166,7 +166,7 @@ def root_at(place: Place, side: Interval) -> Real:
     zero = place.zero
     root = Root(side.at(zero.low), side.at(zero.high), (zero.multiplicity, zero.multiplicity), zero.signs, zero, side)
     low, high = place.interval
-    root._keep(side.at(low), side.at(high))
+    root.narrow_to(side.at(low), side.at(high))
     return root
 
 

@@ -64,13 +64,13 @@ class ValueAt(Real):
         return annihilating.quotient_at(self.place._annihilator(), *self._in_terms()[1:])
 
     def _found(self) -> Real | None:
-        place = self.place._in_closed_form()
+        place = self.place.in_closed_form()
         if place is None:
             return super()._found()
         top, bottom = (
             sum((place**k * rational(c) for k, c in enumerate(p.coeffs())), start=Real(0)) for p in self._in_terms()[1:]
         )
-        return (top / bottom)._in_closed_form()
+        return (top / bottom).in_closed_form()
 
     def _height(self) -> int:
         parts = over_common_denominator([(p.numer(), p.denom()) for p in self._in_terms()[1:]])[0]

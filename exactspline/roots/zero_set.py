@@ -242,7 +242,7 @@ class _Collected:
     def _limit(self, i: int, side: str) -> mpq:
         """The value at the right end of a segment (the limit from the left), or at its left end."""
         f = self.spline
-        c = f._polynomials[i]
+        c = f.numerators[i]
         return ratio(c[f.degree if side == "left" else 0], f.denominators[i]) if c else mpq(0)
 
 

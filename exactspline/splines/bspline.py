@@ -20,7 +20,7 @@ from exactspline.language.operand import CONSTANTS, Constant, checked_order
 from exactspline.language.provenance import DERIVATIVE, DIFFERENCE, MULTIPLE, PRODUCT, SUM, UNIT, Provenance, leaf
 from exactspline.language.rational import RingOperand
 from exactspline.numbers.exact import Number, mpq, rational, text, to_fmpz
-from exactspline.numbers.immutable import Immutable, fill
+from exactspline.numbers.immutable import Immutable, fill, setters
 from exactspline.numbers.intervals import Interval
 from exactspline.numbers.sides import Side
 from exactspline.polynomials.bernstein import (
@@ -35,7 +35,7 @@ from exactspline.polynomials.bernstein import (
 )
 from exactspline.polynomials.cost import LONGEST_LOOP, check_reach, height_bits
 from exactspline.splines import blossom, refinement
-from exactspline.splines.forms import Polynomials
+from exactspline.splines.forms import Polynomials, segmentwise
 from exactspline.splines.inputs import checked_degree, checked_side, exact_row
 from exactspline.splines.knots import SMOOTH, KnotVector, Mesh, clamped, mesh_of
 
@@ -44,34 +44,7 @@ from exactspline.splines.knots import SMOOTH, KnotVector, Mesh, clamped, mesh_of
 LONG, BIT = 256, 4
 
 
-class _Parts:
-    """The fields of a spline; once they are filled in it becomes a `BSpline`, which never changes."""
-
-    __slots__ = (
-        "_derivative",
-        "_knots",
-        "_points",
-        "_polynomials",
-        "continuity",
-        "degree",
-        "denominators",
-        "mesh",
-        "provenance",
-    )
-
-    degree: int
-    mesh: Mesh
-    continuity: tuple[int, ...]
-    #: The forms, with polynomials and denominators separate.
-    _polynomials: tuple[fmpz_poly, ...]
-    denominators: tuple[fmpz, ...]
-    provenance: Provenance
-    _derivative: BSpline | None
-    _knots: KnotVector | None
-    _points: tuple[mpq, ...] | None
-
-
-class BSpline(Immutable, _Parts, RingOperand, FunctionsOutside):
+class BSpline(Immutable, RingOperand, FunctionsOutside):
     """A scalar piecewise polynomial of the given degree over the given knots, with exact control points.
 
     `knots` with full multiplicities, clamped or not; interior multiplicity up to degree + 1 (then the spline may jump).
@@ -85,8 +58,30 @@ class BSpline(Immutable, _Parts, RingOperand, FunctionsOutside):
     Raises `ShapeError`, `KnotError` or `NumberError` with the place of the error.
     """
 
+    __slots__ = (
+        "_derivative",
+        "_knots",
+        "_points",
+        "continuity",
+        "degree",
+        "denominators",
+        "mesh",
+        "numerators",
+        "provenance",
+    )
     equals_quotients: ClassVar[bool] = True
-    __slots__ = ()
+    degree: int
+    mesh: Mesh
+    continuity: tuple[int, ...]
+    #: The integer polynomials of the segments, over `denominators`: shared, so that nobody may change them (of which
+    #: `polynomials` are copies).
+    numerators: tuple[fmpz_poly, ...]
+    denominators: tuple[fmpz, ...]
+    provenance: Provenance
+    # set when they are computed
+    _derivative: BSpline
+    _knots: KnotVector
+    _points: tuple[mpq, ...] | None
 
     def __init__(self, degree: int, knots: Iterable[Number], control_points: Iterable[Number]) -> None:
         degree = checked_degree(degree)
@@ -101,10 +96,9 @@ class BSpline(Immutable, _Parts, RingOperand, FunctionsOutside):
             degree=degree,
             mesh=mesh,
             continuity=continuity,
-            _polynomials=tuple(c for c, _ in forms),
+            numerators=tuple(c for c, _ in forms),
             denominators=tuple(m for _, m in forms),
             provenance=leaf(),
-            _derivative=None,
             _knots=vector,
             _points=points,
         )
@@ -117,18 +111,22 @@ class BSpline(Immutable, _Parts, RingOperand, FunctionsOutside):
         continuity: tuple[int, ...],
         forms: Iterable[Form],
         provenance: Provenance | None = None,
+        *known: Any,
     ) -> BSpline:
-        """The spline with these forms, of which it takes ownership; the caller is responsible for the continuity."""
+        """The spline with these forms, of which it takes ownership, and with knots and control points where they are
+        `known`; the caller is responsible for the continuity.
+        """
         polynomials, denominators = zip(*forms, strict=True)
-        return from_parts(
-            degree, mesh, continuity, polynomials, denominators, leaf() if provenance is None else provenance
-        )
+        provenance = leaf() if provenance is None else provenance
+        return from_parts(degree, mesh, continuity, polynomials, denominators, provenance, *known)
 
     def over_forms(self, mesh: Mesh, forms: Iterable[Form]) -> BSpline:
         """This spline with its forms over other denominators; the caller ensures that they are the same functions."""
-        made = BSpline.from_forms(self.degree, mesh, self.continuity, forms, self.provenance)
-        fill(made, _knots=self._knots, _points=self._points)
-        return made
+        return BSpline.from_forms(self.degree, mesh, self.continuity, forms, self.provenance, *self._known())
+
+    def _known(self) -> tuple[KnotVector | None, tuple[mpq, ...] | None]:
+        """Knots and control points, where they are known."""
+        return getattr(self, "_knots", None), getattr(self, "_points", None)
 
     @classmethod
     def bezier(cls, points: Sequence[Number], a: Number = 0, b: Number = 1) -> BSpline:
@@ -154,7 +152,7 @@ class BSpline(Immutable, _Parts, RingOperand, FunctionsOutside):
     @property
     def polynomials(self) -> Polynomials:
         """The polynomials of the forms, segment by segment: copies."""
-        return Polynomials(self._polynomials)
+        return Polynomials(self.numerators)
 
     @property
     def forms(self) -> tuple[Form, ...]:
@@ -164,7 +162,7 @@ class BSpline(Immutable, _Parts, RingOperand, FunctionsOutside):
     @property
     def knots(self) -> KnotVector:
         """The knots: as given, or for a computed spline clamped."""
-        known = self._knots
+        known: KnotVector | None = getattr(self, "_knots", None)
         if known is None:
             known = clamped(self.mesh, self.continuity, self.degree)
             fill(self, _knots=known)
@@ -173,7 +171,7 @@ class BSpline(Immutable, _Parts, RingOperand, FunctionsOutside):
     @property
     def control_points(self) -> tuple[mpq, ...]:
         """The control points over `knots`."""
-        points = self._points
+        points: tuple[mpq, ...] | None = getattr(self, "_points", None)
         if points is None:
             known = (self.knots.knots, self.degree, self.mesh.breaks, self.segments)
             points = blossom.to_control_points(*known) if self.degree >= 0 else ()
@@ -187,9 +185,7 @@ class BSpline(Immutable, _Parts, RingOperand, FunctionsOutside):
         >>> BSpline(1, [0, 0, 1, 3, 3], [1, 2, 0]).segments
         ((mpq(1,1), mpq(2,1)), (mpq(2,1), mpq(0,1)))
         """
-        return tuple(
-            tuple(bezier(form, self.degree)) for form in zip(self._polynomials, self.denominators, strict=True)
-        )
+        return tuple(tuple(bezier(form, self.degree)) for form in zip(self.numerators, self.denominators, strict=True))
 
     @property
     def domain(self) -> Interval:
@@ -208,9 +204,9 @@ class BSpline(Immutable, _Parts, RingOperand, FunctionsOutside):
 
     def __reduce__(self) -> tuple[object, ...]:
         forms = tuple(
-            (tuple(map(int, c.coeffs())), int(m)) for c, m in zip(self._polynomials, self.denominators, strict=True)
+            (tuple(map(int, c.coeffs())), int(m)) for c, m in zip(self.numerators, self.denominators, strict=True)
         )
-        return _restored, (self.degree, self.mesh, self.continuity, forms, self._knots, self._points)
+        return _restored, (self.degree, self.mesh, self.continuity, forms, *self._known())
 
     def same_representation(self, other: BSpline) -> bool:
         """Whether degree, knots and control points agree (`==` tests only whether the functions agree)."""
@@ -239,7 +235,7 @@ class BSpline(Immutable, _Parts, RingOperand, FunctionsOutside):
                 return refused
             other = self.constant(other)
         a, b = (self, other) if self.mesh is other.mesh else refinement.aligned(self, other)
-        n, p, q = a.degree, a._polynomials, b._polynomials
+        n, p, q = a.degree, a.numerators, b.numerators
         if n != b.degree and n + b.degree > LONG:
             _check_reach(a if n < b.degree else b, abs(n - b.degree), abs(n - b.degree))
         if n < b.degree:
@@ -253,7 +249,7 @@ class BSpline(Immutable, _Parts, RingOperand, FunctionsOutside):
             p, q, denominators = common_denominators(p, denominators, q, b.denominators)
         continuity = a.continuity if a.continuity == b.continuity else tuple(map(min, a.continuity, b.continuity))
         return from_parts(
-            n, a.mesh, continuity, tuple(map(operation, p, q)), denominators, (name, self.provenance, other.provenance)
+            n, a.mesh, continuity, segmentwise(operation, p, q), denominators, (name, self.provenance, other.provenance)
         )
 
     def __mul__(self, other: BSpline | Constant) -> BSpline:
@@ -261,13 +257,13 @@ class BSpline(Immutable, _Parts, RingOperand, FunctionsOutside):
             return self.scaled(other) if isinstance(other, CONSTANTS) else NotImplemented
         a, b = (self, other) if self.mesh is other.mesh else refinement.aligned(self, other)
         if a.degree + b.degree > LONG:
-            _check_reach(a, b.degree, height_bits(b._polynomials))
+            _check_reach(a, b.degree, height_bits(b.numerators))
         return from_parts(
             a.degree + b.degree,
             a.mesh,
             a.continuity if a.continuity == b.continuity else tuple(map(min, a.continuity, b.continuity)),
-            tuple(map(times, a._polynomials, b._polynomials)),
-            tuple(map(times, a.denominators, b.denominators)),
+            segmentwise(times, a.numerators, b.numerators),
+            segmentwise(times, a.denominators, b.denominators),
             (PRODUCT, self.provenance, other.provenance),
         )
 
@@ -280,7 +276,7 @@ class BSpline(Immutable, _Parts, RingOperand, FunctionsOutside):
         else:
             top, bottom = to_fmpz(q.numerator), to_fmpz(q.denominator)
             denominators = self.denominators if bottom == 1 else tuple([m * bottom for m in self.denominators])
-        polynomials = tuple([c * top for c in self._polynomials])
+        polynomials = tuple([c * top for c in self.numerators])
         return from_parts(self.degree, self.mesh, self.continuity, polynomials, denominators, provenance)
 
     def d(self, order: int = 1, *, by: str | None = None) -> BSpline:
@@ -296,7 +292,7 @@ class BSpline(Immutable, _Parts, RingOperand, FunctionsOutside):
         order = checked_order(order)
         result = self
         for _ in range(order):
-            derivative = result._derivative
+            derivative: BSpline | None = getattr(result, "_derivative", None)
             if derivative is None:
                 derivative = _differentiated(result)
                 fill(result, _derivative=derivative)
@@ -317,12 +313,12 @@ class BSpline(Immutable, _Parts, RingOperand, FunctionsOutside):
         """
         t = rational(t)
         i = self.mesh.locate(t, left=checked_side(side))
-        return value((self._polynomials[i], self.denominators[i]), self.degree, self.mesh.local(i, t))
+        return value((self.numerators[i], self.denominators[i]), self.degree, self.mesh.local(i, t))
 
     @property
     def is_zero(self) -> bool:
         """Whether the function is identically zero."""
-        return not any(self._polynomials)
+        return not any(self.numerators)
 
     def __eq__(self, other: object) -> bool:
         """Whether both are the same function on the same domain, whatever their knots and degrees."""
@@ -342,7 +338,7 @@ class BSpline(Immutable, _Parts, RingOperand, FunctionsOutside):
     @property
     def vanishes_somewhere(self) -> bool:
         """Whether it is identically zero on at least one segment."""
-        return not all(self._polynomials)
+        return not all(self.numerators)
 
     def hash_of_quotient(self, numerator: BSpline) -> int:
         """A hash of the limits of the quotient at fixed parameters, which common factors do not change."""
@@ -355,7 +351,7 @@ class BSpline(Immutable, _Parts, RingOperand, FunctionsOutside):
         >>> BSpline.bezier([0, 1, 2, 3]).true_degree
         1
         """
-        return max(true_degree(form, self.degree) for form in zip(self._polynomials, self.denominators, strict=True))
+        return max(true_degree(form, self.degree) for form in zip(self.numerators, self.denominators, strict=True))
 
     # ---- other representations and parts
 
@@ -373,13 +369,16 @@ class BSpline(Immutable, _Parts, RingOperand, FunctionsOutside):
 
 
 _new = object.__new__
+_set_degree, _set_mesh, _set_continuity, _set_numerators, _set_denominators, _set_provenance = setters(
+    BSpline, "degree", "mesh", "continuity", "numerators", "denominators", "provenance"
+)
 
 
 def _check_reach(a: BSpline, degree: int, bits: int) -> None:
     """Raise `ReachError` where products with a polynomial of that degree, whose coefficients have so many bits, take
     too long.
     """
-    total = sum((a.degree + degree) * (p.height_bits() + bits) for p in a._polynomials)
+    total = sum((a.degree + degree) * (p.height_bits() + bits) for p in a.numerators)
     check_reach(BIT * total, lambda: f"a spline of degree {a.degree} times one of degree {degree}", LONGEST_LOOP)
 
 
@@ -396,14 +395,16 @@ def from_parts(
     """The spline with these forms, polynomials and denominators separate, and its knots and control points where
     they are known: it takes ownership of them, and the caller is responsible for the continuity.
     """
-    spline: Any = _new(_Parts)
-    spline.degree, spline.mesh, spline.continuity, spline.provenance = degree, mesh, continuity, provenance
-    spline._polynomials, spline.denominators = polynomials, denominators
-    spline._derivative, spline._knots, spline._points = None, knots, points
-    # setting the class at the end costs a tenth of setting nine fields of an object that refuses to be set
-    spline.__class__ = BSpline
-    made: BSpline = spline
-    return made
+    spline: BSpline = _new(BSpline)
+    _set_degree(spline, degree)
+    _set_mesh(spline, mesh)
+    _set_continuity(spline, continuity)
+    _set_numerators(spline, polynomials)
+    _set_denominators(spline, denominators)
+    _set_provenance(spline, provenance)
+    if knots is not None:
+        fill(spline, _knots=knots, _points=points)
+    return spline
 
 
 def _restored(
@@ -415,9 +416,8 @@ def _restored(
     points: tuple[mpq, ...] | None,
 ) -> BSpline:
     """The unpickled spline, with a new provenance, since numbers of leaves mean nothing in another process."""
-    made = BSpline.from_forms(degree, mesh, continuity, [(fmpz_poly(list(c)), fmpz(m)) for c, m in forms])
-    fill(made, _knots=knots, _points=points)
-    return made
+    made = [(fmpz_poly(list(c)), fmpz(m)) for c, m in forms]
+    return BSpline.from_forms(degree, mesh, continuity, made, None, knots, points)
 
 
 def _differentiated(f: BSpline) -> BSpline:
@@ -426,7 +426,7 @@ def _differentiated(f: BSpline) -> BSpline:
     if n <= 0:
         return from_parts(n - 1, f.mesh, continuity, (fmpz_poly([]),) * len(f.mesh), (ONE,) * len(f.mesh), provenance)
     order = fmpz(n)
-    polynomials = tuple([derivative(c, order) for c in f._polynomials])
+    polynomials = tuple([derivative(c, order) for c in f.numerators])
     if f.mesh.unit:
         return from_parts(n - 1, f.mesh, continuity, polynomials, f.denominators, provenance)
     widths = f.mesh.widths

@@ -78,4 +78,4 @@ def on_one_mesh(splines: Iterable[TensorSpline], letters: tuple[str, str]) -> li
     """
     found = list(splines)
     meshes = named(found[0].meshes, letters)
-    return [make(f.degree, meshes, f.continuity, f.stride, f._own, f.denominators, f.provenance) for f in found]
+    return [make(f.degree, meshes, f.continuity, f.stride, f.numerators, f.denominators, f.provenance) for f in found]

@@ -154,7 +154,7 @@ class Evaluation:
 
     def _made(self, i: int) -> Rows:
         n, ends = self.splines[0].degree, self.mesh.breaks[i : i + 2]
-        forms: list[Form] = [(f._polynomials[i], f.denominators[i]) for f in self.splines]
+        forms: list[Form] = [(f.numerators[i], f.denominators[i]) for f in self.splines]
         polynomials, common = over_common_denominator(forms)
         parts = [in_parameter(c, n, ends) for c in polynomials]
         rows = [[int(c[k]) for k in range(n, -1, -1)] for c, _ in parts]

@@ -1,14 +1,21 @@
-"""The polynomials of a spline, for reading: since FLINT's polynomials can be changed in place, every returned one is a
-copy.
+"""The polynomials of a spline: an operation on those of two splines, and their copies for reading, since FLINT's
+polynomials can be changed in place.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from operator import eq
-from typing import overload
+from typing import TypeVar, overload
 
 from flint import fmpz_poly
+
+T = TypeVar("T")
+
+
+def segmentwise(operation: Callable[[T, T], T], first: Sequence[T], second: Sequence[T]) -> tuple[T, ...]:
+    """The results on all segments or patches; on a single one, as most splines have, without a loop."""
+    return (operation(first[0], second[0]),) if len(first) == 1 else tuple(map(operation, first, second))
 
 
 class Polynomials(Sequence[fmpz_poly]):

@@ -41,7 +41,7 @@ def common_factor(v: Vector[BSpline]) -> BSpline:
     1
     """
     rows = []
-    for parts in zip(*[c._polynomials for c in v], strict=True):
+    for parts in zip(*[c.numerators for c in v], strict=True):
         common = _greatest_common_divisor(parts)
         at_end = min((x.degree - c.degree() for x, c in zip(v, parts, strict=True) if c), default=0)
         rows.append(([common], max(common.degree(), 0) + at_end))
@@ -139,7 +139,7 @@ def without_factor(f: BSpline, w: BSpline, times: int) -> BSpline:
     if w.degree <= 0 or f.is_zero or f.mesh.breaks != w.mesh.breaks:
         return f
     rows = [
-        _without(p, divide_u_plus_v(q, w.degree)[0], times) for p, q in zip(f._polynomials, w._polynomials, strict=True)
+        _without(p, divide_u_plus_v(q, w.degree)[0], times) for p, q in zip(f.numerators, w.numerators, strict=True)
     ]
     if not any(lost for _, lost in rows):
         return f
@@ -170,7 +170,7 @@ def primitive(f: BSpline) -> BSpline:
     """
     if f.is_zero:
         return f
-    polynomials, _ = over_common_denominator(list(zip(f._polynomials, f.denominators, strict=True)))
+    polynomials, _ = over_common_denominator(list(zip(f.numerators, f.denominators, strict=True)))
     content = common_divisor(c.content() for c in polynomials)
     if content != 1:
         polynomials = [c // content for c in polynomials]

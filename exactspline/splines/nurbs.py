@@ -6,7 +6,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
 from functools import partial
-from typing import cast
+from typing import Any, cast
 
 from exactspline.errors import DomainError, ShapeError, WeightError, as_items
 from exactspline.formulas.derivatives import across
@@ -15,7 +15,7 @@ from exactspline.language.arguments import Curve
 from exactspline.language.operand import Operand, checked_order
 from exactspline.language.vector import Vector, norm2, perp
 from exactspline.numbers.exact import Number, from_float, is_float, mpq, rational, sign, text
-from exactspline.numbers.immutable import Immutable
+from exactspline.numbers.immutable import Immutable, fill
 from exactspline.numbers.intervals import Interval
 from exactspline.numbers.once import cached_property
 from exactspline.numbers.sides import Side
@@ -71,7 +71,7 @@ class Nurbs(Immutable, Curve[BSpline], FunctionsOutside):
     source: str
     note: str
     #: What `exactspline.analyse` keeps of it: set once, neither pickled nor compared.
-    _analysis: object = None
+    kept_analysis: object = None
 
     def __init__(
         self,
@@ -157,10 +157,17 @@ class Nurbs(Immutable, Curve[BSpline], FunctionsOutside):
             cls(degree, knots, rows, name=name) if w is None else cls.from_homogeneous(degree, knots, rows, name=name)
         )
 
+    @classmethod
+    def _unchanged(cls, name: str, *data: Any) -> Nurbs:
+        """The curve with exact data of a curve that there is: without another look for zeros of its denominator."""
+        curve = cls.__new__(cls)
+        fill(curve, **_fields(*data), name=name, source="", note="")
+        return curve
+
     # ---- a value
 
     def __setattr__(self, name: str, value: object) -> None:  # type: ignore[override]  # one slot may be set, once
-        if name != "_analysis":
+        if name != "kept_analysis":
             super().__setattr__(name, value)
         vars(self).setdefault(name, value)
 
@@ -185,7 +192,7 @@ class Nurbs(Immutable, Curve[BSpline], FunctionsOutside):
 
     def __call__(self, t: Number, side: Side | str = Side.RIGHT) -> tuple[mpq, ...]:
         """The exact point at a parameter (at a jump the limit from the right, or from the given `side`)."""
-        return self._evaluation.points([rational(t)], left=checked_side(side))[0]
+        return self.evaluation.points([rational(t)], left=checked_side(side))[0]
 
     def points_at(self, ts: Iterable[Number], side: Side | str = Side.RIGHT) -> list[tuple[mpq, ...]]:
         """The exact points at many parameters: what the curve returns for each, in less time.
@@ -195,10 +202,11 @@ class Nurbs(Immutable, Curve[BSpline], FunctionsOutside):
 
         Raises `NumberError` for what is not an exact number, `DomainError` outside the domain.
         """
-        return self._evaluation.points(exact_row(as_items(ts, "parameters"), "parameters"), left=checked_side(side))
+        return self.evaluation.points(exact_row(as_items(ts, "parameters"), "parameters"), left=checked_side(side))
 
     @cached_property
-    def _evaluation(self) -> Evaluation:
+    def evaluation(self) -> Evaluation:
+        """Its splines as integers, from which points and derivatives are computed."""
         return Evaluation(self.p.components, None if self.polynomial else self.w)
 
     def derivative(self, order: int, t: Number, side: Side | str = Side.RIGHT) -> tuple[mpq, ...]:
@@ -211,7 +219,7 @@ class Nurbs(Immutable, Curve[BSpline], FunctionsOutside):
 
         Raises `FormulaError` for a negative order, `DomainError` outside the domain.
         """
-        return self._evaluation.jet(rational(t), checked_order(order), left=checked_side(side))[-1]
+        return self.evaluation.jet(rational(t), checked_order(order), left=checked_side(side))[-1]
 
     def tangent(self, t: Number, side: Side | str = Side.RIGHT) -> tuple[mpq, ...]:
         """γ′ at a rational parameter (see `unit_tangent`).
@@ -279,7 +287,7 @@ class Nurbs(Immutable, Curve[BSpline], FunctionsOutside):
             made = common_rows(self.knots.knots, self.degree, self._columns, mesh_of(self.knots, self.degree)[2])
         if made is None:
             n, splines = self.degree, self._splines
-            columns = [[[int(c[k]) for k in range(n + 1)] for c in f._polynomials] for f in splines]
+            columns = [[[int(c[k]) for k in range(n + 1)] for c in f.numerators] for f in splines]
             below = map(int, splines[0].denominators)
             made = [(own, m) for *own, m in zip(*columns, below, strict=True)]
         return tuple((tuple(map(tuple, own)), m) for own, m in made)
@@ -330,11 +338,11 @@ class Nurbs(Immutable, Curve[BSpline], FunctionsOutside):
         t = self.knots.knots
         if t[0] == t[self.degree] and t[-1] == t[-1 - self.degree]:
             return self.control_points[0] == self.control_points[-1]
-        w, n = self.w._polynomials, self.w.degree
+        w, n = self.w.numerators, self.w.degree
         # each end has the denominators of one segment, so that only the integers at the ends matter
         start, end = w[0][0] * self.w.denominators[-1], w[-1][n] * self.w.denominators[0]
         return all(
-            x._polynomials[0][0] * x.denominators[-1] * end == x._polynomials[-1][x.degree] * x.denominators[0] * start
+            x.numerators[0][0] * x.denominators[-1] * end == x.numerators[-1][x.degree] * x.denominators[0] * start
             for x in self.p
         )
 
@@ -360,9 +368,7 @@ class Nurbs(Immutable, Curve[BSpline], FunctionsOutside):
         mesh, continuity, _ = mesh_of(self.knots, self.degree)
         t, _ = insertable(self.degree, mesh, continuity, t, times)
         knots, points, weights = inserted(self.knots, self.degree, self.control_points, self.weights, t, times)
-        curve = object.__new__(Nurbs)
-        vars(curve).update(_fields(self.degree, knots, points, weights), name=self.name, source="", note="")
-        return curve
+        return Nurbs._unchanged(self.name, self.degree, knots, points, weights)
 
     def elevate_degree(self, by: int = 1) -> Nurbs:
         """The same curve, its degree raised.
@@ -447,7 +453,7 @@ def _check_weight(w: BSpline) -> None:
         return WeightError(f"the denominator w {problem} {at}", where="weights", remedy=remedy, witness=(low, high))
 
     before = 0
-    for c, a, b in zip(w._polynomials, w.breakpoints, w.breakpoints[1:], strict=False):
+    for c, a, b in zip(w.numerators, w.breakpoints, w.breakpoints[1:], strict=False):
         witness = zero_on_segment(c, w.degree)
         if witness is not None:
             raise refused("has a zero", *Interval(a, b).part(witness))

@@ -18,7 +18,7 @@ from exactspline.language.rational import Rational
 from exactspline.language.surface_kind import BOTH, Surface
 from exactspline.language.vector import Vector
 from exactspline.numbers.exact import Number, mpq, rational
-from exactspline.numbers.immutable import Immutable
+from exactspline.numbers.immutable import Immutable, fill
 from exactspline.numbers.intervals import UNIT, Box
 from exactspline.polynomials.patch_forms import PatchForm, Sized, halved
 from exactspline.splines.bspline import BSpline
@@ -181,8 +181,9 @@ class NurbsSurface(Immutable, Surface[TensorSpline], FunctionsOutside):
         first = scale[0][0]
         polynomial = first != 0 and all(x == first for row in scale for x in row)
         p, w = _splines(degrees, vectors, net, None if polynomial else scale)
-        vars(self).update(
-            vars(Surface(p, w, polynomial=polynomial)),
+        fill(
+            self,
+            **vars(Surface(p, w, polynomial=polynomial)),
             degree=degrees,
             knots=vectors,
             control_points=net,

@@ -22,13 +22,14 @@ from exactspline.language.operand import CONSTANTS, Constant, checked_order
 from exactspline.language.provenance import DIFFERENCE, MULTIPLE, PRODUCT, SUM, Provenance, leaf
 from exactspline.language.rational import RingOperand
 from exactspline.numbers.exact import Number, mpq, over_one_denominator, rational, text, to_fmpz
-from exactspline.numbers.immutable import Immutable, fill
+from exactspline.numbers.immutable import Immutable, fill, setters
 from exactspline.numbers.intervals import Box, Interval
 from exactspline.polynomials import tensor_bernstein
 from exactspline.polynomials.bernstein import common_denominators, primitive, raiser
 from exactspline.polynomials.patch_forms import PatchForm
 from exactspline.splines import refinement
 from exactspline.splines.bspline import BSpline
+from exactspline.splines.forms import segmentwise
 from exactspline.splines.inputs import exact_row
 from exactspline.splines.knots import KnotVector, Mesh, clamped
 from exactspline.splines.tensor_net import (
@@ -104,13 +105,12 @@ class TensorSpline(Immutable, TensorParts, RingOperand):
             profile=None,
             _packed={stride: tuple(c for c, _ in forms)},
             _denominators=tuple(d for _, d in forms),
-            _points=None,
         )
 
     def __reduce__(self) -> tuple[object, ...]:
         if self.profile is not None:
             return lifted, (self.profile[1], self.meshes, self.profile[0], self.stride)
-        forms = tuple((tuple(map(int, c.coeffs())), int(m)) for c, m in zip(self._own, self.denominators))
+        forms = tuple((tuple(map(int, c.coeffs())), int(m)) for c, m in zip(self.numerators, self.denominators))
         return _restored, (tuple(self.degree), self.meshes, self.continuity, self.stride, forms)
 
     # ---- representation
@@ -129,7 +129,7 @@ class TensorSpline(Immutable, TensorParts, RingOperand):
     @property
     def control_points(self) -> tuple[tuple[mpq, ...], ...]:
         """The control net over `knots`, rows along s."""
-        points = self._points
+        points: tuple[tuple[mpq, ...], ...] | None = getattr(self, "_points", None)
         if points is None:
             nets = [[self.bezier_net(i, j) for j in range(len(self.meshes[1]))] for i in range(len(self.meshes[0]))]
             points = control_net(self.knots, self.degree, self.meshes, nets)
@@ -144,7 +144,7 @@ class TensorSpline(Immutable, TensorParts, RingOperand):
     def bezier_net(self, i: int, j: int) -> list[list[mpq]]:
         """The Bézier points of the patch over segment i of s and segment j of t."""
         at = i * len(self.meshes[1]) + j
-        return tensor_bernstein.bezier_net((self._own[at], self.denominators[at]), self.degree, self.stride)
+        return tensor_bernstein.bezier_net((self.numerators[at], self.denominators[at]), self.degree, self.stride)
 
     def patch(self, i: int, j: int) -> Box:
         """The rectangle of the patch over segment i of s and segment j of t."""
@@ -194,7 +194,7 @@ class TensorSpline(Immutable, TensorParts, RingOperand):
             return lifted(operation(shared[1], shared[2]), a.meshes, shared[0], stride)
         degree = a.degree
         if degree == b.degree:
-            p, q = a._packed.get(stride) or a._at_stride(stride), b._packed.get(stride) or b._at_stride(stride)
+            p, q = a.at_stride(stride), b.at_stride(stride)
         else:
             degree = degree.max(b.degree)
             p, q = _elevated(a, degree, stride), _elevated(b, degree, stride)
@@ -207,7 +207,7 @@ class TensorSpline(Immutable, TensorParts, RingOperand):
             a.meshes,
             continuity,
             stride,
-            tuple(map(operation, p, q)),
+            segmentwise(operation, p, q),
             denominators,
             (name, self.provenance, right.provenance),
         )
@@ -226,15 +226,14 @@ class TensorSpline(Immutable, TensorParts, RingOperand):
         (m, n), (k, h) = a.degree, b.degree
         if m + k >= stride:
             stride = tensor_bernstein.stride_for(m + k)
+        p, q = a.at_stride(stride), b.at_stride(stride)
         return make(
             _tuple(Degrees, (m + k, n + h)),
             a.meshes,
             a.continuity if a.continuity == b.continuity else _lower(a, b),
             stride,
-            tuple(
-                map(times, a._packed.get(stride) or a._at_stride(stride), b._packed.get(stride) or b._at_stride(stride))
-            ),
-            tuple(map(times, a.denominators, b.denominators)),
+            segmentwise(times, p, q),
+            segmentwise(times, a.denominators, b.denominators),
             (PRODUCT, self.provenance, other.provenance),
         )
 
@@ -245,7 +244,7 @@ class TensorSpline(Immutable, TensorParts, RingOperand):
         q = rational(constant)
         top, bottom = to_fmpz(q.numerator), to_fmpz(q.denominator)
         denominators = self.denominators if bottom == 1 else tuple([m * bottom for m in self.denominators])
-        polynomials = self._own if top == 1 else tuple([c * top for c in self._own])
+        polynomials = self.numerators if top == 1 else tuple([c * top for c in self.numerators])
         provenance = (MULTIPLE, self.provenance, q)
         return make(self.degree, self.meshes, self.continuity, self.stride, polynomials, denominators, provenance)
 
@@ -304,7 +303,7 @@ class TensorSpline(Immutable, TensorParts, RingOperand):
         i, j = self.meshes[0].locate(s), self.meshes[1].locate(t)
         at = i * len(self.meshes[1]) + j
         place = self.meshes[0].local(i, s), self.meshes[1].local(j, t)
-        return tensor_bernstein.evaluated(self._own[at], self.denominators[at], self.degree, self.stride, *place)
+        return tensor_bernstein.evaluated(self.numerators[at], self.denominators[at], self.degree, self.stride, *place)
 
     def at_t(self, t: Number) -> BSpline:
         """The iso-curve of constant t, a spline in s."""
@@ -321,7 +320,7 @@ class TensorSpline(Immutable, TensorParts, RingOperand):
     @property
     def is_zero(self) -> bool:
         """Whether the function is identically zero."""
-        return not any(self._own)
+        return not any(self.numerators)
 
     def __eq__(self, other: object) -> bool:
         """Whether both are the same function on the same rectangle, whatever their knots and degrees."""
@@ -335,7 +334,7 @@ class TensorSpline(Immutable, TensorParts, RingOperand):
     @property
     def vanishes_somewhere(self) -> bool:
         """Whether it is identically zero on at least one patch."""
-        return not all(self._own)
+        return not all(self.numerators)
 
     def hash_of_quotient(self, numerator: TensorSpline) -> int:
         """A hash of the rectangle only, which equal quotients share: at a point a common factor may vanish."""
@@ -393,12 +392,16 @@ class TensorSpline(Immutable, TensorParts, RingOperand):
             return lifted(self.profile[1], meshes, 1 - self.profile[0])
         degree, stride = Degrees(self.degree.t, self.degree.s), tensor_bernstein.stride_for(self.degree.t)
         order = [i * len(meshes[0]) + j for j in range(len(meshes[0])) for i in range(len(meshes[1]))]
-        own, denominators = self._own, self.denominators
+        own, denominators = self.numerators, self.denominators
         polynomials = tuple(tensor_bernstein.transposed(own[k], self.stride, self.degree.t, stride) for k in order)
         return make(degree, meshes, continuity, stride, polynomials, tuple(denominators[k] for k in order), leaf())
 
 
 _new, _tuple = object.__new__, tuple.__new__
+_set_degree, _set_meshes, _set_continuity, _set_stride, _set_profile, _set_provenance = setters(
+    TensorParts, "degree", "meshes", "continuity", "stride", "profile", "provenance"
+)
+_set_packed, _set_denominators = setters(TensorParts, "_packed", "_denominators")
 
 
 def make(
@@ -411,19 +414,16 @@ def make(
     provenance: Provenance,
 ) -> TensorSpline:
     """The spline with these packed polynomials; the caller is responsible for the continuity."""
-    spline: Any = _new(TensorParts)
-    spline.degree, spline.meshes, spline.continuity, spline.stride, spline.provenance = (
-        degree,
-        meshes,
-        continuity,
-        stride,
-        provenance,
-    )
-    spline._packed, spline._denominators = {stride: polynomials}, denominators
-    spline.profile = spline._points = None
-    spline.__class__ = TensorSpline  # see `exactspline.splines.bspline`
-    made: TensorSpline = spline
-    return made
+    spline: TensorSpline = _new(TensorSpline)
+    _set_degree(spline, degree)
+    _set_meshes(spline, meshes)
+    _set_continuity(spline, continuity)
+    _set_stride(spline, stride)
+    _set_provenance(spline, provenance)
+    _set_packed(spline, {stride: polynomials})
+    _set_denominators(spline, denominators)
+    _set_profile(spline, None)
+    return spline
 
 
 def _restored(
@@ -441,10 +441,10 @@ def _restored(
 def _elevated(f: TensorSpline, degree: Degrees, stride: int) -> tuple[fmpz_poly, ...]:
     """The packed polynomials raised to a degree."""
     if f.degree == degree:
-        return f._at_stride(stride)
+        return f.at_stride(stride)
     lift = raiser(degree.s - f.degree.s) * raiser(degree.t - f.degree.t).inflate(stride)
     if f.profile is None:
-        return tuple([c * lift for c in f._at_stride(stride)])
+        return tuple([c * lift for c in f.at_stride(stride)])
     return spread(tuple([c * lift for c in packed_segments(f.profile, stride)]), f.profile[0], f.meshes)
 
 
@@ -480,21 +480,20 @@ def lifted(spline: BSpline, meshes: tuple[Mesh, Mesh], direction: int, stride: i
     >>> lifted(f, (f.mesh, Mesh([mpq(0), mpq(1)])), 0)("1/2", "1/3")
     mpq(1,4)
     """
-    result: Any = _new(TensorParts)
-    n = spline.degree
+    n, made = spline.degree, _new(TensorSpline)
     if direction == 0:
-        result.degree, result.continuity = _tuple(Degrees, (n, 0)), (spline.continuity, smooth(len(meshes[1].widths)))
-        result.stride = stride if n < stride else tensor_bernstein.stride_for(n)
+        _set_degree(made, _tuple(Degrees, (n, 0)))
+        _set_continuity(made, (spline.continuity, smooth(len(meshes[1].widths))))
+        stride = stride if n < stride else tensor_bernstein.stride_for(n)
     else:
-        result.degree, result.continuity, result.stride = (
-            _tuple(Degrees, (0, n)),
-            (smooth(len(meshes[0].widths)), spline.continuity),
-            stride,
-        )
-    result.meshes, result.provenance, result.profile = meshes, spline.provenance, (direction, spline)
-    result._packed, result._points, result._denominators = {}, None, None
-    result.__class__ = TensorSpline
-    made: TensorSpline = result
+        _set_degree(made, _tuple(Degrees, (0, n)))
+        _set_continuity(made, (smooth(len(meshes[0].widths)), spline.continuity))
+    _set_meshes(made, meshes)
+    _set_stride(made, stride)
+    _set_provenance(made, spline.provenance)
+    _set_packed(made, {})
+    _set_denominators(made, None)
+    _set_profile(made, (direction, spline))
     return made
 
 

@@ -52,7 +52,7 @@ def in_lowest_terms(value: Rational[TensorSpline]) -> Rational[TensorSpline]:
     w = scalars[-1]
     stride = max(s.stride for s in scalars)
     lowest = []
-    columns = [zip(s._at_stride(stride), s.denominators, strict=True) for s in scalars]
+    columns = [zip(s.at_stride(stride), s.denominators, strict=True) for s in scalars]
     for at, forms in enumerate(zip(*columns, strict=True)):
         polynomials, _ = over_common_denominator(forms)
         if not polynomials[-1]:

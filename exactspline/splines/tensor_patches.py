@@ -27,7 +27,7 @@ T = TypeVar("T")
 def packed_segments(profile: Profile, stride: int) -> tuple[fmpz_poly, ...]:
     """The packed polynomials, one per segment."""
     direction, spline = profile
-    return tuple([c.inflate(stride) for c in spline._polynomials]) if direction else spline._polynomials
+    return tuple([c.inflate(stride) for c in spline.numerators]) if direction else spline.numerators
 
 
 def spread(values: tuple[T, ...], direction: int, meshes: tuple[Mesh, Mesh]) -> tuple[T, ...]:
@@ -120,7 +120,7 @@ Parts = tuple[Degrees, tuple[Mesh, Mesh], Continuity, int, tuple[fmpz_poly, ...]
 
 
 class TensorParts:
-    """The fields of a spline in two parameters; filled in, it becomes a `TensorSpline`, which does not change."""
+    """The fields of a spline in two parameters (see `exactspline.splines.tensor.TensorSpline`)."""
 
     __slots__ = (
         "_denominators",
@@ -148,14 +148,15 @@ class TensorParts:
     #: needed.
     _packed: dict[int, tuple[fmpz_poly, ...]]
     _denominators: tuple[fmpz, ...] | None
-    _points: tuple[tuple[mpq, ...], ...] | None
+    #: Set when they are computed.
+    _points: tuple[tuple[mpq, ...], ...]
 
-    def _at_stride(self, stride: int) -> tuple[fmpz_poly, ...]:
+    def at_stride(self, stride: int) -> tuple[fmpz_poly, ...]:
         """The packed polynomials of all patches, t running faster; the stride must have room for the degree."""
         found = self._packed.get(stride)
         if found is None:
             if self.profile is None:
-                found = tuple(tensor_bernstein.repacked(c, self.stride, stride) for c in self._own)
+                found = tuple(tensor_bernstein.repacked(c, self.stride, stride) for c in self.numerators)
             else:
                 found = spread(packed_segments(self.profile, stride), self.profile[0], self.meshes)
             self._packed[stride] = found
@@ -164,11 +165,12 @@ class TensorParts:
     @property
     def polynomials(self) -> Polynomials:
         """The packed polynomials at the current stride, as copies; zero where the spline is zero."""
-        return Polynomials(self._own)
+        return Polynomials(self.numerators)
 
     @property
-    def _own(self) -> tuple[fmpz_poly, ...]:
-        return self._at_stride(self.stride)
+    def numerators(self) -> tuple[fmpz_poly, ...]:
+        """The packed polynomials at the current stride: shared, not to be changed (`polynomials` are copies)."""
+        return self.at_stride(self.stride)
 
     @property
     def denominators(self) -> tuple[fmpz, ...]:
@@ -186,7 +188,7 @@ Z_MINUS_1 = fmpz_poly([-1, 1])
 
 def derived(f: TensorParts, direction: int) -> Parts:
     """The parts of the derivative by one parameter (0: the first), in which the degree is positive."""
-    polynomials = [derivative(c, f.stride, f.degree, direction) for c in f._own]
+    polynomials = [derivative(c, f.stride, f.degree, direction) for c in f.numerators]
     denominators = f.denominators
     if not f.meshes[direction].unit:
         widths = spread(f.meshes[direction].widths, direction, f.meshes)
@@ -200,11 +202,11 @@ def derived(f: TensorParts, direction: int) -> Parts:
 
 def true_degrees(f: TensorParts) -> Degrees:
     """Largest degree in each parameter, over the patches, of the polynomials themselves (−1 for zero)."""
-    if not any(f._own):
+    if not any(f.numerators):
         return Degrees(-1, -1)
     m, n = f.degree
-    in_s = (row for c in f._own for row in rows(c, f.stride, n))
-    in_t = (column for c in f._own for column in columns(c, f.stride, m))
+    in_s = (row for c in f.numerators for row in rows(c, f.stride, n))
+    in_t = (column for c in f.numerators for column in columns(c, f.stride, m))
     return Degrees(m - _multiplicity(in_s), n - _multiplicity(in_t))
 
 
@@ -229,13 +231,13 @@ def lowered(f: TensorParts, by_s: int, by_t: int) -> Parts | None:
     degree = Degrees(m - by_s, n - by_t)
     if len(f.denominators) > 1 or min(by_s, by_t, *true) < 0 or degree.max(true) != degree:
         return None
-    c, below = primitive((without_powers(f._own[0], f.stride, (by_s, by_t)), f.denominators[0]))
+    c, below = primitive((without_powers(f.numerators[0], f.stride, (by_s, by_t)), f.denominators[0]))
     return degree, f.meshes, f.continuity, f.stride, (c,), (below,)
 
 
 def lines(f: TensorParts) -> list[list[BSpline]]:
     """For each segment of s and each power of its local parameter the coefficients, as splines in t."""
-    columns, own = len(f.meshes[1]), f._own
+    columns, own = len(f.meshes[1]), f.numerators
     found = []
     for i in range(len(f.meshes[0])):
         patches = range(i * columns, (i + 1) * columns)
@@ -259,7 +261,7 @@ def joined(found: list[list[BSpline]], old: TensorParts) -> Parts:
     polynomials, denominators = [], []
     for own in found:
         for j in range(len(first.mesh)):
-            rows, denominator = over_common_denominator([(line._polynomials[j], line.denominators[j]) for line in own])
+            rows, denominator = over_common_denominator([(line.numerators[j], line.denominators[j]) for line in own])
             polynomials.append(
                 tensor_bernstein.packed([fmpz_poly([row[k] for row in rows]) for k in range(first.degree + 1)], stride)
             )

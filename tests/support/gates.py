@@ -461,6 +461,31 @@ def caught_whole(tree: ast.Module) -> Iterator[str]:
             yield place
 
 
+# ---- what is private
+
+
+def foreign_private_names(tree: ast.Module, allowed: Iterable[str]) -> Iterator[str]:
+    """Private names that a module asks of another: attributes that none of its classes and functions has or uses of
+    itself, and imported names.
+    """
+    own = set(allowed)
+    for node in nodes(tree):
+        if isinstance(node, (ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef)):
+            own.add(node.name)
+        elif isinstance(node, ast.Attribute) and isinstance(node.value, ast.Name) and node.value.id in ("self", "cls"):
+            own.add(node.attr)
+        elif isinstance(node, (ast.Assign, ast.AnnAssign)):
+            targets = node.targets if isinstance(node, ast.Assign) else [node.target]
+            own |= {each.id for target in targets for each in ast.walk(target) if isinstance(each, ast.Name)}
+    for place, node in scopes(tree):
+        asked = [node.attr] if isinstance(node, ast.Attribute) else []
+        if isinstance(node, ast.ImportFrom):
+            asked = [alias.name for alias in node.names]
+        for name in asked:
+            if name.startswith("_") and not name.endswith("__") and name not in own:
+                yield f"{place}: {name}"
+
+
 # ---- law 7: what is in the wheel
 
 

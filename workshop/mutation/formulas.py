@@ -23,7 +23,7 @@ from exactspline.language.surface_kind import BOTH
 from exactspline.numbers.exact import mpq
 from exactspline.papers import papers
 from exactspline.readings.degree import DegreeReading
-from exactspline.readings.differential_order import _orders, order_of
+from exactspline.readings.differential_order import order_of, orders
 from exactspline.readings.rational_jet import RationalJetReading
 from exactspline.readings.taylor_surface import DoubleSeries
 from exactspline.verification.claim import Claim
@@ -201,10 +201,10 @@ def judged(chosen: list[Mutant], seconds: float, jobs: int) -> Iterator[tuple[Mu
             if refutation := next(filter(None, (refuted(claim, made) for claim in chosen_claims)), ""):
                 return {"verdict": "killed", "by": refutation}
         changed, live(*place).__code__ = live(*place).__code__, original
-        _orders.cache_clear()  # the order of a changed formula, which may be lower
+        orders.cache_clear()  # the order of a changed formula, which may be lower
         before = list(_meanings(place))
         live(*place).__code__ = changed
-        _orders.cache_clear()
+        orders.cache_clear()
         return {"verdict": "equivalent" if before == list(_meanings(place)) else "survived"}
 
     yield from forked(chosen, work, seconds, jobs)

@@ -110,8 +110,7 @@ class Analysis(SpaceFacts, Displayed):
     @property
     def decided_in_doubles(self) -> bool | None:
         """Whether the certified filter decided the zeros of κ and of κ′; None where it was not asked."""
-        asked = self._known.get("_certain", self)
-        return None if asked is self else asked is not None
+        return self._certain is not None if "_certain" in self._known else None
 
     @question(*CURVES, proof=lambda facts: facts.zero_form(facts.critical_form).zeros)
     def critical_points(self) -> Places[Feature]:

@@ -163,10 +163,10 @@ class Kept(Remembers):
 def kept_by(curve: Nurbs) -> Kept:
     """What a curve keeps of itself: it belongs to the curve, and is no part of its value."""
     with _LOCK.held():
-        if curve._analysis is None:
-            curve._analysis = Kept()
-        assert isinstance(curve._analysis, Kept)
-        return curve._analysis
+        if curve.kept_analysis is None:
+            curve.kept_analysis = Kept()
+        assert isinstance(curve.kept_analysis, Kept)
+        return curve.kept_analysis
 
 
 class Facts(Remembers):
@@ -184,7 +184,7 @@ class Facts(Remembers):
         change their sign with it.
         """
         curve = self.curve
-        negative = curve.w._polynomials[0][0] < 0
+        negative = curve.w.numerators[0][0] < 0
         return Curve(-curve.p if negative else curve.p, -curve.w if negative else curve.w, polynomial=curve.polynomial)
 
     @Fact
@@ -210,9 +210,7 @@ class Facts(Remembers):
         {"plane": plane, "space": space}[made.curve](self.curve)
 
         def form() -> BSpline:
-            value = made.on(self.operands, variant, self.value_of, self.lowest_of)
-            assert isinstance(value, BSpline)
-            return value
+            return made.form_on(self.operands, variant, self.value_of, self.lowest_of)
 
         return self.once((name, variant), lambda: self.solved(form))
 
@@ -279,7 +277,7 @@ class Facts(Remembers):
     @Fact
     def standing(self) -> tuple[bool, ...]:
         """Segment by segment, whether the curve stands still."""
-        return tuple([not any(parts) for parts in zip(*[x._polynomials for x in self.velocity], strict=True)])
+        return tuple([not any(parts) for parts in zip(*[x.numerators for x in self.velocity], strict=True)])
 
     @Fact
     def ends(self) -> Ends:
@@ -401,7 +399,7 @@ class Facts(Remembers):
         resting = [joint for joint in map(self._joint, self._knots_at_rest) if joint.kind is JointKind.SINGULAR]
         knots = [Feature(self._singular_kind(joint), knot_root(joint.parameter), "D1") for joint in resting]
         if not self.closed:
-            ends = [(x._polynomials, x.degree) for x in self.velocity]
+            ends = [(x.numerators, x.degree) for x in self.velocity]
             stands = all(c[0][0] == 0 for c, _ in ends), all(c[-1][n] == 0 for c, n in ends)
             where = [t for t, still in zip((self.breaks[0], self.breaks[-1]), stands, strict=True) if still]
             knots += [Feature(FeatureKind.SINGULAR_END, knot_root(t), "D1") for t in where]
@@ -447,13 +445,13 @@ class Facts(Remembers):
         """
         return all(
             any(c and variations(c) == 0 for c in parts) or bool(parts[0] and certainly_coprime(parts[0], parts[1]))
-            for parts in zip(*[x._polynomials for x in self.velocity], strict=True)
+            for parts in zip(*[x.numerators for x in self.velocity], strict=True)
         )
 
     @property
     def _knots_at_rest(self) -> list[int]:
         """The breakpoints, including a closed curve's seam, at which γ′ = 0 on at least one side."""
-        ends = [(x._polynomials, x.degree) for x in self.velocity]
+        ends = [(x.numerators, x.degree) for x in self.velocity]
         count = len(self.breaks) - 1
         return [
             i

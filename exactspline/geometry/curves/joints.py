@@ -104,7 +104,7 @@ def end_direction(curve: Curve[BSpline], segment: int, side: Side | str) -> tupl
 
 def _last_two(x: BSpline, segment: int, n: fmpz, side: Side | str) -> tuple[fmpz, fmpz]:
     """The last (or first) two Bézier ordinates of a form, n times over its denominator."""
-    c, degree = x._polynomials[segment], x.degree
+    c, degree = x.numerators[segment], x.degree
     return (c[degree - 1], n * c[degree]) if side == Side.LEFT else (n * c[0], c[1])
 
 
@@ -112,7 +112,7 @@ def _end(f: BSpline, segment: int, side: Side | str) -> mpq:
     """The value of a spline at an end of a segment."""
     if f.degree < 0:
         return mpq(0)
-    return ratio(f._polynomials[segment][f.degree if side == Side.LEFT else 0], f.denominators[segment])
+    return ratio(f.numerators[segment][f.degree if side == Side.LEFT else 0], f.denominators[segment])
 
 
 def same_direction(a: Sequence[N], b: Sequence[N]) -> bool:

@@ -114,7 +114,7 @@ def signed_square(curve: Nurbs, t: mpq, *, left: bool) -> tuple[int, int, int]:
     >>> signed_square(Nurbs(2, [0, 0, 0, 1, 1, 1], [(0, 0), ("1/2", 0), (1, 1)]), mpq(1, 2), left=False)
     (1, 67108864, 134217728)
     """
-    *p, (w, slope, bend) = curve._evaluation.numbers(t, 2, left=left)
+    *p, (w, slope, bend) = curve.evaluation.numbers(t, 2, left=left)
     first, second = (Vector(*[w * row[k] - of_w * row[0] for row in p]) for k, of_w in ((1, slope), (2, bend)))
     if curve.dimension == 3:
         sign, turned = 1, norm2(cross(first, second))

@@ -119,21 +119,32 @@ class Construction:
         value_of: Values | None = None,
         lowest_of: Values | None = None,
     ) -> BSpline | SplineVector:
-        """The object on a curve; for a zero-set problem only its numerator. `value_of` evaluates formulas on the curve,
-        and `lowest_of` at their true degree.
-
-        The minimal form of a zero-set problem has the sign of the first form, whatever the sign of w, and loses the
-        factors it shares with w; where there are none its continuity is that of the lifted form. A quotient is reduced
-        segment by segment.
+        """The object on a curve: of a zero-set problem its form, otherwise its value, of which the minimal one is
+        reduced segment by segment. `value_of` evaluates formulas on the curve, and `lowest_of` at their true degree.
         """
+        if self.zero_set:
+            return self.form_on(curve, variant, value_of, lowest_of)
+        value = (value_of or (lambda formula: formula(curve)))(self.formula(variant))
+        return cast("BSpline | SplineVector", joined(in_lowest_terms(value) if variant == Variant.MINIMAL else value))
+
+    def form_on(
+        self,
+        curve: Curve[BSpline],
+        variant: Variant | str,
+        value_of: Values | None = None,
+        lowest_of: Values | None = None,
+    ) -> BSpline:
+        """The form whose zeros a zero-set problem asks for: the numerator of a variant, or the minimal form."""
         value_of = value_of or (lambda formula: formula(curve))
-        if variant != Variant.MINIMAL:
-            value = value_of(self.formula(variant))
-            return cast("BSpline | SplineVector", numerator(value) if self.zero_set else joined(value))
-        if not self.zero_set:
-            return cast("BSpline | SplineVector", joined(in_lowest_terms(value_of(self.formula(variant)))))
-        power = self.power_of_w(variant)
-        form = (lowest_of or value_of)(self.formula(variant))
+        if variant == Variant.MINIMAL:
+            return self._minimal_form(curve, lowest_of or value_of)
+        return cast(BSpline, numerator(value_of(self.formula(variant))))
+
+    def _minimal_form(self, curve: Curve[BSpline], value_of: Values) -> BSpline:
+        """The form with the sign of the first one, whatever the sign of w, without the factors it shares with w; where
+        there are none its continuity is that of the lifted form.
+        """
+        power, form = self.power_of_w(Variant.MINIMAL), value_of(self.formula(Variant.MINIMAL))
         assert isinstance(form, BSpline)
         if power % 2 and curve.w.polynomials[0][0] < 0:
             form = -form

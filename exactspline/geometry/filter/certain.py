@@ -28,7 +28,7 @@ from exactspline.polynomials.isolation import LocalPolynomial, LocalZero, isolat
 from exactspline.programs import accelerator
 from exactspline.programs.accelerator import SegmentZero, signs
 from exactspline.roots.answers import CurvePiece, Places
-from exactspline.roots.lazy_root import LateZero
+from exactspline.roots.lazy_root import LazyRoot
 from exactspline.roots.root import Root
 from exactspline.splines.blossom import CommonRows
 
@@ -113,7 +113,7 @@ class Certain:
                     forms[i] = form, Interval(breaks[i], breaks[i + 1])
                 form, ends = forms[i]
                 low, high = ends.at(mpq(zero.low)), ends.at(mpq(zero.high))
-                late: LocalZero = LateZero(form, number, zero.before)  # type: ignore[assignment]  # it has the attributes
+                late = LazyRoot(form, number, zero.before)
                 root = Root(low, high, (1, 1), (zero.before, -zero.before), late, ends)
                 number += 1
             by_jump = isinstance(zero, Jump)

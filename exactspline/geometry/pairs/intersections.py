@@ -347,9 +347,8 @@ class CollectedPoints:
             if not self._ends_an_arc(group[0])
         ]
         count = len(at_knots) + len(self.inner) + sum(len(found) for _, found in self.certain)
-        answer = Intersections.late(count, partial(self._in_order, at_knots), tuple(self.arcs))
-        vars(answer).update(left_out=tuple(self.left_out), curves=None if self.alone else self.curves)
-        return answer
+        make, curves = partial(self._in_order, at_knots), None if self.alone else self.curves
+        return Intersections.late(count, make, tuple(self.arcs), left_out=tuple(self.left_out), curves=curves)
 
     def _in_order(self, at_knots: list[Intersection]) -> tuple[Intersection, ...]:
         """All common points, in the order of the first curve."""

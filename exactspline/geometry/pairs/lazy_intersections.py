@@ -17,7 +17,7 @@ from exactspline.polynomials.isolation import LocalPolynomial, LocalZero
 from exactspline.polynomials.plane_pairs import Elimination, elimination
 from exactspline.polynomials.zero_places import Place
 from exactspline.programs.certain_pairs import PairPoint
-from exactspline.roots.lazy_root import LateZero
+from exactspline.roots.lazy_root import LazyRoot
 from exactspline.roots.segment_forms import SegmentRows
 
 
@@ -65,7 +65,6 @@ class PairForm:
 
     def meeting(self, found: PairPoint) -> Meeting:
         """A common point."""
-        zero: LocalZero = LateZero(self, found.number, found.before, (found.low, found.high))  # type: ignore[assignment]  # it has the attributes
-        place = Place(zero)
+        place = Place(LazyRoot(self, found.number, found.before, (found.low, found.high)))
         meeting = Meeting(Image(place, self, Interval(*map(mpq, found.other))), place, 1)
         return meeting.exchanged() if self.exchanged else meeting

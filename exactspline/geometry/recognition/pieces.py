@@ -175,7 +175,7 @@ def _points(curve: Nurbs) -> list[list[Point]]:
     basis = [[(PARTS - i) ** (n - k) * i**k for k in range(n + 1)] for i in range(PARTS + 1)]
     splines = list(curve.p) if curve.polynomial else [*curve.p, curve.w]
     for i in range(curve.segments):
-        rows = [([*map(int, f._polynomials[i].coeffs())], int(f.denominators[i])) for f in splines]
+        rows = [([*map(int, f.numerators[i].coeffs())], int(f.denominators[i])) for f in splines]
         values = [[mpq(sum(map(mul, c, own)), below) for own in basis] for c, below in rows]
         below = [mpq(PARTS**n)] * (PARTS + 1) if curve.polynomial else values.pop()
         found.append([tuple([x / w for x in point]) for *point, w in zip(*values, below, strict=True)])

@@ -12,6 +12,7 @@ from __future__ import annotations
 from bisect import bisect_right
 from collections.abc import Iterator
 from dataclasses import dataclass
+from enum import Enum, auto
 from functools import lru_cache, reduce
 from itertools import product
 from math import comb, factorial, perm, prod
@@ -166,6 +167,17 @@ def _differences(n: int, order: int) -> arb_mat:
     return arb_mat(rows)
 
 
+class _State(Enum):
+    """What is known of a rectangle of parameters."""
+
+    #: No surface has an umbilic there, or each has a single one, which is certain.
+    SETTLED = auto()
+    #: Smaller parts may be decided.
+    OPEN = auto()
+    #: Some surfaces may have umbilics there, and smaller parts would not be decided.
+    LEFT = auto()
+
+
 class _Search:
     """The umbilics on one patch, in local parameters from 0 to 1."""
 
@@ -191,35 +203,34 @@ class _Search:
                 done += 1
                 if self.settled.contains(box):
                     continue
-                is_left = done > self.most or depth > NARROWEST or self._is_left(box)
-                if is_left:
+                state = _State.LEFT if done > self.most or depth > NARROWEST else self._decided(box)
+                if state is _State.LEFT:
                     yield box
-                elif is_left is not None:
+                elif state is _State.OPEN:
                     after += [(half, depth + 1) for half in box.halves(depth % 2)]
             level = after
 
-    def _is_left(self, box: Box) -> bool | None:
-        """None where there is no umbilic, or a single one that is certain; True where smaller parts would not be
-        decided.
-        """
+    def _decided(self, box: Box) -> _State:
+        """What is known of a rectangle; an umbilic that is found to be certain is put with those that are settled."""
         if not all(f.ball.contains(0) for f in self._forms(box, TERMS - 1)):
-            return None
+            return _State.SETTLED
         here, around = self._forms(_point(box)), self._forms(box)
         gap = [ball_around(-side.width / 2, side.width / 2) for side in box]
         values = [f.ball for f in here]
         if all(v.contains(0) for v in values) and self._may_have_one_at_each_corner(box):
-            return True
+            return _State.LEFT
         slopes = [f.gradient for f in around]
         enclosed = [v + dot(g, gap) for v, g in zip(values, slopes, strict=True)]
         if not all(x.contains(0) for x in enclosed):
-            return None
+            return _State.SETTLED
         (a, b), (c, d) = slopes
         if not (a * d - b * c).contains(0) and self._settles(box, [f.gradient for f in here]):
-            return None
-        return all(
+            return _State.SETTLED
+        blurred = all(
             v.contains(0) and SPREAD * v.rad() >= dot([abs(x) for x in g], [abs(x).upper() for x in gap]).mid()
             for v, g in zip(values, slopes, strict=True)
         )
+        return _State.LEFT if blurred else _State.OPEN
 
     def _may_have_one_at_each_corner(self, box: Box) -> bool:
         """Whether no smaller part would be decided, as on a sphere."""

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import cast
 
 from exactspline.errors import FormulaError, ShapeError, counted
 from exactspline.geometry.derived.constructions import Variant, construction
@@ -104,7 +103,7 @@ def conditioning(curve: Nurbs, name: str = "critical_curvature", *, doubles: boo
         raise FormulaError(f"{name} is not a zero set", remedy="choose zero_curvature or critical_curvature")
     if curve.dimension != 2:
         raise ShapeError(f"a curve in R{curve.dimension}", remedy="this needs a curve in the plane")
-    splines = {form: cast(BSpline, made.on(curve, form)) for form in (*made.unlifted, Variant.MINIMAL)}
+    splines = {form: made.form_on(curve, form) for form in (*made.unlifted, Variant.MINIMAL)}
     zeros_by_form = {form: zeros(f) for form, f in splines.items()}
     minimal = zeros_by_form[Variant.MINIMAL]
     inside = [root for root in minimal if not root.at_knot]

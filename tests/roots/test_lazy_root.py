@@ -10,7 +10,7 @@ from flint import fmpz_poly
 from exactspline.numbers.exact import mpq
 from exactspline.polynomials.isolation import LocalPolynomial, LocalZero, isolate
 from exactspline.polynomials.refinement import enclosures
-from exactspline.roots.lazy_root import LateZero
+from exactspline.roots.lazy_root import LazyRoot
 
 Z = fmpz_poly([0, 1])
 
@@ -33,7 +33,7 @@ class Given:
 def test_it_is_the_zero_that_isolation_finds(p):
     """Also where it is rational, and hit by a midpoint or not."""
     for number, own in enumerate(isolate(p, p.degree()).inner):
-        late = LateZero(Given(p), number, own.signs[0])
+        late = LazyRoot(Given(p), number, own.signs[0])
         assert (late.signs, late.multiplicity) == (own.signs, 1) == (late.exactly.signs, late.exactly.multiplicity)
         (factor, sign), middle = late.changing, (own.low + own.high) / 2
         assert sign == own.signs[0] if factor is late.form.form else sign in (1, -1)
@@ -46,7 +46,7 @@ def test_it_is_the_zero_that_isolation_finds(p):
 @pytest.mark.parametrize("p", [3 * Z - 1, Z**2 - 3 * Z + 1, Z**3 - 2])
 def test_no_zeros_are_isolated_where_that_is_not_needed(p):
     (given, *_), before = [Given(p)], int(p[0] > 0) * 2 - 1
-    late = LateZero(given, 0, before, (0.125, 0.5))
+    late = LazyRoot(given, 0, before, (0.125, 0.5))
     assert (late.low, late.high) == (mpq(1, 8), mpq(1, 2))
     assert late.changing == (given.form, before)
     assert late.signs == (before, -before)
@@ -87,4 +87,4 @@ def test_a_promised_change_of_sign_that_is_not_there_is_an_error():
 def test_a_zero_that_changes_its_sign_in_another_way_than_promised_is_an_error():
     """It was told with the signs that were promised."""
     with pytest.raises(AssertionError, match="change of sign"):
-        LateZero(Given(Z**2 - 3 * Z + 1), 0, -1).exactly  # noqa: B018  # what raises
+        LazyRoot(Given(Z**2 - 3 * Z + 1), 0, -1).exactly  # noqa: B018  # what raises
