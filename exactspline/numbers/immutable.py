@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Any, NoReturn, Self
+from typing import NoReturn, Self
 
 _set = object.__setattr__
 
@@ -41,9 +41,9 @@ def fill(value: Immutable, /, **fields: object) -> None:
         _set(value, name, content)
 
 
-def setters(owner: type, *names: str) -> list[Callable[[Any, Any], None]]:
-    """What sets these slots of a class, one function for each: at the construction of values of which so many are made
-    that `fill` would take too long.
+def setters(owner: type, *names: str) -> list[Callable[[Immutable, object], None]]:
+    """What sets these slots of a class, one function for each: at the construction of values for which `fill` takes too
+    long.
 
     >>> class Point(Immutable):
     ...     __slots__ = ("x",)

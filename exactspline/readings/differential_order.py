@@ -90,7 +90,7 @@ def _highest(value: Any) -> int:
 
 
 @lru_cache(4096)
-def orders(formula: Formula, dimension: int) -> Any:
+def orders(formula: Formula, dimension: int) -> object:
     """The value of a formula in this reading, for curves of a dimension."""
     kind = formula.kind if isinstance(formula, Formula) else CURVE
     return joined(formula(_argument(kind, dimension)))

@@ -11,7 +11,7 @@ from collections.abc import Callable, Iterable, Sequence
 from operator import add as plus
 from operator import mul as times
 from operator import sub as minus
-from typing import Any, ClassVar
+from typing import ClassVar
 
 from flint import fmpz, fmpz_poly
 
@@ -111,14 +111,15 @@ class BSpline(Immutable, RingOperand, FunctionsOutside):
         continuity: tuple[int, ...],
         forms: Iterable[Form],
         provenance: Provenance | None = None,
-        *known: Any,
+        knots: KnotVector | None = None,
+        points: tuple[mpq, ...] | None = None,
     ) -> BSpline:
         """The spline with these forms, of which it takes ownership, and with knots and control points where they are
-        `known`; the caller is responsible for the continuity.
+        known; the caller is responsible for the continuity.
         """
         polynomials, denominators = zip(*forms, strict=True)
         provenance = leaf() if provenance is None else provenance
-        return from_parts(degree, mesh, continuity, polynomials, denominators, provenance, *known)
+        return from_parts(degree, mesh, continuity, polynomials, denominators, provenance, knots, points)
 
     def over_forms(self, mesh: Mesh, forms: Iterable[Form]) -> BSpline:
         """This spline with its forms over other denominators; the caller ensures that they are the same functions."""
