@@ -41,7 +41,7 @@ class Counted:
         self.count(facts_module, "common_factor")
         self.count(space_features, "common_factor")
         self.count(facts_module, "geometric_order")
-        self.count(Construction, "on")
+        self.count(Construction, "form_on")
         self.count(Ends, "jet")
         self.count(zero_set_module, "isolate")
         self.count(isolation_module, "variations")
@@ -73,7 +73,7 @@ def test_everything_is_computed_once_and_in_linear_time(monkeypatch, dimension):
             inspect_curve(curve).answers  # noqa: B018
             first = Counter(counted.calls)
             assert first["zeros"] == FORMS[dimension]
-            assert first["on"] == 2
+            assert first["form_on"] == 2
             assert first["common_factor"] == dimension - 2
             assert first["geometric_order"] == segments - 1
             assert first["jet"] == 2 * (segments - 1)
@@ -83,7 +83,7 @@ def test_everything_is_computed_once_and_in_linear_time(monkeypatch, dimension):
             solved(curve, "minimal")
             assert counted.calls == first
             compare_approaches(curve)
-            assert counted.calls["on"] == 6
+            assert counted.calls["form_on"] == 6
         per_segment[segments] = first["variations"] / segments
     assert per_segment[50] < 2 * per_segment[10]
 
