@@ -110,8 +110,8 @@ def _signs(form: PatchForm, boxes: Sequence[Box]) -> Signs:
     positive, negative = witnesses.get(1), witnesses.get(-1)
     if undecided:
         return Signs(Sign.UNDECIDED, positive, negative, tuple(zeros))
-    told = (Sign.NOT_NEGATIVE, Sign.NOT_POSITIVE) if zeros else (Sign.POSITIVE, Sign.NEGATIVE)
-    return Signs(told[not positive], positive, negative, tuple(sorted(zeros)))
+    shown = (Sign.NOT_NEGATIVE, Sign.NOT_POSITIVE) if zeros else (Sign.POSITIVE, Sign.NEGATIVE)
+    return Signs(shown[not positive], positive, negative, tuple(sorted(zeros)))
 
 
 def _witness(form: PatchForm) -> tuple[int, Point]:

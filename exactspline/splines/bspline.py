@@ -376,7 +376,7 @@ _set_degree, _set_mesh, _set_continuity, _set_numerators, _set_denominators, _se
 
 
 def _check_reach(a: BSpline, degree: int, bits: int) -> None:
-    """Raise `ReachError` where products with a polynomial of that degree, whose coefficients have so many bits, take
+    """Raise `ReachError` where products with a polynomial of that degree, whose coefficients have this many bits, take
     too long.
     """
     total = sum((a.degree + degree) * (p.height_bits() + bits) for p in a.numerators)

@@ -63,6 +63,7 @@ MAKERS = {
     "papers": "a function of a user's file",
     "papers.formula_check": "a function of a user's file",
     "symbolic.assumptions": "the polynomial of an assumption, for its order",
+    "verification.questions": "a function typed at the prompt",
     "verification.generic_proof": "a formula of a pair with its curves exchanged",
 }
 
@@ -302,6 +303,8 @@ ALLOWED = {
     "extras.coq.framed_setting:flat": "fractions with and without roots",
     "extras.coq.proofs:_whole": "what is assumed of a fraction",
     "extras.coq.proofs:met": "what is assumed of a fraction",
+    "verification.one_function:agree": "the values of one formula in two classes, compared",
+    "verification.one_function:_same_on": "the same, on splines",
     "verification.kinds.equality:_but": "zeros in two parameters are not compared",
     "verification.kinds.types:_independent": "roots within roots: whether they are independent",
 }
