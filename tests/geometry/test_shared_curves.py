@@ -48,4 +48,4 @@ def test_no_real_curve_exceeds_the_proved_degree_and_every_minimal_form_has_a_ce
             continue
         assert attained <= proved
         if attained >= 0:
-            assert check_certificate(certificate(made.name, curve)) ["degree"] == attained
+            assert check_certificate(certificate(made.name, curve))["degree"] == attained
