@@ -54,8 +54,18 @@ BESIDE = (
         "Exercise",
         "exactspline.extras.teaching.display.exercises:task_html",
     ),
-    ("text/latex", "exactspline.extras.teaching.triangles", "Triangle", "exactspline.display.latex:latex"),
-    ("text/latex", "exactspline.extras.teaching.triangles", "ProductTable", "exactspline.display.latex:latex"),
+    (
+        "text/latex",
+        "exactspline.extras.teaching.triangles",
+        "Triangle",
+        "exactspline.extras.teaching.display.triangles:scheme_latex",
+    ),
+    (
+        "text/latex",
+        "exactspline.extras.teaching.triangles",
+        "ProductTable",
+        "exactspline.extras.teaching.display.triangles:scheme_latex",
+    ),
 )
 #: Dots per inch of pictures in a notebook.
 RESOLUTION = 80

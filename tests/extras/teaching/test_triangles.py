@@ -1,6 +1,8 @@
 """The algorithms step by step against the operations of splines, which know nothing of them."""
 
 import re
+import subprocess
+import sys
 from xml.etree import ElementTree
 
 import pytest
@@ -161,3 +163,19 @@ def test_the_command_wants_something_to_do():
     done = CliRunner().invoke(app, ["teach", "triangle", "cubic_s", "--at", "1/3", "--latex"])
     assert done.exit_code == 0
     assert r"\begin{array}" in done.output
+
+
+def test_a_notebook_shows_schemes_before_anything_else_has_been_shown():
+    """Passed before: the representation of a table of products, since what writes it was not loaded."""
+    code = """
+from IPython.core.interactiveshell import InteractiveShell
+import exactspline as xs
+shell = InteractiveShell.instance()
+xs.display.load_ipython_extension(shell)
+latex = shell.display_formatter.formatters["text/latex"]
+f = xs.BSpline.bezier([0, 1])
+print(*["begin{array}" in latex(x) for x in (*xs.teaching.product_tables(f, f), xs.teaching.de_boor_triangle(f, 0))])
+"""
+    pytest.importorskip("IPython")
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False)
+    assert done.stdout.split() == ["True", "True"], done.stderr

@@ -7,7 +7,7 @@ from html import escape
 
 from exactspline.display import mathml
 from exactspline.display.data import Data, picked
-from exactspline.display.latex import fraction, mathematics
+from exactspline.display.latex import fraction, latex, mathematics
 from exactspline.display.page import page
 from exactspline.display.sheet import Sheet
 from exactspline.extras.teaching.triangles import ProductTable, Row, Triangle
@@ -104,6 +104,11 @@ def _grid(triangle: Triangle, columns: Sequence[Sequence[object]], written: Call
 
 
 # ---- LaTeX
+
+
+def scheme_latex(scheme: Triangle | ProductTable) -> str | None:
+    """A triangle or a table of products for a notebook."""
+    return latex(scheme)
 
 
 def point_latex(row: Row) -> str:
