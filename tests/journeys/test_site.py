@@ -337,7 +337,8 @@ def test_the_answer_of_a_former_curve_is_marked_until_that_of_this_one_comes(bro
     everything = sorted(name for names in shows.values() for name in names)
     # the status line says what is said now, where something is said
     assert [name for name in everything if name not in tab.evaluate(BUSY)] in ([], ["status"])
-    assert tab.locator("[aria-busy=true]").first.evaluate("one => getComputedStyle(one).opacity") < "1"
+    # it fades, from the next frame on
+    tab.wait_for_function("getComputedStyle(document.querySelector('[aria-busy=true]')).opacity < 1")
     for message in former:
         answer(tab, message)
     assert set(everything) - set(tab.evaluate(BUSY)) <= {"status"}
