@@ -5,11 +5,12 @@ from __future__ import annotations
 from functools import lru_cache
 from typing import Any
 
+from exactspline.errors import FormulaError
 from exactspline.language.adjoined_root import Adjoined
 from exactspline.language.arguments import Evaluated
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import CURVE, Kind
-from exactspline.language.operand import Constant
+from exactspline.language.operand import CONSTANTS, Constant
 from exactspline.language.parts import joined
 from exactspline.language.rational import RingOperand
 from exactspline.language.reading import Reading
@@ -74,19 +75,28 @@ def is_polynomial(formula: Formula, dimension: int) -> bool:
 def order_of(formula: Formula, dimension: int) -> int:
     """The order of the highest derivative of the curve in a formula.
 
+    Raises `FormulaError` where the value, or a component, is a number instead of an operand.
+
     >>> from exactspline.papers.chen_riesenfeld_cohen_2007.derivatives import D3
     >>> order_of(D3, 3)
     3
     """
-    return _highest(orders(formula, dimension))
+    return _highest(orders(formula, dimension), formula)
 
 
-def _highest(value: Any) -> int:
+def _highest(value: Any, formula: Formula) -> int:
     if isinstance(value, Order):
         return value.order
+    if isinstance(value, CONSTANTS):
+        raise FormulaError(
+            f"{getattr(formula, 'name', 'the formula')} returns a number",
+            remedy="write it with an operand: 1 + 0 * c.w",
+        )
     if isinstance(value, Adjoined):
-        return max(map(_highest, (value.plain, value.rooted, value.square)))
-    return max(map(_highest, value if isinstance(value, Vector) else [value.numerator, value.denominator]))
+        parts = (value.plain, value.rooted, value.square)
+    else:
+        parts = tuple(value) if isinstance(value, Vector) else (value.numerator, value.denominator)
+    return max(_highest(part, formula) for part in parts)
 
 
 @lru_cache(4096)

@@ -13,6 +13,7 @@ from exactspline.language.adjoined_root import Adjoined
 from exactspline.language.arguments import Evaluated
 from exactspline.language.formula import Formula
 from exactspline.language.parts import split
+from exactspline.readings.differential_order import order_of
 from exactspline.readings.jet import Jet, JetRing
 from exactspline.readings.other_parameter import InOtherParameter
 from exactspline.readings.rational_jet import JetFraction
@@ -43,7 +44,7 @@ def expect_one_function(formula: Formula, c: Evaluated) -> None:
         return
     expect_same_again(formula, c)
     found = split(formula(c))[0]
-    rings = [x.ring for x in map(_inner, found) if isinstance(x, JetFraction)]
+    rings = [x.ring for x in map(_inner, c.operands().values()) if isinstance(x, JetFraction)]
     try:
         for ring in rings[:1]:
             if found != [_unwrapped(x) for x in split(formula(_in_another_class(ring)))[0]]:
@@ -55,10 +56,12 @@ def expect_one_function(formula: Formula, c: Evaluated) -> None:
 
 
 def expect_same_again(formula: Formula, c: Evaluated) -> None:
-    """Refuse a formula that nobody read and that has another value when it is evaluated again.
+    """Refuse a formula that nobody read and that has another value when it is evaluated again, or a plain number.
 
     Raises `FormulaError`, naming the formula.
     """
+    if not formula.checked:
+        order_of(formula, formula.kind.dimensions[0])
     if not formula.checked and split(formula(c)) != split(formula(c.copied())):
         raise _several(formula)
 

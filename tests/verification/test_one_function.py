@@ -8,6 +8,7 @@ import pytest
 import exactspline as xs
 from exactspline.errors import FormulaError
 from exactspline.language import formula
+from exactspline.language.vector import Vector
 from exactspline.papers import find, papers
 from exactspline.symbolic.factorization import jets_for
 from exactspline.verification import one_function
@@ -23,6 +24,7 @@ calls = count()
 NO_FUNCTIONS = {
     "by the class of w": lambda c: f2(c) if type(c.w).__name__ == "JetFraction" else f1(c),
     "by what is not a spline": lambda c: f1(c) if isinstance(c.w, xs.BSpline) else f2(c),
+    "by a number in one class": lambda c: 1 + 0 * c.w if "Jet" in type(c.w).__name__ else f1(c),
     "by w = 1": lambda c: f1(c) + c.p[0] if c.polynomial else f2(c),
     "by what one class has": lambda c: f2(c) * c.w.top.leading_coefficient() if hasattr(c.w, "top") else c.w.missing,
     "by its calls": lambda c: f2(c) * next(calls),
@@ -46,6 +48,20 @@ def test_what_is_no_function_of_a_curve_proves_nothing(how):
     for ask in asked:
         with pytest.raises((FormulaError, AttributeError), match=r"typed has several values|'missing'"):
             ask()
+
+
+def test_a_number_is_no_value_of_a_formula():
+    """Passed before: a recursion without an end; the remedy works."""
+    for value in (1, xs.rational("1/2"), Vector(1, 2)):
+        own = typed(lambda c, value=value: value)
+        for ask in (
+            lambda own=own: xs.prove(own, own),
+            lambda own=own: degree(own),
+            lambda own=own: xs.verify(own, own, xs.example("cubic_s")),
+        ):
+            with pytest.raises(FormulaError, match="returns a number; write it with an operand"):
+                ask()
+    assert xs.prove(typed(lambda c: 1 + 0 * c.w), typed(lambda c: c.w - c.w + 1))
 
 
 def test_ordinary_functions_are_proved():
