@@ -40,6 +40,15 @@ Papers = Annotated[
 Trust = Annotated[
     bool, Option("--trust", help="Run the formulas of a folder or a file unchanged: any Python, unchecked.")
 ]
+Limit = Annotated[
+    int | None,
+    Option(
+        "--limit",
+        metavar="SECONDS",
+        min=1,
+        help="Processor time for one row, or one answer: what is not found within it is UNDECIDED, with that reason.",
+    ),
+]
 Approximate = Annotated[
     str,
     Option(

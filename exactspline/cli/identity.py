@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Annotated
 
-from exactspline.cli.common import Trust
+from exactspline.cli.common import Limit, Trust
 from exactspline.cli.output import Output, printing
 from exactspline.cli.parameters import Argument, Exit
 from exactspline.display.sheet import Sheet
@@ -15,12 +15,15 @@ def identity(
     out: Output,
     text: Annotated[str, Argument(metavar="IDENTITY", help='"f1 = w * f2", or "file.py:left = w^3 * file.py:right".')],
     trust: Trust = False,
+    limit: Limit = None,
 ) -> None:
     """Decide one identity between formulas, yours too, for all curves; exit status 1 where it does not hold."""
     from exactspline.display import console
+    from exactspline.polynomials.cost import within_seconds
     from exactspline.verification.questions import proof_of
 
-    found = proof_of(text, trust=trust)
+    with within_seconds(limit):
+        found = proof_of(text, trust=trust)
     cells = (found.left, found.factor, found.right, found.verdict, str(found.quotient or "–"))
     made = Sheet("left", "factor", "right", "verdict", "quotient", rows=[cells])
     out.give("identity", [found.data()], [made], lambda: console.lines(console.console(), str(found)))

@@ -10,6 +10,7 @@ from exactspline.cli.common import (
     CurveFiles,
     Digits,
     Exact,
+    Limit,
     Papers,
     Trust,
     also_in_their_planes,
@@ -82,6 +83,7 @@ def prove(
     html: Page = "",
     paper: Papers = None,
     trust: Trust = False,
+    limit: Limit = None,
     report: Report = "",
     digits: Digits = 0,
     exact: Exact = False,
@@ -108,9 +110,9 @@ def prove(
         options = "--judge and --curve" if curve else "--judge and --surface"
         raise OptionsError(options, remedy="another judge decides for all: leave it out")
     second = judge_named(judge, claims) if judge else None
-    found = settled(tracked(tasks(claims, curves), "proving"))
+    found = settled(tracked(tasks(claims, curves, limit), "proving"))
     if second:
-        found = tracked([partial(second_opinion, second, row) for row in found], second.name)
+        found = tracked([partial(second_opinion, second, row, limit) for row in found], second.name)
     chosen = [row for row in found if not requested or row.verdict in requested]
     if html:
         from exactspline.display.ledger_pages import ledger_page

@@ -10,6 +10,7 @@ from contextvars import ContextVar
 from dataclasses import dataclass, field
 from functools import cache, partial, wraps
 from operator import methodcaller
+from time import thread_time
 from typing import Any, Generic, ParamSpec, TypeVar
 
 from flint import fmpq, fmpz, fmpz_poly
@@ -122,7 +123,13 @@ def at_its_cost(function: Callable[P, V]) -> Callable[P, V]:
     return call
 
 
+class _TimeIsUp(BaseException):  # no error that a step may take for a bound of its own, and remember
+    """The processor time that the user allows is over."""
+
+
 _BUDGET: ContextVar[Budget | None] = ContextVar("budget", default=None)
+#: When the processor time that the user allows is over.
+_END: ContextVar[float | None] = ContextVar("end of the time allowed", default=None)
 #: The value that is being computed.
 _COMPUTED: ContextVar[Priced[Any] | None] = ContextVar("computed", default=None)
 
@@ -148,6 +155,36 @@ def bounded() -> Iterator[Budget]:
             yield new
 
 
+@contextmanager
+def within_seconds(limit: int | None) -> Iterator[None]:
+    """A context for what may take `limit` seconds of processor time (None: any), of the thread that enters it. The time
+    is looked at wherever a cost is estimated.
+
+    >>> with within_seconds(0):
+    ...     check_reach(10**9, lambda: "the resultant")
+    Traceback (most recent call last):
+    exactspline.errors.ReachError: not decided within 0 s of processor time; raise the limit
+
+    Raises `ReachError` when the time is over.
+    """
+    token = _END.set(None if limit is None else thread_time() + limit)
+    try:
+        yield
+    except _TimeIsUp:
+        raise ReachError(
+            f"not decided within {limit} s of processor time", remedy="raise the limit", seconds=limit
+        ) from None
+    finally:
+        _END.reset(token)
+
+
+def look_at_the_time() -> None:
+    """Leave the context of `within_seconds` when its time is over."""
+    end = _END.get()
+    if end is not None and thread_time() > end:
+        raise _TimeIsUp
+
+
 def check_reach(nanoseconds: int, what: Callable[[], str], longest: int = LONGEST) -> None:
     """Raise `ReachError` if an estimate exceeds `longest`, or the remaining budget of the question; otherwise deduct it
     from this budget.
@@ -160,6 +197,7 @@ def check_reach(nanoseconds: int, what: Callable[[], str], longest: int = LONGES
     Traceback (most recent call last):
     exactspline.errors.ReachError: the resultant (about 2 s) exceeds what remains of the bound on the whole answer; ...
     """
+    look_at_the_time()
     if nanoseconds > longest:
         raise ReachError(
             f"{what()} is out of reach ({_duration(nanoseconds)})", remedy=REMEDY, seconds=_seconds(nanoseconds)
@@ -172,6 +210,7 @@ def check_reach(nanoseconds: int, what: Callable[[], str], longest: int = LONGES
 
 def affords(nanoseconds: int, longest: int = LONGEST) -> bool:
     """Whether an optional computation is within the limits; if so, its estimate is deducted from the budget."""
+    look_at_the_time()
     budget = _BUDGET.get()
     if nanoseconds > longest or (budget is not None and nanoseconds > budget.remaining):
         return False

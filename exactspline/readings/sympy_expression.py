@@ -25,6 +25,7 @@ from exactspline.language.kinds import Kind, Symbol
 from exactspline.language.operand import Constant, FieldOperand
 from exactspline.language.reading import Reading
 from exactspline.numbers.exact import rational
+from exactspline.polynomials.cost import look_at_the_time
 from exactspline.polynomials.factorization import Factorization, multiplied
 
 PARAMETER: dict[str, sympy.Symbol] = {name: sympy.Symbol(name) for name in Parameter}
@@ -224,6 +225,7 @@ class Fractions:
 
     def value(self, e: sympy.Expr) -> _Product:
         """An expression as a product; repeated subexpressions are computed once."""
+        look_at_the_time()
         if e not in self.known:
             self.known[e] = self._value(e)
         return self.known[e]
@@ -309,6 +311,7 @@ def exact_quotient(p: PolyElement, q: PolyElement) -> PolyElement | None:
     heap = [tuple(-e for e in monomial) for monomial in remainder]
     heapify(heap)
     while heap:
+        look_at_the_time()
         monomial = tuple(-e for e in heappop(heap))
         c = remainder.pop(monomial, 0)
         if not c:

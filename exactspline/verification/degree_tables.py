@@ -33,6 +33,7 @@ from exactspline.language.parts import joined
 from exactspline.language.rational import Rational
 from exactspline.language.vector import Vector
 from exactspline.papers import all_formulas, find, known_as
+from exactspline.polynomials.cost import within_seconds
 from exactspline.readings.degree import Degree, DegreeReading, parse_degree
 from exactspline.readings.differential_order import is_polynomial
 from exactspline.readings.printing.text import print_text
@@ -321,10 +322,14 @@ def bisected_pair(kind: Kind, curve: Nurbs) -> Curve[BSpline] | Pair[BSpline]:
     return Pair(curve, Curve(Vector(*second[:3]), second[3], polynomial=True))
 
 
-def formula_table(curve: Nurbs, formulas: Iterable[Formula] | None = None) -> list[Callable[[], DegreeRow]]:
-    """The rows for every formula that applies to such a curve, as calls: of some papers, or of the default papers."""
+def formula_table(
+    curve: Nurbs, formulas: Iterable[Formula] | None = None, limit: int | None = None
+) -> list[Callable[[], DegreeRow]]:
+    """The rows for every formula that applies to such a curve, as calls: of some papers, or of the default papers. A
+    row says if it takes more than `limit` seconds of processor time.
+    """
     known = measurable(curve.dimension) if formulas is None else [f for f in formulas if applies_to(f, curve.dimension)]
-    return [partial(_formula_row, f, curve) for f in known]
+    return [partial(_formula_row, f, curve, limit) for f in known]
 
 
 @dataclass(frozen=True)
@@ -341,10 +346,12 @@ class FormulaDegrees:
     lowest: str
 
 
-def formula_degrees(formulas: Iterable[Formula]) -> list[Callable[[], FormulaDegrees]]:
-    """The rows for formulas, rational and polynomial curves one after the other, as calls."""
+def formula_degrees(formulas: Iterable[Formula], limit: int | None = None) -> list[Callable[[], FormulaDegrees]]:
+    """The rows for formulas, rational and polynomial curves one after the other, as calls. A row says if it
+    takes more than `limit` seconds of processor time.
+    """
     return [
-        partial(_degrees_of, f, polynomial, parameter)
+        partial(_degrees_of, f, polynomial, parameter, limit)
         for f in formulas
         if f.kind is not TABLE
         for polynomial in (False, True)
@@ -352,7 +359,7 @@ def formula_degrees(formulas: Iterable[Formula]) -> list[Callable[[], FormulaDeg
     ]
 
 
-def _degrees_of(formula: Formula, polynomial: bool, parameter: Parameter) -> FormulaDegrees:
+def _degrees_of(formula: Formula, polynomial: bool, parameter: Parameter, limit: int | None) -> FormulaDegrees:
     n, curves = formula.kind.dimensions[0], "polynomial" if polynomial else "rational"
     if len(formula.kind.counted) > 1:
         curves += f", in {parameter}"
@@ -361,17 +368,19 @@ def _degrees_of(formula: Formula, polynomial: bool, parameter: Parameter) -> For
     except InapplicableError as error:
         return FormulaDegrees(formula.name, curves, "–", "–", "–", error.problem)
     try:
-        main = reduction_of(formula, n, polynomial, parameter).main
+        with within_seconds(limit):
+            main = reduction_of(formula, n, polynomial, parameter).main
         cancelled, reduced, lowest = str(main.cancelled), str(main.generic), str(main.generic_lowest)
     except (FormulaError, ReachError) as error:
         cancelled, reduced, lowest = "–", "–", error.problem
     return FormulaDegrees(formula.name, curves, nominal, cancelled, reduced, lowest)
 
 
-def _formula_row(formula: Formula, curve: Nurbs) -> DegreeRow:
+def _formula_row(formula: Formula, curve: Nurbs, limit: int | None) -> DegreeRow:
     start = perf_counter()
     try:
-        m = measure(formula, curve)
+        with within_seconds(limit):
+            m = measure(formula, curve)
     except ReachError as error:  # the other formulas are not affected
         nominal = str(DegreeReading().count(formula, curve.dimension, polynomial=curve.polynomial))
         return DegreeRow(formula.name, "as written", nominal, None, None, None, "–", str(error))

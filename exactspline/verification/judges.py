@@ -13,6 +13,7 @@ from exactspline import hooks
 from exactspline.errors import ClaimError, ExactSplineError, nearest
 from exactspline.language.arguments import Evaluated
 from exactspline.language.kinds import kind_of
+from exactspline.polynomials.cost import within_seconds
 from exactspline.readings.sympy_expression import SympyReading
 from exactspline.symbolic.factorization import without_denominator
 from exactspline.verification.claim import Claim
@@ -115,9 +116,10 @@ def agreed(own: Finding, first: Name, other: Finding, second: Name) -> Finding:
     return replace(own, verdict=CONTRADICTION, witness=JudgesDisagree(proved, refuted, witness))
 
 
-def second_opinion(judge: Judge, own: Row) -> Row:
+def second_opinion(judge: Judge, own: Row, limit: int | None = None) -> Row:
     """A row for all curves with the finding of another judge added to it: a CONTRADICTION where one proves what the
-    other refutes. A row on a single curve is returned as it is: of it no other judge is asked.
+    other refutes. A row on a single curve is returned as it is: of it no other judge is asked. What
+    takes more than `limit` seconds of processor time is undecided.
 
     >>> from exactspline.verification.claims import select
     >>> from exactspline.verification.ledger import proved
@@ -128,7 +130,8 @@ def second_opinion(judge: Judge, own: Row) -> Row:
     if own.curve:
         return own
     try:
-        second = fitting(own.claim, partial(judge.decide, own.claim))
+        with within_seconds(limit):
+            second = fitting(own.claim, partial(judge.decide, own.claim))
     except ExactSplineError as error:
         second = undecided(error)
     return replace(own, finding=agreed(own.finding, own.reading, second, judge.name), second=second)

@@ -7,10 +7,11 @@ from dataclasses import replace
 from functools import partial
 from time import perf_counter
 
-from exactspline.errors import ExactSplineError, as_instance
+from exactspline.errors import ExactSplineError, ReachError, as_instance
 from exactspline.interchange.examples import example, example_names
 from exactspline.language.kinds import kind_of
 from exactspline.papers import Paper
+from exactspline.polynomials.cost import within_seconds
 from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.surface import NurbsSurface
 from exactspline.symbolic.factorization import named_by
@@ -21,7 +22,7 @@ from exactspline.verification.curve_check import table_1_splines
 from exactspline.verification.evaluation import Evaluation
 from exactspline.verification.paper_curves import one_patch_surfaces, own_curves
 from exactspline.verification.rows import Row, row
-from exactspline.verification.verdict import CONTRADICTION, PROVED, REFUTED, compared, undecided
+from exactspline.verification.verdict import CONTRADICTION, PROVED, REFUTED, Finding, compared, undecided
 from exactspline.verification.vocabulary import ArgumentKind, Name
 
 UNNAMED = Name("(unnamed curve)")
@@ -57,26 +58,29 @@ def settled(rows: Sequence[Row]) -> list[Row]:
     ]
 
 
-def tasks(claims: Iterable[Claim], curves: Iterable[Nurbs | NurbsSurface] | None = None) -> list[Task]:
-    """The checks as calls that return a row each, so that progress can be shown. Each run evaluates curves with its own
-    objects, so that runs in several threads can share curves.
+def tasks(
+    claims: Iterable[Claim], curves: Iterable[Nurbs | NurbsSurface] | None = None, limit: int | None = None
+) -> list[Task]:
+    """The checks as calls that return a row each, so that progress can be shown; a row that takes more than `limit`
+    seconds of processor time is undecided. Each run evaluates curves with its own objects, so that runs in several
+    threads can share curves.
     """
     chosen, proofs = list(claims), proofs_of_this_run()
     calls: list[Task] = []
     if curves is None:
-        calls += [partial(proved, claim, proofs) for claim in chosen]
+        calls += [partial(proved, claim, proofs, limit) for claim in chosen]
         if of_table := [claim for claim in chosen if claim.curve == ArgumentKind.TABLE]:
             table = Evaluation(table_1_splines())
-            calls += [partial(checked, claim, table, TABLE, proofs) for claim in of_table]
+            calls += [partial(checked, claim, table, TABLE, proofs, limit) for claim in of_table]
         evaluations: dict[int, Evaluation] = {}
         for name in dict.fromkeys(claim.paper for claim in chosen):
             own = [claim for claim in chosen if claim.paper == name]
             tried: list[Nurbs | NurbsSurface] = [*_curves_of(own[0].source_paper)]
             if any(kind_of(claim.curve).made_of_a_surface for claim in own):
                 tried += one_patch_surfaces()
-            calls += _on_curves(own, tried, proofs, evaluations)
+            calls += _on_curves(own, tried, proofs, evaluations, limit)
         return calls
-    return _on_curves(chosen, curves, proofs, {})
+    return _on_curves(chosen, curves, proofs, {}, limit)
 
 
 def _curves_of(source: Paper) -> list[Nurbs]:
@@ -85,40 +89,54 @@ def _curves_of(source: Paper) -> list[Nurbs]:
 
 
 def _on_curves(
-    claims: Iterable[Claim], curves: Iterable[Nurbs | NurbsSurface], proofs: Proofs, evaluations: dict[int, Evaluation]
+    claims: Iterable[Claim],
+    curves: Iterable[Nurbs | NurbsSurface],
+    proofs: Proofs,
+    evaluations: dict[int, Evaluation],
+    limit: int | None,
 ) -> list[Task]:
     """Curve by curve, the claims that apply to it; formulas are evaluated once per curve, for all papers."""
     calls: list[Task] = []
     for curve in curves:
         own = evaluations.setdefault(id(curve), Evaluation(curve))
         calls += [
-            partial(checked, claim, own, Name(own.curve.name) or UNNAMED, proofs)
+            partial(checked, claim, own, Name(own.curve.name) or UNNAMED, proofs, limit)
             for claim in claims
             if claim.applies_to(curve.dimension, curve.polynomial, surface=isinstance(curve, NurbsSurface))
         ]
     return calls
 
 
-def proved(claim: Claim, proofs: Proofs | None = None) -> Row:
-    """A claim decided for all curves."""
+def proved(claim: Claim, proofs: Proofs | None = None, limit: int | None = None) -> Row:
+    """A claim decided for all curves; undecided where that takes more than `limit` seconds of processor time."""
     start = perf_counter()
     made = as_instance(proofs_of_this_run() if proofs is None else proofs, Proofs, "proofs", "leave them out")
-    reading, finding = made[expect_claim(claim)]
+    try:
+        with within_seconds(limit):
+            reading, finding = made[expect_claim(claim)]
+    except ReachError as error:
+        reading, finding = claim.reading, undecided(error)
     return row(claim, reading, finding, perf_counter() - start)
 
 
-def checked(claim: Claim, own: Evaluation, name: Name, proofs: Proofs) -> Row:
-    """A claim checked on one curve. A claim refuted there must not be proved for all curves: a proof that exists in
-    this run is compared, and where the claim is not recorded as refuted, one is computed.
-    """
+def checked(claim: Claim, own: Evaluation, name: Name, proofs: Proofs, limit: int | None = None) -> Row:
+    """A claim checked on one curve; undecided where that takes more than `limit` seconds of processor time."""
     start = perf_counter()
     try:
-        with named_by(claim.source_paper):
-            finding = fitting(claim, partial(claim.check, own, lambda: proofs[claim]))
+        with within_seconds(limit), named_by(claim.source_paper):
+            finding = _found_on(claim, own, proofs)
     except ExactSplineError as error:
         finding = undecided(error)
-    if finding.verdict == REFUTED and (claim in proofs or claim.expected != REFUTED):
-        finding = compared(proofs[claim][1], finding)
     is_example = bool(claim.source_paper.package) and name in example_names() and own.curve is example(name)
     beside, seconds = claim.beside(own), perf_counter() - start
     return row(claim, SPLINE, finding, seconds, curve=name, beside=beside, is_example=is_example)
+
+
+def _found_on(claim: Claim, own: Evaluation, proofs: Proofs) -> Finding:
+    """What is found on one curve. A claim refuted there must not be proved for all curves: a proof that exists in this
+    run is compared, and where the claim is not recorded as refuted, one is computed.
+    """
+    finding = fitting(claim, partial(claim.check, own, lambda: proofs[claim]))
+    if finding.verdict == REFUTED and (claim in proofs or claim.expected != REFUTED):
+        return compared(proofs[claim][1], finding)
+    return finding

@@ -7,7 +7,7 @@ from functools import partial
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Annotated
 
-from exactspline.cli.common import CurveFiles, Papers, Trust, also_in_their_planes, loaded
+from exactspline.cli.common import CurveFiles, Limit, Papers, Trust, also_in_their_planes, loaded
 from exactspline.cli.output import Output, document, print_json, printing
 from exactspline.cli.parameters import Argument, Exit, Option
 from exactspline.cli.progress import tracked
@@ -42,6 +42,7 @@ def degrees(
     ] = "",
     paper: Papers = None,
     trust: Trust = False,
+    limit: Limit = None,
 ) -> None:
     """Nominal (in d), represented and true degree and the number of control points: naive, paper, minimal (or formula
     by formula).
@@ -52,7 +53,7 @@ def degrees(
         _on_patches(out, paper or [], trust, name or [], patch)
         return
     if paper:
-        _of_papers(out, paper, trust, name or [], curve, generic)
+        _of_papers(out, paper, trust, name or [], curve, generic, limit)
         return
     if certify:
         _certify(curve)
@@ -71,7 +72,13 @@ def degrees(
 
 
 def _of_papers(
-    out: Output, paper: list[str], trust: bool, names: list[str], curve: list[str] | None, generic: bool
+    out: Output,
+    paper: list[str],
+    trust: bool,
+    names: list[str],
+    curve: list[str] | None,
+    generic: bool,
+    limit: int | None,
 ) -> None:
     """The formulas of papers, for all curves or on curves: those named, those in the folder, or examples."""
     from exactspline.display.formulas import formula_degree_sheet
@@ -84,7 +91,7 @@ def _of_papers(
     _check_names(names, [f.name for f in formulas])
     formulas = [f for f in formulas if _is_one_of(f.name, names)]
     if generic:
-        rows = tracked(formula_degrees(formulas), "degrees")
+        rows = tracked(formula_degrees(formulas, limit), "degrees")
         out.give(
             "formula degrees",
             [{"key": f"{row.formula} ({row.curves})"} | vars(row) for row in rows],
@@ -94,7 +101,7 @@ def _of_papers(
     given, good = loaded(curve or [])
     own = [c for source in sources for c in own_curves(source).values()]
     chosen = given if curve else own or loaded(["rational_cubic", "rational_space_cubic"])[0]
-    tables = [(c, tracked(formula_table(c, formulas), c.name)) for c in also_in_their_planes(chosen)]
+    tables = [(c, tracked(formula_table(c, formulas, limit), c.name)) for c in also_in_their_planes(chosen)]
     if good and not any(rows for _, rows in tables):
         names_of_curves = ", ".join(c.name for c, _ in tables)
         raise FormulaError(

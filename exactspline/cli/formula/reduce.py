@@ -7,7 +7,7 @@ from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
-from exactspline.cli.common import Trust
+from exactspline.cli.common import Limit, Trust
 from exactspline.cli.output import Output, printing
 from exactspline.cli.parameters import Argument, Option
 from exactspline.cli.progress import tracked
@@ -36,6 +36,7 @@ def reduce(
     polynomial: Annotated[bool, Option("--polynomial", help="Polynomial curves only: w = 1.")] = False,
     everything: Annotated[bool, Option("--all", help="Every formula of the library.")] = False,
     trust: Trust = False,
+    limit: Limit = None,
 ) -> None:
     """Find the reduction of a formula: its factors with their meaning, the reduced form, naive, nominal and true
     degree.
@@ -44,6 +45,7 @@ def reduce(
     from exactspline.language.formula import Formula
     from exactspline.language.kinds import TABLE
     from exactspline.papers import all_formulas
+    from exactspline.polynomials.cost import within_seconds
     from exactspline.symbolic.reduction import reduce as reduction
 
     one = bool(name) and not everything
@@ -57,7 +59,8 @@ def reduce(
         for f in chosen
         for parameter in (f.kind.counted if isinstance(f, Formula) and len(f.kind.counted) > 1 else (None,))
     ]
-    found = tracked(calls, "reducing")
+    with within_seconds(limit):
+        found = tracked(calls, "reducing")
     sheet = reduction_sheet(found)
     out.give(
         "reduce", reduction_rows(found), [sheet], lambda: _print(out, sheet, [*explanations(found[0])] if one else [])
