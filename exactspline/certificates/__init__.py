@@ -22,7 +22,7 @@ from exactspline.certificates.zeros import check_zeros
 ZEROS, DEGREE, INTERSECTIONS, COMMON_ZEROS = "zeros", "degree", "intersections", "common zeros"
 ZERO_CURVES = "zero curves"
 #: The version of the form of each.
-VERSIONS = {ZEROS: 1, DEGREE: 1, INTERSECTIONS: 1, COMMON_ZEROS: 2, ZERO_CURVES: 2}
+VERSIONS = {ZEROS: 1, DEGREE: 2, INTERSECTIONS: 1, COMMON_ZEROS: 2, ZERO_CURVES: 2}
 FORMAT = "exactspline certificate {}"
 CHECKERS: dict[str, Callable[[Mapping[str, object]], dict[str, int]]] = {
     ZEROS: check_zeros,
@@ -37,14 +37,15 @@ def certificate(what: str, data: Mapping[str, object]) -> dict[str, object]:
     """A certificate with this data.
 
     >>> certificate(DEGREE, {"kind": "quotient"})
-    {'format': 'exactspline certificate 1', 'what': 'degree', 'kind': 'quotient'}
+    {'format': 'exactspline certificate 2', 'what': 'degree', 'kind': 'quotient'}
     """
     return {"format": FORMAT.format(VERSIONS[what]), "what": what, **data}
 
 
 def check_certificate(certificate: Mapping[str, object], sturm: bool = True) -> dict[str, int]:
     """Check a certificate and return what it proves: the numbers of roots, jumps and intervals, the number of common
-    points, common zeros, or curves of zeros of each shape, or the largest degree over the segments.
+    points, common zeros, or curves of zeros of each shape, or the largest degree over the segments, with the labels
+    that were not checked.
 
     With ``sturm=False`` the zeros are not counted again by Sturm sequences (which are slow for degrees above 100).
 

@@ -5,13 +5,15 @@ a prime are lists of integers here.
 from collections.abc import Mapping
 from typing import Any
 
-from exactspline.certificates.numbers import count, each, integer, one_of, optional, read, require
+from exactspline.certificates.numbers import CertificateError, count, each, integer, one_of, optional, read, require
 
 Polynomial = list[int]
 QUOTIENT, ZERO_SET = "quotient", "zero set"
 SEGMENT = {"degree": count, "prime": count, "forms": [[integer]], "cofactors": [[integer]]}
 OF_ZEROS = {**SEGMENT, "weight": [integer], "irreducible modulo": optional(count)}
 FORM = one_of("kind", {QUOTIENT: {"segments": [SEGMENT]}, ZERO_SET: {"segments": [OF_ZEROS]}})
+#: The labels that a certificate has in addition to its proof.
+LABELS = "not checked"
 
 
 def check_degrees(certificate: Mapping[str, object]) -> dict[str, int]:
@@ -20,15 +22,25 @@ def check_degrees(certificate: Mapping[str, object]) -> dict[str, int]:
     with w; and, if every segment is ``irreducible``, that no polynomial over ℚ of a lower degree vanishes at a zero of
     the form.
 
+    This is proved of the forms in the certificate. Of which construction, on which curve and over which intervals they
+    are, is not: the answer says of each of these labels that it was not checked.
+
     A common factor over ℚ would also be a common factor modulo the prime, of the same degree, because the prime does
     not divide the leading coefficient of some form; but the cofactors combine the forms to 1. A common zero at the
     right end (u = 0) would make all leading coefficients vanish.
     """
-    data = read(certificate, FORM)
+    data, labels = read(certificate, FORM), read(certificate, {LABELS: _names})[LABELS]
     require(bool(data["segments"]), "no segments")
     found = each("segments", lambda segment: _segment(segment, data["kind"]), data["segments"])
-    shown = {"degree": max(n for n, _ in found)}
+    shown = {"degree": max(n for n, _ in found), **{f"{name} checked": False for name in labels}}
     return shown if data["kind"] == QUOTIENT else shown | {"irreducible": all(proved for _, proved in found)}
+
+
+def _names(given: object) -> list[str]:
+    """The names of the fields of an object, whatever these hold."""
+    if not isinstance(given, Mapping):
+        raise CertificateError("not an object")
+    return [*given]
 
 
 def _segment(segment: dict[str, Any], kind: str) -> tuple[int, bool]:

@@ -41,8 +41,8 @@ DEGREES = {"a degree": "evolute", "the degree of a zero set": "critical_curvatur
 #: What no certificate has anywhere, and what may be in the place of something else.
 FOREIGN = 1.5
 OTHERS = None, True, -1, 10**30, "x", "1/0", "", "1", [], {}, [[]], [1, 2], ["1"], {"a": 1}, [None], [FOREIGN]
-#: What the checker does not read: the names of what a degree is of.
-UNREAD = {"construction", "curve", "interval"}
+#: Whose values the checker does not read, and says so.
+UNREAD = {"construction", "curve", "intervals"}
 
 
 @cache
