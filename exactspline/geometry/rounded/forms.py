@@ -24,6 +24,7 @@ from exactspline.numbers.exact import mpq, to_fmpq
 from exactspline.numbers.intervals import Box
 from exactspline.numbers.once import cached_property
 from exactspline.splines.bspline import BSpline
+from exactspline.splines.control_points import Direction
 from exactspline.splines.nurbs import Nurbs
 
 #: Bits of the balls.
@@ -183,6 +184,23 @@ class Family:
         return [x for (x,) in (self.rows * _bernstein(self.degree, t)).table()]
 
 
+#: What helps where weights may vanish or change their sign: those of curves near a curve, and its own.
+SMALLER = "weights that stay positive: a smaller epsilon"
+INSERT = "restrict it to its domain and insert knots until all weights have one sign"
+
+
+def with_positive_weights(curve: Nurbs) -> Nurbs:
+    """The same curve with a positive weight function: where it is negative, with all weights multiplied by −1.
+
+    Raises `ShapeError` where control points are directions: their coordinates are not those of points.
+    """
+    if any(isinstance(point, Direction) for point in curve.control_points):
+        raise ShapeError("curves near a curve with a direction among its control points", remedy=INSERT)
+    if curve.w.numerators[0][0] > 0:
+        return curve
+    return Nurbs(curve.degree, curve.knots, curve.control_points, [-w for w in curve.weights], name=curve.name)
+
+
 class CurvesNear:
     """The forms of the curves near a curve in the plane or in space, segment by segment.
 
@@ -190,7 +208,8 @@ class CurvesNear:
     """
 
     def __init__(self, curve: Nurbs, within: mpq) -> None:
-        self.curve, self.within, self.rational = curve, within, not curve.polynomial
+        self.curve = curve = with_positive_weights(curve)
+        self.within, self.rational = within, not curve.polynomial
         self.per_point = curve.dimension + self.rational
         self._program = (plane_program if curve.dimension == 2 else space_program)(curve.degree, self.rational)
         self._known = dict[int, tuple[Any, ...]]()
@@ -200,12 +219,16 @@ class CurvesNear:
         #: The control points of all curves, as balls.
         self.points = [[x + ball for x in point] for point in self._points]
         self.weights = [w + ball for w in self._weights] if self.rational else self._weights
-        if self.rational and not all(
-            sum(a * w for a, w in zip(row, self.weights[first:], strict=False)) > 0
-            for first, basis in map(self.basis, range(curve.segments))
+        if self.rational and not self._positive(self.weights):
+            raise ShapeError(f"curves within {within}", remedy=SMALLER if self._positive(self._weights) else INSERT)
+
+    def _positive(self, weights: list[arb]) -> bool:
+        """Whether a weight function has positive Bernstein coefficients on all segments."""
+        return all(
+            sum(a * w for a, w in zip(row, weights[first:], strict=False)) > 0
+            for first, basis in map(self.basis, range(self.curve.segments))
             for row in zip(*basis, strict=True)
-        ):
-            raise ShapeError(f"curves within {within}", remedy="weights that stay positive: a smaller epsilon")
+        )
 
     def basis(self, i: int) -> tuple[int, tuple[tuple[arb, ...], ...]]:
         """The first control point of a segment, and the ordinates of its basis functions there."""

@@ -13,7 +13,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from contextlib import suppress
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from heapq import merge
 from itertools import pairwise
 from math import copysign, inf
@@ -29,7 +29,7 @@ from exactspline.geometry.derived.constructions import Variant
 from exactspline.geometry.filter.plane_programs import CRITICAL, CURVATURE, TORSION
 from exactspline.geometry.recognition.proof import rounded_up
 from exactspline.geometry.rounded.features import NearbyFeature, features_nearby
-from exactspline.geometry.rounded.forms import PRECISION, CurvesNear, Family
+from exactspline.geometry.rounded.forms import PRECISION, CurvesNear, Family, with_positive_weights
 from exactspline.numbers.exact import mpq, to_fmpq
 from exactspline.questions.answers import Described
 from exactspline.reals.real import Real, real
@@ -108,9 +108,21 @@ def stability(curve: Nurbs) -> tuple[StableFeature, ...]:
         raise ShapeError(
             f"the stability of a curve in R{given.dimension}", remedy="this needs a curve in the plane or in space"
         )
-    facts, radii = _facts(given), _Radii(given)
+    positive = with_positive_weights(given)
+    facts, radii = _facts(positive), _Radii(positive)
     with ctx.workprec(PRECISION):
-        return tuple(_stable(facts, kind, place, radii) for kind, place in _features(facts))
+        found = tuple(_stable(facts, kind, place, radii) for kind, place in _features(facts))
+    return found if positive is given else tuple(map(_with_negative_weights, found))
+
+
+def _with_negative_weights(found: StableFeature) -> StableFeature:
+    """A feature whose witness has its weights, as the curve has, below zero."""
+    c = found.witness
+    return (
+        found
+        if c is None
+        else replace(found, witness=Nurbs(c.degree, c.knots, c.control_points, [-w for w in c.weights]))
+    )
 
 
 def _facts(curve: Nurbs) -> Facts:

@@ -23,7 +23,7 @@ from flint import arb, arb_mat, ctx
 from exactspline.errors import ShapeError
 from exactspline.formulas.surfaces.by_forms import line_uu_of_forms, line_uv_of_forms
 from exactspline.formulas.surfaces.lifted import area_squared_lifted, lifted_forms
-from exactspline.geometry.rounded.forms import PRECISION, Settled, basis_ordinates, dot
+from exactspline.geometry.rounded.forms import INSERT, PRECISION, SMALLER, Settled, basis_ordinates, dot
 from exactspline.numbers.exact import Number, mpq, to_fmpq
 from exactspline.numbers.intervals import Box, Interval, ball_around, ball_ends
 from exactspline.polynomials.patch_forms import clusters
@@ -107,11 +107,12 @@ class _SurfacesNear:
     def __init__(self, surface: NurbsSurface, within: mpq) -> None:
         self.surface = surface
         ball = arb(0, arb(to_fmpq(within)).upper())
-        weights = [
-            [_Balls.number(w) + (arb(0) if surface.polynomial else ball) for w in row] for row in surface.weights
-        ]
+        sign = -1 if surface.weights[0][0] < 0 else 1  # weights multiplied by −1 are those of the same surface
+        own = [[_Balls.number(sign * w) for w in row] for row in surface.weights]
+        weights = own if surface.polynomial else [[w + ball for w in row] for row in own]
         if not all(w > 0 for row in weights for w in row):
-            raise ShapeError(f"surfaces within {within}", remedy="weights that stay positive: a smaller epsilon")
+            keeps = all(w > 0 for row in own for w in row)
+            raise ShapeError(f"surfaces within {within}", remedy=SMALLER if keeps else INSERT)
         points = [
             [
                 [(_Balls.number(p[c]) + ball) * w for p, w in zip(*rows, strict=True)]
