@@ -39,7 +39,7 @@ from exactspline.verification.evidence import (
     UndefinedAt,
 )
 from exactspline.verification.notation import WEIGHTS, spelled
-from exactspline.verification.one_function import expect_functions
+from exactspline.verification.one_function import expect_functions, expect_functions_on
 from exactspline.verification.paper_curves import check_curve_name, curve_named, curve_names, one_patch_surfaces
 from exactspline.verification.segments import on_segments
 from exactspline.verification.verdict import (
@@ -427,6 +427,9 @@ class Claim(Immutable, Displayed):
             return left(long)
         argument = own.argument(self.curve)
         gone = self.missing(argument)
+        if self.curve != ArgumentKind.TABLE:
+            again = argument if self.evaluated_first and not gone else None
+            expect_functions_on(self.compared, again, own.curve.dimension, own.curve.polynomial)
         finding = vacuous(gone) if gone else self.examine(argument, own)
         if finding.verdict in (REFUTED, VACUOUS) and (failing := own.failing(self.curve, self.assumes)):
             return inapplicable(failing, finding.computed, finding.relation)

@@ -5,14 +5,16 @@ its calls, draws numbers or looks at what its operands are is no function of a c
 from __future__ import annotations
 
 from collections.abc import Iterable
+from functools import cache
 from typing import Any
 
-from exactspline.errors import FormulaError, InapplicableError, VanishingDivisorError
+from exactspline.errors import ExactSplineError, FormulaError, InapplicableError, VanishingDivisorError
 from exactspline.interchange.examples import example, example_surface
 from exactspline.language.adjoined_root import Adjoined
 from exactspline.language.arguments import Evaluated
 from exactspline.language.formula import Formula
 from exactspline.language.parts import split
+from exactspline.polynomials.cost import Budget, drawing_on
 from exactspline.readings.differential_order import order_of
 from exactspline.readings.jet import Jet, JetRing
 from exactspline.readings.other_parameter import InOtherParameter
@@ -24,6 +26,10 @@ from exactspline.verification.check_arguments import argument
 #: A rational and a polynomial example on which values are compared, by dimension: curves and surfaces.
 CURVES = {2: ("rational_cubic", "cubic_s"), 3: ("rational_space_cubic", "flat_point")}
 SURFACES = {2: ("planar_map", "folded_map"), 3: ("rational_biquadratic", "bicubic")}
+
+
+class SeveralValuesError(FormulaError):
+    """A formula that has several values for one argument."""
 
 
 def expect_functions(formulas: Iterable[Formula], dimension: int, *, polynomial: bool = False) -> None:
@@ -66,8 +72,35 @@ def expect_same_again(formula: Formula, c: Evaluated) -> None:
         raise _several(formula)
 
 
-def _several(formula: Formula) -> FormulaError:
-    return FormulaError(
+def expect_functions_on(formulas: Iterable[Formula], c: Evaluated | None, dimension: int, polynomial: bool) -> None:
+    """Refuse, where claims are decided on one curve or surface, a formula that `expect_functions` refuses, or that has
+    another value there (on `c`, if one is given) in a second evaluation.
+
+    Raises `FormulaError`, naming the formula.
+    """
+    for each in formulas:
+        if not each.checked:
+            if several := _refusal(each, dimension, polynomial):
+                raise several
+            if c is not None:
+                expect_same_again(each, c)
+
+
+@cache
+def _refusal(formula: Formula, dimension: int, polynomial: bool) -> SeveralValuesError | None:
+    """Why a formula is refused on all curves; None also where that is too large to find out, on a budget of its own."""
+    try:
+        with drawing_on(Budget()):
+            expect_functions((formula,), dimension, polynomial=polynomial)
+    except SeveralValuesError as error:
+        return error
+    except ExactSplineError:
+        return None
+    return None
+
+
+def _several(formula: Formula) -> SeveralValuesError:
+    return SeveralValuesError(
         f"{formula.name} has several values for one argument: in a second evaluation, or in another reading",
         where=formula.source,
         remedy="compute with the argument alone: no counters, no random numbers, no questions about types",

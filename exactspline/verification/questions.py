@@ -23,7 +23,7 @@ from exactspline.symbolic.factorization import POLYNOMIAL, Factor, find_factor, 
 from exactspline.symbolic.reduction import Reduction, reduce
 from exactspline.verification.decision import Equation
 from exactspline.verification.evidence import At, Difference
-from exactspline.verification.one_function import expect_functions, expect_one_function, expect_same_again
+from exactspline.verification.one_function import expect_functions, expect_functions_on, expect_one_function
 from exactspline.verification.verdict import PROVED, VACUOUS, VERIFIED, Finding, worst
 from exactspline.verification.vocabulary import Verdict
 from exactspline.words import choice
@@ -250,7 +250,7 @@ def verify(left: Named, right: Named, curve: Nurbs, factor: str = "1") -> Check:
                 f"{f.name} is a formula of the kind {f.kind.name}, and the curve is in R{curve.dimension}",
                 remedy="compare formulas of a curve like this one",
             )
-        expect_same_again(f, curve)
+    expect_functions_on(sides, curve, curve.dimension, curve.polynomial)
     ps, qs = (split(f(curve))[0] for f in sides)
     if len(ps) != len(qs):
         raise FormulaError(

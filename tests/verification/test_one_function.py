@@ -6,14 +6,14 @@ from itertools import count
 import pytest
 
 import exactspline as xs
-from exactspline.errors import FormulaError
+from exactspline.errors import FormulaError, ReachError
 from exactspline.language import formula
 from exactspline.language.vector import Vector
 from exactspline.papers import find, papers
 from exactspline.symbolic.factorization import jets_for
 from exactspline.verification import one_function
 from exactspline.verification.claims import claims_of
-from exactspline.verification.ledger import proved
+from exactspline.verification.ledger import audit, proved
 from exactspline.verification.questions import degree
 from exactspline.verification.verdict import PROVED, UNDECIDED
 
@@ -43,8 +43,7 @@ def test_what_is_no_function_of_a_curve_proves_nothing(how):
     """Passed before: typed = f2 "for all curves"; its degree, its reduction and what holds on a curve alike."""
     own = typed(NO_FUNCTIONS[how])
     asked = [lambda: xs.prove(own, f2), lambda: xs.prove(f2, own), lambda: degree(own), lambda: xs.reduction(own)]
-    if "call" in how or "chance" in how:
-        asked.append(lambda: xs.verify(own, f2, xs.example("rational_cubic")))
+    asked.append(lambda: xs.verify(own, f2, xs.example("rational_cubic")))
     for ask in asked:
         with pytest.raises((FormulaError, AttributeError), match=r"typed has several values|'missing'"):
             ask()
@@ -92,6 +91,48 @@ def test_files_that_are_trusted_are_evaluated_again(tmp_path):
     (tmp_path / "claims.toml").write_text(entry.format(1, "same") + entry.format(2, "drawn"), encoding="utf-8")
     rows = [proved(each) for each in claims_of(xs.paper(tmp_path, trust=True))]
     assert [row.verdict for row in rows] == [PROVED, UNDECIDED]
+
+
+OF_ONE_CURVE = """import random
+from exactspline.language import formula, det
+@formula('e', on='plane')
+def good(c):
+    return det(c.p, c.p.d(1)) * c.w
+@formula('e', on='plane')
+def by_class(c):
+    return good(c) * (1 if type(c.w).__name__ == 'BSpline' else 2)
+@formula('e', on='plane')
+def by_chance(c):
+    return det(c.p, c.p.d(1)) * c.w * random.randint(1, 10**9)
+"""
+
+
+def test_rows_on_a_given_curve_are_refused_too(tmp_path):
+    """Before: those on a curve were evaluated once: VERIFIED by its class, REFUTED by chance."""
+    entry = (
+        '[[claim]]\nid = "{0}"\nkind = "identity"\ncurve = "plane"\nstatement = "equal"\nplace = "p"\n'
+        'left = "{0}"\nright = "{1}"\n'
+    )
+    (tmp_path / "formulas.py").write_text(OF_ONE_CURVE, encoding="utf-8")
+    text = "".join(entry.format(*pair) for pair in (("by_class", "good"), ("by_chance", "good")))
+    (tmp_path / "claims.toml").write_text(text, encoding="utf-8")
+    claims = claims_of(xs.paper(tmp_path, trust=True))
+    rows = list(audit(claims, [xs.example("rational_cubic")]))
+    assert [row.verdict for row in rows] == [UNDECIDED, UNDECIDED]
+    assert all(f"{row.id} has several values" in str(row.witness) for row in rows)
+
+
+def test_what_is_too_large_for_all_curves_is_decided_on_one(monkeypatch):
+    """It is evaluated twice there."""
+
+    def too_large(*_, **__):
+        raise ReachError("a product")
+
+    own, twice = typed(lambda c: f2(c) * c.w), typed(NO_FUNCTIONS["by its calls"])
+    monkeypatch.setattr(one_function, "expect_functions", too_large)
+    assert xs.verify(own, f1, xs.example("rational_cubic"))
+    with pytest.raises(FormulaError, match="several values"):
+        xs.verify(twice, f1, xs.example("rational_cubic"))
 
 
 def test_formulas_of_the_library_are_evaluated_once(monkeypatch):
