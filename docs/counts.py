@@ -11,7 +11,7 @@ from textwrap import fill
 from exactspline.display.glossary import glossary
 from exactspline.papers import papers
 from exactspline.verification.claims import claims_of
-from exactspline.verification.rows import recorded
+from exactspline.verification.rows import recorded_counts
 from exactspline.verification.vocabulary import Status
 
 PAGE = Path(__file__).parent / "concepts.md"
@@ -30,7 +30,7 @@ def table() -> Iterator[str]:
     yield f"| {' | '.join(HEADS)} |"
     yield "|---|" + "---:|" * (len(HEADS) - 1)
     for source in papers():
-        found = recorded(claims_of(source))
+        found = recorded_counts(claims_of(source))
         printed = found[Status.PRINTED]
         cells = (source.title, printed.statements, printed.hold, printed.refuted, printed.errors)
         yield f"| {' | '.join(map(str, (*cells, found[Status.MEANT].statements, found[Status.OURS].statements)))} |"

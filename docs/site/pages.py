@@ -29,7 +29,7 @@ from exactspline.errors import counted
 from exactspline.papers import papers
 from exactspline.verification.claims import claims_of
 from exactspline.verification.errata import Erratum, errata
-from exactspline.verification.rows import recorded
+from exactspline.verification.rows import recorded_counts
 
 #: The length of the lines of code on the page of errata.
 CODE_WIDTH = 88
@@ -99,7 +99,7 @@ def write_ledgers(folder: Path, claims: Iterable[dict[str, Any]]) -> list[str]:
     for claim in claims:
         by_source.setdefault(claim["paper"], []).append(claim)
     for name, told in by_source.items():
-        lines = [f"# {told[0]['title']}", summary(recorded(claims_of(name)))]
+        lines = [f"# {told[0]['title']}", summary(recorded_counts(claims_of(name)))]
         lines.append(
             "What was found for all curves; verdicts are explained in the [glossary](../glossary.md). Formulas, "
             'degrees and witnesses of each claim: <a href="../play/claims.html">the ledger that is searched</a>.'

@@ -206,7 +206,7 @@ def _of_file(place: str, taken: Taken) -> Iterator[Part]:
         yield place, "", Problem.of(CurveFileError(f"holds no {what}")), (1, 1), ()
 
 
-class Entry(NamedTuple):
+class _FileItem(NamedTuple):
     """What a file holds: a curve, a surface, or the problem of what was skipped; its name, and the notes on it."""
 
     name: str
@@ -214,12 +214,12 @@ class Entry(NamedTuple):
     notes: tuple[str, ...]
 
 
-def _entries(reading: Reading, taken: Taken, others: int) -> list[Entry]:
+def _entries(reading: Reading, taken: Taken, others: int) -> list[_FileItem]:
     """The curves or surfaces taken of a part of a file and the problems of what was skipped, the last first. What is
     not taken, after this many others, comes behind the rest.
     """
-    curves = [Entry(each.name, each.curve, (*reading.notes, *each.notes)) for each in reading.curves]
-    surfaces = [Entry(each.name, each, reading.notes) for each in reading.surfaces]
+    curves = [_FileItem(each.name, each.curve, (*reading.notes, *each.notes)) for each in reading.curves]
+    surfaces = [_FileItem(each.name, each, reading.notes) for each in reading.surfaces]
     kept, left, what = (surfaces, curves, "curve") if taken.surfaces else (curves, surfaces, "surface")
     behind = len(curves), len(surfaces)
     more = [
@@ -229,7 +229,7 @@ def _entries(reading: Reading, taken: Taken, others: int) -> list[Entry]:
     placed = list(enumerate(kept))
     for each in reversed((*reading.skipped, *more)):
         problem = Problem(NOT_READ if each.curve else SKIPPED, f"{each.what}: {each.why}")
-        placed.append((each.after[taken.surfaces], Entry(each.where, problem, ())))
+        placed.append((each.after[taken.surfaces], _FileItem(each.where, problem, ())))
     # of those at one place the curve is the last, and these are read backwards
     return [entry for _, entry in sorted(placed, key=itemgetter(0), reverse=True)]
 

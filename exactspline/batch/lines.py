@@ -113,7 +113,7 @@ class Line:
             "degrees": list(self.degrees),
             "answers": dict(self.answers),
         }
-        return fields | {"digest": digest_of(fields)}
+        return fields | {"digest": _digest_of(fields)}
 
     def kinds(self) -> Iterator[tuple[str, str]]:
         """All that was found: the question and the kind of each point or piece. What is not decided is of the kind
@@ -147,7 +147,7 @@ class Line:
         Raises `KeyError` or `TypeError` for what is not a line, `ValueError` for a line that was changed.
         """
         given: dict[str, object] = dict(data)
-        if given.pop("digest") != digest_of(given):
+        if given.pop("digest") != _digest_of(given):
             raise ValueError("the digest of the line does not match its data")
         found, claims, error = (given.pop(name) for name in ("found", "claims", "error"))
         assert isinstance(found, dict)
@@ -160,7 +160,7 @@ class Line:
         return cls(**given)  # type: ignore[arg-type]  # data just parsed, whose contents the schema checks
 
 
-def digest_of(data: Mapping[str, object]) -> str:
+def _digest_of(data: Mapping[str, object]) -> str:
     """A digest of all fields of a line except the processor time, which differs each time: a line that is changed by
     hand, or by a damaged disk, is noticed when its sweep is continued.
     """

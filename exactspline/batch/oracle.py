@@ -97,11 +97,11 @@ def _found(curve: Nurbs, asked: str) -> Found:
     return QUESTIONS[question.name].answer(curve_of(curve), question)
 
 
-def axes(curve: Nurbs) -> list[str]:
+def _axes(curve: Nurbs) -> list[str]:
     """The names of the coordinates.
 
     >>> from exactspline import example
-    >>> axes(example("circle"))
+    >>> _axes(example("circle"))
     ['x', 'y']
     """
     n = curve.dimension
@@ -112,7 +112,7 @@ def axes(curve: Nurbs) -> list[str]:
 
 
 def _coordinates(curve: Nurbs, t: mpq | Real, order: int = 0) -> Values:
-    return dict(zip(axes(curve), point_at(curve, t, order), strict=True))
+    return dict(zip(_axes(curve), point_at(curve, t, order), strict=True))
 
 
 def _frame(curve: Nurbs, t: mpq | Real) -> Values:
@@ -126,7 +126,7 @@ def _frame(curve: Nurbs, t: mpq | Real) -> Values:
     return {
         f"{name}{axis}": x
         for name, vector in vectors.items()
-        for axis, x in zip(axes(curve), unit(vector, t, name), strict=True)
+        for axis, x in zip(_axes(curve), unit(vector, t, name), strict=True)
     }
 
 
@@ -147,7 +147,7 @@ def _control_points(curve: Nurbs, part: str = "") -> list[Item]:
     facts = {"part": part} if part else {}
     items = [Item("curve", {}, facts | {"knots": [text(t) for t in curve.knots], "degree": curve.degree})]
     for point, weight in zip(curve.control_points, curve.weights, strict=True):
-        values = dict(zip(axes(curve), map(Real, point), strict=True)) | {"weight": Real(weight)}
+        values = dict(zip(_axes(curve), map(Real, point), strict=True)) | {"weight": Real(weight)}
         items.append(Item("direction" if isinstance(point, Direction) else "control point", values, facts))
     return items
 
@@ -200,7 +200,7 @@ def _evolute(curve: Nurbs, question: Question) -> Found:
     derived, items = derive("evolute", curve), list[Item]()
     for piece in derived.pieces:
         top, bottom = piece.value.elevated() if isinstance(piece.value, Rational) else (piece.value, None)
-        first, *points = _net(list(top), bottom, axes(curve))
+        first, *points = _net(list(top), bottom, _axes(curve))
         items += [Item(first.what, {}, {**first.facts, "interval": [text(t) for t in piece.interval]}), *points]
     gaps = [Item("missing", {}, {"interval": [text(a), text(b)], "reason": why}) for (a, b), why in derived.missing]
     return [*items, *gaps, *(Item("pole", {"parameter": pole}) for pole in derived.poles)], ()
@@ -211,7 +211,7 @@ def _evolute(curve: Nurbs, question: Question) -> Found:
 
 def _bounding_box(curve: Nurbs, question: Question) -> Found:
     ranges = [coordinate_range(curve, i) for i in range(curve.dimension)]
-    items = [Item(axis, {"low": low, "high": high}) for axis, (low, high) in zip(axes(curve), ranges, strict=True)]
+    items = [Item(axis, {"low": low, "high": high}) for axis, (low, high) in zip(_axes(curve), ranges, strict=True)]
     return items, (slope_zeros(curve, i).certificate() for i in range(curve.dimension))
 
 

@@ -24,7 +24,7 @@ UNDECIDED = "UNDECIDED"
 
 
 @dataclass(frozen=True)
-class Entry:
+class Tally:
     """A line of the summary: what is counted, its name, and the count or the processor time."""
 
     what: str
@@ -83,7 +83,7 @@ class Summary:
         self.seconds += line.seconds
         if line.degree is not None:
             self.degrees[line.degree] += 1
-        name = named(line)
+        name = _curve_name(line)
         if line.error is not None:
             self.errors[line.error.kind] += 1
             if not line.error.bad_input:
@@ -125,31 +125,31 @@ class Summary:
         """Whether every curve has a result; entities that are not curves are rightly skipped."""
         return set(self.errors) <= {SKIPPED}
 
-    def entries(self) -> Iterator[Entry]:
+    def entries(self) -> Iterator[Tally]:
         """The summary in the order in which it is printed."""
         read = self.lines - self.errors.total()
         if self.patches:
-            yield Entry("surfaces", "", read)
-            yield Entry("patches", "", self.patches)
+            yield Tally("surfaces", "", read)
+            yield Tally("patches", "", self.patches)
         else:
-            yield Entry("curves", "", read)
-            yield Entry("segments", "", self.segments)
-        yield from (Entry("degree", str(degree), count) for degree, count in sorted(self.degrees.items()))
-        yield from (Entry(what, kind, count) for (what, kind), count in sorted(self.found.items()))
-        yield from (Entry(claim, verdict, count) for (claim, verdict), count in sorted(self.verdicts.items()))
-        yield from (Entry("error", kind, count) for kind, count in sorted(self.errors.items()))
-        yield from (Entry("refused", text) for text in self.refused)
-        yield from (Entry("not as expected", text) for text in self.examples)
-        yield from (Entry("note", text, count) for text, count in self.notes.most_common(NOTES))
+            yield Tally("curves", "", read)
+            yield Tally("segments", "", self.segments)
+        yield from (Tally("degree", str(degree), count) for degree, count in sorted(self.degrees.items()))
+        yield from (Tally(what, kind, count) for (what, kind), count in sorted(self.found.items()))
+        yield from (Tally(claim, verdict, count) for (claim, verdict), count in sorted(self.verdicts.items()))
+        yield from (Tally("error", kind, count) for kind, count in sorted(self.errors.items()))
+        yield from (Tally("refused", text) for text in self.refused)
+        yield from (Tally("not as expected", text) for text in self.examples)
+        yield from (Tally("note", text, count) for text, count in self.notes.most_common(NOTES))
         if len(self.notes) > NOTES:
-            yield Entry("note", "others", sum(self.notes.values()) - sum(n for _, n in self.notes.most_common(NOTES)))
+            yield Tally("note", "others", sum(self.notes.values()) - sum(n for _, n in self.notes.most_common(NOTES)))
         for family in sorted(self.of_family):
-            yield Entry("family", family, self.of_family[family])
+            yield Tally("family", family, self.of_family[family])
             counted = ((what, count) for (own, what), count in sorted(self.aside.items()) if own == family)
-            yield from (Entry(f"family: {what}", family, count) for what, count in counted)
-        yield from (Entry("filter", way, count) for way, count in sorted(self.filter.items()))
-        yield Entry("processor time", "", None, self.seconds)
-        yield from (Entry("slowest", name, None, seconds) for seconds, _, name in sorted(self._slowest, reverse=True))
+            yield from (Tally(f"family: {what}", family, count) for what, count in counted)
+        yield from (Tally("filter", way, count) for way, count in sorted(self.filter.items()))
+        yield Tally("processor time", "", None, self.seconds)
+        yield from (Tally("slowest", name, None, seconds) for seconds, _, name in sorted(self._slowest, reverse=True))
 
 
 def _set_aside(line: Line) -> Iterator[str]:
@@ -162,6 +162,6 @@ def _set_aside(line: Line) -> Iterator[str]:
         yield OPEN
 
 
-def named(line: Line) -> str:
+def _curve_name(line: Line) -> str:
     """A curve by its source and its name."""
     return ": ".join(dict.fromkeys(filter(None, (line.source, line.curve)))) or f"curve {line.index}"

@@ -87,7 +87,7 @@ class Where:
     scheduler: str = ""
 
 
-def settings(sources: Sequence[Source], work: Work | SurfaceWork, taken: Taken = CURVES) -> dict[str, object]:
+def _settings(sources: Sequence[Source], work: Work | SurfaceWork, taken: Taken = CURVES) -> dict[str, object]:
     """The settings on which results depend: a sweep may only be continued with the same ones."""
     return {
         "schema": "exactspline/sweep_line",
@@ -98,7 +98,7 @@ def settings(sources: Sequence[Source], work: Work | SurfaceWork, taken: Taken =
     }
 
 
-def recorded(
+def sweep_into_file(
     sources: Sequence[Source],
     work: Work | SurfaceWork,
     where: Where,
@@ -108,7 +108,7 @@ def recorded(
     stopped: Callable[[], bool] = lambda: False,
     taken: Taken = CURVES,
 ) -> None:
-    """Sweep a corpus into a file (`opened`), or nowhere, and count all of its lines.
+    """Sweep a corpus into a file (`_opened`), or nowhere, and count all of its lines.
 
     If the file exists, its lines are counted and the sweep continues after them. `tick` is called with the fraction of
     the corpus that is done, the line, and whether it existed before. Once `stopped` returns true, no further curve is
@@ -120,7 +120,7 @@ def recorded(
     if not output:
         _compute(given, work, where, None, summary, tick)
         return
-    with opened(output, settings(sources, work, taken)) as results:
+    with _opened(output, _settings(sources, work, taken)) as results:
         for line in results.existing():
             item = next(given, None)
             if item is None and stopped():
@@ -143,7 +143,7 @@ def _about(line: Line, item: Item) -> bool:
     return (item.source, item.name, item.digest, problem) == (line.source, line.curve, line.curve_digest, line.error)
 
 
-def opened(place: str, settings: Settings) -> Results:
+def _opened(place: str, settings: Settings) -> Results:
     """Results at a place, new or continued: Parquet for ``*.parquet``, JSON Lines otherwise.
 
     Raises `ResultsError`, also where pyarrow is needed and missing.

@@ -108,7 +108,7 @@ def _double(zero: elimination.CommonZero, slopes: Sequence[fmpz_mpoly], single: 
     f, g = slopes
     hessian = f.derivative(0) * g.derivative(1) - f.derivative(1) * g.derivative(0)
     if hessian and not vanish_at([hessian], *zero.place):
-        return (PointKind.NODE if sign_at(hessian, zero) == -1 else PointKind.ISOLATED), 2, 1
+        return (PointKind.NODE if sign_at_point(hessian, zero) == -1 else PointKind.ISOLATED), 2, 1
     # a common factor of the derivatives is not zero here, since the function is square-free
     common = greatest_common_divisor(slopes)
     milnor = elimination.multiplicity(zero, f / common, g / common)
@@ -117,7 +117,7 @@ def _double(zero: elimination.CommonZero, slopes: Sequence[fmpz_mpoly], single: 
     return (PointKind.ISOLATED if single else PointKind.TACNODE), 2, milnor
 
 
-def sign_at(p: fmpz_mpoly, zero: elimination.CommonZero) -> int:
+def sign_at_point(p: fmpz_mpoly, zero: elimination.CommonZero) -> int:
     """The sign of a polynomial that is not zero at a point."""
     digits = DIGITS
     while True:

@@ -56,10 +56,10 @@ def total(p: Sequence[Number], q: Sequence[Number]) -> list[Number]:
     return [x + other[i] if i < len(other) else x for i, x in enumerate(longer)]
 
 
-def value(p: Sequence[int], x: Number) -> Number:
+def value_of(p: Sequence[int], x: Number) -> Number:
     """The value at a number.
 
-    >>> value([1, 0, 2], 3)
+    >>> value_of([1, 0, 2], 3)
     19
     """
     found = x - x
@@ -107,9 +107,9 @@ def sign_at_root(p: Sequence[Number], minimal: Sequence[int], low: Fraction, hig
         if sign or low == high:
             return sign
         middle = (low + high) / 2
-        if value(minimal, low) * value(minimal, middle) <= 0:
+        if value_of(minimal, low) * value_of(minimal, middle) <= 0:
             high = middle
-        if value(minimal, middle) * value(minimal, high) <= 0:
+        if value_of(minimal, middle) * value_of(minimal, high) <= 0:
             low = middle
     return 0
 
@@ -131,8 +131,8 @@ def require_only_root(p: Sequence[int], side: Side, whole: Side) -> None:
     (low, high), is_linear = side, len(p) == 2
     require(len(p) > 1 and gcd(*p) == 1, "a factor that is constant or has a content")
     require(whole[0] <= low <= high <= whole[1], "a root outside the box")
-    is_exact = low == high and value(p, low) == 0 and is_linear
-    require(is_exact or (low < high and value(p, low) * value(p, high) < 0), "a place without a root")
+    is_exact = low == high and value_of(p, low) == 0 and is_linear
+    require(is_exact or (low < high and value_of(p, low) * value_of(p, high) < 0), "a place without a root")
     require(is_linear or has_one_root(p, *whole), "a factor that may have several roots")
 
 
@@ -219,7 +219,7 @@ def subresultant(first: Rows, second: Rows, k: int) -> Polynomial:
     points = (n - k) * degrees[0] + (m - k) * degrees[1] + 1
     values = []
     for x in range(points):
-        f, g = ([value(row, x) for row in rows[::-1]] for rows in (first, second))
+        f, g = ([value_of(row, x) for row in rows[::-1]] for rows in (first, second))
         size = m + n - 2 * k
         matrix = [[0] * i + f + [0] * (n - k - 1 - i) for i in range(n - k)]
         matrix += [[0] * i + g + [0] * (m - k - 1 - i) for i in range(m - k)]

@@ -14,7 +14,7 @@ from fractions import Fraction
 from math import gcd
 from typing import Any
 
-from exactspline.certificates.elimination import determinant, through, value
+from exactspline.certificates.elimination import determinant, through, value_of
 from exactspline.certificates.numbers import (
     count,
     each,
@@ -114,7 +114,7 @@ def polynomial_determinant(matrix: list[list[Polynomial]]) -> Polynomial:
     [0, 0, -1]
     """
     degree = len(matrix) * (len(matrix[0][0]) - 1)
-    values = [determinant([[value(p, x) for p in row] for row in matrix]) for x in range(degree + 1)]
+    values = [determinant([[value_of(p, x) for p in row] for row in matrix]) for x in range(degree + 1)]
     return _padded(through(values), degree)
 
 
@@ -155,10 +155,10 @@ def _on_segment(claim: Mapping[str, Any], zero: Zero, entries: tuple[Polynomial,
     first, second, last = entries
     where = claim["s"]
     if where == START:
-        require(sign_throughout(first, a, b) != 0 and vanishes(second, factor, a, b), "the parameter is not the start")
+        require(sign_throughout(first, a, b) != 0 and zero_at(second, factor, a, b), "the parameter is not the start")
         return 1
     if where == END:
-        require(sign_throughout(last, a, b) != 0 and vanishes(first, factor, a, b), "the parameter is not the end")
+        require(sign_throughout(last, a, b) != 0 and zero_at(first, factor, a, b), "the parameter is not the end")
         return 1
     require(where in (INSIDE, OUTSIDE), "an unknown place")
     product = sign_throughout(first, a, b) * sign_throughout(second, a, b)
@@ -198,10 +198,10 @@ def changes_sign(form: Polynomial, a: Fraction, b: Fraction) -> bool:
     return values[0] * values[-1] < 0
 
 
-def vanishes(form: Polynomial, factor: Polynomial, a: Fraction, b: Fraction) -> bool:
+def zero_at(form: Polynomial, factor: Polynomial, a: Fraction, b: Fraction) -> bool:
     """Whether a form is zero at the only zero of the factor in [a, b].
 
-    >>> vanishes([-2, 1], [4, 0, -1], Fraction(1, 2), Fraction(1))  # at t/(1 − t) = 2
+    >>> zero_at([-2, 1], [4, 0, -1], Fraction(1, 2), Fraction(1))  # at t/(1 − t) = 2
     True
     """
     if a == b:

@@ -47,10 +47,10 @@ from exactspline.certificates.elimination import (
     subresultant,
     total,
     trimmed,
-    value,
+    value_of,
     value_over,
 )
-from exactspline.certificates.intersections import common_divisor, require_place, vanishes
+from exactspline.certificates.intersections import common_divisor, require_place, zero_at
 from exactspline.certificates.numbers import count, each, fraction, integer, one_of, read, require, within
 from exactspline.certificates.zeros import ISOLATION, isolated_zeros, product_of, values_on
 
@@ -188,11 +188,11 @@ class _OnPatch:
         for (first, (_, low)), (last, (high, _)) in pairwise(sorted(events.items(), key=lambda event: event[1])):
             require(low < high, "zeros whose order is not proved")
             middle = (low + high) / 2
-            ends = [self._value((at, middle) if direction == 0 else (middle, at)) for at in (a, b)]
+            ends = [self._value_of((at, middle) if direction == 0 else (middle, at)) for at in (a, b)]
             if ends[0] * ends[1] < 0:
                 self._ways.append((first, last))
 
-    def _value(self, point: tuple[Fraction, Fraction]) -> int:
+    def _value_of(self, point: tuple[Fraction, Fraction]) -> int:
         return on_line(turned([on_line(self.net, 0, point[0])]), 0, point[1])[0]
 
     # ---- singular points
@@ -316,13 +316,13 @@ class _OnPatch:
         """Whether a zero on the border is on one of the lines."""
         kind, *data = vertex
         if kind == "point":
-            return any(value(p, x) == 0 for p, x in zip(self.lines, data, strict=True))
+            return any(value_of(p, x) == 0 for p, x in zip(self.lines, data, strict=True))
         direction, at, k = data
         along = self.lines[1 - direction]
         n = len(along) - 1
         form = [sum(comb(n - j, i - j) * along[j] for j in range(i + 1)) for i in range(n + 1)]
         own = self._factors[direction, at][k], *self.zeros[direction, at][k]
-        return value(self.lines[direction], at) == 0 or vanishes(form, *own)
+        return value_of(self.lines[direction], at) == 0 or zero_at(form, *own)
 
 
 # ---- nets

@@ -83,7 +83,7 @@ def claims_of_papers(names: Sequence[str] | None, trust: bool) -> tuple[Claim, .
 
 def load_curve(name: str) -> Nurbs:
     """The one curve that a name, a file or standard input (``-``) means."""
-    return only_one(curves_in(name, reading_of(name))[0], "curve", name)
+    return only_one(_curves_in(name, reading_of(name))[0], "curve", name)
 
 
 def only_one(found: Sequence[C], what: str, name: str, options: str = "") -> C:
@@ -121,7 +121,7 @@ def loaded(names: Iterable[str]) -> tuple[list[Nurbs], bool]:
 
 def read_curves(given: Iterable[tuple[str, Reading]], good: bool) -> tuple[list[Read], bool]:
     """The curves in what was read under some names, and whether all could be read."""
-    found, all_good = each_read(given, lambda pair: (pair[0], *curves_in(*pair)))
+    found, all_good = each_read(given, lambda pair: (pair[0], *_curves_in(*pair)))
     curves = [Read(name, index, curve) for name, own, _ in found for index, curve in enumerate(own)]
     return curves, good and all_good and all(complete for *_, complete in found)
 
@@ -162,7 +162,7 @@ def reading_of(name: str, approximate: str = "") -> Reading:
     return read(name, approximate=approximate or None)
 
 
-def curves_in(name: str, reading: Reading) -> tuple[list[Nurbs], bool]:
+def _curves_in(name: str, reading: Reading) -> tuple[list[Nurbs], bool]:
     """The curves in what was read under a name, and whether all could be; what is skipped is named on standard
     error. The note of a single curve of our own JSON stands in it.
     """

@@ -63,17 +63,17 @@ def leave_out() -> None:
 LEFT_OUT = ("left_out", "missing", "undecided", "skipped")
 
 
-def lacks(value: object) -> bool:
+def _lacks(value: object) -> bool:
     """Whether data say, at any depth, that something is lacking.
 
-    >>> lacks({"points": [], "left_out": []}), lacks([{"curvature": {"undecided": ["[0, 1] × [0, 1]"]}}])
+    >>> _lacks({"points": [], "left_out": []}), _lacks([{"curvature": {"undecided": ["[0, 1] × [0, 1]"]}}])
     (False, True)
     """
     if isinstance(value, Mapping):
         return value.get("complete") is False or any(
-            bool(part) if name in LEFT_OUT else lacks(part) for name, part in value.items()
+            bool(part) if name in LEFT_OUT else _lacks(part) for name, part in value.items()
         )
-    return isinstance(value, (list, tuple)) and any(map(lacks, value))
+    return isinstance(value, (list, tuple)) and any(map(_lacks, value))
 
 
 @dataclass(frozen=True)
@@ -102,7 +102,7 @@ class Output:
         """
         if self.strict:
             rows = list(rows)
-            _State.left_out |= lacks(rows)
+            _State.left_out |= _lacks(rows)
         remark = f"{RAN}: {', '.join(unchecked())}" if unchecked() else ""
         if self.format == "json":
             print_json(document(schema, rows))
@@ -195,7 +195,7 @@ def printing(command: Callable[..., None]) -> Callable[..., None]:
     return run
 
 
-class Guarded(io.FileIO):
+class _Guarded(io.FileIO):
     """Standard output that may be closed by its reader (``| head``): the rest is dropped, and the command ends with its
     usual status. The rest after any other failure is dropped, too, so that the end of the process does not fail.
     """
@@ -220,7 +220,7 @@ def guard_output() -> None:
     old = sys.stdout
     if isinstance(old, io.TextIOWrapper):
         old.flush()
-        raw = Guarded(old.fileno(), "wb", closefd=False)
+        raw = _Guarded(old.fileno(), "wb", closefd=False)
         encoding, by_line = old.encoding, old.line_buffering
         sys.stdout = io.TextIOWrapper(
             io.BufferedWriter(raw), encoding=encoding, errors="backslashreplace", line_buffering=by_line

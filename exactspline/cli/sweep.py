@@ -144,7 +144,7 @@ def sweep(
     from exactspline.batch.families import Family
     from exactspline.batch.inspections import USUAL
     from exactspline.batch.summary import Summary
-    from exactspline.batch.sweep import Where, recorded, work_of
+    from exactspline.batch.sweep import Where, sweep_into_file, work_of
 
     check_approximate(approximate)
     if epsilon:
@@ -163,7 +163,7 @@ def sweep(
     with _interruptible(jobs > 1) as stopped:
         with _progress() as tick:
             reported = _printing(tick) if to_stdout else tick
-            recorded(sources, work, where, "" if to_stdout else output, summary, reported, stopped, taken)
+            sweep_into_file(sources, work, where, "" if to_stdout else output, summary, reported, stopped, taken)
         interrupted = stopped()
     if interrupted:
         goes_on = f"; the same command continues after them in {output}" if output and not to_stdout else ""

@@ -57,7 +57,7 @@ from exactspline.splines.tensor import TensorSpline
 NAMES = "st"
 
 
-def parameter_data(t: Parameter, digits: int) -> Data:
+def _data_of(t: Parameter, digits: int) -> Data:
     """A parameter: exact text where it is rational, otherwise its minimal polynomial (constant term first; where
     factoring is out of reach a multiple of it); an interval that isolates it, and its leading digits.
     """
@@ -80,7 +80,7 @@ def parameter_data(t: Parameter, digits: int) -> Data:
 _TEXTS, _NETS = list_of(TEXT), list_of(list_of(TEXT))
 _SIDES = pair_of(INTERVAL)
 PARAMETER = Form(
-    record(parameter=or_null(TEXT), interval=INTERVAL, decimal=TEXT, polynomial=optional(_TEXTS)).schema, parameter_data
+    record(parameter=or_null(TEXT), interval=INTERVAL, decimal=TEXT, polynomial=optional(_TEXTS)).schema, _data_of
 )
 _LETTER = Form({"enum": [*NAMES]}, lambda of, digits: NAMES[of])
 
@@ -134,7 +134,7 @@ def _root_net(part: tuple[Coordinate, ...], field: str) -> Data:
 
 
 def _other_data(other: Parameter | Rational[BSpline], digits: int) -> Data:
-    return piece_data(other.denominator.domain, other) if isinstance(other, Rational) else parameter_data(other, digits)
+    return piece_data(other.denominator.domain, other) if isinstance(other, Rational) else _data_of(other, digits)
 
 
 def _flat_of_branch(found: tuple[LineComponent, Branch], digits: int) -> Data:
@@ -347,7 +347,7 @@ def control_points(value: Rational[TensorSpline]) -> int:
     return int(m * n)
 
 
-def shown(t: Parameter, digits: int) -> str:
+def brief(t: Parameter, digits: int) -> str:
     """A parameter as text: exact where it is short, otherwise to a given number of digits."""
     exact = t if not isinstance(t, Root) else t.exact
     if exact is not None and len(text(exact)) <= digits + 2:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import Any, NamedTuple
 
-from exactspline.display.bisector_data import PairsKind, control_points, degree_of, shown
+from exactspline.display.bisector_data import PairsKind, brief, control_points, degree_of
 from exactspline.display.data import Data
 from exactspline.display.sheet import Sheet
 from exactspline.errors import counted
@@ -44,7 +44,7 @@ def of_two_curves(found: CurveBisector, digits: int) -> tuple[list[Row], list[st
     rows += _grouped(_line_row(line, digits) for line in found.lines)
     rows += _grouped(_plane_row(plane, digits) for plane in found.planes)
     rows += [
-        Row(str(pair.solutions), f"s = {shown(pair.s, digits)}, t = {shown(pair.t, digits)}", "–", str(pair.cause))
+        Row(str(pair.solutions), f"s = {brief(pair.s, digits)}, t = {brief(pair.t, digits)}", "–", str(pair.cause))
         for pair in found.pairs
     ]
     rows += _grouped(_pole_row(pole) for pole in found.poles)
@@ -85,7 +85,7 @@ def of_point_in_plane(found: TrimmedBisector, digits: int) -> tuple[list[Row], l
     """The pieces of the trimmed bisector of a point and a plane curve, and notes on what is missing."""
     rows = []
     for piece in found.pieces:
-        ends = f"[{shown(piece.low, digits)}, {shown(piece.high, digits)}]"
+        ends = f"[{brief(piece.low, digits)}, {brief(piece.high, digits)}]"
         foot = "" if piece.foot is None else f"foot at {short_text(piece.foot)}"
         rows.append(Row(str(piece.kind), ends, str(piece.value.degree), foot))
     return rows, [f"missing: {reason}" for reason in found.missing] + [f"left out: {what}" for what in found.left_out]
@@ -97,7 +97,7 @@ def of_point_in_space(found: PointBisector, digits: int) -> tuple[list[Row], lis
     for piece in found.pieces:
         moved = f"ruling parameter {piece.moved}" if piece.moved else ""
         rows.append(Row("ruled surface", piece.interval.shortly, str(piece.surface.degree), moved))
-    rows += [Row("singular", shown(root, digits), "–", "the generator vanishes") for root in found.singular]
+    rows += [Row("singular", brief(root, digits), "–", "the generator vanishes") for root in found.singular]
     return rows, [f"missing: {interval.shortly}: {reason}" for interval, reason in found.missing]
 
 
@@ -126,11 +126,11 @@ def _surface_row(patch: BisectorPatch) -> Row:
 def _line_row(line: LineComponent, digits: int) -> Row:
     degrees = {piece.surface.degree for piece in line.pieces}
     if line.pieces:
-        where = "; ".join(f"{'st'[x.of]} in [{shown(x.low, digits)}, {shown(x.high, digits)}]" for x in line.pieces)
+        where = "; ".join(f"{'st'[x.of]} in [{brief(x.low, digits)}, {brief(x.high, digits)}]" for x in line.pieces)
     elif line.over_root is not None:
         own = line.over_root
         degrees = {own.degree}
-        where = f"{'ts'[own.of]} = {shown(own.other, digits)}; {'st'[own.of]} in {own.interval.shortly}"
+        where = f"{'ts'[own.of]} = {brief(own.other, digits)}; {'st'[own.of]} in {own.interval.shortly}"
     else:
         where = counted(len(line.real.branches), "branch")
     where, short = _pairs(line.equation, line.sides, where)
@@ -138,7 +138,7 @@ def _line_row(line: LineComponent, digits: int) -> Row:
 
 
 def _plane_row(plane: PlaneComponent, digits: int) -> Row:
-    where = "; ".join(f"{'st'[plane.of]} in [{shown(a, digits)}, {shown(b, digits)}]" for a, b in plane.intervals)
+    where = "; ".join(f"{'st'[plane.of]} in [{brief(a, digits)}, {brief(b, digits)}]" for a, b in plane.intervals)
     kind = "planes" if plane.equation is not None and plane.fixed is None else str(plane.solutions)
     where, short = _pairs(plane.equation, plane.sides, where)
     return Row(kind, where, "–", str(plane.cause), short)

@@ -135,7 +135,7 @@ def _(item: e.HeldOn, numbers: Numbers = EXACT) -> str:
 TERMS = 3
 
 
-def is_one(factor: Found | None) -> bool:
+def _is_one(factor: Found | None) -> bool:
     """Whether a factor is the number 1."""
     if isinstance(factor, e.StatedFactor):
         return all(name == "1" for name, _ in factor.powers)
@@ -153,7 +153,7 @@ def _(item: e.StatedFactor, numbers: Numbers = EXACT) -> str:
 
 @words.register
 def _(item: e.Relating, numbers: Numbers = EXACT) -> str:
-    factor = "" if is_one(item.factor) else f"{words(item.factor, numbers)} · "
+    factor = "" if _is_one(item.factor) else f"{words(item.factor, numbers)} · "
     return f"{item.left} = {factor}{item.right}"
 
 

@@ -178,7 +178,7 @@ def _of_shape(found: Mapping[str, Any]) -> str:
     return shape_text({name: values for name, values in found["numbers"].items() if name != "within"}, rational(within))
 
 
-def nearby_sheet(c: Nurbs, data: Mapping[str, object]) -> Sheet:
+def _nearby_sheet(c: Nurbs, data: Mapping[str, object]) -> Sheet:
     """What all curves near a curve have, and what some of them may have."""
     title = f"All curves within {readable(str(data['epsilon']))} of {c.name}"
     made = Sheet("what", "each has", "between", "and", title=title, heads=2)
@@ -189,7 +189,7 @@ def nearby_sheet(c: Nurbs, data: Mapping[str, object]) -> Sheet:
     return made
 
 
-def meetings_sheet(c: Nurbs, data: Mapping[str, object]) -> Sheet:
+def _meetings_sheet(c: Nurbs, data: Mapping[str, object]) -> Sheet:
     """Where all curves near a curve meet themselves, and where some of them may."""
     return common_points_sheet(
         data["meetings"], f"All curves within {readable(str(data['epsilon']))} of {c.name} and themselves"
@@ -207,7 +207,7 @@ def common_points_sheet(meetings: object, title: str) -> Sheet:
     return made
 
 
-def stability_sheet(c: Nurbs, data: Mapping[str, object]) -> Sheet:
+def _stability_sheet(c: Nurbs, data: Mapping[str, object]) -> Sheet:
     """How far a curve may be changed until its features vanish."""
     title = f"{c.name} with all numbers changed by at most this"
     columns = ("what", "at", "certain up to", "gone within", "ratio", "prominence")
@@ -226,7 +226,7 @@ def stability_sheet(c: Nurbs, data: Mapping[str, object]) -> Sheet:
 
 
 #: Tables below that of the features, by the part of the data that they show.
-EXTRA = {"nearby": nearby_sheet, "meetings": meetings_sheet, "stability": stability_sheet}
+EXTRA = {"nearby": _nearby_sheet, "meetings": _meetings_sheet, "stability": _stability_sheet}
 
 
 def _extra(c: Nurbs, data: Mapping[str, Any]) -> list[Sheet]:

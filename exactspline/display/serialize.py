@@ -67,7 +67,7 @@ def decimal_of(root: Root, digits: int) -> str:
     return decimal(value, digits + len(str(mpz(abs(value)))))
 
 
-def value_of(quantity: Callable[[Nurbs, Root, Side | str], Real], curve: Nurbs, root: Root, digits: int) -> str:
+def _value_of(quantity: Callable[[Nurbs, Root, Side | str], Real], curve: Nurbs, root: Root, digits: int) -> str:
     """κ or τ at a root to a given number of significant digits, 0 where it is exactly 0; at a joint the limits from
     both sides where they differ; where there is none, the reason.
     """
@@ -99,7 +99,7 @@ class _Place(NamedTuple):
 
 
 def _value(quantity: Callable[[Nurbs, Root, Side | str], Real]) -> Form:
-    return Form(TEXT.schema, lambda at, digits: value_of(quantity, at.curve, at.root, digits))
+    return Form(TEXT.schema, lambda at, digits: _value_of(quantity, at.curve, at.root, digits))
 
 
 DECIMAL = Form(TEXT.schema, decimal_of)

@@ -215,11 +215,11 @@ def in_markdown(text: str) -> str:
     return re.sub(r"[&<>|\n\r]|\]\(", lambda match: _MEANT[match[0]], text)
 
 
-def in_csv(text: str) -> str:
+def _in_csv(text: str) -> str:
     """A text for a cell of a spreadsheet, escaped where it begins like a formula that would be evaluated; numbers are
     unchanged.
 
-    >>> in_csv("=1+1"), in_csv("-x"), in_csv("-1/2"), in_csv("x = 1")
+    >>> _in_csv("=1+1"), _in_csv("-x"), _in_csv("-1/2"), _in_csv("x = 1")
     ("'=1+1", "'-x", '-1/2', 'x = 1')
     """
     return f"'{text}" if text[:1] in _COMPUTED and not _NUMBER.fullmatch(text) else text
@@ -240,7 +240,7 @@ def csv_of(sheets: Sequence[Sheet], by: str = "", unchecked: Sequence[str] = ())
         writer.writerow([*([by] if by else []), *sheets[0].columns, *(["unchecked"] if unchecked else [])])
     for sheet in sheets:
         writer.writerows(
-            map(in_csv, [*([sheet.name] if by else []), *row, *([", ".join(unchecked)] if unchecked else [])])
+            map(_in_csv, [*([sheet.name] if by else []), *row, *([", ".join(unchecked)] if unchecked else [])])
             for row in sheet.rows
         )
     return out.getvalue()

@@ -94,10 +94,10 @@ def surface_inspection_data(inspection: SurfaceInspection, digits: int) -> Data:
     """
     head = {"surface": inspection.surface.name} | picked(inspection.surface, "degree", "polynomial")
     facts = picked(inspection, "closed", "complete", "minimal", "curvature", "umbilic_everywhere")
-    return head | {"digits": digits} | facts | answers_data(inspection, digits)
+    return head | {"digits": digits} | facts | _answers_data(inspection, digits)
 
 
-def answers_data(inspection: SurfaceInspection | MapInspection, digits: int) -> Data:
+def _answers_data(inspection: SurfaceInspection | MapInspection, digits: int) -> Data:
     """The answers to all questions of the registry about a surface, under their names."""
     return {
         name: surface_answer_data(entry.answer(inspection), digits)
@@ -112,20 +112,20 @@ def _place_data(place: Place, digits: int) -> Data:
         name: {
             "parameter": text(exact[k]) if exact else text(a) if a == b else None,
             "interval": plain((a, b)),
-            "decimal": shown(a, b, digits),
+            "decimal": _decimal_between(a, b, digits),
         }
         for k, (name, (a, b)) in enumerate(zip("uv", box, strict=True))
     }
 
 
 def _decimal(t: Parameter, digits: int) -> str:
-    return shown(*enclosing(t, digits + 2), digits)
+    return _decimal_between(*enclosing(t, digits + 2), digits)
 
 
-def shown(low: mpq, high: mpq, digits: int) -> str:
+def _decimal_between(low: mpq, high: mpq, digits: int) -> str:
     """A number between two others, to a given number of digits after the decimal point.
 
-    >>> shown(mpq(1, 3), mpq(1, 3), 4), shown(mpq(-1, 2), mpq(-1, 2), 3)
+    >>> _decimal_between(mpq(1, 3), mpq(1, 3), 4), _decimal_between(mpq(-1, 2), mpq(-1, 2), 3)
     ('0.3333', '-0.5')
     """
     middle = (low + high) / 2
@@ -417,17 +417,17 @@ def _poles(inspection: SurfaceInspection) -> Iterator[tuple[_PoleKey, list[Inter
 def _parameters(place: Place, digits: int) -> Iterator[str]:
     exact = place.exact
     for k, (a, b) in enumerate(place.box(digits + 2)):
-        yield text(exact[k]) if exact else text(a) if a == b else shown(a, b, digits)
+        yield text(exact[k]) if exact else text(a) if a == b else _decimal_between(a, b, digits)
 
 
 def _line(along: Along, value: Parameter, interval: Interval, digits: int = 0) -> tuple[str, str]:
-    at = shown(*enclosing(value, digits + 2), digits) if isinstance(value, Root) else text(value)
+    at = _decimal_between(*enclosing(value, digits + 2), digits) if isinstance(value, Root) else text(value)
     return (str(interval), at) if along is Along.U else (at, str(interval))
 
 
 def _near(side: Interval, digits: int = 4) -> str:
     """An interval by decimals, rounded."""
-    a, b = (shown(x, x, digits) for x in side)
+    a, b = (_decimal_between(x, x, digits) for x in side)
     return f"≈ {a}" if a == b else f"≈ [{a}, {b}]"
 
 
@@ -438,7 +438,7 @@ def map_data(inspection: MapInspection, digits: int) -> Data:
     """The sign of a Jacobian determinant as data."""
     head = {"surface": inspection.surface.name} | picked(inspection.surface, "degree", "polynomial")
     undecided = list_of(BOX).write(inspection.undecided, digits)
-    return head | {"complete": inspection.complete, "undecided": undecided} | answers_data(inspection, digits)
+    return head | {"complete": inspection.complete, "undecided": undecided} | _answers_data(inspection, digits)
 
 
 def map_sheet(inspection: MapInspection) -> Sheet:

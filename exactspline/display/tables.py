@@ -9,8 +9,7 @@ from html import escape
 from exactspline.display import console
 from exactspline.display.evidence import worded
 from exactspline.display.ledger import claimed
-from exactspline.display.numbers import Numbers as Written
-from exactspline.display.numbers import decimal_milliseconds
+from exactspline.display.numbers import Numbers, decimal_milliseconds
 from exactspline.display.quotations import quoted
 from exactspline.display.sheet import Sheet
 from exactspline.errors import as_flag, as_items, as_text, as_texts, counted
@@ -148,7 +147,7 @@ class Verdicts(Decided):
         self.rows_of_ledger = list(rows)
         columns = ["verdict", "claim", "on", "statement", "claimed", "computed", "factor or witness", "source"]
         cells: list[tuple[str, ...]] = [
-            (r.verdict, r.id, r.curve, r.statement, claimed(r.claim), worded(r.computed), remark(r), r.claim.source)
+            (r.verdict, r.id, r.curve, r.statement, claimed(r.claim), worded(r.computed), _remark(r), r.claim.source)
             for r in self.rows_of_ledger
         ]
         if any(r.curve for r in self.rows_of_ledger):
@@ -162,13 +161,13 @@ class Verdicts(Decided):
         return all(r.as_recorded for r in self.rows_of_ledger)
 
 
-def remark(row: Row) -> str:
+def _remark(row: Row) -> str:
     """Factor or witness of a row, shortened where it is too long to read.
 
-    >>> remark(proved(select(["C4.1a"])[0]))
+    >>> _remark(proved(select(["C4.1a"])[0]))
     'w'
     """
-    return _cut(worded(row.witness or row.factor, Written()))
+    return _cut(worded(row.witness or row.factor, Numbers()))
 
 
 def _cut(text: str) -> str:
@@ -251,7 +250,7 @@ def reduction_table(*names: str) -> Grid:
     return Grid(["formula", "part", "naive", "cancelled", "remaining factor", "its degree", "true degree"], rows)
 
 
-class Numbers(Decided):
+class PrintedNumbers(Decided):
     """Printed numbers next to the computed ones."""
 
     def __init__(self, statements: Iterable[Statement]) -> None:
@@ -260,13 +259,13 @@ class Numbers(Decided):
         super().__init__(["claim", "source", "statement", "printed", "computed", "verdict"], map(_printed, statements))
 
 
-def printed_numbers(*ids: str) -> Numbers:
+def printed_numbers(*ids: str) -> PrintedNumbers:
     """Every degree and every count that the paper prints, from its claims, next to the computed one.
 
     >>> printed_numbers("C4.2d")["computed"]
     ['6d − 6', '24d']
     """
-    return Numbers(map(statement, numerical_claims(*ids)))
+    return PrintedNumbers(map(statement, numerical_claims(*ids)))
 
 
 def numerical_claims(*ids: str) -> list[Claim]:

@@ -10,7 +10,7 @@ from exactspline.errors import ExactSplineError, ShapeError, counted
 from exactspline.interchange.limits import work
 from exactspline.interchange.numbers import decimal
 from exactspline.interchange.records import NamedCurve, Reading, Skipped, Source
-from exactspline.interchange.segments import Segment, joined
+from exactspline.interchange.segments import Segment, joined_segments
 from exactspline.numbers.exact import mpq
 from exactspline.splines.control_points import projected
 from exactspline.splines.nurbs import Nurbs
@@ -89,7 +89,7 @@ class Collector:
         self, what: str, where: str, segments: Sequence[Segment], name: str = "", notes: Sequence[str] = ()
     ) -> None:
         """Build the curve made of segments, polynomial where all weights are 1."""
-        degree, knots, points = joined(segments)
+        degree, knots, points = joined_segments(segments)
         if all(point[-1] == 1 for point in points):
             self.add(what, where, degree, knots, [point[:-1] for point in points], name=name, notes=notes)
         else:

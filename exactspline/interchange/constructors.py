@@ -6,7 +6,7 @@ from collections.abc import Iterable, Sequence
 
 from exactspline.errors import ShapeError, counted
 from exactspline.interchange.affine import Affine
-from exactspline.interchange.segments import Segment, arc_around_origin, conic_arc, joined, mapped
+from exactspline.interchange.segments import Segment, arc_around_origin, conic_arc, joined_segments, mapped
 from exactspline.interchange.segments import ellipse as full_ellipse
 from exactspline.numbers.exact import Number, mpq, rational
 from exactspline.splines.nurbs import Nurbs
@@ -69,4 +69,4 @@ def _point(values: Iterable[Number]) -> tuple[mpq, ...]:
 
 
 def _curve(segments: Sequence[Segment], name: str) -> Nurbs:
-    return Nurbs.from_homogeneous(*joined(segments), name=name)
+    return Nurbs.from_homogeneous(*joined_segments(segments), name=name)

@@ -114,7 +114,7 @@ def _format(source: Source, named: str | None) -> Format:
         raise CurveFileError(f"{counted(len(source.data), 'byte')}", remedy=f"at most {limits.megabytes} MB are read")
     if not source.data.strip(BLANK):
         raise CurveFileError("is empty", remedy="name a file of curves")
-    chosen = _recognized(source.data, source.name) if named is None else named_format(named)
+    chosen = _recognized(source.data, source.name) if named is None else _named_format(named)
     if source.part and not chosen.parts:
         raise CurveFileError(
             f"{chosen.title}: there is no part {source.part!r}", remedy="leave it out: fonts have parts"
@@ -144,7 +144,7 @@ def write(
     that it cannot represent.
     """
     place = as_path(place)
-    chosen = _by_suffix(place) if format is None else named_format(format)
+    chosen = _by_suffix(place) if format is None else _named_format(format)
     try:
         data, notes = encoded(given, chosen.name, rounding=rounding)
     except ExactSplineError as error:
@@ -157,7 +157,7 @@ def encoded(
     given: Nurbs | NurbsSurface | Iterable[Nurbs | NamedCurve | NurbsSurface], format: str, *, rounding: bool = False
 ) -> tuple[bytes, tuple[str, ...]]:
     """The bytes that `write` writes, and notes on what was lost."""
-    chosen = named_format(format)
+    chosen = _named_format(format)
     several: Any = [given] if isinstance(given, (Nurbs, NurbsSurface)) else as_items(given, "curves or surfaces")
     named = [NamedCurve(c.name or f"curve {i}", c) if isinstance(c, Nurbs) else c for i, c in enumerate(several, 1)]
     surfaces = [each for each in named if isinstance(each, NurbsSurface)]
@@ -177,7 +177,7 @@ def encoded(
     return data, (*notes, *([chosen.loses] if chosen.loses else []))
 
 
-def named_format(name: str) -> Format:
+def _named_format(name: str) -> Format:
     """The format with this name; raises `CurveFileError` listing the known names."""
     for known in formats():
         if known.name == as_text(name, "the name of a format"):

@@ -109,7 +109,7 @@ def parsed(text: str) -> object:
             parse_int=_Decimal,
             parse_float=_Decimal,
             parse_constant=_refuse,
-            object_pairs_hook=once_each,
+            object_pairs_hook=_once_each,
         )
     except RecursionError:
         raise CurveFileError("brackets are nested too deeply", remedy="a curve needs three levels") from None
@@ -121,7 +121,7 @@ def parsed(text: str) -> object:
         ) from None
 
 
-def once_each(fields: list[tuple[str, object]]) -> dict[str, object]:
+def _once_each(fields: list[tuple[str, object]]) -> dict[str, object]:
     """The fields of an object; raises `CurveFileError` for a repeated field, which would be ambiguous."""
     unique = dict(fields)
     if len(unique) < len(fields):

@@ -156,7 +156,7 @@ def _applied(matrix: Sequence[Point], x: Sequence[mpq]) -> Point:
     return tuple(sum((a * b for a, b in zip(row, x, strict=True)), start=mpq(0)) for row in matrix)
 
 
-def elevated(segment: Segment, degree: int) -> Segment:
+def _elevated(segment: Segment, degree: int) -> Segment:
     """The segment elevated to a higher degree."""
     n = len(segment) - 1
     rise = degree - n
@@ -174,12 +174,12 @@ def elevated(segment: Segment, degree: int) -> Segment:
     )
 
 
-def joined(segments: Sequence[Segment]) -> tuple[int, list[mpq], list[Point]]:
+def joined_segments(segments: Sequence[Segment]) -> tuple[int, list[mpq], list[Point]]:
     """The segments, each beginning where the previous one ends, as one spline: degree, knots (0, 1, 2, … with
     multiplicity degree) and homogeneous control points.
 
     >>> line = polynomial((0, 0), (2, 0))
-    >>> degree, knots, points = joined([line, polynomial((2, 0), (3, 1), (2, 2))])
+    >>> degree, knots, points = joined_segments([line, polynomial((2, 0), (3, 1), (2, 2))])
     >>> degree, [int(t) for t in knots], len(points)
     (2, [0, 0, 0, 1, 1, 2, 2, 2], 5)
     """
@@ -187,7 +187,7 @@ def joined(segments: Sequence[Segment]) -> tuple[int, list[mpq], list[Point]]:
     knots = [mpq(0)] * (degree + 1)
     points: list[Point] = []
     for i, segment in enumerate(segments, 1):
-        lifted = elevated(segment, degree)
+        lifted = _elevated(segment, degree)
         factor = points[-1][-1] / lifted[0][-1] if points else mpq(1)
         scaled = [_times(point, factor) for point in lifted]
         if points and points[-1] != scaled[0]:

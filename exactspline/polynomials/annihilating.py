@@ -33,7 +33,7 @@ PRIMES = (7, 11, 13, 17, 19, 23, 29, 31, 37, 41, 43)
 X = fmpz_poly([0, 1])
 
 
-def check_size(degree: int, bits: int) -> None:
+def _check_size(degree: int, bits: int) -> None:
     """Raise `ReachError` if a polynomial of this degree, with coefficients of this many bits, is too expensive."""
     cost = degree * degree * bits * ARITHMETIC
     check_reach(cost if degree <= DEGREE else max(cost, 10**10), lambda: f"a polynomial of degree {degree}")
@@ -46,7 +46,7 @@ def sum_of(p: fmpz_poly, q: fmpz_poly) -> fmpz_poly:
     x^4 + (-10)*x^2 + 1
     """
     n = q.degree()
-    check_size(p.degree() * n, 0)
+    _check_size(p.degree() * n, 0)
     # q(x − y) = Σ q⁽ʲ⁾(x) (−y)ʲ / j!
     rows, derivative, factorial = [], q, fmpz(1)
     for j in range(n + 1):
@@ -64,7 +64,7 @@ def product_of(p: fmpz_poly, q: fmpz_poly) -> fmpz_poly:
     zeros = next(i for i in range(q.degree() + 1) if q[i] != 0)
     q = q.right_shift(zeros)
     n = q.degree()
-    check_size(p.degree() * n, 0)
+    _check_size(p.degree() * n, 0)
     # yⁿ q(x/y) = Σ qₙ₋ᵢ xⁿ⁻ⁱ yⁱ
     product = primitive(resultant(_rows(p), [fmpz_poly([q[n - i]]).left_shift(n - i) for i in range(n + 1)]))
     return product * X if zeros and product[0] != 0 else product
@@ -86,7 +86,7 @@ def inverted(p: fmpz_poly) -> fmpz_poly:
 
 def square_root_of(p: fmpz_poly) -> fmpz_poly:
     """The polynomial whose zeros are both square roots of every zero of p."""
-    check_size(2 * p.degree(), p.height_bits())
+    _check_size(2 * p.degree(), p.height_bits())
     return p(fmpz_poly([0, 0, 1]))
 
 
@@ -101,7 +101,7 @@ def quotient_at(m: fmpz_poly, top: fmpq_poly, bottom: fmpq_poly) -> fmpz_poly:
     # m may have multiple factors
     while (common := greatest_common_divisor([f, g, m])).degree() > 0:
         m = m // common
-    check_size(m.degree(), max(f.height_bits(), g.height_bits()))
+    _check_size(m.degree(), max(f.height_bits(), g.height_bits()))
     return primitive(resultant(_rows(m), [fmpz_poly([-f[j], g[j]]) for j in range(max(f.degree(), g.degree()) + 1)]))
 
 
@@ -234,14 +234,14 @@ def linear(value: mpq) -> fmpz_poly:
     return fmpz_poly([int(-value.numerator), int(value.denominator)])
 
 
-def sign_at(p: fmpz_poly, t: mpq) -> int:
+def sign_of_value(p: fmpz_poly, t: mpq) -> int:
     """The sign of a polynomial at a rational number."""
     return sign(p(to_fmpq(t)))
 
 
 def changes_sign(p: fmpz_poly, low: mpq, high: mpq) -> bool:
     """Whether a polynomial has opposite signs at two numbers."""
-    return sign_at(p, low) * sign_at(p, high) < 0
+    return sign_of_value(p, low) * sign_of_value(p, high) < 0
 
 
 class QuotientModulo:
@@ -263,7 +263,7 @@ class QuotientModulo:
         if top.degree() >= n or bottom.degree() >= n:
             m = fmpq_poly(self.modulus)
             top, bottom = top % m, bottom % m
-        check_size(n, max(p.numer().height_bits() + p.denom().bit_length() for p in (top, bottom)))
+        _check_size(n, max(p.numer().height_bits() + p.denom().bit_length() for p in (top, bottom)))
         return QuotientModulo(self.modulus, top, bottom)
 
     def __add__(self, other: QuotientModulo) -> QuotientModulo:

@@ -193,7 +193,7 @@ def restrict(form: Form, n: int, a: mpq, b: mpq) -> Form:
     m = int(lcm(a.denominator, b.denominator))
     ia, ib = int(a * m), int(b * m)
     c = substituted(form[0], n, fmpz_poly([m - ia, m - ib]), fmpz_poly([ia, ib]))
-    return primitive((c, form[1] * fmpz(m) ** n))
+    return without_content((c, form[1] * fmpz(m) ** n))
 
 
 def in_parameter(c: fmpz_poly, n: int, side: Sequence[mpq]) -> tuple[fmpz_poly, fmpz]:
@@ -214,7 +214,7 @@ def of_parameter(p: fmpz_poly, n: int, a: mpq, b: mpq) -> fmpz_poly:
     return substituted(p, n, fmpz_poly([m, m]), fmpz_poly([int(a * m), int(b * m)]))
 
 
-def primitive(form: Form) -> Form:
+def without_content(form: Form) -> Form:
     """The same form, without common integer factors of coefficients and denominator."""
     c, m = form
     if not c:
@@ -284,7 +284,7 @@ def compose(outer: Form, n: int, inner: Form, degree: int) -> Form:
     """``outer ∘ inner`` for an inner form of the given degree with values in the local parameter of the outer one."""
     (c, m), (v, k) = outer, inner
     u = k * raiser(degree) - v
-    return primitive((substituted(c, n, u, v), m * k**n)) if n > 0 else outer
+    return without_content((substituted(c, n, u, v), m * k**n)) if n > 0 else outer
 
 
 def variations(c: fmpz_poly) -> int:

@@ -93,7 +93,7 @@ def straight_line(curve: PlaneForms) -> Point3 | None:
     return None if along(line, curve) else line
 
 
-def moving_lines(curve: PlaneForms, point: PlaneForms) -> list[list[fmpz_poly]]:
+def _moving_lines(curve: PlaneForms, point: PlaneForms) -> list[list[fmpz_poly]]:
     """``D_ij = det(Q, p_i, p_j)`` for i < j, in row i: forms in the parameter of the moving point Q."""
     _, x, y, w = point
     points = [curve.coefficient(i) for i in range(curve.degree + 1)]
@@ -117,7 +117,7 @@ def bezout_matrix(curve: PlaneForms, point: PlaneForms) -> Matrix:
     >>> bezout_matrix(parabola, origin)
     [[0, 0], [0, 1]]
     """
-    m, lines = curve.degree, moving_lines(curve, point)
+    m, lines = curve.degree, _moving_lines(curve, point)
     matrix = [[ZERO] * m for _ in range(m)]
     for k in range(m):
         for j in range(k, m):

@@ -168,7 +168,7 @@ def common_arcs(carried: RationalMap, *, below: bool = False) -> Meetings:
     excess = (carried.top - carried.bottom.left_shift(1)) * carried.bottom if below else fmpz_poly([-ONE])
     product = inside * carried.slope * excess
     marks = [at(mpq(0)), *(Place(zero) for zero in isolate(product, product.degree()).inner), at(mpq(1))]
-    on = [sign_at(inside, t) > 0 > sign_at(excess, t) for t in (between(a, b) for a, b in pairwise(marks))]
+    on = [sign_at(inside, t) > 0 > sign_at(excess, t) for t in (rational_between(a, b) for a, b in pairwise(marks))]
     found = Meetings()
     for place, before, behind in zip(marks, [False, *on], [*on, False], strict=True):
         single = not before and not behind and place.sign(inside, 2 * carried.degree) == 0
@@ -180,7 +180,7 @@ def common_arcs(carried: RationalMap, *, below: bool = False) -> Meetings:
     return found
 
 
-def between(a: Place, b: Place) -> mpq:
+def rational_between(a: Place, b: Place) -> mpq:
     """A rational parameter between two isolated zeros of one polynomial."""
     bits = FIRST
     while not (low := a.refine(bits).high) < (high := b.refine(bits).low):

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import Any, Generic, Protocol, Self, TypeVar
 
 
-class Multiplicative(Protocol):
+class _Multiplicative(Protocol):
     """Objects with products and powers."""
 
     def __mul__(self, other: Self, /) -> Self: ...
@@ -18,7 +18,7 @@ _SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 
 P = TypeVar("P")
 Q = TypeVar("Q")
-M = TypeVar("M", bound=Multiplicative)
+M = TypeVar("M", bound=_Multiplicative)
 #: Polynomials that are divided with a remainder.
 D = TypeVar("D", bound=Any)
 

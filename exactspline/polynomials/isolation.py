@@ -126,7 +126,7 @@ class LocalZero(NamedTuple):
         return self.factor, self.sign
 
 
-class Leaf(NamedTuple):
+class _Leaf(NamedTuple):
     """The interval ``[k, k + 1]/2^level``, with 0 or 1 sign changes of the subdivided polynomial."""
 
     level: int
@@ -143,7 +143,7 @@ class Isolation(NamedTuple):
     #: Signs of the form just right of the left end, and just left of the right end.
     signs: tuple[int, int]
     inner: list[LocalZero]
-    leaves: list[Leaf]
+    leaves: list[_Leaf]
     #: The zeros exactly at midpoints, ``k/2^level``.
     points: list[tuple[int, int]]
     #: Square-free factors with their multiplicities, if they were needed; the leaves then refer to the product of the
@@ -152,7 +152,7 @@ class Isolation(NamedTuple):
 
 
 #: The leaves of a form whose coefficients all have the same sign.
-NO_CHANGE = [Leaf(0, 0, 0)]
+NO_CHANGE = [_Leaf(0, 0, 0)]
 
 
 def isolate(c: fmpz_poly, n: int) -> Isolation:
@@ -188,7 +188,7 @@ class _Search:
 
     def __init__(self, polynomial: fmpz_poly, cap: int | None) -> None:
         self.factor, self.cap = LocalPolynomial(polynomial), cap
-        self.leaves: list[Leaf] = []
+        self.leaves: list[_Leaf] = []
         self._found: list[
             tuple[int, int, int, tuple[int, int]]
         ] = []  # level, k, multiplicity at a point or 0 inside an interval, signs on both sides
@@ -200,7 +200,7 @@ class _Search:
             level, k, part, flipped = todo.pop()
             changes = variations(part)
             if changes <= 1:
-                self.leaves.append(Leaf(level, k, changes))
+                self.leaves.append(_Leaf(level, k, changes))
                 if changes:
                     sign = sign_of(part.leading_coefficient() if flipped else part[0])
                     self._found.append((level, k, 0, (sign, -sign)))
@@ -277,10 +277,10 @@ def end_signs(c: fmpz_poly, low: mpq, high: mpq) -> tuple[int, int]:
     return signs[0], signs[-1]
 
 
-def rational_roots(c: fmpz_poly) -> list[mpq]:
+def _rational_roots(c: fmpz_poly) -> list[mpq]:
     """The rational local parameters strictly inside the segment at which a non-zero form vanishes.
 
-    >>> rational_roots(fmpz_poly([-1, 1]) * fmpz_poly([-2, 0, 1]))
+    >>> _rational_roots(fmpz_poly([-1, 1]) * fmpz_poly([-2, 0, 1]))
     [mpq(1,2)]
     """
     ratios = [ratio(-p[0], p[1]) for p in factorize(c).bases if p.degree() == 1]
@@ -309,7 +309,7 @@ def zero_on_segment(c: fmpz_poly, n: int) -> Interval | None:
     interval = Interval(inner[0].low, inner[0].high)
     if interval.low < interval.high:
         with suppress(ReachError):
-            exact = (t for t in rational_roots(inner[0].factor.polynomial) if interval.low < t < interval.high)
+            exact = (t for t in _rational_roots(inner[0].factor.polynomial) if interval.low < t < interval.high)
             interval = next(map(Interval.point, exact), interval)
     return interval
 

@@ -13,7 +13,7 @@ from math import comb
 from flint import fmpz, fmpz_poly
 
 from exactspline.numbers.exact import mpq, over_one_denominator, ratio
-from exactspline.polynomials.bernstein import Form, primitive, raiser, value
+from exactspline.polynomials.bernstein import Form, raiser, value, without_content
 
 
 def stride_for(degree: int) -> int:
@@ -101,16 +101,16 @@ def transposed(c: fmpz_poly, stride: int, n: int, new: int) -> fmpz_poly:
     return packed([fmpz_poly([row[i] if i < len(row) else 0 for row in parts]) for i in range(height)], new)
 
 
-def at_first(c: fmpz_poly, m: fmpz, degrees: tuple[int, int], stride: int, a: mpq) -> Form:
+def _at_first(c: fmpz_poly, m: fmpz, degrees: tuple[int, int], stride: int, a: mpq) -> Form:
     """The form in the second parameter at the local value a of the first one."""
     values = [value((row, m), degrees[0], a) for row in rows(c, stride, degrees[1])]
     integers, common = over_one_denominator(values)
-    return primitive((fmpz_poly(integers), fmpz(common)))
+    return without_content((fmpz_poly(integers), fmpz(common)))
 
 
 def evaluated(c: fmpz_poly, m: fmpz, degrees: tuple[int, int], stride: int, a: mpq, b: mpq) -> mpq:
     """The value at the local parameters a and b."""
-    return value(at_first(c, m, degrees, stride, a), degrees[1], b) if min(degrees) >= 0 else mpq(0)
+    return value(_at_first(c, m, degrees, stride, a), degrees[1], b) if min(degrees) >= 0 else mpq(0)
 
 
 def from_net(net: Sequence[Sequence[mpq]], stride: int) -> Form:

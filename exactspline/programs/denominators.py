@@ -22,14 +22,14 @@ class WidthNumerator(NamedTuple):
 
 
 @dataclass(frozen=True)
-class CommonMultiple:
+class _CommonMultiple:
     """The least common multiple of two denominators that have no atom in common."""
 
     first: Denominator
     second: Denominator
 
 
-Atom = OfOperand | WidthNumerator | CommonMultiple
+Atom = OfOperand | WidthNumerator | _CommonMultiple
 
 
 @dataclass(frozen=True)
@@ -69,7 +69,7 @@ class Denominator:
             return other
         if second == ONE:
             return self
-        return Denominator(content, _in_order(shared)) * Denominator.of(CommonMultiple(first, second))
+        return Denominator(content, _in_order(shared)) * Denominator.of(_CommonMultiple(first, second))
 
     def _without(self, powers: dict[Atom, int], constant: int) -> Denominator:
         left = {atom: e - powers.get(atom, 0) for atom, e in self.powers}

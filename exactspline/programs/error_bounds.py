@@ -32,17 +32,17 @@ class Known:
     lost: int
 
 
-def operands_known(degree: int, roundings: int) -> Known:
+def _operands_known(degree: int, roundings: int) -> Known:
     """An operand of at most 1, whose coefficients in the scaled basis were rounded this many times."""
     largest = comb(degree, degree // 2)
     return Known(roundings, largest, 4 * largest)
 
 
-def foreseen(listed: Sequence[Instruction], degrees: Sequence[int], operands: Sequence[Known]) -> list[Known]:
+def _foreseen(listed: Sequence[Instruction], degrees: Sequence[int], operands: Sequence[Known]) -> list[Known]:
     """What is known about every instruction.
 
     >>> load = [Instruction("load", (), (0,)), Instruction("load", (), (1,)), Instruction("mul", (0, 1))]
-    >>> foreseen(load, [1, 2, 3], [operands_known(1, 2), operands_known(2, 2)])[2].roundings
+    >>> _foreseen(load, [1, 2, 3], [_operands_known(1, 2), _operands_known(2, 2)])[2].roundings
     6
     """
     known: list[Known] = []
@@ -89,7 +89,7 @@ def known_of(program: Program, roundings: int) -> tuple[list[int], list[Known]]:
     Raises `FormulaError` where numbers could exceed the range of doubles, and for programs with multipliers.
     """
     listed, degrees = program.instructions.listed, program.instructions.degrees
-    known = foreseen(listed, degrees, [operands_known(degree, roundings) for degree in program.signature.degrees])
+    known = _foreseen(listed, degrees, [_operands_known(degree, roundings) for degree in program.signature.degrees])
     used = sorted(needed(listed, program.outputs))
     if any(max(known[i].mass, known[i].lost).bit_length() > RANGE for i in used):
         raise FormulaError("a program whose numbers exceed the range of doubles", remedy="use exact arithmetic")

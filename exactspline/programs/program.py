@@ -36,17 +36,17 @@ from exactspline.splines.tensor_patches import Degrees, spread
 T = TypeVar("T", bound=Operand)
 
 
-def terms_of(value: object, kind: type[T]) -> list[T]:
+def _terms_of(value: object, kind: type[T]) -> list[T]:
     """The terms of a value, or of each of several.
 
     Raises `FormulaError` for a value that formulas of programs do not return.
     """
     if isinstance(value, RuledSurface):
-        return terms_of(value.directrix, kind) + terms_of(value.generator, kind)
+        return _terms_of(value.directrix, kind) + _terms_of(value.generator, kind)
     if isinstance(value, Rational):
-        return [*terms_of(value.numerator, kind), value.denominator]
+        return [*_terms_of(value.numerator, kind), value.denominator]
     if isinstance(value, (Vector, tuple)):
-        return [term for part in value for term in terms_of(part, kind)]
+        return [term for part in value for term in _terms_of(part, kind)]
     if isinstance(value, kind):
         return [value]
     raise FormulaError(
@@ -108,7 +108,7 @@ class Program:
         self.instructions: Instructions = reading.recorder.instructions
         self.leaves = reading.leaves
         self.value = value
-        self.terms = terms_of(value, Term)
+        self.terms = _terms_of(value, Term)
         self.outputs = [term.output() for term in self.terms]
         #: One operand of each group with the same denominators.
         self.groups = sorted(set(self.signature.groups))

@@ -18,7 +18,7 @@ from exactspline.programs.denominators import Denominator
 from exactspline.programs.term import Recorder, Term
 
 
-class TermAtTrueDegree(Term, OwnWronskians):
+class _TermAtTrueDegree(Term, OwnWronskians):
     """A term whose Wronskians and logarithmic derivatives have their true degree.
 
     For forms of degree n in u and v, with ``A = u ∂u + v ∂v`` and ``B = ∂v − ∂u`` (the derivative, where u + v = 1),
@@ -109,7 +109,7 @@ class ProgramReading(Reading):
     def argument(self, kind: Kind, dimension: int, *, polynomial: bool = False) -> Evaluated:
         """Every operand loaded by its number."""
         symbols = kind.symbols(dimension, polynomial=polynomial)
-        operand: type[Term] = TermAtTrueDegree if self.signature.true_degree else Term
+        operand: type[Term] = _TermAtTrueDegree if self.signature.true_degree else Term
         given = zip(symbols, self.signature.degrees, self.signature.groups, self.leaves, strict=True)
         terms = {
             symbol.name: operand.operand(self.recorder, k, degree, group, own)

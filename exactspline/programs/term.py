@@ -171,7 +171,7 @@ class Term(RingOperand):
         raised, widths = min(a.raised, b.raised), min(a.widths, b.widths)
         first, second = a._down_to(raised, widths), b._down_to(raised, widths)
         parts = (first.node, first.number), (second.node, second.number)
-        node, number = multiple_of_sum(self.recorder.instructions, *parts)
+        node, number = _multiple_of_sum(self.recorder.instructions, *parts)
         return first._with(node=node, number=number, **known)
 
     def _with_number(self, factor: int) -> Self:
@@ -347,7 +347,7 @@ def _outside(what: str) -> FormulaError:
     return FormulaError(what, remedy="read the formula as splines")
 
 
-def multiple_of_sum(code: Instructions, first: tuple[int, int], second: tuple[int, int]) -> tuple[int, int]:
+def _multiple_of_sum(code: Instructions, first: tuple[int, int], second: tuple[int, int]) -> tuple[int, int]:
     """A sum of multiples of the results of two instructions, as a multiple of one result; a zero among them
     is skipped.
     """

@@ -249,16 +249,16 @@ def _parsed(text: str) -> Degree:
     return Degree([term])
 
 
-class DifferentiatedPartByPart(Rational[Degree]):
+class _DifferentiatedPartByPart(Rational[Degree]):
     """A quotient whose derivative is counted as if numerator and denominator were differentiated separately. This is
     not a rule of Table 1, but the way in which (24) and (35) give γ′ the degree d − 1 "either polynomial or rational".
     """
 
     __slots__ = ()
 
-    def d(self, order: int = 1, *, by: str | None = None) -> DifferentiatedPartByPart:
+    def d(self, order: int = 1, *, by: str | None = None) -> _DifferentiatedPartByPart:
         """The quotient with the degrees of numerator and denominator lowered."""
-        return DifferentiatedPartByPart(self.numerator.d(order, by=by), self.denominator.d(order, by=by))
+        return _DifferentiatedPartByPart(self.numerator.d(order, by=by), self.denominator.d(order, by=by))
 
 
 class DegreeReading(Reading):
@@ -315,5 +315,5 @@ class DegreeReading(Reading):
         if self.counting is Counting.PART_BY_PART:
             for curve in argument.together():
                 if isinstance(curve, Curve) and not polynomial:
-                    curve.gamma = DifferentiatedPartByPart(curve.p, curve.w)
+                    curve.gamma = _DifferentiatedPartByPart(curve.p, curve.w)
         return argument

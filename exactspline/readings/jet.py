@@ -64,7 +64,7 @@ class JetRing:
         self.rules = {n: rule for n, rule in kind.rules(dimension).items() if n in self.symbols}
         free = [symbol for name, symbol in self.symbols.items() if symbol.parameters and name not in self.rules]
         self.constants = tuple(name for name, symbol in self.symbols.items() if not symbol.parameters)
-        self.variables = [(s.name, orders) for s in free for orders in orders_up_to(order, len(s.parameters))]
+        self.variables = [(s.name, orders) for s in free for orders in _orders_up_to(order, len(s.parameters))]
         self.variables += [(name, (0,)) for name in (*self.rules, *self.constants)]
         if len(self.variables) > MOST_VARIABLES:
             raise FormulaError(
@@ -159,10 +159,10 @@ class JetRing:
         return symbol.text + derivative_mark(symbol.parameters, orders)
 
 
-def orders_up_to(order: int, parameters: int) -> list[tuple[int, ...]]:
+def _orders_up_to(order: int, parameters: int) -> list[tuple[int, ...]]:
     """The orders of derivatives in this many parameters, up to a total order.
 
-    >>> orders_up_to(2, 1), orders_up_to(1, 2)
+    >>> _orders_up_to(2, 1), _orders_up_to(1, 2)
     ([(0,), (1,), (2,)], [(0, 0), (1, 0), (0, 1)])
     """
     orders_found = (orders for orders in product(range(order, -1, -1), repeat=parameters) if sum(orders) <= order)

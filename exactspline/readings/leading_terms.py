@@ -165,16 +165,16 @@ def common_roots(polynomial: fmpq_mpoly) -> tuple[int, ...]:
     )
 
 
-class StillExpansion(Expansion):
+class _StillExpansion(Expansion):
     """The expansion of an operand that does not depend on the parameter that goes to infinity. It is a constant there,
     as are its derivatives with respect to its own parameter.
     """
 
     __slots__ = ("derivatives",)
 
-    derivatives: list[StillExpansion]
+    derivatives: list[_StillExpansion]
 
-    def d(self, order: int = 1, *, by: str | None = None) -> StillExpansion:
+    def d(self, order: int = 1, *, by: str | None = None) -> _StillExpansion:
         """The derivative of the given order, again a constant."""
         return self.derivatives[order]
 
@@ -205,9 +205,9 @@ class LeadingTermsReading(Reading):
             coefficients = [known[f"{symbol.name}{i}"] for i in range(lengths[symbol.name])]
             if symbol.parameters == PARAMETERS[:1]:
                 return Expansion(context, self.terms, {(1, 0): coefficients})
-            constants = [StillExpansion(context, self.terms, {(0, 0): [c, *nothing]}) for c in coefficients]
+            constants = [_StillExpansion(context, self.terms, {(0, 0): [c, *nothing]}) for c in coefficients]
             if not symbol.parameters:
-                constants[1:] = [StillExpansion(context, self.terms, {}) for _ in coefficients[1:]]
+                constants[1:] = [_StillExpansion(context, self.terms, {}) for _ in coefficients[1:]]
             constants[0].derivatives = constants
             return constants[0]
 

@@ -100,7 +100,7 @@ class SympyExpression(FieldOperand):
         return str(self.expression)
 
 
-class AlongCurve(SympyExpression):
+class _AlongCurve(SympyExpression):
     """An expression on a curve on a surface, whose parameters are functions; `flow` contains their derivatives."""
 
     __slots__ = ("flow",)
@@ -165,7 +165,7 @@ class SympyReading(Reading):
             if symbol.name in rules:
                 function = _linked(symbol.text, lambda: cast(SympyExpression, rules[symbol.name](known)).expression)
             made = function(*parameters), frozenset(parameters)
-            return AlongCurve(*made, flow) if flow else SympyExpression(*made)
+            return _AlongCurve(*made, flow) if flow else SympyExpression(*made)
 
         known |= {symbol.name: operand(symbol) for symbol in kind.symbols(dimension, polynomial=polynomial)}
         one = SympyExpression(sympy.Integer(1))

@@ -138,7 +138,7 @@ class Derivation(NamedTuple):
     by: str | None = None
 
 
-class NamedCall(NamedTuple):
+class _NamedCall(NamedTuple):
     """The symbol of a formula called by another one, and whether it is called on the second of two curves (and has a
     bar).
     """
@@ -183,7 +183,7 @@ class Traced(Argument):
         return Node(
             Operation.NAMED,
             (body,),
-            NamedCall(formula.symbol, self._path == "second."),
+            _NamedCall(formula.symbol, self._path == "second."),
             vector=isinstance(body, Node) and body.is_vector,
         )
 

@@ -16,7 +16,7 @@ from exactspline.errors import OpenError, ReachError
 from exactspline.numbers.exact import mpq, mpz, rational, to_fmpq
 from exactspline.numbers.immutable import fill
 from exactspline.numbers.intervals import Interval, ball_around
-from exactspline.polynomials.annihilating import changes_sign, irreducible_factors, linear, sign_at, square_free
+from exactspline.polynomials.annihilating import changes_sign, irreducible_factors, linear, sign_of_value, square_free
 from exactspline.polynomials.factors import greatest_common_divisor
 from exactspline.reals.digits import SUSPICIOUS, Digits
 
@@ -65,7 +65,7 @@ class Algebraic(Digits):
             with ctx.workprec(bits + 4 * digits):
                 certain = bool(arb_poly(slope)(ball_around(low, high)) != 0)
             for end in (low, high) if certain else ():
-                if sign_at(p, end) == 0:
+                if sign_of_value(p, end) == 0:
                     self._set_rational(end)
                     return linear(end), end, end
             if certain:
@@ -138,7 +138,7 @@ class Algebraic(Digits):
         """
         p, low, high = self._isolated()
         if low == high:
-            return sign_at(polynomial, low) == 0
+            return sign_of_value(polynomial, low) == 0
         # a divisor of `p` has no other zero in [low, high], and this one with multiplicity at most one
         common = greatest_common_divisor([p, polynomial])
         return common.degree() > 0 and changes_sign(common, low, high)
@@ -195,7 +195,7 @@ class Algebraic(Digits):
         """
         p, a, b = self._isolated()
         if not isinstance(other, Algebraic):
-            return a <= other <= b and sign_at(p, other) == 0
+            return a <= other <= b and sign_of_value(p, other) == 0
         q, c, d = other._isolated()
         if a == b or c == d:
             return other._equals(a) if a == b else self._equals(c)

@@ -50,14 +50,14 @@ def square_root_parts(q: mpq) -> tuple[mpq, int]:
     ((mpq(3,2), 1), (mpq(2,1), 3))
     """
     n = mpz(q.numerator * q.denominator)
-    root, radicand = (isqrt(n), mpz(1)) if is_square(n) else without_square_factors(n)
+    root, radicand = (isqrt(n), mpz(1)) if is_square(n) else _without_square_factors(n)
     return mpq(root, q.denominator), int(radicand)
 
 
-def without_square_factors(n: mpz) -> tuple[mpz, mpz]:
+def _without_square_factors(n: mpz) -> tuple[mpz, mpz]:
     """An integer n > 0 as ``r² m``, without the squares of small primes in m: r and m.
 
-    >>> without_square_factors(mpz(12))
+    >>> _without_square_factors(mpz(12))
     (mpz(2), mpz(3))
     """
     root = mpz(1)
@@ -186,7 +186,7 @@ class Real(Algebraic):
         if not isinstance(other, (Real, *EXACT)):
             return cast(Real, NotImplemented)
         pair = self, real(int(other) if isinstance(other, bool) else cast("Number | Real", other))
-        return combined(operation, *(pair[::-1] if swapped else pair))
+        return _combined(operation, *(pair[::-1] if swapped else pair))
 
     def __add__(self, other: object) -> Real:
         return self._with(add, other)
@@ -515,7 +515,7 @@ def _places(number: Real) -> list[Real]:
     return list({id(place): place for place in places if place is not None}.values())
 
 
-def combined(operation: Operation, x: Real, y: Real) -> Real:
+def _combined(operation: Operation, x: Real, y: Real) -> Real:
     """``x ∘ y``: a rational or quadratic number if this is known immediately, otherwise a tree.
 
     Raises `ZeroDivisionError` for a quotient by 0.
@@ -552,19 +552,19 @@ def _of_quadratics(operation: Operation, a: mpq, b: mpq, c: int, e: mpq, f: mpq,
         f = f * isqrt(mpz(c * g)) / c
     radicand = c if b else g
     if operation is add:
-        return quadratic(a + e, b + f, radicand)
+        return _quadratic(a + e, b + f, radicand)
     if operation is sub:
-        return quadratic(a - e, b - f, radicand)
+        return _quadratic(a - e, b - f, radicand)
     if operation is truediv:
         norm = e * e - f * f * radicand
         e, f = e / norm, -f / norm
-    return quadratic(a * e + b * f * radicand, a * f + b * e, radicand)
+    return _quadratic(a * e + b * f * radicand, a * f + b * e, radicand)
 
 
-def quadratic(a: mpq, b: mpq, c: int) -> Real:
+def _quadratic(a: mpq, b: mpq, c: int) -> Real:
     """``a + b√c``, where c is 1, or a non-square without square factors of small primes.
 
-    >>> quadratic(mpq(1), mpq(0), 5), quadratic(mpq(1), mpq(1), 5)
+    >>> _quadratic(mpq(1), mpq(0), 5), _quadratic(mpq(1), mpq(1), 5)
     (<Real 1>, <Real 1 + √5>)
     """
     return Quadratic(a, b, int(c)) if b and c != 1 else RationalNumber(a + b)
@@ -584,7 +584,7 @@ def square_root(x: Number | Real) -> Real:
         raise NumberError(f"the square root of {value}", remedy="give a number ≥ 0")
     if sign == 0:
         return RationalNumber(0)
-    return Expression(_root, value) if value._given is None else quadratic(mpq(0), *square_root_parts(value._given))
+    return Expression(_root, value) if value._given is None else _quadratic(mpq(0), *square_root_parts(value._given))
 
 
 def real(value: Number | Real) -> Real:

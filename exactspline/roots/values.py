@@ -48,10 +48,10 @@ class ValueAt(Real):
 
     def _enclosed(self, digits: int) -> Interval:
         def bounds(low: mpq, high: mpq) -> Interval | None:
-            above, below = values_between(self.top, low, high), values_between(self.bottom, low, high)
+            above, below = _values_between(self.top, low, high), _values_between(self.bottom, low, high)
             return None if above is None or below is None or below.low <= 0 <= below.high else quotient(above, below)
 
-        return narrowed(bounds, self.place, digits)
+        return _narrowed(bounds, self.place, digits)
 
     def _against_number(self, t: mpq) -> int:
         return sign_at(self.bottom, self.place) * sign_at(self.top - self.bottom.scaled(t), self.place)
@@ -156,7 +156,7 @@ def exact_place(t: Number | Real) -> mpq | Real:
     return t if t.exact is None else t.exact
 
 
-def narrowed(bounds: Callable[[mpq, mpq], Interval | None], place: Real, digits: int) -> Interval:
+def _narrowed(bounds: Callable[[mpq, mpq], Interval | None], place: Real, digits: int) -> Interval:
     """Bounds at most ``10^−digits`` wide: the number is refined until the bounds over its interval (None if not yet
     known) are narrow enough.
     """
@@ -168,11 +168,11 @@ def narrowed(bounds: Callable[[mpq, mpq], Interval | None], place: Real, digits:
         precision *= 2
 
 
-def values_between(f: BSpline, low: mpq, high: mpq) -> Interval | None:
+def _values_between(f: BSpline, low: mpq, high: mpq) -> Interval | None:
     """Bounds of a spline on an interval inside one of its segments; None if a knot is inside the interval.
 
     >>> from exactspline import BSpline
-    >>> low, high = values_between(BSpline.bezier([0, 0, 1]), mpq(1, 2), mpq(5001, 10000))
+    >>> low, high = _values_between(BSpline.bezier([0, 0, 1]), mpq(1, 2), mpq(5001, 10000))
     >>> low <= mpq(1, 4), mpq(5001, 10000) ** 2 <= high, high - low < mpq(1, 5000)
     (True, True, True)
     """
@@ -217,12 +217,12 @@ def sign_at(f: BSpline, t: mpq | Real, side: Side | str = Side.RIGHT) -> int:
     digits, zero = 5, None
     while True:
         low, high = place.enclosure(digits)
-        enclosure = values_between(f, low, high)
+        enclosure = _values_between(f, low, high)
         if enclosure is not None:
             if enclosure.low > 0 or enclosure.high < 0:
                 return 1 if enclosure.low > 0 else -1
             if zero is None:
-                zero = place.is_root_of(segment_polynomial(f, f.mesh.locate(low)))
+                zero = place.is_root_of(_segment_polynomial(f, f.mesh.locate(low)))
             if zero:
                 return 0
         digits *= 2
@@ -249,11 +249,11 @@ def segment_polynomials(splines: Sequence[BSpline], i: int) -> list[fmpz_poly]:
     return over_common_denominator([(f.numer(), f.denom()) for f in (in_powers(f, i) for f in splines)])[0]
 
 
-def segment_polynomial(f: BSpline, i: int) -> fmpz_poly:
+def _segment_polynomial(f: BSpline, i: int) -> fmpz_poly:
     """A constant times the polynomial of a segment, in the parameter of the spline, with integer coefficients.
 
     >>> from exactspline import BSpline
-    >>> segment_polynomial(BSpline.bezier([0, 0, 1], 1, 3), 0)
+    >>> _segment_polynomial(BSpline.bezier([0, 0, 1], 1, 3), 0)
     x^2 + (-2)*x + 1
     """
     p = in_powers(f, i).numer()

@@ -20,7 +20,7 @@ from exactspline.splines.runs import intervals_of, runs
 from exactspline.splines.type_checks import spline_of
 
 
-class Side(NamedTuple):
+class _Near(NamedTuple):
     """A spline seen from one side of a knot: limit, multiplicity of the zero (None if the segment vanishes), and sign
     near the knot.
     """
@@ -39,8 +39,8 @@ class Jump:
     """
 
     parameter: mpq
-    left: Side
-    right: Side
+    left: _Near
+    right: _Near
 
     @property
     def sign_change(self) -> bool:
@@ -232,7 +232,7 @@ class _Collected:
             if zero_sides == 1 or (zero_sides == 0 and left[1] != right[1]):
                 behind = i % len(self.isolations)
                 self.jumps.append(
-                    Jump(t, Side(self._limit(behind - 1, "left"), *left), Side(self._limit(behind, "right"), *right))
+                    Jump(t, _Near(self._limit(behind - 1, "left"), *left), _Near(self._limit(behind, "right"), *right))
                 )
                 return
         if (left is None or left[0]) and (right is None or right[0]):

@@ -13,7 +13,7 @@ from typing import TypeVar, cast
 from flint import fmpq, fmpq_poly, fmpz, fmpz_poly
 
 from exactspline.numbers.exact import common_multiple, mpq, over_one_denominator, to_fmpq
-from exactspline.polynomials.bernstein import ONE, Form, blossom, over_common_denominator, primitive
+from exactspline.polynomials.bernstein import ONE, Form, blossom, over_common_denominator, without_content
 
 #: Numbers over one denominator.
 Row = tuple[list[fmpz], fmpz]
@@ -35,7 +35,7 @@ def forms_of(t: Sequence[mpq], n: int, d: Sequence[mpq], spans: Sequence[int]) -
     for j, following in zip(spans, [*spans[1:], None], strict=True):
         widths, _ = _over_one([x - knots[j] for x in knots[j + 1 : j + n + 1]])
         points, ends, bottom = _inserted(row, widths)
-        yield primitive((fmpz_poly([x * y for x, y in zip(points, binomials, strict=True)]), bottom))
+        yield without_content((fmpz_poly([x * y for x, y in zip(points, binomials, strict=True)]), bottom))
         if following is not None:
             row = _next_row([control_points[following - r] for r in range(min(following - j, n + 1))], ends, bottom)
 
@@ -82,7 +82,7 @@ def _next_row(own: list[fmpq], ends: list[fmpz], bottom: fmpz) -> Row:
     common = bottom.lcm(below)
     kept = ends[: max(len(ends) - len(mine), 0)]
     joined = [x * (common // below) for x in mine] + [x * (common // bottom) for x in kept]
-    polynomial, least = primitive((fmpz_poly(joined[::-1]), common))
+    polynomial, least = without_content((fmpz_poly(joined[::-1]), common))
     return [polynomial[i] for i in range(len(joined))], least
 
 

@@ -343,7 +343,7 @@ class BSpline(Immutable, RingOperand, FunctionsOutside):
 
     def hash_of_quotient(self, numerator: BSpline) -> int:
         """A hash of the limits of the quotient at fixed parameters, which common factors do not change."""
-        return hash((*self.domain, *[limit(numerator, self, t) for t in self._places]))
+        return hash((*self.domain, *[_limit(numerator, self, t) for t in self._places]))
 
     @property
     def true_degree(self) -> int:
@@ -441,11 +441,11 @@ def _differentiated(f: BSpline) -> BSpline:
     )
 
 
-def limit(numerator: BSpline, denominator: BSpline, t: mpq) -> mpq | None:
+def _limit(numerator: BSpline, denominator: BSpline, t: mpq) -> mpq | None:
     """The limit of a quotient at a parameter from the right; None at a pole and where it is 0/0 to the right.
 
     >>> t = BSpline.identity(0, 1)
-    >>> limit(t * t + t, t, mpq(0)), limit(t, t * t, mpq(0))
+    >>> _limit(t * t + t, t, mpq(0)), _limit(t, t * t, mpq(0))
     (mpq(1,1), None)
     """
     for _ in range(max(numerator.degree, denominator.degree, 0) + 1):

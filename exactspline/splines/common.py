@@ -14,7 +14,7 @@ from exactspline.splines.blossom import CommonRows, common_rows
 from exactspline.splines.bspline import BSpline, from_parts
 from exactspline.splines.knots import KnotVector, mesh_of
 from exactspline.splines.tensor import TensorSpline, make
-from exactspline.splines.tensor_patches import named
+from exactspline.splines.tensor_patches import with_names
 
 S = TypeVar("S", BSpline, TensorSpline)
 
@@ -77,5 +77,5 @@ def on_one_mesh(splines: Iterable[TensorSpline], letters: tuple[str, str]) -> li
     operations need not compare them, and that their parameters have names.
     """
     found = list(splines)
-    meshes = named(found[0].meshes, letters)
+    meshes = with_names(found[0].meshes, letters)
     return [make(f.degree, meshes, f.continuity, f.stride, f.numerators, f.denominators, f.provenance) for f in found]

@@ -37,7 +37,7 @@ BOXES = 4000
 DEPTH = 16
 
 
-def check_weight(w: TensorSpline) -> None:
+def _check_weight(w: TensorSpline) -> None:
     """Raise `WeightError` unless the denominator has one sign on its closed rectangle, including one-sided limits at
     jumps.
 
@@ -435,5 +435,5 @@ def _splines(
     scaled = [[lifted(x, w) for x, w in zip(*rows, strict=True)] for rows in zip(net, weights, strict=True)]
     p = [spline([[point[k] for point in row] for row in scaled]) for k in range(len(net[0][0]))]
     *p, w = on_one_mesh([*p, spline(weights)], BOTH)
-    check_weight(w)
+    _check_weight(w)
     return Vector(*p), w

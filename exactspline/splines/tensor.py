@@ -25,7 +25,7 @@ from exactspline.numbers.exact import Number, mpq, over_one_denominator, rationa
 from exactspline.numbers.immutable import Immutable, fill, setters
 from exactspline.numbers.intervals import Box, Interval
 from exactspline.polynomials import tensor_bernstein
-from exactspline.polynomials.bernstein import common_denominators, primitive, raiser
+from exactspline.polynomials.bernstein import common_denominators, raiser, without_content
 from exactspline.polynomials.patch_forms import PatchForm
 from exactspline.splines import refinement
 from exactspline.splines.bspline import BSpline
@@ -47,17 +47,17 @@ from exactspline.splines.tensor_patches import (
     changed_one,
     derived,
     exchanged,
-    joined,
+    joined_lines,
     letters_of,
     lines,
     lowered,
-    named,
     one_parameter,
     packed_segments,
     replaced,
     smooth,
     spread,
     true_degrees,
+    with_names,
 )
 
 #: The directions of parameters: those of two curves, and those of a surface.
@@ -310,7 +310,7 @@ class TensorSpline(Immutable, TensorParts, RingOperand):
         t, forms = rational(t), []
         for own in lines(self):
             integers, common = over_one_denominator([line(t) for line in own])
-            forms.append(primitive((fmpz_poly(integers), fmpz(common))))
+            forms.append(without_content((fmpz_poly(integers), fmpz(common))))
         return BSpline.from_forms(self.degree.s, self.meshes[0], self.continuity[0], forms)
 
     def at_s(self, s: Number) -> BSpline:
@@ -364,7 +364,7 @@ class TensorSpline(Immutable, TensorParts, RingOperand):
             return lifted(spline, replaced(self.meshes, direction, spline.mesh), direction, self.stride)
         if direction == 0:
             return self.transposed().along(1, change).transposed()
-        return make(*joined([[change(line) for line in own] for own in lines(self)], self), leaf())
+        return make(*joined_lines([[change(line) for line in own] for own in lines(self)], self), leaf())
 
     def elevate_degree(self, by_s: int = 0, by_t: int = 0) -> TensorSpline:
         """The same function, its degrees raised."""
@@ -511,5 +511,5 @@ def surface_pair(first: Curve[BSpline], second: Curve[BSpline]) -> Pair[TensorSp
     """
     for each in (first, second):
         as_instance(each, Curve, "a curve", 'give a Nurbs, such as exactspline.example("cusp")')
-    meshes, room = named((first.w.mesh, second.w.mesh), PARAMETERS), max(BISECTOR_ROOM * first.p.degree, 1)
+    meshes, room = with_names((first.w.mesh, second.w.mesh), PARAMETERS), max(BISECTOR_ROOM * first.p.degree, 1)
     return Pair(first.mapped(lambda f: lifted(f, meshes, 0, room)), second.mapped(lambda f: lifted(f, meshes, 1, room)))

@@ -13,7 +13,7 @@ from flint import fmpz, fmpz_poly
 from exactspline.language.provenance import Provenance
 from exactspline.numbers.exact import mpq
 from exactspline.polynomials import tensor_bernstein
-from exactspline.polynomials.bernstein import ONE, over_common_denominator, primitive
+from exactspline.polynomials.bernstein import ONE, over_common_denominator, without_content
 from exactspline.polynomials.tensor_bernstein import columns, derivative, rows, without_powers
 from exactspline.splines import refinement
 from exactspline.splines.bspline import BSpline
@@ -51,37 +51,37 @@ def changed_one(mesh: Mesh, change: Callable[[BSpline], BSpline]) -> BSpline:
     return change(BSpline.from_forms(0, mesh, smooth(len(mesh)), [(fmpz_poly([1]), ONE)] * len(mesh)))
 
 
-class NamedMeshes(tuple[Mesh, Mesh]):
+class _NamedMeshes(tuple[Mesh, Mesh]):
     """The breakpoints in two directions whose parameters have names, as those of a surface or of two curves have."""
 
     letters: tuple[str, str]
 
 
-def named(meshes: tuple[Mesh, Mesh], letters: tuple[str, str] | None) -> tuple[Mesh, Mesh]:
+def with_names(meshes: tuple[Mesh, Mesh], letters: tuple[str, str] | None) -> tuple[Mesh, Mesh]:
     """The meshes with the names of their parameters; unchanged where there are none."""
     if letters is None:
         return meshes
-    found = NamedMeshes(meshes)
+    found = _NamedMeshes(meshes)
     found.letters = letters
     return found
 
 
 def letters_of(meshes: tuple[Mesh, Mesh]) -> tuple[str, str] | None:
     """The names of the parameters; None where they have none."""
-    return meshes.letters if isinstance(meshes, NamedMeshes) else None
+    return meshes.letters if isinstance(meshes, _NamedMeshes) else None
 
 
 def replaced(meshes: tuple[Mesh, Mesh], direction: int, mesh: Mesh) -> tuple[Mesh, Mesh]:
     """The meshes with one replaced; the same tuple where it does not change, since operands are aligned by identity."""
     if mesh is meshes[direction]:
         return meshes
-    return named((meshes[0], mesh) if direction else (mesh, meshes[1]), letters_of(meshes))
+    return with_names((meshes[0], mesh) if direction else (mesh, meshes[1]), letters_of(meshes))
 
 
 def exchanged(meshes: tuple[Mesh, Mesh]) -> tuple[Mesh, Mesh]:
     """The meshes in the other order."""
     letters = letters_of(meshes)
-    return named((meshes[1], meshes[0]), None if letters is None else (letters[1], letters[0]))
+    return with_names((meshes[1], meshes[0]), None if letters is None else (letters[1], letters[0]))
 
 
 def one_parameter(a: Profile, b: Profile) -> tuple[int, BSpline, BSpline] | None:
@@ -231,7 +231,7 @@ def lowered(f: TensorParts, by_s: int, by_t: int) -> Parts | None:
     degree = Degrees(m - by_s, n - by_t)
     if len(f.denominators) > 1 or min(by_s, by_t, *true) < 0 or degree.max(true) != degree:
         return None
-    c, below = primitive((without_powers(f.numerators[0], f.stride, (by_s, by_t)), f.denominators[0]))
+    c, below = without_content((without_powers(f.numerators[0], f.stride, (by_s, by_t)), f.denominators[0]))
     return degree, f.meshes, f.continuity, f.stride, (c,), (below,)
 
 
@@ -245,7 +245,7 @@ def lines(f: TensorParts) -> list[list[BSpline]]:
         lines = []
         for h in range(max(f.degree.s, 0) + 1):  # below degree 0 one line of zeros, so that there is a line to change
             forms = [
-                primitive((fmpz_poly([row[h] for row in net]), f.denominators[k]))
+                without_content((fmpz_poly([row[h] for row in net]), f.denominators[k]))
                 for k, net in zip(patches, nets, strict=True)
             ]
             lines.append(BSpline.from_forms(f.degree.t, f.meshes[1], f.continuity[1], forms))
@@ -253,7 +253,7 @@ def lines(f: TensorParts) -> list[list[BSpline]]:
     return found
 
 
-def joined(found: list[list[BSpline]], old: TensorParts) -> Parts:
+def joined_lines(found: list[list[BSpline]], old: TensorParts) -> Parts:
     """Degree, meshes, continuity, stride, packed polynomials and denominators of the spline with these lines; along s
     it equals the old one.
     """

@@ -140,7 +140,7 @@ def _named_height(images: list[fmpq_mpoly]) -> str:
     return f"the height of a polynomial ({terms} in {counted(images[0].context().nvars(), 'variable')})"
 
 
-def product_of(factors: Sequence[tuple[TrueDegree, int]]) -> TrueDegree:
+def degree_of_product(factors: Sequence[tuple[TrueDegree, int]]) -> TrueDegree:
     """k, m, j and the true degree of a product, from its factors and their exponents: all of them are additive."""
     k, m, j = (sum(getattr(f, name) * e for f, e in factors) for name in ("k", "m", "j"))
     lower = []

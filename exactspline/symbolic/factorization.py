@@ -181,7 +181,7 @@ def factored(ring: JetRing, top: fmpq_mpoly, bottom: fmpq_mpoly) -> Factor:
     powers: list[tuple[Named, int]] = []
     for side, factors in ((1, tops), (-1, bottoms)):
         for p, e in factors:
-            name, unit = name_of(Jet(ring, p))
+            name, unit = _name_of(Jet(ring, p))
             constant *= unit ** (side * int(e))
             powers.append((Named(name, p / int(unit.numerator) * int(unit.denominator)), side * int(e)))
     in_order = sorted(powers, key=lambda power: (power[0].name != "w", power[0].name))
@@ -226,11 +226,11 @@ def irreducible_on_a_line(p: fmpq_mpoly) -> bool:
         return False
 
 
-def name_of(jet: Jet) -> tuple[str, mpq]:
+def _name_of(jet: Jet) -> tuple[str, mpq]:
     """The name of an irreducible jet polynomial (its text if there is none), and its quotient by the polynomial with
     this name.
     """
-    for name, other in named_parts(jet.ring):
+    for name, other in _named_parts(jet.ring):
         if len(other.polynomial) == len(jet.polynomial):
             quotient = jet.polynomial.leading_coefficient() / other.polynomial.leading_coefficient()
             if jet.polynomial == other.polynomial * quotient:
@@ -240,7 +240,7 @@ def name_of(jet: Jet) -> tuple[str, mpq]:
 
 
 def name_of_vector(core: Sequence[Jet]) -> tuple[str, mpq]:
-    """The name of a vector of jet polynomials, and its quotient by the vector with this name, like `name_of`."""
+    """The name of a vector of jet polynomials, and its quotient by the vector with this name, like `_name_of`."""
     ring, n = core[0].ring, len(core)
     if all(jet.is_zero for jet in core):
         return "0", mpq(1)
@@ -270,7 +270,7 @@ def _proportion(core: Sequence[Jet], other: Sequence[Jet]) -> mpq | None:
     return from_flint(quotient) if same else None
 
 
-def named_parts(ring: JetRing) -> Iterator[tuple[str, Jet]]:
+def _named_parts(ring: JetRing) -> Iterator[tuple[str, Jet]]:
     """The denominators and the scalar polynomial formulas of the library that can be expressed in this ring."""
     return ((name, value) for name, value in named_values(ring) if isinstance(value, Jet) and not value.is_zero)
 

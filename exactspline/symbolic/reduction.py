@@ -35,7 +35,7 @@ from exactspline.readings.differential_order import order_of
 from exactspline.readings.factored_jet import FactoredJet, FactoredJetReading, Powers, divided_out, multiplied
 from exactspline.readings.jet import Jet, JetRing
 from exactspline.symbolic.assumptions import Assumption, zero_free
-from exactspline.symbolic.covariants import TrueDegree, generic_degree, product_of, true_degree
+from exactspline.symbolic.covariants import TrueDegree, degree_of_product, generic_degree, true_degree
 from exactspline.symbolic.factorization import Factor, Named, factored, name_of_vector, named_by
 from exactspline.symbolic.substitution import Substitution
 
@@ -150,7 +150,7 @@ class Part:
         """(k, m, j) of the reduced form, which are additive for products; None if it is zero or not homogeneous."""
         try:
             counted = [(true_degree(jet, self.parameter), e) for jet, e in self.kept]
-            return product_of([*counted, (true_degree(self.core, self.parameter), 1)])
+            return degree_of_product([*counted, (true_degree(self.core, self.parameter), 1)])
         except FormulaError:
             return None
 
@@ -315,10 +315,10 @@ def reduction(name: str, dimension: int, polynomial: bool = False, parameter: Pa
 def _dimensions(formula: Any) -> list[int]:
     kind = _kind(formula)
     if kind is TABLE:
-        raise FormulaError(f"{name_of_function(formula)} is a row of Table 1", remedy="give a formula of a curve")
+        raise FormulaError(f"{_name_of_function(formula)} is a row of Table 1", remedy="give a formula of a curve")
     if kind.adjoins_roots:
         raise FormulaError(
-            f"{name_of_function(formula)} contains square roots", remedy="give a rational formula, such as its square"
+            f"{_name_of_function(formula)} contains square roots", remedy="give a rational formula, such as its square"
         )
     return list(kind.dimensions)
 
@@ -330,13 +330,13 @@ def _kind(formula: Any) -> Kind:
     return formula.kind if isinstance(formula, Formula) else CURVE
 
 
-def name_of_function(formula: object) -> str:
+def _name_of_function(formula: object) -> str:
     """The name of a formula or a function."""
     return formula.name if isinstance(formula, Formula) else str(getattr(formula, "__name__", formula))
 
 
 def _reduced(formula: Any, dimension: int, polynomial: bool, parameter: Parameter | None) -> Reduction:
-    name = name_of_function(formula)
+    name = _name_of_function(formula)
     kind = _kind(formula)
     counted = parameter or kind.parameters(dimension)[0]
     degrees = _naive(formula, kind, dimension, polynomial, counted)
@@ -350,7 +350,7 @@ def _reduced(formula: Any, dimension: int, polynomial: bool, parameter: Paramete
 def _naive(formula: Any, kind: Kind, dimension: int, polynomial: bool, counted: Parameter) -> list[Degree]:
     """The degrees of the parts by Table 1."""
     argument = DegreeReading(parameter=counted).argument(kind, dimension, polynomial=polynomial)
-    return [part.degree for _, part in _parts(formula(argument), name_of_function(formula))]
+    return [part.degree for _, part in _parts(formula(argument), _name_of_function(formula))]
 
 
 def counted_in(reduction: Reduction, formula: Formula, parameter: Parameter) -> Reduction:

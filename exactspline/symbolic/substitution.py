@@ -44,7 +44,7 @@ Multiple = tuple[int, int | None]
 Term = tuple[tuple[int, ...], int]
 
 
-class Step(NamedTuple):
+class _Step(NamedTuple):
     """One step of Horner's rule: an inner value is added, and the sum multiplied by a power of the variable."""
 
     inner: Multiple
@@ -66,7 +66,7 @@ class Substitution:
         monomials = [tuple(map(int, exponents)) for exponents in jet.polynomial.monoms()]
         numbers = [int(c.p) * (below // int(c.q)) for c in coefficients]
         #: The variable and steps of each inner value, in the order of evaluation.
-        self.nodes: list[tuple[int, list[Step]]] = []
+        self.nodes: list[tuple[int, list[_Step]]] = []
         self._known: dict[tuple[tuple[int, ...], ...], int] = {}
         self.whole = self._value(sorted(zip(monomials, numbers, strict=True), reverse=True), 0)
         self._known.clear()
@@ -89,7 +89,7 @@ class Substitution:
             steps = []
             for (e, group), next_lower in zip(groups, lower, strict=True):
                 constant, node = self._value(group, i + 1)
-                steps.append(Step((constant // unit, node), e - next_lower))
+                steps.append(_Step((constant // unit, node), e - next_lower))
             self._known[key] = len(self.nodes)
             self.nodes.append((i, steps))
         return unit, self._known[key]

@@ -73,7 +73,7 @@ def one_of(kind: type[E]) -> Callable[[Claim, str, object], E]:
     return lambda claim, name, value: word(kind, value, name)
 
 
-def recorded(claim: Claim, name: str, value: object) -> Verdict:
+def _recorded(claim: Claim, name: str, value: object) -> Verdict:
     """A verdict that can be recorded: a contradiction between two routes is an error of this library."""
     verdict = word(Verdict, value, name)
     if verdict == CONTRADICTION:
@@ -116,7 +116,7 @@ def formula_names(claim: Claim, name: str, value: Iterable[str]) -> tuple[Name, 
     return tuple(formula_name(claim, name, each) for each in value)
 
 
-def kind_name(claim: Claim, name: str, value: str) -> str:
+def _kind_name(claim: Claim, name: str, value: str) -> str:
     """The name of a kind of argument."""
     try:
         return kind_of(str(value)).name
@@ -134,12 +134,12 @@ def example_name(claim: Claim, name: str, value: str) -> str:
     return str(value)
 
 
-def example_list(claim: Claim, name: str, value: Iterable[str]) -> tuple[str, ...]:
+def _example_list(claim: Claim, name: str, value: Iterable[str]) -> tuple[str, ...]:
     """Several such names."""
     return tuple(example_name(claim, name, each) for each in value)
 
 
-def assumption_list(claim: Claim, name: str, value: Iterable[str | Assumption]) -> tuple[Assumption, ...]:
+def _assumption_list(claim: Claim, name: str, value: Iterable[str | Assumption]) -> tuple[Assumption, ...]:
     """Assumptions by their names, each about the arguments of the claim."""
     assumptions = tuple(each if isinstance(each, Assumption) else _assumed(claim, each) for each in value)
     for each in assumptions:
@@ -181,7 +181,7 @@ def count_from(least: int) -> Callable[[Claim, str, object], int]:
     return check
 
 
-def identifier(claim: Claim, name: str, value: str) -> str:
+def _identifier(claim: Claim, name: str, value: str) -> str:
     """A key: the id of the claim without spaces and dots, and words after hyphens."""
     begin = claim.begin_of_key
     if not (value.startswith(begin) and re.fullmatch(r"(-[\w′]+)+", value[len(begin) :])):
@@ -228,18 +228,18 @@ class Claim(Immutable, Displayed):
     source: str
     statement: str
     status: Status = field(metadata=read(one_of(Status)))
-    curve: str = field(default="curve", metadata=read(kind_name))
+    curve: str = field(default="curve", metadata=read(_kind_name))
     of: Scope = field(default=Scope.BOTH, metadata=read(one_of(Scope)))
-    key: str = field(metadata=read(identifier))
+    key: str = field(metadata=read(_identifier))
     words: str = ""
     place: str = ""
     section: str = ""
     error: str = ""
-    assumes: tuple[Assumption, ...] = field(default=(), metadata=read(assumption_list))
+    assumes: tuple[Assumption, ...] = field(default=(), metadata=read(_assumption_list))
     context: str = ""
-    expected: Verdict = field(default=Verdict.PROVED, metadata=read(recorded))
+    expected: Verdict = field(default=Verdict.PROVED, metadata=read(_recorded))
     witness: str = field(default="", metadata=read(example_name))
-    vacuous: tuple[str, ...] = field(default=(), metadata=read(example_list))
+    vacuous: tuple[str, ...] = field(default=(), metadata=read(_example_list))
     note: str = field(default="", compare=False)
 
     def __init__(self, **values: object) -> None:

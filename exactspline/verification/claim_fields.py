@@ -17,7 +17,7 @@ def claim_kind(kind: type[K]) -> type[K]:
     return dataclass(init=False, repr=False, eq=False, kw_only=True)(kind)
 
 
-class Declared(NamedTuple):
+class _Declared(NamedTuple):
     """Data about the dataclass of a kind of claims: the reader of each field (None for a text) and its default; the
     fields compared by equality; those that an entry may have; those that it must have; and the values of the others.
     """
@@ -29,10 +29,10 @@ class Declared(NamedTuple):
     defaults: dict[str, object]
 
 
-_DECLARED: dict[type, Declared] = {}
+_DECLARED: dict[type, _Declared] = {}
 
 
-def declared(kind: type) -> Declared:
+def declared(kind: type) -> _Declared:
     """The fields of a kind of claims.
 
     >>> from exactspline.verification.kinds.equality import Vanishing
@@ -44,9 +44,9 @@ def declared(kind: type) -> Declared:
     return _DECLARED[kind]
 
 
-def _sorted_out(own: tuple[Field[object], ...]) -> Declared:
+def _sorted_out(own: tuple[Field[object], ...]) -> _Declared:
     entries = {f.name: f for f in own if f.name != "paper"}
-    return Declared(
+    return _Declared(
         checks=tuple((f.name, f.metadata.get("check"), f.default) for f in own),
         compared=tuple(f.name for f in own if f.compare),
         entries=entries,

@@ -116,7 +116,7 @@ def _check_words_of_key(claim: Claim) -> None:
         if words.keys() <= known:
             return
         if field not in ("id", "key", "words", "context", "note"):
-            known |= key_words(getattr(claim, field))
+            known |= _key_words(getattr(claim, field))
     for each in words:
         if each not in known:
             raise ClaimError(
@@ -126,17 +126,17 @@ def _check_words_of_key(claim: Claim) -> None:
             )
 
 
-def key_words(value: object) -> set[str]:
+def _key_words(value: object) -> set[str]:
     """The words of a field that may occur in a key.
 
     >>> from exactspline.language.choices import Parameter
-    >>> sorted(key_words(("4d − 2", Parameter.SECOND)))
+    >>> sorted(_key_words(("4d − 2", Parameter.SECOND)))
     ['2', '4d', 's', 'second']
     """
     if isinstance(value, Assumption):
-        return key_words(value.name)
+        return _key_words(value.name)
     if isinstance(value, tuple):
-        return {word for each in value for word in key_words(each)}
+        return {word for each in value for word in _key_words(each)}
     own = {value.name.lower()} if isinstance(value, StrEnum) else set()
     return own.union(_words_of(str(value)))
 

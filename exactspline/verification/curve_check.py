@@ -18,7 +18,7 @@ from exactspline.splines.bspline import BSpline
 from exactspline.splines.inputs import checked_degree
 from exactspline.splines.lowest_terms import common_factor
 from exactspline.splines.tensor import TensorSpline
-from exactspline.verification.evaluation import between, segment
+from exactspline.verification.evaluation import place_between, segment
 from exactspline.verification.evidence import At, AtBoth, Place, StatedFactor
 from exactspline.verification.notation import WEIGHTS, factor_parts
 from exactspline.verification.vocabulary import Name
@@ -33,13 +33,13 @@ def where_it_differs(difference: BSpline | TensorSpline) -> tuple[mpq, At | AtBo
         # in every segment one line more than a polynomial of this degree can have zeros
         inside = (c + (d - c) / mpq(j) for c, d in segments for j in range(2, n + 3))
         t, line = next((t, line) for t in inside if not (line := difference.at_t(t)).is_zero)
-        s, value = not_zero(line)
+        s, value = _not_zero(line)
         return value, AtBoth(s, t)
-    t, value = not_zero(difference)
+    t, value = _not_zero(difference)
     return value, At(t)
 
 
-def not_zero(f: BSpline) -> tuple[mpq, mpq]:
+def _not_zero(f: BSpline) -> tuple[mpq, mpq]:
     """A parameter at which a nonzero spline does not vanish, and its value there."""
     return next(
         (t, value)
@@ -85,7 +85,7 @@ def extra_zero(a: BSpline, b: BSpline) -> Place | None:
         rest, n = _without(p, q)
         zero = zero_on_segment(rest, n)
         if zero and not (zero[0] == zero[1] == 1 and q and q[b.degree] == 0):
-            return between(Interval(low, high).part(zero))
+            return place_between(Interval(low, high).part(zero))
         if p[a.degree] == 0 and q and q[b.degree] != 0:
             return At(high, from_left=True)
     return None

@@ -82,7 +82,7 @@ def measure(formula: Formula, curve: Nurbs) -> Measure:
     return Measure(known_as(formula), nominal, value.degree, true_degree_or_none(value), control_point_count(value))
 
 
-def applies_to(formula: Formula, dimension: int) -> bool:
+def _applies(formula: Formula, dimension: int) -> bool:
     """Whether a formula applies to single curves of this dimension."""
     return formula.kind in {2: (PLANE, CURVE), 3: (SPACE, CURVE)}.get(dimension, (CURVE,))
 
@@ -90,7 +90,7 @@ def applies_to(formula: Formula, dimension: int) -> bool:
 def measurable(dimension: int) -> list[Formula]:
     """The formulas that apply to curves of this dimension."""
     n = as_integer(dimension, "a dimension", 1)
-    return [formula for formula in all_formulas().values() if applies_to(formula, n)]
+    return [formula for formula in all_formulas().values() if _applies(formula, n)]
 
 
 @dataclass(frozen=True)
@@ -120,7 +120,7 @@ class DegreeRow:
 
 
 @cache
-def minimum(name: str, dimension: int, polynomial: bool) -> Degree:
+def _minimum(name: str, dimension: int, polynomial: bool) -> Degree:
     """The degree of the minimal variant of a construction on the generic curve, computed once."""
     return symbolic_minimum(construction(name), dimension, polynomial=polynomial)
 
@@ -132,7 +132,7 @@ def construction_table(curve: Nurbs) -> list[Callable[[], DegreeRow]]:
 
 def _row(c: Construction, variant: Variant, curve: Nurbs) -> DegreeRow:
     formula, minimal, n = c.formula(variant), variant == Variant.MINIMAL, curve.dimension
-    lowest = str(minimum(c.name, n, curve.polynomial)) if minimal else "–"
+    lowest = str(_minimum(c.name, n, curve.polynomial)) if minimal else "–"
     nominal = "–" if minimal else str(DegreeReading().count(formula, n, polynomial=curve.polynomial))
     start = perf_counter()
     try:
@@ -328,7 +328,7 @@ def formula_table(
     """The rows for every formula that applies to such a curve, as calls: of some papers, or of the default papers. A
     row says if it takes more than `limit` seconds of processor time.
     """
-    known = measurable(curve.dimension) if formulas is None else [f for f in formulas if applies_to(f, curve.dimension)]
+    known = measurable(curve.dimension) if formulas is None else [f for f in formulas if _applies(f, curve.dimension)]
     return [partial(_formula_row, f, curve, limit) for f in known]
 
 

@@ -69,14 +69,14 @@ def factored(value: JetFraction | mpq) -> Factored[fmpq_mpoly]:
         leading, factors = factorize(polynomial)
         constant *= from_flint(leading) ** power
         for factor, exponent in factors:
-            plain = primitive(factor)
+            plain = _primitive_multiple(factor)
             ratio = from_flint(factor.leading_coefficient()) / from_flint(plain.leading_coefficient())
             constant *= ratio ** (exponent * power)
             powers.append((plain, exponent * power))
     return Factored(constant, Factorization(powers))
 
 
-def primitive(polynomial: fmpq_mpoly) -> fmpq_mpoly:
+def _primitive_multiple(polynomial: fmpq_mpoly) -> fmpq_mpoly:
     """The multiple with coprime integer coefficients, the first one positive."""
     coefficients = [from_flint(c) for c in polynomial.coeffs()]
     multiple: fmpq_mpoly = polynomial * to_fmpq(sign(coefficients[0]) / content(coefficients))

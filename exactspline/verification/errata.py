@@ -157,20 +157,20 @@ def true_relation(claim: Claim, finding: Finding) -> Relating | None:
     factor = finding.factor
     if not isinstance(claim, Identity) or not isinstance(factor, Factor | StatedFactor):
         return None
-    return Relating(name_of(claim, claim.left), factor, name_of(claim, claim.right))
+    return Relating(symbol_or_name(claim, claim.left), factor, symbol_or_name(claim, claim.right))
 
 
 def claimed_relation(claim: Identity) -> Relating:
     """The relation between the two sides that an identity claims."""
     powers = tuple((_symbol(claim, name), exponent) for name, exponent in factor_parts(claim.factor))
-    return Relating(name_of(claim, claim.left), StatedFactor(powers), name_of(claim, claim.right))
+    return Relating(symbol_or_name(claim, claim.left), StatedFactor(powers), symbol_or_name(claim, claim.right))
 
 
 def _symbol(claim: Claim, name: str) -> Name:
-    return Name(name) if name in WEIGHTS or not name[0].isalpha() else name_of(claim, name)
+    return Name(name) if name in WEIGHTS or not name[0].isalpha() else symbol_or_name(claim, name)
 
 
-def name_of(claim: Claim, formula: str) -> Name:
+def symbol_or_name(claim: Claim, formula: str) -> Name:
     """A formula of a claim by its symbol, by its name where that does not tell which."""
     symbol = claim.shown(formula)
     return Name(symbol_text(symbol) if symbol else formula)

@@ -163,11 +163,11 @@ def zero_of(f: BSpline) -> Place | None:
             return segment(f, i)
         a, b = f.breakpoints[i : i + 2]
         if zero := zero_on_segment(p, f.degree):
-            return between(Interval(a, b).part(zero))
+            return place_between(Interval(a, b).part(zero))
     return None
 
 
-def between(interval: Interval) -> At | Between:
+def place_between(interval: Interval) -> At | Between:
     """The place of a zero."""
     s, t = interval
     return At(s) if s == t else Between(s, t)

@@ -49,7 +49,7 @@ class PatchRow:
 
 
 @dataclass(frozen=True)
-class VariantsRow:
+class _VariantsRow:
     """An object of surfaces, its degrees in u and v on rational patches: as defined, from the numerators of
     derivatives, lifted, and the true one; and as defined and true on polynomial ones.
     """
@@ -63,7 +63,7 @@ class VariantsRow:
     polynomial_true: str
 
 
-def variants_table(source: Paper) -> list[VariantsRow]:
+def variants_table(source: Paper) -> list[_VariantsRow]:
     """The formulas of surfaces that a paper has in three variants: ``NAME``, ``NAME_reduced``, and ``NAME_projective``
     or else ``NAME_lifted``.
 
@@ -81,7 +81,7 @@ def variants_table(source: Paper) -> list[VariantsRow]:
         if formula.kind is SURFACE and f"{name}_reduced" in known and lifted is not None:
             reduced = known[f"{name}_reduced"]
             rows.append(
-                VariantsRow(
+                _VariantsRow(
                     name,
                     _counted(formula, polynomial=False),
                     _counted(reduced, polynomial=False),
@@ -143,8 +143,8 @@ def _row(formula: Formula, degrees: tuple[int, int], polynomial: bool) -> PatchR
         part = reduction_of(formula, dimension, polynomial).main
     except (FormulaError, ReachError) as error:  # too many terms to multiply out: the other formulas are not affected
         return PatchRow(formula.name, patches, (u, v), None, None, str(error))
-    attained = measured_degrees(part, witness(dimension, degrees, polynomial=polynomial))
-    true = [degree_of_reduced(part, degrees, parameter) for parameter in BOTH]
+    attained = measured_degrees(part, _witness_patch(dimension, degrees, polynomial=polynomial))
+    true = [_degree_of_reduced(part, degrees, parameter) for parameter in BOTH]
     return PatchRow(formula.name, patches, (u, v), _pair(*true), _pair(*attained))
 
 
@@ -169,7 +169,7 @@ def _nominal(formula: Formula, dimension: int, polynomial: bool, parameter: Para
     return int(counted.at(dict.fromkeys(counted.names, degree)))
 
 
-def degree_of_reduced(part: Part, degrees: tuple[int, int], parameter: Parameter) -> int:
+def _degree_of_reduced(part: Part, degrees: tuple[int, int], parameter: Parameter) -> int:
     """The true degree in a parameter of a reduced form on the generic patch of these degrees; −1 where it vanishes."""
     known = dict(zip(BOTH, degrees, strict=True))
     found = [(degree_on_patch([jet], known, parameter), e) for jet, e in part.kept]
@@ -177,10 +177,10 @@ def degree_of_reduced(part: Part, degrees: tuple[int, int], parameter: Parameter
     return -1 if any(n < 0 for n, _ in found) else sum(n * e for n, e in found)
 
 
-def witness(dimension: int, degrees: tuple[int, int], *, polynomial: bool = False) -> Surface[TensorSpline]:
+def _witness_patch(dimension: int, degrees: tuple[int, int], *, polynomial: bool = False) -> Surface[TensorSpline]:
     """A patch of these degrees with pseudorandom control points and weights, the same every time.
 
-    >>> witness(3, (1, 2)).w.degree
+    >>> _witness_patch(3, (1, 2)).w.degree
     Degrees(s=1, t=2)
     """
     random = Random(f"{SEED} {degrees} {dimension}")

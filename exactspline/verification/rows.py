@@ -165,7 +165,7 @@ def count_statements(decided: Iterable[tuple[Claim, Verdict]]) -> dict[Status, C
     return {status: _counts([pair for pair in pairs if pair[0].status == status]) for status in Status}
 
 
-def recorded(claims: Iterable[Claim]) -> dict[Status, Counts]:
+def recorded_counts(claims: Iterable[Claim]) -> dict[Status, Counts]:
     """The counts by status of the verdicts on record."""
     return count_statements((claim, claim.expected) for claim in claims)
 

@@ -24,7 +24,7 @@ from exactspline.batch.lines import line_schema
 from exactspline.batch.oracle_answers import QuestionError
 from exactspline.batch.results import JsonLines, ResultsError
 from exactspline.batch.summary import Summary
-from exactspline.batch.sweep import Where, recorded
+from exactspline.batch.sweep import Where, sweep_into_file
 from exactspline.batch.work import Work
 from exactspline.cli import app
 from exactspline.errors import CurveFileError, ExactSplineError
@@ -273,7 +273,7 @@ def lines_of(place):
 
 def record(place, sources=SOURCES, **how):
     summary = Summary()
-    recorded(sources, Work.of(**how), Where("serial"), str(place), summary)
+    sweep_into_file(sources, Work.of(**how), Where("serial"), str(place), summary)
     return summary
 
 

@@ -21,7 +21,7 @@ from exactspline.batch.families import Family
 from exactspline.batch.lines import Way
 from exactspline.batch.results import JsonLines
 from exactspline.batch.summary import Summary
-from exactspline.batch.sweep import Where, recorded
+from exactspline.batch.sweep import Where, sweep_into_file
 from exactspline.batch.work import Work
 from exactspline.geometry.analysis import curves as analysis
 from exactspline.numbers.exact import mpq
@@ -251,7 +251,7 @@ def test_a_sweep_continued_anywhere_has_the_same_lines_and_counts_what_it_comput
 
     def record(path):
         summary = Summary()
-        recorded([family, "no_such_file"], Work.of(), Where("serial"), str(path), summary)
+        sweep_into_file([family, "no_such_file"], Work.of(), Where("serial"), str(path), summary)
         return counts(summary)
 
     whole = record(place)

@@ -15,7 +15,7 @@ from exactspline.batch.corpus import Problem
 from exactspline.batch.families import Family
 from exactspline.batch.results import ResultsError
 from exactspline.batch.summary import Summary
-from exactspline.batch.sweep import Where, recorded
+from exactspline.batch.sweep import Where, sweep_into_file
 from exactspline.batch.work import Work
 from exactspline.interchange.curve_files import curve_data
 from tests.batch.test_sweep import run
@@ -162,7 +162,7 @@ def test_what_is_not_simply_decided_is_counted_by_family(words, why):
     """False before: nothing; a family of which every tenth curve were refused would not have been seen."""
     family = Family.parsed(words)
     summary = Summary(frozenset([str(family)]))
-    recorded([family], Work.of(), Where("serial"), "", summary)
+    sweep_into_file([family], Work.of(), Where("serial"), "", summary)
     entries = {each.what: each.count for each in summary.entries() if each.name == str(family)}
     assert entries.pop("family") == family.count
     assert set(entries) <= {"family: refused", "family: decided by exact arithmetic after the filter"}

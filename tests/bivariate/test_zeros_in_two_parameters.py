@@ -11,7 +11,7 @@ from exactspline import TensorSpline, common_zeros, intersections, zero_curve
 from exactspline.bivariate import common_zeros as elimination
 from exactspline.bivariate import zeros as zeros_in_two_parameters
 from exactspline.bivariate.joined_curves import chained
-from exactspline.bivariate.singular_points import sign_at, singular_on_patch
+from exactspline.bivariate.singular_points import sign_at_point, singular_on_patch
 from exactspline.bivariate.zero_curve import Shape
 from exactspline.bivariate.zeros import ZeroCurves
 from exactspline.errors import DomainError, ReachError, ShapeError
@@ -431,10 +431,10 @@ def test_signs_at_points_that_are_all_but_zeros():
     (zero,) = elimination.common_zeros([2 * S * S - 1, 3 * T * T - 1], UNIT)
     for digits in (3, 20, 100):
         one, other = isqrt(10 ** (2 * digits) // 2), isqrt(10 ** (2 * digits) // 3)
-        assert [sign_at(10**digits * S - one - k, zero) for k in (0, 1)] == [1, -1]
-        assert [sign_at(10**digits * T - other - k, zero) for k in (0, 1)] == [1, -1]
+        assert [sign_at_point(10**digits * S - one - k, zero) for k in (0, 1)] == [1, -1]
+        assert [sign_at_point(10**digits * T - other - k, zero) for k in (0, 1)] == [1, -1]
     # much smaller than the coefficients
-    assert {sign_at((1000 * S - 707) ** k, zero) for k in range(30, 45)} == {1}
+    assert {sign_at_point((1000 * S - 707) ** k, zero) for k in range(30, 45)} == {1}
 
 
 def test_a_curve_that_ends_at_an_undecided_box_of_the_next_patch_is_open():

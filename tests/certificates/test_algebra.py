@@ -27,7 +27,7 @@ from exactspline.certificates.elimination import (
     through,
     total,
     trimmed,
-    value,
+    value_of,
     value_over,
 )
 from exactspline.certificates.zero_curves import NODE, POINT, extremes, kind_by_hessian, net_product, on_line
@@ -45,7 +45,7 @@ def rows_of(random, degrees):
 
 
 def at(rows, s, z):
-    return sum(value(row, z) * s**i for i, row in enumerate(rows))
+    return sum(value_of(row, z) * s**i for i, row in enumerate(rows))
 
 
 def times(first, second):
@@ -96,11 +96,11 @@ def test_subresultants_tell_the_degree_of_the_common_divisor(seed):
     m, n = len(first) - 1, len(second) - 1
     assert k <= least
     for z in range(-2, 3):
-        f, g = ([value(row, z) for row in rows[::-1]] for rows in (first, second))
+        f, g = ([value_of(row, z) for row in rows[::-1]] for rows in (first, second))
         size = m + n - 2 * k
         lines = [([0] * i + f + [0] * size)[:size] for i in range(n - k)]
         lines += [([0] * i + g + [0] * size)[:size] for i in range(m - k)]
-        assert value(found, z) == (int(fmpz_mat(lines).det()) if size else 1)
+        assert value_of(found, z) == (int(fmpz_mat(lines).det()) if size else 1)
     with pytest.raises(ValueError, match="does not exist"):
         subresultant(first, second, least + 1)
 
@@ -129,7 +129,7 @@ def test_one_root_is_one_root(seed):
         assert has_one_root(p, low, high) == (low < roots[0] < high)
     if sign := strict_sign(p, low, high):
         assert not inside
-        assert sign * value(p, (low + high) / 2) > 0
+        assert sign * value_of(p, (low + high) / 2) > 0
     assert not has_one_root(from_roots([low, (low + high) / 2]), low, high)
     assert not has_one_root(from_roots([(low + high) / 2, high]), low, high)
 
@@ -140,14 +140,14 @@ def test_values_quotients_and_signs(seed):
     p, q = (polynomial(random, random.randint(0, 4)) for _ in range(2))
     low, x = Fraction(random.randint(-9, 9), 5), fraction(random)
     high = low + Fraction(random.randint(1, 9), 7)
-    assert bernstein(on_interval(p, low, high), x) == value(p, low + (high - low) * x)
+    assert bernstein(on_interval(p, low, high), x) == value_of(p, low + (high - low) * x)
     assert quotient_by(product_of(p, q), q) == p
     if len(q) > 1:
         assert quotient_by(total(product_of(p, q), [1]), q) is None
         rest = remainder_of(p, q)
         assert len(rest) < len(q)
         assert not remainder_of(total([Fraction(c) for c in p], [-c for c in rest]), q)
-    assert trimmed(through([value(p, k) for k in range(len(p) + 2)])) == p
+    assert trimmed(through([value_of(p, k) for k in range(len(p) + 2)])) == p
     matrix = [[random.choice([0, 0, 1, -2, 3]) for _ in range(4)] for _ in range(4)]
     assert determinant(matrix) == int(fmpz_mat(matrix).det())
     # at the root of 2x² − 1 between 0 and 1
@@ -241,7 +241,7 @@ def test_polynomials_over_a_root(seed):
     side = tuple(sorted(random.sample([Fraction(k, 6) for k in range(-6, 7)], 2)))
     sign = sign_over(rows, root, side)
     points = list(product((*root, sum(root) / 2), (*side, sum(side) / 2)))
-    values = [sum(value(row, x) * y**j for j, row in enumerate(rows)) for x, y in points]
+    values = [sum(value_of(row, x) * y**j for j, row in enumerate(rows)) for x, y in points]
     assert not sign or all(sign * each > 0 for each in values)
     assert sign_over([[], [0, 1]], root, (Fraction(1, 2), Fraction(1))) == 1
     assert sign_over([[-1], [], [0, 1]], root, (Fraction(0), Fraction(1))) == -1
@@ -249,8 +249,8 @@ def test_polynomials_over_a_root(seed):
     height = Fraction(random.randint(-4, 4), 3)
     flat = at_height(factor, height)
     x = Fraction(5, 9)
-    assert value(flat, x) == value(factor[0], x) + height
+    assert value_of(flat, x) == value_of(factor[0], x) + height
     assert (value_over(factor, height, root, minimal) == 0) == (not any(flat))
     scaled = integral(flat)
     assert all(isinstance(c, int) for c in scaled)
-    assert all(c * value(flat, Fraction(1)) == d * value(scaled, 1) for c, d in zip(scaled, flat, strict=False))
+    assert all(c * value_of(flat, Fraction(1)) == d * value_of(scaled, 1) for c, d in zip(scaled, flat, strict=False))

@@ -314,7 +314,7 @@ ROUNDED = {
     "reals/real.py: RationalNumber.double": "rounds to a double, on request",
     "verification/conditioning/compare.py: _at_root": "what is measured is the error of doubles",
     "verification/minimality.py: witness": "chooses by a seed",
-    "verification/patch_degrees.py: witness": "chooses by a seed",
+    "verification/patch_degrees.py: _witness_patch": "chooses by a seed",
 }
 ROUNDS = {
     "float": "def f(x):\n    return float(x) > 0",
@@ -347,12 +347,12 @@ def test_what_rounds_is_found(code):
 #: Where FLINT's own functions may be called: the doors, and what costs nothing.
 UNBOUNDED = {
     "geometry/curves/balls.py: _rooted": "paid for, by degree and bits, where the zeros are apart",
-    "geometry/bisectors/polynomials.py: common_divisor": "over the field of a root: Euclid's algorithm, bounded",
+    "geometry/bisectors/polynomials.py: common_divisor_along": "over the field of a root: Euclid's algorithm, bounded",
     "bivariate/zero_curve_certificate.py: _part_at": "over the field of a root: a door with an estimated cost",
     "numbers/exact.py: common_divisor": "integers",
     "polynomials/bernstein.py: add": "integers",
     "polynomials/bernstein.py: common_denominators": "integers",
-    "polynomials/bernstein.py: primitive": "integers",
+    "polynomials/bernstein.py: without_content": "integers",
     "polynomials/elimination.py: discriminant": "the door: by values at integers, after the bound was checked",
     "polynomials/elimination.py: resultant": "the same",
     "polynomials/factors.py: _by_flint": "the door",

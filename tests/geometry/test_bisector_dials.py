@@ -18,7 +18,7 @@ from exactspline.geometry.bisectors import two_curves
 from exactspline.geometry.bisectors.components import Solutions, SpecialPairs
 from exactspline.geometry.bisectors.missing import STILL, THROUGH
 from exactspline.geometry.bisectors.point_and_curve import point_bisector
-from exactspline.geometry.bisectors.single_pairs import shown
+from exactspline.geometry.bisectors.single_pairs import brief
 from exactspline.geometry.bisectors.special_pairs import special_pairs
 from exactspline.geometry.bisectors.two_curves import curve_bisector
 from exactspline.interchange.curve_files import curve_data, write_json
@@ -233,6 +233,6 @@ def test_every_reason_for_which_there_is_no_surface_is_named():
 def test_parameters_that_are_left_out_are_shown_with_their_exponents():
     """Passed before: "(5.7742e-7…)", two wrong digits, and "(5.7735e-1…)" for 5.7735e-13."""
     t = BSpline.identity(0, 1)
-    assert shown(tuple(zeros(3 * 10**12 * t * t - 1))) == "(√3/3000000)"
-    assert shown(tuple(zeros(2 * 10**18 * t * t * t - 1))) == "(7.93701e-7…)"
-    assert shown(tuple(zeros(2 * 10**36 * t * t * t - 1))) == "(7.93701e-13…)"
+    assert brief(tuple(zeros(3 * 10**12 * t * t - 1))) == "(√3/3000000)"
+    assert brief(tuple(zeros(2 * 10**18 * t * t * t - 1))) == "(7.93701e-7…)"
+    assert brief(tuple(zeros(2 * 10**36 * t * t * t - 1))) == "(7.93701e-13…)"

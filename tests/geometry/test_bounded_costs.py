@@ -6,7 +6,7 @@ from gmpy2 import mpq
 
 from exactspline import example
 from exactspline.errors import ReachError
-from exactspline.extras.coq.terms import integer, number
+from exactspline.extras.coq.terms import constant_term, integer
 from exactspline.geometry.analysis import surfaces as inspection
 from exactspline.geometry.analysis.surfaces import PatchKind, inspect_surface
 from exactspline.polynomials.factors import greatest_common_divisor
@@ -37,4 +37,4 @@ def test_a_patch_out_of_reach_is_open(monkeypatch):
 def test_constants_of_any_size_are_written_for_coq():
     """Before: `ValueError`, Python's limit of 4300 digits."""
     assert len(integer(-(10**5000))) == 5004
-    assert len(number(mpq(1, 10**5000))[0]) > 5000
+    assert len(constant_term(mpq(1, 10**5000))[0]) > 5000

@@ -315,11 +315,11 @@ def test_svg_arcs_lie_on_their_ellipse(x, y, rx, ry, large, sweep, k):
     t = mpq(k, 4)
     cos, sin = (1 - t * t) / (1 + t * t), 2 * t / (1 + t * t)
     start, end = (mpq(x) + rx, mpq(y)), (mpq(x) + rx * cos, mpq(y) + ry * sin)
-    from exactspline.interchange.segments import joined
+    from exactspline.interchange.segments import joined_segments
     from exactspline.interchange.svg_paths import elliptic_arc
 
     segments = elliptic_arc(start, end, (mpq(rx), mpq(ry)), mpq(0), large, sweep)
-    degree, knots, points = joined(segments)
+    degree, knots, points = joined_segments(segments)
     curve = Nurbs.from_homogeneous(degree, knots, points)
     a, b = curve.domain
     assert (curve(a), curve(b)) == (start, end)

@@ -15,7 +15,7 @@ from exactspline.language.kinds import CURVE
 from exactspline.papers import find
 from exactspline.readings.jet import JetReading
 from exactspline.readings.leading_terms import LeadingTermsReading, common_roots
-from exactspline.symbolic.covariants import product_of, true_degree
+from exactspline.symbolic.covariants import degree_of_product, true_degree
 from exactspline.symbolic.reduction import reduction
 from exactspline.verification.claims import all_claims
 
@@ -95,7 +95,7 @@ def test_common_roots_tell_powers_of_one_variable_apart():
 def test_a_product_has_the_degree_that_its_factors_tell(one, other, dimension, exponent):
     c = JetReading(3).argument(CURVE, dimension)
     f, g = find(one)(c), find(other)(c)
-    told = product_of([(true_degree(f), 1), (true_degree(g), exponent)])
+    told = degree_of_product([(true_degree(f), 1), (true_degree(g), exponent)])
     assert told == true_degree(f * g**exponent)
     assert all(told.at(d) == true_degree(f * g**exponent).at(d) for d in range(1, 7))
 

@@ -20,7 +20,7 @@ from exactspline.readings.differential_order import is_polynomial, order_of
 from exactspline.readings.jet import JetReading
 from exactspline.readings.leading_terms import LeadingTermsReading
 from exactspline.symbolic import covariants
-from exactspline.symbolic.covariants import TrueDegree, generic_degree, graded, product_of, true_degree
+from exactspline.symbolic.covariants import TrueDegree, degree_of_product, generic_degree, graded, true_degree
 from exactspline.symbolic.substitution import substitute
 from tests.support.bisector_oracle import bezier
 
@@ -225,16 +225,16 @@ def test_the_degree_of_a_product_is_the_sum_and_lower_where_a_factor_is():
     """1·d at every d but 2, where it is 1; 0 at d = 1."""
     a = TrueDegree(1, 0, 0, ((1, -1), (2, 1)))
     b = TrueDegree(3, 3, 1, ())
-    told = product_of([(a, 1), (b, 2)])
+    told = degree_of_product([(a, 1), (b, 2)])
     assert (told.k, told.m, told.j) == (7, 6, 2)
     assert told.lower == ((1, -1), (2, 1 + 2 * b.at(2)))
     assert [told.at(d) for d in (1, 2, 3)] == [-1, 1 + 2 * b.at(2), 3 + 2 * b.at(3)]
     assert b.at(5) == 3 * 5 - 6 + 1
-    plain = product_of([(b, 1)])
+    plain = degree_of_product([(b, 1)])
     assert plain == b
     same = TrueDegree(1, 0, 0, ((4, 4),))
-    assert product_of([(same, 1)]).lower == ()
-    assert product_of([(TrueDegree(1, 1, 0, ((4, 2),)), 1)]).lower == ()
+    assert degree_of_product([(same, 1)]).lower == ()
+    assert degree_of_product([(TrueDegree(1, 1, 0, ((4, 2),)), 1)]).lower == ()
 
 
 @pytest.mark.parametrize("name", ["f2", "g2", "D1_squared", "vertices_lifted", "D1_D2_D3"])

@@ -14,7 +14,7 @@ from exactspline.papers.new import write_new_paper
 from exactspline.verification.claims import all_claims, claims_in, claims_of
 from exactspline.verification.errata import errata, remarks
 from exactspline.verification.ledger import proved
-from exactspline.verification.rows import Counts, count_statements, recorded
+from exactspline.verification.rows import Counts, count_statements, recorded_counts
 from exactspline.verification.verdict import PROVED, REFUTED, UNDECIDED
 from exactspline.verification.vocabulary import Status
 from tests.support.decided import decided_once, errors_in_print, proofs
@@ -44,7 +44,7 @@ def test_two_refuted_statements_of_one_error_are_one_error_and_unrecorded_ones_a
 def test_the_ledger_the_errata_and_the_record_count_alike():
     rows = [proved(claim, proofs()) for claim in all_claims()]
     decided = count_statements((row.claim, row.verdict) for row in rows)
-    assert decided == recorded(all_claims())
+    assert decided == recorded_counts(all_claims())
     printed = decided[Status.PRINTED]
     assert printed.errors == len(errors_in_print())
     assert printed.refuted == sum(len(error.statements) for error in errors_in_print())
@@ -59,7 +59,7 @@ def test_the_ledger_the_errata_and_the_record_count_alike():
 def test_the_errors_of_each_source_are_counted_in_its_errata(source):
     with decided_once():
         found = list(errata([paper(source)]))
-    printed = recorded(claims_of(source))[Status.PRINTED]
+    printed = recorded_counts(claims_of(source))[Status.PRINTED]
     assert len(found) == printed.errors
     assert sum(len(error.statements) for error in found) == printed.refuted
 
@@ -106,8 +106,8 @@ def pages():
 
 def test_numbers_of_statements_in_the_pages_are_those_that_are_counted():
     """A page that counts statements, claims or errors otherwise is listed here with what it counts, or fails."""
-    printed = recorded(claims_of(PAPER))[Status.PRINTED]
-    primer = recorded(claims_of("primer_on_bezier_curves"))[Status.PRINTED]
+    printed = recorded_counts(claims_of(PAPER))[Status.PRINTED]
+    primer = recorded_counts(claims_of("primer_on_bezier_curves"))[Status.PRINTED]
     expected = {
         ("mutation.md", "statements"): printed.statements,
         ("ten-claims.md", "claims"): sum(map(len, CLAIMS.values())),
@@ -127,5 +127,5 @@ def test_the_page_of_sources_lists_every_error():
     part = (ROOT / "docs" / "sources.md").read_text(encoding="utf-8").split("## Their errors")[1].split("\n## ")[0]
     listed = re.findall(r"^    - (.*(?:\n      .*)*)", part, re.MULTILINE)
     others = [source for source in papers() if source not in default_papers()]
-    errors = recorded(claims_in(others))[Status.PRINTED].errors
+    errors = recorded_counts(claims_in(others))[Status.PRINTED].errors
     assert len([each for each in listed if "(a remark" not in each]) == errors

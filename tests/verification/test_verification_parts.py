@@ -31,7 +31,7 @@ from exactspline.verification.degree_tables import (
     measurable,
     measure,
 )
-from exactspline.verification.errata import name_of, numbered, remarks
+from exactspline.verification.errata import numbered, remarks, symbol_or_name
 from exactspline.verification.evidence import At, Between, OnAllOf, Relating
 from exactspline.verification.generic_proof import joined_degree, table_1_degrees
 from exactspline.verification.notation import degree_latex, factor_latex
@@ -281,9 +281,9 @@ def test_an_identity_is_told_with_the_names_of_its_sides():
     assert worded(power.statements[0].found) == "g1 = w⁸ · g0"
     assert power.statements[0].witness is None
     assert power.statements[0].check[1] == 'print(factor_of("g1", "g0", 2))'
-    assert name_of(claim("C42b-g1-g0"), "g1") == "g1"
-    assert name_of(claim("C43d-evolute_by_frenet-evolute"), "speed_squared") == "‖γ′‖²"
-    assert name_of(claim("C42a-curvature_derivative_numerator-g0"), "curvature_derivative_numerator") == (
+    assert symbol_or_name(claim("C42b-g1-g0"), "g1") == "g1"
+    assert symbol_or_name(claim("C43d-evolute_by_frenet-evolute"), "speed_squared") == "‖γ′‖²"
+    assert symbol_or_name(claim("C42a-curvature_derivative_numerator-g0"), "curvature_derivative_numerator") == (
         "curvature_derivative_numerator"
     )
     assert numbered(claim("C42b-g1-g0")) == claim("C42b-g1-g0").statement

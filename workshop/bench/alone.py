@@ -99,7 +99,7 @@ def _trim_rational(_: int) -> Callable[[], object]:
 def _sweep(count: int) -> Callable[[], object]:
     from exactspline.batch.families import Family
     from exactspline.batch.summary import Summary
-    from exactspline.batch.sweep import Where, recorded
+    from exactspline.batch.sweep import Where, sweep_into_file
     from exactspline.batch.work import Work
 
     family, jobs = Family.parsed(f"degree=3 count={count}"), int(sys.argv[4])
@@ -107,7 +107,7 @@ def _sweep(count: int) -> Callable[[], object]:
 
     def call() -> None:
         with TemporaryDirectory() as folder:
-            recorded([family], Work.of(), where, f"{folder}/lines.jsonl", Summary())
+            sweep_into_file([family], Work.of(), where, f"{folder}/lines.jsonl", Summary())
 
     return call
 

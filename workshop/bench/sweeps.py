@@ -18,7 +18,7 @@ from time import monotonic, process_time, sleep
 from exactspline.batch.backends import BackendError
 from exactspline.batch.lines import Line
 from exactspline.batch.summary import Summary
-from exactspline.batch.sweep import Where, recorded
+from exactspline.batch.sweep import Where, sweep_into_file
 from exactspline.batch.work import Work
 from workshop.bench.row import OURS, Options, Row, bounded, installed, missing
 
@@ -73,7 +73,7 @@ def swept(corpus: Sequence[str], where: Where, place: Path) -> Swept:
             if new == 1:
                 start = monotonic()
 
-    recorded(corpus, Work.of(), where, str(place), summary, tick)
+    sweep_into_file(corpus, Work.of(), where, str(place), summary, tick)
     return Swept(new, monotonic() - start, summary)
 
 

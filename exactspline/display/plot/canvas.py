@@ -164,7 +164,7 @@ def parameter(t: Number | Root | Feature, domain: tuple[mpq, mpq]) -> mpq:
     return rational(place)
 
 
-def joined(points: Iterable[Point | None]) -> list[Run]:
+def runs_between_gaps(points: Iterable[Point | None]) -> list[Run]:
     """The runs of points between the gaps (None)."""
     return [[p for p in run if p is not None] for there, run in groupby(points, lambda p: p is not None) if there]
 
@@ -175,7 +175,7 @@ def polygons(knots: Sequence[mpq], degree: int, points: Sequence[Point | None]) 
     for i, point in enumerate(points):
         jump = i > 0 and knots[i] == knots[i + degree] and point != points[i - 1]
         spread += [None, point] if jump else [point]
-    return joined(spread)
+    return runs_between_gaps(spread)
 
 
 def draw_polygons(ax: Axes, runs: list[Run], count: int, bends: int = 1, color: str = SILVER, hidden: int = 0) -> None:

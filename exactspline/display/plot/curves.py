@@ -17,10 +17,10 @@ from exactspline.display.plot.canvas import (
     axes_for,
     draw,
     draw_polygons,
-    joined,
     legend_below,
     parameter,
     polygons,
+    runs_between_gaps,
     sampled,
     shown_name,
 )
@@ -167,7 +167,7 @@ def runs_between_poles(value: Rational[BSpline], box: Box) -> list[Run]:
         return point if point and inside(point, box) else None
 
     parts = sampled(near, sorted({*denominator.breakpoints, *poles}))
-    return joined(point for part in parts for point in [*[p for _, p in part], None])
+    return runs_between_gaps(point for part in parts for point in [*[p for _, p in part], None])
 
 
 def _quotient(value: object) -> Rational[BSpline]:

@@ -20,11 +20,11 @@ from exactspline.display.plot.canvas import (
     draw,
     draw_polygons,
     draw_runs,
-    joined,
     legend_below,
     library,
     parameter,
     polygons,
+    runs_between_gaps,
     sampled,
 )
 from exactspline.display.plot.options import check_options
@@ -106,7 +106,7 @@ def _runs(f: BSpline) -> list[list[Point]]:
     spread: list[Point | None] = []
     for samples in sampled(f, f.breakpoints):
         spread += samples if not spread or spread[-1] == samples[0] else [None, *samples]
-    return joined(spread)
+    return runs_between_gaps(spread)
 
 
 def _draw_graph(ax: Axes, graph: Sequence[Sequence[Point]], color: str, label: str) -> None:
@@ -156,7 +156,7 @@ def draw_roots(
     name: str = "root",
 ) -> None:
     """Roots on the zero line; for a `ZeroSet` also its jumps through zero (hollow) and its intervals (thick)."""
-    single, jumps = marked(roots)
+    single, jumps = _marked(roots)
     for points, what, face, edge in (
         (single, name + "{}", color, "white"),
         (jumps, "jump{} through zero", "white", color),
@@ -166,16 +166,16 @@ def draw_roots(
             at = [(parameter(t, domain), mpq(0)) for t in points]
             colors = {"color": color, "markerfacecolor": face, "markeredgecolor": edge}
             draw(ax, at, marker, markersize=7, label=counted, zorder=5, **colors)
-    draw_runs(ax, zero_runs(roots, 0), ZERO, color=color, linewidth=5, zorder=2.5)
+    draw_runs(ax, _zero_runs(roots, 0), ZERO, color=color, linewidth=5, zorder=2.5)
 
 
-def zero_runs(roots: ZeroSet | Sequence[Root] | None, height: int) -> list[Run]:
+def _zero_runs(roots: ZeroSet | Sequence[Root] | None, height: int) -> list[Run]:
     """The intervals on which the function vanishes, cut at the seam, at a height."""
     parts = [part for interval in getattr(roots, "intervals", []) for part in interval.parts]
     return [[(t, mpq(height)) for t in part] for part in parts]
 
 
-def marked(roots: ZeroSet | Sequence[Root] | None) -> tuple[list[Root], list[Root]]:
+def _marked(roots: ZeroSet | Sequence[Root] | None) -> tuple[list[Root], list[Root]]:
     """The parameters marked as roots, and those marked as jumps through zero."""
     single = [] if roots is None else list(as_items(roots, "roots"))
     return single, [jump for jump in getattr(roots, "jumps", []) if jump.sign_change]
@@ -210,7 +210,7 @@ def plot_roots(roots: ZeroSet | Sequence[Root], ax: Axes | None = None, *, color
         draw(ax, [(at[i], mpq(i))], "o", color=color, markerfacecolor=kind, markersize=7, label="_root", zorder=3)
     empty: list[float] = []
     ax.plot(empty, empty, "o", color=color, label="root (filled: the sign changes)")
-    draw_runs(ax, zero_runs(roots, -1), ZERO, color=color, linewidth=6)
+    draw_runs(ax, _zero_runs(roots, -1), ZERO, color=color, linewidth=6)
     ax.set_yticks(range(len(bars)), [f"{float(t):.3g}" for t in at])
     ax.set_ylabel("root")
     ax.set_xlabel("parameter")

@@ -37,7 +37,7 @@ SILENT = ("SEQEND", "VERTEX", "ENDBLK", "BLOCK", "SECTION", "ENDSEC", "EOF")
 
 
 @dataclass
-class Entity:
+class _Entity:
     """An entity: its type, its pairs of group code and value, and the line where it begins."""
 
     kind: str
@@ -76,11 +76,11 @@ def read(source: Source) -> Reading:
     return collector.reading()
 
 
-def _entities(source: Source, collector: Collector) -> Iterator[Entity]:
+def _entities(source: Source, collector: Collector) -> Iterator[_Entity]:
     """The entities of the sections ENTITIES and BLOCKS."""
     lines = source.text.split("\n")
     section, block, variable, value = "", "", "", ""
-    entity: Entity | None = None
+    entity: _Entity | None = None
     for i in range(0, len(lines) - 1, 2):
         code, value = lines[i].strip(), lines[i + 1].strip()
         if len(code) > 6 or not code.lstrip("-").isdecimal() or not code.isascii():
@@ -96,7 +96,7 @@ def _entities(source: Source, collector: Collector) -> Iterator[Entity]:
                 section = ""
             block = "" if value == "ENDBLK" else block
             if section in ("ENTITIES", "BLOCKS"):
-                entity = Entity(value, [], i + 1, block)
+                entity = _Entity(value, [], i + 1, block)
         elif code == "2" and lines[i - 1].strip() == "SECTION":
             section = value
         elif section == "HEADER":
@@ -116,7 +116,7 @@ def _entities(source: Source, collector: Collector) -> Iterator[Entity]:
 class _Values:
     """The numbers of one entity, and the collector for its curves."""
 
-    def __init__(self, collector: Collector, entity: Entity, where: str) -> None:
+    def __init__(self, collector: Collector, entity: _Entity, where: str) -> None:
         self.collector, self.entity, self.where = collector, entity, where
         self.notes: list[str] = []
         if entity.block:

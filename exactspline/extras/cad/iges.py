@@ -13,13 +13,13 @@ import re
 from collections.abc import Sequence
 
 from exactspline.errors import CurveFileError, counted
-from exactspline.extras.cad.iges_records import Entry, entries, formatted, unit_of
+from exactspline.extras.cad.iges_records import DirectoryEntry, entries, formatted, unit_of
 from exactspline.interchange.affine import Affine
 from exactspline.interchange.collector import Collector
 from exactspline.interchange.format import Format
 from exactspline.interchange.numbers import NumberText, decimal, whole, with_point
 from exactspline.interchange.records import Reading, Source
-from exactspline.interchange.segments import Segment, arc_around_origin, conic_arc, joined, mapped, polynomial
+from exactspline.interchange.segments import Segment, arc_around_origin, conic_arc, joined_segments, mapped, polynomial
 from exactspline.interchange.writing import Spline
 from exactspline.numbers.exact import mpq
 from exactspline.splines.nurbs import Nurbs
@@ -48,7 +48,7 @@ def looks_like(head: bytes) -> bool:
 class _Values:
     """The parameters of an entity, read in sequence."""
 
-    def __init__(self, entry: Entry, collector: Collector) -> None:
+    def __init__(self, entry: DirectoryEntry, collector: Collector) -> None:
         self.texts, self.position, self.collector = entry.parameters, 1, collector
 
     def text(self) -> str:
@@ -94,7 +94,7 @@ def read(source: Source) -> Reading:
     return collector.reading()
 
 
-def _placement(collector: Collector, directory: dict[int, Entry], entry: Entry) -> Affine:
+def _placement(collector: Collector, directory: dict[int, DirectoryEntry], entry: DirectoryEntry) -> Affine:
     """The transformation of an entity, composed with those that its matrix entity refers to."""
     whole_map = Affine.identity(3)
     for _ in range(collector.limits.depth):
@@ -109,7 +109,7 @@ def _placement(collector: Collector, directory: dict[int, Entry], entry: Entry) 
     raise CurveFileError("matrices form a cycle or are too many", remedy="correct field 7")
 
 
-def _spline(collector: Collector, entry: Entry, where: str, placed: Affine) -> None:
+def _spline(collector: Collector, entry: DirectoryEntry, where: str, placed: Affine) -> None:
     values = _Values(entry, collector)
     last, degree = values.whole(), values.whole()
     _planar, _closed, flagged_polynomial, periodic = (values.whole() for _ in range(4))
@@ -140,7 +140,7 @@ def _used(knots: Sequence[mpq], degree: int, start: mpq, end: mpq) -> tuple[tupl
     return (low, high), [f"the entity uses the parameters from {start} to {end}{beyond}"]
 
 
-def _surface(collector: Collector, entry: Entry, where: str, placed: Affine) -> None:
+def _surface(collector: Collector, entry: DirectoryEntry, where: str, placed: Affine) -> None:
     values = _Values(entry, collector)
     last_u, last_v, m, n = (values.whole() for _ in range(4))
     _closed_u, _closed_v, polynomial, _periodic_u, _periodic_v = (values.whole() for _ in range(5))
@@ -166,7 +166,7 @@ Parts = tuple[int, Sequence[mpq], Sequence[Sequence[mpq]], Sequence[mpq] | None]
 
 def _add(
     collector: Collector,
-    entry: Entry,
+    entry: DirectoryEntry,
     where: str,
     parts: Parts,
     notes: Sequence[str] = (),
@@ -181,14 +181,14 @@ def _add(
     collector.add(kind, where, degree, knots, points, weights, name=name, notes=notes, within=within)
 
 
-def _pieces(collector: Collector, entry: Entry, where: str, segments: Sequence[Segment]) -> None:
-    degree, knots, points = joined(segments)
+def _pieces(collector: Collector, entry: DirectoryEntry, where: str, segments: Sequence[Segment]) -> None:
+    degree, knots, points = joined_segments(segments)
     weights = [point[-1] for point in points]
     plain = [[x / point[-1] for x in point[:-1]] for point in points]
     _add(collector, entry, where, (degree, knots, plain, None if set(weights) == {1} else weights))
 
 
-def _line(collector: Collector, entry: Entry, where: str, placed: Affine) -> None:
+def _line(collector: Collector, entry: DirectoryEntry, where: str, placed: Affine) -> None:
     if entry.form:
         raise CurveFileError("an unbounded line or ray", remedy="form 0 is a segment")
     _pieces(collector, entry, where, [polynomial(*(placed(point) for point in _Values(entry, collector).rows(2)))])
@@ -199,14 +199,14 @@ def _at_height(placed: Affine, z: mpq, shift: Sequence[mpq] = (mpq(0), mpq(0))) 
     return placed @ Affine([[1, 0, 0, shift[0]], [0, 1, 0, shift[1]], [0, 0, 1, z]])
 
 
-def _arc(collector: Collector, entry: Entry, where: str, placed: Affine) -> None:
+def _arc(collector: Collector, entry: DirectoryEntry, where: str, placed: Affine) -> None:
     z, *numbers = _Values(entry, collector).numbers(7)
     centre, start, end = numbers[:2], numbers[2:4], numbers[4:]
     u, v = ((point[0] - centre[0], point[1] - centre[1]) for point in (start, end))
     _pieces(collector, entry, where, _lifted(arc_around_origin(u, v), _at_height(placed, z, centre)))
 
 
-def _conic(collector: Collector, entry: Entry, where: str, placed: Affine) -> None:
+def _conic(collector: Collector, entry: DirectoryEntry, where: str, placed: Affine) -> None:
     *form, z, x1, y1, x2, y2 = _Values(entry, collector).numbers(11)
     _pieces(collector, entry, where, _lifted(conic_arc(form, (x1, y1), (x2, y2)), _at_height(placed, z)))
 

@@ -13,7 +13,7 @@ from exactspline.interchange.numbers import whole
 
 
 @dataclass
-class Entry:
+class DirectoryEntry:
     """A directory entry: its number (odd), type, form, matrix (the number of its entry, or 0), use flag, whether it is
     blanked, its label, and its parameters as text.
     """
@@ -28,7 +28,7 @@ class Entry:
     parameters: list[str]
 
 
-def sections(text: str) -> dict[str, list[str]]:
+def _sections(text: str) -> dict[str, list[str]]:
     """The lines of each section by its letter; raises `CurveFileError` for letters other than S, G, D, P, T."""
     by_letter: dict[str, list[str]] = {letter: [] for letter in "SGDPT"}
     for number, line in enumerate(text.splitlines(), 1):
@@ -45,7 +45,7 @@ def sections(text: str) -> dict[str, list[str]]:
     return by_letter
 
 
-def delimiters(lines: list[str]) -> tuple[str, str, str]:
+def _delimiters(lines: list[str]) -> tuple[str, str, str]:
     """The parameter delimiter and the record delimiter, from the global section, and what follows them there."""
     text = "".join(line[:72] for line in lines).lstrip()
     separator = text[2:3] if text[:2] == "1H" else ","
@@ -56,10 +56,10 @@ def delimiters(lines: list[str]) -> tuple[str, str, str]:
     return separator, ending, rest[4:] if rest[:2] == "1H" else rest[1:]
 
 
-def parameters(text: str, separator: str, ending: str, limits: Limits) -> list[str]:
+def _parameters(text: str, separator: str, ending: str, limits: Limits) -> list[str]:
     """The parameters of a record, without blanks, and with strings as their text.
 
-    >>> parameters("126,3H,;a, 1.D0,;", ",", ";", Limits())
+    >>> _parameters("126,3H,;a, 1.D0,;", ",", ";", Limits())
     ['126', ',;a', '1.D0', '']
     """
     values: list[str] = []
@@ -91,9 +91,9 @@ UNITS = {"1": "inches", "2": "millimetres", "4": "feet", "5": "miles", "6": "met
 
 def unit_of(text: str) -> str:
     """The unit of length given in the global section, "" if there is none."""
-    separator, ending, rest = delimiters(sections(text)["G"])
+    separator, ending, rest = _delimiters(_sections(text)["G"])
     try:
-        values = parameters(rest, separator, ending, Limits())
+        values = _parameters(rest, separator, ending, Limits())
     except CurveFileError:
         return ""
     # parameters 14 and 15 of the section, the first two of which are the delimiters
@@ -101,12 +101,12 @@ def unit_of(text: str) -> str:
     return name if flag == "3" else UNITS.get(flag, "")
 
 
-def entries(text: str, limits: Limits) -> list[Entry]:
+def entries(text: str, limits: Limits) -> list[DirectoryEntry]:
     """All directory entries with their parameters."""
-    lines = sections(text)
+    lines = _sections(text)
     if len(lines["D"]) % 2:
         raise CurveFileError("an odd number of directory lines", remedy="each entry takes two lines")
-    separator, ending, _ = delimiters(lines["G"])
+    separator, ending, _ = _delimiters(lines["G"])
     blocks: dict[int, list[str]] = {}
     for line in lines["P"]:
         pointer = line[64:72].strip() or "0"
@@ -117,8 +117,8 @@ def entries(text: str, limits: Limits) -> list[Entry]:
         block = "".join(blocks.get(i + 1, []))
         status = first[64:72].replace(" ", "0")
         numbers = _field(first, 0), _field(second, 4), _field(first, 6)
-        values = parameters(block, separator, ending, limits) if block else []
-        result.append(Entry(i + 1, *numbers, status[4:6], status[:2] == "01", second[56:64].strip(), values))
+        values = _parameters(block, separator, ending, limits) if block else []
+        result.append(DirectoryEntry(i + 1, *numbers, status[4:6], status[:2] == "01", second[56:64].strip(), values))
     return result
 
 

@@ -23,7 +23,7 @@ from exactspline.extras.cad.step_splines import (
     OTHERS,
     SURFACE,
     add_spline,
-    written,
+    written_spline,
 )
 from exactspline.extras.cad.step_text import StepText, name_of
 from exactspline.interchange.collector import Collector
@@ -134,10 +134,10 @@ def write(splines: Sequence[Spline], numbers: NumberText) -> bytes:
     """
     text = StepText(numbers)
     if splines[0].is_surface:
-        text.add_set("GEOMETRIC_SET", BOUNDED_SURFACES, [written(spline, text) for spline in splines], 3)
+        text.add_set("GEOMETRIC_SET", BOUNDED_SURFACES, [written_spline(spline, text) for spline in splines], 3)
         return text.encoded()
     for dimension in sorted({spline.dimension for spline in splines}):
-        references = [written(spline, text) for spline in splines if spline.dimension == dimension]
+        references = [written_spline(spline, text) for spline in splines if spline.dimension == dimension]
         text.add_set("GEOMETRIC_CURVE_SET", WIREFRAME, references, dimension)
     return text.encoded()
 

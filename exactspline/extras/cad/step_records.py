@@ -29,7 +29,7 @@ _STRING = re.compile(r"'(?:[^']|'')*(?:'|\Z)", re.S)
 _CALLED = re.compile(r"([A-Z0-9_]+)\s*\(", re.ASCII)
 
 
-def instances(text: str, collector: Collector) -> dict[int, str]:
+def _instances(text: str, collector: Collector) -> dict[int, str]:
     """The text of every instance in the data sections, by instance number. The collector gets what shows that a file
     is cut off, or that an instance is defined twice.
     """
@@ -125,7 +125,7 @@ class StepFile:
 
     def __init__(self, text: str, collector: Collector) -> None:
         self.collector, self.limits = collector, collector.limits
-        self.instances = instances(text, collector)
+        self.instances = _instances(text, collector)
         self.points: dict[str, list[mpq]] = {}
 
     def point(self, reference: Value) -> list[mpq]:

@@ -124,7 +124,7 @@ def _standard_knots(kind: str, degree: int, count: int) -> list[mpq]:
     return [mpq(0)] * (degree + 1) + inner + [mpq((count - 1 - degree) // times + 1)] * (degree + 1)
 
 
-def written(spline: Spline, text: StepText) -> str:
+def written_spline(spline: Spline, text: StepText) -> str:
     """Add a curve, or a surface, which is in space; returns the reference to it."""
     what = SURFACE if spline.is_surface else CURVE
     keywords, length = KEYWORDS[what], spline.counts[-1]

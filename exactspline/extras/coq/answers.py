@@ -90,7 +90,7 @@ def theorem_of(curve: Nurbs) -> str:
         "Import ListNotations.\nLocal Open Scope Q_scope.\n",
         definition("this_curve", curve),
         "(** The domain of the curve, on which the theorems speak of it. *)\n"
-        f"Theorem this_curve_has_the_domain : domain this_curve = ({', '.join(map(number, curve.domain))}).\n"
+        f"Theorem this_curve_has_the_domain : domain this_curve = ({', '.join(map(number_in_q, curve.domain))}).\n"
         "Proof. vm_cast_no_check (eq_refl (domain this_curve)). Qed.\n",
         "Lemma this_curve_sound : sound this_curve = true.\nProof. vm_cast_no_check (eq_refl true). Qed.\n",
         "(** Numerators and denominator between two knots are the B-splines by the recursion of Cox and de Boor. *)\n"
@@ -110,7 +110,7 @@ def theorem_of(curve: Nurbs) -> str:
 
 def definition(name: str, curve: Nurbs) -> str:
     """A curve as a record of Coq."""
-    *coordinates, weights = map(_list, homogeneous(curve))
+    *coordinates, weights = map(_list, _homogeneous_columns(curve))
     return (
         "(** Knots, degree, coordinates of the control points times their weights, and the weights. *)\n"
         f"Definition {name} : nurbs := {{|\n  knots := {_list(curve.knots)};\n  degree := {curve.degree};\n"
@@ -118,7 +118,7 @@ def definition(name: str, curve: Nurbs) -> str:
     )
 
 
-def homogeneous(curve: Nurbs) -> list[list[mpq]]:
+def _homogeneous_columns(curve: Nurbs) -> list[list[mpq]]:
     """The coordinates times the weights, coordinate by coordinate, and the weights."""
     rows = [(*lifted(point, weight), weight) for point, weight in zip(curve.control_points, curve.weights, strict=True)]
     return [list(column) for column in zip(*rows, strict=True)]
@@ -126,10 +126,10 @@ def homogeneous(curve: Nurbs) -> list[list[mpq]]:
 
 def _theorem(curve: Nurbs, answer: Answer, formulas: Formulas) -> str:
     form = formulas.named(answer.formula)
-    low, high = number(answer.cells[0][0].low), number(answer.cells[-1][-1].high)
+    low, high = number_in_q(answer.cells[0][0].low), number_in_q(answer.cells[-1][-1].high)
     cells = ";\n  ".join("[" + "; ".join(map(cell_text, own)) + "]" for own in answer.cells)
     pieces = ";\n  ".join(
-        f"({number(own[-1].high)}, {polynomial_text(f)})"
+        f"({number_in_q(own[-1].high)}, {coefficients_text(f)})"
         for f, own in zip(answer.polynomials, answer.cells, strict=True)
     )
     points, stretches = pairs_text(answer.points), pairs_text(answer.stretches)
@@ -153,22 +153,22 @@ def _theorem(curve: Nurbs, answer: Answer, formulas: Formulas) -> str:
     )
 
 
-def number(value: object) -> str:
+def number_in_q(value: object) -> str:
     """An exact number in the scope of Q."""
     exact = mpq(value)
     return f"{exact.numerator}" if exact.denominator == 1 else f"{exact.numerator} # {exact.denominator}"
 
 
 def _list(values: Iterable[object]) -> str:
-    return "[" + "; ".join(map(number, values)) + "]"
+    return "[" + "; ".join(map(number_in_q, values)) + "]"
 
 
 def pairs_text(pairs: Iterable[tuple[mpq, mpq]]) -> str:
     """Pairs of exact numbers as a list of Coq."""
-    return "[" + "; ".join(f"({number(a)}, {number(b)})" for a, b in pairs) + "]"
+    return "[" + "; ".join(f"({number_in_q(a)}, {number_in_q(b)})" for a, b in pairs) + "]"
 
 
-def polynomial_text(f: fmpq_poly) -> str:
+def coefficients_text(f: fmpq_poly) -> str:
     """A polynomial as the list of its coefficients."""
     return _list(from_flint(c) for c in f.coeffs())
 
@@ -180,12 +180,12 @@ def boolean(value: bool) -> str:
 
 def cell_text(cell: Cell) -> str:
     """A cell as a term of Coq."""
-    ends = f"({number(cell.low)}) ({number(cell.high)})"
+    ends = f"({number_in_q(cell.low)}) ({number_in_q(cell.high)})"
     if cell.sign is None:
         return f"Null {ends}"
     if cell.factor is not None and cell.rest is not None:
         return (
-            f"Multiple {ends} {polynomial_text(cell.factor)} {boolean(cell.sign)} {cell.power} "
-            f"{polynomial_text(cell.rest)} {boolean(cell.rest_sign)}"
+            f"Multiple {ends} {coefficients_text(cell.factor)} {boolean(cell.sign)} {cell.power} "
+            f"{coefficients_text(cell.rest)} {boolean(cell.rest_sign)}"
         )
     return f"{'One' if cell.one else 'Sign'} {ends} {boolean(cell.sign)}"

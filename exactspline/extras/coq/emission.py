@@ -70,7 +70,7 @@ class Library:
             if kept := tuple(each for each in own if (each.claim.paper, each.claim.key) in keys):
                 theorems[name] = kept
                 if any(each.reason is None for each in kept):
-                    files[name] = claims_file(kept[0].claim.source_paper, kept)
+                    files[name] = _claims_file(kept[0].claim.source_paper, kept)
         known = {(each.claim.paper, each.claim.key) for own in theorems.values() for each in own}
         without = [Stated(c, "", "", why_unstated(c)) for c in chosen if (c.paper, c.key) not in known]
         if without:
@@ -110,17 +110,17 @@ def library() -> Library:
     files |= {f"formulas/{paper.name}": formulas.definitions(paper) for paper in formulas.papers}
     theorems: dict[str, tuple[Stated, ...]] = {}
     for paper in formulas.papers:
-        for table, claims in by_table(paper):
-            theorems_of_table = tuple(each for claim in claims for each in stated(claim, paper, formulas))
+        for table, claims in _by_table(paper):
+            theorems_of_table = tuple(each for claim in claims for each in _stated(claim, paper, formulas))
             if theorems_of_table:
                 name = f"claims/{paper.name}_{table}"
                 theorems[name] = theorems_of_table
                 if any(each.reason is None for each in theorems_of_table):
-                    files[name] = claims_file(paper, theorems_of_table)
+                    files[name] = _claims_file(paper, theorems_of_table)
     return Library(files, theorems)
 
 
-def by_table(paper: Paper) -> Iterator[tuple[str, list[Claim]]]:
+def _by_table(paper: Paper) -> Iterator[tuple[str, list[Claim]]]:
     """The claims of a paper by the file that contains them."""
     groups: dict[str, list[Claim]] = {}
     for table, claim in zip(paper.claim_tables(), claims_of(paper.name), strict=True):
@@ -128,7 +128,7 @@ def by_table(paper: Paper) -> Iterator[tuple[str, list[Claim]]]:
     yield from groups.items()
 
 
-def stated(claim: Claim, paper: Paper, formulas: Formulas) -> list[Stated]:
+def _stated(claim: Claim, paper: Paper, formulas: Formulas) -> list[Stated]:
     """A claim of an equality as theorems, one per dimension: that it holds, or that it fails, depending on the recorded
     verdict.
     """
@@ -151,7 +151,7 @@ def stated(claim: Claim, paper: Paper, formulas: Formulas) -> list[Stated]:
     return theorems
 
 
-def claims_file(paper: Paper, theorems: Iterable[Stated]) -> str:
+def _claims_file(paper: Paper, theorems: Iterable[Stated]) -> str:
     """The file of the theorems of one table of claims."""
     texts = [each.text for each in theorems if each.reason is None]
     return "\n".join([claims_header(paper.name, "".join(texts)), *texts])

@@ -72,13 +72,13 @@ class ExplicitCurve:
         """The argument as a term of Coq in t, with this function symbol for numbers."""
 
         def beside(*names: str) -> str:
-            return f"[{'; '.join(written(self.beside.get(name, (0,)), t, number) for name in names)}]"
+            return f"[{'; '.join(polynomial_term(self.beside.get(name, (0,)), t, number) for name in names)}]"
 
-        parts = "; ".join(written(key, t, number) for key in self.numerators)
+        parts = "; ".join(polynomial_term(key, t, number) for key in self.numerators)
         point = "; ".join(f"number {integer(value)}" for value in self.point)
-        curve = f"rational_curve s [{parts}] ({written(self.denominator, t, number)}) [{point}]"
+        curve = f"rational_curve s [{parts}] ({polynomial_term(self.denominator, t, number)}) [{point}]"
         if isinstance(kind, FramedKind):
-            roots = (written(self.beside.get(root, (0,)), t, number) for root in ("sigma", "rho"))
+            roots = (polynomial_term(self.beside.get(root, (0,)), t, number) for root in ("sigma", "rho"))
             return f"Framed ({curve}) ({') ('.join(roots)})"
         if isinstance(kind, ImplicitKind):
             axes = COORDINATES[: len(self.numerators)]
@@ -89,10 +89,10 @@ class ExplicitCurve:
         return curve
 
 
-def written(coefficients: Coefficients, t: str, number: str) -> str:
+def polynomial_term(coefficients: Coefficients, t: str, number: str) -> str:
     """A polynomial in t as a term.
 
-    >>> written((1, 0, -2), "t", "number")
+    >>> polynomial_term((1, 0, -2), "t", "number")
     'number 1 - number 2 * t ^ 2'
     """
     return sum_of_products(((c, [(t, k)] if k else []) for k, c in enumerate(coefficients) if c), number)

@@ -18,7 +18,7 @@ from exactspline.readings.expression import Operation
 from exactspline.readings.tree import Node, Traced
 
 
-class Called(NamedTuple):
+class _Called(NamedTuple):
     """A called formula, and the part of the argument to which it is applied: ``second.``, or the whole argument."""
 
     formula: Formula
@@ -30,7 +30,7 @@ class Call(Node):
 
     __slots__ = ()
 
-    def __init__(self, body: Node, called: Called) -> None:
+    def __init__(self, body: Node, called: _Called) -> None:
         super().__init__(Operation.NAMED, (body,), called, vector=body.is_vector)
 
     @property
@@ -47,9 +47,9 @@ class Call(Node):
 class Calling(Traced):
     """The argument of the tree reading, in which called formulas become nodes."""
 
-    def __init__(self, kind: Kind, dimension: int, *, path: str = "", known: dict[Called, Call] | None = None) -> None:
+    def __init__(self, kind: Kind, dimension: int, *, path: str = "", known: dict[_Called, Call] | None = None) -> None:
         super().__init__(kind, dimension, path=path)
-        self._known: dict[Called, Call] = {} if known is None else known
+        self._known: dict[_Called, Call] = {} if known is None else known
 
     def __getattr__(self, name: str) -> Node | Traced:
         value = super().__getattr__(name)
@@ -60,7 +60,7 @@ class Calling(Traced):
     def calls(self, formula: Callee) -> Node:
         """A node with the formula; a formula called twice is traced once."""
         assert isinstance(formula, Formula)
-        called = Called(formula, self._path)
+        called = _Called(formula, self._path)
         if called not in self._known:
             self._known[called] = Call(formula.function(self), called)
         return self._known[called]
@@ -163,7 +163,7 @@ class Formulas:
         name = identifier(formula.name)
         return (
             f"(** {comment(formula.source)}. {comment(said)} *)\n"
-            f"Definition {name} (c : {type_of(formula.kind)}) : {result_type(trees[0])} :=\n  {texts.pop()}.\n"
+            f"Definition {name} (c : {type_of(formula.kind)}) : {_result_type(trees[0])} :=\n  {texts.pop()}.\n"
         )
 
 
@@ -191,7 +191,7 @@ def comment(text: str) -> str:
     return text.replace('"', "”").replace("(*", "( *").replace("*)", "* )").replace("``", "`")
 
 
-def result_type(tree: Node) -> str:
+def _result_type(tree: Node) -> str:
     """The type of the value of a tree."""
     if surface(tree):
         return "surface A"

@@ -41,7 +41,7 @@ def setting_of(kind: Kind, dimension: int, order: int, *, polynomial: bool, tree
     if isinstance(kind, FramedKind):
         given = list(trees)
         used = tuple(root for root in ROOTS if any(root in leaves(tree) for tree in given))
-        return FramedSetting(kind, dimension, order, roots=used, differentiates_roots=any(map(_differentiates, given)))
+        return _FramedSetting(kind, dimension, order, roots=used, differentiates_roots=any(map(_differentiates, given)))
     return SETTINGS.get(type(kind), Setting)(kind, dimension, order, polynomial)
 
 
@@ -73,7 +73,7 @@ class _Rooted(CurveKind):
 
 
 @dataclass(frozen=True)
-class FramedSetting(Setting):
+class _FramedSetting(Setting):
     """A rational curve with σ and, in space, ρ."""
 
     @cached_property

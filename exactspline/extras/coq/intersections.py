@@ -15,7 +15,7 @@ from math import lcm
 from flint import fmpq_poly
 
 from exactspline.errors import ClaimError, DomainError, counted
-from exactspline.extras.coq.answers import boolean, cell_text, definition, number, pairs_text, polynomial_text
+from exactspline.extras.coq.answers import boolean, cell_text, coefficients_text, definition, number_in_q, pairs_text
 from exactspline.extras.coq.formulas import comment
 from exactspline.numbers.exact import from_flint, mpq, to_fmpq
 from exactspline.numbers.intervals import Interval
@@ -33,7 +33,7 @@ REMEDY = "theorems are about simple points, inside or at rational parameters, of
 
 
 @dataclass(frozen=True)
-class Place:
+class _BoxedPoint:
     """An interval of the second parameter with one zero of the resultant, or a point; and that of the first, None where
     it is outside the curve. `sign` is that of the slope, `above` on which side it is outside.
     """
@@ -78,7 +78,7 @@ def meeting_theorem(first: Nurbs, second: Nurbs) -> str:
     pieces = [f"(curve_piece {name} {j})" for name, j in zip(("first_curve", "second_curve"), spans, strict=True)]
     boxes = [(x.first, x.second) for x in places if x.first is not None]
     listed = "; ".join(f"({_interval(s)}, {_interval(t)})" for s, t in boxes)
-    ends = " ".join(f"({number(t)})" for c in (first, second) for t in c.domain)
+    ends = " ".join(f"({number_in_q(t)})" for c in (first, second) for t in c.domain)
     named = ", ".join(comment(c.name or "a curve") for c in (first, second))
     return "\n".join(
         [
@@ -193,10 +193,10 @@ def _by_line(p: Rows, line: Rows, resultant: fmpq_poly, exponent: int) -> tuple[
 # ---- places
 
 
-def _places(found: Elimination, first: Interval, second: Interval) -> tuple[list[Cell], list[Place]]:
+def _places(found: Elimination, first: Interval, second: Interval) -> tuple[list[Cell], list[_BoxedPoint]]:
     """Cells of the resultant so narrow that each of its zeros has a place, and these places."""
     todo = [(cell, 0) for cell in reversed(cells_of(found.eliminant, *second))]
-    cells, places = list[Cell](), list[Place]()
+    cells, places = list[Cell](), list[_BoxedPoint]()
     while todo:
         cell, depth = todo.pop()
         place = None
@@ -213,7 +213,7 @@ def _places(found: Elimination, first: Interval, second: Interval) -> tuple[list
     return cells, places + _at_point(found, first, second.high)
 
 
-def _at_point(found: Elimination, first: Interval, t: mpq) -> list[Place]:
+def _at_point(found: Elimination, first: Interval, t: mpq) -> list[_BoxedPoint]:
     """The place of a zero at a rational parameter, if it is one."""
     if found.eliminant(to_fmpq(t)) != 0:
         return []
@@ -222,18 +222,18 @@ def _at_point(found: Elimination, first: Interval, t: mpq) -> list[Place]:
         raise ClaimError("a point through which a curve passes several times", remedy=REMEDY)
     s = -b / a
     inside = Interval.point(s) if first.low <= s <= first.high else None
-    return [Place(Interval.point(t), inside, a > 0, s > first.high)]
+    return [_BoxedPoint(Interval.point(t), inside, a > 0, s > first.high)]
 
 
-def _place(found: Elimination, first: Interval, second: Interval) -> Place | None:
+def _place(found: Elimination, first: Interval, second: Interval) -> _BoxedPoint | None:
     """The place of the zero in an interval, if forms have one sign there."""
     sign = _sign(found.slope, second)
     if sign is None:
         return None
     if _sign(_line_at(found, first.low), second) == sign:
-        return Place(second, None, sign)
+        return _BoxedPoint(second, None, sign)
     if _sign(_line_at(found, first.high), second) == (not sign):
-        return Place(second, None, sign, above=True)
+        return _BoxedPoint(second, None, sign, above=True)
     t = to_fmpq(second.middle)
     if not found.slope(t):
         return None
@@ -241,7 +241,7 @@ def _place(found: Elimination, first: Interval, second: Interval) -> Place | Non
     middle = first.low + (middle - first.low) / width // 1 * width
     box = Interval(max(first.low, middle - width), min(first.high, middle + 2 * width))
     signs = [_sign(_line_at(found, s), second) for s in box]
-    return Place(second, box, sign) if box.low < box.high and signs == [not sign, sign] else None
+    return _BoxedPoint(second, box, sign) if box.low < box.high and signs == [not sign, sign] else None
 
 
 def _line_at(found: Elimination, s: mpq) -> fmpq_poly:
@@ -258,25 +258,25 @@ def _sign(f: fmpq_poly, side: Interval) -> bool | None:
 
 
 def _interval(side: Interval) -> str:
-    return f"({number(side.low)}, {number(side.high)})"
+    return f"({number_in_q(side.low)}, {number_in_q(side.high)})"
 
 
 def _rows(rows: Iterable[fmpq_poly]) -> str:
-    return "[" + "; ".join(map(polynomial_text, rows)) + "]"
+    return "[" + "; ".join(map(coefficients_text, rows)) + "]"
 
 
 def _elimination_text(found: Elimination) -> str:
     names = ("of_resultant", "of_line", "first_form", "second_form")
     pairs = (f"{n} := ({_rows(f)}, {_rows(g)})" for n, (f, g) in zip(names, found.combinations, strict=True))
     polynomials = (
-        f"{n} := {polynomial_text(p)}"
+        f"{n} := {coefficients_text(p)}"
         for n, p in (("resultant", found.eliminant), ("slope", found.slope), ("offset", found.offset))
     )
     own = ";\n  ".join([*polynomials, f"exponent := {found.exponent}", *pairs])
     return f"Definition the_elimination : elimination := {{|\n  {own}\n|}}.\n"
 
 
-def _place_text(place: Place) -> str:
+def _place_text(place: _BoxedPoint) -> str:
     if place.first is None:
         return f"Outside {boolean(place.sign)} {boolean(place.above)}"
-    return f"Inside {boolean(place.sign)} ({number(place.first.low)}) ({number(place.first.high)})"
+    return f"Inside {boolean(place.sign)} ({number_in_q(place.first.low)}) ({number_in_q(place.first.high)})"

@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterator
 from typing import Any
 
 from exactspline.errors import ClaimError, VanishingDivisorError
-from exactspline.extras.coq.explicit import ExplicitCurve, candidates, coefficients_of, written
+from exactspline.extras.coq.explicit import ExplicitCurve, candidates, coefficients_of, polynomial_term
 from exactspline.extras.coq.formulas import Calling, comment, type_of
 from exactspline.extras.coq.proofs import Nonzero
 from exactspline.extras.coq.terms import Writer, identifier
@@ -137,7 +137,7 @@ class _Attempt(Statement[Iterator[Difference]]):
         curve = self.curve.term(self.kind, "t", "number")
         holds = ["w c <> zero K", *[f"{self.writer.at(node, 1)} <> zero K" for node in self.premises]]
         keys = list(map(coefficients_of, self.units.atoms))
-        atoms = [written(key, "var 1", "num") for key in keys]
+        atoms = [polynomial_term(key, "var 1", "num") for key in keys]
         unit = "{ apply (unit_nonzero K l explicit_rules R [] I atoms known N). vm_cast_no_check (eq_refl true). }"
         lines = [
             "intros K t Hz Ht.",

@@ -50,7 +50,7 @@ _FIELDS = re.compile(r"^  (\w+) :(?!=)|[{;] (\w+) :(?!=)", re.MULTILINE)
 
 
 @cache
-def reserved() -> frozenset[str]:
+def _reserved() -> frozenset[str]:
     """Words that formulas cannot have as names: those of the language and of the files written by hand."""
     words = {*_LANGUAGE.split(), *_VARIABLES.split()}
     for name in THEORY:
@@ -67,7 +67,7 @@ def identifier(name: str) -> str:
     ('C42b_g1_g0', 'at_', "T7'")
     """
     plain = "".join("'" if x == "′" else x if (x.isalnum() and x.isascii()) or x == "_" else "_" for x in name)
-    return f"{plain}_" if plain in reserved() else plain if plain[0].isalpha() else f"n{plain}"
+    return f"{plain}_" if plain in _reserved() else plain if plain[0].isalpha() else f"n{plain}"
 
 
 class Writer:
@@ -90,7 +90,7 @@ class Writer:
         if node.op is Operation.LEAF:
             return self.leaf(node.value), APPLICATION
         if node.op is Operation.NUMBER:
-            return number(node.value)
+            return constant_term(node.value)
         if node.op is Operation.NAMED:
             return f"{self.named(node.value.formula)} {self.part(node.value.path)}", APPLICATION
         if node.op is Operation.LEVEL:
@@ -148,7 +148,7 @@ class Writer:
 
         Raises `FormulaError` for a tree that depends on two of them.
         """
-        parts = paths(node)
+        parts = _paths(node)
         if len(parts) > 1:
             raise FormulaError(
                 "a derivative of a value that depends on two parameters", remedy="name the parameter: d(1, by=…)"
@@ -167,10 +167,10 @@ class Writer:
         return self.at(node, APPLICATION) if node.is_vector else f"[{self(node)}]"
 
 
-def number(value: Constant) -> tuple[str, int]:
+def constant_term(value: Constant) -> tuple[str, int]:
     """A constant; a fraction as a quotient.
 
-    >>> number(3), number(rational("-1/2"))
+    >>> constant_term(3), constant_term(rational("-1/2"))
     (('number 3', 4), ('number (-1) / number 2', 1))
     """
     exact = rational(value)
@@ -204,6 +204,6 @@ def leaves(tree: Node) -> set[str]:
     return {node.value for node in nodes(tree) if node.op is Operation.LEAF}
 
 
-def paths(node: Node) -> set[str]:
+def _paths(node: Node) -> set[str]:
     """The parts of the argument whose operands occur in a tree."""
     return {f"{path}." if path else "" for path in (name.rpartition(".")[0] for name in leaves(node))}

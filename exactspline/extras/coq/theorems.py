@@ -108,7 +108,7 @@ def concluded(claim: Claim, statement: Statement[Conclusion]) -> Conclusion:
 @concluded.register
 def _(claim: Identity, statement: Statement[Conclusion]) -> Conclusion:
     left, right = statement.called(claim.find(claim.left)), statement.called(claim.find(claim.right))
-    return statement.equal(left, times_factor(claim, statement, right))
+    return statement.equal(left, _times_factor(claim, statement, right))
 
 
 @concluded.register
@@ -294,7 +294,7 @@ class _Theorem(Statement[tuple[str, list[str]]]):
         ]
 
 
-def times_factor(claim: Identity, theorem: Statement[Conclusion], right: Node) -> Node:
+def _times_factor(claim: Identity, theorem: Statement[Conclusion], right: Node) -> Node:
     """The right side with its factor."""
     above: Node | None = None
     below: Node | None = None

@@ -18,9 +18,9 @@ from exactspline.display.plot.canvas import (
     Point,
     axes_for,
     draw,
-    joined,
     legend_once,
     parameter,
+    runs_between_gaps,
     sampled,
 )
 from exactspline.display.plot.curves import plot_curve
@@ -78,7 +78,7 @@ def plot_curve_bisector(bisector: CurveBisector, ax: Axes | None = None, *, box:
     for line in bisector.lines:
         label = f"lines of {_short(line)}"
         for rulings in _rulings(line):
-            _plot(ax, lines_mesh(rulings, box), label, ORANGE)
+            _plot(ax, _lines_mesh(rulings, box), label, ORANGE)
     for pair in bisector.pairs:
         _plot_pair(ax, pair, box)
     show_box(ax, box)
@@ -107,10 +107,10 @@ def _plot(ax: Axes, mesh: SurfaceMesh, label: str, color: str) -> None:
         plot_mesh(mesh, ax, label=label, color=color, control_net=False)
 
 
-def lines_mesh(rulings: Sequence[Ruling | None], box: Box) -> SurfaceMesh:
+def _lines_mesh(rulings: Sequence[Ruling | None], box: Box) -> SurfaceMesh:
     """Lines, one after the other, as a surface cut at a box; None where the surface is interrupted.
 
-    >>> mesh = lines_mesh([((0, 0, 0), (0, 0, 1)), ((1, 0, 0), (0, 0, 2))], ((-2, -2, -2), (2, 2, 2)))
+    >>> mesh = _lines_mesh([((0, 0, 0), (0, 0, 1)), ((1, 0, 0), (0, 0, 2))], ((-2, -2, -2), (2, 2, 2)))
     >>> len(mesh.faces), max(p[2] for face in mesh.faces for p in face)
     (12, mpq(2,1))
     """
@@ -205,7 +205,7 @@ def _plot_pair(ax: Axes, pair: SinglePair, box: Box) -> None:
     steps = [size * mpq(k, ALONG) for k in range(-ALONG, ALONG + 1)]
     square = dot(other, other)
     starts = [tuple(x + k * y / _root(square) for x, y in zip(point, other, strict=True)) for k in steps]
-    _plot(ax, lines_mesh([(start, tuple(one)) for start in starts], box), "plane of a single pair", PURPLE)
+    _plot(ax, _lines_mesh([(start, tuple(one)) for start in starts], box), "plane of a single pair", PURPLE)
 
 
 def _root(x: mpq) -> mpq:
@@ -221,7 +221,7 @@ def plot_point_bisector(bisector: PointBisector, curve: Nurbs, point: Sequence[N
     for piece in bisector.pieces:
         directrix = piece.surface.directrix
         assert isinstance(directrix, Rational)
-        _plot(ax, lines_mesh(_rulings_over(directrix, piece.surface.generator, *piece.interval), box), "bisector", SKY)
+        _plot(ax, _lines_mesh(_rulings_over(directrix, piece.surface.generator, *piece.interval), box), "bisector", SKY)
     mark_points(ax, [place], "point")
     show_box(ax, box)
     legend_once(ax)
@@ -245,7 +245,7 @@ def plot_plane_bisector(bisector: PlaneBisector, ax: Axes | None = None) -> Axes
     for run in bisector.pairs.sampled(SAMPLES):
         points = [(_point_of(bisector, pair), _is_in(pair, feet)) for pair in run]
         for color, label, is_true in ((SILVER, "not nearest, or undecided", False), (GREEN, "bisector", True)):
-            for part in joined(kept(point, box) if true == is_true else None for point, true in points):
+            for part in runs_between_gaps(kept(point, box) if true == is_true else None for point, true in points):
                 draw(ax, part, color=color, linewidth=1.5, label=label, zorder=3)
     ax.set_aspect("equal")
     legend_once(ax)
@@ -286,7 +286,7 @@ def plot_trimmed_bisector(
         places = [low + (high - low) * mpq(k, SAMPLES) for k in range(SAMPLES + 1)]
         points = [kept(piece.value.point(t), box) if piece.value.denominator(t) else None for t in places]
         color = GREEN if piece.foot is None else VERMILLION
-        for run in joined(points):
+        for run in runs_between_gaps(points):
             draw(ax, run, color=color, linewidth=1.5, label=str(piece.kind), zorder=3)
     draw(ax, [place], "o", color=BLACK, markersize=5, label="point", zorder=5)
     ax.set_aspect("equal")

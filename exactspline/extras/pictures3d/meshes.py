@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from itertools import chain, count, pairwise
 from typing import Any
 
-from exactspline.display.plot.canvas import Point, Run, joined, parameter, polygons
+from exactspline.display.plot.canvas import Point, Run, parameter, polygons, runs_between_gaps
 from exactspline.display.plot.frames import Box, box_around, clipped, homogeneous, inside, kept, polygon_in, usual_box
 from exactspline.errors import ShapeError, as_items, counted
 from exactspline.language.parts import split
@@ -104,7 +104,7 @@ class SurfaceMesh:
             share = max(2, -(-across * len(rows) // rows_in_all))
             lines += [list(columns[k]) for k in _spread(len(columns), along)]
             lines += [list(rows[k]) for k in _spread(len(rows), share)]
-        return [run for line in lines for run in joined(line) if len(run) > 1]
+        return [run for line in lines for run in runs_between_gaps(line) if len(run) > 1]
 
 
 def _spread(length: int, count: int) -> list[int]:
@@ -265,7 +265,7 @@ def tensor_mesh(surface: Vector[TensorSpline] | Rational[TensorSpline], box: Box
         for polygon in sampled.cut(s, t, box, DEPTH)
     ]
     points = _control_net(numerator, w, box)
-    net = [run for line in (*points, *map(list, zip(*points, strict=True))) for run in joined(line)]
+    net = [run for line in (*points, *map(list, zip(*points, strict=True))) for run in runs_between_gaps(line)]
     flat = [p for row in points for p in row]
     patches = patches[: 1 if w is None else 2]
     parameters = [[[(s, t) for t in grids[1]] for s in grids[0]] for _ in patches]

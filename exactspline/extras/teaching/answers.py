@@ -18,7 +18,7 @@ from exactspline.extras.teaching.differences import (
     OtherNumber,
     OtherPoint,
     OtherValue,
-    Shape,
+    Wrong,
 )
 from exactspline.extras.teaching.parts import Math, Part, Point, Polynomial
 from exactspline.extras.teaching.reading import AnswerError, cleaned, numbers, points, polynomials
@@ -81,7 +81,7 @@ class Answer(ABC):
         return Finding(tuple(self.differences(answer)))
 
 
-def named(names: Sequence[str], values: Sequence[mpq | Polynomial]) -> tuple[Part, ...]:
+def _named_values(names: Sequence[str], values: Sequence[mpq | Polynomial]) -> tuple[Part, ...]:
     """Values with their names, separated by commas, for printing."""
     joined: list[Part] = []
     for name, value in zip(names, values, strict=True):
@@ -104,7 +104,7 @@ class Numbers(Answer):
     @property
     def parts(self) -> tuple[Part, ...]:
         """The answer as it is printed."""
-        return named(self.names, self.values)
+        return _named_values(self.names, self.values)
 
     @property
     def written(self) -> str:
@@ -222,7 +222,7 @@ class Polynomials(Answer):
     @property
     def parts(self) -> tuple[Part, ...]:
         """The answer as it is printed."""
-        return named(self.names, self.values)
+        return _named_values(self.names, self.values)
 
     @property
     def written(self) -> str:
@@ -272,10 +272,10 @@ class Circle(Answer):
         said_no = cleaned(answer).lower() == "no"
         if said_no or not self.values:
             if said_no and self.values:
-                yield Shape.CIRCLE
+                yield Wrong.CIRCLE
             elif not said_no:
                 numbers(answer)
-                yield Shape.NOT_A_CIRCLE
+                yield Wrong.NOT_A_CIRCLE
             return
         yield from Numbers(("centre x", "centre y", "radius²"), self.values).differences(answer)
 

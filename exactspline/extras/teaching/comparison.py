@@ -14,7 +14,7 @@ from exactspline.extras.teaching.differences import (
     OtherOnExample,
     OtherPoint,
     OtherValue,
-    Shape,
+    Wrong,
 )
 from exactspline.extras.teaching.parts import Point
 from exactspline.interchange.examples import example, example_names
@@ -41,7 +41,7 @@ def compare_curves(given: Nurbs, reference: Nurbs) -> Finding:
         return Finding((OtherDomain(reference.domain, given.domain),))
     if given == reference:
         return Finding(())
-    differences: list[Difference] = [Shape.REVERSED] if given == reference.reverse() else _points(given, reference)
+    differences: list[Difference] = [Wrong.REVERSED] if given == reference.reverse() else _points(given, reference)
     # on one segment polynomials differ at all but finitely many parameters; elsewhere the curves may be the same
     breaks = sorted({*given.breakpoints, *reference.breakpoints})
     a, b = next((a, b) for a, b in pairwise(breaks) if given.restrict(a, b) != reference.restrict(a, b))

@@ -95,7 +95,7 @@ def features_of_many(points: ArrayLike, weights: ArrayLike | None = None) -> Man
 
     Raises `ShapeError` for arrays of another shape, `NumberError` for arrays that do not contain numbers.
     """
-    return joined(list(features_in_parts(points, weights)))
+    return _concatenated(list(features_in_parts(points, weights)))
 
 
 def features_of_curves(curves: Iterable[Nurbs]) -> ManyFeatures:
@@ -108,7 +108,7 @@ def features_of_curves(curves: Iterable[Nurbs]) -> ManyFeatures:
     ([10, 3, 10, 3], 0)
     """
     parts = list(curve_features_in_parts(curves))
-    return joined(parts) if parts else in_order([], np.zeros(0, dtype=int), {})
+    return _concatenated(parts) if parts else _in_order([], np.zeros(0, dtype=int), {})
 
 
 def curve_features_in_parts(curves: Iterable[Nurbs], *, at_once: int = AT_ONCE) -> Iterator[ManyFeatures]:
@@ -123,7 +123,7 @@ def _of_curves(curves: Sequence[Nurbs], start: int) -> ManyFeatures:
     """The features of curves that are numbered from `start`."""
     refused: dict[int, ExactSplineError] = {}
     parts, exact = _one_by_one(((i, partial(_plane, curve, i)) for i, curve in enumerate(curves, start)), refused)
-    return in_order(parts, np.array(exact, dtype=int), refused)
+    return _in_order(parts, np.array(exact, dtype=int), refused)
 
 
 def _plane(curve: Nurbs, i: int) -> Nurbs:
@@ -154,7 +154,7 @@ def _one_by_one(
     return parts, exact
 
 
-def joined(parts: list[ManyFeatures]) -> ManyFeatures:
+def _concatenated(parts: list[ManyFeatures]) -> ManyFeatures:
     """Several parts (at least one) joined into one."""
     refused = {i: error for part in parts for i, error in part.refused.items()}
     curve, kind, low, high, exact = (
@@ -264,10 +264,10 @@ def _features(p: Floats, w: Floats | None, wrong: dict[int, ExactSplineError]) -
     refused = dict(wrong)
     left = ((i, partial(_curve, p[i], None if w is None else w[i])) for i in np.flatnonzero(alone).tolist())
     parts, exact = _one_by_one(left, refused)
-    return in_order([*features, *parts], np.array(exact, dtype=int), refused)
+    return _in_order([*features, *parts], np.array(exact, dtype=int), refused)
 
 
-def in_order(parts: list[Found], exact: Integers, refused: Mapping[int, ExactSplineError]) -> ManyFeatures:
+def _in_order(parts: list[Found], exact: Integers, refused: Mapping[int, ExactSplineError]) -> ManyFeatures:
     """The features of curves, found in any order, in the order of the curves."""
     curve, kind, low, high, which = (np.concatenate(column) for column in zip(NONE, *parts, strict=True))
     order = np.lexsort((high, low, which, curve))

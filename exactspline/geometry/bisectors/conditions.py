@@ -142,7 +142,7 @@ class Conditions:
             else:
                 candidates = [*_candidates(as_mpoly(family.whole, family.stride), segment)]
             holds = partial(self._holds, family.rows, e, n, segment)
-            intervals = _intersection(intervals, cells_between(candidates, _roots(e, segment), segment, holds))
+            intervals = _intersection(intervals, _cells_between(candidates, _roots(e, segment), segment, holds))
         return intervals
 
     def _builder(self, forms: list[fmpz_poly], n: int, own: int | None) -> Callable[[int], _Family]:
@@ -223,7 +223,7 @@ def _roots(c: fmpz_poly, segment: tuple[mpq, mpq]) -> list[Root]:
     ]
 
 
-def cells_between(
+def _cells_between(
     candidates: list[Parameter], poles: list[Root], segment: tuple[mpq, mpq], holds: Callable[[mpq], bool]
 ) -> list[tuple[Parameter, Parameter]]:
     """The closed intervals between candidates on which the condition holds; neighbours are one, unless B is infinite

@@ -35,7 +35,7 @@ def graph_intervals(
     intervals: list[tuple[Parameter, Parameter]] = []
     for a, b in pairwise(cuts):
         x = between(a, b)
-        y = value_at(top, x) / value_at(bottom, x)
+        y = _value_at_rational(top, x) / _value_at_rational(bottom, x)
         if range_[0] <= y <= range_[1]:
             if intervals and intervals[-1][1] == a:
                 intervals[-1] = (intervals[-1][0], b)
@@ -45,7 +45,7 @@ def graph_intervals(
     return sorted([*intervals, *((t, t) for t in single)], key=itemgetter(0))
 
 
-def value_at(p: fmpz_poly, x: mpq) -> mpq:
+def _value_at_rational(p: fmpz_poly, x: mpq) -> mpq:
     """The value of an integer polynomial at a rational number."""
     n, m = max(p.degree(), 0), int(x.denominator)
     value = substituted(p, n, fmpz_poly([m]), fmpz_poly([int(x.numerator)]))[0]

@@ -22,9 +22,9 @@ from exactspline.geometry.bisectors.components import (
 )
 from exactspline.geometry.bisectors.flats import Conditions
 from exactspline.geometry.bisectors.lines import ONE, PARAMETER, Path, constant, lines_along, lines_over_root
-from exactspline.geometry.bisectors.polynomials import common_divisor, vanish_together
-from exactspline.geometry.bisectors.single_pairs import shown, zeros_of_vector
-from exactspline.geometry.bisectors.system import Piece, System
+from exactspline.geometry.bisectors.polynomials import common_divisor_along, vanish_together
+from exactspline.geometry.bisectors.single_pairs import brief, zeros_of_vector
+from exactspline.geometry.bisectors.system import SegmentOfCurve, System
 from exactspline.polynomials.factors import greatest_common_divisor
 from exactspline.polynomials.two_parameters import at, in_one, lifted
 from exactspline.roots.of_polynomials import Parameter, Place, exactly, roots_in
@@ -61,7 +61,7 @@ def _planes_over_a_point(system: System) -> tuple[PlaneComponent, ...]:
     return tuple(planes)
 
 
-def cusps_of(own: Piece) -> list[Root]:
+def cusps_of(own: SegmentOfCurve) -> list[Root]:
     """The parameters of a segment at which γ′ = 0."""
     return [root for q in own.cusps for root in roots_in(q, *own.interval)]
 
@@ -98,7 +98,7 @@ def lines_at(
         over_root = lines_over_root(system, s, conditions)
         if over_root is None:
             return SpecialPairs()
-        left_out = () if over_root.poles is not None else (f"the poles of the lines over {shown((s,))} of one curve",)
+        left_out = () if over_root.poles is not None else (f"the poles of the lines over {brief((s,))} of one curve",)
         return SpecialPairs((LineComponent(fixed, cause, system, equation, over_root=over_root),), left_out=left_out)
     surface = lines_along(system, Path(constant(s), (PARAMETER, ONE)), second.interval, conditions)
     if surface is None:
@@ -110,7 +110,7 @@ def lines_at(
 def _meetings(system: System, equation: fmpz_mpoly, s: Parameter) -> tuple[list[Place], tuple[str, ...]]:
     """The pairs with this s at which the curves meet."""
     if not isinstance(s, Root):
-        shared = common_divisor(at(f, 0, s) for f in system.chord)
+        shared = common_divisor_along(at(f, 0, s) for f in system.chord)
         return [(s, exactly(t)) for t in roots_in(shared, *system.second.interval)], ()
     places, left_out = zeros_of_vector(equation, list(system.chord), system.sides)
     return [place for place in places if place[0] == s], left_out
@@ -123,7 +123,7 @@ def over_both_cusps(system: System) -> SpecialPairs:
     for s, t in product(*[map(exactly, cusps_of(own)) for own in (system.first, system.second)]):
         meet = vanish_together(list(system.chord), s, t)
         if meet is None:
-            left_out.append(f"whether the cusps at {shown((s, t))} coincide")
+            left_out.append(f"whether the cusps at {brief((s, t))} coincide")
             continue
         pairs.append(SinglePair(s, t, Solutions.SPACE if meet else Solutions.PLANE, Cause.BOTH_CUSPS, system))
     return SpecialPairs(pairs=tuple(pairs), left_out=tuple(left_out))

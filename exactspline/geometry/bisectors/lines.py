@@ -12,7 +12,7 @@ from typing import Generic, TypeVar
 from flint import fmpq_poly, fmpz_mpoly, fmpz_poly
 
 from exactspline.geometry.bisectors.flats import ALL, Conditions
-from exactspline.geometry.bisectors.polynomials import Euclidean, common_divisor
+from exactspline.geometry.bisectors.polynomials import Euclidean, common_divisor_along
 from exactspline.geometry.bisectors.root_lines import RootLines
 from exactspline.geometry.bisectors.system import System
 from exactspline.language.rational import Rational
@@ -146,10 +146,10 @@ def _directrix_and_generator(
     one: tuple[Vector[P], P], other: tuple[Vector[P], P], normal: Vector[P], given: _Entries[P]
 ) -> tuple[list[P], list[P]]:
     (r, h), (q, k) = one, other
-    factor = common_divisor(normal)
+    factor = common_divisor_along(normal)
     n = Vector(*[x // factor for x in normal])
     below = factor * norm2(n) * given.weight
     offsets = [h * x + k * y for x, y in zip(cross(q, n), cross(n, r), strict=True)]
     quotient = [*[x * below + given.w * y for x, y in zip(given.p, offsets, strict=True)], given.w * below]
-    shared = common_divisor(quotient)
+    shared = common_divisor_along(quotient)
     return [f // shared for f in quotient], list(n)

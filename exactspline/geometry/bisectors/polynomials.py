@@ -34,7 +34,7 @@ E = TypeVar("E", bound=Euclidean)
 # ---- one parameter
 
 
-def common_divisor(polynomials: Iterable[E]) -> E:
+def common_divisor_along(polynomials: Iterable[E]) -> E:
     """The greatest common divisor of polynomials in one parameter; `ReachError` where that would take too long."""
     given = list(polynomials)
     if isinstance(given[0], fmpz_poly):

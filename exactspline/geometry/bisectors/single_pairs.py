@@ -41,7 +41,7 @@ def _decided(conditions: list[fmpz_mpoly], sides: Box, also: Sequence[fmpz_mpoly
         return [], (f"single pairs on {sides.shortly}: {error.problem}",)
 
 
-def shown(place: Sequence[Parameter]) -> str:
+def brief(place: Sequence[Parameter]) -> str:
     """Parameters as text."""
     return "(" + ", ".join(x.shortly() if isinstance(x, Root) else short_text(x) for x in place) + ")"
 
@@ -64,7 +64,7 @@ def touching(system: System, meetings: list[Place]) -> SpecialPairs:
         if touches:
             pairs.append(SinglePair(*place, Solutions.PLANE, Cause.OVERLAP, system))
         elif touches is None:
-            left_out.append(f"whether the curves touch at {shown(place)}")
+            left_out.append(f"whether the curves touch at {brief(place)}")
     return SpecialPairs(pairs=tuple(pairs), left_out=tuple(left_out))
 
 
@@ -125,7 +125,7 @@ def _dependent(system: System, factors: list[fmpz_mpoly], meetings: list[Place])
         if rank:
             places.append(place)
         elif rank is None:
-            left_out.append(f"the rank of the system at {shown(place)}")
+            left_out.append(f"the rank of the system at {brief(place)}")
     return places, tuple(left_out)
 
 

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 
 from flint import fmpz_mpoly, fmpz_poly
 
-from exactspline.geometry.bisectors.polynomials import Three, ThreeOfTwo, common_divisor
+from exactspline.geometry.bisectors.polynomials import Three, ThreeOfTwo, common_divisor_along
 from exactspline.language.vector import Vector, cross, det, dot, norm2
 from exactspline.numbers.intervals import Box, Interval
 from exactspline.numbers.once import cached_property
@@ -22,7 +22,7 @@ from exactspline.splines.nurbs import Nurbs
 
 
 @dataclass(frozen=True)
-class Piece:
+class SegmentOfCurve:
     """One segment of a curve as polynomials in its parameter: the point ``p/w`` and the tangent without its zeros.
 
     ``cusps`` are irreducible polynomials whose roots on the interval are the zeros of γ′; where γ′ vanishes identically
@@ -46,12 +46,12 @@ class Piece:
         return not any(self.tangent)
 
 
-def _piece(interval: Interval, parts: list[list[list[int]]]) -> Piece:
+def _piece(interval: Interval, parts: list[list[list[int]]]) -> SegmentOfCurve:
     p, (w,), tangent, cusps = ([fmpz_poly(f) for f in part] for part in parts)
-    return Piece(interval, p, w, tangent, tuple(cusps))
+    return SegmentOfCurve(interval, p, w, tangent, tuple(cusps))
 
 
-def piece(curve: Nurbs, i: int) -> Piece:
+def piece(curve: Nurbs, i: int) -> SegmentOfCurve:
     """Segment i of a curve.
 
     >>> from exactspline.interchange.examples import example
@@ -60,22 +60,22 @@ def piece(curve: Nurbs, i: int) -> Piece:
     """
     interval = Interval(*curve.breakpoints[i : i + 2])
     *p, w = segment_polynomials((*curve.p, curve.w), i)
-    shared = common_divisor([*p, w])
+    shared = common_divisor_along([*p, w])
     *p, w = [f // shared for f in (*p, w)]
     velocity = [f.derivative() * w - f * w.derivative() for f in p]
     if not any(velocity):
-        return Piece(interval, p, w, velocity, ())
-    shared = common_divisor(velocity)
+        return SegmentOfCurve(interval, p, w, velocity, ())
+    shared = common_divisor_along(velocity)
     cusps = tuple(q for q, _ in factorize(shared).powers if q.degree() > 0 and roots_in(q, *interval))
-    return Piece(interval, p, w, [f // shared for f in velocity], cusps)
+    return SegmentOfCurve(interval, p, w, [f // shared for f in velocity], cusps)
 
 
 @dataclass(frozen=True)
 class System:
     """The rows of two pieces, each over both parameters."""
 
-    first: Piece
-    second: Piece
+    first: SegmentOfCurve
+    second: SegmentOfCurve
 
     def __reduce__(self) -> tuple[object, ...]:
         # computed values are recomputed when needed

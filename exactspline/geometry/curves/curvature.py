@@ -12,7 +12,7 @@ from exactspline.language.rational import Rational
 from exactspline.numbers.exact import mpq, ratio
 from exactspline.numbers.intervals import Interval
 from exactspline.papers import find
-from exactspline.polynomials.bernstein import ONE, is_square_class, primitive
+from exactspline.polynomials.bernstein import ONE, is_square_class, without_content
 from exactspline.polynomials.factors import factorize_square_free
 from exactspline.polynomials.isolation import zero_on_segment
 from exactspline.reals.real import square_root_parts
@@ -81,7 +81,7 @@ def polynomial_root(f: BSpline) -> tuple[BSpline, mpq] | None:
     >>> polynomial_root(BSpline.bezier([2, -4, 8]))
     (BSpline(1, [0, 0, 1, 1], [-1, 2]), mpq(2,1))
     """
-    c, m = primitive(f.forms[0])
+    c, m = without_content(f.forms[0])
     if f.degree % 2 or not is_square_class(c, f.degree):
         return None
     unit, factors = factorize_square_free(c)

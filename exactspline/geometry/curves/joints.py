@@ -121,14 +121,14 @@ def same_direction(a: Sequence[N], b: Sequence[N]) -> bool:
     >>> same_direction((1, 2), (2, 4)), same_direction((1, 2), (-1, -2))
     (True, False)
     """
-    product = inner(a, b)
-    return bool(product > 0 and product * product == inner(a, a) * inner(b, b))
+    product = _inner(a, b)
+    return bool(product > 0 and product * product == _inner(a, a) * _inner(b, b))
 
 
-def inner(a: Sequence[N], b: Sequence[N]) -> N:
+def _inner(a: Sequence[N], b: Sequence[N]) -> N:
     """The scalar product of two tuples of numbers.
 
-    >>> inner((1, 2), (3, 4))
+    >>> _inner((1, 2), (3, 4))
     11
     """
     first, *rest = map(mul, a, b)
@@ -162,23 +162,23 @@ def geometric_order(left: Jet, right: Jet) -> int:
         return -1
     if not same_direction(a[1], b[1]):
         return 0
-    length = inner(a[1], a[1])
-    first = mpq(inner(a[1], b[1])) / length
+    length = _inner(a[1], a[1])
+    first = mpq(_inner(a[1], b[1])) / length
     rest = [y - first * first * x for x, y in zip(a[2], b[2], strict=True)]
-    second = inner(rest, a[1]) / length
+    second = _inner(rest, a[1]) / length
     if any(r != second * x for r, x in zip(rest, a[1], strict=True)):
         return 1
     rest = [
         z - first * first * first * y - mpq(3) * first * second * x for x, y, z in zip(a[2], a[3], b[3], strict=True)
     ]
-    third = inner(rest, a[1]) / length
+    third = _inner(rest, a[1]) / length
     return 2 if any(r != third * x for r, x in zip(rest, a[1], strict=True)) else 3
 
 
 def distance(a: Point, b: Point) -> Real:
     """The distance between two points."""
     difference = [x - y for x, y in zip(a, b, strict=True)]
-    return square_root(inner(difference, difference))
+    return square_root(_inner(difference, difference))
 
 
 def curvature_of(jet: Jet) -> Real:

@@ -37,7 +37,7 @@ Found = SegmentZero | Jump | Feature
 
 
 @dataclass
-class SegmentForm:
+class _SegmentForm:
     """An output of a program on one segment, from the integers of its operands."""
 
     degree: int
@@ -97,7 +97,7 @@ class Certain:
     def _features(self, output: int) -> tuple[Feature, ...]:
         """The objects that describe the zeros."""
         bends = _bends(zero for zero in self.zeros[CURVATURE] if isinstance(zero, SegmentZero))
-        forms: dict[int, tuple[SegmentForm, Interval]] = {}
+        forms: dict[int, tuple[_SegmentForm, Interval]] = {}
         breaks, found, number = self.breaks, [], 0
         for zero in self.zeros[output]:
             if isinstance(zero, Feature):
@@ -109,7 +109,7 @@ class Certain:
                 i = zero.segment
                 if i not in forms:
                     number = 0
-                    form = SegmentForm(self.degree, self.rational, output, self.rows[i])
+                    form = _SegmentForm(self.degree, self.rational, output, self.rows[i])
                     forms[i] = form, Interval(breaks[i], breaks[i + 1])
                 form, ends = forms[i]
                 low, high = ends.at(mpq(zero.low)), ends.at(mpq(zero.high))
@@ -163,7 +163,7 @@ def certain(facts: Facts) -> Certain | None:
     left |= _entangled(found.zeros) - straight
     if left:
         # all once more: the results for different segments are compared, so that they must be in one unit
-        nearer = [moved(*row, rational=rational) if i in left else row for i, row in enumerate(rows)]
+        nearer = [_moved(*row, rational=rational) if i in left else row for i, row in enumerate(rows)]
         found = signs(program, nearer, rational=rational)
         if found is None:
             return None
@@ -192,11 +192,11 @@ def certain(facts: Facts) -> Certain | None:
     return Certain(curve.degree, rational, facts.breaks, rows, zeros, positive, pieces)
 
 
-def moved(operands: Sequence[Sequence[int]], below: int, *, rational: bool) -> CommonRows:
+def _moved(operands: Sequence[Sequence[int]], below: int, *, rational: bool) -> CommonRows:
     """A segment of a plane curve moved so that it begins at the origin: this changes no sign of a form, but doubles
     lose less where a segment is short compared with its coordinates.
 
-    >>> moved([[3, 5], [2, 4]], 1, rational=False), moved([[3, 5], [2, 4], [2, 3]], 1, rational=True)
+    >>> _moved([[3, 5], [2, 4]], 1, rational=False), _moved([[3, 5], [2, 4], [2, 3]], 1, rational=True)
     (([[0, 2], [0, 2]], 1), ([[0, 1], [0, 2], [4, 6]], 2))
     """
     degree = len(operands[0]) - 1

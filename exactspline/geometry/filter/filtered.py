@@ -35,7 +35,7 @@ class Form(NamedTuple):
     zeros: Isolated
 
 
-class Filtered(NamedTuple):
+class _Filtered(NamedTuple):
     """κ and κ′ up to positive factors on many segments, and ‖γ′‖²; the segments on which something is not certified:
     `open` of these, a sign that decides a zero, or `slow`, that γ′ has no zero and all weights are positive.
     """
@@ -47,7 +47,7 @@ class Filtered(NamedTuple):
     slow: Flags
 
 
-def filtered(degree: int, operands: list[Floats]) -> Filtered | None:
+def filtered(degree: int, operands: list[Floats]) -> _Filtered | None:
     """What is certified for segments of one degree, from the scaled coefficients of their components and, for rational
     ones, of their weight functions, rounded at most twice; no Bézier ordinate is larger than 1. None where doubles
     cannot hold the forms.
@@ -68,7 +68,7 @@ def filtered(degree: int, operands: list[Floats]) -> Filtered | None:
     solved = [_solved(form, undecided) for form in rows]
     left = undecided | slow
     curvature, critical = (Form(rows, narrowed(rows, zeros.where(~left[zeros.row]))) for rows, zeros in solved)
-    return Filtered(curvature, critical, speed, undecided, slow)
+    return _Filtered(curvature, critical, speed, undecided, slow)
 
 
 def _solved(rows: Bounded, undecided: Flags) -> Form:

@@ -64,7 +64,7 @@ class BoxTree:
             box = self.boxes[first]
         else:
             middle = (first + last) // 2
-            box = joined(self._join(first, middle), self._join(middle, last))
+            box = _box_of_both(self._join(first, middle), self._join(middle, last))
         self._joined[first, last] = box
         return box
 
@@ -73,17 +73,17 @@ class BoxTree:
         return self._joined[first, last]
 
 
-def joined(one: IntegerBox, other: IntegerBox) -> IntegerBox:
+def _box_of_both(one: IntegerBox, other: IntegerBox) -> IntegerBox:
     """The least box around two."""
     if one is None or other is None:
         return None
     return tuple((min(a, c), max(b, d)) for (a, b), (c, d) in zip(one, other, strict=True))
 
 
-def meets(one: IntegerBox, other: IntegerBox) -> bool:
+def _meets(one: IntegerBox, other: IntegerBox) -> bool:
     """Whether two boxes have a point in common.
 
-    >>> meets(((0, 2),), ((3, 4),)), meets(((0, 2),), None)
+    >>> _meets(((0, 2),), ((3, 4),)), _meets(((0, 2),), None)
     (False, True)
     """
     if one is None or other is None:
@@ -96,7 +96,7 @@ def pairs_that_may_meet(first: BoxTree, second: BoxTree) -> Iterator[tuple[int, 
     todo = [((0, len(first.boxes)), (0, len(second.boxes)))]
     while todo:
         one, other = todo.pop()
-        if (first is second and one[0] >= other[1]) or not meets(first.box(*one), second.box(*other)):
+        if (first is second and one[0] >= other[1]) or not _meets(first.box(*one), second.box(*other)):
             continue
         sizes = one[1] - one[0], other[1] - other[0]
         if sizes == (1, 1):

@@ -87,7 +87,7 @@ def nearest(curve: Nurbs, point: Iterable[Number]) -> Nearest:
     """
     delta = exact_point(curve, point)
     segments = [segment_forms(curve, i) for i in range(curve.segments)]
-    found = [c for i in near_segments(segments, delta) for c in _candidates(curve, i, segments[i], delta)]
+    found = [c for i in _near_segments(segments, delta) for c in _candidates(curve, i, segments[i], delta)]
     least = _least(found)
     arcs = joined(c.side for c in least if c.place is None)
     low, high = curve.domain
@@ -118,7 +118,7 @@ def exact_point(curve: Nurbs, point: Iterable[Number]) -> tuple[mpq, ...]:
     return exact
 
 
-def near_segments(segments: list[SegmentForms], delta: tuple[mpq, ...]) -> list[int]:
+def _near_segments(segments: list[SegmentForms], delta: tuple[mpq, ...]) -> list[int]:
     """The indices of the segments that may have the nearest point."""
     if len(segments) == 1:
         return [0]

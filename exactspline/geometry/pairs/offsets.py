@@ -17,7 +17,7 @@ from math import ceil
 from flint import fmpz_mpoly
 
 from exactspline.bivariate.common_zeros import CommonZero, common_zeros, multiplicity
-from exactspline.bivariate.singular_points import sign_at
+from exactspline.bivariate.singular_points import sign_at_point
 from exactspline.errors import ReachError, ShapeError, counted
 from exactspline.geometry.bisectors.plane_pair import PlanePair, tangent
 from exactspline.geometry.bisectors.system import piece
@@ -381,4 +381,4 @@ def _vanishes(p: fmpz_mpoly, zero: CommonZero) -> bool:
 
 
 def _sign(p: fmpz_mpoly, zero: CommonZero) -> int:
-    return 0 if _vanishes(p, zero) else sign_at(p, zero)
+    return 0 if _vanishes(p, zero) else sign_at_point(p, zero)

@@ -31,7 +31,7 @@ def changes_side(through: PlaneForms, before: PlaneForms, behind: PlaneForms) ->
     return first != second
 
 
-def forward_ray(curve: PlaneForms) -> Ray:
+def _forward_ray(curve: PlaneForms) -> Ray:
     """The direction in which a segment leaves its start; zero if it is a single point."""
     x, y, w = curve.coefficient(0)
     for i in range(1, curve.degree + 1):
@@ -41,20 +41,20 @@ def forward_ray(curve: PlaneForms) -> Ray:
     return fmpz(0), fmpz(0)
 
 
-class HalfBranch(NamedTuple):
+class _HalfBranch(NamedTuple):
     """One side of a curve at a point: the direction in which it leaves, and its segment, from the point on."""
 
     ray: Ray
     curve: PlaneForms
 
 
-def half_branches(before: PlaneForms, behind: PlaneForms) -> tuple[HalfBranch, HalfBranch]:
+def half_branches(before: PlaneForms, behind: PlaneForms) -> tuple[_HalfBranch, _HalfBranch]:
     """Both sides of a curve at a knot, by the segments before and behind it."""
     back = PlaneForms(before.degree, *[backwards(form, before.degree) for form in before.forms])
-    return HalfBranch(forward_ray(back), back), HalfBranch(forward_ray(behind), behind)
+    return _HalfBranch(_forward_ray(back), back), _HalfBranch(_forward_ray(behind), behind)
 
 
-def interlace(one: tuple[HalfBranch, HalfBranch], other: tuple[HalfBranch, HalfBranch]) -> bool | None:
+def interlace(one: tuple[_HalfBranch, _HalfBranch], other: tuple[_HalfBranch, _HalfBranch]) -> bool | None:
     """Whether the sides of two curves alternate around their common point; None if that is not decided: a side is a
     single point, or has a cusp there and the tangent of another, or runs along another.
 
@@ -62,7 +62,7 @@ def interlace(one: tuple[HalfBranch, HalfBranch], other: tuple[HalfBranch, HalfB
     >>> def branch(x, y, bend=0):
     ...     ray = fmpz(x), fmpz(y)
     ...     forms = fmpz_poly([0, x, x]), fmpz_poly([0, y, y + bend]), fmpz_poly([1, 2, 1])
-    ...     return HalfBranch(ray, PlaneForms(2, *forms))
+    ...     return _HalfBranch(ray, PlaneForms(2, *forms))
     >>> east, north, west, south = branch(1, 0), branch(0, 1), branch(-1, 0), branch(0, -1)
     >>> interlace((east, west), (north, south)), interlace((east, north), (west, south))
     (True, False)
@@ -86,7 +86,7 @@ def interlace(one: tuple[HalfBranch, HalfBranch], other: tuple[HalfBranch, HalfB
     return owners[0] != owners[1] and owners[1] != owners[2]
 
 
-def _turn(one: HalfBranch, other: HalfBranch) -> int | None:
+def _turn(one: _HalfBranch, other: _HalfBranch) -> int | None:
     """1 if the second comes after the first, counterclockwise from the direction of x; −1 if before."""
     first, second = _half_plane(one.ray), _half_plane(other.ray)
     if first != second:
@@ -117,7 +117,7 @@ def _height(curve: PlaneForms, ray: Ray, terms: int) -> list[fmpq] | None:
     along, left = across * ray[0] + up * ray[1], up * ray[0] - across * ray[1]
     if along[1] == 0:
         return None
-    with series_length(terms):
+    with _series_length(terms):
         weight = fmpq_series(curve.w.coeffs())
         u, v = (fmpq_series(form.coeffs()) / (weight * fmpq_series([w])) for form in (along, left))
         height = v(u.reversion())
@@ -125,7 +125,7 @@ def _height(curve: PlaneForms, ray: Ray, terms: int) -> list[fmpq] | None:
 
 
 @contextmanager
-def series_length(terms: int) -> Iterator[None]:
+def _series_length(terms: int) -> Iterator[None]:
     """FLINT's power series have this many terms."""
     before, ctx.cap = ctx.cap, terms
     try:

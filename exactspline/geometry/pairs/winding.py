@@ -95,9 +95,9 @@ def _position(curves: Nurbs | Iterable[Nurbs], point: Iterable[Number]) -> int |
     for curve in [curves] if isinstance(curves, Nurbs) else as_items(curves, "curves"):
         delta = exact_point(_closed_plane(curve), point)
         segments = [segment_forms(curve, i) for i in range(curve.segments)]
-        check_connected(segments)
+        _check_connected(segments)
         for i, segment in enumerate(segments):
-            found = crossings(segment, delta)
+            found = _crossings(segment, delta)
             if isinstance(found, Place):
                 return curve, root_at(found, Interval(*curve.breakpoints[i : i + 2]))
             total += found
@@ -112,7 +112,7 @@ def _closed_plane(curve: Nurbs) -> Nurbs:
     return curve
 
 
-def check_connected(segments: list[SegmentForms]) -> None:
+def _check_connected(segments: list[SegmentForms]) -> None:
     """Raise `ShapeError` where a segment does not begin at the end of the one before."""
     for (n, before), (_, behind) in pairwise(segments):
         end, start = [c[n] for c in before], [c[0] for c in behind]
@@ -120,12 +120,12 @@ def check_connected(segments: list[SegmentForms]) -> None:
             raise ShapeError("a curve that jumps", remedy="give curves that are connected")
 
 
-def crossings(segment: SegmentForms, delta: tuple[mpq, ...]) -> int | Place:
+def _crossings(segment: SegmentForms, delta: tuple[mpq, ...]) -> int | Place:
     """The signed number of crossings of a segment with the ray from a point in the direction of x, or the place at
     which the segment passes through the point.
 
     >>> from exactspline import example
-    >>> [crossings(segment_forms(example("circle"), i), (mpq(0), mpq(1, 2))) for i in range(4)]
+    >>> [_crossings(segment_forms(example("circle"), i), (mpq(0), mpq(1, 2))) for i in range(4)]
     [1, 0, 0, 0]
     """
     n, (x, y, w) = segment

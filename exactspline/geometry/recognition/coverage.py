@@ -32,9 +32,9 @@ from exactspline.geometry.recognition.shapes import (
     Circle,
     Cone,
     Cylinder,
-    Place,
     Plane,
     Point,
+    PointToAsk,
     Shape,
     Sphere,
     Torus,
@@ -281,7 +281,7 @@ class _Covering:
         """Whether no angle along the meridians of a torus occurs twice for one θ."""
         middle = [side.middle for side in self.surface.domain]
         if not self.closed[1]:
-            (x, y), (a, b) = self._meridian(Place(self.surface(*middle), mpq(1))), self._meridian(self.surface)
+            (x, y), (a, b) = self._meridian(PointToAsk(self.surface(*middle), mpq(1))), self._meridian(self.surface)
             w2 = self.surface.w * self.surface.w
             moved = [a + w2 * (s * self.slack) for s in self._ways]
             return self._is_off([(-(each * x + b * y), b * x - each * y) for each in moved])

@@ -65,7 +65,7 @@ class Homogeneous(Protocol):
 
 
 @dataclass(frozen=True)
-class Place:
+class PointToAsk:
     """A point, as what a shape can be asked about."""
 
     p: Point
@@ -116,7 +116,7 @@ class Shape(ABC):
 
     def estimate(self, point: Point) -> mpq:
         """About the square of the distance of a point: where to begin the search for a bound that is proved."""
-        return sum((n * n / d if d else n * n for n, d in self.parts(Place(point, mpq(1)))), start=NOTHING)
+        return sum((n * n / d if d else n * n for n, d in self.parts(PointToAsk(point, mpq(1)))), start=NOTHING)
 
     def holds(self, of: Homogeneous) -> bool:
         """Whether the whole curve or surface lies on the shape."""
@@ -424,7 +424,7 @@ class Conic(CurveShape):
             return ()
         # in the main axes the conic is λ x² + μ y² = −q(centre)
         trace = sum((row[i] for i, row in enumerate(self._quadratic)), start=NOTHING)
-        spread, level = square_root(trace * trace - 4 * self._minor), -self._value(Place(self.centre, mpq(1)))[0]
+        spread, level = square_root(trace * trace - 4 * self._minor), -self._value(PointToAsk(self.centre, mpq(1)))[0]
         squares = [real(level) / ((real(trace) + s * spread) / 2) for s in (1, -1)]
         return tuple(square_root(abs(x)) for x in sorted(squares, reverse=True))
 

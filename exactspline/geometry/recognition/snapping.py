@@ -11,7 +11,7 @@ from exactspline.geometry.recognition.pieces import RecognizedPiece, near, recog
 from exactspline.geometry.recognition.proof import signs
 from exactspline.geometry.recognition.shapes import Circle, Line, Point, Shape, ShapeKind, minus, scalar
 from exactspline.interchange.affine import Affine
-from exactspline.interchange.segments import Segment, arc_around_origin, joined, mapped, polynomial
+from exactspline.interchange.segments import Segment, arc_around_origin, joined_segments, mapped, polynomial
 from exactspline.language.wronskians import wronskians
 from exactspline.numbers.exact import Number, mpq
 from exactspline.numbers.sides import Side
@@ -121,7 +121,7 @@ def _circle(found: Circle, a: Point, b: Point) -> Circle:
 def _with(curve: Nurbs, replaced: dict[mpq, RecognizedPiece]) -> Nurbs:
     """The curve with exact pieces, by the parameters at which they begin."""
     parts = list(_parts(curve, replaced))
-    degree, knots, points = joined([segment for _, segments in parts for segment in segments])
+    degree, knots, points = joined_segments([segment for _, segments in parts for segment in segments])
     breaks = [curve.domain[0]]
     for end, segments in parts:
         start, n = breaks[-1], len(segments)

@@ -127,7 +127,7 @@ class _Meeting:
 
     def kind_and_angle(self) -> tuple[SurfaceJointKind, Angle | None]:
         """The kind of joint; for a crease also the angle, where it is constant."""
-        if not fit(self.forms.surface, *self.sides):
+        if not _fit(self.forms.surface, *self.sides):
             return SurfaceJointKind.TORN, None
         normals = [self._both(f) for f in self.forms.normal]
         before, behind = ([pair[k] for pair in normals] for k in (0, 1))
@@ -143,7 +143,7 @@ class _Meeting:
         return (SurfaceJointKind.CONTINUOUS if same else SurfaceJointKind.CURVATURE_JUMP), None
 
 
-def fit(surface: NurbsSurface, before: tuple[Patch, Edge], behind: tuple[Patch, Edge]) -> bool:
+def _fit(surface: NurbsSurface, before: tuple[Patch, Edge], behind: tuple[Patch, Edge]) -> bool:
     """Whether two edges of patches are one curve, as functions of their parameter."""
     (*p, w), (*q, v) = (
         [BSpline.bezier(edge_points(f, *side)) for f in (*surface.p, surface.w)] for side in (before, behind)

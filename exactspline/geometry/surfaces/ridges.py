@@ -76,7 +76,7 @@ class OpenRidges:
 
 
 @dataclass(frozen=True)
-class RidgesOfPatch:
+class _RidgesOfPatch:
     """The ridges of one closed patch: `stationary` is the number of principal curvatures (none where there are no
     directions) that are constant along all their lines; of the others the `edges`, `lines` and `pieces` of curves.
     """
@@ -128,13 +128,13 @@ class RidgeSearch:
         self.forms, self.patch, self.singular, self.umbilics = forms, patch, singular, umbilics
         self.sides = sides_of(forms.surface, patch)
 
-    def found(self) -> RidgesOfPatch:
+    def found(self) -> _RidgesOfPatch:
         """The ridges; raises `ReachError` where they are out of reach altogether."""
         own, stationary = on_patch(self.forms.ridges, self.patch), 0
         if own is None:
             other = other_family(self._polynomials(self.forms.lines), self._polynomials(self.forms.ridge_cubic))
             if other is None:
-                return RidgesOfPatch(self.patch, self.sides, 2)
+                return _RidgesOfPatch(self.patch, self.sides, 2)
             whole, stationary = as_form(other), 1
             own = Reduced(whole, *whole.without_border())
         known = [x.form for x in (self.singular.curve, self.umbilics.curve) if x is not None]
@@ -148,7 +148,7 @@ class RidgeSearch:
         boxes = tuple(self._described(self.sides.part(box)) for box, _ in clusters(curve.undecided))
         pieces = [Piece(self.patch, self.sides, curve, part) for part in curve.parts]
         ridges = tuple(piece for piece in pieces if piece.part.shape is not Shape.POINT or self._is_ridge(piece))
-        return RidgesOfPatch(self.patch, self.sides, stationary, kept, lines, ridges, boxes)
+        return _RidgesOfPatch(self.patch, self.sides, stationary, kept, lines, ridges, boxes)
 
     def _is_ridge(self, piece: Piece) -> bool:
         """Whether a single zero of the form is a point with a tangent plane and two principal curvatures."""
@@ -325,7 +325,7 @@ def ridges_of_surface(
     forms: SurfaceForms, patches: Sequence[tuple[SingularPoints, UmbilicsOfPatch]], closed: Sequence[Along]
 ) -> Ridges:
     """The ridges of all patches, joined across their borders; what is known of the patches is given in their order."""
-    surface, found, excluded = forms.surface, list[RidgesOfPatch](), list[tuple[SurfacePart, NoDirections]]()
+    surface, found, excluded = forms.surface, list[_RidgesOfPatch](), list[tuple[SurfacePart, NoDirections]]()
     with drawing_on(Budget(WORK + PATCH * (len(patches) - 1))):
         for patch, (singular, umbilics) in zip(forms.patches, patches, strict=True):
             if singular.degenerate or umbilics.everywhere:
@@ -336,7 +336,7 @@ def ridges_of_surface(
                 found.append(RidgeSearch(forms, patch, singular, umbilics).found())
             except ReachError:
                 sides = sides_of(surface, patch)
-                found.append(RidgesOfPatch(patch, sides, open_boxes=(OpenRidges(sides),)))
+                found.append(_RidgesOfPatch(patch, sides, open_boxes=(OpenRidges(sides),)))
     undecided = tuple(box for one in found for box in one.open_boxes)
     pieces = [piece for one in found for piece in one.pieces]
     curves = chained(pieces, surface.domain, closed, [box.sides for box in undecided])

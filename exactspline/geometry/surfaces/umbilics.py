@@ -169,22 +169,22 @@ class _Search:
         for bits, (f, g, length) in product(KIND_BITS, pairs):
             around = (side.grown(mpq(1, 1 << bits)) for side in zero.refine(bits))
             box = Box(*(side.inside(whole) for side, whole in zip(around, UNIT, strict=True)))
-            if rounded(length, box).sign == 1 and (sign := jacobian_sign(f, g, box)):
+            if rounded(length, box).sign == 1 and (sign := _jacobian_sign(f, g, box)):
                 return UmbilicKind.POSITIVE if sign > 0 else UmbilicKind.NEGATIVE
         try:
-            multiple = zero.isolated is None and all(zero.is_zero_of(jacobian(f, g)) for f, g, _ in pairs)
+            multiple = zero.isolated is None and all(zero.is_zero_of(_jacobian(f, g)) for f, g, _ in pairs)
         except ReachError:
             return UmbilicKind.UNKNOWN
         return UmbilicKind.MULTIPLE if multiple else UmbilicKind.UNKNOWN
 
 
-def jacobian(f: PatchForm, g: PatchForm) -> PatchForm:
+def _jacobian(f: PatchForm, g: PatchForm) -> PatchForm:
     """The Jacobian determinant of two forms, up to a positive constant."""
     p, q = as_polynomial(f), as_polynomial(g)
     return as_form(p.derivative(0) * q.derivative(1) - p.derivative(1) * q.derivative(0))
 
 
-def jacobian_sign(f: PatchForm, g: PatchForm, box: Box) -> int:
+def _jacobian_sign(f: PatchForm, g: PatchForm, box: Box) -> int:
     """The sign of the Jacobian determinant on a box, not a point, where its range excludes 0, otherwise 0."""
     (a, b), (c, d) = ([h.slopes(i) for i in (0, 1)] for h in (rounded(f, box), rounded(g, box)))
     first = [x * y for x in a for y in d]

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from exactspline.errors import ShapeError, counted
 from exactspline.interchange.bridges.values import exact
 from exactspline.interchange.numbers import finite_double
-from exactspline.interchange.segments import joined, polynomial
+from exactspline.interchange.segments import joined_segments, polynomial
 from exactspline.interchange.writing import pen_segments
 from exactspline.numbers.exact import mpq
 from exactspline.splines.nurbs import Nurbs
@@ -135,7 +135,7 @@ def _beziers(start: Point, runs: Sequence[tuple[str, list[Point]]]) -> Contour:
                 segments.append(polynomial(start, off, end))
                 start = end
         start = run[-1]
-    degree, knots, points = joined(segments)
+    degree, knots, points = joined_segments(segments)
     return degree, knots, [point[:-1] for point in points]
 
 

@@ -57,7 +57,7 @@ class Printer(ABC):
             base = self.at(n.args[0], ATOM)
             return (self.derivative(base, order), ATOM) if by is None else (self.partial(base, order, by), PRODUCT)
         if n.op is Operation.COMPONENT:
-            return self.component(self.at(n.args[0], ATOM), index_text(n.value)), ATOM
+            return self.component(self.at(n.args[0], ATOM), _index_text(n.value)), ATOM
         if n.op is Operation.JOIN:
             return self.parentheses.format(", ".join(map(self.inner, n.args))), ATOM
         return self.product(n)
@@ -156,15 +156,15 @@ def named_binding(n: Expression) -> int:
     return POWER if "^" in n.value.symbol else ATOM
 
 
-def index_text(index: int | slice) -> str:
+def _index_text(index: int | slice) -> str:
     """An index, or the first and last index of a slice.
 
-    >>> index_text(2), index_text(slice(1, 4)), index_text(slice(1, None)), index_text(slice(None, 2))
+    >>> _index_text(2), _index_text(slice(1, 4)), _index_text(slice(1, None)), _index_text(slice(None, 2))
     ('2', '1…3', '1…', '0…1')
 
     A slice that counts from the end or has a step is written as in Python.
 
-    >>> index_text(slice(None, -1)), index_text(slice(0, 3, 2))
+    >>> _index_text(slice(None, -1)), _index_text(slice(0, 3, 2))
     (':-1', '0:3:2')
     """
     if not isinstance(index, slice):

@@ -72,7 +72,7 @@ def _double(q: mpq) -> float:
     return int(q.numerator) / int(q.denominator)
 
 
-def de_casteljau(points: list[float], t: float) -> float:
+def _de_casteljau(points: list[float], t: float) -> float:
     """The value in doubles by de Casteljau's algorithm."""
     u = 1.0 - t
     while len(points) > 1:
@@ -82,11 +82,11 @@ def de_casteljau(points: list[float], t: float) -> float:
 
 def bisected(points: list[float], low: float, high: float) -> float | None:
     """The result of a bisection, which ends at neighbouring doubles or at a zero; None without a change of sign."""
-    first, last = de_casteljau(points, low), de_casteljau(points, high)
+    first, last = _de_casteljau(points, low), _de_casteljau(points, high)
     if first == 0 or last == 0 or (first > 0) == (last > 0):
         return None
     while low < (middle := (low + high) / 2) < high:
-        value = de_casteljau(points, middle)
+        value = _de_casteljau(points, middle)
         if value == 0:
             return middle
         low, high = (middle, high) if (value > 0) == (first > 0) else (low, middle)

@@ -27,7 +27,7 @@ BAR = dict(zip((*BARRED, "W"), (*COORDINATES, "w"), strict=True))
 LARGEST_ORDER = 12
 
 
-def order_of_contact(claim: Claim, name: str, value: object) -> int:
+def _order_of_contact(claim: Claim, name: str, value: object) -> int:
     """An order of contact."""
     order = count_from(0)(claim, name, value)
     if order > LARGEST_ORDER:
@@ -50,7 +50,7 @@ class Contact(Claim):
     evaluated_first: ClassVar[bool] = False
 
     formula: Name = field(metadata=read(formula_name))
-    order: int = field(metadata=read(order_of_contact))
+    order: int = field(metadata=read(_order_of_contact))
     relation: Relation = field(default=Relation.EQUAL, metadata=read(one_of(Relation)))
 
     def validate(self) -> None:
@@ -74,9 +74,9 @@ class Contact(Claim):
         value = split(formula(ring.argument(formula.kind, dimension, polynomial=polynomial)))[0]
         if all(x.is_zero for x in value):
             return vacuous()
-        if is_singular(formula, dimension, polynomial):
+        if _is_singular(formula, dimension, polynomial):
             return Finding(UNDECIDED, Fact.NO_CONTACT, witness=Fact.SINGULAR_CONTACT)
-        order_found = self._order(value, on_diagonal)
+        order_found = self._order(value, _on_diagonal)
         if order_found is None:
             return Finding(PROVED, ContactOrder(self.order, self.relation))
         if order_found > self.order:
@@ -102,7 +102,7 @@ class Contact(Claim):
     def examine(self, argument: Evaluated, own: Evaluation) -> Finding:
         """The derivatives as polynomials in the two parameters, on every segment."""
         formula, curve = self.find(self.formula), own.curve
-        if is_singular(formula, curve.dimension, curve.polynomial):
+        if _is_singular(formula, curve.dimension, curve.polynomial):
             return Finding(UNDECIDED, Fact.NO_CONTACT, witness=Fact.SINGULAR_CONTACT)
         order, found, higher = order_of(formula, curve.dimension), None, 0
         whole = list(on_segments(formula.kind, curve, order, same=True))
@@ -129,7 +129,7 @@ class Contact(Claim):
 Diagonal = Callable[[JetFraction], JetFraction]
 
 
-def on_diagonal(value: JetFraction) -> JetFraction:
+def _on_diagonal(value: JetFraction) -> JetFraction:
     """A quotient of jets of two curves, evaluated where both are the same curve at the same parameter.
 
     Raises `FormulaError` where its denominator vanishes there.
@@ -138,7 +138,7 @@ def on_diagonal(value: JetFraction) -> JetFraction:
 
 
 @at_its_cost
-def is_singular(formula: Formula, dimension: int, polynomial: bool) -> bool:
+def _is_singular(formula: Formula, dimension: int, polynomial: bool) -> bool:
     """Whether the equations ``value = 0`` for the point at s̄ have fewer independent gradients where the points meet
     than elsewhere: there is no tangent there, so that contact is not defined. Any formula times ``‖γ(s̄) − γ(s)‖²``
     vanishes there to second order.
@@ -157,7 +157,7 @@ def is_singular(formula: Formula, dimension: int, polynomial: bool) -> bool:
             )
     names = [name for name in BARRED[:dimension] if name in second]
     rows = [[partial_derivative(x, ring.index[name, (0,)]) for name in names] for x in value]
-    met = [[on_diagonal(entry) for entry in row] for row in rows]
+    met = [[_on_diagonal(entry) for entry in row] for row in rows]
     return rank_of(met) < rank_of(rows)
 
 

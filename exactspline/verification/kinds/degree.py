@@ -47,7 +47,7 @@ from exactspline.verification.verdict import (
 from exactspline.verification.vocabulary import ArgumentKind, Measure, Name, Relation, Scope
 
 
-def degree_text(claim: Claim, name: str, value: str) -> str:
+def _degree_text(claim: Claim, name: str, value: str) -> str:
     """A degree in d, or in d1 and d2 for Table 1."""
     names = _degree_names(kind_of(claim.curve))
     if unknown := parse_degree(value).names - names:
@@ -92,7 +92,7 @@ class DegreeClaim(Claim):
     kind: ClassVar[str] = "degree"
 
     formula: Name = field(metadata=read(formula_name))
-    claimed: str = field(metadata=read(degree_text))
+    claimed: str = field(metadata=read(_degree_text))
     measure: Measure = field(default=Measure.NOMINAL, metadata=read(one_of(Measure)))
     relation: Relation = field(default=Relation.EQUAL, metadata=read(one_of(Relation)))
     parameter: Parameter = field(default=Parameter.FIRST, metadata=read(one_of(Parameter)))
@@ -143,7 +143,7 @@ class DegreeClaim(Claim):
 
     def decide(self, dimension: int, polynomial: bool) -> Finding:
         """For symbolic d."""
-        finding = decide(self, dimension, polynomial)
+        finding = _decide(self, dimension, polynomial)
         return replace(finding, relation=self.relation)
 
     def part_tried(self, own: Evaluation) -> Evidence | None:
@@ -196,7 +196,7 @@ class DegreeClaim(Claim):
         if self.measure == Measure.TRUE:
             components, denominator = split(value)
             if denominator is not None:
-                raise quotient_has_none(self.formula)
+                raise _quotient_has_none(self.formula)
             return max(self._own(p.true_degree) for p in components)
         return self._lowest(joined(value) if isinstance(value, RuledSurface) else value)
 
@@ -235,7 +235,7 @@ NONE_LOWER: Mapping[int, int] = MappingProxyType({})
 UNEQUAL = 12
 
 
-def decide(claim: DegreeClaim, dimension: int, polynomial: bool) -> Finding:
+def _decide(claim: DegreeClaim, dimension: int, polynomial: bool) -> Finding:
     """The finding on the degree of a claim for every d from its least one upwards."""
     formula = claim.find(claim.formula)
     zero = vanishes(formula, dimension, polynomial)
@@ -289,7 +289,7 @@ def agreed_degree(
     value = formula(JetReading(order_of(formula, dimension)).argument(formula.kind, dimension, polynomial=polynomial))
     jets, denominator = split(value)
     if denominator is not None:
-        raise quotient_has_none(formula.name)
+        raise _quotient_has_none(formula.name)
     jets = [jet for jet in jets if not jet.is_zero]
     if not jets:
         return Degree.number(-1), {}
@@ -303,7 +303,7 @@ def agreed_degree(
     return computed, lower_degrees(jets, parameter)
 
 
-def quotient_has_none(name: str) -> FormulaError:
+def _quotient_has_none(name: str) -> FormulaError:
     """A quotient of polynomials has no true degree."""
     return FormulaError(f"{name} is a quotient", remedy='its degree is that in "lowest terms"')
 

@@ -21,7 +21,7 @@ from exactspline.splines.lowest_terms import control_point_count, in_lowest_term
 from exactspline.splines.nurbs import Nurbs
 from exactspline.verification.claim import Claim, example_name, formula_name, read
 from exactspline.verification.claim_fields import claim_kind
-from exactspline.verification.evaluation import Evaluation, between
+from exactspline.verification.evaluation import Evaluation, place_between
 from exactspline.verification.evidence import Conditions, Counted, Enclosure, Fact, NotBetter, OnExample, Undefined
 from exactspline.verification.verdict import REFUTED, UNDECIDED, VERIFIED, Finding, vacuous
 from exactspline.verification.vocabulary import Counter, Name, word
@@ -59,10 +59,10 @@ class ExampleClaim(Claim):
         return self.prove()[1]
 
 
-def counts(claimed: str) -> list[tuple[int, Counter]]:
+def _counts(claimed: str) -> list[tuple[int, Counter]]:
     """The numbers of a caption with their units.
 
-    >>> [(n, str(what)) for n, what in counts("degree 96, 388 control points")]
+    >>> [(n, str(what)) for n, what in _counts("degree 96, 388 control points")]
     [(96, 'degree'), (388, 'control points')]
 
     Raises `ClaimError` when it cannot be read.
@@ -78,7 +78,7 @@ def counts(claimed: str) -> list[tuple[int, Counter]]:
 
 def counted(claim: Claim, name: str, value: str) -> str:
     """Numbers with their units."""
-    counts(value)
+    _counts(value)
     return str(value)
 
 
@@ -101,7 +101,7 @@ class Count(ExampleClaim):
             return vacuous(Undefined(self.formula))
         if all(p.is_zero for p in numerators):
             return vacuous(Fact.ZERO)
-        claimed = counts(self.claimed)
+        claimed = _counts(self.claimed)
         if not numerators[0].breakpoints[1:-1] and {what for _, what in claimed} & CONTINUITIES:
             return vacuous(Fact.NO_JOINT)
         numbers = [(self._counted(what, value, own), what) for _, what in claimed]
@@ -200,7 +200,7 @@ class Condition(ExampleClaim):
             return Finding(UNDECIDED, conditions, witness=Fact.NOT_ISOLATED) if whole else Finding(VERIFIED, conditions)
         for root, a, b in pairs:
             if a[0] >= b[1]:
-                witness = OnExample(Name(self.example), NotBetter(between(Interval(root.low, root.high))))
+                witness = OnExample(Name(self.example), NotBetter(place_between(Interval(root.low, root.high))))
                 return Finding(REFUTED, conditions, witness=witness)
         return Finding(UNDECIDED, conditions)
 

@@ -76,7 +76,7 @@ def weight_text(under: Group, weight: int) -> str:
 GENERATED = {Group.MOEBIUS: ("similarity", "inversion")}
 
 
-def whole_number(claim: Claim, name: str, value: object) -> int:
+def _whole_number(claim: Claim, name: str, value: object) -> int:
     """A weight: it may be negative."""
     if isinstance(value, bool) or not isinstance(value, int) or abs(value) > LARGEST_WEIGHT:
         raise ClaimError(f"{value!r} is not a weight", where=name, remedy=f"an integer, at most {LARGEST_WEIGHT}")
@@ -97,7 +97,7 @@ class Invariance(Claim):
 
     formula: Name = field(metadata=read(formula_name))
     under: Group = field(metadata=read(one_of(Group)))
-    weight: int = field(default=0, metadata=read(whole_number))
+    weight: int = field(default=0, metadata=read(_whole_number))
     nature: Nature = field(default=Nature.SCALAR, metadata=read(one_of(Nature)))
 
     def validate(self) -> None:

@@ -14,7 +14,7 @@ from exactspline.language.parts import split
 from exactspline.language.rational import Rational
 from exactspline.numbers.exact import mpq
 from exactspline.polynomials.bernstein import is_square_class
-from exactspline.polynomials.common_arcs import between
+from exactspline.polynomials.common_arcs import rational_between
 from exactspline.polynomials.factors import factorize
 from exactspline.polynomials.isolation import is_nonnegative, isolate
 from exactspline.polynomials.zero_places import Place, at
@@ -125,7 +125,7 @@ def _lowest(value: Any) -> Any:
     return in_lowest_terms(value) if isinstance(value, Rational) else value
 
 
-def positive_factor(claim: Claim, name: str, value: str) -> str:
+def _positive_factor(claim: Claim, name: str, value: str) -> str:
     """A factor that is positive on every curve: a positive number, and even powers."""
     for part, exponent in factor_parts(value):
         if part[0] == "-" or (part[0].isalpha() and exponent % 2):
@@ -147,7 +147,7 @@ class SignClaim(Claim):
     formula: Name = field(metadata=read(formula_name))
     sign: Sign = field(default=Sign.NONNEGATIVE, metadata=read(one_of(Sign)))
     squares: tuple[Name, ...] = field(default=(), metadata=read(formula_names))
-    factor: str = field(default="1", metadata=read(positive_factor))
+    factor: str = field(default="1", metadata=read(_positive_factor))
 
     def validate(self) -> None:
         """Reject a factor without squares."""
@@ -231,7 +231,7 @@ def _negative(f: BSpline, i: int) -> mpq:
     """
     a, b = f.breakpoints[i : i + 2]
     places = [at(mpq(0)), *map(Place, isolate(f.polynomials[i], f.degree).inner), at(mpq(1))]
-    inside = (a + (b - a) * between(*pair) for pair in pairwise(places))
+    inside = (a + (b - a) * rational_between(*pair) for pair in pairwise(places))
     return next(t for t in inside if f(t) < 0)
 
 

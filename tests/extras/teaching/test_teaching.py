@@ -23,7 +23,7 @@ from exactspline.extras.teaching.differences import (
     OtherNumber,
     OtherPoint,
     OtherValue,
-    Shape,
+    Wrong,
 )
 from exactspline.extras.teaching.display.exercises import html_page, latex_document, plain, text_lines
 from exactspline.extras.teaching.exercises import LARGEST
@@ -249,7 +249,7 @@ def test_curves_are_compared_as_functions():
     curve = example("rational_cubic")
     assert compare_curves(curve.elevate_degree().insert_knot("1/3"), curve)
     told = compare_curves(curve.reverse(), curve).differences
-    assert told[0] is Shape.REVERSED
+    assert told[0] is Wrong.REVERSED
     assert told[1] == OtherValue(mpq(0), curve(0), curve.reverse()(0))
     (domain,) = compare_curves(curve.restrict(0, "1/2"), curve).differences
     assert domain == OtherDomain(curve.domain, (0, mpq(1, 2)))

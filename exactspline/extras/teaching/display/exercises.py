@@ -22,7 +22,7 @@ from exactspline.extras.teaching.triangles import Triangle
 from exactspline.numbers.exact import point_text, text
 
 
-def title_of(made: Exercise) -> str:
+def _title_of(made: Exercise) -> str:
     """The identification of an exercise: topic and seed."""
     return f"{made.topic}, seed {made.seed}"
 
@@ -52,7 +52,7 @@ def text_lines(made: Sequence[Exercise], width: int, *, solutions: bool) -> list
     lines: list[str] = []
     for i, (heading, each) in enumerate(_with_headings(made), 1):
         lines += [heading, ""] if heading else []
-        lines += _paragraph(f"{i}. {plain(each.task)} [{title_of(each)}]", width)
+        lines += _paragraph(f"{i}. {plain(each.task)} [{_title_of(each)}]", width)
         lines += [*_paragraph(f"   Answer: {each.answer.form}.", width, 3), ""]
     if solutions:
         lines += ["Solutions", ""]
@@ -123,7 +123,7 @@ def latex_document(made: Sequence[Exercise], *, solutions: bool) -> str:
     tasks: list[str] = []
     for heading, each in _with_headings(made):
         tasks += [rf"\item[] \textbf{{{_part_latex(heading)}}}"] if heading else []
-        tasks.append(f"\\item {''.join(map(_part_latex, each.task))} {{\\small [{title_of(each)}]}}")
+        tasks.append(f"\\item {''.join(map(_part_latex, each.task))} {{\\small [{_title_of(each)}]}}")
         tasks.append(rf"\\ {{\small Answer: {_part_latex(each.answer.form)}}} \hrulefill")
     lines = [
         r"\documentclass{article}",
@@ -186,7 +186,7 @@ def html_page(made: Sequence[Exercise], *, solutions: bool) -> str:
     """A printable page with lines for name, date and answers; the solutions begin on a new sheet."""
     tasks = []
     for number, (heading, each) in enumerate(_with_headings(made), 1):
-        said = f"{''.join(map(_part_html, each.task))} <small>[{escape(title_of(each))}]</small>"
+        said = f"{''.join(map(_part_html, each.task))} <small>[{escape(_title_of(each))}]</small>"
         answer = f'<p class="line"><small>Answer: {escape(each.answer.form)}</small></p>'
         tasks.append(f"<h2>{escape(heading)}</h2>" if heading else "")
         tasks.append(f'<ol start="{number}"><li>{said}{answer}</li></ol>')
@@ -220,7 +220,7 @@ def hinted(difference: Difference) -> str:
 def exercise_data(made: Exercise, *, solutions: bool) -> dict[str, object]:
     """An exercise as data; answer and solution on request."""
     data: dict[str, object] = {
-        "key": title_of(made),
+        "key": _title_of(made),
         "topic": made.topic,
         "seed": made.seed,
         "task": plain(made.task),

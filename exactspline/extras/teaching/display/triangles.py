@@ -18,12 +18,12 @@ _TITLES = {"de Boor": "De Boor's triangle", "insertion": "Knot insertion", "elev
 Scheme = Triangle | ProductTable
 
 
-def title(scheme: Scheme) -> str:
+def _title(scheme: Scheme) -> str:
     """The title of a scheme.
 
     >>> from exactspline import BSpline
     >>> from exactspline.extras.teaching import de_boor_triangle
-    >>> title(de_boor_triangle(BSpline.bezier([0, 1, 3]), "1/2"))
+    >>> _title(de_boor_triangle(BSpline.bezier([0, 1, 3]), "1/2"))
     "De Boor's triangle at t = 1/2 in [0, 1], degree 2"
     """
     a, b = map(text, scheme.span)
@@ -37,7 +37,7 @@ def title(scheme: Scheme) -> str:
     return f"{_TITLES[scheme.method]}{at} in [{a}, {b}], {degree}{coordinates}"
 
 
-def rule(scheme: Scheme) -> str:
+def _rule(scheme: Scheme) -> str:
     """How the entries are computed, in words."""
     if isinstance(scheme, ProductTable):
         return (
@@ -56,10 +56,10 @@ def sheets(scheme: Scheme) -> list[Sheet]:
 
 def _triangle_sheets(triangle: Triangle) -> list[Sheet]:
     steps = [f"step {r}" for r in range(1, len(triangle.columns))]
-    cells, heading = _grid(triangle, triangle.columns, point_text), title(triangle)
+    cells, heading = _grid(triangle, triangle.columns, point_text), _title(triangle)
     points = Sheet("point", "given", *steps, rows=cells, title=heading, name=heading)
     ratios = ([label, *rest] for label, _, *rest in _grid(triangle, ((), *triangle.ratios), text) if any(rest))
-    shares = Sheet("point", *steps, rows=ratios, title=f"Shares s. {rule(triangle)}", name="shares")
+    shares = Sheet("point", *steps, rows=ratios, title=f"Shares s. {_rule(triangle)}", name="shares")
     made = [points, shares] if triangle.ratios else [points]
     return [*made, *_result_sheets(triangle)]
 
@@ -83,8 +83,8 @@ def _product_sheets(table: ProductTable) -> list[Sheet]:
     pairs = enumerate(zip(table.sums, table.points, strict=True))
     sums = [(m, text(total), text(point)) for m, (total, point) in pairs]
     return [
-        Sheet("times", *columns, rows=products, title=title(table), name=title(table)),
-        Sheet("diagonal", "sum", "Bézier point", rows=sums, title=rule(table), name="diagonals"),
+        Sheet("times", *columns, rows=products, title=_title(table), name=_title(table)),
+        Sheet("diagonal", "sum", "Bézier point", rows=sums, title=_rule(table), name="diagonals"),
     ]
 
 
@@ -111,7 +111,7 @@ def scheme_latex(scheme: Triangle | ProductTable) -> str | None:
     return latex(scheme)
 
 
-def point_latex(row: Row) -> str:
+def _point_latex(row: Row) -> str:
     """A value, or a point between parentheses."""
     inner = r",\ ".join(map(fraction, row))
     return inner if len(row) == 1 else rf"\left({inner}\right)"
@@ -121,7 +121,7 @@ def point_latex(row: Row) -> str:
 def _(triangle: Triangle) -> str:
     lines = [
         " & ".join([f"{label[0]}_{{{label[1:]}}}", *cells])
-        for label, *cells in _grid(triangle, triangle.columns, point_latex)
+        for label, *cells in _grid(triangle, triangle.columns, _point_latex)
     ]
     rows = " \\\\[4pt]\n".join(lines)
     return f"\\begin{{array}}{{l|{'l' * len(triangle.columns)}}}\n{rows}\n\\end{{array}}"
@@ -137,13 +137,13 @@ def _(table: ProductTable) -> str:
 
 def latex_text(schemes: Sequence[Scheme]) -> str:
     """Display formulas for a document that loads amsmath, each under a comment with its title."""
-    return "\n\n".join(f"% {title(s)}\n\\[\n{mathematics(s)}\n\\]" for s in schemes)
+    return "\n\n".join(f"% {_title(s)}\n\\[\n{mathematics(s)}\n\\]" for s in schemes)
 
 
 # ---- HTML
 
 
-def point_mathml(row: Row) -> str:
+def _point_mathml(row: Row) -> str:
     """A value, or a point between parentheses."""
     return mathml.number(row[0]) if len(row) == 1 else mathml.tuple_of(map(mathml.number, row))
 
@@ -154,14 +154,14 @@ def scheme_mathml(scheme: Scheme) -> str:
         head = ["", *map(mathml.number, scheme.right)]
         pairs = zip(scheme.left, scheme.table, strict=True)
         return mathml.table([head, *[[mathml.number(x) for x in (a, *row)] for a, row in pairs]])
-    grid = _grid(scheme, scheme.columns, point_mathml)
+    grid = _grid(scheme, scheme.columns, _point_mathml)
     return mathml.table([[mathml.name(f"{label[0]}_{label[1:]}"), *cells] for label, *cells in grid])
 
 
 def html_page(schemes: Sequence[Scheme], heading: str) -> str:
     """A printable page."""
     parts = [
-        f"<h2>{escape(title(s))}</h2><p>{escape(rule(s))}</p>"
+        f"<h2>{escape(_title(s))}</h2><p>{escape(_rule(s))}</p>"
         f'<div class="wide">{mathml.math(scheme_mathml(s), block=True)}</div>{_result_html(s)}'
         for s in schemes
     ]
@@ -177,7 +177,7 @@ def _result_html(scheme: Scheme) -> str:
 
 
 def _listed(what: str, rows: Sequence[Row]) -> str:
-    point_text = "<mo>,</mo><mspace width='0.6em'/>".join(map(point_mathml, rows))
+    point_text = "<mo>,</mo><mspace width='0.6em'/>".join(map(_point_mathml, rows))
     return f"<p>{escape(what)}: {mathml.math(f'<mrow>{point_text}</mrow>')}</p>"
 
 
@@ -186,7 +186,7 @@ def _listed(what: str, rows: Sequence[Row]) -> str:
 
 def scheme_data(scheme: Scheme) -> Data:
     """A scheme as data: numbers as text."""
-    data: Data = {"key": title(scheme)} | picked(scheme, "span")
+    data: Data = {"key": _title(scheme)} | picked(scheme, "span")
     if isinstance(scheme, ProductTable):
         return data | {"method": "product"} | picked(scheme, "left", "right", "table", "sums", "points")
     data |= picked(scheme, "method", "degree", "parameter", "rational", "first", "columns", "ratios")
