@@ -45,7 +45,7 @@ from .certificates import check_certificate as check_certificate
 from .geometry.analysis.curves import analyse as analyse
 from .geometry.analysis.many_curves import features_of_curves as features_of_curves
 from .geometry.analysis.many_curves import features_of_many as features_of_many
-from .batch.oracle import oracle as oracle
+from .geometry.analysis.ask import ask as ask
 from .batch.sweep import sweep as sweep
 from .batch.families import Family as Family
 

@@ -7,8 +7,8 @@ from dataclasses import replace
 from typing import Any
 
 from exactspline.batch.lines import EVERYWHERE, Found
-from exactspline.batch.oracle_answers import parts_of
 from exactspline.errors import DomainError, ExactSplineError, ReachError, ShapeError, as_texts
+from exactspline.geometry.analysis.ask import read_as
 from exactspline.geometry.analysis.curves import QUESTIONS, analyse, questions_about
 from exactspline.geometry.curves.joints import Joint
 from exactspline.geometry.curves.kinds import Feature
@@ -17,6 +17,7 @@ from exactspline.geometry.pairs.intersections import Intersections
 from exactspline.numbers.exact import mpq, mpz
 from exactspline.questions.answers import Described
 from exactspline.questions.entry import Answered, Entry, Of
+from exactspline.questions.takes import name_of, unknown
 from exactspline.reals.real import Real, real
 from exactspline.roots.answers import CurvePiece, Places
 from exactspline.roots.root import Root
@@ -52,8 +53,10 @@ def entry_of(asked: str) -> tuple[Entry, str]:
     Raises `QuestionError` with the nearest names, for an argument that is missing, and for one too many.
     """
     known = asked_by_sweeps()
-    name, argument, _ = parts_of(asked, {name: entry.form for name, entry in known.items()})
-    return known[name], argument
+    name = name_of(asked)
+    if name not in known:
+        raise unknown(name, known)
+    return known[name], read_as(known[name], asked)[0]
 
 
 def checked_names(names: Iterable[str]) -> tuple[str, ...]:
@@ -65,7 +68,7 @@ def checked_names(names: Iterable[str]) -> tuple[str, ...]:
 
     Raises the errors of `entry_of`, and those of an argument that is none.
     """
-    without = [name for name, q in asked_by_sweeps().items() if not q.about.argument and not q.about.on_request]
+    without = [name for name, q in asked_by_sweeps().items() if not (q.about.takes or q.about.on_request)]
     chosen = dict[str, None]()
     for asked in as_texts(names, "names of questions", "the name of a question"):
         if asked != "all":

@@ -8,9 +8,11 @@ from typing import Any
 
 from exactspline.batch.backends import ALONE
 from exactspline.batch.corpus import Item
-from exactspline.batch.surface_oracle import applies, inspection_of, surface_answer, surface_question
+from exactspline.batch.surface_oracle import applies, surface_answer
 from exactspline.batch.work import DIGITS, MOST_DIGITS, OneByOne
 from exactspline.errors import as_integer, as_texts
+from exactspline.geometry.analysis.ask import check_question
+from exactspline.geometry.analysis.curves import analyse
 from exactspline.geometry.analysis.registry import REGISTRY
 from exactspline.questions.entry import Of
 from exactspline.splines.surface import NurbsSurface
@@ -41,12 +43,12 @@ class SurfaceWork(OneByOne):
             name
             for of in (Of.SURFACE, Of.PLANAR_MAP)
             for name, entry in REGISTRY[of].items()
-            if not (entry.about.argument or entry.about.on_request)
+            if not (entry.about.takes or entry.about.on_request)
         )
         asked = dict[str, None]()
         for each in ["all"] if find is None else as_texts(find, "names of questions", "the name of a question"):
             if each != "all":
-                surface_question(each)
+                check_question(each, Of.SURFACE, Of.PLANAR_MAP)
             asked |= every if each == "all" else {each: None}
         return cls(tuple(asked), as_integer(digits, "a number of digits", 0, MOST_DIGITS))
 
@@ -67,7 +69,7 @@ class SurfaceWork(OneByOne):
         first, second = (len(mesh.breaks) - 1 for mesh in surface.meshes)
         fields |= {"dimension": surface.dimension, "polynomial": surface.polynomial, "degrees": surface.degree}
         fields["patches"] = first * second
-        found = inspection_of(surface)
+        found = analyse(surface)
         fields["answers"] = {
             asked: surface_answer(surface, asked, self.digits, found) for asked in self.find if applies(surface, asked)
         }

@@ -113,7 +113,7 @@ class Work(OneByOne):
         """
         given = item.given
         asked = [entry_of(name)[0].about for name in self.find]
-        if self.claims or any(about.argument or about.answered not in QUICK for about in asked):
+        if self.claims or any(about.takes or about.answered not in QUICK for about in asked):
             return ALONE
         if isinstance(given, Member) and given.family.dimension == 2:
             return given.family.segments[1] * given.family.degree[1] ** 3

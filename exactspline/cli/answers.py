@@ -23,7 +23,12 @@ def answer_questions(
     """Print the answers to questions about curves, which were read, and whether all could be: the exact value, a
     certified interval, the correctly rounded double.
     """
+    from exactspline.geometry.analysis.ask import check_question
+    from exactspline.questions.entry import ALL_CURVES
+
     _check_digits(digits)
+    for question in asked:
+        check_question(question, *ALL_CURVES)
     given, good = found
     rows = [_answered(read, question, digits, certificates) for read in given for question in asked]
     distinguish(rows)
@@ -43,12 +48,14 @@ def answer_about_surfaces(
     """Print the answers to questions about surfaces, as data: the values at places, and questions of the registry.
     `good` is whether all could be read.
     """
-    from exactspline.batch.surface_oracle import surface_answer, surface_question
+    from exactspline.batch.surface_oracle import surface_answer
     from exactspline.errors import ExactSplineError
+    from exactspline.geometry.analysis.ask import check_question
+    from exactspline.questions.entry import Of
 
     _check_digits(digits)
     for each in asked:
-        surface_question(each)
+        check_question(each, Of.SURFACE, Of.PLANAR_MAP)
     rows: list[dict[str, Any]] = []
     for surface in surfaces:
         for each in asked:
@@ -115,13 +122,11 @@ def _in_words(value: Any, digits: int) -> str:
 
 def _answered(read: Read, asked: str, digits: int, certificates: bool) -> dict[str, Any]:
     from exactspline.batch.oracle import oracle as ask_oracle
-    from exactspline.batch.oracle import question_of
     from exactspline.batch.oracle_answers import answer_data
     from exactspline.errors import ExactSplineError
 
     c = read.curve
     row: dict[str, Any] = {"key": f"{c.name}: {asked}", "curve": c.name} | read.data()
-    question_of(asked)
     try:
         data = answer_data(ask_oracle(c, asked), digits)
     except ExactSplineError as error:

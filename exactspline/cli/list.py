@@ -82,12 +82,16 @@ def papers(out: Output) -> None:
 
 @printing
 def questions(out: Output) -> None:
-    """List the questions that inspect --ask answers."""
-    from exactspline.batch.oracle import QUESTIONS
+    """List all questions: what --ask, --find and xs.ask take, and of what they are asked."""
+    from exactspline.geometry.analysis.ask import questions as all_questions
 
-    rows = [{"key": name, "asked": kind.asked, "meaning": kind.meaning} for name, kind in QUESTIONS.items()]
-    cells = [(row["asked"], row["meaning"]) for row in rows]
-    out.give("questions", rows, [Sheet("question", "meaning", rows=cells, prose=["meaning"])])
+    found = all_questions()
+    rows = [
+        {"key": f"{name} of a {of[0]}", "asked": form, "of": list(of), "meaning": meaning}
+        for name, form, of, meaning in found
+    ]
+    cells = [(form, ", ".join(of), meaning) for _, form, of, meaning in found]
+    out.give("questions", rows, [Sheet("question", "of a", "meaning", rows=cells, prose=["of a", "meaning"])])
 
 
 @printing

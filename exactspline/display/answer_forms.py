@@ -38,7 +38,7 @@ from exactspline.geometry.rounded.intersections import NearbyMeeting
 from exactspline.geometry.rounded.stability import StableFeature
 from exactspline.geometry.rounded.umbilics import NearbyUmbilic
 from exactspline.numbers.exact import mpq
-from exactspline.questions.entry import Entry, Of, Question, QuestionWith
+from exactspline.questions.entry import Answered, Entry, Of, Question, QuestionWith
 from exactspline.roots.answers import CurvePiece, Places
 
 TEXTS = list_of(TEXT)
@@ -131,4 +131,5 @@ def _form(kind: Any) -> Form:
 
 def surface_answer_forms() -> dict[str, Schema]:
     """The forms of the answers to the questions about surfaces and maps of the plane, by their names."""
-    return {name: answer_form(entry) for of in (Of.SURFACE, Of.PLANAR_MAP) for name, entry in REGISTRY[of].items()}
+    entries = {name: entry for of in (Of.SURFACE, Of.PLANAR_MAP) for name, entry in REGISTRY[of].items()}
+    return {name: answer_form(x) for name, x in entries.items() if x.about.answered is not Answered.NUMBERS}

@@ -93,7 +93,8 @@ def surface_inspection_data(inspection: SurfaceInspection, digits: int) -> Data:
     digits.
     """
     head = {"surface": inspection.surface.name} | picked(inspection.surface, "degree", "polynomial")
-    facts = picked(inspection, "closed", "complete", "minimal", "curvature", "umbilic_everywhere")
+    facts = picked(inspection, "closed", "complete", "minimal", "umbilic_everywhere")
+    facts["curvature"] = plain(inspection.constant_curvature)
     return head | {"digits": digits} | facts | _answers_data(inspection, digits)
 
 

@@ -1,11 +1,16 @@
-"""One of the things of which an answer consists, with what is to be said of it."""
+"""Things of which an answer consists, with what is to be said of them."""
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+from dataclasses import dataclass, field
 from enum import StrEnum
 
 from exactspline.reals.real import Real
 from exactspline.roots.answers import CurvePiece
+
+#: Characters of numbers that are shown in one line.
+READABLE = 100
 
 
 class Described:
@@ -23,3 +28,16 @@ class Described:
     def facts(self) -> dict[str, bool]:
         """What is true of it, by name."""
         return {}
+
+
+@dataclass(frozen=True)
+class NamedNumbers:
+    """Numbers by their names: what they are numbers of, and what else is known of it."""
+
+    what: str
+    values: Mapping[str, Real]
+    facts: Mapping[str, object] = field(default_factory=dict)
+
+    def __repr__(self) -> str:
+        numbers = ", ".join(f"{name} {value}" for name, value in self.values.items())
+        return f"<{self.what}: {numbers}>" if len(numbers) <= READABLE else f"<{self.what}: {len(self.values)} numbers>"

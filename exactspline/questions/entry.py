@@ -7,13 +7,14 @@ read it.
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from collections.abc import Callable, Hashable
+from collections.abc import Callable, Hashable, Iterable
 from dataclasses import dataclass
 from enum import StrEnum
-from inspect import cleandoc
+from inspect import Parameter, cleandoc, signature
 from typing import Any, Concatenate, Generic, ParamSpec, TypeVar, cast, overload
 
 from exactspline.numbers.once import Lock
+from exactspline.questions.takes import Takes
 from exactspline.roots.zero_set import ZeroSet
 
 T = TypeVar("T")
@@ -68,12 +69,15 @@ class Of(StrEnum):
     SPACE_CURVE = "space curve"
     SURFACE = "surface in space"
     PLANAR_MAP = "map of a rectangle into the plane"
+    #: A curve that is neither in the plane nor in space.
+    CURVE = "curve of another dimension"
     PAIR = "pair of space curves"
     TWO_CURVES = "two curves"
 
 
-#: A question about curves in the plane and in space.
+#: A question about curves in the plane and in space, and about curves of any dimension.
 CURVES = (Of.PLANE_CURVE, Of.SPACE_CURVE)
+ALL_CURVES = (*CURVES, Of.CURVE)
 
 
 class Answered(StrEnum):
@@ -105,6 +109,10 @@ class Answered(StrEnum):
     #: A value, or one point.
     VALUE = "value"
     POINT = "point"
+    #: Numbers by their names (`exactspline.questions.answers.NamedNumbers`).
+    NUMBERS = "numbers"
+    #: Curves or functions by their control points.
+    SPLINES = "control points"
 
 
 @dataclass(frozen=True)
@@ -113,24 +121,34 @@ class About:
 
     ``of``: what it is asked of. ``answered``: what its answer consists of. ``part_of``: another question, whose answer
     contains this one. ``proof``: the zero set whose certificate shows that an answer is complete, by the object and the
-    argument. ``argument``: what it is asked with, an example of it in text ("" for nothing). ``of_piece``: what a table
-    says of one of the pieces. ``on_request``: whether it takes so long that it is answered only where it is asked for
-    by its name. ``nearby``: whether it is asked about all objects within a distance, which is its argument.
+    arguments. ``takes``: what it is asked with. ``of_piece``: what a table says of one of the pieces. ``on_request``:
+    whether it is answered only where it is asked for by its name. ``nearby``: whether it is asked about all objects
+    within a distance, which is its argument.
     """
 
     of: tuple[Of, ...]
     answered: Answered = Answered.PLACES
     part_of: str = ""
-    proof: Callable[..., ZeroSet] | None = None
-    argument: str = ""
+    proof: Callable[..., Iterable[ZeroSet]] | None = None
+    takes: tuple[Takes, ...] = ()
     of_piece: str = ""
     on_request: bool = False
     nearby: bool = False
 
     @property
+    def argument(self) -> str:
+        """An example of what stands behind the colon, as text; empty for nothing."""
+        return ",".join(each.example for each in self.takes if not each.placed)
+
+    @property
+    def place(self) -> str:
+        """An example of what stands behind the @, as text; empty for nothing."""
+        return ",".join(each.example for each in self.takes if each.placed)
+
+    @property
     def reported(self) -> bool:
         """Whether the answer belongs into a report of everything that is known."""
-        return not (self.part_of or self.argument or self.on_request)
+        return not (self.part_of or self.takes or self.on_request)
 
 
 class Entry(ABC):
@@ -140,13 +158,21 @@ class Entry(ABC):
     about: About
 
     @abstractmethod
-    def answer(self, facts: Remembers, argument: str = "") -> object:
-        """The exact answer; an argument is given as text."""
+    def answer(self, facts: Remembers, argument: str = "", place: str = "") -> object:
+        """The exact answer; what it is asked with is given as text (see `exactspline.questions.takes`)."""
+
+    @abstractmethod
+    def proofs(self, facts: Remembers, argument: str = "", place: str = "") -> Iterable[ZeroSet]:
+        """The zero sets whose certificates show that the answer is complete."""
+
+    #: Whether what stands behind the colon may be left out.
+    optional: bool = False
 
     @property
     def form(self) -> str:
-        """How it is asked as text: its name, with an example of its argument after a colon."""
-        return f"{self.name}:{self.about.argument}" if self.about.argument else self.name
+        """How it is asked as text: its name, with examples of what it takes."""
+        argument, place = self.about.argument, self.about.place
+        return f"{self.name}{':' * bool(argument)}{argument}{'@' * bool(place)}{place}"
 
     @property
     def meaning(self) -> str:
@@ -187,16 +213,27 @@ class Question(Fact[F, T], Entry):
         super().__init__(compute)
         self.about = about
 
-    def answer(self, facts: Remembers, argument: str = "") -> object:
+    def answer(self, facts: Remembers, argument: str = "", place: str = "") -> object:
         """The exact answer."""
         return getattr(facts, self.name)
 
+    def proofs(self, facts: Remembers, argument: str = "", place: str = "") -> Iterable[ZeroSet]:
+        """The zero sets that show that it is complete."""
+        return () if self.about.proof is None else self.about.proof(facts)
+
 
 class QuestionWith(Entry, Generic[F, P, T]):
-    """A question that is asked with an argument: a method, whose answers are kept by their arguments."""
+    """A question that is asked with arguments: a method, whose answers are kept by their arguments, each as it is read
+    (`Takes`).
+    """
 
     def __init__(self, compute: Callable[Concatenate[F, P], T], about: About) -> None:
         self.compute, self.__doc__, self.about = compute, compute.__doc__, about
+        self.signature = signature(compute)
+        _, *parameters = self.signature.parameters.values()
+        self.takes = {each.name: takes for each, takes in zip(parameters, about.takes, strict=True)}
+        behind = [each for each in parameters if not self.takes[each.name].placed]
+        self.optional = all(each.default is not Parameter.empty for each in behind)
 
     def __set_name__(self, owner: type, name: str) -> None:
         self.name = name
@@ -212,21 +249,43 @@ class QuestionWith(Entry, Generic[F, P, T]):
             return self
 
         def ask(*args: P.args, **kwargs: P.kwargs) -> T:
-            key = (self.name, args, tuple(sorted(kwargs.items())))
-            return facts.once(key, lambda: self.compute(cast(F, facts), *args, **kwargs))
+            bound = self.signature.bind(facts, *args, **kwargs)
+            bound.apply_defaults()
+            _, *given = bound.arguments.items()
+            return self._of(facts, {name: self.takes[name].read(value, facts) for name, value in given})
 
         return ask
 
-    def answer(self, facts: Remembers, argument: str = "") -> object:
-        """The exact answer, its argument given as text."""
-        return getattr(facts, self.name)(argument)
+    def _of(self, facts: Remembers, arguments: dict[str, Any]) -> T:
+        key = (self.name, *arguments.values())
+        compute: Callable[..., T] = self.compute
+        return facts.once(key, lambda: compute(facts, **arguments))
+
+    def answer(self, facts: Remembers, argument: str = "", place: str = "") -> object:
+        """The exact answer, what it is asked with given as text."""
+        return self._of(facts, self._read(facts, argument, place))
+
+    def proofs(self, facts: Remembers, argument: str = "", place: str = "") -> Iterable[ZeroSet]:
+        """The zero sets that show that it is complete."""
+        proof = self.about.proof
+        return () if proof is None else proof(facts, *self._read(facts, argument, place).values())
+
+    def _read(self, facts: Remembers, argument: str, place: str) -> dict[str, Any]:
+        """What stands behind the colon and behind the @, read."""
+        texts = [argument] if argument else []
+        behind = iter(texts)
+        read = dict[str, Any]()
+        for name, takes in self.takes.items():
+            text = place if takes.placed else next(behind, "")
+            read[name] = takes.read(text, facts) if text else self.signature.parameters[name].default
+        return read
 
 
 def question(
     *of: Of,
     answered: Answered = Answered.PLACES,
     part_of: str = "",
-    proof: Callable[..., ZeroSet] | None = None,
+    proof: Callable[..., Iterable[ZeroSet]] | None = None,
     of_piece: str = "",
     on_request: bool = False,
 ) -> Callable[[Callable[[F], T]], Question[F, T]]:
@@ -236,16 +295,17 @@ def question(
 
 
 def question_with(
-    argument: str,
+    takes: Takes | tuple[Takes, ...],
     *of: Of,
     answered: Answered = Answered.PLACES,
-    proof: Callable[..., ZeroSet] | None = None,
+    proof: Callable[..., Iterable[ZeroSet]] | None = None,
     nearby: bool = False,
 ) -> Callable[[Callable[Concatenate[F, P], T]], QuestionWith[F, P, T]]:
-    """Make a method that computes an answer an entry of the registry; `argument` is an example of its argument, as
-    text.
+    """Make a method that computes an answer an entry of the registry; it takes these arguments, in the order of its
+    parameters.
     """
-    return lambda compute: QuestionWith(compute, About(of, answered, proof=proof, argument=argument, nearby=nearby))
+    given = takes if isinstance(takes, tuple) else (takes,)
+    return lambda compute: QuestionWith(compute, About(of, answered, proof=proof, takes=given, nearby=nearby))
 
 
 def questions_of(owner: type) -> dict[str, Entry]:

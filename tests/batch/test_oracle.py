@@ -15,19 +15,24 @@ from gmpy2 import mpq
 import exactspline as xs
 from exactspline.batch.families import Family
 from exactspline.batch.inspections import entry_of
-from exactspline.batch.oracle import QUESTIONS, oracle, question_of
-from exactspline.batch.oracle_answers import Item, QuestionError, answer_data, number_data
-from exactspline.batch.surface_oracle import surface_question
+from exactspline.batch.oracle import oracle
+from exactspline.batch.oracle_answers import answer_data, number_data
 from exactspline.certificates import check_certificate
 from exactspline.cli import app
 from exactspline.errors import ExactSplineError, OpenError
-from exactspline.geometry.analysis.curves import QUESTIONS as QUESTIONS_ABOUT_CURVES
+from exactspline.geometry.analysis.ask import check_question, questions
+from exactspline.geometry.analysis.registry import REGISTRY
 from exactspline.geometry.curves.balls import degrees, length
 from exactspline.geometry.curves.extent import coordinate_range
+from exactspline.questions.answers import NamedNumbers
+from exactspline.questions.entry import ALL_CURVES, Answered, Of
+from exactspline.questions.takes import QuestionError
 from exactspline.reals.ball import InBalls
 from tests.support.sampled import FULL
 from tests.support.vectors import mpf_of
 
+#: What the answers of questions that are asked below consist of.
+VALUES = (Answered.NUMBERS, Answered.SPLINES, Answered.VALUE)
 SQUARE = xs.Nurbs(1, [0, 0, 1, 2, 3, 4, 4], [(0, 0), (2, 0), (2, 1), (0, 1), (0, 0)], name="box")
 CURVES = ["cubic_s", "circle", "twisted_cubic", "cusp", "six_segment_cubic", "rational_space_cubic"]
 
@@ -172,7 +177,7 @@ def test_area_and_moments():
     centre = [items(moved, "moments:1")[k].values["moment"].exact / 2 for k in (1, 2)]
     assert tuple(centre) == (mpq(3, 5) - mpq(2, 5) + 7, mpq(4, 5) + mpq(3, 10) + 1)
     for curve in (xs.example("circle"), xs.example("cubic_s"), xs.example("twisted_cubic")):
-        with pytest.raises(ExactSplineError, match="closed"):
+        with pytest.raises(ExactSplineError, match="closed|of a space curve"):
             oracle(curve, "area")
 
 
@@ -303,34 +308,44 @@ def test_random_enclosures_hold_their_doubles():
 
 def test_every_question_is_asked_here():
     asked = Path(__file__).read_text(encoding="utf-8")
-    assert all(name in asked for name in QUESTIONS if name not in QUESTIONS_ABOUT_CURVES)
-    assert isinstance(items(SQUARE, "length")[0], Item)
+    taken = {name: entry for of in ALL_CURVES for name, entry in REGISTRY[of].items() if entry.about.answered in VALUES}
+    assert len(taken) > 14
+    assert all(name in asked for name in taken)
+    assert isinstance(items(SQUARE, "length")[0], NamedNumbers)
 
 
-@pytest.mark.parametrize(("asked", "told"), [("derivative:1000000@1", "up to 999"), ("value@", "like 'value@T'")])
+@pytest.mark.parametrize(("asked", "told"), [("derivative:1000000@1", "up to 999"), ("value@", "like 'value@1/2'")])
 def test_what_is_wrong_with_a_question_is_named(asked, told):
     with pytest.raises(QuestionError, match=told):
         oracle(xs.example("ellipse"), asked)
 
 
-@pytest.mark.parametrize(("name", "kind"), QUESTIONS.items())
-def test_what_a_question_does_not_take_is_refused(name, kind):
+@pytest.mark.parametrize("asked", questions(), ids=lambda x: x.form)
+def test_what_a_question_does_not_take_is_refused(asked):
     """Before, `length@1/2` answered the length of the whole curve, and so did every question that takes no place, or no
     argument; `distance:circle:7` left out the part that a curve file does not have.
     """
-    place = "@1/2" if "@" in kind.asked else ""
+    name, place = asked.name, "@1/2,1/3" if "@" in asked.form else ""
     wrong = [f"{name}:{place}", f"{name}@", f"{name}:2" if place else f"{name}@1/2"]
-    for asked in wrong if ":" in kind.asked else [*wrong, f"{name}:3{place}"]:
+    for each in wrong if ":" in asked.form else [*wrong, f"{name}:3{place}"]:
         with pytest.raises(QuestionError, match="write it like"):
-            question_of(asked)
-    for asked in ("nearest:1,2@1/2", "distance:circle:7"):
+            check_question(each, *asked.of)
+    for each in ("nearest:1,2@1/2", "distance:circle:7"):
         with pytest.raises(ExactSplineError, match=r"2@1/2|no part '7'"):
-            oracle(xs.example("ellipse"), asked)
+            oracle(xs.example("ellipse"), each)
+
+
+def about_curves(asked):
+    check_question(asked, *ALL_CURVES)
+
+
+def about_surfaces(asked):
+    check_question(asked, Of.SURFACE)
 
 
 def test_the_form_is_the_same_for_sweeps_and_surfaces():
     """Before, a sweep said `there is no question called 'corners@1/2'`, a surface nothing of `umbilics@`."""
-    for ask, asked in ((question_of, "area:7"), (entry_of, "corners@1/2"), (surface_question, "umbilics@")):
+    for ask, asked in ((about_curves, "area:7"), (entry_of, "corners@1/2"), (about_surfaces, "umbilics@")):
         with pytest.raises(QuestionError, match=f"^the question '{asked}'; write it like '[a-z]*'$"):
             ask(asked)
 
@@ -352,7 +367,7 @@ def test_the_work_on_an_answer_has_a_bound(question, curve):
     """False before: nothing; the arc length of a thousand segments took minutes, one of degree 90 half a minute."""
     start = time.process_time()
     with suppress(ExactSplineError):
-        answer_data(xs.oracle(Family.parsed(curve).curve(0), question))
+        answer_data(oracle(Family.parsed(curve).curve(0), question))
     assert time.process_time() - start < 60
 
 
@@ -391,7 +406,7 @@ def test_the_length_of_a_curve_with_nearly_a_cusp(far):
 def test_too_much_work_is_said():
     many = Family.parsed("degree=3 segments=500 count=1").curve(0)
     with pytest.raises(ExactSplineError, match="too much work"):
-        answer_data(xs.oracle(many, "length"))
+        answer_data(oracle(many, "length"))
 
 
 def test_self_intersections_are_pairs_of_parameters_and_what_is_not_decided_is_an_error():

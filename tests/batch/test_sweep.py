@@ -21,7 +21,6 @@ from exactspline.batch.corpus import Problem, items
 from exactspline.batch.families import Family
 from exactspline.batch.inspections import asked_by_sweeps, enclosed, inspected
 from exactspline.batch.lines import line_schema
-from exactspline.batch.oracle_answers import QuestionError
 from exactspline.batch.results import JsonLines, ResultsError
 from exactspline.batch.summary import Summary
 from exactspline.batch.sweep import Where, sweep_into_file
@@ -31,6 +30,7 @@ from exactspline.errors import CurveFileError, ExactSplineError
 from exactspline.interchange.curve_files import curve_data
 from exactspline.interchange.files import read, read_in_pieces
 from exactspline.numbers.exact import mpq
+from exactspline.questions.takes import QuestionError
 from exactspline.verification.ledger import audit
 from tests.support.interchange_seeds import SVG, truetype
 

@@ -115,7 +115,8 @@ def test_no_part_of_a_name_decides():
 
 
 NAMES_TAKEN_APART = {
-    "extras/teaching/display/exercises.py: _symbol_latex": "how a symbol is written, nothing is decided"
+    "extras/teaching/display/exercises.py: _symbol_latex": "how a symbol is written, nothing is decided",
+    "questions/takes.py: parts_of": "reads what stands behind the name in the text of a question",
 }
 
 
@@ -197,7 +198,7 @@ WAYS = {
     "geometry/curves/floats.py: curvature_floats": "the doubles of the curvatures at many parameters",
     "geometry/surfaces/constant.py: has_curvature": "of a patch of a surface",
     "geometry/surfaces/forms.py: SurfaceForms.curvature": "of a surface: numerator and denominator",
-    "geometry/analysis/surfaces.py: SurfaceInspection.curvature": "of a surface, where it is constant",
+    "geometry/analysis/surfaces.py: SurfaceInspection.constant_curvature": "of a surface, where it is constant",
     "geometry/curves/values.py: curvature": "curvature at a parameter",
     "geometry/curves/values.py: torsion": "torsion at a parameter",
 }

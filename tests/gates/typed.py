@@ -28,7 +28,7 @@ def known(circle: xs.Nurbs, torus: xs.NurbsSurface) -> None:
     assert_type(circle.p / circle.w, Rational[xs.BSpline])
     assert_type(xs.zeros(circle.w).roots[0], Root)
     assert_type(xs.analyse(circle).inflections, Places[Feature])
-    assert_type(xs.analyse(circle).turning_points("0"), Places[Feature])
+    assert_type(xs.analyse(circle).turning_points(0), Places[Feature])
     assert_type(xs.analyse(torus), SurfaceInspection | MapInspection)
 
 

@@ -264,7 +264,7 @@ def test_every_question_about_every_curve(name):
     for value in VALUES.values():
         if isinstance(value, xs.Nurbs):
             with contextlib.suppress(xs.ExactSplineError):
-                asked.answer(xs.analyse(value), asked.about.argument)
+                asked.answer(xs.analyse(value), asked.about.argument, asked.about.place)
 
 
 def test_what_an_error_says():

@@ -7,7 +7,7 @@ import pytest
 from gmpy2 import mpq
 
 import exactspline as xs
-from exactspline.batch.oracle import items
+from exactspline.batch.oracle import items, oracle
 from exactspline.batch.oracle_answers import number_data
 from exactspline.display.pair_data import real_data
 from exactspline.errors import ExactSplineError, OpenError, ReachError
@@ -112,7 +112,7 @@ def test_what_is_not_decided_is_told_from_what_is_proved():
     with pytest.raises(ReachError, match="coefficients of"):
         long.closed_form  # noqa: B018
     assert repr(long) == "<Real 3.1462644…>"
-    assert number_data(xs.oracle(xs.example("parabola"), "length").items[0].values["length"])["open"] is True
+    assert number_data(oracle(xs.example("parabola"), "length").items[0].values["length"])["open"] is True
     bent = xs.Nurbs(1, [0, 0, 1, 2, 2], [(0, 0), (1, 0), (4, 4)])
     degrees = next(item.values["degrees"] for item in items(bent, "corners"))
     assert degrees.exact is degrees.closed_form is None, "an angle is a rational number of degrees or transcendental"

@@ -12,6 +12,7 @@ import pytest
 from gmpy2 import mpq
 
 import exactspline as xs
+from exactspline.batch.oracle import oracle
 from exactspline.batch.oracle_answers import Answer, answer_data
 from exactspline.language.arguments import Argument
 from exactspline.language.kinds import PLANE
@@ -102,9 +103,10 @@ RETURNED = {
     "jets_for": lambda: xs.tables.jets_for(("f2",), 2),
     "measure": lambda: xs.tables.measure(xs.find("f2"), SPLINE),
     "numerical_claims": lambda: xs.tables.numerical_claims("C4.2"),
-    "oracle": lambda: xs.oracle(SPLINE, "inflections"),
-    "oracle length": lambda: xs.oracle(xs.example("parabola"), "length"),
-    "oracle box": lambda: xs.oracle(xs.example("circle"), "bounding_box"),
+    "ask": lambda: [xs.ask(SPLINE, "inflections"), xs.ask(SPLINE, "value@1/3"), xs.ask(SPLINE, "bounding_box")],
+    "oracle": lambda: oracle(SPLINE, "inflections"),
+    "oracle length": lambda: oracle(xs.example("parabola"), "length"),
+    "oracle box": lambda: oracle(xs.example("circle"), "bounding_box"),
     "paper": lambda: xs.paper("lifted"),
     "parse_degree": lambda: xs.readings.parse_degree("max(9d - 6, 12d)"),
     "product_tables": lambda: xs.teaching.product_tables(T, T),

@@ -9,7 +9,6 @@ from click.testing import CliRunner
 
 import exactspline as xs
 from exactspline.batch.inspections import LISTED, asked_by_sweeps, checked_names, inspected
-from exactspline.batch.oracle import QUESTIONS as ASKED
 from exactspline.batch.oracle import oracle
 from exactspline.cli import app
 from exactspline.cli.schema import answers, schema_of
@@ -17,9 +16,11 @@ from exactspline.display.glossary import glossary
 from exactspline.errors import ReachError, ShapeError
 from exactspline.geometry.analysis import curves as analysis
 from exactspline.geometry.analysis import surfaces as inspection
+from exactspline.geometry.analysis.ask import questions
 from exactspline.geometry.analysis.curves import QUESTIONS, Analysis, analyse, questions_about
 from exactspline.geometry.analysis.registry import REGISTRY
-from exactspline.questions.entry import CURVES, Of, question, question_with, questions_of
+from exactspline.questions.entry import ALL_CURVES, CURVES, Of, question, question_with, questions_of
+from exactspline.questions.takes import Takes
 from exactspline.roots.answers import Places
 
 LINE = xs.Nurbs(1, [0, 0, 1, 1], [(0, 0), (1, 1)])
@@ -32,7 +33,7 @@ ALL = [(of, name) for of, entries in REGISTRY.items() for name in entries]
 
 
 def test_every_entry_says_what_is_asked():
-    assert set(QUESTIONS) == {name for of in CURVES for name in REGISTRY[of]}
+    assert set(QUESTIONS) == {name for of in ALL_CURVES for name in REGISTRY[of]}
     for of, name in ALL:
         entry = REGISTRY[of][name]
         assert entry.name == name
@@ -101,7 +102,9 @@ def test_zeros_of_a_folded_map_are_curves():
 
 
 def test_every_list_of_questions_is_that_of_the_registry():
-    assert set(QUESTIONS) <= set(ASKED)
+    listed = {(of, each.name) for each in questions() for of in each.of}
+    assert set(ALL) <= listed
+    assert listed - set(ALL) == {(of, name) for of in CURVES for name in REGISTRY[Of.TWO_CURVES]}
     # one whose name has another meaning too is named with what it is asked of
     named = {term.split(" of a ")[0] for term in glossary()["questions"]}
     assert {name.replace("_", " ") for name in QUESTIONS} <= named
@@ -112,7 +115,7 @@ def test_every_list_of_questions_is_that_of_the_registry():
         assert expected <= set(row)
     assert set(asked_by_sweeps()) == {n for n, q in QUESTIONS.items() if q.about.answered in LISTED}
     abouts = {name: entry.about for name, entry in asked_by_sweeps().items()}
-    assert checked_names(["all"]) == tuple(n for n, a in abouts.items() if not (a.argument or a.on_request))
+    assert checked_names(["all"]) == tuple(n for n, a in abouts.items() if not (a.takes or a.on_request))
 
 
 def test_a_question_that_stands_nowhere_else_is_asked_everywhere(monkeypatch):
@@ -125,11 +128,11 @@ def test_a_question_that_stands_nowhere_else_is_asked_everywhere(monkeypatch):
             a, b = self.curve.domain
             return Places((), (xs_piece(a, (a + b) / 2),))
 
-        @question_with("1/2", *CURVES)
+        @question_with(Takes("1/2", lambda part, facts: xs.rational(part)), *CURVES)
         def beginning(self, part):
             """The beginning of the curve, up to this part of it."""
             a, b = self.curve.domain
-            return Places((), (xs_piece(a, a + xs.rational(part) * (b - a)),))
+            return Places((), (xs_piece(a, a + part * (b - a)),))
 
     def xs_piece(a, b):
         from exactspline.roots.answers import CurvePiece

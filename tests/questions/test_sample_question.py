@@ -13,7 +13,7 @@ import exactspline
 
 NAME = "sideways_extrema"
 ENTRY = f'''
-    @question(*CURVES, proof=lambda facts: slope_zeros(facts.curve, 0))
+    @question(*CURVES, proof=lambda facts: (slope_zeros(facts.curve, 0),))
     def {NAME}(self) -> Places[Feature]:
         """The extrema of the first coordinate."""
         return turning_points(self.curve, 0)

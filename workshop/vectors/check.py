@@ -234,7 +234,7 @@ def _places_checked(own: _Checked) -> Iterator[str]:
         (("torsion_zeros",), twists, TWISTS),
     ):
         proof = QUESTIONS[questions[0]].about.proof if questions and own.items(questions[0]) is not None else None
-        certificate = None if proof is None else _certified(own, proof(facts), form, degrees)
+        certificate = None if proof is None else _certified(own, *proof(facts), form, degrees)
         if certificate is None:
             continue
         for question in questions:

@@ -12,12 +12,12 @@ from typing import Any
 from zlib import crc32
 
 from exactspline.atomic_write import write_text
-from exactspline.batch.oracle import items, pair_items
-from exactspline.batch.oracle_answers import Item
+from exactspline.batch.oracle import items
 from exactspline.errors import ExactSplineError
 from exactspline.geometry.analysis.curves import QUESTIONS, questions_about
 from exactspline.geometry.analysis.pairs import CurvePair
 from exactspline.numbers.exact import double, text
+from exactspline.questions.answers import NamedNumbers
 from exactspline.questions.entry import Answered, questions_of
 from exactspline.reals.real import Real
 from exactspline.splines.nurbs import Nurbs
@@ -103,10 +103,10 @@ def _answers(case: Case) -> Iterator[tuple[str, object]]:
     point = ",".join(map(text, case.point))
     asked |= {name: f"{name}:{point}" for name in ABOUT_POINT if name in questions_about(curve)}
     pair = CurvePair(curve, case.partner)
-    ways: dict[str, Callable[[], Iterable[Item]]] = {
+    ways: dict[str, Callable[[], Iterable[NamedNumbers]]] = {
         name: partial(items, curve, question) for name, question in asked.items()
     }
-    ways |= {name: partial(pair_items, pair, name) for name in PAIRS}
+    ways |= {name: partial(items, pair, name) for name in PAIRS}
     for name, way in ways.items():
         try:
             yield name, answer_data(way())
@@ -114,7 +114,7 @@ def _answers(case: Case) -> Iterator[tuple[str, object]]:
             yield name, {"answer": "undefined", "why": str(error).split(";")[0]}
 
 
-def answer_data(given: Iterable[Item]) -> dict[str, object]:
+def answer_data(given: Iterable[NamedNumbers]) -> dict[str, object]:
     """None, all of a piece, or these; each with its numbers in doubles (below, nearest, above; None beyond the largest
     double) and its facts.
     """

@@ -10,13 +10,13 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING, overload
 
 from exactspline.errors import ShapeError
+from exactspline.geometry.analysis.curve_values import CurveValues
 from exactspline.geometry.curves import plane_features, space_features
 from exactspline.geometry.curves.extent import slope_zeros, turning_points
 from exactspline.geometry.curves.facts import ZeroForm, kept_by
 from exactspline.geometry.curves.joints import curvature_of
 from exactspline.geometry.curves.kinds import Feature, FeatureKind
 from exactspline.geometry.curves.planarity import Plane, planar_pieces, plane_of
-from exactspline.geometry.curves.space_features import SpaceFacts
 from exactspline.geometry.derived.constructions import Variant, construction
 from exactspline.geometry.filter.certain import Certain, certain
 from exactspline.geometry.pairs.intersections import Intersections, self_intersections
@@ -31,6 +31,7 @@ from exactspline.language.rational import Rational
 from exactspline.numbers.exact import Number, mpq, rational
 from exactspline.numbers.sides import Side
 from exactspline.questions.entry import CURVES, Answered, Entry, Fact, Of, question, question_with, questions_of
+from exactspline.questions.takes import COORDINATE, DISTANCE, POINT, WITHIN
 from exactspline.roots.answers import CurvePiece, Places
 from exactspline.roots.root import knot_root
 from exactspline.splines.bspline import BSpline
@@ -43,12 +44,7 @@ if TYPE_CHECKING:
     from exactspline.geometry.analysis.surfaces import SurfaceInspection
 
 
-def _coordinates(point: str | tuple[Number, ...]) -> Sequence[Number]:
-    """Those of a point, which may be given as a text such as ``1/2,2``."""
-    return point.split(",") if isinstance(point, str) else point
-
-
-class Analysis(SpaceFacts, Displayed):
+class Analysis(CurveValues, Displayed):
     """Everything that can be computed of one curve in the plane or in space. Its questions are the entries of the
     registry (`exactspline.questions.entry.questions_of`).
 
@@ -78,7 +74,7 @@ class Analysis(SpaceFacts, Displayed):
         """The construction whose zeros are the critical points of the curvature."""
         return "space_critical_curvature" if self.in_space else "critical_curvature"
 
-    @question(*CURVES, proof=lambda facts: facts.flatness.zeros)
+    @question(*CURVES, proof=lambda facts: (facts.flatness.zeros,))
     def inflections(self) -> Places[Feature]:
         """The zeros of the curvature at regular points.
 
@@ -112,7 +108,7 @@ class Analysis(SpaceFacts, Displayed):
         """Whether the certified filter decided the zeros of κ and of κ′; None where it was not asked."""
         return self._certain is not None if "_certain" in self._known else None
 
-    @question(*CURVES, proof=lambda facts: facts.zero_form(facts.critical_form).zeros)
+    @question(*CURVES, proof=lambda facts: (facts.zero_form(facts.critical_form).zeros,))
     def critical_points(self) -> Places[Feature]:
         """The extrema of the curvature and the points where κ′ = 0 without an extremum (``stationary``).
 
@@ -133,7 +129,7 @@ class Analysis(SpaceFacts, Displayed):
 
         return self.once(("critical points", variant), compute)
 
-    @question(*CURVES, part_of="critical_points", proof=lambda facts: facts.zero_form(facts.critical_form).zeros)
+    @question(*CURVES, part_of="critical_points", proof=lambda facts: (facts.zero_form(facts.critical_form).zeros,))
     def curvature_extrema(self) -> Places[Feature]:
         """The extrema of the curvature (in space except those with κ = 0).
 
@@ -153,7 +149,7 @@ class Analysis(SpaceFacts, Displayed):
             return self.critical_points
         return self.critical_points.where(lambda f: f.kind is not FeatureKind.STATIONARY)
 
-    @question(Of.SPACE_CURVE, proof=lambda facts: facts.zero_form("zero_torsion", Variant.PAPER).zeros)
+    @question(Of.SPACE_CURVE, proof=lambda facts: (facts.zero_form("zero_torsion", Variant.PAPER).zeros,))
     def torsion_zeros(self) -> Places[Feature]:
         """The zeros of the torsion at regular points.
 
@@ -207,29 +203,29 @@ class Analysis(SpaceFacts, Displayed):
         """
         return self_intersections(self.curve)
 
-    @question_with("1/2,2", *CURVES, answered=Answered.NEAREST)
-    def nearest(self, point: str | tuple[Number, ...]) -> Nearest:
+    @question_with(POINT, *CURVES, answered=Answered.NEAREST)
+    def nearest(self, point: Sequence[Number]) -> Nearest:
         """The points of the curve that are nearest to a point, given by its coordinates.
 
         >>> from exactspline import example
-        >>> analyse(example("circle")).nearest("0,3")
+        >>> analyse(example("circle")).nearest((0, 3))
         [<nearest point at 1: distance 2>]
 
         Raises `ShapeError` for a point of another dimension.
         """
-        return nearest(self.curve, _coordinates(point))
+        return nearest(self.curve, point)
 
-    @question_with("1/2,2", Of.PLANE_CURVE, answered=Answered.VALUE)
-    def winding_number(self, point: str | tuple[Number, ...]) -> int:
+    @question_with(POINT, Of.PLANE_CURVE, answered=Answered.VALUE)
+    def winding_number(self, point: Sequence[Number]) -> int:
         """How often a closed plane curve winds around a point, counterclockwise.
 
         >>> from exactspline import example
-        >>> analyse(example("circle")).winding_number("1/2,1/3")
+        >>> analyse(example("circle")).winding_number(("1/2", "1/3"))
         1
 
         Raises `DomainError` for a point on the curve, and `ShapeError` for a curve that is not closed.
         """
-        return winding_number(self.curve, _coordinates(point))
+        return winding_number(self.curve, point)
 
     @question(Of.SPACE_CURVE, answered=Answered.PLANAR_PIECES, of_piece="planar, τ ≡ 0")
     def planar_pieces(self) -> tuple[tuple[CurvePiece, Plane], ...]:
@@ -253,7 +249,7 @@ class Analysis(SpaceFacts, Displayed):
         """
         return recognized(self.curve)
 
-    @question_with("1/1000000", *CURVES, answered=Answered.DESCRIBED, nearby=True)
+    @question_with(WITHIN, *CURVES, answered=Answered.DESCRIBED, nearby=True)
     def shapes_within(self, epsilon: Number) -> tuple[RecognizedPiece, ...]:
         """The pieces that are lines, circles or conics within this distance.
 
@@ -266,7 +262,7 @@ class Analysis(SpaceFacts, Displayed):
         """
         return recognized(self.curve, epsilon)
 
-    @question_with("1/1000000", *CURVES, answered=Answered.DESCRIBED, nearby=True)
+    @question_with(WITHIN, *CURVES, answered=Answered.DESCRIBED, nearby=True)
     def features_within(self, epsilon: Number) -> tuple[NearbyFeature, ...]:
         """What all curves have whose control points and weights differ by at most this, and what some of them may have.
 
@@ -282,7 +278,7 @@ class Analysis(SpaceFacts, Displayed):
         """
         return features_nearby(self.curve, epsilon)
 
-    @question_with("1/1000000", *CURVES, answered=Answered.DESCRIBED, nearby=True)
+    @question_with(WITHIN, *CURVES, answered=Answered.DESCRIBED, nearby=True)
     def self_intersections_within(self, epsilon: Number) -> tuple[NearbyMeeting, ...]:
         """Where all curves meet themselves whose control points and weights differ by at most this, and where some of
         them may.
@@ -298,7 +294,7 @@ class Analysis(SpaceFacts, Displayed):
         """
         return self_intersections_nearby(self.curve, epsilon)
 
-    @question_with("1/1000", *CURVES, answered=Answered.DESCRIBED, nearby=True)
+    @question_with(WITHIN, *CURVES, answered=Answered.DESCRIBED, nearby=True)
     def cusps_within(self, epsilon: Number) -> tuple[NearbyFeature, ...]:
         """Where curves whose control points and weights differ by at most this may have cusps or other singular points;
         none of them has one elsewhere.
@@ -328,8 +324,8 @@ class Analysis(SpaceFacts, Displayed):
         """
         return stability(self.curve)
 
-    @question_with("0", *CURVES, proof=lambda facts, axis: slope_zeros(facts.curve, axis))
-    def turning_points(self, axis: int | str) -> Places[Feature]:
+    @question_with(COORDINATE, *CURVES, proof=lambda facts, axis: (slope_zeros(facts.curve, axis),))
+    def turning_points(self, axis: int) -> Places[Feature]:
         """The extrema of a coordinate (0 is x): where it changes from increasing to decreasing or back.
 
         These are the places where type designers put points. Everywhere where the coordinate is constant.
@@ -342,7 +338,7 @@ class Analysis(SpaceFacts, Displayed):
         """
         return turning_points(self.curve, axis)
 
-    @question_with("1/10", Of.PLANE_CURVE, proof=lambda facts, distance: facts.offset_form(distance).zeros)
+    @question_with(DISTANCE, Of.PLANE_CURVE, proof=lambda facts, distance: (facts.offset_form(distance).zeros,))
     def offset_cusps(self, distance: Number) -> Places[Feature]:
         """The parameters of the cusps of the offset curve at a signed distance d (positive to the left): κ = 1/d.
 

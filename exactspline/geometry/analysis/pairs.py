@@ -8,6 +8,7 @@ from exactspline.geometry.rounded.intersections import NearbyMeeting, intersecti
 from exactspline.hooks import Displayed
 from exactspline.numbers.exact import Number
 from exactspline.questions.entry import Answered, Inspected, Of, question, question_with
+from exactspline.questions.takes import WITHIN
 from exactspline.splines.nurbs import Nurbs
 
 
@@ -38,7 +39,7 @@ class CurvePair(Inspected, Displayed):
         """
         return intersections(*self.curves)
 
-    @question_with("1/1000000", Of.TWO_CURVES, answered=Answered.DESCRIBED, nearby=True)
+    @question_with(WITHIN, Of.TWO_CURVES, answered=Answered.DESCRIBED, nearby=True)
     def intersections_within(self, epsilon: Number) -> tuple[NearbyMeeting, ...]:
         """The points that all curves near both have in common, and those that some may have: of all whose control
         points and weights differ by at most this.

@@ -17,13 +17,14 @@ from exactspline.bivariate.zero_lines import ZeroLine
 from exactspline.bivariate.zeros import CommonZero as PointOfZeros
 from exactspline.bivariate.zeros import ZeroCurves, common_zeros, zero_curve
 from exactspline.errors import ShapeError
+from exactspline.geometry.analysis.surface_values import SurfaceValues
 from exactspline.geometry.surfaces.forms import formula, lowest, on_patch, sides_of
 from exactspline.hooks import Displayed
 from exactspline.language.rational import Rational
 from exactspline.numbers.exact import mpq
 from exactspline.numbers.intervals import Box
 from exactspline.polynomials.patch_forms import PatchForm
-from exactspline.questions.entry import Answered, Fact, Inspected, Of, question
+from exactspline.questions.entry import Answered, Fact, Of, question
 from exactspline.splines.surface import NurbsSurface
 from exactspline.splines.tensor import TensorSpline
 from exactspline.splines.type_checks import surface_of
@@ -40,7 +41,7 @@ class MapKind(StrEnum):
     UNDECIDED = "undecided"
 
 
-class MapInspection(Inspected, Displayed):
+class MapInspection(SurfaceValues, Displayed):
     """Everything that can be computed of the sign of the Jacobian determinant of a map of the plane. Its questions are
     entries of the registry (`exactspline.geometry.analysis.registry`).
 

@@ -17,6 +17,7 @@ from exactspline.bivariate.surface_points import Place
 from exactspline.bivariate.zero_curve import Part, Shape, ZeroCurve
 from exactspline.bivariate.zero_lines import LinesOfPatch, ZeroLine, without_lines, zero_lines
 from exactspline.errors import ReachError
+from exactspline.geometry.analysis.surface_values import CurvatureValues
 from exactspline.geometry.recognition.patches import RecognizedPart, recognized_surface
 from exactspline.geometry.rounded.umbilics import NearbyUmbilic, umbilics_nearby
 from exactspline.geometry.surfaces.constant import constant_curvature
@@ -31,7 +32,8 @@ from exactspline.numbers.exact import Number, mpq
 from exactspline.numbers.intervals import UNIT, Box
 from exactspline.polynomials.patch_forms import PatchForm
 from exactspline.polynomials.two_parameters import as_polynomial
-from exactspline.questions.entry import Answered, Fact, Inspected, Of, question, question_with
+from exactspline.questions.entry import Answered, Fact, Of, question, question_with
+from exactspline.questions.takes import WITHIN
 from exactspline.roots.of_polynomials import Parameter
 from exactspline.splines.surface import Along, NurbsSurface
 from exactspline.splines.type_checks import surface_of
@@ -126,7 +128,7 @@ class PatchInspection:
         return not self.open_boxes
 
 
-class SurfaceInspection(Inspected, Displayed):
+class SurfaceInspection(CurvatureValues, Displayed):
     """Everything that can be computed of a surface in space. Its questions are entries of the registry
     (`exactspline.geometry.analysis.registry`); each is answered when it is first asked.
 
@@ -343,7 +345,7 @@ class SurfaceInspection(Inspected, Displayed):
         """
         return recognized_surface(self.surface)
 
-    @question_with("1/1000000", Of.SURFACE, answered=Answered.SHAPES, nearby=True)
+    @question_with(WITHIN, Of.SURFACE, answered=Answered.SHAPES, nearby=True)
     def shapes_within(self, epsilon: Number) -> tuple[RecognizedPart, ...]:
         """The patches that are planes, spheres, cylinders, cones or tori within this distance.
 
@@ -355,7 +357,7 @@ class SurfaceInspection(Inspected, Displayed):
         """
         return recognized_surface(self.surface, epsilon)
 
-    @question_with("1/1000000", Of.SURFACE, answered=Answered.PATCHES, nearby=True)
+    @question_with(WITHIN, Of.SURFACE, answered=Answered.PATCHES, nearby=True)
     def umbilics_within(self, epsilon: Number) -> tuple[NearbyUmbilic, ...]:
         """The umbilics that all surfaces have whose control points and weights differ by at most this, and those that
         some of them may have.
@@ -392,7 +394,7 @@ class SurfaceInspection(Inspected, Displayed):
         return all(one.umbilics.everywhere for one in self.patches)
 
     @property
-    def curvature(self) -> mpq | None:
+    def constant_curvature(self) -> mpq | None:
         """The Gaussian curvature where it is the same at all points of the surface."""
         values = {one.curvature for one in self.patches if one.kind not in (PatchKind.CURVE, PatchKind.POINT)}
         return values.pop() if len(values) == 1 else None

@@ -380,7 +380,7 @@ class Facts(Remembers):
 
     # ---- singular points
 
-    @question(*CURVES, proof=lambda facts: facts.speed.zeros)
+    @question(*CURVES, proof=lambda facts: (facts.speed.zeros,))
     def singular_points(self) -> Places[Feature]:
         """The points with γ′ = 0.
 
@@ -405,7 +405,7 @@ class Facts(Remembers):
             knots += [Feature(FeatureKind.SINGULAR_END, knot_root(t), "D1") for t in where]
         return Places(tuple(sorted(inner + knots, key=lambda f: f.root)), self.standing_pieces)
 
-    @question(*CURVES, part_of="singular_points", proof=lambda facts: facts.speed.zeros)
+    @question(*CURVES, part_of="singular_points", proof=lambda facts: (facts.speed.zeros,))
     def cusps(self) -> Places[Feature]:
         """The singular points at which the direction of the curve is reversed.
 

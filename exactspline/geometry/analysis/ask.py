@@ -1,0 +1,189 @@
+"""``ask``: any question, given as text, of a curve, a surface, a map of the plane or two curves."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from typing import NamedTuple, TypeAlias
+
+from exactspline.geometry.analysis.curves import Analysis, analyse
+from exactspline.geometry.analysis.pairs import CurvePair
+from exactspline.geometry.analysis.planar_maps import MapInspection
+from exactspline.geometry.analysis.registry import REGISTRY
+from exactspline.geometry.analysis.surfaces import SurfaceInspection
+from exactspline.geometry.bisectors.two_curves import CurveBisector
+from exactspline.geometry.curves.planarity import as_plane_curve
+from exactspline.interchange.files import read
+from exactspline.questions.entry import ALL_CURVES, CURVES, Entry, Of, Remembers
+from exactspline.questions.takes import QuestionError, name_of, parts_of, unknown
+from exactspline.roots.zero_set import ZeroSet
+from exactspline.splines.nurbs import Nurbs
+from exactspline.splines.surface import NurbsSurface
+
+#: What questions are asked of: an object, or what is known of it.
+About: TypeAlias = Nurbs | NurbsSurface | tuple[Nurbs, Nurbs] | Remembers
+#: The kinds of objects by what is known of them.
+KINDS: dict[type, Of] = {
+    SurfaceInspection: Of.SURFACE,
+    MapInspection: Of.PLANAR_MAP,
+    CurvePair: Of.TWO_CURVES,
+    CurveBisector: Of.PAIR,
+}
+
+
+@dataclass(frozen=True)
+class Asked:
+    """A question of an object: its entry in the registry, and what it is asked with, as text."""
+
+    entry: Entry
+    facts: Remembers
+    argument: str
+    place: str
+
+    @property
+    def answer(self) -> object:
+        """The exact answer."""
+        return self.entry.answer(self.facts, self.argument, self.place)
+
+    @property
+    def proofs(self) -> Iterable[ZeroSet]:
+        """The zero sets whose certificates show that the answer is complete."""
+        return self.entry.proofs(self.facts, self.argument, self.place)
+
+
+def ask(about: About, question: str) -> object:
+    """The exact answer to a question, given as text, of a curve, of a surface, or of two curves.
+
+    The questions are those of ``exactspline list questions``. The same answers are attributes and methods of what
+    `analyse` returns.
+
+    >>> from exactspline import example
+    >>> circle = example("circle")
+    >>> ask(circle, "length").double(), ask(circle, "nearest:0,3")
+    (6.283185307179586, [<nearest point at 1: distance 2>])
+    >>> ask((circle, example("ellipse")), "distance").value
+    <Real 0>
+    >>> ask(example("torus"), "umbilics")
+    nowhere
+
+    Raises `QuestionError` for an unknown question and for one that is not asked of such an object, with what would be
+    right, and another `ExactSplineError` where it has no answer.
+    """
+    return asked_of(about, question).answer
+
+
+def asked_of(about: About, question: str) -> Asked:
+    """A question of an object, found in the registry; raises `QuestionError` as `ask` does.
+
+    >>> from exactspline import example
+    >>> asked_of(example("cusp"), "derivative:2@cusps").entry.name
+    'derivative'
+    """
+    facts = facts_about(about)
+    name, kind = name_of(question), kind_of(facts)
+    entry = REGISTRY[kind].get(name)
+    if isinstance(facts, Analysis) and entry is None:
+        if name in REGISTRY[Of.TWO_CURVES]:
+            return _of_two(facts.curve, question)
+        flat = as_plane_curve(facts.curve) if kind is Of.SPACE_CURVE else None
+        if flat is not None and name in REGISTRY[Of.PLANE_CURVE]:
+            return asked_of(flat, question)
+    if entry is None:
+        raise _not_asked(name, kind)
+    return Asked(entry, facts, *read_as(entry, question))
+
+
+def read_as(entry: Entry, question: str, form: str = "") -> tuple[str, str]:
+    """What stands behind the colon and behind the @ of a question; raises `QuestionError` for too much or little."""
+    _, argument, place = parts_of(question, {entry.name: form or entry.form}, (entry.name,) if entry.optional else ())
+    return argument, place
+
+
+def check_question(question: str, *of: Of) -> None:
+    """See that a text is a question about one of these kinds of objects; raises `QuestionError` as `ask` does.
+
+    >>> check_question("derivative:1,2@0,1/3", Of.SURFACE)
+    """
+    name = name_of(question)
+    found = next((REGISTRY[kind][name] for kind in of if name in REGISTRY[kind]), None)
+    if found is not None:
+        read_as(found, question)
+    elif name in REGISTRY[Of.TWO_CURVES] and {*of} & {*ALL_CURVES}:
+        entry = REGISTRY[Of.TWO_CURVES][name]
+        read_as(entry, question, form_for_a_curve(entry))
+    else:
+        raise _not_asked(name, *of)
+
+
+def facts_about(about: About) -> Remembers:
+    """What is known of an object, which answers the questions about it.
+
+    >>> from exactspline import example
+    >>> facts_about((example("circle"), example("ellipse")))
+    <CurvePair of <Nurbs circle: rational, degree 2, 9 control points in R2> and <Nurbs ellipse: rational, ...>>
+    """
+    if isinstance(about, Remembers):
+        return about
+    return CurvePair(*about) if isinstance(about, tuple) else analyse(about)
+
+
+def kind_of(facts: Remembers) -> Of:
+    """The kind of object of which something is known.
+
+    >>> from exactspline import analyse, example
+    >>> [str(kind_of(analyse(example(name)))) for name in ("circle", "twisted_cubic", "torus")]
+    ['plane curve', 'space curve', 'surface in space']
+    """
+    if isinstance(facts, Analysis):
+        return {2: Of.PLANE_CURVE, 3: Of.SPACE_CURVE}.get(facts.curve.dimension, Of.CURVE)
+    return KINDS[type(facts)]
+
+
+def form_for_a_curve(entry: Entry) -> str:
+    """How a question about two curves is asked of one of them: the other one stands before what it takes.
+
+    >>> form_for_a_curve(REGISTRY[Of.TWO_CURVES]["intersections_within"])
+    'intersections_within:CURVE,1/1000000'
+    """
+    argument = entry.about.argument
+    return f"{entry.name}:CURVE{',' * bool(argument)}{argument}"
+
+
+def _of_two(curve: Nurbs, question: str) -> Asked:
+    """A question of this curve and another one, which stands before what the question takes."""
+    entry = REGISTRY[Of.TWO_CURVES][name_of(question)]
+    form = form_for_a_curve(entry)
+    given, _ = read_as(entry, question, form)
+    other, _, argument = given.rpartition(",") if entry.about.argument else (given, "", "")
+    if not other:
+        raise QuestionError(f"{question!r} is incomplete", remedy=f"write it like {form!r}")
+    return Asked(entry, CurvePair(curve, read(other).curve), argument, "")
+
+
+def _not_asked(name: str, *of: Of) -> QuestionError:
+    """The error for a question that is not asked of such objects."""
+    kinds = [kind for kind, entries in REGISTRY.items() if name in entries]
+    if not kinds:
+        return unknown(name, [each for entries in REGISTRY.values() for each in entries])
+    return QuestionError(f"{name} of a {' or a '.join(of)}", remedy=f"it is asked of a {' or a '.join(kinds)}")
+
+
+class Listed(NamedTuple):
+    """A question with the kinds of objects that it is asked of: its name, how it is asked as text, what is asked."""
+
+    name: str
+    form: str
+    of: tuple[Of, ...]
+    meaning: str
+
+
+def questions() -> list[Listed]:
+    """All questions; one about two curves also in the form in which it is asked of one of them.
+
+    >>> [each.form for each in questions() if each.name == "distance"]
+    ['distance', 'distance:CURVE']
+    """
+    entries = {id(entry): entry for of in REGISTRY.values() for entry in of.values()}
+    found = [Listed(entry.name, entry.form, entry.about.of, entry.meaning) for entry in entries.values()]
+    pairs = REGISTRY[Of.TWO_CURVES].values()
+    return found + [Listed(entry.name, form_for_a_curve(entry), CURVES, entry.meaning) for entry in pairs]

@@ -1,0 +1,265 @@
+"""Questions about a curve whose answers are numbers by their names, or other control points of it: entries of the
+registry.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TypeAlias
+
+from exactspline.geometry.curves import balls, values
+from exactspline.geometry.curves.extent import coordinate_range, slope_zeros
+from exactspline.geometry.curves.moments import moment, moments_up_to
+from exactspline.geometry.curves.space_features import SpaceFacts
+from exactspline.geometry.derived.derive import Derived, derive
+from exactspline.language.rational import Rational
+from exactspline.language.vector import Vector, cross
+from exactspline.numbers.exact import mpq
+from exactspline.questions.answers import NamedNumbers
+from exactspline.questions.entry import ALL_CURVES, CURVES, Answered, Of, question, question_with, questions_of
+from exactspline.questions.takes import INTEGER, PLACE, PLACES, TWO_COORDINATES, QuestionError
+from exactspline.reals.real import Real, real
+from exactspline.roots.answers import Places
+from exactspline.roots.values import exact_place
+from exactspline.roots.zero_set import ZeroSet
+from exactspline.splines.bspline import BSpline
+from exactspline.splines.nurbs import Nurbs, changed
+
+Parameters: TypeAlias = tuple[mpq | Real, ...]
+#: The largest number of segments times the square of the degree to which a degree is raised (a few seconds).
+MOST_ELEVATED = 1_000_000
+
+
+def _slopes(facts: SpaceFacts) -> tuple[ZeroSet, ...]:
+    return tuple(slope_zeros(facts.curve, i) for i in range(facts.curve.dimension))
+
+
+class CurveValues(SpaceFacts):
+    """The facts of one curve, and the questions about it whose answers are numbers or control points."""
+
+    def parameters_of(self, name: str) -> Parameters | None:
+        """The parameters of the knots, or of the places that are the answer to a question; None for another name.
+
+        Raises `QuestionError` where a whole piece is the answer.
+        """
+        if name == "knots":
+            return self.breaks
+        entry = questions_of(type(self)).get(name)
+        if entry is None or entry.about.answered != Answered.PLACES or entry.about.takes:
+            return None
+        places = entry.answer(self)
+        assert isinstance(places, Places)  # by the type of its answer
+        if places.everywhere:
+            remedy = "name parameters there, as in value@1/2"
+            raise QuestionError(f"{name} fill all of {places.everywhere[0]}", remedy=remedy)
+        return tuple(exact_place(feature.root) for feature in places)
+
+    @question_with(PLACES, *ALL_CURVES, answered=Answered.NUMBERS)
+    def value(self, places: Parameters) -> tuple[NamedNumbers, ...]:
+        """The point at a parameter.
+
+        >>> from exactspline import analyse, example
+        >>> [point.values for point in analyse(example("circle")).value("1/2")]
+        [{'parameter': <Real 1/2>, 'x': <Real 3/5>, 'y': <Real 4/5>}]
+        """
+        return _at("point", places, lambda t: coordinates(self.curve, t))
+
+    @question_with((PLACES, INTEGER), *ALL_CURVES, answered=Answered.NUMBERS)
+    def derivative(self, places: Parameters, order: int = 1) -> tuple[NamedNumbers, ...]:
+        """The derivative of an order (by default 1) at a parameter.
+
+        >>> from exactspline import analyse, example
+        >>> analyse(example("cubic_s")).derivative(0, 4)[0].values["y"]
+        <Real 0>
+        """
+        return _at("derivative", places, lambda t: coordinates(self.curve, t, order))
+
+    @question_with(PLACES, *CURVES, answered=Answered.NUMBERS)
+    def curvature(self, places: Parameters) -> tuple[NamedNumbers, ...]:
+        """The curvature at a parameter: signed in the plane, not negative in space.
+
+        >>> from exactspline import analyse, example
+        >>> analyse(example("circle")).curvature("1/2")[0].values["curvature"]
+        <Real 1>
+        """
+        return _at("curvature", places, lambda t: {"curvature": values.curvature(self.curve, t)})
+
+    @question_with(PLACES, Of.SPACE_CURVE, answered=Answered.NUMBERS)
+    def torsion(self, places: Parameters) -> tuple[NamedNumbers, ...]:
+        """The torsion of a space curve at a parameter.
+
+        >>> from exactspline import analyse, example
+        >>> analyse(example("twisted_cubic")).torsion(0)[0].values["torsion"]
+        <Real 3>
+        """
+        return _at("torsion", places, lambda t: {"torsion": values.torsion(self.curve, t)})
+
+    @question_with(PLACES, *CURVES, answered=Answered.NUMBERS)
+    def frame(self, places: Parameters) -> tuple[NamedNumbers, ...]:
+        """The unit tangent and normal at a parameter, in space also the binormal.
+
+        The normal is to the left of a plane curve, towards the centre of curvature in space.
+
+        >>> from exactspline import analyse, example
+        >>> analyse(example("circle")).frame(0)[0].values["Ny"]
+        <Real 0>
+        """
+        tangent = self.velocity
+        if self.curve.dimension == 2:
+            vectors = {"T": tangent, "N": Vector(-tangent[1], tangent[0])}
+        else:
+            vectors = {"T": tangent, "N": Vector(*cross(self.binormal, tangent)), "B": self.binormal}
+
+        def frame(t: mpq | Real) -> dict[str, Real]:
+            return {
+                f"{name}{axis}": x
+                for name, vector in vectors.items()
+                for axis, x in zip(axes(self.curve), values.unit(vector, t, name), strict=True)
+            }
+
+        return _at("frame", places, frame)
+
+    @question_with((PLACE, INTEGER), *ALL_CURVES, answered=Answered.SPLINES)
+    def insert(self, place: mpq, times: int = 1) -> Nurbs:
+        """The curve with a knot inserted, by default once.
+
+        >>> from exactspline import analyse, example
+        >>> len(analyse(example("cubic_s")).insert("1/2").control_points)
+        5
+        """
+        return self.curve.insert_knot(place, times)
+
+    @question_with((PLACE, INTEGER), *ALL_CURVES, answered=Answered.SPLINES)
+    def remove(self, place: mpq, times: int = 1) -> Nurbs:
+        """The curve with a knot removed, by default once.
+
+        >>> from exactspline import analyse, example
+        >>> curve = example("cubic_s")
+        >>> analyse(curve.insert_knot("1/2")).remove("1/2") == curve
+        True
+
+        Raises `ReductionError` where that changes the curve.
+        """
+        return changed(self.curve, lambda f: f.remove_knot(place, times))
+
+    @question_with(INTEGER, *ALL_CURVES, answered=Answered.SPLINES)
+    def elevate(self, times: int = 1) -> Nurbs:
+        """The curve with the degree raised, by default by 1.
+
+        >>> from exactspline import analyse, example
+        >>> analyse(example("cubic_s")).elevate(2).degree
+        5
+        """
+        if self.curve.segments * (self.curve.degree + times) ** 2 > MOST_ELEVATED:
+            raise QuestionError(f"the degree raised by {times}", remedy="ask for less, or for parts of the curve")
+        return self.curve.elevate_degree(times)
+
+    @question_with(PLACE, *ALL_CURVES, answered=Answered.SPLINES)
+    def split(self, place: mpq) -> tuple[Nurbs, Nurbs]:
+        """The parts of the curve before and after a parameter.
+
+        >>> from exactspline import analyse, example
+        >>> [part.domain for part in analyse(example("circle")).split(1)]
+        [Interval(0, 1), Interval(1, 4)]
+        """
+        return self.curve.split(place)
+
+    @question_with(TWO_COORDINATES, *ALL_CURVES, answered=Answered.SPLINES)
+    def product(self, coordinates: tuple[int, int]) -> BSpline | Rational[BSpline]:
+        """The product of two coordinates (0 is x).
+
+        >>> from exactspline import analyse, example
+        >>> analyse(example("cubic_s")).product("01").degree
+        6
+        """
+        i, j = coordinates
+        top = self.curve.p[i] * self.curve.p[j]
+        return top if self.curve.polynomial else Rational(top, self.curve.w * self.curve.w)
+
+    @question(Of.PLANE_CURVE, answered=Answered.SPLINES, on_request=True)
+    def evolute(self) -> Derived:
+        """The evolute, piece by piece, and its poles.
+
+        >>> from exactspline import analyse, example
+        >>> len(analyse(example("ellipse")).evolute.poles)
+        0
+        """
+        return derive("evolute", self.curve)
+
+    @question(*ALL_CURVES, answered=Answered.NUMBERS, proof=_slopes, on_request=True)
+    def bounding_box(self) -> tuple[NamedNumbers, ...]:
+        """The smallest and the largest value of every coordinate.
+
+        >>> from exactspline import analyse, example
+        >>> [(side.what, *side.values.values()) for side in analyse(example("circle")).bounding_box]
+        [('x', <Real -1>, <Real 1>), ('y', <Real -1>, <Real 1>)]
+        """
+        ranges = (coordinate_range(self.curve, i) for i in range(self.curve.dimension))
+        return tuple(
+            NamedNumbers(axis, {"low": low, "high": high})
+            for axis, (low, high) in zip(axes(self.curve), ranges, strict=True)
+        )
+
+    @question(Of.PLANE_CURVE, answered=Answered.VALUE, on_request=True)
+    def area(self) -> Real:
+        """The signed area inside a closed polynomial curve: positive where it runs counterclockwise.
+
+        >>> from exactspline import Nurbs, analyse
+        >>> analyse(Nurbs(1, [0, 0, 1, 2, 3, 3], [(0, 0), (1, 0), (0, 1), (0, 0)])).area
+        <Real 1/2>
+
+        Raises `ShapeError` for another curve.
+        """
+        return Real(moment(self, 0, 0))
+
+    @question_with(INTEGER, Of.PLANE_CURVE, answered=Answered.NUMBERS)
+    def moments(self, order: int = 2) -> tuple[NamedNumbers, ...]:
+        """The moments ∬ xⁱ yʲ inside a closed polynomial curve with i + j up to an order, by default 2.
+
+        >>> from exactspline import Nurbs, analyse
+        >>> triangle = Nurbs(1, [0, 0, 1, 2, 3, 3], [(0, 0), (1, 0), (0, 1), (0, 0)])
+        >>> [found.values["moment"] for found in analyse(triangle).moments(1)]
+        [<Real 1/2>, <Real 1/6>, <Real 1/6>]
+
+        Raises `ShapeError` for another curve, and `QuestionError` for an order above 8.
+        """
+        if order > 8:
+            raise QuestionError(f"moments of the order {order}", remedy="at most 8")
+        found = moments_up_to(self, order)
+        return tuple(NamedNumbers("moment", {"moment": Real(x)}, {"x": i, "y": j}) for (i, j), x in found.items())
+
+    @question(*ALL_CURVES, answered=Answered.VALUE, on_request=True)
+    def length(self) -> Real:
+        """The arc length.
+
+        >>> from exactspline import Nurbs, analyse
+        >>> analyse(Nurbs(1, [0, 0, 1, 1], [(0, 0), (3, 4)])).length
+        <Real 5>
+        """
+        return balls.length(self.curve)
+
+
+def axes(curve: Nurbs) -> list[str]:
+    """The names of the coordinates.
+
+    >>> from exactspline import example
+    >>> axes(example("circle"))
+    ['x', 'y']
+    """
+    n = curve.dimension
+    return list("xyz"[:n]) if n <= 3 else [f"x{i}" for i in range(1, n + 1)]
+
+
+def coordinates(curve: Nurbs, t: mpq | Real, order: int = 0) -> dict[str, Real]:
+    """A point or a derivative of a curve, by the names of the coordinates.
+
+    >>> from exactspline import example
+    >>> coordinates(example("circle"), exact_place(1))
+    {'x': <Real 0>, 'y': <Real 1>}
+    """
+    return dict(zip(axes(curve), values.point_at(curve, t, order), strict=True))
+
+
+def _at(what: str, places: Parameters, values_at: Callable[[mpq | Real], dict[str, Real]]) -> tuple[NamedNumbers, ...]:
+    """Numbers at each parameter."""
+    return tuple(NamedNumbers(what, {"parameter": real(t)} | values_at(t)) for t in places)

@@ -1,0 +1,154 @@
+"""What a question takes beside the object that it is asked of, and how a question is written as text: its name,
+arguments behind a colon, parameters behind an @, as in ``length``, ``nearest:1/2,2``, ``derivative:2@0,1/3``,
+``value@cusps``.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Container, Iterable, Mapping
+from dataclasses import dataclass
+from typing import Any
+
+from exactspline.errors import ExactSplineError, as_text, nearest
+from exactspline.numbers.exact import mpq, rational
+from exactspline.reals.real import Real
+
+#: The largest integer that a question takes.
+MOST = 999
+
+
+class QuestionError(ExactSplineError):
+    """A question that cannot be read, or that has no answer for what it is asked of."""
+
+
+def parts_of(asked: str, forms: Mapping[str, str], optional: Container[str] = ()) -> tuple[str, str, str]:
+    """The name, the argument and the place of a question, whose `forms` are given by its names, as
+    ``derivative:2@1/2``. The argument of the `optional` ones may be left out.
+
+    >>> parts_of("derivative:2@0,1/3", {"derivative": "derivative:2@1/2"})
+    ('derivative', '2', '0,1/3')
+
+    Raises `QuestionError` for another name, with the nearest, and with the form of the question for what it does not
+    take and for what it lacks.
+    """
+    asked, name = as_text(asked, "a question").strip(), name_of(asked)
+    if name not in forms:
+        raise unknown(name, forms)
+    form, rest = forms[name], asked.removeprefix(name)
+    argument, _, place = rest.partition("@") if "@" in form else (rest, "", "")
+    given = argument.startswith(":") and argument != ":"
+    fits = given if argument else name in optional or ":" not in form
+    if not fits or given > (":" in form) or bool(place) != ("@" in form):
+        raise QuestionError(f"the question {asked!r}", remedy=f"write it like {form!r}")
+    return name, argument[1:], place
+
+
+def name_of(asked: str) -> str:
+    """The name in the text of a question.
+
+    >>> name_of("derivative:2@0")
+    'derivative'
+    """
+    return as_text(asked, "a question").partition("@")[0].partition(":")[0].strip()
+
+
+def unknown(name: str, names: Iterable[str]) -> QuestionError:
+    """The error for a question that does not exist, with the nearest of the names."""
+    remedy = nearest(name, dict.fromkeys(names), listed_by="list questions")
+    return QuestionError(f"there is no question called {name!r}", remedy=remedy)
+
+
+@dataclass(frozen=True)
+class Takes:
+    """One thing that a question takes: an example of it as text, and how it is read, from text or from a value in
+    Python, for what is known of the object. What is `placed` stands behind the @.
+    """
+
+    example: str
+    read: Callable[[Any, Any], Any]
+    placed: bool = False
+
+
+def _integer(given: object, facts: object) -> int:
+    written = str(given)
+    if written.isascii() and written.isdecimal() and int(written) <= MOST:
+        return int(written)
+    raise QuestionError(f"{written!r}, where an integer up to {MOST} is expected", remedy="such as 2")
+
+
+def _distance(given: Any, facts: object) -> mpq:
+    return rational(given)
+
+
+def _point(given: Any, facts: object) -> tuple[Any, ...]:
+    return tuple(given.split(",") if isinstance(given, str) else given)
+
+
+#: An integer from 0 on.
+INTEGER = Takes("2", _integer)
+#: A coordinate by its number; 0 is x.
+COORDINATE = Takes("0", _integer)
+#: A distance, and one within which control points and weights may differ.
+DISTANCE, WITHIN = Takes("1/10", _distance), Takes("1/1000000", _distance)
+#: The coordinates of a point.
+POINT = Takes("1/2,2", _point)
+
+
+def _two_coordinates(given: Any, facts: Any) -> tuple[int, int]:
+    written, dimension = "".join(map(str, given)), facts.curve.dimension
+    if len(written) != 2 or not written.isascii() or not written.isdecimal() or max(map(int, written)) >= dimension:
+        raise QuestionError(f"{written!r}, where two coordinates of R{dimension} are needed", remedy="01 is x y")
+    return int(written[0]), int(written[1])
+
+
+TWO_COORDINATES = Takes("01", _two_coordinates)
+
+
+def _places(given: Any, facts: Any) -> tuple[mpq | Real, ...]:
+    many = given.split(",") if isinstance(given, str) else given if isinstance(given, tuple | list) else (given,)
+    if not many or "" in many:
+        raise QuestionError(
+            "no parameter is named", remedy="name one behind the @, as in value@1/2 or value@inflections"
+        )
+    return tuple(place for each in many for place in _named(each, facts))
+
+
+def _named(place: Any, facts: Any) -> tuple[mpq | Real, ...]:
+    """A parameter; or those of the knots or of the features of a curve."""
+    if isinstance(place, Real):
+        return (place,)
+    found = facts.parameters_of(place) if isinstance(place, str) else None
+    return (rational(place),) if found is None else found
+
+
+def _place(given: Any, facts: Any) -> mpq:
+    places = _places(given, facts)
+    if len(places) != 1 or isinstance(places[0], Real):
+        raise QuestionError(f"{given!r}, where one rational parameter is needed", remedy="such as 1/2")
+    return places[0]
+
+
+#: Parameters: numbers, ``knots``, or the name of a question whose answer is a list of places.
+PLACES = Takes("1/2", _places, placed=True)
+#: One rational parameter.
+PLACE = Takes("1/2", _place, placed=True)
+
+
+def _two_parameters(given: Any, facts: object) -> tuple[mpq, mpq]:
+    parts = given.split(",") if isinstance(given, str) else tuple(given)
+    if len(parts) != 2:
+        raise QuestionError(f"{given!r} is not a place on a surface", remedy="give u and v, as in value@1/2,1/3")
+    return rational(parts[0]), rational(parts[1])
+
+
+def _two_orders(given: Any, facts: object) -> tuple[int, int]:
+    parts = given.split(",") if isinstance(given, str) else tuple(given)
+    if len(parts) != 2 or not all(str(n).isascii() and str(n).isdecimal() and int(n) <= MOST // 10 for n in parts):
+        raise QuestionError(f"a derivative of the orders {given!r}", remedy="derivative:1,0@1/2,1/3 is S_u")
+    return int(parts[0]), int(parts[1])
+
+
+#: The parameters u and v of a point on a surface.
+PLACE_ON_SURFACE = Takes("1/2,1/3", _two_parameters, placed=True)
+#: How often to differentiate by u and by v.
+TWO_ORDERS = Takes("1,0", _two_orders)
