@@ -158,6 +158,8 @@ def inspect(
     elif ask:
         answer_questions(out, read_curves(read, good), ask, digits, certificates)
     else:
+        from exactspline.geometry.curves.planarity import in_the_plane
+
         found, good = read_curves(read, good)
         _see_that_they_fit(found, approach, epsilon, emit_coq)
         if emit_coq and found:
@@ -165,7 +167,7 @@ def inspect(
         inspected = [
             _inspected(replace(each, curve=c), approach or MINIMAL, digits, coordinates, epsilon, stability)
             for each in found
-            for c in also_in_their_planes([each.curve])
+            for c in also_in_their_planes([in_the_plane(each.curve)])
         ]
         _give(out, inspected, [each.curve for each in found], certificate, plot, ", ".join(curve))
         if not good:

@@ -38,6 +38,10 @@ class Remembers:
         found: T = self._known[key]
         return found
 
+    def asked_as(self, of: tuple[Of, ...]) -> Remembers:
+        """What is known of the object as one of these kinds, where it is of several."""
+        return self
+
 
 class Inspected(Remembers):
     """One that is a value: equal where it is asked of the same (`of`), copied and pickled with what is known of it."""
@@ -192,6 +196,10 @@ class Fact(Generic[F, T]):
     def __set_name__(self, owner: type, name: str) -> None:
         self.name = name
 
+    def found(self, facts: F) -> T:
+        """The property, computed."""
+        return self.compute(facts)
+
     @overload
     def __get__(self, facts: None, owner: type) -> Fact[F, T]: ...
 
@@ -201,7 +209,7 @@ class Fact(Generic[F, T]):
     def __get__(self, facts: Remembers | None, owner: type) -> T | Fact[F, T]:
         if facts is None:
             return self
-        found: T = facts.once(self.name, lambda: self.compute(cast(F, facts)))
+        found: T = facts.once(self.name, lambda: self.found(cast(F, facts)))
         vars(facts)[self.name] = found
         return found
 
@@ -213,13 +221,18 @@ class Question(Fact[F, T], Entry):
         super().__init__(compute)
         self.about = about
 
+    def found(self, facts: F) -> T:
+        """The answer, computed of the object as a kind that the question is asked of."""
+        asked = facts.asked_as(self.about.of)
+        return self.compute(facts) if asked is facts else getattr(asked, self.name)
+
     def answer(self, facts: Remembers, argument: str = "", place: str = "") -> object:
         """The exact answer."""
         return getattr(facts, self.name)
 
     def proofs(self, facts: Remembers, argument: str = "", place: str = "") -> Iterable[ZeroSet]:
         """The zero sets that show that it is complete."""
-        return () if self.about.proof is None else self.about.proof(facts)
+        return () if self.about.proof is None else self.about.proof(facts.asked_as(self.about.of))
 
 
 class QuestionWith(Entry, Generic[F, P, T]):
@@ -247,6 +260,7 @@ class QuestionWith(Entry, Generic[F, P, T]):
     def __get__(self, facts: Remembers | None, owner: type) -> Callable[P, T] | QuestionWith[F, P, T]:
         if facts is None:
             return self
+        facts = facts.asked_as(self.about.of)
 
         def ask(*args: P.args, **kwargs: P.kwargs) -> T:
             bound = self.signature.bind(facts, *args, **kwargs)
@@ -263,11 +277,12 @@ class QuestionWith(Entry, Generic[F, P, T]):
 
     def answer(self, facts: Remembers, argument: str = "", place: str = "") -> object:
         """The exact answer, what it is asked with given as text."""
+        facts = facts.asked_as(self.about.of)
         return self._of(facts, self._read(facts, argument, place))
 
     def proofs(self, facts: Remembers, argument: str = "", place: str = "") -> Iterable[ZeroSet]:
         """The zero sets that show that it is complete."""
-        proof = self.about.proof
+        proof, facts = self.about.proof, facts.asked_as(self.about.of)
         return () if proof is None else proof(facts, *self._read(facts, argument, place).values())
 
     def _read(self, facts: Remembers, argument: str, place: str) -> dict[str, Any]:

@@ -1,4 +1,4 @@
-"""What a question takes beside the object that it is asked of, and how a question is written as text: its name,
+"""What a question takes in addition to the object that it is asked of, and how a question is written as text: its name,
 arguments behind a colon, parameters behind an @, as in ``length``, ``nearest:1/2,2``, ``derivative:2@0,1/3``,
 ``value@cusps``.
 """

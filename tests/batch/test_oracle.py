@@ -177,7 +177,7 @@ def test_area_and_moments():
     centre = [items(moved, "moments:1")[k].values["moment"].exact / 2 for k in (1, 2)]
     assert tuple(centre) == (mpq(3, 5) - mpq(2, 5) + 7, mpq(4, 5) + mpq(3, 10) + 1)
     for curve in (xs.example("circle"), xs.example("cubic_s"), xs.example("twisted_cubic")):
-        with pytest.raises(ExactSplineError, match="closed|of a space curve"):
+        with pytest.raises(ExactSplineError, match=r"closed|of a space curve"):
             oracle(curve, "area")
 
 

@@ -76,12 +76,14 @@ def test_torsion_zeros_at_irrational_parameters(third, expected):
 
 
 def embedded(curve, matrix):
-    """A plane curve moved into space by two columns of a matrix."""
-    points = [tuple(row[0] * x + row[1] * y for row in matrix) for x, y in curve.control_points]
+    """A plane curve moved into space by the columns of a matrix: images of two unit vectors and of the origin."""
+    points = [tuple(a * x + b * y + c for a, b, c in matrix) for x, y in curve.control_points]
     return Nurbs(curve.degree, curve.knots, points, curve.weights)
 
 
-@pytest.mark.parametrize("matrix", [[[1, 0], [0, 1], [0, 0]], [[2, -1], [2, 2], [-1, 2]]], ids=["z = 0", "tilted"])
+@pytest.mark.parametrize(
+    "matrix", [[[1, 0, 0], [0, 1, 0], [0, 0, 1]], [[2, -1, 0], [2, 2, 0], [-1, 2, 0]]], ids=["z = 1", "tilted"]
+)
 @pytest.mark.parametrize("name", PLANE)
 def test_a_plane_curve_in_space_has_the_features_it_has_in_the_plane(name, matrix):
     curve = example(name)
@@ -97,6 +99,26 @@ def test_a_plane_curve_in_space_has_the_features_it_has_in_the_plane(name, matri
         (f.kind, f.root) for f in analyse(curve).inflections
     ]
     assert analyse(in_space).torsion_zeros.points == ()
+
+
+def test_a_curve_in_the_plane_z_0_is_a_plane_curve_to_every_question():
+    """Refused before: area and winding number; unsigned before: the curvature."""
+    flat = Nurbs(3, [0] * 4 + [1] * 4, [(0, 0), (3, 3), (-2, 3), (1, 0)])
+    curve = embedded(flat, [[1, 0, 0], [0, 1, 0], [0, 0, 0]])
+    found, expected = analyse(curve), analyse(flat)
+    assert found.self_intersections == expected.self_intersections != ()
+    for name in ("inflections", "critical_points"):
+        assert [(f.kind, f.root) for f in getattr(found, name)] == [(f.kind, f.root) for f in getattr(expected, name)]
+    assert curvature(curve, "1/3") == curvature(flat, "1/3") > 0 > curvature(flat.reverse(), "1/3")
+    closed = embedded(example("circle"), [[1, 0, 0], [0, 1, 0], [0, 0, 0]])
+    assert analyse(closed).winding_number((0, "1/3")) == 1
+    # what only space curves have is told, too
+    assert str(found.plane) == "z = 0"
+    assert len(found.torsion_zeros.everywhere) == 1
+    assert found.nearest((0, 0, 7))[0].distance == 7
+    # before and after other questions, and of the plane curve itself
+    assert analyse(analyse(curve).curve) is not analyse(curve)
+    assert analyse(curve) is analyse(curve) is found
 
 
 @given(nurbs(dimension=3, low=1, high=4))

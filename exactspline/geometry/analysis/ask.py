@@ -6,13 +6,12 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import NamedTuple, TypeAlias
 
-from exactspline.geometry.analysis.curves import Analysis, analyse
+from exactspline.geometry.analysis.curves import Analysis, analyse, kind_of_curve, questions_about
 from exactspline.geometry.analysis.pairs import CurvePair
 from exactspline.geometry.analysis.planar_maps import MapInspection
 from exactspline.geometry.analysis.registry import REGISTRY
 from exactspline.geometry.analysis.surfaces import SurfaceInspection
 from exactspline.geometry.bisectors.two_curves import CurveBisector
-from exactspline.geometry.curves.planarity import as_plane_curve
 from exactspline.interchange.files import read
 from exactspline.questions.entry import ALL_CURVES, CURVES, Entry, Of, Remembers
 from exactspline.questions.takes import QuestionError, name_of, parts_of, unknown
@@ -83,11 +82,9 @@ def asked_of(about: About, question: str) -> Asked:
     name, kind = name_of(question), kind_of(facts)
     entry = REGISTRY[kind].get(name)
     if isinstance(facts, Analysis) and entry is None:
-        if name in REGISTRY[Of.TWO_CURVES]:
-            return _of_two(facts.curve, question)
-        flat = as_plane_curve(facts.curve) if kind is Of.SPACE_CURVE else None
-        if flat is not None and name in REGISTRY[Of.PLANE_CURVE]:
-            return asked_of(flat, question)
+        entry = questions_about(facts.given).get(name)
+        if entry is None and name in REGISTRY[Of.TWO_CURVES]:
+            return _of_two(facts.given, question)
     if entry is None:
         raise _not_asked(name, kind)
     return Asked(entry, facts, *read_as(entry, question))
@@ -135,7 +132,7 @@ def kind_of(facts: Remembers) -> Of:
     ['plane curve', 'space curve', 'surface in space']
     """
     if isinstance(facts, Analysis):
-        return {2: Of.PLANE_CURVE, 3: Of.SPACE_CURVE}.get(facts.curve.dimension, Of.CURVE)
+        return kind_of_curve(facts.curve)
     return KINDS[type(facts)]
 
 

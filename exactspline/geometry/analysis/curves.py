@@ -16,7 +16,7 @@ from exactspline.geometry.curves.extent import slope_zeros, turning_points
 from exactspline.geometry.curves.facts import ZeroForm, kept_by
 from exactspline.geometry.curves.joints import curvature_of
 from exactspline.geometry.curves.kinds import Feature, FeatureKind
-from exactspline.geometry.curves.planarity import Plane, planar_pieces, plane_of
+from exactspline.geometry.curves.planarity import Plane, in_the_plane, planar_pieces, plane_of
 from exactspline.geometry.derived.constructions import Variant, construction
 from exactspline.geometry.filter.certain import Certain, certain
 from exactspline.geometry.pairs.intersections import Intersections, self_intersections
@@ -30,7 +30,17 @@ from exactspline.hooks import Displayed
 from exactspline.language.rational import Rational
 from exactspline.numbers.exact import Number, mpq, rational
 from exactspline.numbers.sides import Side
-from exactspline.questions.entry import CURVES, Answered, Entry, Fact, Of, question, question_with, questions_of
+from exactspline.questions.entry import (
+    CURVES,
+    Answered,
+    Entry,
+    Fact,
+    Of,
+    Remembers,
+    question,
+    question_with,
+    questions_of,
+)
 from exactspline.questions.takes import COORDINATE, DISTANCE, POINT, WITHIN
 from exactspline.roots.answers import CurvePiece, Places
 from exactspline.roots.root import knot_root
@@ -57,8 +67,17 @@ class Analysis(CurveValues, Displayed):
     (['maximum', 'minimum', 'maximum', 'minimum'], nowhere, ())
     """
 
+    def __init__(self, curve: Nurbs, known: Remembers | None = None, in_space: Nurbs | None = None) -> None:
+        super().__init__(curve, known)
+        #: The curve, in space where it is given there, though this is about it as a plane curve.
+        self.given = curve if in_space is None else in_space
+
     def __reduce__(self) -> tuple[object, ...]:
-        return analyse, (self.curve,)
+        return analyse, (self.given,)
+
+    def asked_as(self, of: tuple[Of, ...]) -> Analysis:
+        """What is known of a curve in the plane z = 0, as a space curve for what is asked of space curves alone."""
+        return self if self.given is self.curve or Of.PLANE_CURVE in of else _analysis(self.given)
 
     def __repr__(self) -> str:
         return f"<Analysis of {self.curve!r}>"
@@ -213,7 +232,7 @@ class Analysis(CurveValues, Displayed):
 
         Raises `ShapeError` for a point of another dimension.
         """
-        return nearest(self.curve, point)
+        return nearest(self.curve if len(point) == self.curve.dimension else self.given, point)
 
     @question_with(POINT, Of.PLANE_CURVE, answered=Answered.VALUE)
     def winding_number(self, point: Sequence[Number]) -> int:
@@ -437,6 +456,8 @@ def analyse(given: Nurbs | NurbsSurface) -> Analysis | SurfaceInspection | MapIn
     >>> analyse(example("ellipsoid"))
     <SurfaceInspection of <NurbsSurface ellipsoid: rational, degree 2 × 2, 9 × 5 control points in R3>>
 
+    A curve of space in the plane z = 0, as in files of drawings, is a plane curve to every question about plane curves.
+
     Raises `ShapeError` for anything else, and for a surface that is neither in space nor in the plane.
     """
     if isinstance(given, NurbsSurface):
@@ -445,6 +466,15 @@ def analyse(given: Nurbs | NurbsSurface) -> Analysis | SurfaceInspection | MapIn
 
         return MapInspection(given) if given.dimension == 2 else SurfaceInspection(given)
     curve = curve_of(given)
+    flat = in_the_plane(curve)
+    return (
+        _analysis(curve)
+        if flat is curve
+        else kept_by(flat).reader(lambda kept: Analysis(flat, kept, curve), "in space")
+    )
+
+
+def _analysis(curve: Nurbs) -> Analysis:
     return kept_by(curve).reader(lambda kept: Analysis(curve, kept))
 
 
@@ -461,5 +491,16 @@ def questions_about(curve: Nurbs) -> dict[str, Entry]:
 
     Raises `ShapeError` for a curve that is neither in the plane nor in space.
     """
-    of = Of.SPACE_CURVE if analyse(curve).in_space else Of.PLANE_CURVE
-    return {name: entry for name, entry in QUESTIONS.items() if of in entry.about.of}
+    of = {kind_of_curve(curve), kind_of_curve(in_the_plane(curve))}
+    analyse(curve).check_dimension()
+    return {name: entry for name, entry in QUESTIONS.items() if of & {*entry.about.of}}
+
+
+def kind_of_curve(curve: Nurbs) -> Of:
+    """Whether it is a curve in the plane, in space or in another dimension.
+
+    >>> from exactspline.interchange.examples import example
+    >>> str(kind_of_curve(example("circle")))
+    'plane curve'
+    """
+    return {2: Of.PLANE_CURVE, 3: Of.SPACE_CURVE}.get(curve.dimension, Of.CURVE)

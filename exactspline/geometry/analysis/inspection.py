@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from exactspline.geometry.analysis.curves import Analysis, analyse, questions_about
 from exactspline.geometry.curves.facts import among, located
 from exactspline.geometry.curves.kinds import Feature
+from exactspline.geometry.curves.planarity import in_the_plane
 from exactspline.geometry.derived.constructions import Variant
 from exactspline.roots.answers import Places
 from exactspline.roots.zero_set import ZeroSet
@@ -72,7 +73,7 @@ def inspect_curve(curve: Nurbs, approach: Approach | str = Approach.MINIMAL) -> 
     Raises `ShapeError` for a curve that is neither in the plane nor in space, `FormulaError` for an unknown approach.
     """
     analyse(curve).check_dimension()
-    return Inspection(choice(Approach, approach, "approach"), curve)
+    return Inspection(choice(Approach, approach, "approach"), in_the_plane(curve))
 
 
 #: What is solved, in the words of the table of features.
@@ -94,7 +95,10 @@ def solved(curve: Nurbs, approach: Approach | str) -> list[tuple[str, str, BSpli
     analysis = analyse(curve)
     first = ("zero_torsion", Variant.PAPER) if analysis.in_space else ("zero_curvature", Variant.MINIMAL)
     rows = []
-    for name, variant in (first, (analysis.critical_form, choice(Approach, approach, "approach").variant(curve))):
+    for name, variant in (
+        first,
+        (analysis.critical_form, choice(Approach, approach, "approach").variant(analysis.curve)),
+    ):
         form = analysis.zero_form(name, variant)
         rows.append((name, SOLVED[name], form.form, form.zeros))
     if analysis.in_space:
@@ -131,7 +135,7 @@ def compare_approaches(curve: Nurbs) -> list[ApproachResult]:
     expected = [f.root for f in analysis.critical_points]
     rows = []
     for approach in Approach:
-        form = analysis.zero_form(analysis.critical_form, approach.variant(curve))
+        form = analysis.zero_form(analysis.critical_form, approach.variant(analysis.curve))
         own = form.zeros.roots
         extraneous = among(own, true).count(False)
         missing = among(expected, [root for root, _ in located(form.zeros)]).count(False)

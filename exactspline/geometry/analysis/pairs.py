@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from exactspline.geometry.curves.planarity import in_one_plane
 from exactspline.geometry.pairs.distance import Distance, nearest_pairs
 from exactspline.geometry.pairs.intersections import Intersections, intersections
 from exactspline.geometry.rounded.intersections import NearbyMeeting, intersections_nearby
@@ -22,8 +23,8 @@ class CurvePair(Inspected, Displayed):
     """
 
     def __init__(self, first: Nurbs, second: Nurbs) -> None:
-        super().__init__(first, second)
-        self.curves = first, second
+        self.curves = in_one_plane(first, second)
+        super().__init__(*self.curves)
 
     def __repr__(self) -> str:
         return f"<CurvePair of {self.curves[0]!r} and {self.curves[1]!r}>"

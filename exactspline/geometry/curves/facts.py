@@ -142,21 +142,21 @@ def among(roots: Sequence[Root], others: Sequence[Root]) -> list[bool]:
 
 
 class Kept(Remembers):
-    """What is known of one curve, and a weak reference to the object that answers questions about it. (With a strong
-    one neither would be freed before the garbage collector runs.)
+    """What is known of one curve, and weak references to the objects that answer questions about it, as the curve it
+    is and as a part of space. (With strong ones neither would be freed before the garbage collector runs.)
     """
 
     def __init__(self) -> None:
         super().__init__()
-        self._reader: Callable[[], object] = lambda: None
+        self._readers: dict[str, Callable[[], object]] = {}
 
-    def reader(self, make: Callable[[Kept], F]) -> F:
+    def reader(self, make: Callable[[Kept], F], of: str = "") -> F:
         """The object that answers questions, made where there is none."""
         with _LOCK.held():
-            found = self._reader()
+            found = self._readers.get(of, lambda: None)()
             if found is None:
                 found = make(self)
-                self._reader = ref(found)
+                self._readers[of] = ref(found)
         return cast(F, found)
 
 

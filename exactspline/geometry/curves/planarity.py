@@ -12,6 +12,7 @@ from dataclasses import dataclass
 
 from flint import fmpz, fmpz_mat
 
+from exactspline.geometry.curves.facts import facts_of
 from exactspline.geometry.derived.domain import space
 from exactspline.numbers.exact import common_divisor, content, mpq, ratio, sign, text
 from exactspline.polynomials.bernstein import Form, over_common_denominator
@@ -195,6 +196,29 @@ def as_plane_curve(curve: Nurbs) -> Nurbs | None:
     weights = [mpq(1)] * len(x) if curve.polynomial else curve.w.control_points
     points = list(zip(x, y, weights, strict=True))
     return Nurbs.from_homogeneous(curve.degree, curve.knots, points, name=name, source=curve.source)
+
+
+def in_the_plane(curve: Nurbs) -> Nurbs:
+    """A space curve whose z vanishes, as most of those in files of drawings, as a plane curve; another curve itself.
+
+    >>> from exactspline import Nurbs
+    >>> in_the_plane(Nurbs(1, [0, 0, 1, 1], [(1, 2, 0), (3, 4, 0)])).control_points
+    ((mpq(1,1), mpq(2,1)), (mpq(3,1), mpq(4,1)))
+    """
+    if curve.dimension != 3 or not curve.p[2].is_zero:
+        return curve
+    return facts_of(curve).once("in the plane z = 0", lambda: as_plane_curve(curve) or curve)
+
+
+def in_one_plane(first: Nurbs, second: Nurbs) -> tuple[Nurbs, Nurbs]:
+    """Two curves as plane curves where the z of each that is in space vanishes; otherwise as they are.
+
+    >>> from exactspline.interchange.examples import example
+    >>> [curve.dimension for curve in in_one_plane(example("ellipse_in_space"), example("circle"))]
+    [2, 2]
+    """
+    flat = in_the_plane(first), in_the_plane(second)
+    return flat if flat[0].dimension == flat[1].dimension else (first, second)
 
 
 def with_plane_curves(curves: Iterable[Nurbs]) -> list[Nurbs]:

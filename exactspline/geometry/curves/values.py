@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 from exactspline.errors import DomainError, ShapeError
 from exactspline.geometry.curves.facts import facts_of
+from exactspline.geometry.curves.planarity import in_the_plane
 from exactspline.geometry.derived.domain import part, space
 from exactspline.language.arguments import Curve
 from exactspline.language.rational import Rational
@@ -71,8 +72,8 @@ def unit(vector: Vector[BSpline], place: mpq | Real, name: str = "T") -> list[Re
 
 
 def curvature(curve: Nurbs, t: Number | Real, side: Side | str = Side.RIGHT) -> Real:
-    """The curvature of a curve at a parameter: in the plane signed (positive where the curve turns left), in space not
-    negative; at a knot the limit from this `side`.
+    """The curvature of a curve at a parameter: in the plane, z = 0 included, signed (positive where the curve turns
+    left), in space not negative; at a knot the limit from this `side`.
 
     >>> from exactspline import Nurbs, zeros
     >>> parabola = Nurbs(2, [0, 0, 0, 1, 1, 1], [(0, 0), ("1/2", 0), (1, 1)])
@@ -97,10 +98,10 @@ def curvature(curve: Nurbs, t: Number | Real, side: Side | str = Side.RIGHT) -> 
 
 
 def in_plane_or_space(curve: Nurbs) -> Nurbs:
-    """A curve in the plane or in space."""
+    """A curve in the plane or in space; one in the plane z = 0 as a plane curve."""
     if curve_of(curve).dimension not in (2, 3):
         raise ShapeError(f"a curve in R{curve.dimension}", remedy="curvature needs a curve in the plane or in space")
-    return curve
+    return in_the_plane(curve)
 
 
 def signed_square(curve: Nurbs, t: mpq, *, left: bool) -> tuple[int, int, int]:

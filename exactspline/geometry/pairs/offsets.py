@@ -22,6 +22,7 @@ from exactspline.errors import ReachError, ShapeError, counted
 from exactspline.geometry.bisectors.plane_pair import PlanePair, tangent
 from exactspline.geometry.bisectors.system import piece
 from exactspline.geometry.curves.facts import facts_of
+from exactspline.geometry.curves.planarity import in_one_plane, in_the_plane
 from exactspline.geometry.pairs.box_tree import BoxTree, pairs_that_may_meet, shift_for
 from exactspline.geometry.pairs.intersections import Intersection, IntersectionKind, Intersections
 from exactspline.geometry.pairs.intersections import intersections as intersections_of_curves
@@ -69,7 +70,7 @@ class OffsetIntersection(Intersection):
 
 
 def intersections(first: Nurbs, second: Nurbs, *, offset: Number | tuple[Number, Number] = 0) -> Intersections:
-    """All common points of two curves, in the plane or in space.
+    """All common points of two curves, in the plane or in space; curves in the plane z = 0 are plane curves.
 
     Each point is a pair of exact parameters, with its intersection multiplicity and its kind: a crossing, a touching
     point (of contact order multiplicity − 1), an end, or a knot. Arcs that both curves run along are given as intervals
@@ -105,8 +106,8 @@ def intersections(first: Nurbs, second: Nurbs, *, offset: Number | tuple[Number,
     given = offset if isinstance(offset, tuple) else (offset, offset)
     if len(given) != 2:
         raise ShapeError(counted(len(given), "offset"), remedy="give one distance, or one for each curve")
-    distances = rational(given[0]), rational(given[1])
-    return _Search((first, second), distances).answer() if any(distances) else intersections_of_curves(first, second)
+    distances, curves = (rational(given[0]), rational(given[1])), in_one_plane(curve_of(first), curve_of(second))
+    return _Search(curves, distances).answer() if any(distances) else intersections_of_curves(*curves)
 
 
 def self_intersections(curve: Nurbs, *, offset: Number = 0) -> Intersections:
@@ -131,7 +132,7 @@ def self_intersections(curve: Nurbs, *, offset: Number = 0) -> Intersections:
 
     Raises `ShapeError` for a curve that is not in the plane.
     """
-    d = rational(offset)
+    d, curve = rational(offset), in_the_plane(curve_of(curve))
     return _Search((curve, curve), (d, d), alone=True).answer() if d else self_intersections_of_curve(curve)
 
 

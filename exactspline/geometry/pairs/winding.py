@@ -14,6 +14,7 @@ from itertools import pairwise
 from flint import fmpz, fmpz_poly
 
 from exactspline.errors import DomainError, ShapeError, as_items
+from exactspline.geometry.curves.planarity import in_the_plane
 from exactspline.geometry.pairs.nearest import exact_point
 from exactspline.numbers.exact import Number, mpq
 from exactspline.numbers.intervals import Interval
@@ -92,8 +93,9 @@ def _position(curves: Nurbs | Iterable[Nurbs], point: Iterable[Number]) -> int |
     """The winding number, or the curve that the point is on, and the parameter."""
     point = tuple(as_items(point, "a point"))
     total = 0
-    for curve in [curves] if isinstance(curves, Nurbs) else as_items(curves, "curves"):
-        delta = exact_point(_closed_plane(curve), point)
+    for given in [curves] if isinstance(curves, Nurbs) else as_items(curves, "curves"):
+        curve = _closed_plane(given)
+        delta = exact_point(curve, point)
         segments = [segment_forms(curve, i) for i in range(curve.segments)]
         _check_connected(segments)
         for i, segment in enumerate(segments):
@@ -105,7 +107,8 @@ def _position(curves: Nurbs | Iterable[Nurbs], point: Iterable[Number]) -> int |
 
 
 def _closed_plane(curve: Nurbs) -> Nurbs:
-    if curve_of(curve).dimension != 2:
+    curve = in_the_plane(curve_of(curve))
+    if curve.dimension != 2:
         raise ShapeError(f"a curve in R{curve.dimension}", remedy="give curves in the plane")
     if not curve.closed:
         raise ShapeError("a curve that is not closed", remedy="close it by a segment")
