@@ -142,8 +142,8 @@ def _item(
         # an extremum of the curvature is also one of its critical points
         return analyse(curve).once(("item", each), lambda: _point(curve, each))
     if isinstance(each, NearestPoint):
-        values = {"parameter": each.parameter, "distance": each.distance}
-        return NamedNumbers("nearest point", values | coordinates(curve, each.parameter))
+        place = dict(zip(axes(curve), map(real, each.point), strict=True))
+        return NamedNumbers("nearest point", {"parameter": each.parameter, "distance": each.distance} | place)
     if isinstance(each, int):
         return NamedNumbers("value", {"value": real(each)})
     if isinstance(each, Joint):

@@ -441,6 +441,8 @@ def _parameters(point: Meeting, first: Interval, second: Interval) -> tuple[Real
 def _overlap(arc: Arc, first: Interval, second: Interval) -> Overlap:
     one = parameter(arc.first[0], first, second), parameter(arc.first[1], first, second)
     other = parameter(arc.second[0], second, first), parameter(arc.second[1], second, first)
+    if other[0] > other[1]:
+        one, other = one[::-1], other[::-1]
     if arc.map is None:
         return Overlap(one, other, None, None)
     sides = (second, first) if arc.exchanged else (first, second)

@@ -19,6 +19,7 @@ from exactspline.hooks import Displayed
 from exactspline.numbers.exact import Number, lcm, mpq, rational
 from exactspline.numbers.intervals import Interval, joined
 from exactspline.numbers.once import cached_property
+from exactspline.numbers.sides import Side
 from exactspline.polynomials.bernstein import ONE, divide_u_plus_v
 from exactspline.polynomials.collinear_arcs import Coordinate
 from exactspline.polynomials.common_arcs import RationalMap
@@ -37,11 +38,12 @@ from exactspline.splines.type_checks import curve_of
 
 @dataclass(frozen=True)
 class NearestPoint:
-    """A point of a curve at the least distance, by its parameter."""
+    """A point of a curve at the least distance, by its parameter; where the curve jumps, seen from this `side`."""
 
     parameter: Real
     curve: Nurbs
     _found: _Candidate = field(repr=False, compare=False)
+    side: Side = Side.RIGHT
 
     @cached_property
     def squared(self) -> Real:
@@ -49,7 +51,7 @@ class NearestPoint:
         return self._found.squared
 
     def __getstate__(self) -> dict[str, object]:
-        return {"parameter": self.parameter, "curve": self.curve, "squared": self.squared}
+        return {"parameter": self.parameter, "curve": self.curve, "side": self.side, "squared": self.squared}
 
     @property
     def distance(self) -> Real:
@@ -59,7 +61,7 @@ class NearestPoint:
     @property
     def point(self) -> tuple[mpq | Real, ...]:
         """The coordinates, exactly."""
-        return at(self.curve, self.parameter)
+        return at(self.curve, self.parameter, side=self.side)
 
     def __repr__(self) -> str:
         return f"<nearest point at {self.parameter.shortly()}: distance {self.distance.shortly()}>"
@@ -92,7 +94,7 @@ def nearest(curve: Nurbs, point: Iterable[Number]) -> Nearest:
     arcs = joined(c.side for c in least if c.place is None)
     low, high = curve.domain
     ends = {low if end == high and curve.closed else end for arc in arcs for end in arc}
-    at_rational_parameters: dict[mpq, NearestPoint] = {}
+    at_rational_parameters: dict[tuple[mpq, Side], NearestPoint] = {}
     points: list[NearestPoint] = []
     for c in least:
         if c.place is None:
@@ -103,7 +105,8 @@ def nearest(curve: Nurbs, point: Iterable[Number]) -> Nearest:
         t = c.side.at(c.place.exact)
         t = low if t == high and curve.closed else t
         if t not in ends:
-            at_rational_parameters.setdefault(t, NearestPoint(Real(t), curve, c))
+            side = Side.LEFT if c.place.exact == 1 and t != low and curve(t, Side.LEFT) != curve(t) else Side.RIGHT
+            at_rational_parameters.setdefault((t, side), NearestPoint(Real(t), curve, c, side))
     points += at_rational_parameters.values()
     if len(points) > 1:
         points.sort(key=lambda found: found.parameter)

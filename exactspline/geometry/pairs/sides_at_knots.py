@@ -12,7 +12,7 @@ from exactspline.numbers.exact import mpq
 from exactspline.polynomials.bernstein import backwards
 from exactspline.polynomials.bezout import PlaneForms
 from exactspline.polynomials.isolation import isolate
-from exactspline.polynomials.plane_pairs import elimination
+from exactspline.polynomials.plane_pairs import elimination, without_common_factor
 from exactspline.polynomials.zero_places import at
 
 #: A direction by integers.
@@ -23,7 +23,8 @@ def changes_side(through: PlaneForms, before: PlaneForms, behind: PlaneForms) ->
     """Whether the segments before and behind a knot are on different sides of a segment that passes through the knot;
     None if one of them runs along it, or if it passes several times.
     """
-    left, right = elimination(through, before), elimination(through, behind)
+    passing = without_common_factor(through)
+    left, right = elimination(passing, before), elimination(passing, behind)
     if not left.determinant or not right.determinant or not right.is_simple(at(mpq(0))):
         return None
     first = isolate(left.determinant, left.size * left.degree).signs[1]

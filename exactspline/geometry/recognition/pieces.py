@@ -22,7 +22,7 @@ from exactspline.geometry.recognition.shapes import (
     cross_product,
     upper_square_root,
 )
-from exactspline.numbers.exact import Number, mpq
+from exactspline.numbers.exact import Number, mpq, sign
 from exactspline.numbers.once import cached_property
 from exactspline.questions.answers import Described
 from exactspline.reals.real import Real, real
@@ -258,7 +258,8 @@ def passes_its_start(curve: Nurbs, shape: CurveShape) -> bool:
     start = [x - c for x, c in zip(curve(a), centre, strict=True)]
     ahead = _linear(curve, centre, start)
     across = _across(curve, centre, start, shape)
-    return any(root > a and root < b and sign_at(ahead, root) > 0 for root in zeros(across))
+    side = sign(curve.w(a))
+    return any(root > a and root < b and sign_at(ahead, root) == side for root in zeros(across))
 
 
 def _linear(curve: Nurbs, centre: Point, direction: Sequence[mpq]) -> BSpline:

@@ -1,0 +1,226 @@
+"""An answer does not depend on how its object is written, nor on the way by which it is asked: every question of the
+registry against every change, and every path. The seed goes with the day; `EXACTSPLINE_SEED` gives another one.
+"""
+
+import os
+import time
+from dataclasses import dataclass, replace
+from random import Random
+
+import pytest
+
+from exactspline.geometry.analysis.registry import REGISTRY
+from exactspline.geometry.curves.kinds import FeatureKind
+from exactspline.questions.entry import Of, Question, question, question_with
+from tests.support.changes import CHANGES
+from tests.support.drawn import DRAWN, light_surface
+from tests.support.exemptions import EXEMPTIONS
+from tests.support.matrix import (
+    Counts,
+    argument_of,
+    ask,
+    cells,
+    exempt,
+    exempt_cells,
+    questions,
+    run_word,
+    without_transport,
+)
+from tests.support.parts import differing_parts, of_parts, somewhere
+from tests.support.paths import (
+    after_others,
+    again,
+    asked,
+    by_command,
+    said,
+    same_by_batch,
+    same_by_command,
+    same_by_sweep,
+    swept,
+    without_extension,
+)
+
+#: A new one every day; a failure is printed with it.
+SEED = int(os.environ.get("EXACTSPLINE_SEED", time.time() // 86400))
+#: The largest number of cells that are not compared.
+MOST_EXEMPT = 60
+CURVES = [Of.PLANE_CURVE, Of.SPACE_CURVE]
+#: What is drawn where the usual things take too long.
+LIGHT = {Of.SURFACE: light_surface}
+#: How many words begin with each change, where it is more than one.
+TIMES = {Of.PLANE_CURVE: 3, Of.SPACE_CURVE: 2}
+
+
+def report(failures):
+    """Failures as text, with the seed that leads to them."""
+    return "\n".join([f"EXACTSPLINE_SEED={SEED}", *map(str, failures)])
+
+
+# ---- the table
+
+
+def test_every_type_of_answer_has_a_transport():
+    assert without_transport() == []
+
+
+@dataclass(frozen=True)
+class Sample:
+    """A value of a new kind."""
+
+
+def test_a_new_question_without_a_transport_is_named():
+    class Asked:
+        @question(Of.PLANE_CURVE)
+        def samples(self) -> tuple[Sample, ...]:
+            """Samples."""
+
+        @question_with("1", Of.PLANE_CURVE)
+        def inflections_of(self, order: int) -> int:
+            """Numbers."""
+
+    entries = {name: vars(Asked)[name] for name in ("samples", "inflections_of")}
+    assert isinstance(entries["samples"], Question)
+    registry = REGISTRY | {Of.PLANE_CURVE: entries}
+    assert without_transport(registry) == [
+        "samples of a plane curve: Sample",
+        "inflections_of of a plane curve: argument 1",
+    ]
+
+
+def test_exemptions_are_few_and_each_is_of_something():
+    exempted, known = (
+        set(exempt_cells()),
+        set(cells()) | {(of, x.name, "split") for of in CURVES for x in questions(of)},
+    )
+    assert len(exempted) <= MOST_EXEMPT < len(cells()) / 8
+    for kinds, names, changes, reason in EXEMPTIONS:
+        assert reason
+        assert {(of, name, change) for of in kinds for name in names for change in changes} <= known, (names, changes)
+
+
+# ---- changes
+
+
+@pytest.mark.parametrize("of", CHANGES, ids=str)
+def test_every_question_after_every_change(of):
+    counts = Counts()
+    for change in CHANGES[of]:
+        for i in range(TIMES.get(of, 1)):
+            run_word(of, Random(f"{SEED} {of} {change} {i}"), counts, first=change, drawing=LIGHT.get(of))
+    assert not counts.failures, report(counts.failures)
+    expected = {cell for cell in cells(dear=False) if cell[0] is of and not exempt(*cell)}
+    assert expected <= counts.compared.keys()
+
+
+@pytest.mark.parametrize("of", CURVES, ids=str)
+def test_parts_together_have_what_the_whole_has(of):
+    for i in range(6):
+        random = Random(f"{SEED} {of} parts {i}")
+        curve = DRAWN[of](random)
+        t = somewhere(curve, random)
+        for entry in questions(of):
+            if of_parts(entry) and not exempt(of, entry.name, "split"):
+                found = differing_parts(curve, entry, argument_of(entry, curve, random), t)
+                assert not found, (SEED, entry.name, curve.knots, curve.control_points, t, found)
+
+
+# ---- paths
+
+
+def asked_of(of, name):
+    """A curve, and all questions with arguments."""
+    random = Random(f"{SEED} {of} {name}")
+    curve = DRAWN[of](random)
+    return curve, [(entry, argument_of(entry, curve, random)) for entry in questions(of)]
+
+
+@pytest.mark.parametrize("of", CURVES, ids=str)
+def test_before_and_after_other_questions_and_without_the_extension(of):
+    for i in range(3):
+        curve, asking = asked_of(of, i)
+        alone = [said(again(curve), asked(*each)) for each in asking]
+        assert after_others(curve, asking) == alone, (SEED, i)
+        assert [without_extension(curve, *each) for each in asking] == alone, (SEED, i)
+
+
+@pytest.mark.parametrize("of", CURVES, ids=str)
+def test_by_python_by_the_command_and_in_a_sweep(of, tmp_path):
+    curve, asking = asked_of(of, "doors")
+    for entry, argument in asking:
+        by_python = said(again(curve), asked(entry, argument))
+        assert same_by_command(by_python, by_command(curve, entry, argument, tmp_path)), (SEED, entry.name)
+        found = None if isinstance(by_python, str) else swept(curve, entry, argument)
+        assert found is None or same_by_sweep(by_python, found), (SEED, entry.name, by_python, found)
+
+
+def test_in_a_batch():
+    for i in range(12):
+        curve, _ = asked_of(Of.PLANE_CURVE, f"batch {i}")
+        assert same_by_batch(curve), (SEED, i)
+
+
+# ---- planted faults
+
+
+def points_of(answer):
+    """The places of an answer; none of one that has no places."""
+    return [x for x in answer if hasattr(x, "root")] if hasattr(answer, "where") else []
+
+
+def lost_seam(thing, name, argument=""):
+    """What stands at the seam of a closed curve is left out."""
+    answer = ask(thing, name, argument)
+    at_seam = points_of(answer) and thing.closed
+    return answer.where(lambda x: x.root != thing.domain[0]) if at_seam else answer
+
+
+def lost_sign(thing, name, argument=""):
+    """All extrema are told as maxima."""
+    answer = ask(thing, name, argument)
+    if not points_of(answer):
+        return answer
+    return tuple(replace(x, kind=FeatureKind.MAXIMUM) if x.kind == "minimum" else x for x in answer)
+
+
+def twice_at_a_knot(thing, name, argument=""):
+    """What stands at a knot is told from both sides."""
+    answer = ask(thing, name, argument)
+    twice = [x for x in points_of(answer) if x.root.at_knot]
+    return (*answer, *twice) if twice else answer
+
+
+def dropped_argument(thing, name, argument=""):
+    """What is given behind the name is not read."""
+    return ask(thing, name, REGISTRY[Of.PLANE_CURVE][name].about.argument)
+
+
+def cached():
+    """What is known is kept by the control points, without knots and weights."""
+    kept = {}
+
+    def asking(thing, name, argument=""):
+        key = thing.degree, thing.control_points, name, argument
+        return kept.setdefault(key, ask(thing, name, argument))
+
+    return asking
+
+
+FAULTS = {
+    "a lost seam": (lost_seam, "other seam"),
+    "a lost sign": (lost_sign, "reversed"),
+    "a duplicate at a knot": (twice_at_a_knot, "knot on what was found"),
+    "a dropped argument": (dropped_argument, "scaled"),
+    "a cache": (cached(), "affine"),
+}
+
+
+@pytest.mark.parametrize("fault", FAULTS)
+def test_a_planted_fault_is_found(fault):
+    """Whatever the day: by at most sixty words, each shrunk to one change."""
+    asking, change = FAULTS[fault]
+    counts, n = Counts(), 0
+    while not counts.failures and n < 60:
+        run_word(Of.PLANE_CURVE, Random(f"{fault} {n}"), counts, first=change, asking=asking)
+        n += 1
+    assert counts.failures
+    assert any(len(failure.letters) == 1 for failure in counts.failures)

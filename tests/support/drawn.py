@@ -1,0 +1,160 @@
+"""Curves, pairs of curves, surfaces and maps of the plane at random, of which there is much to tell: half of the curves
+closed, with cusps, corners, straight and circular pieces; their coordinates from small integers to doubles.
+"""
+
+from functools import partial
+
+from gmpy2 import mpq
+
+from exactspline import Nurbs
+from exactspline.geometry.analysis.pairs import CurvePair
+from exactspline.interchange.examples import example
+from exactspline.questions.entry import Of
+from exactspline.splines.surface import NurbsSurface
+from tests.support.changes import MOTIONS, from_seam, moved_curve
+from tests.support.dials import DIALS
+
+#: Small numbers more often than long ones.
+CHOSEN = ["small integers"] * 3 + ["thirds", "ten decimals", "doubles"]
+CLOSED = {2: ["ellipse", "circle"], 3: []}
+OPEN = {
+    2: ["rational_cubic", "cubic_s", "cusp", "jump", "straight_between_arcs", "six_segment_cubic"],
+    3: ["rational_space_cubic", "twisted_cubic", "planar_in_space", "flat_point"],
+}
+
+
+def point(number, dimension, random):
+    """A point with coordinates of a dial."""
+    return tuple(number(random) for _ in range(dimension))
+
+
+def weights(count, random):
+    """All 1, or small positive integers."""
+    return [mpq(random.randint(1, 3)) if w else mpq(1) for w in [random.random() < 0.4] * count]
+
+
+def some_points(count, number, dimension, random):
+    """Points, now and then one of them twice, or three on a line."""
+    points = [point(number, dimension, random) for _ in range(count)]
+    if count > 2 and random.random() < 0.3:
+        k = random.randrange(count - 1)
+        points[k + 1] = points[k]
+    elif count > 2 and random.random() < 0.3:
+        k = random.randrange(count - 2)
+        points[k + 1] = tuple((x + y) / 2 for x, y in zip(points[k], points[k + 2], strict=True))
+    return points
+
+
+def open_curve(number, dimension, random):
+    """A curve of one to three segments, its inner knots of any multiplicity."""
+    degree, segments = random.choice([(1, 3), (2, 1), (2, 2), (2, 3), (3, 1), (3, 2)])
+    inner = [mpq(t) for t in range(1, segments) for _ in range(random.randint(1, degree))]
+    knots = [mpq(0)] * (degree + 1) + inner + [mpq(segments)] * (degree + 1)
+    count = len(knots) - degree - 1
+    return Nurbs(degree, knots, some_points(count, number, dimension, random), weights(count, random))
+
+
+def periodic(number, dimension, random):
+    """A closed curve over uniform knots that are not clamped, smooth at its seam."""
+    degree, count = random.choice([(2, 3), (2, 4), (3, 4)])
+    points, own = some_points(count, number, dimension, random), weights(count, random)
+    points, own = [*points, *points[:degree]], [*own, *own[:degree]]
+    return Nurbs(degree, [mpq(t) for t in range(count + 2 * degree + 1)], points, own)
+
+
+def chain(number, dimension, random):
+    """A closed chain of Bézier curves, with corners."""
+    degree, segments = random.choice([(1, 4), (2, 2), (2, 3), (3, 1), (3, 2)])
+    count = degree * segments
+    points, own = some_points(count, number, dimension, random), weights(count, random)
+    knots = [mpq(0), *[mpq(t) for t in range(segments + 1) for _ in range(degree)], mpq(segments)]
+    return Nurbs(degree, knots, [*points, points[0]], [*own, own[0]])
+
+
+def stadium(number, dimension, random):
+    """A closed chain of straight pieces and quarters of circles, its seam anywhere."""
+    straight, flat = mpq(random.randint(1, 3)), mpq(random.randint(-1, 1))
+    outline = [(0, 0), (straight, 0), (2 * straight, 0), (2 * straight + 1, 0), (2 * straight + 1, 1)]
+    outline += [(2 * straight + 1, 2), (2 * straight, 2), (straight, 2), (0, 2), (-1, 2), (-1, 1), (-1, 0), (0, 0)]
+    points = [(mpq(x), mpq(y), flat * x)[:dimension] for x, y in outline]
+    curve = Nurbs(2, [mpq(0), *[mpq(t) for t in range(7) for _ in range(2)], mpq(6)], points)
+    return from_seam(curve, mpq(random.randint(1, 5)))[0]
+
+
+def known_curve(names, number, dimension, random):
+    """An example, moved."""
+    curve = example(random.choice(names))
+    return moved_curve(curve, MOTIONS["rotated"](dimension, random))
+
+
+def curve(dimension, random):
+    """A curve; half of them are closed."""
+    number = DIALS[random.choice(CHOSEN)]
+    if random.random() < 0.5:
+        kinds = [
+            periodic,
+            periodic,
+            chain,
+            stadium,
+            *[partial(known_curve, names) for names in [CLOSED[dimension]] if names],
+        ]
+    else:
+        kinds = [open_curve, open_curve, open_curve, partial(known_curve, OPEN[dimension])]
+    return random.choice(kinds)(number, dimension, random)
+
+
+def pair(random):
+    """Two curves of one dimension; now and then the second has a part of the first, or is parallel to it."""
+    dimension = random.choice([2, 2, 3])
+    first = curve(dimension, random)
+    kind = random.random()
+    if kind < 0.2:
+        a, b = first.domain
+        second = first.restrict(a + (b - a) / 4, a + (b - a) * mpq(2, 3))
+    elif kind < 0.3:
+        second = moved_curve(first, MOTIONS["mirrored"](dimension, random))
+    else:
+        second = curve(dimension, random)
+    return CurvePair(first, second)
+
+
+def surface(random):
+    """A patch of small degree, or one of the examples of which there is something to tell."""
+    if random.random() < 0.5:
+        return example(random.choice(SURFACES))
+    return net(random, 3, random.choice([(1, 1), (1, 2), (2, 1)]))
+
+
+SURFACES = ["hyperbolic_paraboloid", "monkey_saddle", "cylinder", "cone", "sphere", "cross_cap"]
+
+
+def light_surface(random):
+    """A surface of which questions are answered at once."""
+    if random.random() < 0.5:
+        return example(random.choice(["hyperbolic_paraboloid", "monkey_saddle", "cross_cap"]))
+    return net(random, 3, (1, 1))
+
+
+def net(random, dimension, degree):
+    """A patch over a net of small integers."""
+    grid = [[(mpq(i), mpq(j), mpq(0))[:dimension] for j in range(degree[1] + 1)] for i in range(degree[0] + 1)]
+    points = [[tuple(x + random.randint(-1, 1) for x in p) for p in row] for row in grid]
+    knots = [[mpq(0)] * (n + 1) + [mpq(1)] * (n + 1) for n in degree]
+    return NurbsSurface(degree, *knots, points)
+
+
+def planar_map(random):
+    """A map of the unit square into the plane, regular or folded."""
+    if random.random() < 0.3:
+        return example(random.choice(["planar_map", "folded_map"]))
+    return net(random, 2, random.choice([(1, 1), (1, 2), (2, 2)]))
+
+
+#: What is drawn of each kind of object.
+DRAWN = {
+    Of.PLANE_CURVE: partial(curve, 2),
+    Of.SPACE_CURVE: partial(curve, 3),
+    Of.TWO_CURVES: pair,
+    Of.SURFACE: surface,
+    Of.PLANAR_MAP: planar_map,
+}

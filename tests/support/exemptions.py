@@ -1,0 +1,35 @@
+"""What the matrix does not compare, and why: the one table of it."""
+
+from exactspline.questions.entry import Of
+
+CURVES = (Of.PLANE_CURVE, Of.SPACE_CURVE)
+SINGULAR = "knot on a singular point"
+KNOTS = ("knot far away", "knot on what was found", SINGULAR, "knot near what was found")
+OF_SURFACES = ("knot far away", "knot on what was found", "knot near what was found")
+#: What changes the forms of a surface.
+FORMS = ("degree", "common factor", "moebius")
+#: What tells pieces.
+PIECES = ("inflections", "critical_points", "curvature_extrema", "straight_pieces", "constant_pieces")
+#: Answers about control points, or about all objects near by, depend on how the object is written.
+NOT_TRANSPORTED = {"stability": "it tells how far control points may move"}
+#: Of what, questions, changes, reason.
+EXEMPTIONS = [
+    (CURVES, ("shapes",), KNOTS, "pieces begin and end at knots, and conics of degree 2 are told of one segment alone"),
+    (CURVES, ("shapes",), ("degree", "common factor"), "conics of degree 2 are told of one segment alone"),
+    (CURVES, ("shapes",), ("other seam",), "pieces begin where the curve does"),
+    (
+        CURVES,
+        ("joints", "corners"),
+        (SINGULAR,),
+        "a cusp at a knot is a joint, and a corner of 180°; inside it is none",
+    ),
+    (CURVES, PIECES, (SINGULAR,), "a cusp inside a segment, which may be irrational, cuts no piece"),
+    ((Of.SPACE_CURVE,), ("torsion_zeros", "planar_pieces"), (SINGULAR,), "a cusp inside a segment cuts no piece"),
+    ((Of.SPACE_CURVE,), ("torsion_zeros",), ("split",), "a part of a planar piece may be straight"),
+    (CURVES, ("turning_points",), ("rotated",), "a turned coordinate is none"),
+    ((Of.SPACE_CURVE,), ("plane",), ("rotated",), "of straight curves only planes of constant coordinates are told"),
+    ((Of.SURFACE,), ("patches",), OF_SURFACES, "a part of a patch may be of one kind"),
+    ((Of.SURFACE,), ("shapes",), OF_SURFACES, "a small part may be nearer to a shape than the whole"),
+    ((Of.SURFACE,), ("ridges",), (*OF_SURFACES, *FORMS), "what is resolved goes with the degree of the forms"),
+    ((Of.PLANAR_MAP,), ("cusps",), ("knot near what was found",), "with numbers of 300 bits they are out of reach"),
+]

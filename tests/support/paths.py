@@ -1,0 +1,163 @@
+"""The ways by which one question about one curve is answered: alone, after all other questions, without the extension,
+by the command, in a sweep, in a batch. All of them must say the same: what is found, exact numbers, doubles bit for
+bit; intervals must contain what is found.
+"""
+
+import json
+from unittest import mock
+
+import numpy as np
+from gmpy2 import mpq
+
+from exactspline import Nurbs, sweep
+from exactspline.batch.inspections import LISTED
+from exactspline.batch.oracle import oracle
+from exactspline.errors import ExactSplineError, ReachError
+from exactspline.geometry.analysis.many_curves import features_of_curves, features_of_many
+from exactspline.interchange.files import write
+from exactspline.programs import accelerator, certain_pairs
+from tests.support.command import run
+from tests.support.matrix import Itself, facts_of, kind_of, questions
+
+
+def again(curve):
+    """The same curve, of which nothing is known."""
+    return Nurbs(curve.degree, list(curve.knots), list(curve.control_points), list(curve.weights))
+
+
+def asked(entry, argument):
+    """A question as text."""
+    return f"{entry.name}:{argument}" if argument else entry.name
+
+
+def said(curve, text):
+    """What is said: what was found, exact numbers and doubles by their names, facts."""
+    try:
+        found = oracle(curve, text).items
+    except ExactSplineError as error:
+        return type(error).__name__
+    return [[x.what, {name: number(value) for name, value in x.values.items()}, plain(x.facts)] for x in found]
+
+
+def number(value):
+    """The exact value as text where it has one, and the double."""
+    return [closed(value), repr(value.double())]
+
+
+def closed(value):
+    """A rational number, or one with a square root, as text; None where it is neither, or out of reach."""
+    try:
+        return value.closed_form
+    except ReachError:
+        return None
+
+
+def plain(facts):
+    """Facts as JSON has them."""
+    return json.loads(json.dumps(dict(facts), default=str))
+
+
+def after_others(curve, asking):
+    """The answers to several questions, with their arguments, after all of them and all others were asked."""
+    other = again(curve)
+    for question in questions(kind_of(other)):
+        if not question.about.argument:
+            said(other, question.name)
+    return [said(other, asked(entry, argument)) for entry, argument in [*asking, *asking]][len(asking) :]
+
+
+def without_extension(curve, entry, argument):
+    """By exact arithmetic and what is written in Python alone."""
+    with mock.patch.object(accelerator, "filter_curve", None), mock.patch.object(certain_pairs, "filter_pairs", None):
+        return said(again(curve), asked(entry, argument))
+
+
+def by_command(curve, entry, argument, folder):
+    """By the command, as JSON."""
+    write(curve, folder / "curve.json")
+    done = run("inspect", folder / "curve.json", "--ask", asked(entry, argument), "--json")
+    if done.returncode:
+        return "refused"
+    (row,) = json.loads(done.stdout)["rows"]
+    if "items" not in row:
+        return "refused"
+    return [
+        [x["what"], {k: [v["exact"], repr(v["double"])] for k, v in x["values"].items()}, x["facts"]]
+        for x in row["items"]
+    ]
+
+
+def same_by_command(by_python, by_json):
+    """Whether the command says what Python says; a refusal has its words elsewhere."""
+    if isinstance(by_python, str):
+        return by_json == "refused"
+    return json.loads(json.dumps(by_python)) == by_json
+
+
+def swept(curve, entry, argument):
+    """What a sweep finds: kinds and intervals of parameters; None for questions that it does not ask."""
+    if entry.about.answered not in LISTED:
+        return None
+    (line,) = sweep([again(curve)], find=[asked(entry, argument)])
+    return [(x.kind, mpq(x.low), mpq(x.high)) for x in line.found[asked(entry, argument)]]
+
+
+def same_by_sweep(by_python, found):
+    """Whether a sweep finds the same, in the same order: its kinds, and each parameter in its interval."""
+    if isinstance(by_python, str) or len(by_python) != len(found):
+        return False
+    pairs = zip(by_python, found, strict=True)
+    return all(what == kind and within(values, low, high) for (what, values, _), (kind, low, high) in pairs)
+
+
+def within(values, low, high):
+    """Whether a parameter, exact or as a double, is in an interval, up to the rounding of the double."""
+    if "parameter" not in values:
+        return True
+    exact, double = values["parameter"]
+    x = mpq(float(double)) if exact is None or "√" in exact else mpq(exact)
+    slack = 0 if x == low else abs(x) / 2**52 + mpq(1, 2**1000)
+    return low - slack <= x <= high + slack
+
+
+def batch_rows(curve):
+    """Inflections and extrema by `analyse`, as batches tell them: kinds, and the roots."""
+    facts = facts_of(Itself(curve))
+    return [(str(f.kind), f.root) for own in (facts.inflections, facts.curvature_extrema) for f in own]
+
+
+def same_by_batch(curve):
+    """Whether `features_of_curves`, and for a Bézier curve of doubles `features_of_many`, tell what `analyse` tells."""
+    batches = [features_of_curves([curve, again(curve)])]
+    if doubles := as_doubles(curve):
+        batches.append(features_of_many(*doubles))
+    return all(batch_agrees(batch, curve) for batch in batches)
+
+
+def batch_agrees(batch, curve):
+    """Whether every row of a batch about the curve, twice, has its root inside."""
+    expected = batch_rows(curve)
+    for i in range(2):
+        rows = np.flatnonzero(batch.curve == i)
+        if [str(batch.kind[k]) for k in rows] != [kind for kind, _ in expected]:
+            return False
+        ends = [(mpq(float(batch.low[k])), mpq(float(batch.high[k]))) for k in rows]
+        if not all(low <= root <= high for (low, high), (_, root) in zip(ends, expected, strict=True)):
+            return False
+    return True
+
+
+def as_doubles(curve):
+    """Points and weights of a Bézier curve over [0, 1] twice, as arrays; None for other curves."""
+    numbers = [x for p in curve.control_points for x in p] + list(curve.weights)
+    if (
+        curve.segments > 1
+        or tuple(curve.domain) != (0, 1)
+        or len(curve.knots) != 2 * curve.degree + 2
+        or curve.degree < 1
+    ):
+        return None
+    if any(mpq(float(x)) != x for x in numbers):
+        return None
+    points = [[tuple(map(float, p)) for p in curve.control_points]] * 2
+    return points, [list(map(float, curve.weights))] * 2

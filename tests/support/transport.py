@@ -1,0 +1,494 @@
+"""What an answer says, as rows of words and numbers that do not depend on how the object is written: one function per
+type of value. The rows of an answer are moved to where a change of the object puts them (`tests.support.images`); there
+they must be those of the answer about the changed object. A type that has no function here fails by its name.
+"""
+
+from collections import Counter
+from dataclasses import dataclass
+from functools import singledispatch
+from types import NoneType
+
+from gmpy2 import gcd, lcm, mpq
+
+from exactspline.bivariate.answers import SurfacePart, SurfacePlaces
+from exactspline.bivariate.joined_curves import ZeroComponent
+from exactspline.bivariate.surface_points import Place
+from exactspline.bivariate.zero_lines import ZeroLine
+from exactspline.errors import ReachError
+from exactspline.geometry.analysis.planar_maps import MapKind
+from exactspline.geometry.analysis.surfaces import PatchInspection
+from exactspline.geometry.curves.joints import Joint
+from exactspline.geometry.curves.kinds import Feature, JointKind
+from exactspline.geometry.curves.planarity import Plane
+from exactspline.geometry.pairs.distance import ClosestPair, Distance
+from exactspline.geometry.pairs.intersections import Intersection, Intersections, Overlap
+from exactspline.geometry.pairs.nearest import Nearest, NearestPoint
+from exactspline.geometry.recognition.patches import RecognizedPart
+from exactspline.geometry.recognition.pieces import RecognizedPiece
+from exactspline.geometry.surfaces.degenerate import Pole
+from exactspline.geometry.surfaces.forms import sides_of
+from exactspline.geometry.surfaces.joints import SurfaceJoint, SurfaceJointKind
+from exactspline.geometry.surfaces.ridges import Ridges
+from exactspline.geometry.surfaces.umbilics import Umbilic
+from exactspline.roots.answers import CurvePiece, Places
+from exactspline.splines.surface import Along
+from tests.support.images import Image, Ring, closed_in, known
+
+OPPOSITE = {"maximum": "minimum", "minimum": "maximum"}
+OTHER_SIGN = {MapKind.POSITIVE: MapKind.NEGATIVE, MapKind.NEGATIVE: MapKind.POSITIVE}
+
+
+@dataclass(frozen=True)
+class To:
+    """Where an answer about an object is moved: by which image, into which parameters, of how many coordinates; whether
+    the extrema of what was asked for change their kind.
+    """
+
+    asked: object
+    image: Image
+    rings: tuple[Ring, Ring]
+    dimension: int
+    flipped: bool = False
+
+    def parameter(self, x, k=0):
+        """Where a parameter goes, by its number."""
+        place = 1 - k if self.image.exchanged else k
+        return self.rings[place].once(known(x).mapped(self.image.ways[k].to))
+
+    def both(self, first, second):
+        """Where a pair of parameters goes."""
+        pair = [self.parameter(first, 0), self.parameter(second, 1)]
+        return pair[::-1] if self.image.exchanged else pair
+
+    def interval(self, ends, k=0):
+        """Where an interval of rational ends goes, cut at the knots there."""
+        low, high = sorted(map(self.image.ways[k].to, ends))
+        return self.rings[1 - k if self.image.exchanged else k].cut(low, high)
+
+    def boxes(self, sides):
+        """Where a rectangle of rational sides goes, cut at the knots there."""
+        parts = [self.interval(side, k) for k, side in enumerate(sides)]
+        first, second = parts[::-1] if self.image.exchanged else parts
+        return [tuple(map(known, (*a, *b))) for a in first or [()] for b in second or [()]]
+
+    def along(self, along):
+        """The name of a parameter of a surface."""
+        return str(along) if not self.image.exchanged else "v" if along is Along.U else "u"
+
+    @property
+    def scale(self):
+        """By how much lengths grow."""
+        return mpq(self.image.motion.scale)
+
+    @property
+    def turn(self):
+        """The sign of what is signed by left and right in the plane."""
+        return -1 if self.dimension == 2 and self.image.turns else 1
+
+
+@singledispatch
+def rows(answer, to):
+    """The rows of an answer, moved."""
+    raise TypeError(f"no transport for {type(answer).__name__}")
+
+
+@dataclass(frozen=True)
+class Refused:
+    """A question that was refused: by which kind of error."""
+
+    error: str
+
+
+@rows.register
+def _(answer: Refused, to):
+    return [(("refused", answer.error), ())]
+
+
+@rows.register
+def _(answer: NoneType, to):
+    return [(("none",), ())]
+
+
+@rows.register
+def _(answer: tuple, to):
+    """Several values; a piece with its plane is one, a point is that there is one."""
+    if [type(x) for x in answer] == [CurvePiece, Plane]:
+        return [joined(*(rows(x, to)[0] for x in answer))]
+    if answer and all(isinstance(x, type(mpq())) for x in answer):
+        return [(("a point",), ())]
+    return [row for x in answer for row in rows(x, to)]
+
+
+def joined(first, second):
+    """Two rows as one."""
+    return (*first[0], *second[0]), (*first[1], *second[1])
+
+
+def marked(word, found):
+    """Rows with a word before them."""
+    return [((word, *words), numbers) for words, numbers in found]
+
+
+# ---- curves
+
+
+@rows.register
+def _(answer: Places, to):
+    """What holds at points, and everywhere on pieces."""
+    return [*rows(tuple(answer), to), *marked("everywhere", rows(answer.everywhere, to))]
+
+
+@rows.register
+def _(feature: Feature, to):
+    kind = OPPOSITE.get(feature.kind, feature.kind) if to.flipped else feature.kind
+    words = str(kind), f"of |κ|: {feature.of_absolute}", "by a jump" if feature.by_jump else ""
+    return [(words, (to.parameter(feature.root),))]
+
+
+@rows.register
+def _(joint: Joint, to):
+    """A knot at which nothing can be seen is none: of the highest order that is told, or inside a rest."""
+    if joint.kind is JointKind.STILL or (joint.order is not None and joint.order >= 3):
+        return []
+    numbers = [to.parameter(joint.parameter)]
+    if joint.angle is not None:
+        numbers += [known(joint.angle.cosine), known(joint.angle.sine).times(to.turn)]
+    if joint.gap is not None:
+        numbers.append(known(joint.gap).times(to.scale))
+    if joint.curvatures is not None:
+        sides = [known(x).times(to.turn / to.scale) for x in joint.curvatures]
+        numbers += sides[::-1] if to.image.ways[0].backwards else sides
+    return [((str(joint.kind), str(joint.order)), tuple(numbers))]
+
+
+@rows.register
+def _(piece: CurvePiece, to):
+    """A piece by its ends; of a whole closed curve no point is an end."""
+    ring, ends = to.rings[0], [to.parameter(t) for t in (piece.start, piece.end)]
+    if ring.closed and ends[0] == ends[1]:
+        return [(("all around",), ())]
+    return [(("piece",), tuple(ends[::-1] if to.image.ways[0].backwards else ends))]
+
+
+@rows.register
+def _(plane: Plane, to):
+    """A plane by a primitive normal and its distance, in the image."""
+    matrix, scale = to.image.motion.rows(3), to.scale
+    normal = [sum((a * x for a, x in zip(row, plane.normal, strict=True)), mpq(0)) / scale for row in matrix]
+    square = sum(x * x for x in plane.normal)
+    foot = to.image.motion([mpq(plane.offset * x) / square for x in plane.normal])
+    return [(("plane",), tuple(map(known, primitive_plane(normal, foot))))]
+
+
+def primitive_plane(normal, point):
+    """Normal and offset of a plane in integers without a common divisor, the first nonzero one positive."""
+    normal = primitive(normal)
+    return [*normal, sum(a * x for a, x in zip(normal, point, strict=True))]
+
+
+def primitive(vector):
+    """The multiple of a vector with coprime integers whose first nonzero one is positive."""
+    exact = [mpq(x) for x in vector]
+    whole = [int(x * lcm(1, *[y.denominator for y in exact])) for x in exact]
+    sign = 1 if next((x for x in whole if x), 1) > 0 else -1
+    divisor = gcd(*whole) or 1
+    return [sign * x // divisor for x in whole]
+
+
+@rows.register
+def _(found: RecognizedPiece, to):
+    """A shape where it is exact by its numbers, otherwise, being guessed, by its kind."""
+    words = str(found.kind), "whole" if found.whole else "", "exact" if found.exact else "near"
+    numbers = of_shape(found.shape, to) if found.exact else ()
+    return [joined((words, numbers), rows(found.piece, to)[0])]
+
+
+def of_shape(shape, to):
+    """The numbers of an exact shape in the image, those that do not depend on how it is said."""
+    move, scale = to.image.motion, to.scale
+    matrix = getattr(shape, "matrix", None)
+    if matrix is not None:
+        return moved_quadric(matrix, move)
+    numbers = []
+    axis = next((getattr(shape, name) for name in ("direction", "axis", "normal") if getattr(shape, name, ())), None)
+    point = next(getattr(shape, name) for name in ("point", "centre", "apex") if hasattr(shape, name))
+    moved = move(point)
+    if axis is not None:
+        axis = primitive(move.of_vector(axis))
+        numbers += axis
+    numbers += foot_of(str(shape.kind), moved, axis)
+    numbers += [
+        getattr(shape, f"{name}_squared") * scale**2
+        for name in ("radius", "major", "minor")
+        if hasattr(shape, f"{name}_squared")
+    ]
+    numbers += [shape.tangent_squared] if hasattr(shape, "tangent_squared") else []
+    return tuple(map(known, numbers))
+
+
+def foot_of(kind, point, axis):
+    """The point of a shape; of a line, an axis or a plane the one next to the origin."""
+    if kind not in ("line", "cylinder", "plane"):
+        return point
+    along = sum(a * x for a, x in zip(axis, point, strict=True)) / mpq(sum(a * a for a in axis))
+    foot = [along * a for a in axis]
+    return foot if kind == "plane" else [x - y for x, y in zip(point, foot, strict=True)]
+
+
+def moved_quadric(matrix, move):
+    """The symmetric matrix of a conic in the image, its first nonzero entry 1."""
+    n = len(matrix) - 1
+    rows_of, scale = move.rows(n), move.scale
+    shift = move.shift or [mpq(0)] * n
+    # the inverse motion: x ↦ Rᵀ (x − d) / scale²
+    back = [[rows_of[j][i] / scale**2 for j in range(n)] for i in range(n)]
+    inverse = [[*row, -sum(a * d for a, d in zip(row, shift, strict=True))] for row in back] + [[mpq(0)] * n + [mpq(1)]]
+    image = [
+        [
+            sum(inverse[k][i] * matrix[k][m] * inverse[m][j] for k in range(n + 1) for m in range(n + 1))
+            for j in range(n + 1)
+        ]
+        for i in range(n + 1)
+    ]
+    first = next(x for row in image for x in row if x)
+    return tuple(known(x / first) for row in image for x in row)
+
+
+@rows.register
+def _(answer: Nearest, to):
+    return [*rows(tuple(answer), to), *marked("everywhere", rows(answer.everywhere, to))]
+
+
+@rows.register
+def _(found: NearestPoint, to):
+    place = to.image.motion.of_known([known(x) for x in found.point])
+    return [(("nearest",), (to.parameter(found.parameter), known(found.squared).times(to.scale**2), *place))]
+
+
+@rows.register
+def _(number: int, to):
+    return [((), (known(number).times(-1 if to.image.turns else 1),))]
+
+
+# ---- pairs of parameters
+
+
+@rows.register
+def _(answer: Intersections, to):
+    alone = answer.curves is None
+    points = [of_pair(x, to, alone) for x in answer]
+    arcs, _ = whole_arcs(answer.everywhere, to, alone)
+    return [*points, *arcs, *[(("left out",), ())] * bool(answer.left_out)]
+
+
+def pair_at(first, second, to, alone):
+    """A pair of parameters; of a curve with itself in their order."""
+    if not alone:
+        return tuple(to.both(first, second))
+    return tuple(sorted((to.parameter(first), to.parameter(second)), key=lambda x: x.low))
+
+
+def of_pair(found, to, alone):
+    """A common point."""
+    return (str(found.kind), str(found.multiplicity)), pair_at(found.first, found.second, to, alone)
+
+
+def key_of(pair):
+    """What tells a pair of parameters from others."""
+    return tuple(round((x.low + x.high) / 2 * 10**20) if x.exact is None else x.exact for x in pair)
+
+
+def course(arc, to):
+    """Whether both curves run along an arc the same way, or one of them stands still."""
+    if arc.first[0] == arc.first[1] or arc.second[0] == arc.second[1]:
+        return "at rest"
+    turned = to.image.ways[0].backwards != to.image.ways[1].backwards
+    return "reversed" if arc.reversed != turned else "the same way"
+
+
+def whole_arcs(arcs, to, alone=False):
+    """Arcs are told knot by knot; compared are those that they make together: joined where exactly two of one course
+    meet. The rows of these, and the pairs at which they were joined.
+    """
+    placed = [
+        (course(arc, to), [pair_at(*p, to, alone) for p in zip(arc.first, arc.second, strict=True)]) for arc in arcs
+    ]
+    met = Counter((word, key_of(end)) for word, ends in placed for end in ends)
+    groups = [(word, list(ends)) for word, ends in placed]
+    joined_at = set()
+    for node in [node for node, times in met.items() if times == 2]:
+        here = [group for group in groups if node in [(group[0], key_of(end)) for end in group[1]]]
+        groups = [group for group in groups if not any(group is x for x in here)]
+        ends = [end for _, own in here for end in own if (node[0], key_of(end)) != node]
+        groups.append((node[0], ends))
+        joined_at.add(node[1])
+    found = [((word, f"{len(ends)} ends"), end) for word, ends in groups for end in ends]
+    return [*found, *[((word, "loop"), ()) for word, ends in groups if not ends]], joined_at
+
+
+@rows.register
+def _(found: Intersection, to):
+    return [of_pair(found, to, alone=False)]
+
+
+@rows.register
+def _(arc: Overlap, to):
+    return whole_arcs([arc], to)[0]
+
+
+@rows.register
+def _(found: Distance, to):
+    """The pairs but those at which arcs are joined, the arcs, and the distance."""
+    arcs, joined_at = whole_arcs(found.everywhere, to)
+    pairs = [row for pair in found.pairs for row in rows(pair, to) if key_of(row[1]) not in joined_at]
+    value = [(("squared",), (known(found.squared).times(to.scale**2),))] if found.pairs else []
+    return [*pairs, *value, *arcs, *[(("left out",), ())] * bool(found.left_out)]
+
+
+@rows.register
+def _(found: ClosestPair, to):
+    return [(("closest",), tuple(to.both(found.first, found.second)))]
+
+
+# ---- surfaces
+
+
+@rows.register
+def _(answer: SurfacePlaces, to):
+    undecided = [(("undecided",), ())] * bool(answer.undecided)
+    parts = dict.fromkeys(marked("everywhere", rows(answer.everywhere, to)))
+    return [*rows(tuple(answer), to), *parts, *undecided]
+
+
+@rows.register
+def _(place: Place, to):
+    return [(("place",), tuple(at(place, to)))]
+
+
+def at(place, to):
+    """The parameters of a place."""
+    try:
+        return to.both(*place.spot)
+    except ReachError:
+        return []
+
+
+@rows.register
+def _(found: Umbilic, to):
+    words = str(found.kind), "one-sided" if found.one_sided else ""
+    return [(words, tuple(at(found.place, to)))]
+
+
+@rows.register
+def _(part: SurfacePart, to):
+    """A rectangle or an edge, patch by patch of the image; curves inside are told elsewhere."""
+    if part.along_curve:
+        return [(("along a curve",), ())]
+    return [(("part",), box) for box in to.boxes(part.sides)]
+
+
+@rows.register
+def _(curve: ZeroComponent, to):
+    """The kind of a curve, its arcs, and the ends of these."""
+    closed = [along for along in Along if closed_in(to.asked, along)]
+    arcs = curve.arcs(to.asked.domain, closed)
+    loops = sum(closed for *_, closed in arcs)
+    ends = [end for *pair, closed in arcs if not closed for end in pair]
+    words = str(curve.shape), f"{len(arcs)} arcs", f"{loops} loops"
+    return [(words, ()), *[((str(curve.shape), "end"), () if x is None else tuple(to.both(*x))) for x in ends]]
+
+
+@rows.register
+def _(line: ZeroLine, to):
+    words = to.along(line.along), "closed" if line.closed else "", "one-sided" if line.one_sided else ""
+    return [(words, numbers) for numbers in on_line(line, line.value, to)]
+
+
+def on_line(line, value, to):
+    """The value of an isoparametric line and the ends of its parts between knots."""
+    k = line.along.direction
+    own = to.parameter(value, 1 - k)
+    return [(own, *map(known, part)) for part in to.interval(line.interval, k)]
+
+
+@rows.register
+def _(pole: Pole, to):
+    words = "pole", to.along(pole.along), str(pole.gap)
+    point = () if pole.point is None else tuple(map(known, to.image.motion(pole.point)))
+    return [(words, (*numbers, *point)) for numbers in on_line(pole, pole.value, to)]
+
+
+@rows.register
+def _(joint: SurfaceJoint, to):
+    """A line along which nothing can be seen is none."""
+    if joint.kind is SurfaceJointKind.CONTINUOUS:
+        return []
+    k = 1 - joint.across.direction
+    angle = () if joint.angle is None else (known(joint.angle.cosine),)
+    value = to.parameter(joint.value, 1 - k)
+    words = "joint", to.along(joint.across), str(joint.kind)
+    return [(words, (value, *map(known, part), *angle)) for part in to.interval(joint.interval, k)]
+
+
+@rows.register
+def _(found: RecognizedPart, to):
+    """The shape of patches where it is exact by its numbers, each patch by its rectangle."""
+    words = str(found.kind), "whole" if found.whole else "", "exact" if found.exact else "near"
+    numbers = of_shape(found.shape, to) if found.exact else ()
+    boxes = [box for patch in found.patches for box in to.boxes(sides_of(to.asked, patch))]
+    return [(words, (*numbers, *box)) for box in boxes]
+
+
+@rows.register
+def _(patch: PatchInspection, to):
+    """The kind of a patch, and its constant curvature."""
+    words = str(patch.kind), "minimal" if patch.minimal else ""
+    curvature = () if patch.curvature is None else (known(patch.curvature).times(1 / to.scale**2),)
+    return [(words, (*box, *curvature)) for box in to.boxes(patch.sides)]
+
+
+@rows.register
+def _(found: Ridges, to):
+    parts = [
+        ((f"stationary {count}", *words), box) for part, count in found.stationary for words, box in rows(part, to)
+    ]
+    undecided = [(("undecided",), ())] * bool(found.undecided)
+    return [*rows(found.curves, to), *rows(found.lines, to), *parts, *undecided]
+
+
+# ---- maps of the plane
+
+
+@rows.register
+def _(kind: MapKind, to):
+    return [((str(OTHER_SIGN.get(kind, kind) if to.image.turns_over else kind),), ())]
+
+
+# ---- comparison
+
+
+def same(found, expected):
+    """Whether two lists of rows are the same up to their order."""
+    if Counter(words for words, _ in found) != Counter(words for words, _ in expected):
+        return False
+    left = list(found)
+    for row in expected:
+        match = next((x for x in left if agree(x, row)), None)
+        if match is None:
+            return False
+        left.remove(match)
+    return True
+
+
+def agree(one, other):
+    """Whether two rows say the same."""
+    return (
+        one[0] == other[0]
+        and len(one[1]) == len(other[1])
+        and all(x.agrees(y) for x, y in zip(one[1], other[1], strict=True))
+    )
+
+
+def shown(found):
+    """Rows as text, in an order."""
+    return sorted(f"{' '.join(filter(None, words))} ({', '.join(map(str, numbers))})" for words, numbers in found)
