@@ -17,6 +17,8 @@ from tests.support.images import Image, Motion, Way
 
 #: How near a knot is put to what was found.
 NEAR = mpq(1, 2**300)
+#: On surfaces, where numbers of 300 bits put common zeros out of reach.
+NEAR_ON_SURFACES = mpq(1, 2**30)
 SAME = Way()
 
 
@@ -401,7 +403,7 @@ def knot_in_the_middle(rows, random):
 def knot_near_a_knot(rows, random):
     """A knot next to another one."""
     a, b = random.choice(list(pairwise(rows.breaks)))
-    return knot_at(rows, random.choice([a + (b - a) * NEAR, b - (b - a) * NEAR]))
+    return knot_at(rows, random.choice([a + (b - a) * NEAR_ON_SURFACES, b - (b - a) * NEAR_ON_SURFACES]))
 
 
 OF_SURFACES = {

@@ -7,7 +7,9 @@ from functools import partial
 from gmpy2 import mpq
 
 from exactspline import Nurbs
+from exactspline.geometry.analysis.curves import analyse
 from exactspline.geometry.analysis.pairs import CurvePair
+from exactspline.geometry.analysis.surfaces import PatchKind
 from exactspline.interchange.examples import example
 from exactspline.questions.entry import Of
 from exactspline.splines.surface import NurbsSurface
@@ -136,11 +138,13 @@ def light_surface(random):
 
 
 def net(random, dimension, degree):
-    """A patch over a net of small integers."""
+    """A patch over a net of small integers; in space one that is no curve, on which every knot line is a joint."""
     grid = [[(mpq(i), mpq(j), mpq(0))[:dimension] for j in range(degree[1] + 1)] for i in range(degree[0] + 1)]
     points = [[tuple(x + random.randint(-1, 1) for x in p) for p in row] for row in grid]
     knots = [[mpq(0)] * (n + 1) + [mpq(1)] * (n + 1) for n in degree]
-    return NurbsSurface(degree, *knots, points)
+    made = NurbsSurface(degree, *knots, points)
+    bare = dimension == 3 and analyse(made).kinds[0] in (PatchKind.CURVE, PatchKind.POINT)
+    return net(random, dimension, degree) if bare else made
 
 
 def planar_map(random):
