@@ -279,12 +279,12 @@ def _found_at(first: PlaneForms, second: PlaneForms, place: Place) -> list[Meeti
 # ---- where the determinant is the zero form
 
 
-def _without_common_factor(curve: PlaneForms) -> PlaneForms:
+def without_common_factor(curve: PlaneForms) -> PlaneForms:
     """The curve without a common factor of its three forms: of the degree of the curve itself.
 
     >>> line = fmpz_poly([0, 1]), fmpz_poly([1]), fmpz_poly([1, 1])
     >>> raised = PlaneForms(2, *[f * fmpz_poly([1, 1]) for f in line])
-    >>> _without_common_factor(raised)
+    >>> without_common_factor(raised)
     PlaneForms(degree=1, x=x, y=1, w=x + 1)
     """
     if any(f and certainly_coprime(curve.w, f) for f in (curve.x, curve.y)):
@@ -299,7 +299,7 @@ def _degenerate(first: PlaneForms, second: PlaneForms) -> Meetings:
     """The common points of curves whose determinant vanishes: common factors are removed first; if it still vanishes,
     they are arcs of one curve.
     """
-    lower, other = _without_common_factor(first), _without_common_factor(second)
+    lower, other = without_common_factor(first), without_common_factor(second)
     if lower.degree < first.degree or other.degree < second.degree:
         return meetings(lower, other)
     forward = elimination(first, second)
@@ -365,7 +365,7 @@ def self_meetings(curve: PlaneForms) -> Meetings:
 
     Raises `ReachError` for what would take too long.
     """
-    curve = _without_common_factor(curve)
+    curve = without_common_factor(curve)
     if curve.degree < 2:
         return Meetings()
     if curve.is_straight:

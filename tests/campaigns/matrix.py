@@ -4,7 +4,7 @@ take long.
 python -m tests.campaigns.matrix COUNT SEED
 
 Prints each failure with its shortest word, and the numbers of cells, of exemptions, of words, of answers compared and
-of failures. Of surfaces, maps and pairs, whose questions take longer, there are fewer words than of curves.
+of failures. Fewer words are about surfaces, maps and pairs, whose questions take longer.
 """
 
 import sys
@@ -18,7 +18,7 @@ SEED = 2028
 #: Of a hundred words, how many are about which kind of object.
 SHARES = {Of.PLANE_CURVE: 50, Of.SPACE_CURVE: 30, Of.TWO_CURVES: 4, Of.SURFACE: 6, Of.PLANAR_MAP: 10}
 KINDS = [of for of, share in SHARES.items() for _ in range(share)]
-#: Ridges take about a minute: of one in so many words about surfaces.
+#: Ridges take about a minute: they are asked of one of 200 surfaces.
 DEAR = 200
 
 

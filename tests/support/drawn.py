@@ -138,7 +138,7 @@ def light_surface(random):
 
 
 def net(random, dimension, degree):
-    """A patch over a net of small integers; in space one that is no curve, on which every knot line is a joint."""
+    """A patch over a net of small integers; in space not one that is a curve, on which every knot line is a joint."""
     grid = [[(mpq(i), mpq(j), mpq(0))[:dimension] for j in range(degree[1] + 1)] for i in range(degree[0] + 1)]
     points = [[tuple(x + random.randint(-1, 1) for x in p) for p in row] for row in grid]
     knots = [[mpq(0)] * (n + 1) + [mpq(1)] * (n + 1) for n in degree]
