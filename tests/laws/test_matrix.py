@@ -12,26 +12,28 @@ import pytest
 from exactspline.geometry.analysis.registry import REGISTRY
 from exactspline.geometry.curves.kinds import FeatureKind
 from exactspline.questions.entry import Of, Question, question, question_with
+from exactspline.questions.takes import Takes
 from tests.support.changes import CHANGES
 from tests.support.drawn import DRAWN, light_surface
 from tests.support.exemptions import EXEMPTIONS
 from tests.support.matrix import (
     Counts,
-    argument_of,
     ask,
     cells,
     exempt,
     exempt_cells,
+    given_to,
     questions,
     run_word,
+    text_of,
     without_transport,
 )
 from tests.support.parts import differing_parts, of_parts, somewhere
 from tests.support.paths import (
     after_others,
     again,
-    asked,
     by_command,
+    in_the_plane_z_0,
     said,
     same_by_batch,
     same_by_command,
@@ -63,6 +65,10 @@ def test_every_type_of_answer_has_a_transport():
     assert without_transport() == []
 
 
+#: Something new that a question takes.
+ANGLE = Takes("30", lambda given, facts: given)
+
+
 @dataclass(frozen=True)
 class Sample:
     """A value of a new kind."""
@@ -74,7 +80,7 @@ def test_a_new_question_without_a_transport_is_named():
         def samples(self) -> tuple[Sample, ...]:
             """Samples."""
 
-        @question_with("1", Of.PLANE_CURVE)
+        @question_with(ANGLE, Of.PLANE_CURVE)
         def inflections_of(self, order: int) -> int:
             """Numbers."""
 
@@ -83,7 +89,7 @@ def test_a_new_question_without_a_transport_is_named():
     registry = REGISTRY | {Of.PLANE_CURVE: entries}
     assert without_transport(registry) == [
         "samples of a plane curve: Sample",
-        "inflections_of of a plane curve: argument 1",
+        "inflections_of of a plane curve: takes 30",
     ]
 
 
@@ -120,7 +126,7 @@ def test_parts_together_have_what_the_whole_has(of):
         t = somewhere(curve, random)
         for entry in questions(of):
             if of_parts(entry) and not exempt(of, entry.name, "split"):
-                found = differing_parts(curve, entry, argument_of(entry, curve, random), t)
+                found = differing_parts(curve, entry, given_to(entry, curve, random), t)
                 assert not found, (SEED, entry.name, curve.knots, curve.control_points, t, found)
 
 
@@ -128,17 +134,17 @@ def test_parts_together_have_what_the_whole_has(of):
 
 
 def asked_of(of, name):
-    """A curve, and all questions with arguments."""
+    """A curve, and all questions with givens."""
     random = Random(f"{SEED} {of} {name}")
     curve = DRAWN[of](random)
-    return curve, [(entry, argument_of(entry, curve, random)) for entry in questions(of)]
+    return curve, [(entry, given_to(entry, curve, random)) for entry in questions(of)]
 
 
 @pytest.mark.parametrize("of", CURVES, ids=str)
 def test_before_and_after_other_questions_and_without_the_extension(of):
     for i in range(3):
         curve, asking = asked_of(of, i)
-        alone = [said(again(curve), asked(*each)) for each in asking]
+        alone = [said(again(curve), text_of(*each)) for each in asking]
         assert after_others(curve, asking) == alone, (SEED, i)
         assert [without_extension(curve, *each) for each in asking] == alone, (SEED, i)
 
@@ -146,11 +152,22 @@ def test_before_and_after_other_questions_and_without_the_extension(of):
 @pytest.mark.parametrize("of", CURVES, ids=str)
 def test_by_python_by_the_command_and_in_a_sweep(of, tmp_path):
     curve, asking = asked_of(of, "doors")
-    for entry, argument in asking:
-        by_python = said(again(curve), asked(entry, argument))
-        assert same_by_command(by_python, by_command(curve, entry, argument, tmp_path)), (SEED, entry.name)
-        found = None if isinstance(by_python, str) else swept(curve, entry, argument)
+    for entry, given in asking:
+        by_python = said(again(curve), text_of(entry, given))
+        assert same_by_command(by_python, by_command(curve, entry, given, tmp_path)), (SEED, entry.name)
+        found = None if isinstance(by_python, str) else swept(curve, entry, given)
         assert found is None or same_by_sweep(by_python, found), (SEED, entry.name, by_python, found)
+
+
+def test_in_the_plane_z_0():
+    """A curve there is a plane curve to every question about plane curves."""
+    for i in range(3):
+        curve, asking = asked_of(Of.PLANE_CURVE, f"z = 0, {i}")
+        for entry, given in asking:
+            assert in_the_plane_z_0(curve, entry, given) == said(again(curve), text_of(entry, given)), (
+                SEED,
+                entry.name,
+            )
 
 
 def test_in_a_batch():
@@ -167,40 +184,40 @@ def points_of(answer):
     return [x for x in answer if hasattr(x, "root")] if hasattr(answer, "where") else []
 
 
-def lost_seam(thing, name, argument=""):
+def lost_seam(thing, name, given=()):
     """What stands at the seam of a closed curve is left out."""
-    answer = ask(thing, name, argument)
+    answer = ask(thing, name, given)
     at_seam = points_of(answer) and thing.closed
     return answer.where(lambda x: x.root != thing.domain[0]) if at_seam else answer
 
 
-def lost_sign(thing, name, argument=""):
+def lost_sign(thing, name, given=()):
     """All extrema are told as maxima."""
-    answer = ask(thing, name, argument)
+    answer = ask(thing, name, given)
     if not points_of(answer):
         return answer
     return tuple(replace(x, kind=FeatureKind.MAXIMUM) if x.kind == "minimum" else x for x in answer)
 
 
-def twice_at_a_knot(thing, name, argument=""):
+def twice_at_a_knot(thing, name, given=()):
     """What stands at a knot is told from both sides."""
-    answer = ask(thing, name, argument)
+    answer = ask(thing, name, given)
     twice = [x for x in points_of(answer) if x.root.at_knot]
     return (*answer, *twice) if twice else answer
 
 
-def dropped_argument(thing, name, argument=""):
+def dropped_given(thing, name, given=()):
     """What is given behind the name is not read."""
-    return ask(thing, name, REGISTRY[Of.PLANE_CURVE][name].about.argument)
+    return ask(thing, name, tuple(each.example for each in REGISTRY[Of.PLANE_CURVE][name].about.takes))
 
 
 def cached():
     """What is known is kept by the control points, without knots and weights."""
     kept = {}
 
-    def asking(thing, name, argument=""):
-        key = thing.degree, thing.control_points, name, argument
-        return kept.setdefault(key, ask(thing, name, argument))
+    def asking(thing, name, given=()):
+        key = thing.degree, thing.control_points, name, given
+        return kept.setdefault(key, ask(thing, name, given))
 
     return asking
 
@@ -209,7 +226,7 @@ FAULTS = {
     "a lost seam": (lost_seam, "other seam"),
     "a lost sign": (lost_sign, "reversed"),
     "a duplicate at a knot": (twice_at_a_knot, "knot on what was found"),
-    "a dropped argument": (dropped_argument, "scaled"),
+    "a dropped given": (dropped_given, "scaled"),
     "a cache": (cached(), "affine"),
 }
 

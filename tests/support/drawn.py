@@ -75,7 +75,7 @@ def chain(number, dimension, random):
 
 def stadium(number, dimension, random):
     """A closed chain of straight pieces and quarters of circles, its seam anywhere."""
-    straight, flat = mpq(random.randint(1, 3)), mpq(random.randint(-1, 1))
+    straight, flat = mpq(random.randint(1, 3)), mpq(random.choice([-1, 1]))
     outline = [(0, 0), (straight, 0), (2 * straight, 0), (2 * straight + 1, 0), (2 * straight + 1, 1)]
     outline += [(2 * straight + 1, 2), (2 * straight, 2), (straight, 2), (0, 2), (-1, 2), (-1, 1), (-1, 0), (0, 0)]
     points = [(mpq(x), mpq(y), flat * x)[:dimension] for x, y in outline]
@@ -102,7 +102,9 @@ def curve(dimension, random):
         ]
     else:
         kinds = [open_curve, open_curve, open_curve, partial(known_curve, OPEN[dimension])]
-    return random.choice(kinds)(number, dimension, random)
+    made = random.choice(kinds)(number, dimension, random)
+    # in the plane z = 0 it would be a plane curve to some questions, and not to these after a motion
+    return curve(dimension, random) if dimension == 3 and not any(p[2] for p in made.control_points) else made
 
 
 def pair(random):

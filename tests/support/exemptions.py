@@ -3,6 +3,7 @@
 from exactspline.questions.entry import Of
 
 CURVES = (Of.PLANE_CURVE, Of.SPACE_CURVE)
+ALL = (*CURVES, Of.SURFACE, Of.PLANAR_MAP)
 SINGULAR = "knot on a singular point"
 KNOTS = ("knot far away", "knot on what was found", SINGULAR, "knot near what was found")
 OF_SURFACES = ("knot far away", "knot on what was found", "knot near what was found")
@@ -12,6 +13,8 @@ FORMS = ("degree", "common factor", "moebius")
 PIECES = ("inflections", "critical_points", "curvature_extrema", "straight_pieces", "constant_pieces")
 #: Answers about control points, or about all objects near by, depend on how the object is written.
 NOT_TRANSPORTED = {"stability": "it tells how far control points may move"}
+#: What is asked in campaigns alone.
+DEAR = {"ridges"}
 #: Of what, questions, changes, reason.
 EXEMPTIONS = [
     (CURVES, ("shapes",), KNOTS, "pieces begin and end at knots, and conics of degree 2 are told of one segment alone"),
@@ -26,7 +29,10 @@ EXEMPTIONS = [
     (CURVES, PIECES, (SINGULAR,), "a cusp inside a segment, which may be irrational, cuts no piece"),
     ((Of.SPACE_CURVE,), ("torsion_zeros", "planar_pieces"), (SINGULAR,), "a cusp inside a segment cuts no piece"),
     ((Of.SPACE_CURVE,), ("torsion_zeros",), ("split",), "a part of a planar piece may be straight"),
-    (CURVES, ("turning_points",), ("rotated",), "a turned coordinate is none"),
+    (CURVES, ("turning_points", "bounding_box"), ("rotated",), "a turned coordinate is none"),
+    ((Of.PLANE_CURVE,), ("moments",), ("rotated",), "a turned coordinate is none"),
+    ((Of.PLANE_CURVE,), ("area", "moments"), ("common factor", "moebius"), "of curves with equal weights alone"),
+    (ALL, ("derivative",), ("moebius",), "the chain rule is written for affine parameters"),
     ((Of.SPACE_CURVE,), ("plane",), ("rotated",), "of straight curves only planes of constant coordinates are told"),
     ((Of.SURFACE,), ("patches",), OF_SURFACES, "a part of a patch may be of one kind"),
     ((Of.SURFACE,), ("shapes",), OF_SURFACES, "a small part may be nearer to a shape than the whole"),

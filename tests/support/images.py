@@ -8,7 +8,7 @@ from typing import NamedTuple
 from gmpy2 import mpq
 
 from exactspline import Nurbs
-from exactspline.errors import ReachError
+from exactspline.errors import OpenError, ReachError
 from exactspline.geometry.analysis.pairs import CurvePair
 from exactspline.reals.real import Real
 from exactspline.splines.surface import Along, NurbsSurface
@@ -52,17 +52,17 @@ def known(x):
         return Known(mpq(x), mpq(x), mpq(x))
     try:
         exact = x.exact
-    except ReachError:
+    except (ReachError, OpenError):
         return Known(None, *x.enclosure(DIGITS), open=True)
     return Known(exact, *(x.enclosure(DIGITS) if exact is None else (exact, exact)))
 
 
 def total(numbers):
-    """The sum of numbers, rational where all are; intervals are added."""
+    """The sum of numbers, rational where all are; intervals are added, and the sum may be rational."""
     exact = [x.exact for x in numbers]
     value = None if None in exact else sum(exact, mpq(0))
     low, high = (sum((x[k] for x in numbers), mpq(0)) for k in (1, 2))
-    return Known(value, low, high, any(x.open for x in numbers))
+    return Known(value, low, high, open=any(x.open for x in numbers) or sum(x.exact is None for x in numbers) > 1)
 
 
 @dataclass(frozen=True)
@@ -106,14 +106,18 @@ class Motion:
 
 
 class Way(NamedTuple):
-    """Where a parameter goes, and whether it runs the other way then."""
+    """Where a parameter goes, and whether it runs the other way then; the derivative of the new one by the old one
+    where that is constant.
+    """
 
     to: Callable[[mpq], mpq] = lambda t: t
     backwards: bool = False
+    speed: mpq | int | None = 1
 
     def then(self, other):
         """This one, then another."""
-        return Way(lambda t: other.to(self.to(t)), self.backwards != other.backwards)
+        speed = None if self.speed is None or other.speed is None else self.speed * other.speed
+        return Way(lambda t: other.to(self.to(t)), self.backwards != other.backwards, speed)
 
 
 @dataclass(frozen=True)

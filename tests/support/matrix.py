@@ -7,6 +7,7 @@ from collections import Counter
 from collections.abc import Callable
 from dataclasses import dataclass, field
 from functools import cache, lru_cache
+from itertools import pairwise
 from random import Random
 from types import UnionType
 
@@ -14,16 +15,20 @@ from gmpy2 import mpq
 
 from exactspline import Nurbs
 from exactspline.errors import ExactSplineError
+from exactspline.geometry.analysis.ask import asked_of
 from exactspline.geometry.analysis.curves import analyse
 from exactspline.geometry.analysis.pairs import CurvePair
 from exactspline.geometry.analysis.registry import REGISTRY
-from exactspline.questions.entry import Entry, Of
+from exactspline.questions import takes
+from exactspline.questions.answers import NamedNumbers
+from exactspline.questions.entry import Answered, Entry, Of
+from exactspline.reals.real import Real
 from exactspline.splines.surface import NurbsSurface
 from tests.support.changes import CHANGES
 from tests.support.drawn import DRAWN
-from tests.support.exemptions import EXEMPTIONS, NOT_TRANSPORTED
+from tests.support.exemptions import DEAR, EXEMPTIONS, NOT_TRANSPORTED
 from tests.support.images import Image, rings
-from tests.support.transport import Refused, To, rows, same, shown
+from tests.support.transport import NUMBERS, POWERS, Refused, To, rows, same, shown
 
 # ---- asking
 
@@ -56,83 +61,114 @@ def facts_of(itself):
     return itself.thing if isinstance(itself.thing, CurvePair) else analyse(itself.thing)
 
 
-def ask(thing, name, argument=""):
+def ask(thing, name, given=()):
     """What a question answers; the kind of error where it is refused. Nothing else asks."""
+    entry = REGISTRY[kind_of(thing)][name]
     try:
-        return REGISTRY[kind_of(thing)][name].answer(facts_of(Itself(thing)), argument)
+        return asked_of(facts_of(Itself(thing)), text_of(entry, given)).answer
     except ExactSplineError as error:
         return Refused(type(error).__name__)
 
 
-# ---- arguments
+def text_of(entry, given=()):
+    """A question as text, with what it is asked with."""
+    placed = [text for takes, text in zip(entry.about.takes, given, strict=True) if takes.placed]
+    others = [text for takes, text in zip(entry.about.takes, given, strict=True) if not takes.placed]
+    return entry.name + "".join(f":{text}" for text in others) + "".join(f"@{text}" for text in placed)
 
 
-def text_of(numbers):
-    """Numbers as an argument."""
+# ---- what a question takes
+
+
+def listed(numbers):
+    """Numbers as text."""
     return ",".join(map(str, numbers))
 
 
-def exact(argument):
-    """The numbers of an argument."""
-    return [mpq(x) for x in argument.split(",")]
+def exact(text):
+    """The numbers of a text."""
+    return [mpq(x) for x in text.split(",")]
 
 
 def some_point(thing, random):
-    """A point near a curve, or on it."""
+    """A point near a curve, on it, or at the centre of a circle that it has."""
     where = random.random()
     if where < 0.2:
         a, b = thing.domain
-        return text_of(thing(a + (b - a) * mpq(random.randint(0, 4), 4)))
+        return listed(thing(a + (b - a) * mpq(random.randint(0, 4), 4)))
     centres = [x.shape.centre for x in analyse(thing).shapes if getattr(x.shape, "centre", None)]
     if where < 0.5 and centres:
-        return text_of(random.choice(centres))
-    return text_of(mpq(random.randint(-9, 9), random.choice([1, 2, 3])) for _ in range(thing.dimension))
+        return listed(random.choice(centres))
+    return listed(mpq(random.randint(-9, 9), random.choice([1, 2, 3])) for _ in range(thing.dimension))
+
+
+def inside(low, high, random):
+    """A parameter inside an interval, at none of the usual knots."""
+    return low + (high - low) * mpq(random.randint(1, 96), 97)
+
+
+def some_parameter(curve, random):
+    """A parameter that is not a knot."""
+    return str(inside(*random.choice(list(pairwise(curve.breakpoints))), random))
+
+
+def some_place(surface, random):
+    """A point of a surface."""
+    return listed(inside(*side, random) for side in surface.domain)
+
+
+def moved_place(text, image, _):
+    """Where a point of a surface goes."""
+    moved = [way.to(x) for way, x in zip(image.ways, exact(text), strict=True)]
+    return listed(moved[::-1] if image.exchanged else moved)
 
 
 @dataclass(frozen=True)
-class Asked:
-    """How an argument is drawn, and where a change puts it; whether by the change extrema become those of the other
-    kind.
+class Drawn:
+    """How something that a question takes is drawn, and where a change puts it; whether by the change extrema become
+    those of the other kind (None: as those of the curvature do).
     """
 
     drawn: Callable[[object, Random], str]
-    moved: Callable[[str, Image, int], str]
-    flipped: Callable[[str, Image], bool] = lambda argument, image: False
+    moved: Callable[[str, Image, int], str] = lambda text, image, dimension: text
+    flipped: Callable[[str, Image], bool] | None = None
 
 
-def axis_of(argument, image, dimension):
+def axis_of(text, image, dimension):
     """The coordinate that a coordinate becomes."""
-    column = [row[int(argument)] for row in image.motion.rows(dimension)]
+    column = [row[int(text)] for row in image.motion.rows(dimension)]
     return str(next(i for i, x in enumerate(column) if x))
 
 
-def axis_turns(argument, image):
+def axis_turns(text, image):
     """Whether a coordinate becomes the negative of one."""
     matrix = image.motion.matrix
-    return bool(matrix) and next(row[int(argument)] for row in matrix if row[int(argument)]) < 0
+    return bool(matrix) and next(row[int(text)] for row in matrix if row[int(text)]) < 0
 
 
-#: The arguments of questions, by their names.
-ARGUMENTS = {
-    "nearest": Asked(some_point, lambda argument, image, _: text_of(image.motion(exact(argument)))),
-    "winding_number": Asked(some_point, lambda argument, image, _: text_of(image.motion(exact(argument)))),
-    "turning_points": Asked(lambda curve, random: str(random.randrange(curve.dimension)), axis_of, axis_turns),
-    "offset_cusps": Asked(
+#: What questions take.
+TAKEN = {
+    takes.POINT: Drawn(some_point, lambda text, image, _: listed(image.motion(exact(text)))),
+    takes.COORDINATE: Drawn(lambda curve, random: str(random.randrange(curve.dimension)), axis_of, axis_turns),
+    takes.DISTANCE: Drawn(
         lambda curve, random: str(mpq(random.choice([-1, 1]) * random.randint(1, 9), random.choice([1, 4, 20]))),
-        lambda argument, image, _: str(exact(argument)[0] * image.motion.scale * (-1 if image.turns else 1)),
+        lambda text, image, _: str(exact(text)[0] * image.motion.scale * (-1 if image.turns else 1)),
     ),
+    takes.INTEGER: Drawn(lambda curve, random: str(random.randint(1, 2))),
+    takes.TWO_ORDERS: Drawn(
+        lambda surface, random: random.choice(["1,0", "0,1", "1,1"]),
+        lambda text, image, _: ",".join(text.split(",")[:: -1 if image.exchanged else 1]),
+    ),
+    takes.PLACES: Drawn(some_parameter, lambda text, image, _: str(image.ways[0].to(mpq(text)))),
+    takes.PLACE_ON_SURFACE: Drawn(some_place, moved_place),
 }
 #: The questions whose answer exchanges with another one where a map changes its orientation.
 TURNED_OVER = {"positive": "negative", "negative": "positive"}
 
 
-def argument_of(entry, thing, random):
-    """An argument for a question; a question with an argument that is not in the table fails by its name."""
-    if not entry.about.argument:
-        return ""
-    if entry.name not in ARGUMENTS:
-        raise KeyError(f"no argument is known for {entry.name}")
-    return ARGUMENTS[entry.name].drawn(thing, random)
+def given_to(entry, thing, random):
+    """What a question is asked with."""
+    return tuple(TAKEN[each].drawn(thing, random) for each in entry.about.takes)
 
 
 # ---- what is asked
@@ -140,12 +176,12 @@ def argument_of(entry, thing, random):
 
 def transported(entry):
     """Whether the answer is one that goes where a change puts it."""
-    return not (entry.about.nearby or entry.name in NOT_TRANSPORTED)
+    return not (entry.about.nearby or entry.about.answered is Answered.SPLINES or entry.name in NOT_TRANSPORTED)
 
 
 def questions(of, *, dear=False, registry=REGISTRY):
     """The questions of an object whose answers are transported; the dear ones where they are asked for."""
-    return [x for x in registry[of].values() if transported(x) and (dear or not x.about.on_request)]
+    return [x for x in registry[of].values() if transported(x) and (dear or x.name not in DEAR)]
 
 
 def types_of(entry: Entry) -> set[type]:
@@ -169,8 +205,9 @@ def without_transport(registry=REGISTRY):
             known = rows.registry.keys() - {object}
             types = [x for x in types_of(entry) if x is not type(mpq()) and not any(issubclass(x, k) for k in known)]
             lacking += [f"{entry.name} of a {of}: {x.__name__}" for x in types]
-            if entry.about.argument and entry.name not in ARGUMENTS:
-                lacking.append(f"{entry.name} of a {of}: argument {entry.about.argument}")
+            lacking += [f"{entry.name} of a {of}: takes {x.example}" for x in entry.about.takes if x not in TAKEN]
+            for kind, names in ((NamedNumbers, NUMBERS), (Real, POWERS)):
+                lacking += [f"{entry.name} of a {of}: numbers"] * (kind in types_of(entry) and entry.name not in names)
     return lacking
 
 
@@ -281,19 +318,17 @@ def dimension_of(thing):
     return thing.curves[0].dimension if isinstance(thing, CurvePair) else thing.dimension
 
 
-def differing(thing, entry, argument, letters, asking=ask):
+def differing(thing, entry, given, letters, asking=ask):
     """The rows that are found and those that are expected, where they differ; None where they do not."""
     changed, image, _ = applied(thing, letters)
-    dimension, name = dimension_of(thing), entry.name
-    other_name, other_argument, flipped = name, argument, dimension == 2 and image.turns
-    if name in TURNED_OVER and image.turns_over:
-        other_name = TURNED_OVER[name]
-    if argument:
-        about = ARGUMENTS[name]
-        other_argument = about.moved(argument, image, dimension)
-        flipped = about.flipped(argument, image)
-    expected = rows(asking(thing, name, argument), To(thing, image, rings(changed), dimension, flipped))
-    found = rows(asking(changed, other_name, other_argument), To(changed, Image(), rings(changed), dimension))
+    dimension, name, taken = dimension_of(thing), entry.name, [TAKEN[each] for each in entry.about.takes]
+    other_name = TURNED_OVER.get(name, name) if image.turns_over else name
+    others = tuple(each.moved(text, image, dimension) for each, text in zip(taken, given, strict=True))
+    turned = [each.flipped(text, image) for each, text in zip(taken, given, strict=True) if each.flipped]
+    flipped = turned[0] if turned else dimension == 2 and image.turns
+    to = To(thing, image, rings(changed), dimension, name, given, flipped)
+    expected = rows(asking(thing, name, given), to)
+    found = rows(asking(changed, other_name, others), To(changed, Image(), rings(changed), dimension, name, others))
     return None if same(found, expected) else (shown(found), shown(expected))
 
 
@@ -305,18 +340,18 @@ def compared(thing, entry, letters, random, counts, asking=ask):
         counts.left_out += 1
         return
     counts.asked += 1
-    argument = argument_of(entry, thing, random)
+    given = given_to(entry, thing, random)
     counts.compared.update((of, entry.name, each.name) for each in applied(thing, letters)[2])
-    if differing(thing, entry, argument, letters, asking):
-        shorter = shrunk(thing, entry, argument, letters, asking)
-        found, expected = differing(thing, entry, argument, shorter, asking)
-        counts.failures.append(Failure(thing, f"{entry.name}:{argument}".rstrip(":"), shorter, found, expected))
+    if differing(thing, entry, given, letters, asking):
+        shorter = shrunk(thing, entry, given, letters, asking)
+        found, expected = differing(thing, entry, given, shorter, asking)
+        counts.failures.append(Failure(thing, text_of(entry, given), shorter, found, expected))
 
 
-def shrunk(thing, entry, argument, letters, asking):
+def shrunk(thing, entry, given, letters, asking):
     """The first letter of a word that fails alone, or the first two that do, or the word."""
     shorter = [(x,) for x in letters] + [letters[:k] + letters[k + 1 :] for k in range(len(letters))]
-    return next((x for x in shorter if differing(thing, entry, argument, x, asking)), letters)
+    return next((x for x in shorter if differing(thing, entry, given, x, asking)), letters)
 
 
 def drawn(of, random, first="", drawing=None):

@@ -20,13 +20,13 @@ def somewhere(curve, random):
     return random.choice([*curve.breakpoints[1:-1], a + (b - a) * mpq(random.randint(1, 30), 31)])
 
 
-def told(curve, entry, argument, cuts):
+def told(curve, entry, given, cuts):
     """What is told of the inside: places and joints but for those at the cuts, and the ends of pieces."""
-    answer = ask(curve, entry.name, argument)
+    answer = ask(curve, entry.name, given)
     if isinstance(answer, Refused):
         return rows(answer, None)
     ring = rings(curve)[0]._replace(closed=False)
-    to = To(curve, Image(), (ring, ring), dimension_of(curve))
+    to = To(curve, Image(), (ring, ring), dimension_of(curve), entry.name, given)
     points, pieces = (tuple(answer), answer.everywhere) if isinstance(answer, Places) else ((), answer)
     if not isinstance(answer, Places) and entry.about.answered is Answered.JOINTS:
         points, pieces = answer, ()
@@ -35,11 +35,11 @@ def told(curve, entry, argument, cuts):
     return found + [(("an end",), (known(t),)) for t in sorted(ends)]
 
 
-def differing_parts(curve, entry, argument, t):
+def differing_parts(curve, entry, given, t):
     """What the parts and the whole say, where they differ."""
     cuts = {*curve.domain, t}
-    expected = told(curve, entry, argument, cuts)
-    found = [row for part in curve.split(t) for row in told(part, entry, argument, cuts)]
+    expected = told(curve, entry, given, cuts)
+    found = [row for part in curve.split(t) for row in told(part, entry, given, cuts)]
     if found and all(words[0] == "refused" for words, _ in found):
         found = found[:1]
     return None if same(found, expected) else (shown(found), shown(expected))

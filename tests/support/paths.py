@@ -12,22 +12,17 @@ from gmpy2 import mpq
 from exactspline import Nurbs, sweep
 from exactspline.batch.inspections import LISTED
 from exactspline.batch.oracle import oracle
-from exactspline.errors import ExactSplineError, ReachError
+from exactspline.errors import ExactSplineError, OpenError, ReachError
 from exactspline.geometry.analysis.many_curves import features_of_curves, features_of_many
 from exactspline.interchange.files import write
 from exactspline.programs import accelerator, certain_pairs
 from tests.support.command import run
-from tests.support.matrix import Itself, facts_of, kind_of, questions
+from tests.support.matrix import Itself, facts_of, kind_of, questions, text_of
 
 
 def again(curve):
     """The same curve, of which nothing is known."""
     return Nurbs(curve.degree, list(curve.knots), list(curve.control_points), list(curve.weights))
-
-
-def asked(entry, argument):
-    """A question as text."""
-    return f"{entry.name}:{argument}" if argument else entry.name
 
 
 def said(curve, text):
@@ -48,7 +43,7 @@ def closed(value):
     """A rational number, or one with a square root, as text; None where it is neither, or out of reach."""
     try:
         return value.closed_form
-    except ReachError:
+    except (ReachError, OpenError):
         return None
 
 
@@ -58,24 +53,24 @@ def plain(facts):
 
 
 def after_others(curve, asking):
-    """The answers to several questions, with their arguments, after all of them and all others were asked."""
+    """The answers to several questions, with their givens, after all of them and all others were asked."""
     other = again(curve)
     for question in questions(kind_of(other)):
-        if not question.about.argument:
+        if not question.about.takes:
             said(other, question.name)
-    return [said(other, asked(entry, argument)) for entry, argument in [*asking, *asking]][len(asking) :]
+    return [said(other, text_of(entry, given)) for entry, given in [*asking, *asking]][len(asking) :]
 
 
-def without_extension(curve, entry, argument):
+def without_extension(curve, entry, given):
     """By exact arithmetic and what is written in Python alone."""
     with mock.patch.object(accelerator, "filter_curve", None), mock.patch.object(certain_pairs, "filter_pairs", None):
-        return said(again(curve), asked(entry, argument))
+        return said(again(curve), text_of(entry, given))
 
 
-def by_command(curve, entry, argument, folder):
+def by_command(curve, entry, given, folder):
     """By the command, as JSON."""
     write(curve, folder / "curve.json")
-    done = run("inspect", folder / "curve.json", "--ask", asked(entry, argument), "--json")
+    done = run("inspect", folder / "curve.json", "--ask", text_of(entry, given), "--json")
     if done.returncode:
         return "refused"
     (row,) = json.loads(done.stdout)["rows"]
@@ -94,12 +89,12 @@ def same_by_command(by_python, by_json):
     return json.loads(json.dumps(by_python)) == by_json
 
 
-def swept(curve, entry, argument):
+def swept(curve, entry, given):
     """What a sweep finds: kinds and intervals of parameters; None for questions that it does not ask."""
     if entry.about.answered not in LISTED:
         return None
-    (line,) = sweep([again(curve)], find=[asked(entry, argument)])
-    return [(x.kind, mpq(x.low), mpq(x.high)) for x in line.found[asked(entry, argument)]]
+    (line,) = sweep([again(curve)], find=[text_of(entry, given)])
+    return [(x.kind, mpq(x.low), mpq(x.high)) for x in line.found[text_of(entry, given)]]
 
 
 def same_by_sweep(by_python, found):
@@ -161,3 +156,17 @@ def as_doubles(curve):
         return None
     points = [[tuple(map(float, p)) for p in curve.control_points]] * 2
     return points, [list(map(float, curve.weights))] * 2
+
+
+def in_space(curve):
+    """A plane curve as one in the plane z = 0."""
+    points = [(*p, mpq(0)) for p in curve.control_points]
+    return Nurbs(curve.degree, list(curve.knots), points, list(curve.weights))
+
+
+def in_the_plane_z_0(curve, entry, given):
+    """The question about a plane curve, asked of the same curve in the plane z = 0; without the coordinate 0."""
+    found = said(in_space(curve), text_of(entry, given))
+    if isinstance(found, str):
+        return found
+    return [[what, {k: x for k, x in values.items() if k != "z"}, facts] for what, values, facts in found]

@@ -30,9 +30,11 @@ from exactspline.geometry.surfaces.forms import sides_of
 from exactspline.geometry.surfaces.joints import SurfaceJoint, SurfaceJointKind
 from exactspline.geometry.surfaces.ridges import Ridges
 from exactspline.geometry.surfaces.umbilics import Umbilic
+from exactspline.questions.answers import NamedNumbers
+from exactspline.reals.real import Real
 from exactspline.roots.answers import CurvePiece, Places
 from exactspline.splines.surface import Along
-from tests.support.images import Image, Ring, closed_in, known
+from tests.support.images import Image, Known, Ring, closed_in, known
 
 OPPOSITE = {"maximum": "minimum", "minimum": "maximum"}
 OTHER_SIGN = {MapKind.POSITIVE: MapKind.NEGATIVE, MapKind.NEGATIVE: MapKind.POSITIVE}
@@ -40,20 +42,22 @@ OTHER_SIGN = {MapKind.POSITIVE: MapKind.NEGATIVE, MapKind.NEGATIVE: MapKind.POSI
 
 @dataclass(frozen=True)
 class To:
-    """Where an answer about an object is moved: by which image, into which parameters, of how many coordinates; whether
-    the extrema of what was asked for change their kind.
+    """Where an answer about an object is moved: by which image, into which parameters, of how many coordinates; which
+    question it answers, with what it was asked, and whether the extrema that it tells change their kind.
     """
 
     asked: object
     image: Image
     rings: tuple[Ring, Ring]
     dimension: int
+    name: str = ""
+    given: tuple[str, ...] = ()
     flipped: bool = False
 
     def parameter(self, x, k=0):
         """Where a parameter goes, by its number."""
         place = 1 - k if self.image.exchanged else k
-        return self.rings[place].once(known(x).mapped(self.image.ways[k].to))
+        return self.rings[place].once((x if isinstance(x, Known) else known(x)).mapped(self.image.ways[k].to))
 
     def both(self, first, second):
         """Where a pair of parameters goes."""
@@ -268,6 +272,104 @@ def _(found: NearestPoint, to):
 @rows.register
 def _(number: int, to):
     return [((), (known(number).times(-1 if to.image.turns else 1),))]
+
+
+# ---- numbers by their names
+
+#: The power of the scale with which a number goes, and whether it has a sign by left and right.
+POWERS = {"length": (1, False), "area": (2, True)}
+
+
+@rows.register
+def _(number: Real, to):
+    """A number of the whole curve."""
+    power, signed = POWERS[to.name]
+    return [((), (known(number).times(to.scale**power * (to.turn if signed else 1)),))]
+
+
+@rows.register
+def _(found: NamedNumbers, to):
+    """By the question that it answers."""
+    values = {name: known(x) for name, x in found.values.items()}
+    place = (to.parameter(values.pop("parameter")),) if "parameter" in values else ()
+    words, numbers = NUMBERS[to.name](found, values, to)
+    return [((str(found.what) if not words else "", *words), (*place, *numbers))]
+
+
+def as_point(found, values, to):
+    """Coordinates of a point."""
+    return (), to.image.motion.of_known(list(values.values()))
+
+
+def as_derivative(found, values, to):
+    """A vector, by the chain rule."""
+    orders = [int(x) for x in to.given[1].split(",")]
+    factor = mpq(1)
+    for order, way in zip(orders, to.image.ways, strict=False):
+        factor /= mpq(way.speed) ** order
+    vector = to.image.motion.of_known(list(values.values()), point=False)
+    return (), [x.times(factor) for x in vector]
+
+
+def as_curvature(found, values, to):
+    """κ with its sign in the plane; K and H, whose sign goes with the normal."""
+    if "curvature" in values:
+        return (), [values["curvature"].times(to.turn / to.scale)]
+    over = -1 if to.image.turns_over else 1
+    return (), [values["K"].times(1 / to.scale**2), values["H"].times(over / to.scale)]
+
+
+def as_torsion(found, values, to):
+    """τ, which only a mirror changes."""
+    return (), [values["torsion"].times((-1 if to.image.motion.turns else 1) / to.scale)]
+
+
+def as_frame(found, values, to):
+    """T, N and in space B: unit vectors."""
+    along = -1 if to.image.ways[0].backwards else 1
+    mirrored = -1 if to.image.motion.turns else 1
+    signs = {"T": along, "N": to.turn, "B": along * mirrored}
+    numbers = []
+    for vector, sign in signs.items():
+        if own := [x for name, x in values.items() if name[0] == vector]:
+            numbers += [x.times(sign / to.scale) for x in to.image.motion.of_known(own, point=False)]
+    return (), numbers
+
+
+def axis_to(axis, to):
+    """Which coordinate a coordinate becomes, and the factor; of motions that exchange coordinates."""
+    column = [row[axis] for row in to.image.motion.rows(to.dimension)]
+    k = next(i for i, x in enumerate(column) if x)
+    return k, column[k]
+
+
+def as_box(found, values, to):
+    """The range of one coordinate."""
+    k, factor = axis_to("xyz".index(found.what), to)
+    ends = [values["low"].times(factor), values["high"].times(factor)]
+    return ("xyz"[k],), ends[::-1] if factor < 0 else ends
+
+
+def as_moment(found, values, to):
+    """The integral of xⁱ yʲ, its sign by left and right."""
+    powers, factor = [0, 0], to.scale**2 * to.turn
+    for axis, power in enumerate((found.facts["x"], found.facts["y"])):
+        k, own = axis_to(axis, to)
+        powers[k] = power
+        factor *= own**power
+    return tuple(map(str, powers)), [values["moment"].times(factor)]
+
+
+#: How the numbers go that answer a question.
+NUMBERS = {
+    "value": as_point,
+    "derivative": as_derivative,
+    "curvature": as_curvature,
+    "torsion": as_torsion,
+    "frame": as_frame,
+    "bounding_box": as_box,
+    "moments": as_moment,
+}
 
 
 # ---- pairs of parameters
