@@ -13,6 +13,7 @@ from exactspline.geometry.analysis.surfaces import PatchKind
 from exactspline.interchange.examples import example
 from exactspline.questions.entry import Of
 from exactspline.splines.surface import NurbsSurface
+from exactspline.splines.tensor import TensorSpline
 from tests.support.changes import MOTIONS, from_seam, moved_curve
 from tests.support.dials import DIALS
 
@@ -73,14 +74,25 @@ def chain(number, dimension, random):
     return Nurbs(degree, knots, [*points, points[0]], [*own, own[0]])
 
 
+def smooth_loop(number, dimension, random):
+    """A closed Bézier curve with one tangent at its ends, where its curvature jumps."""
+    start, middle = point(number, dimension, random), [point(number, dimension, random) for _ in range(2)]
+    step = point(number, dimension, random)
+    ends = [[x + sign * d for x, d in zip(start, step, strict=True)] for sign in (1, -1)]
+    points = [start, ends[0], *middle, ends[1], start]
+    return Nurbs(5, [mpq(0)] * 6 + [mpq(1)] * 6, points)
+
+
 def stadium(number, dimension, random):
-    """A closed chain of straight pieces and quarters of circles, its seam anywhere."""
-    straight, flat = mpq(random.randint(1, 3)), mpq(random.choice([-1, 1]))
-    outline = [(0, 0), (straight, 0), (2 * straight, 0), (2 * straight + 1, 0), (2 * straight + 1, 1)]
-    outline += [(2 * straight + 1, 2), (2 * straight, 2), (straight, 2), (0, 2), (-1, 2), (-1, 1), (-1, 0), (0, 0)]
-    points = [(mpq(x), mpq(y), flat * x)[:dimension] for x, y in outline]
-    curve = Nurbs(2, [mpq(0), *[mpq(t) for t in range(7) for _ in range(2)], mpq(6)], points)
-    return from_seam(curve, mpq(random.randint(1, 5)))[0]
+    """A closed chain of straight pieces and quarters of circles, its seam at any knot; turned."""
+    end = 2 * mpq(random.randint(1, 3))
+    outline = [(0, 0), (end / 2, 0), (end, 0), (end + 1, 0), (end + 1, 1), (end + 1, 2), (end, 2)]
+    outline += [(end / 2, 2), (0, 2), (-1, 2), (-1, 1), (-1, 0), (0, 0)]
+    points = [(mpq(x), mpq(y), mpq(0))[:dimension] for x, y in outline]
+    own = [2 if k in (4, 10) else 1 for k in range(13)]
+    curve = Nurbs(2, [mpq(0), *[mpq(t) for t in range(7) for _ in range(2)], mpq(6)], points, own)
+    seen = from_seam(curve, mpq(random.randint(1, 5)))[0]
+    return moved_curve(seen, MOTIONS["rotated"](dimension, random))
 
 
 def known_curve(names, number, dimension, random):
@@ -97,6 +109,7 @@ def curve(dimension, random):
             periodic,
             periodic,
             chain,
+            smooth_loop,
             stadium,
             *[partial(known_curve, names) for names in [CLOSED[dimension]] if names],
         ]
@@ -124,8 +137,11 @@ def pair(random):
 
 def surface(random):
     """A patch of small degree, or one of the examples of which there is something to tell."""
-    if random.random() < 0.5:
+    kind = random.random()
+    if kind < 0.4:
         return example(random.choice(SURFACES))
+    if kind < 0.6:
+        return graph(random)
     return net(random, 3, random.choice([(1, 1), (1, 2), (2, 1)]))
 
 
@@ -134,9 +150,19 @@ SURFACES = ["hyperbolic_paraboloid", "monkey_saddle", "cylinder", "cone", "spher
 
 def light_surface(random):
     """A surface of which questions are answered at once."""
-    if random.random() < 0.5:
+    kind = random.random()
+    if kind < 0.4:
         return example(random.choice(["hyperbolic_paraboloid", "monkey_saddle", "cross_cap"]))
-    return net(random, 3, (1, 1))
+    return graph(random) if kind < 0.5 else net(random, 3, (1, 1))
+
+
+def graph(random):
+    """z = (x − y)³, (x − y)⁴ or (x − y)² + (x − y)³ over a square: a curve of umbilics, or a parabolic one, from corner
+    to corner.
+    """
+    x, y = (TensorSpline((1, 1), [0, 0, 1, 1], [0, 0, 1, 1], rows) for rows in ([[0, 0], [1, 1]], [[0, 1], [0, 1]]))
+    d = x - y
+    return NurbsSurface.from_splines([x, y, random.choice([d**3, d**4, d**2 + d**3])])
 
 
 def net(random, dimension, degree):

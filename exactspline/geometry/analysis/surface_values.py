@@ -56,7 +56,7 @@ class CurvatureValues(SurfaceValues):
     def curvature(self, place: tuple[mpq, mpq]) -> tuple[NamedNumbers, ...]:
         """The Gaussian curvature K and the mean curvature H at a pair of parameters, inside a patch.
 
-        For the normal ``S_u × S_v``: ``H = w⁸ (EN − 2FM + GL) w √a / (2 a²)`` with ``a = w⁶ (EG − F²)``.
+        For the normal ``S_u × S_v``: ``H = w⁸ (EN − 2FM + GL) |w| √a / (2 a²)`` with ``a = w⁶ (EG − F²)``.
 
         >>> from exactspline import analyse, example
         >>> analyse(example("sphere")).curvature(("1/3", "1/3"))[0].values["K"]
@@ -70,7 +70,7 @@ class CurvatureValues(SurfaceValues):
         numerator, denominator = (form(u, v) for form in forms.curvature)
         if not denominator:
             raise QuestionError(f"no tangent plane at {u}, {v}", remedy="see singular_points")
-        mean = forms.minimality(u, v) * self.surface.w(u, v) / (2 * denominator)
+        mean = forms.minimality(u, v) * abs(self.surface.w(u, v)) / (2 * denominator)
         values = {"K": Real(numerator / denominator), "H": square_root(forms.area(u, v)) * mean}
         return (NamedNumbers("curvature", values),)
 

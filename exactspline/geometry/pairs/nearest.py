@@ -110,7 +110,15 @@ def nearest(curve: Nurbs, point: Iterable[Number]) -> Nearest:
     points += at_rational_parameters.values()
     if len(points) > 1:
         points.sort(key=lambda found: found.parameter)
-    return Nearest(tuple(points), tuple(CurvePiece((arc,)) for arc in arcs))
+    return Nearest(tuple(points), _over_the_seam(curve, arcs))
+
+
+def _over_the_seam(curve: Nurbs, arcs: list[Interval]) -> tuple[CurvePiece, ...]:
+    """Arcs as pieces of a curve; the last and the first of a closed one are one piece where both end at the seam."""
+    low, high = curve.domain
+    if curve.closed and len(arcs) > 1 and (arcs[0].low, arcs[-1].high) == (low, high):
+        return *(CurvePiece((arc,)) for arc in arcs[1:-1]), CurvePiece((arcs[-1], arcs[0]))
+    return tuple(CurvePiece((arc,)) for arc in arcs)
 
 
 def exact_point(curve: Nurbs, point: Iterable[Number]) -> tuple[mpq, ...]:
