@@ -15,6 +15,8 @@ from exactspline.splines.surface import Along, NurbsSurface
 
 #: Digits of numbers that are not rational; two of them agree where their enclosures overlap.
 DIGITS = 30
+#: Where that takes too much work.
+FEWER = 6
 
 
 class Known(NamedTuple):
@@ -46,6 +48,14 @@ class Known(NamedTuple):
         return f"{float(self.low):.17g}" if self.exact is None else str(self.exact)
 
 
+def in_reach(x):
+    """An interval around a number, with fewer digits where more take too much work, as for some arc lengths."""
+    try:
+        return x.enclosure(DIGITS)
+    except OpenError:
+        return x.enclosure(FEWER)
+
+
 def known(x):
     """A real number, a rational one or an integer."""
     if not isinstance(x, Real):
@@ -53,7 +63,7 @@ def known(x):
     try:
         exact = x.exact
     except (ReachError, OpenError):
-        return Known(None, *x.enclosure(DIGITS), open=True)
+        return Known(None, *in_reach(x), open=True)
     return Known(exact, *(x.enclosure(DIGITS) if exact is None else (exact, exact)))
 
 
