@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from exactspline.batch.oracle_answers import number_data
+from exactspline.display.reals import real_data
 from exactspline.display.surface_data import surface_answer_data
 from exactspline.geometry.analysis.ask import asked_of
 from exactspline.geometry.analysis.planar_maps import MapInspection
@@ -38,5 +38,5 @@ def surface_answer(
     """
     answer = asked_of(found or surface, asked).answer
     if isinstance(answer, tuple) and answer and isinstance(answer[0], NamedNumbers):
-        return {"values": {name: number_data(value, digits) for name, value in answer[0].values.items()}}
+        return {"values": {name: real_data(value, digits) for name, value in answer[0].values.items()}}
     return surface_answer_data(answer, digits)

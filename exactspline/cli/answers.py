@@ -97,19 +97,18 @@ def _element(each: object, group: str, digits: int) -> tuple[str, str]:
         return group, _shown(each)
     kind = next((key for key in ("kind", "shape") if key in each), "")
     rest = {key: value for key, value in each.items() if key != kind and value not in (None, [])}
-    if "decimal" in rest:  # the value of a line: exactly, or these digits
-        decimal = rest.pop("decimal")
-        rest.setdefault("value", f"{decimal}…")
     return each.get(kind, group), "; ".join(f"{key.replace('_', ' ')} {_in_words(rest[key], digits)}" for key in rest)
 
 
 def _in_words(value: Any, digits: int) -> str:
     """A part of the data of an element."""
     match value:
-        case {"interval": [low, high], "parameter": exact}:
-            return exact or _between({"low": low, "high": high}, digits)
+        case {"low": _, "high": _, "exact": exact}:
+            return exact or _between(value, digits)
         case dict():
             return ", ".join(f"{key.replace('_', ' ')} {_in_words(each, digits)}" for key, each in value.items())
+        case [{"exact": _}, *_]:
+            return _in_words([_in_words(each, digits) for each in value], digits)
         case [str(low), str(high)]:
             return f"[{low}, {high}]"
         case [list(), *_]:
@@ -155,12 +154,15 @@ def _sheet(row: dict[str, Any], digits: int) -> Sheet:
 def _ends(item: dict[str, Any]) -> dict[str, str]:
     """The ends of intervals that contain what curves near a curve have, rounded outwards; `--json` has them exactly."""
     from exactspline.display.features import ends_text
+    from exactspline.numbers.exact import rational
+    from exactspline.numbers.intervals import Interval
 
     if "certain" not in item["facts"]:
         return {}
     pairs = [pair for pair in (("start", "end"), ("second 1", "second 2")) if pair[0] in item["values"]]
     exact = [(pair, [item["values"][name]["exact"] for name in pair]) for pair in pairs]
-    return {name: end for pair, own in exact for name, end in zip(pair, ends_text(*own), strict=True)}
+    own_ends = [(pair, ends_text(Interval(*map(rational, own)))) for pair, own in exact]
+    return {name: end for pair, ends in own_ends for name, end in zip(pair, ends, strict=True)}
 
 
 def _between(number: dict[str, Any], digits: int) -> str:

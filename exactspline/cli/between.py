@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Any
+from collections.abc import Iterator
+from typing import Annotated
 
 from exactspline.cli.common import (
     CURVE_HELP,
@@ -62,12 +63,10 @@ def between(
     if epsilon:
         check_distance(epsilon)
     pair = CurvePair(first, second)
-    data: Any = pair_data(pair, digits)
-    sheets = [pair_sheet(data, f"{first.name} (s) and {second.name} (t)")]
+    sheets = [pair_sheet(pair, f"{first.name} (s) and {second.name} (t)", digits)]
     if epsilon:
-        data |= {"epsilon": epsilon, "meetings": list(map(described_data, pair.intersections_within(epsilon)))}
         title = f"All curves within {epsilon} of {first.name} (s) and of {second.name} (t)"
-        sheets.append(common_points_sheet(data["meetings"], title))
+        sheets.append(common_points_sheet(pair.intersections_within(epsilon), title))
     if plot:
         from exactspline.display.plot.canvas import save
         from exactspline.display.plot.curve_pairs import pair_figure
@@ -80,8 +79,14 @@ def between(
     def people() -> None:
         shown = console.console()
         console.below_each_other(shown, sheets)
-        for what in data["intersections"]["left_out"] or data["distance"]["left_out"]:
+        for what in pair.intersections.left_out or pair.distance.left_out:
             console.lines(shown, f"not decided: {what}")
 
-    row = {"key": f"{curve} and {other}", "curves": [first.name, second.name]} | data
-    out.give("between", [row], sheets[:1], people)
+    def rows() -> Iterator[dict[str, object]]:
+        row = {"key": f"{curve} and {other}", "curves": [first.name, second.name]} | pair_data(pair, digits)
+        if epsilon:
+            found = pair.intersections_within(epsilon)
+            row |= {"epsilon": epsilon, "meetings": [described_data(each, digits) for each in found]}
+        yield row
+
+    out.give("between", rows(), sheets[:1], people)

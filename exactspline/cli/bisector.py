@@ -51,7 +51,7 @@ def bisector(
             ),
         ),
     ] = "",
-    digits: Places = 20,
+    digits: Places = 12,
     output: Annotated[
         str, Option("--output", "-o", metavar="FILE", help="Write the pieces as exact control points (JSON).")
     ] = "",
@@ -119,7 +119,10 @@ def _of_two(c: Nurbs, other: Nurbs, variant: str, digits: int) -> Answer:
         flat = PlaneBisector(c, other)
         data = head | bisector_data.plane_bisector_data(flat, digits)
         return Answer(
-            data, *bisector_sheet.of_plane_curves(data), title, partial(picture, "bisector of plane curves", flat)
+            data,
+            *bisector_sheet.of_plane_curves(flat, digits),
+            title,
+            partial(picture, "bisector of plane curves", flat),
         )
     found = curve_bisector(c, other, variant or SurfaceVariant.MINIMAL)
     data = head | bisector_data.curve_bisector_data(found, digits)

@@ -22,7 +22,6 @@ from exactspline.cli.surfaces import surfaces_in
 from exactspline.display.data import picked
 from exactspline.display.sheet import Sheet
 from exactspline.errors import CurveFileError, ShapeError, counted
-from exactspline.numbers.exact import text
 
 if TYPE_CHECKING:
     from exactspline.geometry.recognition.pieces import RecognizedPiece
@@ -167,13 +166,13 @@ def _repaired(named: NamedCurve | NurbsSurface, snap: str, epsilon: str) -> Snap
 def _replacements(repair: Snapped | None) -> list[str]:
     """What was replaced by what, and what was not, as text."""
     from exactspline.display.described import shape_text
-    from exactspline.display.features import end_text
+    from exactspline.display.reals import real_text
 
     if repair is None:
         return []
 
     def place(piece: RecognizedPiece) -> str:
-        return f"[{end_text(text(piece.piece.start))}, {end_text(text(piece.piece.end))}]"
+        return f"[{real_text(piece.piece.start)}, {real_text(piece.piece.end)}]"
 
     replaced = [f"{place(x)} replaced by a {x.kind}: {shape_text(x.shape.numbers, x.within)}" for x in repair.replaced]
     return replaced + [f"{place(x)} stays: no {x.kind} through its end points is near enough" for x in repair.kept]
@@ -199,6 +198,7 @@ def _with_repair(named: NamedCurve | NurbsSurface, repair: Snapped | None) -> Na
 def _row(
     named: NamedCurve | NurbsSurface, repair: Snapped | None, reading: Reading, target: str, notes: Sequence[str]
 ) -> dict[str, Any]:
+    from exactspline.display.reals import DIGITS
     from exactspline.display.serialize import described_data
     from exactspline.interchange.records import NamedCurve
 
@@ -211,7 +211,7 @@ def _row(
     row: dict[str, Any] = {"key": named.name, "format": reading.format, "target": target, **made}
     row |= {"control_points": count, "notes": [*own, *reading.notes, *notes], "skipped": []}
     if repair is not None:
-        row |= {name: [described_data(x) for x in getattr(repair, name)] for name in ("replaced", "kept")}
+        row |= {name: [described_data(x, DIGITS) for x in getattr(repair, name)] for name in ("replaced", "kept")}
     return row
 
 

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from dataclasses import asdict, replace
-from typing import TYPE_CHECKING, Annotated, Any, TypeAlias
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
+from typing import TYPE_CHECKING, Annotated, Any, NamedTuple
 
 from exactspline.cli.answers import answer_about_surfaces, answer_questions
 from exactspline.cli.common import (
@@ -31,14 +31,12 @@ from exactspline.cli.progress import ticking
 from exactspline.words import choice
 
 if TYPE_CHECKING:
-    from exactspline.geometry.analysis.inspection import Inspection
+    from exactspline.geometry.analysis.inspection import Inspection, Report
     from exactspline.interchange.records import Reading
     from exactspline.splines.nurbs import Nurbs
 
 #: The word for all approaches, side by side.
 ALL = "all"
-#: A curve, its inspection, and all of it as data.
-Inspected: TypeAlias = "tuple[Nurbs, Inspection, dict[str, Any]]"
 #: The approach where none is named.
 MINIMAL = "minimal"
 
@@ -117,7 +115,7 @@ def inspect(
     out: Output,
     curve: Curves,
     ask: Ask = None,
-    digits: Places = 20,
+    digits: Places = 12,
     approach: ApproachName = "",
     epsilon: Epsilon = "",
     stability: Stability = False,
@@ -217,77 +215,92 @@ def _give(out: Output, inspected: list[Inspected], given: list[Nurbs], certifica
     from exactspline.display.features import feature_sheet
     from exactspline.interchange.curve_files import write_json
 
-    distinguish([data for *_, data in inspected])
     if certificate:
-        write_json(certificate, [proof for c, found, _ in inspected for proof in _proofs(c, found)])
+        write_json(certificate, [proof for each in inspected for proof in _proofs(each.report.inspection)])
         tell_written(certificate)
     if plot and inspected:
-        _draw(inspected, given, plot, title)
+        _draw([each.report for each in inspected], given, plot, title)
         tell_written(plot)
     out.give(
         "inspect",
-        (data for *_, data in inspected),
-        (feature_sheet(c, data) for c, _, data in inspected),
+        _rows(inspected),
+        (feature_sheet(each.report, each.digits) for each in inspected),
         lambda: _print_all(out, inspected),
         by="curve",
     )
 
 
+def _rows(inspected: list[Inspected]) -> Iterator[dict[str, Any]]:
+    """What was found as data, each row with a key of its own."""
+    rows = [each.data() for each in inspected]
+    distinguish(rows)
+    yield from rows
+
+
 def _print_all(out: Output, inspected: list[Inspected]) -> None:
     from exactspline.display import console
-    from exactspline.display.features import print_features, words_of
+    from exactspline.display.features import print_features, report_sheets, words_of
 
-    for i, (c, _, data) in enumerate(inspected):
+    words = list[str]()
+    for i, each in enumerate(inspected):
         if i:
             console.console().print()
-        print_features(c, data)
+        tables = report_sheets(each.report, each.digits)
+        print_features(each.report, tables)
+        words += words_of(each.report, tables)
     if inspected and not out.quiet:
-        words = [word for c, _, data in inspected for word in words_of(c, data)]
-        in_space = any(c.dimension == 3 for c, _, _ in inspected)
-        console.legend(console.console(), ["κ", *["τ"] * in_space, *["exactly"] * bool(words), *words])
+        in_space = any(each.report.curve.dimension == 3 for each in inspected)
+        console.legend(console.console(), ["κ", *["τ"] * in_space, *words])
+
+
+class Inspected(NamedTuple):
+    """A curve that was read, what is said of it, and to how many digits."""
+
+    read: Read
+    report: Report
+    digits: int
+
+    def data(self) -> dict[str, object]:
+        """All of it as data."""
+        from exactspline.display.serialize import report_data
+
+        c = self.report.curve
+        with ticking("refining", self.features) as tick:
+            return (
+                {"key": f"{c.name} in R{c.dimension}"} | self.read.data() | report_data(self.report, self.digits, tick)
+            )
+
+    @property
+    def features(self) -> int:
+        """The number of its features."""
+        from exactspline.roots.answers import Places
+
+        return sum(len(answer) for answer in self.report.answers.values() if isinstance(answer, Places))
 
 
 def _inspected(read: Read, approach: str, digits: int, coordinates: bool, epsilon: str, stability: bool) -> Inspected:
-    """A curve, its inspection, and all of it as data."""
-    from exactspline.display.serialize import answer_data, coordinate_extrema_data, inspection_data, stability_data
-    from exactspline.geometry.analysis.curves import analyse
-    from exactspline.geometry.analysis.inspection import compare_approaches, inspect_curve
+    """A curve, and what is asked of it."""
+    from exactspline.geometry.analysis.inspection import Report, inspect_curve
     from exactspline.numbers.exact import text
-    from exactspline.roots.answers import Places
     from exactspline.splines.precision import WRITTEN, distance
 
-    c = read.curve
-    found = inspect_curve(c, MINIMAL if approach == ALL else approach)
-    with ticking(
-        "refining", sum(len(answer) for answer in found.answers.values() if isinstance(answer, Places))
-    ) as tick:
-        data = {"key": f"{c.name} in R{c.dimension}"} | read.data() | inspection_data(c, found.approach, digits, tick)
-    if epsilon:
-        within = distance(epsilon, c)
-        data |= {"shapes": answer_data(c, analyse(c).shapes_within(within), digits)}
-        data["epsilon"] = text(within) if epsilon == WRITTEN else epsilon
-        data["nearby"] = answer_data(c, analyse(c).features_within(within), digits)
-        data["meetings"] = answer_data(c, analyse(c).self_intersections_within(within), digits)
-    if stability:
-        data["stability"] = stability_data(c)
-    if coordinates:
-        data["coordinate_extrema"] = coordinate_extrema_data(c, digits)
-    if approach == ALL:
-        data["approaches"] = [asdict(row) for row in compare_approaches(c)]
-    return c, found, data
+    found = inspect_curve(read.curve, MINIMAL if approach == ALL else approach)
+    within = distance(epsilon, read.curve) if epsilon else None
+    written = text(within) if within is not None and epsilon == WRITTEN else epsilon
+    return Inspected(read, Report(found, written, within, stability, coordinates, approach == ALL), digits)
 
 
-def _proofs(c: Nurbs, found: Inspection) -> list[dict[str, object]]:
+def _proofs(found: Inspection) -> list[dict[str, object]]:
     """The certificates of every form that was solved."""
     from exactspline.geometry.analysis.inspection import solved
 
     return [
-        {"curve": c.name, "function": name, "certificate": zero_set.certificate()}
-        for name, _, _, zero_set in solved(c, found.approach)
+        {"curve": found.curve.name, "function": name, "certificate": zero_set.certificate()}
+        for name, _, _, zero_set in solved(found.curve, found.approach)
     ]
 
 
-def _draw(inspected: list[Inspected], given: list[Nurbs], path: str, title: str) -> None:
+def _draw(reports: list[Report], given: list[Nurbs], path: str, title: str) -> None:
     """One curve next to the functions that were solved, or several curves in one picture."""
     from exactspline.display.plot.canvas import save
     from exactspline.display.plot.comparisons import features_figure, inspect_figure
@@ -297,9 +310,9 @@ def _draw(inspected: list[Inspected], given: list[Nurbs], path: str, title: str)
         raise OptionsError("--plot and curves of the plane and of space", remedy="draw them separately")
     if len(given) > 1:
         # curves of a file that lie in a coordinate plane are drawn there
-        flat = [c for c, _, _ in inspected if c.dimension == 2]
+        flat = [each.curve for each in reports if each.curve.dimension == 2]
         save(features_figure(flat if len(flat) == len(given) else given, title), path)
         return
-    c, found, data = inspected[0]
-    panels = [(title, f, zero_set) for _, title, f, zero_set in solved(c, found.approach)[:2]]
-    save(inspect_figure(c, panels, stability="stability" in data), path)
+    report = reports[0]
+    panels = [(title, f, zero_set) for _, title, f, zero_set in solved(report.curve, report.inspection.approach)[:2]]
+    save(inspect_figure(report.curve, panels, stability=report.with_stability), path)

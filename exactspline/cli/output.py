@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from typing_extensions import Buffer
 
 #: The version of every JSON document; it increases when a field changes its meaning or is removed.
-VERSION = 2
+VERSION = 3
 
 
 class OptionsError(ExactSplineError):

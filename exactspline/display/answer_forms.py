@@ -23,6 +23,7 @@ from exactspline.display.forms import (
     record,
 )
 from exactspline.display.pair_data import DISTANCE, INTERSECTIONS
+from exactspline.display.reals import REAL
 from exactspline.display.serialize import FEATURE, INTERVALS, JOINT, NUMBERS, PLANAR_PIECE
 from exactspline.display.surface_data import places_on_surface
 from exactspline.geometry.analysis.registry import REGISTRY
@@ -86,7 +87,7 @@ FORMS_BESIDE: dict[str, dict[str, Form]] = {
         "coordinate_extrema": list_of(FEATURE),
         "nearby": list_of(FORMS[NearbyFeature]),
         "meetings": list_of(FORMS[NearbyMeeting]),
-        "stability": list_of(record(FORMS[StableFeature], prominence=or_null(TEXT))),
+        "stability": list_of(record(FORMS[StableFeature], prominence=or_null(REAL))),
         "approaches": list_of(
             record(
                 name=TEXT,
@@ -100,8 +101,7 @@ FORMS_BESIDE: dict[str, dict[str, Form]] = {
 
 def values_form() -> Schema:
     """The form of numbers by name, as the oracle has them: exactly, between two bounds, and as a double."""
-    number = record(exact=or_null(TEXT), low=TEXT, high=TEXT, double=or_null(Form({"type": "number"})))
-    return record(values=Form({"type": "object", "additionalProperties": number.schema})).schema
+    return record(values=Form({"type": "object", "additionalProperties": REAL.schema})).schema
 
 
 def answer_form(entry: Entry) -> Schema:

@@ -23,8 +23,8 @@ from exactspline.display.forms import (
     pair_of,
     record,
 )
-from exactspline.display.pair_data import REAL
-from exactspline.display.serialize import NET, PIECE, decimal_of, piece_data
+from exactspline.display.reals import REAL, real_data
+from exactspline.display.serialize import NET, PIECE, piece_data
 from exactspline.errors import ReachError
 from exactspline.geometry.analysis.registry import REGISTRY
 from exactspline.geometry.bisectors.components import (
@@ -47,8 +47,9 @@ from exactspline.language.rational import Rational
 from exactspline.language.vector import Vector
 from exactspline.numbers.exact import mpq, text
 from exactspline.questions.entry import Of
+from exactspline.reals.real import Real
 from exactspline.roots.of_polynomials import Parameter
-from exactspline.roots.root import Root, knot_root
+from exactspline.roots.root import Root
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.common import with_common_knots
 from exactspline.splines.lowest_terms import SplineVector
@@ -57,31 +58,23 @@ from exactspline.splines.tensor import TensorSpline
 NAMES = "st"
 
 
-def _data_of(t: Parameter, digits: int) -> Data:
-    """A parameter: exact text where it is rational, otherwise its minimal polynomial (constant term first; where
-    factoring is out of reach a multiple of it); an interval that isolates it, and its leading digits.
+def _parameter_data(t: Parameter, digits: int) -> Data:
+    """A parameter as a real number; where it is not rational also its minimal polynomial (constant term first; where
+    factoring is out of reach a multiple of it).
     """
-    root = t if isinstance(t, Root) else knot_root(t)
-    low, high = root.refine(digits)
-    head: Data = {
-        "parameter": None if root.exact is None else text(root.exact),
-        "interval": [text(low), text(high)],
-        "decimal": decimal_of(root, digits),
-    }
-    if root.exact is not None:
-        return head
+    data = real_data(t, digits)
+    if not isinstance(t, Root) or t.exact is not None:
+        return data
     try:
-        polynomial = root.minimal_polynomial()
+        polynomial = t.minimal_polynomial()
     except ReachError:
-        polynomial = root.polynomial
-    return head | {"polynomial": [text(x) for x in polynomial]}
+        polynomial = t.polynomial
+    return data | {"polynomial": [text(x) for x in polynomial]}
 
 
 _TEXTS, _NETS = list_of(TEXT), list_of(list_of(TEXT))
 _SIDES = pair_of(INTERVAL)
-PARAMETER = Form(
-    record(parameter=or_null(TEXT), interval=INTERVAL, decimal=TEXT, polynomial=optional(_TEXTS)).schema, _data_of
-)
+PARAMETER = Form(record(REAL, record(polynomial=optional(_TEXTS))).schema, _parameter_data)
 _LETTER = Form({"enum": [*NAMES]}, lambda of, digits: NAMES[of])
 
 
@@ -134,7 +127,9 @@ def _root_net(part: tuple[Coordinate, ...], field: str) -> Data:
 
 
 def _other_data(other: Parameter | Rational[BSpline], digits: int) -> Data:
-    return piece_data(other.denominator.domain, other) if isinstance(other, Rational) else _data_of(other, digits)
+    return (
+        piece_data(other.denominator.domain, other) if isinstance(other, Rational) else _parameter_data(other, digits)
+    )
 
 
 def _flat_of_branch(found: tuple[LineComponent, Branch], digits: int) -> Data:
@@ -255,12 +250,13 @@ class Pairs(NamedTuple):
     """
 
     piece: PairsKind
-    start: Sequence[object] | None = None
-    end: Sequence[object] | None = None
-    sides: Sequence[Sequence[object]] | None = None
+    start: Sequence[Real | mpq] | None = None
+    end: Sequence[Real | mpq] | None = None
+    sides: Sequence[Sequence[Real | mpq]] | None = None
 
 
-def _pairs_of(bisector: PlaneBisector) -> list[Pairs]:
+def pairs_of(bisector: PlaneBisector) -> list[Pairs]:
+    """The pairs of parameters of a bisector: arcs and loops, single pairs, lines, rectangles."""
     pairs = bisector.pairs
     found = [Pairs(PairsKind.LOOP if arc.closed else PairsKind.ARC, arc.start, arc.end) for arc in pairs.arcs]
     found += [Pairs(PairsKind.PAIR, (x.first, x.second), (x.first, x.second)) for x in pairs.points]
@@ -276,7 +272,7 @@ PAIRS = record(piece=one_of(PairsKind), start=_END, end=_END, sides=or_null(pair
 def plane_bisector_data(bisector: PlaneBisector, digits: int) -> Data:
     """The pairs of the bisector of two plane curves, and the boxes in which no point of either curve is nearer."""
     form = record(
-        pieces=(list_of(PAIRS), _pairs_of),
+        pieces=(list_of(PAIRS), pairs_of),
         true_feet=(list_of(_SIDES), "trimmed.kept"),
         undecided=(list_of(_SIDES), "trimmed.undecided"),
     )
@@ -345,11 +341,3 @@ def control_points(value: Rational[TensorSpline]) -> int:
     """The number of control points of a patch."""
     m, n = value.vector[0].elevated_to(value.denominator).control_point_counts
     return int(m * n)
-
-
-def brief(t: Parameter, digits: int) -> str:
-    """A parameter as text: exact where it is short, otherwise to a given number of digits."""
-    exact = t if not isinstance(t, Root) else t.exact
-    if exact is not None and len(text(exact)) <= digits + 2:
-        return text(exact)
-    return decimal_of(t if isinstance(t, Root) else knot_root(t), digits)

@@ -2,18 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from typing import Any, NamedTuple
 
-from exactspline.display.bisector_data import PairsKind, brief, control_points, degree_of
-from exactspline.display.data import Data
+from exactspline.display.bisector_data import Pairs, PairsKind, control_points, degree_of, pairs_of
+from exactspline.display.reals import real_text
 from exactspline.display.sheet import Sheet
 from exactspline.errors import counted
 from exactspline.geometry.bisectors.components import LineComponent, PairEquation, PlaneComponent, PoleCurve
+from exactspline.geometry.bisectors.plane_curves import PlaneBisector
 from exactspline.geometry.bisectors.point_and_curve import PointBisector
 from exactspline.geometry.bisectors.trimmed import TrimmedBisector
 from exactspline.geometry.bisectors.two_curves import BisectorPatch, CurveBisector
-from exactspline.numbers.exact import short_text
+from exactspline.numbers.exact import mpq, short_text
+from exactspline.reals.real import Real
 
 
 class Row(NamedTuple):
@@ -44,7 +46,12 @@ def of_two_curves(found: CurveBisector, digits: int) -> tuple[list[Row], list[st
     rows += _grouped(_line_row(line, digits) for line in found.lines)
     rows += _grouped(_plane_row(plane, digits) for plane in found.planes)
     rows += [
-        Row(str(pair.solutions), f"s = {brief(pair.s, digits)}, t = {brief(pair.t, digits)}", "–", str(pair.cause))
+        Row(
+            str(pair.solutions),
+            f"s = {real_text(pair.s, digits)}, t = {real_text(pair.t, digits)}",
+            "–",
+            str(pair.cause),
+        )
         for pair in found.pairs
     ]
     rows += _grouped(_pole_row(pole) for pole in found.poles)
@@ -52,40 +59,44 @@ def of_two_curves(found: CurveBisector, digits: int) -> tuple[list[Row], list[st
     return rows, notes + ([f"left out: {what}" for what in found.left_out] or [_closing(found)])
 
 
-def of_plane_curves(data: Data) -> tuple[list[Row], list[str]]:
-    """The pairs of the bisector of two plane curves, from its data, and notes on which of them are nearest."""
-    facts: Any = data
-    rows = [Row(piece["piece"], _pairs_shown(piece), "–", "") for piece in facts["pieces"]]
-    kept, undecided = (counted(len(facts[name]), "box") for name in ("true_feet", "undecided"))
+def of_plane_curves(bisector: PlaneBisector, digits: int) -> tuple[list[Row], list[str]]:
+    """The pairs of the bisector of two plane curves, and notes on which of them are nearest."""
+    rows = [Row(str(pairs.piece), _where(pairs, digits), "–", "") for pairs in pairs_of(bisector)]
+    trimmed = bisector.trimmed
+    kept, undecided = (counted(len(boxes), "box") for boxes in (trimmed.kept, trimmed.undecided))
     notes = [f"no point of either curve is nearer: proved in {kept} of pairs, undecided in {undecided}"]
-    missing = (" × ".join(f"[{low}, {high}]" for low, high in one["sides"]) for one in facts["missing"])
+    missing = (" × ".join(str(side) for side in sides) for sides in bisector.missing)
     return rows, notes + [f"undecided: {sides}" for sides in missing]
 
 
-def _pairs_shown(piece: Any) -> str:
+def _where(pairs: Pairs, digits: int) -> str:
     """Where pairs are: from one end to the other, or the ranges of both parameters."""
-    if piece["sides"]:
-        ends = zip("st", ([x["exact"] or x["decimal"] for x in side] for side in piece["sides"]), strict=True)
+    if pairs.sides:
+        ends = zip("st", ([real_text(x, digits) for x in side] for side in pairs.sides), strict=True)
         return ", ".join(
             f"{name} = {low}" if low == high else f"{name} in [{low}, {high}]" for name, (low, high) in ends
         )
-    if piece["piece"] == PairsKind.LOOP:
+    if pairs.piece is PairsKind.LOOP:
         return ""
-    start, end = (_pair_shown(piece[name]) for name in ("start", "end"))
-    return start if piece["piece"] == PairsKind.PAIR else f"{start} to {end}"
+    start, end = (_pair(each, digits) for each in (pairs.start, pairs.end))
+    return start if pairs.piece is PairsKind.PAIR else f"{start} to {end}"
 
 
-def _pair_shown(pair: Any) -> str:
+def _interval(low: Real | mpq, high: Real | mpq, digits: int) -> str:
+    return f"[{real_text(low, digits)}, {real_text(high, digits)}]"
+
+
+def _pair(pair: Sequence[Real | mpq] | None, digits: int) -> str:
     if pair is None:
         return "an undecided box"
-    return ", ".join(f"{name} = {x['exact'] or x['decimal']}" for name, x in zip("st", pair, strict=True))
+    return ", ".join(f"{name} = {real_text(x, digits)}" for name, x in zip("st", pair, strict=True))
 
 
 def of_point_in_plane(found: TrimmedBisector, digits: int) -> tuple[list[Row], list[str]]:
     """The pieces of the trimmed bisector of a point and a plane curve, and notes on what is missing."""
     rows = []
     for piece in found.pieces:
-        ends = f"[{brief(piece.low, digits)}, {brief(piece.high, digits)}]"
+        ends = _interval(piece.low, piece.high, digits)
         foot = "" if piece.foot is None else f"foot at {short_text(piece.foot)}"
         rows.append(Row(str(piece.kind), ends, str(piece.value.degree), foot))
     return rows, [f"missing: {reason}" for reason in found.missing] + [f"left out: {what}" for what in found.left_out]
@@ -97,7 +108,7 @@ def of_point_in_space(found: PointBisector, digits: int) -> tuple[list[Row], lis
     for piece in found.pieces:
         moved = f"ruling parameter {piece.moved}" if piece.moved else ""
         rows.append(Row("ruled surface", piece.interval.shortly, str(piece.surface.degree), moved))
-    rows += [Row("singular", brief(root, digits), "–", "the generator vanishes") for root in found.singular]
+    rows += [Row("singular", real_text(root, digits), "–", "the generator vanishes") for root in found.singular]
     return rows, [f"missing: {interval.shortly}: {reason}" for interval, reason in found.missing]
 
 
@@ -126,11 +137,11 @@ def _surface_row(patch: BisectorPatch) -> Row:
 def _line_row(line: LineComponent, digits: int) -> Row:
     degrees = {piece.surface.degree for piece in line.pieces}
     if line.pieces:
-        where = "; ".join(f"{'st'[x.of]} in [{brief(x.low, digits)}, {brief(x.high, digits)}]" for x in line.pieces)
+        where = "; ".join(f"{'st'[x.of]} in {_interval(x.low, x.high, digits)}" for x in line.pieces)
     elif line.over_root is not None:
         own = line.over_root
         degrees = {own.degree}
-        where = f"{'ts'[own.of]} = {brief(own.other, digits)}; {'st'[own.of]} in {own.interval.shortly}"
+        where = f"{'ts'[own.of]} = {real_text(own.other, digits)}; {'st'[own.of]} in {own.interval.shortly}"
     else:
         where = counted(len(line.real.branches), "branch")
     where, short = _pairs(line.equation, line.sides, where)
@@ -138,7 +149,7 @@ def _line_row(line: LineComponent, digits: int) -> Row:
 
 
 def _plane_row(plane: PlaneComponent, digits: int) -> Row:
-    where = "; ".join(f"{'st'[plane.of]} in [{brief(a, digits)}, {brief(b, digits)}]" for a, b in plane.intervals)
+    where = "; ".join(f"{'st'[plane.of]} in {_interval(a, b, digits)}" for a, b in plane.intervals)
     kind = "planes" if plane.equation is not None and plane.fixed is None else str(plane.solutions)
     where, short = _pairs(plane.equation, plane.sides, where)
     return Row(kind, where, "–", str(plane.cause), short)

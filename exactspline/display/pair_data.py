@@ -2,29 +2,17 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from exactspline.display.data import Data
-from exactspline.display.forms import (
-    FLAG,
-    INTEGER,
-    INTERVAL,
-    TEXT,
-    Form,
-    list_of,
-    one_of,
-    optional,
-    or_null,
-    pair_of,
-    record,
-)
+from exactspline.display.forms import FLAG, INTEGER, TEXT, list_of, one_of, or_null, pair_of, record
 from exactspline.display.numbers import polynomial_text
+from exactspline.display.reals import DIGITS, REAL, real_text
 from exactspline.display.sheet import Sheet
-from exactspline.errors import OpenError, ReachError
-from exactspline.geometry.pairs.intersections import IntersectionKind, Intersections
-from exactspline.numbers.exact import mpq, text
+from exactspline.geometry.pairs.intersections import Intersection, IntersectionKind, Intersections, Overlap
+from exactspline.numbers.exact import mpq
 from exactspline.questions.entry import questions_of
-from exactspline.reals.real import Real, real
+from exactspline.reals.real import Real
 
 if TYPE_CHECKING:
     from exactspline.geometry.analysis.pairs import CurvePair
@@ -37,7 +25,7 @@ def pair_data(pair: CurvePair, digits: int) -> Data:
     >>> from exactspline.geometry.analysis.pairs import CurvePair
     >>> pair = CurvePair(example("circle"), Nurbs(1, [0, 0, 1, 1], [(0, 0), (2, 0)]))
     >>> pair_data(pair, 5)["intersections"]["points"][0]["second"]
-    {'exact': '1/2', 'interval': ['1/2', '1/2'], 'decimal': '0.50000'}
+    {'exact': '1/2', 'low': '1/2', 'high': '1/2', 'double': 0.5}
     """
     answers = {name: entry.answer(pair) for name, entry in questions_of(type(pair)).items() if entry.about.reported}
     return {
@@ -46,27 +34,6 @@ def pair_data(pair: CurvePair, digits: int) -> Data:
     }
 
 
-def real_data(x: Real | mpq, digits: int) -> Data:
-    """A number: exactly where it has a short form, in a certified interval, and to a given number of digits."""
-    number = real(x)
-    form, (low, high) = form_data(number), number.around(digits + 1)
-    return {**form, "interval": [text(low), text(high)], "decimal": number.decimal(digits)}
-
-
-def form_data(x: Real) -> Data:
-    """The closed form of a number, null if it is proved to have none; ``open`` where that is not decided.
-
-    >>> from exactspline.reals.real import square_root
-    >>> form_data(square_root(8)), form_data(square_root(2) + square_root(3))
-    ({'exact': '2√2'}, {'exact': None})
-    """
-    try:
-        return {"exact": x.closed_form}
-    except (ReachError, OpenError):
-        return {"exact": None, "open": True}
-
-
-REAL = Form(record(exact=or_null(TEXT), open=optional(FLAG), interval=INTERVAL, decimal=TEXT).schema, real_data)
 _OVERLAP = record(
     first=pair_of(REAL),
     second=pair_of(REAL),
@@ -95,38 +62,35 @@ DISTANCE = record(
 )
 
 
-def pair_sheet(data: Data, title: str) -> Sheet:
+def pair_sheet(pair: CurvePair, title: str, digits: int = DIGITS) -> Sheet:
     """The points, arcs and nearest pairs, one per row."""
-    common: Any = data["intersections"]
+    common = pair.intersections
+
+    def number(x: Real | mpq) -> str:
+        return real_text(x, digits)
+
+    def along(arc: Overlap) -> list[str]:
+        return [f"[{', '.join(map(number, ends))}]" for ends in (arc.first, arc.second)]
+
     made = Sheet("what", "s", "t", "point", "remark", title=title, prose=["remark"])
-    for point in common["points"]:
-        at = ", ".join(x["exact"] or x["decimal"] for x in point["point"])
-        made.add_row(point["kind"], _shown(point["first"]), _shown(point["second"]), f"({at})", _remark(point))
-    for arc in common["everywhere"]:
-        made.add_row("common arc", *_sides_of(arc), "", _map_of(arc))
+    for point in common:
+        at = ", ".join(map(number, point.point))
+        made.add_row(point.kind, number(point.first), number(point.second), f"({at})", _remark(point))
+    for arc in common.everywhere:
+        made.add_row("common arc", *along(arc), "", _map_of(arc))
     if not made.rows:
-        distance: Any = data["distance"]
-        value = f"distance {_shown(distance['value'])}"
-        for pair in distance["points"]:
-            made.add_row("nearest", _shown(pair["first"]), _shown(pair["second"]), "", value)
-        for arc in distance["everywhere"]:
-            made.add_row("nearest arc", *_sides_of(arc), "", ", ".join(filter(None, (value, _map_of(arc)))))
+        distance = pair.distance
+        value = f"distance {number(distance.value)}"
+        for nearest in distance.pairs:
+            made.add_row("nearest", number(nearest.first), number(nearest.second), "", value)
+        for arc in distance.everywhere:
+            made.add_row("nearest arc", *along(arc), "", ", ".join(filter(None, (value, _map_of(arc)))))
     return made
 
 
-def _sides_of(arc: dict[str, Any]) -> list[str]:
-    """The parameters of both curves along an arc."""
-    return [f"[{', '.join(map(_shown, arc[name]))}]" for name in ("first", "second")]
-
-
-def _shown(x: dict[str, Any]) -> str:
-    exact: str | None = x["exact"]
-    return exact or str(x["decimal"])
-
-
-def _remark(point: dict[str, Any]) -> str:
-    times = point["multiplicity"]
-    knots = [name for name, here in zip("st", point["at_knot"], strict=True) if here]
+def _remark(point: Intersection) -> str:
+    times = point.multiplicity
+    knots = [name for name, here in zip("st", point.at_knot, strict=True) if here]
     parts = [
         f"multiplicity {times}" if times and times > 1 else "",
         f"{' and '.join(knots)} at a knot" if knots else "",
@@ -134,9 +98,9 @@ def _remark(point: dict[str, Any]) -> str:
     return ", ".join(filter(None, parts))
 
 
-def _map_of(arc: dict[str, Any]) -> str:
-    if arc["numerator"] is None:
+def _map_of(arc: Overlap) -> str:
+    if arc.numerator is None or arc.denominator is None:
         return ""
-    value, variable = ("t", "s") if arc["of_second"] else ("s", "t")
-    top, bottom = (polynomial_text([mpq(x) for x in arc[name]], variable) for name in ("numerator", "denominator"))
+    value, variable = ("t", "s") if arc.of_second else ("s", "t")
+    top, bottom = (polynomial_text([mpq(x) for x in each], variable) for each in (arc.numerator, arc.denominator))
     return f"{value} = {top}" if bottom == "1" else f"{value} = ({top})/({bottom})"

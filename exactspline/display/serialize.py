@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import asdict
 from operator import itemgetter
 from typing import Any, NamedTuple
 
@@ -19,14 +20,13 @@ from exactspline.display.forms import (
     pair_of,
     record,
 )
-from exactspline.display.numbers import decimal
-from exactspline.display.pair_data import INTERSECTIONS, real_data
+from exactspline.display.pair_data import INTERSECTIONS
+from exactspline.display.reals import REAL, real_data
 from exactspline.errors import ExactSplineError, ShapeError, a_kind, as_instance, as_integer
 from exactspline.geometry.analysis.curves import analyse
-from exactspline.geometry.analysis.inspection import Approach, inspect_curve
-from exactspline.geometry.analysis.prominence import prominences
+from exactspline.geometry.analysis.inspection import Approach, Report, inspect_curve
+from exactspline.geometry.curves import balls
 from exactspline.geometry.curves import values as values_along
-from exactspline.geometry.curves.angles import Angle
 from exactspline.geometry.curves.joints import Joint
 from exactspline.geometry.curves.kinds import Feature, FeatureKind, JointKind
 from exactspline.geometry.curves.planarity import Plane
@@ -34,7 +34,6 @@ from exactspline.geometry.derived.derive import Derived
 from exactspline.geometry.pairs.intersections import Intersections
 from exactspline.language.rational import Rational
 from exactspline.language.vector import Vector
-from exactspline.numbers.exact import mpz, rational
 from exactspline.numbers.intervals import Interval
 from exactspline.numbers.sides import Side
 from exactspline.questions.answers import Described
@@ -47,47 +46,17 @@ from exactspline.splines.lowest_terms import SplineVector
 from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.type_checks import curve_of
 
-
-def angle_data(angle: Angle | None, digits: int) -> dict[str, str] | None:
-    """An angle: its cosine and sine exactly, and degrees to a given number of digits."""
-    if angle is None:
-        return None
-    from mpmath import nstr  # loaded where there is a corner
-
-    degrees = str(nstr(angle.degrees(digits), digits, strip_zeros=True)).removesuffix(".0")
-    return {"cosine": str(angle.cosine), "sine": str(angle.sine), "degrees": degrees}
+#: An angle: its cosine and sine, and in degrees.
+ANGLE = or_null(record(cosine=REAL, sine=REAL, degrees=(REAL, balls.degrees)))
+#: Numbers, points and vectors by their names.
+NUMBERS = Form(
+    {"type": "object", "additionalProperties": list_of(REAL).schema},
+    lambda values, digits: {name: list_of(REAL).write(each, digits) for name, each in values.items()},
+)
 
 
-ANGLE = Form(or_null(record(cosine=TEXT, sine=TEXT, degrees=TEXT)).schema, angle_data)
-
-
-def decimal_of(root: Root, digits: int) -> str:
-    """A root to a given number of digits after the decimal point."""
-    value = rational(root.decimal(digits + 3))
-    return decimal(value, digits + len(str(mpz(abs(value)))))
-
-
-def _value_of(quantity: Callable[[Nurbs, Root, Side | str], Real], curve: Nurbs, root: Root, digits: int) -> str:
-    """κ or τ at a root to a given number of significant digits, 0 where it is exactly 0; at a joint the limits from
-    both sides where they differ; where there is none, the reason.
-    """
-    facts = analyse(curve)
-    joint = facts.joint(root.low) if root.at_knot else None
-
-    def shown(side: Side | str) -> str:
-        at = root if joint is None else knot_root(facts.sides(root.low)[side == Side.RIGHT])
-        value = quantity(curve, at, side).rational_near(digits + 8)
-        return decimal(value, digits) if value else "0"
-
-    try:
-        values = [shown(side) for side in ((Side.LEFT, Side.RIGHT) if joint is not None else (Side.RIGHT,))]
-    except ExactSplineError as error:
-        return str(error)
-    return " | ".join(dict.fromkeys(values))
-
-
-class _Place(NamedTuple):
-    """A feature or a joint at a root of a curve, the joint there where there is one, and of an extremum of a coordinate
+class Located(NamedTuple):
+    """A feature or a joint of a curve, with the joint there where there is one, and of an extremum of a coordinate
     which.
     """
 
@@ -97,20 +66,43 @@ class _Place(NamedTuple):
     joint: Joint | None = None
     coordinate: int | None = None
 
+    def values(self, quantity: Callable[[Nurbs, Root, Side], Real]) -> list[Real]:
+        """κ or τ there, or at a knot the limits from both sides where they differ; raises an `ExactSplineError` where
+        there is none.
+        """
+        if self.joint is None:
+            return [quantity(self.curve, self.root, Side.RIGHT)]
+        sides = zip(analyse(self.curve).sides(self.root.low), Side, strict=True)
+        left, right = (quantity(self.curve, knot_root(t), side) for t, side in sides)
+        return [left] if left == right else [left, right]
 
-def _value(quantity: Callable[[Nurbs, Root, Side | str], Real]) -> Form:
-    return Form(TEXT.schema, lambda at, digits: _value_of(quantity, at.curve, at.root, digits))
+
+def located(curve: Nurbs, of: Feature | Joint, coordinate: int | None = None) -> Located:
+    """A feature or a joint with what is needed to tell it."""
+    if isinstance(of, Joint):
+        return Located(curve, of, knot_root(of.parameter), of)
+    return Located(curve, of, of.root, analyse(curve).joint(of.root.low) if of.at_knot else None, coordinate)
 
 
-DECIMAL = Form(TEXT.schema, decimal_of)
-_CURVATURE, _TORSION = _value(values_along.curvature), _value(values_along.torsion)
-#: A feature: the parameter exactly, as an interval and to a given number of digits; κ there where γ′ ≠ 0, in space also
-#: τ; and the angle of a corner.
+def _limits(quantity: Callable[[Nurbs, Root, Side], Real]) -> Form:
+    """The value of a quantity at a place, or its limits from both sides; empty where it has none."""
+    form = list_of(REAL, 0, 2)
+
+    def write(at: Located, digits: int) -> object:
+        try:
+            return form.write(at.values(quantity), digits)
+        except ExactSplineError:
+            return []
+
+    return Form(form.schema, write)
+
+
+_CURVATURE, _TORSION = _limits(values_along.curvature), _limits(values_along.torsion)
+_PARAMETER = (REAL, "root")
+#: A feature: its parameter; κ there where γ′ ≠ 0, in space also τ; and the angle of a corner.
 FEATURE = record(
     kind=(one_of(FeatureKind), "of.kind"),
-    parameter=(or_null(TEXT), "root.exact"),
-    interval=(Form(INTERVAL.schema, lambda root, digits: INTERVAL.write(root.refine(digits), digits)), "root"),
-    decimal=(DECIMAL, "root"),
+    parameter=_PARAMETER,
     at_knot=(FLAG, "of.at_knot"),
     by_jump=(FLAG, "of.by_jump"),
     of_absolute=(Form({"enum": ["", *map(str, FeatureKind)]}, lambda kind, digits: str(kind or "")), "of.of_absolute"),
@@ -120,31 +112,19 @@ FEATURE = record(
     coordinate=optional(INTEGER),
 )
 #: A joint: its kind and order of geometric continuity, the angle of a corner, the width of a gap, and the curvatures of
-#: both sides where they differ, exactly and to a given number of digits.
+#: both sides where they differ.
 JOINT = record(
     kind=(one_of(JointKind), "of.kind"),
-    parameter=(TEXT, "of.parameter"),
-    decimal=(DECIMAL, "root"),
+    parameter=_PARAMETER,
     at_seam=(FLAG, "of.at_seam"),
     geometric_continuity=(or_null(INTEGER), "of.order"),
     angle=(ANGLE, "of.angle"),
-    gap=(or_null(TEXT), "of.gap"),
-    gap_decimal=(
-        or_null(Form(TEXT.schema, lambda gap, digits: decimal(gap.rational_near(digits + 8), digits))),
-        "of.gap",
-    ),
-    curvatures=(or_null(pair_of(TEXT)), "of.curvatures"),
-    curvature=(or_null(_CURVATURE), lambda at: None if at.of.curvatures is None else at),
+    gap=(or_null(REAL), "of.gap"),
+    curvatures=(or_null(pair_of(REAL)), "of.curvatures"),
 )
 #: The intervals of a piece, and a planar piece with its plane.
 INTERVALS = list_of(INTERVAL, 1).of("parts")
 PLANAR_PIECE = record(intervals=(INTERVALS, itemgetter(0)), plane=(TEXT, itemgetter(1)))
-
-
-def _feature_data(curve: Nurbs, f: Feature, digits: int, coordinate: int | None = None) -> dict[str, object]:
-    joint = analyse(curve).joint(f.root.low) if f.at_knot else None
-    data: dict[str, object] = FEATURE.write(_Place(curve, f, f.root, joint, coordinate), digits)
-    return data
 
 
 def inspection_data(
@@ -155,12 +135,32 @@ def inspection_data(
 
     Raises `ExactSplineError` for what is neither a plane nor a space curve, and for an unknown approach.
     """
-    curve, digits = curve_of(curve), as_integer(digits, "a number of digits", 1)
+    digits = as_integer(digits, "a number of digits", 1)
     if not callable(tick):
         raise ShapeError(f"{a_kind(tick)}, where a function without arguments is expected", remedy="leave it out")
-    found = inspect_curve(curve, approach)
-    data: dict[str, Any] = {"curve": curve.name, "approach": found.approach, "closed": curve.closed, "digits": digits}
-    return data | {name: answer_data(curve, answer, digits, tick) for name, answer in found.answers.items()}
+    return report_data(Report(inspect_curve(curve_of(curve), approach)), digits, tick)
+
+
+def report_data(report: Report, digits: int, tick: Callable[[], None] = lambda: None) -> dict[str, object]:
+    """What is said of a curve as data; `tick` is called after every feature."""
+    curve = report.curve
+    data: dict[str, object] = {"curve": curve.name, "approach": report.inspection.approach, "closed": curve.closed}
+    data["digits"] = digits
+    data |= {name: answer_data(curve, answer, digits, tick) for name, answer in report.answers.items()}
+    if report.within is not None:
+        data["epsilon"] = report.epsilon
+        for name, found in (("nearby", report.nearby), ("meetings", report.meetings)):
+            data[name] = [described_data(each, digits) for each in found]
+    if report.with_stability:
+        data["stability"] = list_of(STABLE).write(report.stable, digits)
+    if report.with_coordinates:
+        placed = [
+            located(curve, feature, axis) for axis, places in enumerate(report.coordinate_extrema) for feature in places
+        ]
+        data["coordinate_extrema"] = list_of(FEATURE).write(placed, digits)
+    if report.with_approaches:
+        data["approaches"] = [asdict(row) for row in report.approaches]
+    return data
 
 
 def answer_data(curve: Nurbs, answer: object, digits: int, tick: Callable[[], None] = lambda: None) -> object:
@@ -171,7 +171,7 @@ def answer_data(curve: Nurbs, answer: object, digits: int, tick: Callable[[], No
     if isinstance(answer, Places):
         points = []
         for f in answer:
-            points.append(_feature_data(curve, f, digits))
+            points.append(FEATURE.write(located(curve, f), digits))
             tick()
         return {"points": points, "everywhere": list_of(INTERVALS).write(answer.everywhere, digits)}
     if isinstance(answer, Intersections):
@@ -181,47 +181,28 @@ def answer_data(curve: Nurbs, answer: object, digits: int, tick: Callable[[], No
     return None if answer is None else str(answer)
 
 
-#: Numbers, points and vectors by their names.
-NUMBERS = Form(
-    {"type": "object", "additionalProperties": list_of(TEXT).schema},
-    lambda values, digits: {name: [str(x) for x in each] for name, each in values.items()},
-)
-
-
-def described_data(found: Described) -> dict[str, object]:
-    """A piece with what is said of it: numbers exactly where they are known in closed form."""
+def described_data(found: Described, digits: int) -> dict[str, object]:
+    """A piece with what is said of it."""
     return {
         "kind": str(found.kind),
-        "intervals": INTERVALS.write(found.piece, 0),
-        "numbers": NUMBERS.write(found.values, 0),
+        "intervals": INTERVALS.write(found.piece, digits),
+        "numbers": NUMBERS.write(found.values, digits),
         **found.facts,
     }
 
 
-def stability_data(curve: Nurbs) -> list[dict[str, object]]:
-    """The stability of the features of a curve, with the prominences of the extrema of κ to four digits."""
-    least: dict[Real, Real | None] = {found.root: x for found, x in prominences(curve)}
-    return [
-        described_data(found) | {"prominence": None if (x := least.get(found.place)) is None else f"{x.double():.4g}"}
-        for found in analyse(curve).stability
-    ]
+#: A stable feature with its prominence.
+STABLE = Form(
+    {}, lambda pair, digits: described_data(pair[0], digits) | {"prominence": or_null(REAL).write(pair[1], digits)}
+)
 
 
 def _element_data(curve: Nurbs, each: Joint | CurvePiece | Described | tuple[CurvePiece, Plane], digits: int) -> object:
     if isinstance(each, Joint):
-        return JOINT.write(_Place(curve, each, knot_root(each.parameter)), digits)
+        return JOINT.write(located(curve, each), digits)
     if isinstance(each, Described):
-        return described_data(each)
+        return described_data(each, digits)
     return (INTERVALS if isinstance(each, CurvePiece) else PLANAR_PIECE).write(each, digits)
-
-
-def coordinate_extrema_data(curve: Nurbs, digits: int) -> list[dict[str, object]]:
-    """The extrema of coordinates, as data."""
-    return [
-        _feature_data(curve, f, digits, axis)
-        for axis in range(curve.dimension)
-        for f in analyse(curve).turning_points(axis)
-    ]
 
 
 def derived_data(derived: Derived, curve: str) -> dict[str, object]:

@@ -30,11 +30,13 @@ from exactspline.display.forms import (
     pair_of,
     record,
 )
-from exactspline.display.serialize import ANGLE, NUMBERS, angle_data
+from exactspline.display.reals import real_text
+from exactspline.display.serialize import ANGLE, NUMBERS
 from exactspline.display.sheet import Sheet
-from exactspline.errors import FormulaError, counted
+from exactspline.errors import FormulaError, ReachError, counted
 from exactspline.geometry.analysis.planar_maps import MapInspection
 from exactspline.geometry.analysis.surfaces import PatchInspection, PatchKind, SurfaceInspection
+from exactspline.geometry.curves import balls
 from exactspline.geometry.recognition.patches import RecognizedPart
 from exactspline.geometry.recognition.shapes import ShapeKind
 from exactspline.geometry.rounded.umbilics import NearbyUmbilic
@@ -51,7 +53,6 @@ from exactspline.numbers.intervals import Box, Interval, hull, joined
 from exactspline.polynomials.patch_forms import clusters
 from exactspline.questions.entry import questions_of
 from exactspline.roots.of_polynomials import Parameter, enclosing
-from exactspline.roots.root import Root
 from exactspline.splines.surface import Along, NurbsSurface
 from exactspline.splines.tensor import TensorSpline
 from exactspline.splines.tensor_lowest_terms import in_lowest_terms
@@ -108,19 +109,15 @@ def _answers_data(inspection: SurfaceInspection | MapInspection, digits: int) ->
 
 
 def _place_data(place: Place, digits: int) -> Data:
-    exact, box = place.exact, place.box(digits + 2)
-    return {
-        name: {
-            "parameter": text(exact[k]) if exact else text(a) if a == b else None,
-            "interval": plain((a, b)),
-            "decimal": _decimal_between(a, b, digits),
+    try:
+        return {name: PARAMETER.write(t, digits) for name, t in zip("uv", place.spot, strict=True)}
+    except ReachError:
+        # the box is known, the numbers are not
+        box = place.box(digits)
+        return {
+            name: {"exact": None, "open": True, "low": text(a), "high": text(b), "double": None}
+            for name, (a, b) in zip("uv", box, strict=True)
         }
-        for k, (name, (a, b)) in enumerate(zip("uv", box, strict=True))
-    }
-
-
-def _decimal(t: Parameter, digits: int) -> str:
-    return _decimal_between(*enclosing(t, digits + 2), digits)
 
 
 def _decimal_between(low: mpq, high: mpq, digits: int) -> str:
@@ -151,14 +148,7 @@ _SIDES = BOX.of("sides")
 #: A part of a surface all of whose points belong to an answer.
 _PART = record(record(patch=_PATCH), _SIDES)
 _PLACE = record(Form(record(u=PARAMETER, v=PARAMETER).schema, _place_data), _PATCHES)
-_LINE = record(
-    along=one_of(Along),
-    value=(or_null(TEXT), lambda line: None if isinstance(line.value, Root) else line.value),
-    decimal=(Form(TEXT.schema, _decimal), "value"),
-    interval=INTERVAL,
-    closed=FLAG,
-    one_sided=FLAG,
-)
+_LINE = record(along=one_of(Along), value=PARAMETER, interval=INTERVAL, closed=FLAG, one_sided=FLAG)
 _CURVE = record(
     _PATCHES, record(shape=one_of(Shape)), BOX.of(lambda curve: hull(_hull(piece) for piece in curve.pieces))
 )
@@ -286,7 +276,7 @@ def nearby_umbilics_sheet(found: Sequence[NearbyUmbilic], title: str) -> Sheet:
     """The umbilics of all surfaces near a surface, and those that some of them may have."""
     made = Sheet("umbilics", "u between", "and", "v between", "and", title=title, heads=1)
     for umbilic in found:
-        ends = [x for side in umbilic.sides for x in ends_text(*map(text, side))]
+        ends = [x for side in umbilic.sides for x in ends_text(side)]
         made.add_row("exactly one" if umbilic.certain else "perhaps some", *ends)
     return made
 
@@ -386,11 +376,11 @@ def _of_umbilic(umbilic: Umbilic) -> str:
 
 def _of_joint(joint: SurfaceJoint) -> str:
     """The description of a joint."""
-    angle = angle_data(joint.angle, DIGITS_OF_ANGLES)
+    degrees = "" if joint.angle is None else real_text(balls.degrees(joint.angle), DIGITS_OF_ANGLES)
     parts = [
         "at the seam" if joint.at_seam else "at a knot",
         "the surface turns back" if joint.kind is SurfaceJointKind.FOLD else "",
-        f"the tangent plane turns by {angle['degrees']}°" if angle else "",
+        f"the tangent plane turns by {degrees}°" if degrees else "",
         f"G{joint.order}" if joint.order is not None and joint.order >= 0 else "the sides are different curves",
     ]
     return ", ".join(filter(None, parts))
@@ -416,13 +406,14 @@ def _poles(inspection: SurfaceInspection) -> Iterator[tuple[_PoleKey, list[Inter
 
 
 def _parameters(place: Place, digits: int) -> Iterator[str]:
-    exact = place.exact
-    for k, (a, b) in enumerate(place.box(digits + 2)):
-        yield text(exact[k]) if exact else text(a) if a == b else _decimal_between(a, b, digits)
+    try:
+        yield from (real_text(t, digits) for t in place.spot)
+    except ReachError:
+        yield from (_decimal_between(a, b, digits) for a, b in place.box(digits + 2))
 
 
 def _line(along: Along, value: Parameter, interval: Interval, digits: int = 0) -> tuple[str, str]:
-    at = _decimal_between(*enclosing(value, digits + 2), digits) if isinstance(value, Root) else text(value)
+    at = real_text(value, digits)
     return (str(interval), at) if along is Along.U else (at, str(interval))
 
 

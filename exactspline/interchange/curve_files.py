@@ -136,13 +136,13 @@ def _ends(piece: dict[str, Any], domain: tuple[mpq, mpq], limits: Limits) -> tup
 def _end(end: Any, key: str, limits: Limits) -> mpq:
     if not isinstance(end, dict):
         return _rational(end, key, limits)
-    if end.get("parameter") is None:
+    if end.get("exact") is None:
         raise CurveFileError(
-            f"the piece ends at an irrational parameter (in {end.get('interval')})",
+            f"the piece ends at an irrational parameter (in [{end.get('low')}, {end.get('high')}])",
             where=key,
             remedy="no curve with rational knots ends there; write a rational parameter inside the piece",
         )
-    return _rational(end["parameter"], key, limits)
+    return _rational(end["exact"], key, limits)
 
 
 def _rational(value: object, key: str, limits: Limits) -> mpq:

@@ -15,7 +15,7 @@ from typing import Any, Generic, ParamSpec, TypeVar
 
 from flint import fmpq, fmpz, fmpz_poly
 
-from exactspline.errors import ReachError
+from exactspline.errors import ReachError, as_integer
 
 V = TypeVar("V")
 P = ParamSpec("P")
@@ -167,7 +167,8 @@ def within_seconds(limit: int | None) -> Iterator[None]:
 
     Raises `ReachError` when the time is over.
     """
-    token = _END.set(None if limit is None else thread_time() + limit)
+    seconds = None if limit is None else as_integer(limit, "a number of seconds", 0)
+    token = _END.set(None if seconds is None else thread_time() + seconds)
     try:
         yield
     except _TimeIsUp:

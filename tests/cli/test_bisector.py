@@ -1,6 +1,7 @@
 """The command `bisector` as a user meets it."""
 
 import json
+from types import SimpleNamespace
 
 import pytest
 from click.testing import CliRunner
@@ -8,12 +9,14 @@ from gmpy2 import mpq
 
 from exactspline import Nurbs, bisector
 from exactspline.cli import app
-from exactspline.display.bisector_sheet import of_plane_curves
+from exactspline.display import bisector_sheet
+from exactspline.display.bisector_data import Pairs, PairsKind
 from exactspline.extras.pictures3d.depth import REMARK, knows_depth
 from exactspline.geometry.bisectors.two_curves import curve_bisector
 from exactspline.interchange.curve_files import curve_data, write_json
 from exactspline.interchange.examples import example
 from exactspline.interchange.files import read
+from exactspline.numbers.intervals import Interval
 from tests.support.bisector_oracle import FAMILIES
 from tests.support.command import run
 from tests.support.sampled import sample
@@ -54,7 +57,7 @@ def test_a_point_and_a_plane_curve_is_trimmed():
     data = json.loads(run("bisector", "parabola", "--point", "0,1", "--json").stdout)["rows"][0]
     assert [piece["piece"] for piece in data["pieces"]] == ["arc", "end point", "end point"]
     low = data["pieces"][1]["high"]
-    assert mpq(low["interval"][0]) <= mpq(-1, 5) <= mpq(low["interval"][1])
+    assert mpq(low["low"]) <= mpq(-1, 5) <= mpq(low["high"])
 
 
 def test_two_plane_curves():
@@ -65,7 +68,7 @@ def test_two_plane_curves():
     for piece, arc in zip(row["pieces"], found.pieces, strict=True):
         for end, place in (("start", arc.start), ("end", arc.end)):
             for told, number in zip(piece[end], place, strict=True):
-                low, high = map(mpq, told["interval"])
+                low, high = mpq(told["low"]), mpq(told["high"])
                 assert low <= number <= high
     assert row["complete"]
     assert row["true_feet"] == [[[str(x) for x in side] for side in box] for box in found.trimmed.kept]
@@ -74,22 +77,24 @@ def test_two_plane_curves():
     assert max(map(len, shown.splitlines())) <= 80
 
 
-def test_pairs_of_plane_curves_are_shown_by_their_kind():
+def test_pairs_of_plane_curves_are_shown_by_their_kind(monkeypatch):
     """An arc that ends in an undecided box was shown like one that ends at its start."""
-    pair, one = [{"exact": text, "decimal": ""} for text in ("0", "1/3")], {"exact": None, "decimal": "0.5"}
-    pieces = [
-        {"piece": "arc of pairs", "start": None, "end": pair, "sides": None},
-        {"piece": "loop of pairs", "start": None, "end": None, "sides": None},
-        {"piece": "pair", "start": pair, "end": pair, "sides": None},
-        {"piece": "line of pairs", "start": None, "end": None, "sides": [[one, one], pair]},
+    pair, one = (mpq(0), mpq(1, 3)), mpq(1, 2)
+    told = [
+        Pairs(PairsKind.ARC, None, pair),
+        Pairs(PairsKind.LOOP),
+        Pairs(PairsKind.PAIR, pair, pair),
+        Pairs(PairsKind.LINE, sides=((one, one), pair)),
     ]
-    box = {"sides": [["0", "1/2"], ["0", "1"]], "reason": "the pairs are not decided"}
-    rows, notes = of_plane_curves({"pieces": pieces, "true_feet": [], "undecided": [], "missing": [box]})
+    monkeypatch.setattr(bisector_sheet, "pairs_of", lambda bisector: told)
+    boxes = SimpleNamespace(kept=(), undecided=())
+    box = (Interval(mpq(0), mpq(1, 2)), Interval(mpq(0), mpq(1)))
+    rows, notes = bisector_sheet.of_plane_curves(SimpleNamespace(trimmed=boxes, missing=[box]), 12)
     assert [row.where for row in rows] == [
         "an undecided box to s = 0, t = 1/3",
         "",
         "s = 0, t = 1/3",
-        "s = 0.5, t in [0, 1/3]",
+        "s = 1/2, t in [0, 1/3]",
     ]
     assert notes[1] == "undecided: [0, 1/2] × [0, 1]"
 
@@ -190,9 +195,9 @@ def test_json_has_all_components(tmp_path):
     assert line["equation"]["text"] == "s = 0"
     assert line["pieces"][0]["parameter"] == "t"
     (plane,) = [x for x in data["pairs"] if x["solutions"] == "plane"]
-    assert plane["s"]["parameter"] == "0"
+    assert plane["s"]["exact"] == "0"
     # the normal plane of the second curve where it runs through the cusp
-    t, second = mpq(plane["t"]["parameter"]), FAMILIES["a cusp and a curve through it"][1]
+    t, second = mpq(plane["t"]["exact"]), FAMILIES["a cusp and a curve through it"][1]
     assert second(t) == tuple(mpq(x) for x in plane["point"])
 
 
@@ -208,8 +213,8 @@ def test_lines_in_json_are_the_lines(tmp_path):
 
 def test_irrational_pairs_have_their_polynomials():
     data = json.loads(run("bisector", "rational_space_cubic", "twisted_cubic", "--json").stdout)["rows"][0]
-    (irrational, *_) = [pair["s"] for pair in data["pairs"] if pair["s"]["parameter"] is None]
-    p, (low, high) = list(map(mpq, irrational["polynomial"])), map(mpq, irrational["interval"])
+    (irrational, *_) = [pair["s"] for pair in data["pairs"] if "polynomial" in pair["s"]]
+    p, (low, high) = list(map(mpq, irrational["polynomial"])), map(mpq, (irrational["low"], irrational["high"]))
     values = [sum(c * t**k for k, c in enumerate(p)) for t in (low, high)]
     assert values[0] * values[1] < 0
 
@@ -223,7 +228,7 @@ def test_an_arc_is_written_trimmed(tmp_path):
     write_json(line, curve_data(Nurbs(1, [0, 0, 1, 1], [(-4, 0), (4, 0)])))
     data = json.loads(run("bisector", line, "--point", "0,2", "--json").stdout)["rows"][0]
     for piece in data["pieces"]:
-        low, high = mpq(piece["low"]["parameter"]), mpq(piece["high"]["parameter"])
+        low, high = mpq(piece["low"]["exact"]), mpq(piece["high"]["exact"])
         assert [mpq(piece["knots"][0]), mpq(piece["knots"][-1])] == [low, high]
         assert [mpq(x) for x in piece["interval"]] == [low, high]
         assert "cut" not in piece
@@ -238,7 +243,7 @@ def test_an_arc_with_an_irrational_end_is_refused_by_the_reader(tmp_path):
     data = json.loads(run("bisector", "circle", "--point", "3,0", "--json").stdout)["rows"][0]
     piece = next(x for x in data["pieces"] if x["piece"] == "arc")
     assert piece["cut"]
-    irrational = [end["polynomial"] for end in (piece["low"], piece["high"]) if end["parameter"] is None]
+    irrational = [end["polynomial"] for end in (piece["low"], piece["high"]) if "polynomial" in end]
     assert irrational
     assert set(map(tuple, irrational)) <= {("-1", "0", "2"), ("31", "-16", "2")}
     file.write_text(json.dumps(data | {"pieces": [piece]}))

@@ -112,7 +112,7 @@ def test_the_elements_of_answers_have_types():
         jsonschema.validate(document, schema)
         answers = document["rows"][0]
         spoiled = answers["critical_points"]["points"] if name == "ellipse" else answers["zero_curves"]
-        del spoiled[0]["decimal" if name == "ellipse" else "u"]
+        del spoiled[0]["parameter" if name == "ellipse" else "u"]
         with pytest.raises(jsonschema.ValidationError):
             jsonschema.validate(document, schema)
     line = json.loads(run("sweep", "--surfaces", "enneper", "--find", "umbilics", "-o", "-").stdout)

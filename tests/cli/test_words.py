@@ -93,7 +93,7 @@ def test_every_schema_is_published():
     assert set(DOCUMENTS) | {"figures", "convert", "convert surface"} == set(schemas())
     assert set(schemas()) | {"sweep_line"} == set(listed)
     assert json.loads(invoke("schema", "sweep_line").stdout)["title"] == "exactspline/sweep_line, version 6"
-    assert json.loads(invoke("schema", "prove").stdout)["title"] == "exactspline/prove, version 2"
+    assert json.loads(invoke("schema", "prove").stdout)["title"] == "exactspline/prove, version 3"
 
 
 def test_keys_of_the_whole_ledger_on_one_curve_are_unique():
@@ -178,7 +178,7 @@ def test_help_shows_examples_and_exit_statuses():
         assert "Exit status: 0 success" in told
         assert f"  exactspline {name}" in told
     assert "..." not in invoke("--help").stdout.split("Commands:")[1]
-    assert "[default: 20" in invoke("inspect", "--help").stdout
+    assert "[default: 12" in invoke("inspect", "--help").stdout
 
 
 def test_version():

@@ -129,6 +129,8 @@ UNREGISTERED = {
     "geometry/filter/certain.py: Certain.inflections": "the answer of inflections, where it is certain",
     "geometry/curves/extent.py: turning_points": "the answer of turning_points, beside what it shares with boxes",
     "geometry/analysis/inspection.py: Inspection.critical_points": "critical_points by the approach of a command",
+    "geometry/analysis/inspection.py: Report.places": "the answer of an entry",
+    "geometry/analysis/inspection.py: Report.coordinate_extrema": "the answers of turning_points",
 }
 QUESTION = "class A(Facts):\n    @{}\n    def loops(self) -> Places[Feature]:\n        return Places(())"
 

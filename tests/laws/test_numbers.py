@@ -7,9 +7,8 @@ import pytest
 from gmpy2 import mpq
 
 import exactspline as xs
-from exactspline.batch.oracle import items, oracle
-from exactspline.batch.oracle_answers import number_data
-from exactspline.display.pair_data import real_data
+from exactspline.batch.oracle import items
+from exactspline.display.reals import real_data
 from exactspline.errors import ExactSplineError, OpenError, ReachError
 from exactspline.interchange.examples import example_names
 from exactspline.reals.real import square_root
@@ -40,7 +39,6 @@ SEEN = {
     "decimal 3": lambda x: x.decimal(3),
     "decimal 40": lambda x: x.decimal(40),
     "closed form": lambda x: x.closed_form,
-    "oracle": lambda x: number_data(x, 12),
     "between": lambda x: real_data(x, 20),
     "exact": lambda x: x.exact,
     "mpf": lambda x: str(x.mpf(17)),
@@ -73,7 +71,7 @@ def test_the_curvature_at_the_cusps_of_an_offset_is_one_over_the_distance(name, 
     assert found
     for item in found:
         value = xs.curvature(xs.example(name), item.values["parameter"])
-        assert (number_data(value)["exact"], str(value)) == (str(1 / distance), str(1 / distance))
+        assert (real_data(value, 30)["exact"], str(value)) == (str(1 / distance), str(1 / distance))
 
 
 T = xs.BSpline.identity(0, 4)
@@ -98,8 +96,8 @@ def test_numbers_of_degree_at_most_2_are_known_as_such(number, form):
     """All of them were said to have no closed form; numbers of a higher degree have none, and that is proved."""
     x = number()
     assert x.closed_form == form
-    assert number_data(x).items() >= {"exact": form}.items()
-    assert "open" not in number_data(x)
+    assert real_data(x, 30).items() >= {"exact": form}.items()
+    assert "open" not in real_data(x, 30)
     if form is not None:
         assert str(x) == repr(x)[6:-1] == form or isinstance(x, xs.Root)
         assert len(x.minimal_polynomial()) <= 3
@@ -108,11 +106,11 @@ def test_numbers_of_degree_at_most_2_are_known_as_such(number, form):
 def test_what_is_not_decided_is_told_from_what_is_proved():
     """Both were `null`."""
     long = ALPHA * mpq(1, 10**50_000 + 1) + BETA
-    assert number_data(long)["open"] is True
+    assert real_data(long, 30)["open"] is True
     with pytest.raises(ReachError, match="coefficients of"):
         long.closed_form  # noqa: B018
     assert repr(long) == "<Real 3.1462644…>"
-    assert number_data(oracle(xs.example("parabola"), "length").items[0].values["length"])["open"] is True
+    assert real_data(xs.ask(xs.example("parabola"), "length"), 30)["open"] is True
     bent = xs.Nurbs(1, [0, 0, 1, 2, 2], [(0, 0), (1, 0), (4, 4)])
     degrees = next(item.values["degrees"] for item in items(bent, "corners"))
     assert degrees.exact is degrees.closed_form is None, "an angle is a rational number of degrees or transcendental"

@@ -5,13 +5,23 @@ curvature.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import cast
 
 from exactspline.geometry.analysis.curves import Analysis, analyse, questions_about
+from exactspline.geometry.analysis.prominence import prominences
 from exactspline.geometry.curves.facts import among, located
+from exactspline.geometry.curves.joints import Joint
 from exactspline.geometry.curves.kinds import Feature
 from exactspline.geometry.curves.planarity import in_the_plane
 from exactspline.geometry.derived.constructions import Variant
-from exactspline.roots.answers import Places
+from exactspline.geometry.recognition.pieces import RecognizedPiece
+from exactspline.geometry.rounded.features import NearbyFeature
+from exactspline.geometry.rounded.intersections import NearbyMeeting
+from exactspline.geometry.rounded.stability import StableFeature
+from exactspline.numbers.exact import mpq
+from exactspline.numbers.once import cached_property
+from exactspline.reals.real import Real
+from exactspline.roots.answers import CurvePiece, Places
 from exactspline.roots.zero_set import ZeroSet
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.lowest_terms import control_point_count
@@ -74,6 +84,78 @@ def inspect_curve(curve: Nurbs, approach: Approach | str = Approach.MINIMAL) -> 
     """
     analyse(curve).check_dimension()
     return Inspection(choice(Approach, approach, "approach"), in_the_plane(curve))
+
+
+@dataclass(frozen=True)
+class Report:
+    """What is said of a curve: its inspection, and what else is asked for: all that curves within a distance have
+    (`epsilon` as it is written, `within` as a number), how stable features are, the extrema of coordinates, and the
+    approaches side by side.
+    """
+
+    inspection: Inspection
+    epsilon: str = ""
+    within: mpq | None = None
+    with_stability: bool = False
+    with_coordinates: bool = False
+    with_approaches: bool = False
+
+    @property
+    def curve(self) -> Nurbs:
+        """The curve."""
+        return self.inspection.curve
+
+    @cached_property
+    def answers(self) -> dict[str, object]:
+        """The answers by the names of their questions; shapes within the distance where one is given."""
+        near = {} if self.within is None else {"shapes": self.inspection.analysis.shapes_within(self.within)}
+        return self.inspection.answers | near
+
+    def places(self, name: str) -> Places[Feature]:
+        """The answer to a question that is answered by places."""
+        return cast(Places[Feature], self.answers[name])
+
+    def pieces(self, name: str) -> tuple[CurvePiece, ...]:
+        """The answer to a question that is answered by pieces."""
+        return cast(tuple[CurvePiece, ...], self.answers[name])
+
+    @property
+    def shapes(self) -> tuple[RecognizedPiece, ...]:
+        """The pieces that are lines, circles or conics."""
+        return cast(tuple[RecognizedPiece, ...], self.answers["shapes"])
+
+    @property
+    def joints(self) -> tuple[Joint, ...]:
+        """The joints."""
+        return self.inspection.analysis.joints
+
+    @property
+    def nearby(self) -> tuple[NearbyFeature, ...]:
+        """What all curves within the distance have, and what some of them may have."""
+        return () if self.within is None else self.inspection.analysis.features_within(self.within)
+
+    @property
+    def meetings(self) -> tuple[NearbyMeeting, ...]:
+        """Where all curves within the distance meet themselves, and where some of them may."""
+        return () if self.within is None else self.inspection.analysis.self_intersections_within(self.within)
+
+    @cached_property
+    def stable(self) -> tuple[tuple[StableFeature, Real | None], ...]:
+        """The stability of features, with the prominence of each extremum of the curvature."""
+        if not self.with_stability:
+            return ()
+        least: dict[Real, Real | None] = {found.root: x for found, x in prominences(self.curve)}
+        return tuple((found, least.get(found.place)) for found in self.inspection.analysis.stability)
+
+    @property
+    def coordinate_extrema(self) -> tuple[Places[Feature], ...]:
+        """The extrema of each coordinate."""
+        return tuple(map(self.inspection.analysis.turning_points, range(self.curve.dimension * self.with_coordinates)))
+
+    @cached_property
+    def approaches(self) -> tuple[ApproachResult, ...]:
+        """The approaches to critical curvature, side by side."""
+        return tuple(compare_approaches(self.curve)) if self.with_approaches else ()
 
 
 #: What is solved, in the words of the table of features.
