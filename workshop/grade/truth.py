@@ -12,10 +12,10 @@ from functools import reduce
 from operator import add
 
 from exactspline.errors import ExactSplineError
-from exactspline.geometry.analysis.curves import analyse
 from exactspline.geometry.analysis.pairs import CurvePair
 from exactspline.geometry.curves import balls
 from exactspline.geometry.curves.extent import coordinate_range, slope
+from exactspline.geometry.curves.facts import facts_of
 from exactspline.geometry.curves.values import curvature, point_at, torsion, unit
 from exactspline.geometry.pairs.intersections import intersections
 from exactspline.geometry.pairs.nearest import nearest
@@ -65,7 +65,7 @@ def _derivative(order: int) -> Callable[[Case], Answer]:
 
 
 def _tangent(case: Case) -> Answer:
-    return _numbers(unit(analyse(case.curve).velocity, case.parameter))
+    return _numbers(unit(facts_of(case.curve).velocity, case.parameter))
 
 
 def _curvature(case: Case) -> Answer:

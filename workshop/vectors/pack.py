@@ -6,6 +6,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Callable, Iterable, Iterator
+from dataclasses import replace
 from functools import partial
 from pathlib import Path
 from typing import Any
@@ -16,6 +17,7 @@ from exactspline.batch.oracle import items
 from exactspline.errors import ExactSplineError
 from exactspline.geometry.analysis.curves import QUESTIONS, questions_about
 from exactspline.geometry.analysis.pairs import CurvePair
+from exactspline.geometry.curves.planarity import in_the_plane
 from exactspline.numbers.exact import double, text
 from exactspline.questions.answers import NamedNumbers
 from exactspline.questions.entry import Answered, questions_of
@@ -69,6 +71,7 @@ def case_data(case: Case) -> dict[str, Any]:
     >>> data["dial"], data["answers"]["cusps"]["answer"], data["answers"]["inflections"]["answer"]
     ({'sign': 1, 'k': 2}, 'none', 'these')
     """
+    case = replace(case, curve=in_the_plane(case.curve))
     curve, dial = case.curve, case.dial
     return {
         "key": case.key,
