@@ -40,8 +40,8 @@ from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.type_checks import curve_of
 
 
-def oracle(curve: Nurbs, asked: str) -> Answer:
-    """The answer to a question about a curve as items, with the certificates of the zero sets on which it relies.
+def oracle(about: Nurbs | CurvePair, asked: str) -> Answer:
+    """The answer to a question about a curve or two as items, with the certificates of the zero sets it relies on.
 
     >>> from exactspline import example
     >>> [item] = oracle(example("cusp"), "cusps").items
@@ -53,9 +53,9 @@ def oracle(curve: Nurbs, asked: str) -> Answer:
     Raises `QuestionError` for an unknown question, and another `ExactSplineError` where the question has no answer for
     the curve.
     """
-    question = asked_of(curve_of(curve), asked)
+    question = asked_of(about if isinstance(about, CurvePair) else curve_of(about), asked)
     certificates = tuple(proof.certificate() for proof in question.proofs)
-    return Answer(asked.strip(), tuple(_items(curve, question)), certificates)
+    return Answer(asked.strip(), tuple(_items(_first(about), question)), certificates)
 
 
 def items(about: Nurbs | CurvePair, asked: str) -> tuple[NamedNumbers, ...]:
@@ -67,8 +67,11 @@ def items(about: Nurbs | CurvePair, asked: str) -> tuple[NamedNumbers, ...]:
     >>> items(CurvePair(example("circle"), example("ellipse")), "distance")[0].values["distance"].exact
     mpq(0,1)
     """
-    first = about.curves[0] if isinstance(about, CurvePair) else about
-    return tuple(_items(first, asked_of(about, asked)))
+    return tuple(_items(_first(about), asked_of(about, asked)))
+
+
+def _first(about: Nurbs | CurvePair) -> Nurbs:
+    return about.curves[0] if isinstance(about, CurvePair) else about
 
 
 def _items(curve: Nurbs, asked: Asked) -> Iterator[NamedNumbers]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 from exactspline.cli.common import Read, distinguish
@@ -11,6 +11,8 @@ from exactspline.cli.parameters import Exit
 from exactspline.display.sheet import Sheet
 
 if TYPE_CHECKING:
+    from exactspline.geometry.analysis.pairs import CurvePair
+    from exactspline.splines.nurbs import Nurbs
     from exactspline.splines.surface import NurbsSurface
 
 #: The most digits of the certified intervals of an answer.
@@ -30,8 +32,27 @@ def answer_questions(
     for question in asked:
         check_question(question, *ALL_CURVES)
     given, good = found
-    rows = [_answered(read, question, digits, certificates) for read in given for question in asked]
+    rows = [
+        _answered(read.curve, {"curve": read.curve.name} | read.data(), question, digits, certificates)
+        for read in given
+        for question in asked
+    ]
     distinguish(rows)
+    _give(out, rows, digits, good=good)
+
+
+def answer_about_pair(out: Output, pair: CurvePair, names: str, asked: list[str], digits: int) -> None:
+    """Print the answers to questions about two curves, in the same form."""
+    from exactspline.geometry.analysis.ask import check_question
+    from exactspline.questions.entry import Of
+
+    _check_digits(digits)
+    for question in asked:
+        check_question(question, Of.TWO_CURVES)
+    _give(out, [_answered(pair, {"curve": names}, question, digits, False) for question in asked], digits, good=True)
+
+
+def _give(out: Output, rows: list[dict[str, Any]], digits: int, *, good: bool) -> None:
     out.give("oracle", rows, (_sheet(row, digits) for row in rows), by="answer")
     if not good or any(row["error"] for row in rows):
         raise Exit(2)
@@ -119,15 +140,17 @@ def _in_words(value: Any, digits: int) -> str:
             return _shown(value)
 
 
-def _answered(read: Read, asked: str, digits: int, certificates: bool) -> dict[str, Any]:
+def _answered(
+    about: Nurbs | CurvePair, head: Mapping[str, object], asked: str, digits: int, certificates: bool
+) -> dict[str, Any]:
+    """A row of answers; `head` says of which curve, or curves, it is."""
     from exactspline.batch.oracle import oracle as ask_oracle
     from exactspline.batch.oracle_answers import answer_data
     from exactspline.errors import ExactSplineError
 
-    c = read.curve
-    row: dict[str, Any] = {"key": f"{c.name}: {asked}", "curve": c.name} | read.data()
+    row: dict[str, Any] = {"key": f"{head['curve']}: {asked}", **head}
     try:
-        data = answer_data(ask_oracle(c, asked), digits)
+        data = answer_data(ask_oracle(about, asked), digits)
     except ExactSplineError as error:
         return row | {"question": asked, "items": [], "certificates": [], "error": str(error)}
     return row | data | {"certificates": data["certificates"] if certificates else [], "error": ""}

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Annotated
 
+from exactspline.cli.answers import answer_about_pair
 from exactspline.cli.common import (
     CURVE_HELP,
     Drawing,
@@ -13,6 +14,7 @@ from exactspline.cli.common import (
     check_output,
     load_curve,
     tell_written,
+    with_distance,
     write_theorems,
 )
 from exactspline.cli.output import Output, printing
@@ -24,6 +26,15 @@ def between(
     out: Output,
     curve: Annotated[str, Argument(help=CURVE_HELP)],
     other: Annotated[str, Argument(help="A second curve, of the same dimension.")],
+    ask: Annotated[
+        list[str] | None,
+        Option(
+            "--ask",
+            metavar="QUESTION",
+            help="Answer this question about two curves alone, as inspect --ask does: intersections, distance, "
+            "intersections_within:1/1000 (see list questions). May be repeated.",
+        ),
+    ] = None,
     digits: Places = 12,
     epsilon: Annotated[
         str,
@@ -63,6 +74,11 @@ def between(
     if epsilon:
         check_distance(epsilon)
     pair = CurvePair(first, second)
+    if ask:
+        answer_about_pair(
+            out, pair, f"{first.name} and {second.name}", with_distance(ask, epsilon, (), of_pair=True), digits
+        )
+        return
     sheets = [pair_sheet(pair, f"{first.name} (s) and {second.name} (t)", digits)]
     if epsilon:
         title = f"All curves within {epsilon} of {first.name} (s) and of {second.name} (t)"

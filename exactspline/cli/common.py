@@ -266,7 +266,7 @@ def check_distance(epsilon: str) -> None:
         _see_that_it_is_positive("--epsilon", epsilon, f", or {WRITTEN}")
 
 
-def with_distance(asked: Sequence[str], epsilon: str, usual: Sequence[str]) -> list[str]:
+def with_distance(asked: Sequence[str], epsilon: str, usual: Sequence[str], *, of_pair: bool = False) -> list[str]:
     """Questions, with the distance of an option --epsilon for those that need one and have none; where none does, the
     usual ones of these, too.
     """
@@ -283,7 +283,7 @@ def with_distance(asked: Sequence[str], epsilon: str, usual: Sequence[str]) -> l
     def complete(each: str) -> str:
         name, _, argument = each.partition(":")
         parts = argument.split(",") if argument else []
-        lacks = name in nearby and len(parts) == (nearby[name] is Of.TWO_CURVES)
+        lacks = name in nearby and len(parts) == (nearby[name] is Of.TWO_CURVES and not of_pair)
         return f"{name}:{','.join([*parts, epsilon])}" if lacks else each
 
     return list(map(complete, asked))

@@ -51,3 +51,18 @@ def test_a_picture_of_the_plane_and_the_parameters(tmp_path):
     file = tmp_path / "both.svg"
     assert run("between", "circle", "ellipse", "--plot", file).returncode == 0
     assert file.read_text(encoding="utf-8").count("<path") > 10
+
+
+def test_questions_about_two_curves_are_answered_as_those_of_one():
+    """Refused before; `inspect circle --ask distance:ellipse_skew` had the answer."""
+    asked = ("--ask", "distance", "--ask", "intersections_within:1/1000")
+    done = run("between", "circle", "ellipse_skew", *asked, "--json")
+    document = json.loads(done.stdout)
+    pytest.importorskip("jsonschema").validate(document, schema_of("oracle"))
+    of_one = run("inspect", "circle", "--ask", "distance:ellipse_skew", "--json")
+    assert document["rows"][0]["items"] == json.loads(of_one.stdout)["rows"][0]["items"] != []
+    assert run("between", "circle", "ellipse", "--ask", "intersections_within", "--epsilon", "1e-3").returncode == 0
+    for wrong in ("length", "distance@1/2", "distance:7", "distances"):
+        refused = run("between", "circle", "ellipse", "--ask", wrong)
+        assert refused.returncode == 2
+        assert "Traceback" not in refused.stderr

@@ -162,7 +162,12 @@ def _not_asked(name: str, *of: Of) -> QuestionError:
     kinds = [kind for kind, entries in REGISTRY.items() if name in entries]
     if not kinds:
         return unknown(name, [each for entries in REGISTRY.values() for each in entries])
-    return QuestionError(f"{name} of a {' or a '.join(of)}", remedy=f"it is asked of a {' or a '.join(kinds)}")
+    return QuestionError(f"{name} of {_either(of)}", remedy=f"it is asked of {_either(kinds)}")
+
+
+def _either(kinds: Iterable[Of]) -> str:
+    """Kinds of objects as words."""
+    return " or ".join(kind if kind is Of.TWO_CURVES else f"a {kind}" for kind in kinds)
 
 
 class Listed(NamedTuple):
