@@ -271,7 +271,7 @@ def summary(found: Mapping[Status, Counts]) -> str:
     """The counts in a sentence: of the printed statements, of those as they must read, of those beyond the paper.
 
     >>> from exactspline.verification.claims import select
-    >>> from exactspline.verification.rows import recorded
+    >>> from exactspline.verification.rows import recorded_counts
     >>> summary(recorded(select(["C4.2b"])))
     '2 statements of the paper: 1 holds, 1 is refuted (1 error); 1 as it must read: 1 holds.'
     """

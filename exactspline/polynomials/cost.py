@@ -156,7 +156,7 @@ def bounded() -> Iterator[Budget]:
 
 
 @contextmanager
-def within_seconds(limit: int | None) -> Iterator[None]:
+def within_seconds(limit: float | None) -> Iterator[None]:
     """A context for what may take `limit` seconds of processor time (None: any), of the thread that enters it. The time
     is looked at wherever a cost is estimated.
 
@@ -167,7 +167,7 @@ def within_seconds(limit: int | None) -> Iterator[None]:
 
     Raises `ReachError` when the time is over.
     """
-    seconds = None if limit is None else as_integer(limit, "a number of seconds", 0)
+    seconds = limit if limit is None or isinstance(limit, float) else as_integer(limit, "a number of seconds", 0)
     token = _END.set(None if seconds is None else thread_time() + seconds)
     try:
         yield

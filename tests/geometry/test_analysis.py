@@ -125,7 +125,7 @@ def test_the_sign_of_a_form_is_that_of_its_values(name):
     """At every root of every other form, asked of the certified zeros alone, and held against interval evaluation."""
     curve = example(name)
     found = analyse(curve)
-    names = ("zero_curvature", "critical_curvature") if curve.dimension == 2 else ("zero_torsion",)
+    names = ("zero_torsion",) if found.in_space else ("zero_curvature", "critical_curvature")
     forms = [found.zero_form(n) for n in (*names, found.critical_form)]
     for form in forms:
         for other in forms:

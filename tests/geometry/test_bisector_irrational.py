@@ -156,7 +156,7 @@ def test_lines_over_a_root_as_data(tmp_path):
     done = CliRunner().invoke(app, ["bisector", *map(str, files), "--json"])
     assert done.exit_code == 0
     (line,) = json.loads(done.stdout)["rows"][0]["lines"]
-    data, (t, a, b) = line["over_root"], (mpq(1, 3), *map(mpq, line["fixed"]["interval"]))
+    data, (t, a, b) = line["over_root"], (mpq(1, 3), mpq(line["fixed"]["low"]), mpq(line["fixed"]["high"]))
     assert (data["parameter"], line["pieces"]) == ("t", [])
     rows = data["directrix"]["homogeneous_control_points"]
     while len(rows) > 1:

@@ -177,7 +177,8 @@ def test_inspect_prints_curvature_and_torsion(monkeypatch):
     assert "Approaches to critical curvature" in result.output
     data = json.loads(invoke("inspect", "flat_point", "--json").output)["rows"][0]
     (flat,) = data["inflections"]["points"]
-    assert (flat["kind"], flat["parameter"], flat["curvature"], flat["torsion"]) == ("inflection", "1/2", "0", "2.0")
+    told = flat["parameter"], *flat["curvature"], *flat["torsion"]
+    assert (flat["kind"], *[x["exact"] for x in told]) == ("inflection", "1/2", "0", "2")
     assert data["torsion_zeros"]["points"] == []
 
 

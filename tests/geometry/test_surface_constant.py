@@ -44,7 +44,7 @@ def test_the_curvature_is_constant_exactly_where_it_is_that_of_two_places(name):
     for place in (PLACE, (mpq(3, 5), mpq(4, 7)), (mpq(1, 9), mpq(8, 9))):
         series = DoubleTaylorReading(surface, *inside(surface, place), 4).argument(SURFACE, 3)
         values.add(formula("gaussian_curvature")(series).value)
-    found = analyse(surface).curvature
+    found = analyse(surface).constant_curvature
     assert (found is not None) == (len(values) == 1) == (name in ("sphere", "cylinder", "cone", "developable"))
     assert found is None or values == {found}
 
@@ -53,8 +53,8 @@ def test_the_curvature_is_constant_exactly_where_it_is_that_of_two_places(name):
 def test_a_sphere_has_one_over_its_squared_radius_wherever_it_is(radius):
     turned = [[radius * mpq(x, 3) for x in row] + [5] for row in TURNED]
     found = analyse(example("sphere").transform(turned))
-    assert found.curvature == 1 / radius**2 == 1 / found.patches[0].radius_squared
-    assert {one.curvature for one in found.patches} == {found.curvature}
+    assert found.constant_curvature == 1 / radius**2 == 1 / found.patches[0].radius_squared
+    assert {one.curvature for one in found.patches} == {found.constant_curvature}
 
 
 def test_no_constant_is_told_of_a_patch_that_agrees_in_points_only():
@@ -71,7 +71,7 @@ def test_patches_of_two_curvatures_have_none_in_common():
     flat, saddle = [[(i, j, 0) for j in (0, 1)] for i in (-2, -1)], [[(i, j, i * j) for j in (0, 1)] for i in (0, 1)]
     found = analyse(NurbsSurface((1, 1), [0, 0, 1, 1, 2, 2], [0, 0, 1, 1], flat + saddle))
     assert [one.curvature for one in found.patches] == [0, None]
-    assert found.curvature is None
+    assert found.constant_curvature is None
 
 
 def test_a_form_that_touches_zero_on_an_edge_is_cut_there():
@@ -182,6 +182,6 @@ def test_the_apex_of_a_cone_that_is_parametrized_by_squares(ends):
     assert x * y == z * z
     found = analyse(surface)
     assert found.complete
-    assert found.curvature == 0
+    assert found.constant_curvature == 0
     assert [place.exact for place in found.singular_points] == [(0, 0)]
     assert not found.umbilics

@@ -11,6 +11,7 @@ from gmpy2 import mpq
 
 from exactspline import NurbsSurface, analyse, example
 from exactspline.cli import app
+from exactspline.display.reals import real_data
 from exactspline.geometry.analysis.surfaces import PatchKind
 from exactspline.geometry.surfaces.joints import SurfaceJointKind
 from exactspline.interchange.curve_files import surface_data
@@ -165,7 +166,7 @@ def test_the_command_reports_them(tmp_path):
             "at_seam": False,
             "kind": "crease",
             "geometric_continuity": 0,
-            "angle": {"cosine": "0", "sine": "1", "degrees": "90"},
+            "angle": {name: real_data(mpq(x), 20) for name, x in (("cosine", 0), ("sine", 1), ("degrees", 90))},
         }
     ]
 

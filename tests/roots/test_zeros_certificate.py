@@ -286,8 +286,10 @@ def test_a_proof_of_something_else_is_refused():
     for field, flaw in changes.items():
         with pytest.raises(ValueError, match=flaw):
             check_certificate(written("everything") | {field: "zero"})
-    with pytest.raises(ValueError, match="kind is missing"):
+    with pytest.raises(ValueError, match="certificates of degree have the format"):
         check_certificate(written("everything") | {"what": "degree"})
+    with pytest.raises(ValueError, match="kind is missing"):
+        check_certificate(written("everything") | {"what": "degree", "format": "exactspline certificate 2"})
 
 
 @pytest.mark.parametrize(

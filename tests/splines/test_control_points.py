@@ -138,7 +138,7 @@ WHOLE = CURVES["a direction"]
 
 
 def end(t):
-    return {"parameter": t, "interval": [t, t], "decimal": t}
+    return {"exact": t, "low": t, "high": t}
 
 
 @pytest.mark.parametrize(
@@ -159,7 +159,7 @@ def test_a_piece_is_read_over_the_part_of_the_domain_that_it_has(said, part):
 
 
 def test_a_piece_that_ends_at_an_irrational_parameter_is_refused():
-    cut = {"parameter": None, "interval": ["7/10", "71/100"], "decimal": "0.7071"}
+    cut = {"exact": None, "low": "7/10", "high": "71/100"}
     with pytest.raises(CurveFileError, match="irrational parameter") as caught:
         read(json.dumps(PIECE | {"interval": ["0", "1"], "high": cut}).encode())
     assert caught.value.where == "high"
