@@ -272,7 +272,7 @@ def summary(found: Mapping[Status, Counts]) -> str:
 
     >>> from exactspline.verification.claims import select
     >>> from exactspline.verification.rows import recorded_counts
-    >>> summary(recorded(select(["C4.2b"])))
+    >>> summary(recorded_counts(select(["C4.2b"])))
     '2 statements of the paper: 1 holds, 1 is refuted (1 error); 1 as it must read: 1 holds.'
     """
     said = []

@@ -25,7 +25,7 @@ def real_data(x: Real | mpq, digits: int) -> Data:
     """
     number = real(x)
     # the closed form first: what turns out to be rational has equal bounds
-    form, (low, high) = closed_form_data(number), number.around(digits)
+    form, (low, high) = closed_form_data(number), number.around(digits + 1)
     try:
         rounded: float | None = number.double()
     except (ExactSplineError, OverflowError):

@@ -36,7 +36,7 @@ def test_umbilics_to_any_number_of_digits():
         assert umbilic["u"]["exact"] in ("0", "2")
         low, high = (umbilic["v"][name].split("/") for name in ("low", "high"))
         assert abs(int(low[0]) / int(low[1]) - umbilic["v"]["double"]) < 1e-15
-        assert int(high[0]) * int(low[1]) - int(low[0]) * int(high[1]) <= 2 * int(high[1]) * int(low[1]) // 10**40 + 1
+        assert int(high[0]) * int(low[1]) - int(low[0]) * int(high[1]) <= int(high[1]) * int(low[1]) // 10**40 + 1
 
 
 def test_shapes_within_a_distance():
