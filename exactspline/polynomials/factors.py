@@ -19,7 +19,7 @@ from typing import Any, Generic, NamedTuple, TypeVar
 
 from flint import fmpq_mpoly, fmpq_mpoly_ctx, fmpq_poly, fmpz, fmpz_mpoly, fmpz_poly, nmod_poly
 
-from exactspline.errors import FormulaError, ReachError, counted
+from exactspline.errors import ReachError, counted
 from exactspline.numbers.exact import PRIME, common_divisor
 from exactspline.polynomials.cost import LONGEST, LONGEST_LOOP, REMEDY, affords, check_reach, height_bits
 from exactspline.polynomials.factorization import Factorization, multiplied
@@ -206,16 +206,16 @@ def _divisor_in_many(p: fmpq_mpoly, q: fmpq_mpoly) -> fmpq_mpoly:
 def bounded_product(p: fmpq_mpoly, q: fmpq_mpoly) -> fmpq_mpoly:
     """The product of two polynomials in many variables.
 
-    Raises `FormulaError` if it is too large, `ReachError` where many products together are too expensive.
+    Raises `ReachError` if it is too large, and where many products together are too expensive.
     """
     pairs = len(p) * len(q)
     if pairs > PAIRS:
-        raise FormulaError(f"a product of {len(p)} by {counted(len(q), 'term')}", remedy=SHORTER)
+        raise ReachError(f"a product of {len(p)} by {counted(len(q), 'term')}", remedy=SHORTER)
     if pairs > CHEAP:
         check_reach(PAIR * pairs, lambda: f"a product of {len(p)} by {counted(len(q), 'term')}", LONGEST_LOOP)
     product: fmpq_mpoly = p * q
     if len(product) > TERMS:
-        raise FormulaError(f"a polynomial of {counted(len(product), 'term')}", remedy=SHORTER)
+        raise ReachError(f"a polynomial of {counted(len(product), 'term')}", remedy=SHORTER)
     return product
 
 

@@ -82,6 +82,10 @@ class Analysis(CurveValues, Displayed):
     def __repr__(self) -> str:
         return f"<Analysis of {self.curve!r}>"
 
+    def with_coordinate(self, axis: int) -> Nurbs:
+        """The curve, as it is given where it has this coordinate in space alone."""
+        return self.curve if axis < self.curve.dimension else self.given
+
     @property
     def in_space(self) -> bool:
         """Whether it is a space curve; raises `ShapeError` when it is neither in the plane nor in space."""
@@ -343,7 +347,7 @@ class Analysis(CurveValues, Displayed):
         """
         return stability(self.curve)
 
-    @question_with(COORDINATE, *CURVES, proof=lambda facts, axis: (slope_zeros(facts.curve, axis),))
+    @question_with(COORDINATE, *CURVES, proof=lambda facts, axis: (slope_zeros(facts.with_coordinate(axis), axis),))
     def turning_points(self, axis: int) -> Places[Feature]:
         """The extrema of a coordinate (0 is x): where it changes from increasing to decreasing or back.
 
@@ -355,7 +359,7 @@ class Analysis(CurveValues, Displayed):
 
         Raises `ShapeError` for a coordinate that the curve does not have.
         """
-        return turning_points(self.curve, axis)
+        return turning_points(self.with_coordinate(axis), axis)
 
     @question_with(DISTANCE, Of.PLANE_CURVE, proof=lambda facts, distance: (facts.offset_form(distance).zeros,))
     def offset_cusps(self, distance: Number) -> Places[Feature]:
