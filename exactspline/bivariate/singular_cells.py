@@ -33,8 +33,8 @@ from exactspline.roots.of_polynomials import Parameter, enclosing, exactly, root
 #: Bits of the cells that are tried where the Hessian is regular.
 CELL_BITS = (6, 8, 10, 14, 20, 30, 44)
 #: The sizes of other boxes that are tried: bits across the curve and along it, the widest first, since branches that
-#: touch are near each other at the sides of a narrow one.
-SIZES = [*sorted(((m, n) for m in range(2, 20) for n in range(m, 40)), key=sum), (32, 64), (64, 200)]
+#: touch are near each other at the sides of a narrow one; on narrow patches very narrow ones are wide.
+SIZES = sorted(((m, n) for m in (*range(2, 20), 32, 64) for n in (*range(m, 40), 100, 200, 400, 800)), key=sum)
 
 
 class Crossing(StrEnum):

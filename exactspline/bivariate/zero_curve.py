@@ -35,7 +35,8 @@ from exactspline.roots.zero_set import zeros
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.knots import Mesh
 
-#: The limits of halvings of a box and of boxes, beyond which the remaining boxes are reported as undecided.
+#: The limits of halvings of a box, half of them of each side, and of boxes, beyond which the remaining boxes are
+#: reported as undecided.
 DEPTH, BOXES = 60, 4000
 #: Where the square is first cut: not on lines where the zeros of a symmetric surface would lie.
 FIRST_CUTS = tuple(mpq(a, b) for a, b in ((29, 61), (31, 67), (37, 79), (41, 89), (43, 97), (47, 101), (53, 109)))
@@ -207,10 +208,10 @@ class ZeroCurve:
             on_a_line = direction is not None and self._vanishes_around(part.box)
             if direction is not None and not on_a_line:
                 self._graph(part.box, direction)
-            elif on_a_line or part.depth >= DEPTH or boxes > BOXES:
+            elif on_a_line or is_small(part.box, self.form) or boxes > BOXES:
                 self.undecided.append(part.box)
             else:
-                todo.extend(halved(part))
+                todo.extend(halved(part, own.steeper))
 
     def _branches(self, cell: Cell) -> None:
         """The branches that leave a singular point, or that there are none."""
@@ -402,6 +403,14 @@ def grid(form: PatchForm, cells: Sequence[Box]) -> Iterator[Box]:
             ends.add(first)
         cuts.append(list(starmap(Interval, pairwise(sorted(ends)))))
     return (Box(side, other) for side in cuts[0] for other in cuts[1])
+
+
+def is_small(box: Box, form: PatchForm) -> bool:
+    """Whether a box is halved no more: both sides are short, the more so where coefficients of the form on the patch
+    differ in size, as on narrow patches.
+    """
+    sizes = [int(x).bit_length() for x in form.entries if x]
+    return max(side.width for side in box) <= mpq(1, 1 << DEPTH // 2 + max(sizes) - min(sizes))
 
 
 def _first_cut(lines: Sequence[mpq]) -> mpq:

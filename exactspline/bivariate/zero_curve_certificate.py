@@ -24,7 +24,7 @@ from exactspline.bivariate.common_zeros_certificate import (
     on_interval,
 )
 from exactspline.bivariate.singular_cells import Cell, Crossing, singular_cells
-from exactspline.bivariate.zero_curve import BOXES, DEPTH, grid
+from exactspline.bivariate.zero_curve import BOXES, grid, is_small
 from exactspline.certificates import ZERO_CURVES
 from exactspline.certificates import certificate as written
 from exactspline.certificates.common_zeros import FIRST, SECOND
@@ -144,10 +144,10 @@ class _Subdivision:
                 yield ACROSS[direction]
                 self._graph(part.box, direction)
                 continue
-            if part.depth >= DEPTH or count > BOXES:
+            if is_small(part.box, self.form) or count > BOXES:
                 raise ReachError("a certificate of a singular point that is in no cell", remedy=REMEDY)
-            yield FIRST if part.box.first.width >= part.box.second.width else SECOND
-            todo += reversed(halved(part))
+            yield (FIRST, SECOND)[own.steeper]
+            todo += reversed(halved(part, own.steeper))
 
     def _separate(self, box: Box, direction: int) -> list[tuple[tuple[int, mpq], int]]:
         """Refine the zeros on the sides of one direction until it is clear which are on the box: these."""

@@ -136,8 +136,11 @@ def test_more_boxes_than_the_limit_are_undecided(monkeypatch):
     assert counts[0] < counts[1] < 6 * 6
     assert not curve.complete
     monkeypatch.undo()
-    monkeypatch.setattr("exactspline.bivariate.zero_curve.DEPTH", 2)
-    areas = {box.first.width * box.second.width for box in ZeroCurve(form).undecided}
-    cut = FIRST_CUTS[0]
-    assert areas
-    assert areas <= {a * b / 4 for a in (cut, 1 - cut) for b in (cut, 1 - cut)}
+
+    def longest(box):
+        return max(side.width for side in box)
+
+    monkeypatch.setattr("exactspline.bivariate.zero_curve.is_small", lambda box, form: longest(box) <= mpq(1, 3))
+    undecided = ZeroCurve(form).undecided
+    assert undecided
+    assert all(mpq(1, 6) < longest(box) <= mpq(1, 3) for box in undecided)
