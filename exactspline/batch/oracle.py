@@ -21,7 +21,7 @@ from exactspline.geometry.curves import balls
 from exactspline.geometry.curves import values as values_along
 from exactspline.geometry.curves.joints import Joint
 from exactspline.geometry.curves.kinds import Feature
-from exactspline.geometry.curves.planarity import Plane
+from exactspline.geometry.curves.planarity import Plane, in_the_plane
 from exactspline.geometry.derived.derive import Derived
 from exactspline.geometry.pairs.distance import Distance
 from exactspline.geometry.pairs.intersections import Intersections
@@ -71,7 +71,8 @@ def items(about: Nurbs | CurvePair, asked: str) -> tuple[NamedNumbers, ...]:
 
 
 def _first(about: Nurbs | CurvePair) -> Nurbs:
-    return about.curves[0] if isinstance(about, CurvePair) else about
+    """The curve whose coordinates are shown: one in the plane z = 0 as a plane curve, without z."""
+    return in_the_plane(about.curves[0] if isinstance(about, CurvePair) else about)
 
 
 def _items(curve: Nurbs, asked: Asked) -> Iterator[NamedNumbers]:

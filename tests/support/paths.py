@@ -170,8 +170,5 @@ def in_space(curve):
 
 
 def in_the_plane_z_0(curve, entry, given):
-    """The question about a plane curve, asked of the same curve in the plane z = 0; without the coordinate 0."""
-    found = said(in_space(curve), text_of(entry, given))
-    if isinstance(found, str):
-        return found
-    return [[what, {k: x for k, x in values.items() if k != "z"}, facts] for what, values, facts in found]
+    """The question about a plane curve, asked of the same curve in the plane z = 0."""
+    return said(in_space(curve), text_of(entry, given))
