@@ -11,7 +11,7 @@ from typing import NamedTuple
 from flint import fmpz_poly
 
 from exactspline.numbers.exact import mpq
-from exactspline.numbers.intervals import Box, Interval
+from exactspline.numbers.intervals import Box
 from exactspline.polynomials.bernstein import from_integers, in_parameter
 from exactspline.polynomials.factors import greatest_common_divisor
 from exactspline.polynomials.patch_forms import PatchForm
@@ -32,11 +32,6 @@ class Edge(NamedTuple):
     def value(self, sides: Box) -> mpq:
         """The value of that parameter."""
         return sides[self.direction][self.end]
-
-    def box(self, sides: Box) -> Box:
-        """The parameters of its points."""
-        at = Interval.point(self.value(sides))
-        return Box(at, sides[1]) if self.direction == 0 else Box(sides[0], at)
 
     def place(self, sides: Box, other: Parameter) -> tuple[Parameter, Parameter]:
         """Both parameters of a point of the edge."""

@@ -27,7 +27,7 @@ from exactspline.bivariate.zero_curve_certificate import zero_curve_certificate
 from exactspline.bivariate.zero_lines import LinesOfPatch, ZeroLine, without_lines, zero_lines
 from exactspline.errors import ReachError
 from exactspline.numbers.exact import mpq
-from exactspline.numbers.intervals import Box
+from exactspline.numbers.intervals import Box, Interval
 from exactspline.numbers.once import cached_property
 from exactspline.polynomials.cost import PATCH, QUESTION, Budget, drawing_on
 from exactspline.polynomials.factors import greatest_common_divisor
@@ -419,10 +419,12 @@ class _OnPatch(NamedTuple):
 
     @property
     def parts(self) -> list[SurfacePart]:
-        """The patch, its edges, and that there are lines or curves inside."""
+        """The patch, lines, its edges among them, and that there are curves inside or lines at irrational values."""
         patch, sides, edges, inner, flat = self.lines
-        inside = inner or any(piece.part.shape is not Shape.POINT for piece in self.pieces)
-        boxes = [sides] * flat + [edge.box(sides) for edge in edges]
+        lines = [(edge.direction, edge.value(sides)) for edge in edges]
+        lines += [(1 - along.direction, x) for along, x in inner if not isinstance(x, Root)]
+        boxes = [sides] * flat + [sides.with_side(k, Interval.point(x)) for k, x in lines]
+        inside = any(isinstance(x, Root) for _, x in inner) or any(x.part.shape is not Shape.POINT for x in self.pieces)
         return [SurfacePart(patch, box) for box in boxes] + [SurfacePart(patch, sides, along_curve=True)] * bool(inside)
 
 

@@ -161,8 +161,8 @@ FORMS: dict[type, Form] = {
         curvature=or_null(TEXT),
         radius_squared=or_null(TEXT),
         umbilic_everywhere=(FLAG, "umbilics.everywhere"),
-        singular_curve=(FLAG, "singular.along_curve"),
-        curve_of_umbilics=(FLAG, lambda one: one.umbilics.curve is not None or bool(one.umbilics.edges)),
+        singular_curve=(FLAG, "singular.of_factor.along_curve"),
+        curve_of_umbilics=(FLAG, lambda one: one.umbilics.of_factor.along_curve or bool(one.umbilics.edges)),
         undecided=(list_of(BOX), "open_boxes"),
     ),
     Umbilic: record(
@@ -357,9 +357,9 @@ def _of_patch(one: PatchInspection) -> str:
         parts.append("every point is an umbilic")
     if one.minimal and one.kind is not PatchKind.PLANAR:
         parts.append("H = 0")
-    if one.umbilics.curve is not None or one.umbilics.edges:
+    if one.umbilics.of_factor.along_curve or one.umbilics.edges:
         parts.append("umbilics along a curve")
-    if one.singular.along_curve:
+    if one.singular.of_factor.along_curve:
         parts.append("no tangent planes along a curve")
     return ", ".join(filter(None, parts))
 

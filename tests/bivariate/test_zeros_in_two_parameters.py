@@ -423,7 +423,7 @@ def test_isolated_points_of_a_common_factor_on_its_lines(is_turned):
         shared = function(lambda s, t, a=a: (2 * s - 1) * ((s - a) ** 2 + (5 * t - 1) ** 2))
         found = common_zeros(*((shared.transposed() if is_turned else shared) * h for h in (f, g)))
         assert places(found) == [place[::-1] if is_turned else place for place in points]
-        assert [part.along_curve for part in found.everywhere] == [True]
+        assert [part.sides[is_turned] for part in found.everywhere] == [(mpq(1, 2), mpq(1, 2))]
 
 
 def test_signs_at_points_that_are_all_but_zeros():

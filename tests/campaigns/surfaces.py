@@ -25,7 +25,7 @@ from gmpy2 import mpq
 
 from exactspline import NurbsSurface, TensorSpline, analyse
 from exactspline.bivariate.surface_points import Place
-from exactspline.geometry.analysis.surfaces import PatchKind, SurfaceInspection
+from exactspline.geometry.analysis.surfaces import PatchKind, SurfaceInspection, lines_of
 from exactspline.roots.of_polynomials import exactly
 from tests.support.squares import parameters
 from tests.support.surface_oracle import forms, gaussian_curvature, jets
@@ -329,9 +329,8 @@ def other_parabolic_points(found: SurfaceInspection, cut: SurfaceInspection) -> 
 
 
 def other_curves(found: SurfaceInspection, cut: SurfaceInspection) -> bool:
-    """Umbilic, singular and parabolic curves where they cross four lines, exactly; the shapes of those of which no
-    edge of a patch is a part. A line of umbilics, or one without tangent planes, is a curve, or an edge where a knot
-    is: they are compared as sets, and steps are taken around shapes there.
+    """Umbilic, singular and parabolic curves where they cross four lines, exactly; the shapes of those
+    that are no lines.
     """
     for name in ("umbilics", "singular"):
         for k, x in product((0, 1), (mpq(19, 61), mpq(53, 97))):
@@ -341,8 +340,8 @@ def other_curves(found: SurfaceInspection, cut: SurfaceInspection) -> bool:
     shapes = [
         [
             sorted(curve.shape for curve in each.parabolic_curves),
-            [] if _has_edges(found, cut, "umbilics") else sorted(curve.shape for curve in each.umbilic_curves),
-            [] if _has_edges(found, cut, "singular") else sorted(curve.shape for curve in each.singular_curves),
+            sorted(curve.shape for curve in each.umbilic_curves),
+            sorted(curve.shape for curve in each.singular_curves),
         ]
         for each in (found, cut)
     ]
@@ -359,20 +358,16 @@ def _same_places(one: list[tuple[Place, object]], other: list[tuple[Place, objec
     return len(one) == len(other) and all(len(own) == 1 for own in near)
 
 
-def _has_edges(found: SurfaceInspection, cut: SurfaceInspection, name: str) -> bool:
-    return any(getattr(one, name).edges for each in (found, cut) for one in each.patches)
-
-
 def _crossed(found: SurfaceInspection, name: str, k: int, at: mpq) -> set[object]:
-    """The other parameters at which curves and edges of a kind cross a line."""
+    """The other parameters at which curves and lines of a kind cross a line."""
     crossed = set[object]()
     for one in found.patches:
         own, side = getattr(one, name), one.sides[1 - k]
         if not one.sides[k].low <= at <= one.sides[k].high:
             continue
-        if own.curve is not None:
-            crossed |= {exactly(root.moved(side)) for root in own.curve._line(k, one.sides[k].local(at))}
-        crossed |= {edge.value(one.sides) for edge in own.edges if edge.direction != k}
+        if own.of_factor.curve is not None:
+            crossed |= {exactly(root.moved(side)) for root in own.of_factor.curve._line(k, one.sides[k].local(at))}
+        crossed |= {line.value for line in lines_of(own, one.sides) if line.direction != k}
     return crossed
 
 

@@ -223,7 +223,7 @@ def test_a_curve_of_umbilics_is_told():
     weights = [[w] * 3 for w in circle.weights[:5]]
     surface = NurbsSurface((2, 2), HALF, BIQUADRATIC, points, weights)
     found = analyse(surface)
-    assert all(one.umbilics.curve is not None for one in found.patches)
+    assert all(one.umbilics.of_factor.lines == ((1, mpq(1, 2)),) for one in found.patches)
     assert umbilicity(surface, Fraction(1, 3), Fraction(1, 2)) == 0
     assert umbilicity(surface, Fraction(1, 3), Fraction(1, 3)) != 0
 
@@ -281,13 +281,13 @@ def test_curves_without_tangent_planes_are_told_and_are_not_parabolic():
     v = TensorSpline((0, 1), [0, 1], [-1, -1, 2, 2], [[-1, 2]])
     found = analyse(NurbsSurface.from_splines([u + v, u * u + 2 * u * v, u * u * u + 3 * u * u * v]))
     assert (found.kinds, found.complete) == ((PatchKind.DEVELOPABLE,), True)
-    assert found.patches[0].singular.along_curve
+    assert found.patches[0].singular.of_factor.along_curve
     cone = example("cylinder").isocurve("u", 0)
     meridian = ((1, 0), (0, 2), (-1, 5))
     points = [[(r * x, r * y, z) for r, z in meridian] for x, y in circle_points()[:5]]
     turned = analyse(NurbsSurface((2, 2), HALF, BIQUADRATIC, points, [[w] * 3 for w in cone.weights[:5]]))
     assert turned.kinds == (PatchKind.MIXED,)
-    assert all(one.singular.along_curve and not one.parabolic for one in turned.patches)
+    assert all(one.singular.of_factor.along_curve and not one.parabolic for one in turned.patches)
     assert (turned.umbilics.points, turned.singular_points.points, turned.complete) == ((), (), True)
 
 
@@ -420,7 +420,7 @@ def test_patches_of_flat_and_symmetric_nets(heights, weights):
         exact = umbilic.place.exact
         if exact is not None:
             assert umbilicity(surface, *(Fraction(str(x)) for x in exact)) == 0
-    if not one.umbilics.everywhere and one.umbilics.curve is None and not one.umbilics.edges:
+    if not one.umbilics.everywhere and not one.umbilics.of_factor.along_curve and not one.umbilics.edges:
         known = {umbilic.place.exact for umbilic in found.umbilics}
         for i in range(5):
             for j in range(5):

@@ -73,11 +73,11 @@ def test_a_sphere_without_a_tangent_plane_in_the_middle_of_a_patch():
     u, v = parameters(-1, 1)
     folded = analyse(sphere(u * u * u, v))
     assert [(one.kind, one.radius_squared) for one in folded.patches] == [(PatchKind.SPHERICAL, 1)]
-    assert folded.patches[0].singular.along_curve
+    assert folded.patches[0].singular.of_factor.along_curve
     branched = analyse(sphere(u * u - v * v, 2 * u * v))
     assert [(one.kind, one.radius_squared) for one in branched.patches] == [(PatchKind.SPHERICAL, 1)]
     assert [place.exact for place in branched.singular_points] == [(0, 0)]
-    assert not branched.patches[0].singular.along_curve
+    assert not branched.patches[0].singular.of_factor.along_curve
 
 
 @pytest.mark.parametrize("height", [lambda a, b: 3 * a, lambda a, b: a * b])
@@ -128,7 +128,7 @@ def test_a_single_umbilic_is_no_curve_of_umbilics(at):
     """z = r⁴ + r²: the curvatures of a surface of revolution, z″/(1 + z′²) and z′/r, are equal for r = 0 alone."""
     found = analyse(bowl(lambda square: square * square + square, at))
     assert [one.place.exact for one in found.umbilics] == [at]
-    assert found.patches[0].umbilics.curve is None
+    assert found.patches[0].umbilics.of_factor.curve is None
     assert not surface_inspection_data(found, 5)["patches"][0]["curve_of_umbilics"]
     assert found.complete
 
@@ -137,7 +137,7 @@ def test_a_circle_of_umbilics_that_leaves_the_patch_has_no_single_ones():
     """z = r⁴: the curvatures are equal where 16 r⁶ = 2; the circle crosses the edge u = 1 twice."""
     found = analyse(bowl(lambda square: square * square, (mpq(1, 3), mpq(1, 5))))
     assert [one.place.exact for one in found.umbilics] == [(mpq(1, 3), mpq(1, 5))]
-    assert found.patches[0].umbilics.curve is not None
+    assert found.patches[0].umbilics.of_factor.curve is not None
 
 
 def test_the_ends_of_an_edge_of_umbilics_are_no_single_ones():

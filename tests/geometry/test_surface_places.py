@@ -11,7 +11,7 @@ from exactspline.bivariate.surface_points import Place
 from exactspline.geometry.analysis.surfaces import inspect_surface
 from exactspline.geometry.surfaces.forms import lowest
 from exactspline.geometry.surfaces.joints import SurfaceJointKind
-from exactspline.geometry.surfaces.singular import SingularPoints
+from exactspline.geometry.surfaces.singular import Line, SingularPoints, ZerosOfFactor
 from exactspline.numbers.intervals import UNIT, Box, Interval
 from exactspline.polynomials.patch_forms import PatchForm
 from exactspline.polynomials.two_parameters import S, T, as_form
@@ -21,7 +21,12 @@ from exactspline.splines.tensor import TensorSpline
 def test_a_patch_is_regular_where_its_normal_vanishes_along_edges_at_most():
     edge, place = EDGES[0], Place(((0, 0),), CommonZero.at(UNIT, (mpq(0), mpq(0))))
     assert SingularPoints(edges=(edge,)).regular
-    for told in ({"degenerate": True}, {"places": (place,)}, {"undecided": (UNIT,)}, {"along_curve": True}):
+    for told in (
+        {"degenerate": True},
+        {"places": (place,)},
+        {"undecided": (UNIT,)},
+        {"of_factor": ZerosOfFactor(lines=(Line(0, mpq(1)),))},
+    ):
         assert not SingularPoints(edges=(edge,), **told).regular
 
 

@@ -5,10 +5,13 @@ registry against every change, and every path. The seed goes with the day; `EXAC
 import os
 import time
 from dataclasses import dataclass, replace
+from itertools import product
 from random import Random
 
 import pytest
+from gmpy2 import mpq
 
+from exactspline import NurbsSurface, TensorSpline, analyse
 from exactspline.geometry.analysis.registry import REGISTRY
 from exactspline.geometry.curves.kinds import FeatureKind
 from exactspline.interchange.examples import example
@@ -152,6 +155,41 @@ def test_examples_after_a_change(name, change):
     assert not counts.failures, report(counts.failures)
 
 
+#: On the unit square.
+U, V = (TensorSpline((1, 1), [0, 0, 1, 1], [0, 0, 1, 1], rows) for rows in ([[0, 0], [1, 1]], [[0, 1], [0, 1]]))
+X, Y = 2 * U - 1, 2 * V - 1
+#: Surfaces with lines without tangent planes, or of umbilics, at u = 1/2 or v = 1/2.
+WITH_LINES = {
+    "contracted": [X * V, X * V * V, U],
+    "cuspidal edge": [X * X, V, X**3],
+    "two that cross": [X**3, Y**3, X**3 + Y * Y],
+    "crossed by a curve": [X * X, (U - V) ** 2, X**3 + V],
+    "umbilics": [U, V, X**3],
+}
+
+
+@pytest.mark.parametrize("name", WITH_LINES)
+def test_lines_of_surfaces_after_a_knot_on_them(name):
+    """They are poles, and parts of umbilics, wherever knots are."""
+    counts, surface = Counts(), NurbsSurface.from_splines([f + 0 * U * V for f in WITH_LINES[name]])
+    for seed, entry in product(range(4), questions(Of.SURFACE)):
+        compared(surface, entry, (Letter("knot on what was found", seed),), Random(seed), counts)
+    assert not counts.failures, report(counts.failures)
+    facts = analyse(surface)
+    assert bool(facts.poles) == (name not in ("umbilics", "crossed by a curve"))
+    assert not (facts.singular_curves or facts.umbilic_curves) or name == "crossed by a curve"
+
+
+@pytest.mark.parametrize("bits", [30, 300])
+def test_a_map_with_a_knot_next_to_another_one(bits):
+    """Its curves of zeros cross at a corner of the patch between them."""
+    rows = [[(0, 1), (0, 0), (1, 3)], [(0, 0), (2, 1), (2, 1)], [(2, 1), (1, 1), (1, 1)]]
+    surface = NurbsSurface((2, 2), [0, 0, 0, 1, 1, 1], [0, 0, 0, 1, 1, 1], rows)
+    for way, end in product("uv", (0, 1)):
+        facts = analyse(surface.insert_knot(way, abs(end - mpq(1, 2**bits))))
+        assert (facts.zeros.points, facts.complete, len(facts.zero_curves)) == ((), True, 2)
+
+
 @pytest.mark.parametrize("of", CURVES, ids=str)
 def test_parts_together_have_what_the_whole_has(of):
     for i in range(6):
@@ -194,14 +232,12 @@ def test_by_python_by_the_command_and_in_a_sweep(of, tmp_path):
 
 
 def test_in_the_plane_z_0():
-    """A curve there is a plane curve to every question about plane curves."""
+    """A curve there is a plane curve to every question about plane curves, whose answers have no z."""
     for i in range(3):
         curve, asking = asked_of(Of.PLANE_CURVE, f"z = 0, {i}")
-        for entry, given in asking:
-            assert in_the_plane_z_0(curve, entry, given) == said(again(curve), text_of(entry, given)), (
-                SEED,
-                entry.name,
-            )
+        for entry, given in [*asking, (REGISTRY[Of.PLANE_CURVE]["evolute"], ())]:
+            found = in_the_plane_z_0(curve, entry, given)
+            assert found == said(again(curve), text_of(entry, given)), (SEED, entry.name)
 
 
 def test_in_a_batch():

@@ -522,8 +522,8 @@ def _(pole: Pole, to):
 
 @rows.register
 def _(joint: SurfaceJoint, to):
-    """A line along which nothing can be seen is none."""
-    if joint.kind is SurfaceJointKind.CONTINUOUS:
+    """A line along which nothing can be seen is none; one without tangent planes is a pole."""
+    if joint.kind in (SurfaceJointKind.CONTINUOUS, SurfaceJointKind.SINGULAR):
         return []
     k = 1 - joint.across.direction
     angle = () if joint.angle is None else (known(joint.angle.cosine),)

@@ -9,7 +9,7 @@ from enum import StrEnum
 from exactspline.bivariate.across_borders import Sides, single_places, together
 from exactspline.bivariate.answers import SurfacePart, SurfacePlaces
 from exactspline.bivariate.borders import EDGES, Edge, Patch, vanishes_at
-from exactspline.bivariate.common_factor import odd_part, square_free, without_powers
+from exactspline.bivariate.common_factor import odd_part, square_free
 from exactspline.bivariate.common_zeros import CommonZero
 from exactspline.bivariate.joined_curves import Piece, ZeroComponent, chained, place_of
 from exactspline.bivariate.signs import Sign, Signs, sign_on_patch
@@ -25,11 +25,11 @@ from exactspline.geometry.surfaces.degenerate import Pole, closed_along, is_poin
 from exactspline.geometry.surfaces.forms import Reduced, SurfaceForms, on_patch, sides_of
 from exactspline.geometry.surfaces.joints import SurfaceJoint, joints
 from exactspline.geometry.surfaces.ridges import Ridges, ridges_of_surface
-from exactspline.geometry.surfaces.singular import SingularPoints, singular_points
+from exactspline.geometry.surfaces.singular import Line, SingularPoints, singular_points
 from exactspline.geometry.surfaces.umbilics import Umbilic, UmbilicsOfPatch, merged_umbilic, umbilics_of_patch
 from exactspline.hooks import Displayed
 from exactspline.numbers.exact import Number, mpq
-from exactspline.numbers.intervals import UNIT, Box
+from exactspline.numbers.intervals import UNIT, Box, Interval
 from exactspline.polynomials.patch_forms import PatchForm
 from exactspline.polynomials.two_parameters import as_polynomial
 from exactspline.questions.entry import Answered, Fact, Of, question, question_with
@@ -107,6 +107,11 @@ class PatchInspection:
         return self.kind in (PatchKind.PLANAR, PatchKind.DEVELOPABLE)
 
     @property
+    def lines(self) -> LinesOfPatch:
+        """The lines along which K vanishes."""
+        return LinesOfPatch(self.patch, self.sides, self.parabolic_edges, self.parabolic_lines, self.flat)
+
+    @property
     def open_boxes(self) -> tuple[Box, ...]:
         """Rectangles of parameters in which something could not be decided."""
         own = self._open_curve
@@ -170,12 +175,7 @@ class SurfaceInspection(CurvatureValues, Displayed):
         >>> len(umbilics), umbilics.everywhere, umbilics[0].kind.value
         (4, (), 'lemon or monstar')
         """
-        everywhere = []
-        for one in self.patches:
-            own = one.umbilics
-            everywhere += [SurfacePart(one.patch, one.sides)] * own.everywhere
-            everywhere += [SurfacePart(one.patch, edge.box(one.sides)) for edge in own.edges]
-            everywhere += [SurfacePart(one.patch, one.sides, along_curve=True)] * (own.curve is not None)
+        everywhere = _parts((one, one.umbilics, one.umbilics.everywhere) for one in self.patches)
         found = {id(one.place): one for patch in self.patches for one in patch.umbilics.umbilics}
         groups = self._single([one.place for one in found.values()], _edges(everywhere), self.umbilic_curves)
         whole = [one.sides for one in self.patches if one.umbilics.everywhere]
@@ -183,7 +183,7 @@ class SurfaceInspection(CurvatureValues, Displayed):
             merged_umbilic([found[id(place)] for place in own], whole, self.surface.domain, self.closed)
             for own in groups
         )
-        return SurfacePlaces(points, tuple(everywhere), _boxes(one.umbilics.undecided for one in self.patches))
+        return SurfacePlaces(points, everywhere, _boxes(one.umbilics.undecided for one in self.patches))
 
     @question(Of.SURFACE, answered=Answered.CURVES)
     def parabolic_lines(self) -> tuple[ZeroLine, ...]:
@@ -194,16 +194,8 @@ class SurfaceInspection(CurvatureValues, Displayed):
         >>> [(line.along.value, str(line.value)) for line in lines]
         [('u', '1'), ('u', '3')]
         """
-        return zero_lines(
-            self.surface.patches,
-            self.surface.domain,
-            [
-                LinesOfPatch(one.patch, one.sides, one.parabolic_edges, one.parabolic_lines, one.flat)
-                for one in self.patches
-            ],
-            self.closed,
-            beside_flat=True,
-        )
+        lines = [one.lines for one in self.patches]
+        return zero_lines(self.surface.patches, self.surface.domain, lines, self.closed, beside_flat=True)
 
     @question(Of.SURFACE, answered=Answered.CURVES)
     def parabolic_curves(self) -> tuple[ZeroComponent, ...]:
@@ -246,16 +238,11 @@ class SurfaceInspection(CurvatureValues, Displayed):
         >>> [place.exact for place in analyse(example("cross_cap")).singular_points]
         [(mpq(0,1), mpq(0,1))]
         """
-        everywhere = []
-        for one in self.patches:
-            own = one.singular
-            everywhere += [SurfacePart(one.patch, one.sides)] * own.degenerate
-            everywhere += [SurfacePart(one.patch, edge.box(one.sides)) for edge in own.edges]
-            everywhere += [SurfacePart(one.patch, one.sides, along_curve=True)] * own.along_curve
+        everywhere = _parts((one, one.singular, one.singular.degenerate) for one in self.patches)
         places = [place for one in self.patches for place in one.singular.places]
         groups = self._single(places, _edges(everywhere), self.singular_curves)
         undecided = _boxes(one.singular.undecided for one in self.patches)
-        return SurfacePlaces(tuple(map(together, groups)), tuple(everywhere), undecided)
+        return SurfacePlaces(tuple(map(together, groups)), everywhere, undecided)
 
     @question(Of.SURFACE, answered=Answered.CURVES)
     def umbilic_curves(self) -> tuple[ZeroComponent, ...]:
@@ -265,7 +252,7 @@ class SurfaceInspection(CurvatureValues, Displayed):
         >>> analyse(example("torus")).umbilic_curves
         ()
         """
-        return self._chained([(one, one.umbilics.curve, one.umbilics.undecided) for one in self.patches])
+        return self._chained([(one, one.umbilics.of_factor.curve, one.umbilics.undecided) for one in self.patches])
 
     @question(Of.SURFACE, answered=Answered.CURVES, on_request=True)
     def ridges(self) -> Ridges:
@@ -295,7 +282,7 @@ class SurfaceInspection(CurvatureValues, Displayed):
         >>> analyse(example("torus")).singular_curves
         ()
         """
-        return self._chained([(one, one.singular.curve, one.singular.undecided) for one in self.patches])
+        return self._chained([(one, one.singular.of_factor.curve, one.singular.undecided) for one in self.patches])
 
     def _chained(
         self, curves: Sequence[tuple[PatchInspection, ZeroCurve | None, tuple[Box, ...]]]
@@ -314,14 +301,14 @@ class SurfaceInspection(CurvatureValues, Displayed):
 
     @question(Of.SURFACE, answered=Answered.CURVES)
     def poles(self) -> tuple[Pole, ...]:
-        """The edges of patches along which the surface has no tangent plane.
+        """The isoparametric lines along which the surface has no tangent plane, on borders of patches and inside.
 
         >>> from exactspline import analyse, example
         >>> len(analyse(example("torus")).poles)
         0
         """
-        edges = [(one.patch, edge) for one in self.patches for edge in one.singular.edges]
-        return tuple(dict.fromkeys(pole_at(self._forms, patch, edge) for patch, edge in edges))
+        lines = [(one.patch, line) for one in self.patches for line in lines_of(one.singular, one.sides)]
+        return tuple(dict.fromkeys(pole_at(self._forms, patch, line) for patch, line in lines))
 
     @question(Of.SURFACE, answered=Answered.JOINTS)
     def joints(self) -> tuple[SurfaceJoint, ...]:
@@ -415,6 +402,21 @@ def _edges(parts: Iterable[SurfacePart]) -> list[Sides]:
     return [part.sides for part in parts if not all(side.width for side in part.sides)]
 
 
+def lines_of(found: SingularPoints | UmbilicsOfPatch, sides: Box) -> list[Line]:
+    """The edges and the lines inside of a patch all of whose points are singular, or umbilics."""
+    return [*(Line(edge.direction, edge.value(sides)) for edge in found.edges), *found.of_factor.lines]
+
+
+def _parts(found: Iterable[tuple[PatchInspection, SingularPoints | UmbilicsOfPatch, bool]]) -> tuple[SurfacePart, ...]:
+    """The patches that are singular or umbilic as a whole, the lines, and that there are curves."""
+    parts = list[SurfacePart]()
+    for one, own, whole in found:
+        boxes = [one.sides] * whole + [one.sides.with_side(k, Interval.point(x)) for k, x in lines_of(own, one.sides)]
+        parts += [SurfacePart(one.patch, box) for box in boxes]
+        parts += [SurfacePart(one.patch, one.sides, along_curve=True)] * (own.of_factor.curve is not None)
+    return tuple(parts)
+
+
 def _boxes(groups: Iterable[tuple[Box, ...]]) -> tuple[Box, ...]:
     """The boxes of all patches, each once."""
     return tuple(dict.fromkeys(box for boxes in groups for box in boxes))
@@ -463,7 +465,7 @@ def inspect_patch(forms: SurfaceForms, patch: Patch) -> PatchInspection:
         kind = PatchKind.SPHERICAL
         return PatchInspection(patch, sides, kind, minimal, 1 / curvature, None, singular, umbilics, curvature)
     edges = tuple(edge for edge, times in zip(EDGES, own.borders, strict=True) if times and edge not in singular.edges)
-    form = own.form if singular.curve is None else without_powers(own.form, singular.curve.form, even=True)
+    form = singular.of_factor.without(own.form, even=True)
     signs = sign_on_patch(form)
     inspection = PatchInspection(
         patch, sides, _BY_SIGN[signs.sign], minimal, None, signs, singular, umbilics, curvature, edges
@@ -480,7 +482,7 @@ def _with_zeros(inspection: PatchInspection, own: Reduced, form: PatchForm, area
     """The zeros of K where there are or may be some, and its sign if they determine it."""
     assert area is not None, "the patch has tangent planes"
     singular, sides = inspection.singular, inspection.sides
-    simple = square_free(form if singular.curve is None else without_powers(form, singular.curve.form))
+    simple = square_free(singular.of_factor.without(form))
     rest, lines = without_lines(simple, sides)
     # a singular point is a critical point of the form itself, not of the form without factors
     known = singular.inside if rest.degree == own.form.degree else []

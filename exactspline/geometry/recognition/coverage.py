@@ -23,7 +23,7 @@ from dataclasses import dataclass, replace
 from itertools import product
 from typing import Any
 
-from exactspline.bivariate.borders import Edge, Patch
+from exactspline.bivariate.borders import Patch
 from exactspline.bivariate.signs import Sign, sign_on_patch
 from exactspline.geometry.recognition import candidates
 from exactspline.geometry.recognition.pieces import passes_its_start
@@ -123,7 +123,7 @@ def _charts(surface: NurbsSurface, shape: Shape) -> Iterator[_Chart]:
 def _pole(surface: NurbsSurface, end: int) -> Point | None:
     """The point to which the first or the last line of u is contracted."""
     last = surface.patches[1] - 1 if end else 0
-    ends = {point_of(surface, (i, last), Edge(1, end)) for i in range(surface.patches[0])}
+    ends = {point_of(surface, (i, last), 1, mpq(end)) for i in range(surface.patches[0])}
     return ends.pop() if len(ends) == 1 else None
 
 

@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from enum import StrEnum
 
 from exactspline.bivariate.borders import EDGES, Edge, Patch, line_of
-from exactspline.geometry.surfaces.forms import SurfaceForms, on_patch, sides_of
+from exactspline.geometry.surfaces.forms import SurfaceForms, sides_of
+from exactspline.geometry.surfaces.singular import Line
 from exactspline.numbers.exact import mpq
-from exactspline.numbers.intervals import Interval
+from exactspline.numbers.intervals import UNIT, Interval
+from exactspline.splines.bspline import BSpline
 from exactspline.splines.surface import Along, NurbsSurface
 from exactspline.splines.tensor import TensorSpline
 
@@ -36,53 +39,50 @@ class Pole:
     gap: Gap
 
 
-def pole_at(forms: SurfaceForms, patch: Patch, edge: Edge) -> Pole:
-    """The pole on an edge of a patch."""
-    surface, sides = forms.surface, sides_of(forms.surface, patch)
-    value = edge.value(sides)
-    return Pole(
-        line_of(edge), value, sides[1 - edge.direction], point_of(surface, patch, edge), _gap(forms, patch, edge)
-    )
+def pole_at(forms: SurfaceForms, patch: Patch, line: Line) -> Pole:
+    """The pole on a line of a patch, its edges among them."""
+    (k, value), sides = line, sides_of(forms.surface, patch)
+    at = patch, k, sides[k].local(value)
+    return Pole(line_of(Edge(k, 0)), value, sides[1 - k], point_of(forms.surface, *at), _gap(forms, *at))
 
 
-def _gap(forms: SurfaceForms, patch: Patch, edge: Edge) -> Gap:
+def _gap(forms: SurfaceForms, patch: Patch, direction: int, x: mpq) -> Gap:
     """The square of the difference is umbilicity over the third power of ``EG − F²``: compared by the orders of their
-    zeros.
+    zeros, on a part of the patch of which the line is an edge.
     """
-    own, area = on_patch(forms.umbilicity, patch), on_patch(forms.area, patch)
-    if own is None or area is None:
+    box, at = UNIT.with_side(direction, Interval(x if x < 1 else mpq(0), mpq(1))), EDGES.index(Edge(direction, x == 1))
+    own, area = (f.patch_form(*patch).part(box) for f in (forms.umbilicity, forms.area))
+    if own.is_zero or area.is_zero:
         return Gap.NONE
-    at = EDGES.index(edge)
-    order = own.borders[at] - 3 * area.borders[at]
+    order = own.without_border()[1][at] - 3 * area.without_border()[1][at]
     return Gap.FINITE if order == 0 else Gap.NONE if order > 0 else Gap.INFINITE
 
 
-def point_of(surface: NurbsSurface, patch: Patch, edge: Edge) -> tuple[mpq, ...] | None:
-    """The point to which an edge of a patch is contracted; None where the edge is a curve."""
-    nets = [edge_points(f, patch, edge) for f in (*surface.p, surface.w)]
-    *p, w = [[mpq(x) for x in net] for net in nets]
+def point_of(surface: NurbsSurface, patch: Patch, direction: int, x: mpq) -> tuple[mpq, ...] | None:
+    """The point to which a line of a patch at a local parameter is contracted; None where the line is a curve."""
+    return _common_point(surface, [line_points(f, patch, direction, x) for f in (*surface.p, surface.w)])
+
+
+def line_points(f: TensorSpline, patch: Patch, direction: int, x: mpq | int) -> list[mpq]:
+    """The Bézier points of a spline along the line of a patch at a local parameter."""
+    net = f.bezier_net(*patch)
+    return [BSpline.bezier(row)(x) for row in (net if direction else zip(*net, strict=True))]
+
+
+def is_point(surface: NurbsSurface, patch: Patch) -> bool:
+    """Whether a patch is a single point."""
+    nets = [[x for row in f.bezier_net(*patch) for x in row] for f in (*surface.p, surface.w)]
+    return _common_point(surface, nets) is not None
+
+
+def _common_point(surface: NurbsSurface, nets: Sequence[list[mpq]]) -> tuple[mpq, ...] | None:
+    """The one point that homogeneous points are, given by coordinates and weights; None where they are several."""
+    *p, w = nets
     if surface.polynomial:
         w = [w[0]] * len(p[0])
     first = tuple(x[0] / w[0] for x in p)
     constant = all(x == at * y for at, net in zip(first, p, strict=True) for x, y in zip(net, w, strict=True))
     return first if constant else None
-
-
-def edge_points(f: TensorSpline, patch: Patch, edge: Edge) -> list[mpq]:
-    """The Bézier points of a spline along an edge of a patch."""
-    net = f.bezier_net(*patch)
-    if edge.direction == 0:
-        return net[-1 if edge.end else 0]
-    return [row[-1 if edge.end else 0] for row in net]
-
-
-def is_point(surface: NurbsSurface, patch: Patch) -> bool:
-    """Whether a patch is a single point."""
-    nets = [[x for row in f.bezier_net(*patch) for x in row] for f in surface.p]
-    weights = [x for row in surface.w.bezier_net(*patch) for x in row]
-    if surface.polynomial:
-        return all(x == net[0] for net in nets for x in net)
-    return all(x * weights[0] == net[0] * w for net in nets for x, w in zip(net, weights, strict=True))
 
 
 def closed_along(surface: NurbsSurface, along: Along) -> bool:

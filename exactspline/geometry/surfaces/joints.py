@@ -18,9 +18,9 @@ from functools import reduce
 from itertools import count, pairwise, starmap
 from operator import add
 
-from exactspline.bivariate.borders import Edge, Patch
+from exactspline.bivariate.borders import Patch
 from exactspline.geometry.curves.angles import Angle
-from exactspline.geometry.surfaces.degenerate import edge_points
+from exactspline.geometry.surfaces.degenerate import line_points
 from exactspline.geometry.surfaces.forms import SurfaceForms
 from exactspline.numbers.exact import mpq
 from exactspline.numbers.intervals import Interval
@@ -119,10 +119,10 @@ class _Meeting:
 
     def __init__(self, forms: SurfaceForms, before: Patch, behind: Patch, direction: int) -> None:
         self.forms = forms
-        self.sides = (before, Edge(direction, 1)), (behind, Edge(direction, 0))
+        self.sides = (before, direction, 1), (behind, direction, 0)
 
     def _both(self, f: TensorSpline) -> tuple[BSpline, BSpline]:
-        first, last = (BSpline.bezier(edge_points(f, *side)) for side in self.sides)
+        first, last = (BSpline.bezier(line_points(f, *side)) for side in self.sides)
         return first, last
 
     def kind_and_angle(self) -> tuple[SurfaceJointKind, Angle | None]:
@@ -143,10 +143,10 @@ class _Meeting:
         return (SurfaceJointKind.CONTINUOUS if same else SurfaceJointKind.CURVATURE_JUMP), None
 
 
-def _fit(surface: NurbsSurface, before: tuple[Patch, Edge], behind: tuple[Patch, Edge]) -> bool:
+def _fit(surface: NurbsSurface, before: tuple[Patch, int, int], behind: tuple[Patch, int, int]) -> bool:
     """Whether two edges of patches are one curve, as functions of their parameter."""
     (*p, w), (*q, v) = (
-        [BSpline.bezier(edge_points(f, *side)) for f in (*surface.p, surface.w)] for side in (before, behind)
+        [BSpline.bezier(line_points(f, *side)) for f in (*surface.p, surface.w)] for side in (before, behind)
     )
     return all(x * v == y * w for x, y in zip(p, q, strict=True))
 

@@ -22,7 +22,7 @@ from flint import fmpz_mpoly
 
 from exactspline.bivariate.answers import SurfacePart
 from exactspline.bivariate.borders import EDGES, Edge, Patch, along, roots_along, vanishes_at
-from exactspline.bivariate.common_factor import square_free, without_powers
+from exactspline.bivariate.common_factor import square_free
 from exactspline.bivariate.common_zeros import CommonZero
 from exactspline.bivariate.joined_curves import Piece, ZeroComponent, chained, place_of
 from exactspline.bivariate.singular_cells import Cell, Crossing, kind_on
@@ -137,10 +137,9 @@ class RidgeSearch:
                 return _RidgesOfPatch(self.patch, self.sides, 2)
             whole, stationary = as_form(other), 1
             own = Reduced(whole, *whole.without_border())
-        known = [x.form for x in (self.singular.curve, self.umbilics.curve) if x is not None]
-        form = own.form
-        for factor in known:
-            form = without_powers(form, factor)
+        form = self.singular.of_factor.without(own.form)
+        if self.umbilics.of_factor.along_curve:
+            form = self.umbilics.of_factor.without(form)
         edges = [edge for edge, times in zip(EDGES, own.borders, strict=True) if times]
         kept = tuple(edge for edge in edges if edge not in (*self.singular.edges, *self.umbilics.edges))
         rest, lines = without_lines(_simple(form), self.sides)

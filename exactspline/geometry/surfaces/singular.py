@@ -3,16 +3,19 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
+from functools import partial, reduce
+from typing import NamedTuple
 
 from exactspline.bivariate.borders import EDGES, Edge, Patch, along, roots_along
-from exactspline.bivariate.common_factor import common_factor, divided, square_free
+from exactspline.bivariate.common_factor import common_factor, divided, rational_lines, square_free, without_powers
 from exactspline.bivariate.common_zeros import CommonZero, zeros_of
 from exactspline.bivariate.signs import Sign, sign_on_patch
 from exactspline.bivariate.surface_points import Place
 from exactspline.bivariate.zero_curve import ZeroCurve
 from exactspline.errors import ReachError
 from exactspline.geometry.surfaces.forms import SurfaceForms, on_patch, sides_of
+from exactspline.numbers.exact import mpq
 from exactspline.numbers.intervals import Box
 from exactspline.polynomials.patch_forms import PatchForm
 
@@ -20,20 +23,91 @@ from exactspline.polynomials.patch_forms import PatchForm
 FAR = 64
 
 
+class Line(NamedTuple):
+    """An isoparametric line on a patch: the parameter of this direction (0: u) has this value."""
+
+    direction: int
+    value: mpq
+
+
+class ZerosOfFactor(NamedTuple):
+    """The zeros of a common factor on a patch, if it has any: the `whole` of them, the `lines` among them at rational
+    values, as knots have, and the rest as a `curve`, if it is more than single points; the `factors` that these have.
+    """
+
+    whole: ZeroCurve | None = None
+    lines: tuple[Line, ...] = ()
+    curve: ZeroCurve | None = None
+    factors: tuple[PatchForm, ...] = ()
+
+    @classmethod
+    def of(cls, factor: PatchForm | None, sides: Box) -> ZerosOfFactor:
+        """The zeros of a factor."""
+        whole, rest = _curve_of(factor)
+        if whole is None:
+            return cls()
+        found = [(k, x) for k in (0, 1) for x in rational_lines(whole.form, k) if 0 < x < 1]
+        factors = [whole.form]
+        for k, x in found:
+            ends = int(-x.numerator), int(x.denominator - x.numerator)
+            factors.append(PatchForm.of_net([ends] if k else [[end] for end in ends]))
+            factors[0] = divided(factors[0], factors[-1])
+        rest = _curve_of(factors[0])[1] if found else rest
+        lines = tuple(Line(k, sides[k].at(x)) for k, x in found)
+        return cls(whole, lines, rest, tuple(f for f in factors if any(f.degree)))
+
+    @property
+    def along_curve(self) -> bool:
+        """Whether there are lines or a curve."""
+        return bool(self.lines or self.curve)
+
+    def without(self, form: PatchForm, *, even: bool = False) -> PatchForm:
+        """A form divided by the factors as often as possible; with `even`, by their squares."""
+        return reduce(partial(without_powers, even=even), self.factors, form)
+
+    def with_single_points(
+        self, found: Sequence[CommonZero], known: Sequence[CommonZero] = ()
+    ) -> tuple[list[CommonZero], list[Box]]:
+        """Points found inside, but for zeros of the factor, and its single zeros, but for those that are `known`; and
+        the boxes in which something is undecided.
+        """
+        if (curve := self.whole) is None:
+            return list(found), []
+        kept, undecided = list[CommonZero](), list(curve.undecided)
+        for zero in (*found, *curve.single_points):
+            try:
+                if not (zero.is_zero_of(curve.form) if zero in found else any(zero.is_at(other) for other in known)):
+                    kept.append(zero)
+            except ReachError:
+                undecided.append(zero.refine(FAR))
+        return kept, undecided
+
+
+#: The zeros of a constant.
+NONE = ZerosOfFactor()
+
+
+def _curve_of(factor: PatchForm | None) -> tuple[ZeroCurve | None, ZeroCurve | None]:
+    """The zeros of a factor, if it has any; once more, if they are more than single points."""
+    sign = Sign.POSITIVE if factor is None else sign_on_patch(factor).sign
+    if factor is None or sign in (Sign.POSITIVE, Sign.NEGATIVE):
+        return None, None
+    curve = ZeroCurve(square_free(factor))
+    return curve, curve if curve.has_branches or sign is Sign.BOTH else None
+
+
 @dataclass(frozen=True)
 class SingularPoints:
     """Where the normal of a patch vanishes: `degenerate`: everywhere; along whole `edges`; at `places`, single ones
-    inside, and those on the border, at which curves may end, also those of other patches; at the zeros of a common
-    factor of its coordinates (`curve`), which are more than single points if it is so `along_curve`; `undecided` are
-    boxes of parameters.
+    inside, and those on the border, at which curves may end, also those of other patches; along lines and curves, the
+    zeros `of_factor`, a common one of its coordinates; `undecided` are boxes of parameters.
     """
 
     degenerate: bool = False
     edges: tuple[Edge, ...] = ()
     places: tuple[Place, ...] = ()
     undecided: tuple[Box, ...] = ()
-    curve: ZeroCurve | None = field(default=None, compare=False)
-    along_curve: bool = False
+    of_factor: ZerosOfFactor = NONE
 
     @property
     def inside(self) -> list[CommonZero]:
@@ -43,7 +117,7 @@ class SingularPoints:
     @property
     def regular(self) -> bool:
         """Whether there are none except along edges."""
-        return not (self.degenerate or self.places or self.undecided or self.along_curve)
+        return not (self.degenerate or self.places or self.undecided or self.of_factor.along_curve)
 
 
 def singular_points(forms: SurfaceForms, patch: Patch) -> SingularPoints:
@@ -61,45 +135,17 @@ def singular_points(forms: SurfaceForms, patch: Patch) -> SingularPoints:
         if not any(root == other.value(sides) for other in edges if other.direction != edge.direction)
     ]
     if sign_on_patch(area.form).sign is Sign.POSITIVE:
-        return SingularPoints(False, edges, tuple(places))
+        return SingularPoints(edges=edges, places=tuple(places))
     normal = [None if own is None else own.form for own in (on_patch(f, patch) for f in forms.normal)]
     factor = common_factor([f for f in normal if f is not None])
-    curve, along_curve = None, False
     if factor is not None:
         normal = [None if f is None else divided(f, factor) for f in normal]
-        curve, along_curve = curve_of(factor)
+    of_factor = ZerosOfFactor.of(factor, sides)
     # the scalar products of the normal with both tangents are zero
     tangents = [[f.patch_form(*patch) for f in pair] for pair in zip(*forms.tangents, strict=True)]
     given = [(f, e) for f, e in zip(normal, tangents, strict=True) if f is not None]
     found = zeros_of([f for f, _ in given], sides, cofactors=[e for _, e in given])
-    inside, undecided = [zero for zero in found.zeros if zero.is_inside], list(found.undecided)
-    if curve is not None:
-        inside, rest = with_single_points(curve, inside)
-        undecided += rest
+    inside, rest = of_factor.with_single_points([zero for zero in found.zeros if zero.is_inside])
     places += [Place((patch,), zero.on(sides)) for zero in inside]
-    return SingularPoints(False, edges, tuple(places), tuple(sides.part(box) for box in undecided), curve, along_curve)
-
-
-def curve_of(factor: PatchForm) -> tuple[ZeroCurve | None, bool]:
-    """The zeros of a factor, if it has any, and whether they are more than single points."""
-    sign = sign_on_patch(factor).sign
-    if sign in (Sign.POSITIVE, Sign.NEGATIVE):
-        return None, False
-    curve = ZeroCurve(square_free(factor))
-    return curve, curve.has_branches or sign is Sign.BOTH
-
-
-def with_single_points(
-    curve: ZeroCurve, found: Sequence[CommonZero], known: Sequence[CommonZero] = ()
-) -> tuple[list[CommonZero], list[Box]]:
-    """Points found inside, but for those on a curve, and the single points of it, but for those that are `known`; and
-    the boxes in which something is undecided.
-    """
-    kept, undecided = list[CommonZero](), list(curve.undecided)
-    for zero in (*found, *curve.single_points):
-        try:
-            if not (zero.is_zero_of(curve.form) if zero in found else any(zero.is_at(other) for other in known)):
-                kept.append(zero)
-        except ReachError:
-            undecided.append(zero.refine(FAR))
-    return kept, undecided
+    undecided = tuple(map(sides.part, (*found.undecided, *rest)))
+    return SingularPoints(False, edges, tuple(places), undecided, of_factor)

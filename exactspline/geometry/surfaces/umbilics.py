@@ -7,19 +7,18 @@ plane. Since ``A G − B F + C E = 0``, two of them suffice: A and B where E > 0
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from enum import StrEnum
 from itertools import pairwise, product
 
 from exactspline.bivariate.across_borders import alike, sectors, together, within
 from exactspline.bivariate.borders import EDGES, Edge, Patch, along, common_along, roots_along
-from exactspline.bivariate.common_factor import common_factor, divided, without_powers
+from exactspline.bivariate.common_factor import common_factor, divided
 from exactspline.bivariate.common_zeros import CommonZero, zeros_of
 from exactspline.bivariate.surface_points import Place
-from exactspline.bivariate.zero_curve import ZeroCurve
 from exactspline.errors import ReachError
 from exactspline.geometry.surfaces.forms import Reduced, SurfaceForms, on_patch, sides_of
-from exactspline.geometry.surfaces.singular import FAR, SingularPoints, curve_of, singular_points, with_single_points
+from exactspline.geometry.surfaces.singular import FAR, NONE, SingularPoints, ZerosOfFactor, singular_points
 from exactspline.numbers.exact import mpq
 from exactspline.numbers.intervals import UNIT, Box
 from exactspline.polynomials.patch_forms import PatchForm
@@ -61,14 +60,14 @@ class UmbilicsOfPatch:
 
     `umbilics`: single ones inside, and those on the border, at which curves may end, also those of other patches
     (`exactspline.bivariate.across_borders` tells them apart); `everywhere`: all points of the patch; `edges`: the edges
-    consisting of umbilics; `curve`: the zeros of a common factor of the equations, where these are not only isolated
-    points; `undecided`: boxes of parameters in which there may be more.
+    consisting of umbilics; `of_factor`: the zeros of a common factor of the equations, lines and curves of umbilics
+    inside; `undecided`: boxes of parameters in which there may be more.
     """
 
     umbilics: tuple[Umbilic, ...] = ()
     everywhere: bool = False
     edges: tuple[Edge, ...] = ()
-    curve: ZeroCurve | None = field(default=None, compare=False)
+    of_factor: ZerosOfFactor = NONE
     undecided: tuple[Box, ...] = ()
 
 
@@ -88,8 +87,8 @@ def umbilics_of_patch(forms: SurfaceForms, patch: Patch, singular: SingularPoint
         return UmbilicsOfPatch(everywhere=True)
     search = _Search(forms, patch, own, singular)
     edges, on_edges = search.on_edges()
-    inside, curve, undecided = search.inside()
-    return UmbilicsOfPatch((*on_edges, *inside), False, edges, curve, undecided)
+    inside, of_factor, undecided = search.inside()
+    return UmbilicsOfPatch((*on_edges, *inside), False, edges, of_factor, undecided)
 
 
 class _Search:
@@ -126,29 +125,26 @@ class _Search:
     def _umbilic(self, zero: CommonZero) -> Umbilic:
         return Umbilic(Place((self.patch,), zero), self._kind(zero))
 
-    def inside(self) -> tuple[list[Umbilic], ZeroCurve | None, tuple[Box, ...]]:
+    def inside(self) -> tuple[list[Umbilic], ZerosOfFactor, tuple[Box, ...]]:
         """The umbilics inside, a curve of them, and what could not be decided."""
-        given = {k: f.form for k, f in enumerate(self.own) if f is not None}
         # singular points at which the equations vanish though common factors are divided out
-        known, singular = self.singular.inside, self.singular.curve
-        if singular is not None:
-            given = {k: without_powers(f, singular.form) for k, f in given.items()}
+        known, singular = self.singular.inside, self.singular.of_factor
+        given = {k: singular.without(f.form) for k, f in enumerate(self.own) if f is not None}
         factor = common_factor(list(given.values()))
         if factor is not None:
             given = {k: divided(f, factor) for k, f in given.items()}
-        for f in ([] if singular is None else [singular.form]) + ([] if factor is None else [factor]):
+        for f in (*singular.factors, *([] if factor is None else [factor])):
             known = [zero for zero in known if rounded(f, zero.refine(FAR)).sign in (1, -1)]
         # A G − B F + C E = 0
         found = zeros_of(list(given.values()), self.sides, cofactors=[[self.first[2 - k]] for k in given], known=known)
         undecided = list(found.undecided)
         zeros = [zero for zero in found.zeros if zero.is_inside and self._has_tangent_plane(zero, known, undecided)]
-        curve, along_curve = (None, False) if factor is None else curve_of(factor)
-        if curve is not None:
-            zeros, rest = with_single_points(curve, zeros, self.singular.inside)
+        of_factor = ZerosOfFactor.of(factor, self.sides)
+        if of_factor.whole is not None:
+            zeros, rest = of_factor.with_single_points(zeros, self.singular.inside)
             undecided += rest
             zeros = [zero.on(self.sides) for zero in zeros if self._has_tangent_plane(zero, (), undecided)]
-        umbilics = [self._umbilic(zero) for zero in zeros]
-        return umbilics, curve if along_curve else None, tuple(self.sides.part(box) for box in undecided)
+        return [self._umbilic(zero) for zero in zeros], of_factor, tuple(map(self.sides.part, undecided))
 
     def _has_tangent_plane(self, zero: CommonZero, known: Sequence[CommonZero], undecided: list[Box]) -> bool:
         """Whether the surface has a tangent plane at a zero of the equations; False also where that is undecided."""
