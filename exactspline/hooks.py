@@ -8,6 +8,8 @@ from enum import Enum
 from importlib import import_module
 from typing import Any, ClassVar, Protocol, dataclass_transform
 
+from exactspline.one_line import OneLine, fields_of
+
 #: From the name of a format (``html``, ``latex``, ``short``, ``words``) and an object to a text, None where there is
 #: none.
 Printers = Callable[[str, object], str | None]
@@ -65,7 +67,7 @@ class Displayed:
         writer.text(_printers[0]("short", self) or repr(self))
 
 
-class Worded:
+class Worded(OneLine):
     """What a sentence is made of: `str` puts it into words, as `display` writes them: those given with a class, with
     fields between braces: ``{name?yes|no}`` is one of two such texts, as the field is true, ``{name:, }`` its parts
     with commas between them.
@@ -78,7 +80,7 @@ class Worded:
         cls.template = words
 
     def __str__(self) -> str:
-        return _printers[0]("words", self) or repr(self)
+        return _printers[0]("words", self) or fields_of(self)
 
 
 @dataclass_transform(frozen_default=True)
@@ -90,7 +92,7 @@ class WordedData(Worded):
     def __init_subclass__(cls, words: str = "") -> None:
         super().__init_subclass__(words)
         if WordedData not in cls.__bases__ and not issubclass(cls, Enum):
-            dataclass(frozen=True)(cls)
+            dataclass(frozen=True, repr=False)(cls)
 
 
 class _FunctionOutside:

@@ -131,7 +131,7 @@ def write_errata(file: Path) -> None:
         "instead and why, and Python that shows it. `./run errata` prints the same.",
     ]
     for source in papers():
-        if found := list(errata([source])):
+        if found := errata([source]):
             statements = sum(len(error.statements) for error in found)
             told = f"{counted(len(found), 'error')}, {counted(statements, 'statement')} refuted."
             lines += [f"## {plain(source.title)}", told, *chain.from_iterable(map(_erratum, found))]

@@ -19,6 +19,7 @@ from exactspline.interchange.files import read_in_pieces
 from exactspline.interchange.formats import formats
 from exactspline.interchange.records import Reading, Skipped
 from exactspline.numbers.exact import Number, mpq, rational
+from exactspline.one_line import OneLine
 from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.surface import NurbsSurface
 
@@ -30,8 +31,8 @@ BYTES_A_CURVE = 1000
 SKIPPED, NOT_READ = "Skipped", "NotRead"
 
 
-@dataclass(frozen=True)
-class Problem:
+@dataclass(frozen=True, repr=False)
+class Problem(OneLine):
     """Why there is no result: the kind of the error, its message (without the file, which the item names), and whether
     the input is to blame.
     """
@@ -46,8 +47,8 @@ class Problem:
         return cls(type(error).__name__, str(error), isinstance(error, ExactSplineError))
 
 
-@dataclass(frozen=True)
-class Taken:
+@dataclass(frozen=True, repr=False)
+class Taken(OneLine):
     """What is taken from sources: curves, or surfaces; and the distance within which an arc that has no rational
     control points is replaced (see `exactspline.interchange.files.read`), None for no distance.
     """
@@ -71,16 +72,16 @@ class Taken:
 CURVES = Taken()
 
 
-@dataclass(frozen=True)
-class Member:
+@dataclass(frozen=True, repr=False)
+class Member(OneLine):
     """A curve of a family, generated when it is needed."""
 
     family: Family
     number: int
 
 
-@dataclass(frozen=True)
-class Item:
+@dataclass(frozen=True, repr=False)
+class Item(OneLine):
     """A curve or surface of a corpus, or the problem where none can be read; `share` is the fraction of the corpus read
     so far, this one included.
     """

@@ -8,6 +8,7 @@ from functools import lru_cache
 from random import Random
 
 from exactspline.errors import CurveFileError, nearest
+from exactspline.one_line import OneLine
 from exactspline.splines.knots import KnotVector
 from exactspline.splines.nurbs import Nurbs
 
@@ -18,8 +19,8 @@ KINDS = ("no", "yes", "half")
 MOST = {"degree": 60, "segments": 100_000, "bits": 100_000}
 
 
-@dataclass(frozen=True)
-class Family:
+@dataclass(frozen=True, repr=False)
+class Family(OneLine):
     """Random curves with simple knots 0, 1, 2, …, integer control points of a given number of bits and weights of 1 to
     20.
 

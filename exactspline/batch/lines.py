@@ -10,6 +10,7 @@ from typing import Any, get_args, get_origin, get_type_hints
 
 from exactspline.batch.corpus import Problem
 from exactspline.interchange.digests import short_digest
+from exactspline.one_line import OneLine, one_line
 
 #: The version of a line's schema; it is raised when a field changes its meaning or is removed.
 VERSION = 6
@@ -21,8 +22,8 @@ EVERYWHERE = "everywhere"
 UNDECIDED = "undecided"
 
 
-@dataclass(frozen=True)
-class Found:
+@dataclass(frozen=True, repr=False)
+class Found(OneLine):
     """A point or a piece that was found: its kind, its parameter where that is rational, and where it lies. The kind of
     a piece all of whose points answer a question about points is `EVERYWHERE`.
 
@@ -58,8 +59,8 @@ class Way(StrEnum):
     MISSING = "decided by exact arithmetic, without the compiled filter"
 
 
-@dataclass(frozen=True)
-class Judged:
+@dataclass(frozen=True, repr=False)
+class Judged(OneLine):
     """A claim checked on this curve: its verdict, whether that is the recorded one, and the witness where
     there is one.
     """
@@ -99,6 +100,7 @@ class Line:
     #: How the certified filter decided; None where it was not used, and for lines that were read.
     way: Way | None = field(default=None, compare=False)
 
+    @one_line
     def __repr__(self) -> str:
         return f"<Line {self.index}: {self.curve}>"
 

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 from exactspline.display.reals import real_data
 from exactspline.errors import counted
+from exactspline.one_line import one_line
 from exactspline.questions.answers import NamedNumbers
 
 #: Digits after the point of an interval.
@@ -20,6 +21,7 @@ class Answer:
     items: tuple[NamedNumbers, ...]
     certificates: tuple[dict[str, object], ...] = ()
 
+    @one_line
     def __repr__(self) -> str:
         return f"<Answer to {self.question}: {counted(len(self.items), 'item')}>"
 

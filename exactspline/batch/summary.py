@@ -10,6 +10,7 @@ from heapq import heappush, heappushpop
 from exactspline.batch.corpus import SKIPPED
 from exactspline.batch.lines import UNDECIDED as UNDECIDED_PART
 from exactspline.batch.lines import Line, Way
+from exactspline.one_line import OneLine
 
 #: Shown in place of the filter's decision: for lines of a sweep that is continued, and for curves not given to the
 #: filter.
@@ -23,8 +24,8 @@ REFUSED, FALLBACK, OPEN = "refused", "decided by exact arithmetic after the filt
 UNDECIDED = "UNDECIDED"
 
 
-@dataclass(frozen=True)
-class Tally:
+@dataclass(frozen=True, repr=False)
+class Tally(OneLine):
     """A line of the summary: what is counted, its name, and the count or the processor time."""
 
     what: str

@@ -20,6 +20,7 @@ from exactspline.batch.surface_work import SurfaceWork
 from exactspline.batch.work import DIGITS, Work
 from exactspline.errors import ShapeError, as_integer, as_text, as_texts
 from exactspline.numbers.exact import Number
+from exactspline.one_line import OneLine
 from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.surface import NurbsSurface
 
@@ -78,8 +79,8 @@ def work_of(
     return SurfaceWork.of(find, digits)
 
 
-@dataclass(frozen=True)
-class Where:
+@dataclass(frozen=True, repr=False)
+class Where(OneLine):
     """Where a sweep is computed: see `exactspline.batch.backends.mapped`."""
 
     backend: str = "processes"

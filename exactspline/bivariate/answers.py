@@ -5,15 +5,15 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TypeVar
 
-from exactspline.numbers.exact import text
 from exactspline.numbers.intervals import Box
+from exactspline.one_line import OneLine, one_line
 from exactspline.roots.answers import Answer
 
 T_co = TypeVar("T_co", covariant=True)
 
 
-@dataclass(frozen=True)
-class SurfacePart:
+@dataclass(frozen=True, repr=False)
+class SurfacePart(OneLine):
     """A part of one patch of a surface, as seen from it: a rectangle of parameters, an edge (one side of the rectangle
     is a single number), or a curve inside of the rectangle.
 
@@ -27,9 +27,9 @@ class SurfacePart:
     sides: Box
     along_curve: bool = False
 
+    @one_line
     def __str__(self) -> str:
-        box = " × ".join(f"[{text(a)}, {text(b)}]" for a, b in self.sides)
-        return f"a curve in {box}" if self.along_curve else box
+        return f"{'a curve in ' * self.along_curve}{self.sides.shortly}"
 
 
 @dataclass(frozen=True, repr=False)

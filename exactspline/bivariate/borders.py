@@ -29,6 +29,9 @@ class Edge(NamedTuple):
     direction: int
     end: int
 
+    def __repr__(self) -> str:
+        return f"<Edge at the {('first', 'last')[self.end]} {'uv'[self.direction]}>"
+
     def value(self, sides: Box) -> mpq:
         """The value of that parameter."""
         return sides[self.direction][self.end]

@@ -27,6 +27,7 @@ from exactspline.numbers.exact import mpq, to_fmpq
 from exactspline.numbers.exact import sign as sign_of
 from exactspline.numbers.intervals import UNIT, Box, Interval, shifted, sign_of_ball
 from exactspline.numbers.once import cached_property
+from exactspline.one_line import OneLine, one_line
 from exactspline.polynomials.certified_boxes import Isolated, isolate
 from exactspline.polynomials.cost import Priced, bounded, check_reach
 from exactspline.polynomials.elimination import resultant
@@ -69,6 +70,7 @@ class CommonZero:
     def __reduce__(self) -> tuple[object, ...]:
         return CommonZero, (self.sides, self._local, self.isolated, self._place)
 
+    @one_line
     def __repr__(self) -> str:
         s, t = (shifted(floor(x * 10**6 + mpq(1, 2)), 6) for x in self.box(9).middle)
         return f"<common zero near {s} and {t}>"
@@ -433,8 +435,8 @@ def _factor_at(eliminant: fmpz_poly, zero: CommonZero, slope: int) -> tuple[fmpz
 # ---- elimination
 
 
-@dataclass(frozen=True)
-class Column:
+@dataclass(frozen=True, repr=False)
+class Column(OneLine):
     """The common zeros of polynomials over the roots of one irreducible polynomial: those of a square-free polynomial
     in t over its field.
     """

@@ -20,6 +20,7 @@ from exactspline.bivariate.zero_curve import Part, Shape, Vertex, ZeroCurve
 from exactspline.errors import counted
 from exactspline.numbers.exact import mpq
 from exactspline.numbers.intervals import Box
+from exactspline.one_line import one_line
 from exactspline.splines.surface import Along
 
 
@@ -51,6 +52,7 @@ class Piece(NamedTuple):
         value = edge.value(self.sides)
         return (value, own) if edge.direction == 0 else (own, value)
 
+    @one_line
     def __repr__(self) -> str:
         return f"<{self.part.shape} on {self.sides}>"
 
@@ -73,6 +75,7 @@ class ZeroComponent:
     pieces: tuple[Piece, ...]
     met: dict[Spot, int] = field(default_factory=dict, compare=False)
 
+    @one_line
     def __repr__(self) -> str:
         return f"<{self.shape} on {counted(len(self.patches), 'patch')}>"
 

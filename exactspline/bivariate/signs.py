@@ -12,6 +12,7 @@ from exactspline.bivariate.borders import Edge, along, roots_along
 from exactspline.numbers.exact import mpq
 from exactspline.numbers.exact import sign as sign_of
 from exactspline.numbers.intervals import UNIT, Box, Interval
+from exactspline.one_line import OneLine
 from exactspline.polynomials.patch_forms import PatchForm, Sized, halved
 
 #: Boxes and halvings before the remaining boxes are reported as undecided.
@@ -33,8 +34,8 @@ class Sign(StrEnum):
     UNDECIDED = "undecided"
 
 
-@dataclass(frozen=True)
-class Signs:
+@dataclass(frozen=True, repr=False)
+class Signs(OneLine):
     """The sign of a form, points of the unit square at which it is positive and negative (at least one of them for a
     nonzero form), and the zeros found.
     """

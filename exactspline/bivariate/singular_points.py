@@ -18,6 +18,7 @@ from flint import ctx, fmpz_mpoly
 
 from exactspline.bivariate import common_zeros as elimination
 from exactspline.numbers.intervals import Box, sign_of_ball
+from exactspline.one_line import one_line
 from exactspline.polynomials.factors import factorize_square_free, greatest_common_divisor
 from exactspline.polynomials.patch_forms import PatchForm
 from exactspline.polynomials.two_parameters import S, enclosed, over
@@ -64,6 +65,7 @@ class SingularPoint:
     milnor: int | None = None
     patches: tuple[tuple[int, int], ...] = field(default=(), compare=False)
 
+    @one_line
     def __repr__(self) -> str:
         times = f", multiplicity {self.multiplicity}" if self.multiplicity > 2 else ""
         return f"<{self.kind} at {self.first.shortly()} and {self.second.shortly()}{times}>"

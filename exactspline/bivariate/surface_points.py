@@ -8,11 +8,12 @@ from exactspline.bivariate.borders import Patch
 from exactspline.bivariate.common_zeros import CommonZero
 from exactspline.numbers.exact import mpq
 from exactspline.numbers.intervals import Box
+from exactspline.one_line import OneLine
 from exactspline.roots.of_polynomials import Parameter
 
 
-@dataclass(frozen=True)
-class Place:
+@dataclass(frozen=True, repr=False)
+class Place(OneLine):
     """A point of a surface by its parameters. `patches` are those on which it was found: on a border of patches there
     may be several.
     """

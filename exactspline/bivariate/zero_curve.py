@@ -25,6 +25,7 @@ from exactspline.bivariate.singular_cells import Cell, Crossing, singular_cells
 from exactspline.numbers.exact import mpq
 from exactspline.numbers.intervals import UNIT, Box, Interval
 from exactspline.numbers.once import cached_property
+from exactspline.one_line import OneLine
 from exactspline.polynomials.bernstein import ONE, from_integers
 from exactspline.polynomials.patch_forms import PatchForm, Sized, clusters, halved
 from exactspline.polynomials.rounded_forms import rounded
@@ -59,8 +60,8 @@ class Shape(StrEnum):
     BROKEN = "arc that ends where patches meet"
 
 
-@dataclass(frozen=True)
-class Vertex:
+@dataclass(frozen=True, repr=False)
+class Vertex(OneLine):
     """A zero on a line of the subdivision, on which x (direction 0) or y is `value`: by its `index` among the zeros on
     that line, or, where both coordinates are rational, by x and y and the index −1.
     """
@@ -71,8 +72,8 @@ class Vertex:
     other: mpq | None = None
 
 
-@dataclass(frozen=True)
-class Arc:
+@dataclass(frozen=True, repr=False)
+class Arc(OneLine):
     """A piece of the curve in a box in which it is a graph over the coordinate that is not `direction`."""
 
     first: Vertex
@@ -83,8 +84,8 @@ class Arc:
     high: mpq | Root
 
 
-@dataclass(frozen=True)
-class Part:
+@dataclass(frozen=True, repr=False)
+class Part(OneLine):
     """A connected part of the zeros: its shape, and the arcs it consists of, one joined to another."""
 
     shape: Shape
@@ -142,7 +143,7 @@ class Begun(NamedTuple):
     unresolved: Sequence[Box] = ()
 
 
-class ZeroCurve:
+class ZeroCurve(OneLine):
     """All zeros of a form on the closed unit square; `known` are certified points at which it is known to be singular.
     A subdivision that has been `begun` is continued, and no singular points are searched for.
 

@@ -11,13 +11,14 @@ from typing import NamedTuple
 from exactspline.bivariate.borders import Edge, Patch, along, line_of, roots_along
 from exactspline.bivariate.common_factor import divided, line_factor
 from exactspline.numbers.intervals import Box, Interval, joined
+from exactspline.one_line import OneLine
 from exactspline.polynomials.patch_forms import PatchForm, of_powers
 from exactspline.roots.of_polynomials import Parameter, exactly
 from exactspline.splines.surface import Along
 
 
-@dataclass(frozen=True)
-class ZeroLine:
+@dataclass(frozen=True, repr=False)
+class ZeroLine(OneLine):
     """An isoparametric line along which a form vanishes: the parameter ``along`` runs over the `interval`, the other
     one is `value`.
 

@@ -29,6 +29,7 @@ from exactspline.errors import ReachError
 from exactspline.numbers.exact import mpq
 from exactspline.numbers.intervals import Box, Interval
 from exactspline.numbers.once import cached_property
+from exactspline.one_line import one_line
 from exactspline.polynomials.cost import PATCH, QUESTION, Budget, drawing_on
 from exactspline.polynomials.factors import greatest_common_divisor
 from exactspline.polynomials.patch_forms import PatchForm
@@ -101,6 +102,7 @@ class CommonZero:
         """A box that contains it, its sides at most ``10^−digits`` long."""
         return Box(self.first.enclosure(digits), self.second.enclosure(digits))
 
+    @one_line
     def __repr__(self) -> str:
         kind = "" if self.kind in (None, ZeroKind.TRANSVERSAL, ZeroKind.ISOLATED) else f", {self.kind}"
         times = "" if self.multiplicity in (None, 1) else f", multiplicity {self.multiplicity}"
@@ -147,6 +149,7 @@ class ZeroArc:
     end: tuple[Real, Real] | None
     closed: bool = False
 
+    @one_line
     def __repr__(self) -> str:
         if self.closed:
             return "<closed loop>"
@@ -259,6 +262,7 @@ class ZeroCurves:
     def __bool__(self) -> bool:
         return any((self.lines, self.curves, self.points, self.everywhere, self.undecided))
 
+    @one_line
     def __repr__(self) -> str:
         parts = ["a line"] * len(self.lines) + [curve.shape.value for curve in self.curves]
         parts += [*map(repr, self.points), *(f"everywhere on {part}" for part in self.everywhere)]

@@ -14,7 +14,8 @@ from exactspline.geometry.bisectors.plane_curves import PlaneBisector
 from exactspline.geometry.bisectors.point_and_curve import PointBisector
 from exactspline.geometry.bisectors.trimmed import TrimmedBisector
 from exactspline.geometry.bisectors.two_curves import BisectorPatch, CurveBisector
-from exactspline.numbers.exact import mpq, short_text
+from exactspline.numbers.exact import mpq
+from exactspline.one_line import short_text
 from exactspline.reals.real import Real
 
 
@@ -107,9 +108,9 @@ def of_point_in_space(found: PointBisector, digits: int) -> tuple[list[Row], lis
     rows = []
     for piece in found.pieces:
         moved = f"ruling parameter {piece.moved}" if piece.moved else ""
-        rows.append(Row("ruled surface", piece.interval.shortly, str(piece.surface.degree), moved))
+        rows.append(Row("ruled surface", str(piece.interval), str(piece.surface.degree), moved))
     rows += [Row("singular", real_text(root, digits), "–", "the generator vanishes") for root in found.singular]
-    return rows, [f"missing: {interval.shortly}: {reason}" for interval, reason in found.missing]
+    return rows, [f"missing: {interval}: {reason}" for interval, reason in found.missing]
 
 
 def _grouped(rows: Iterable[Row]) -> list[Row]:
@@ -141,7 +142,7 @@ def _line_row(line: LineComponent, digits: int) -> Row:
     elif line.over_root is not None:
         own = line.over_root
         degrees = {own.degree}
-        where = f"{'ts'[own.of]} = {real_text(own.other, digits)}; {'st'[own.of]} in {own.interval.shortly}"
+        where = f"{'ts'[own.of]} = {real_text(own.other, digits)}; {'st'[own.of]} in {own.interval}"
     else:
         where = counted(len(line.real.branches), "branch")
     where, short = _pairs(line.equation, line.sides, where)

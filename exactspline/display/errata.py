@@ -21,7 +21,7 @@ def erratum_data(entry: Erratum) -> dict[str, object]:
     """An error of a paper as data.
 
     >>> from exactspline.verification.errata import errata
-    >>> data = erratum_data(next(errata()))
+    >>> data = erratum_data(errata()[0])
     >>> data["error"], len(data["statements"])
     ('span', 1)
     """

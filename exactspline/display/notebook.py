@@ -19,6 +19,7 @@ from exactspline.display.statement import fields
 from exactspline.display.svg import curve_picture, graph_picture
 from exactspline.display.tables import Grid, Verdicts, breakable
 from exactspline.errors import counted
+from exactspline.geometry.analysis.ask import kind_of
 from exactspline.geometry.analysis.curves import Analysis
 from exactspline.geometry.analysis.planar_maps import MapInspection
 from exactspline.geometry.analysis.surfaces import SurfaceInspection
@@ -27,8 +28,8 @@ from exactspline.hooks import named
 from exactspline.language.rational import Rational
 from exactspline.language.ruled import RuledSurface
 from exactspline.language.vector import Vector
-from exactspline.numbers.exact import mpq, text
-from exactspline.questions.entry import Of, questions_of
+from exactspline.numbers.exact import mpq
+from exactspline.questions.entry import questions_of
 from exactspline.roots.root import Root
 from exactspline.roots.zero_set import ZeroSet
 from exactspline.splines.bspline import BSpline
@@ -39,34 +40,18 @@ from exactspline.verification.errata import Erratum
 from exactspline.verification.rows import Row
 from exactspline.verification.statement import Side, Statement, sides
 
-#: How many numbers of a list are written out, and the number of control points above which a spline is described
+#: How many numbers of a list are written out, and the number of control points above which a vector is described
 #: instead.
-SHOWN, LONG = 8, 24
-#: Characters of an answer that a table of answers shows.
-LONGEST = 200
+SHOWN, LONG = 8, 6
 #: The fields of a statement that follow its formulas.
 SAID = ("claimed", "found", "factor", "witness", "verdict")
-#: What notebooks show of objects of rooms that are loaded when they are used: the form, the class, the printer.
-BESIDE = (
-    (
-        "text/html",
-        "exactspline.extras.teaching.exercises",
-        "Exercise",
-        "exactspline.extras.teaching.display.exercises:task_html",
-    ),
-    (
-        "text/latex",
-        "exactspline.extras.teaching.triangles",
-        "Triangle",
-        "exactspline.extras.teaching.display.triangles:scheme_latex",
-    ),
-    (
-        "text/latex",
-        "exactspline.extras.teaching.triangles",
-        "ProductTable",
-        "exactspline.extras.teaching.display.triangles:scheme_latex",
-    ),
-)
+#: What notebooks show of objects of rooms that are loaded when they are used, by the class:
+#: the printer, whose name ends in the form.
+BESIDE = {
+    "exactspline.extras.teaching.exercises.Exercise": "exactspline.extras.teaching.display.exercises:task_html",
+    "exactspline.extras.teaching.triangles.Triangle": "exactspline.extras.teaching.display.triangles:scheme_latex",
+    "exactspline.extras.teaching.triangles.ProductTable": "exactspline.extras.teaching.display.triangles:scheme_latex",
+}
 #: Dots per inch of pictures in a notebook.
 RESOLUTION = 80
 #: A long number as a decimal.
@@ -97,16 +82,12 @@ def numbers(values: Iterable[mpq]) -> str:
     return escape(", ".join(parts)) + (f", … ({len(values)})" if len(values) > SHOWN else "")
 
 
-def _domain(ends: Any) -> str:
-    return f"[{numbers(ends)}]"
-
-
 @html.register
 def _(f: BSpline) -> str:
     points = f"{len(f.control_points)}: {numbers(f.control_points)}"
     inner = f", smallest continuity {min(f.continuity)}" if f.continuity else ""
     lines = [
-        ("domain", _domain(f.domain)),
+        ("domain", str(f.domain)),
         ("control points", points),
         ("knots", numbers(f.knots.knots)),
         ("segments", f"{len(f.mesh)}{inner}"),
@@ -120,7 +101,7 @@ def _(c: Nurbs) -> str:
     points = escape("; ".join("(" + ", ".join(_short(x) for x in p) + ")" for p in c.control_points[:SHOWN]))
     more = " …" if len(c.control_points) > SHOWN else ""
     lines = [
-        ("domain", f"{_domain(c.domain)}, {counted(c.segments, 'segment')}"),
+        ("domain", f"{c.domain}, {counted(c.segments, 'segment')}"),
         ("control points", f"{len(c.control_points)}: {points}{more}"),
     ]
     lines += [] if c.polynomial else [("weights", numbers(c.weights))]
@@ -136,8 +117,7 @@ def _described(value: Any) -> str:
     if not all(isinstance(s, BSpline) for s in scalars):
         return ""
     what = "quotient of B-splines" if isinstance(value, Rational) else "vector of B-splines"
-    a, b = scalars[0].domain
-    where = f"on [{text(a)}, {text(b)}], {counted(len(scalars[0].mesh), 'segment')}"
+    where = f"on {scalars[0].domain}, {counted(len(scalars[0].mesh), 'segment')}"
     return f"{what}, degree {value.degree}, {control_point_count(value)} control points, {where}"
 
 
@@ -188,11 +168,11 @@ def _(r: Row) -> str:
 
 @html.register
 def _(d: Derived) -> str:
-    lines = [(f"on [{text(a)}, {text(b)}]", escape(_piece(p.value))) for p in d.pieces for a, b in [p.interval]]
+    lines = [(f"on {p.interval}", escape(short(p.value))) for p in d.pieces]
     return facts(
         f"{d.name}, {d.variant}",
         lines
-        + [(f"missing on [{text(a)}, {text(b)}]", escape(reason.words)) for (a, b), reason in d.missing]
+        + [(f"missing on {interval}", escape(reason.words)) for interval, reason in d.missing]
         + [(f"at {pole.shortly()}", "a pole") for pole in d.poles],
     )
 
@@ -203,26 +183,11 @@ def _(d: Derived) -> str:
 def _(found: Any) -> str:
     of = found.curve if isinstance(found, Analysis) else found.surface
     lines = [
-        (name.replace("_", " "), escape(_cut(repr(entry.answer(found)))))
+        (name.replace("_", " "), escape(repr(entry.answer(found))))
         for name, entry in questions_of(type(found)).items()
-        if entry.about.reported and _kind(found) in entry.about.of
+        if entry.about.reported and kind_of(found) in entry.about.of
     ]
     return facts(repr(of)[1:-1], lines, curve_picture(of) if isinstance(found, Analysis) else "")
-
-
-def _kind(found: Any) -> Of:
-    """What an analysis is of."""
-    if isinstance(found, Analysis):
-        return Of.SPACE_CURVE if found.in_space else Of.PLANE_CURVE
-    return Of.SURFACE if isinstance(found, SurfaceInspection) else Of.PLANAR_MAP
-
-
-def _cut(text: str) -> str:
-    return text if len(text) <= LONGEST else f"{text[:LONGEST]} …"
-
-
-def _piece(value: Any) -> str:
-    return repr(value) if not isinstance(value, (Vector, Rational, BSpline)) else short(value)
 
 
 def _side_lines(sides: tuple[Side, ...]) -> list[tuple[str, str]]:
@@ -268,22 +233,14 @@ def _(s: Statement) -> str:
 
 
 def short(x: object) -> str:
-    """One line for IPython: the exact text, or a description where that would be long.
+    """One line for IPython: that of `repr`, or the description of a long vector.
 
     >>> short(BSpline.bezier([0, 1])), short(BSpline.bezier([0] * 50))
     ('BSpline(1, [0, 0, 1, 1], [0, 1])', '<BSpline: degree 49, 50 control points on [0, 1], 1 segment>')
     """
-    if isinstance(x, BSpline):
-        a, b = x.domain
-        described = (
-            f"degree {x.degree}, {counted(len(x.control_points), 'control point')} on [{text(a)}, {text(b)}], "
-            f"{counted(len(x.mesh), 'segment')}"
-        )
-        return f"<BSpline: {described}>" if len(x.control_points) > LONG else repr(x)
-    if isinstance(x, (Vector, Rational, RuledSurface)):
-        described = _described(x)
-        if described and (isinstance(x, RuledSurface) or control_point_count(x) > LONG // 4):
-            return f"<{described}>"
+    described = _described(x) if isinstance(x, (Vector, Rational, RuledSurface)) else ""
+    if described and (isinstance(x, RuledSurface) or control_point_count(cast(Any, x)) > LONG):
+        return f"<{described}>"
     return repr(x)
 
 
@@ -294,8 +251,9 @@ def load_ipython_extension(shell: object) -> None:
     formatters = cast(Any, shell).display_formatter.formatters
     for module, name in (("matplotlib.figure", "Figure"), ("matplotlib.axes._axes", "Axes")):
         formatters["image/png"].for_type_by_name(module, name, _png)
-    for form, module, name, printer in BESIDE:
-        formatters[form].for_type_by_name(module, name, lambda x, printer=printer: named(printer)(x))
+    for shown, printer in BESIDE.items():
+        (module, _, name), form = shown.rpartition("."), printer.rpartition("_")[2]
+        formatters[f"text/{form}"].for_type_by_name(module, name, lambda x, printer=printer: named(printer)(x))
     formatter = formatters["text/latex"]
     formatter.for_type(type(mpq()), lambda x: f"${fraction(x)}$")
     formatter.for_type(

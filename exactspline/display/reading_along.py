@@ -17,6 +17,7 @@ from exactspline.display.tables import breakable
 from exactspline.display.theorem import begun, method
 from exactspline.errors import ClaimError, as_instance, counted, nearest
 from exactspline.hooks import Displayed
+from exactspline.one_line import one_line
 from exactspline.papers import Paper, default_papers
 from exactspline.papers.passages import Passage, passages, sections_of
 from exactspline.verification.claims import claims_of
@@ -57,6 +58,7 @@ class ReadingAlong(Displayed):
     passages: tuple[Passage, ...]
     decided: dict[str, Statement]
 
+    @one_line
     def __repr__(self) -> str:
         return f"<Reading along §{self.section}: {self.head}>"
 

@@ -15,6 +15,7 @@ from exactspline.display.sheet import Sheet
 from exactspline.errors import as_flag, as_items, as_text, as_texts, counted
 from exactspline.geometry.analysis.inspection import compare_approaches
 from exactspline.hooks import Displayed
+from exactspline.one_line import one_line
 from exactspline.papers import find
 from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.type_checks import curve_of
@@ -81,6 +82,7 @@ class Grid(Sheet, Displayed):
     def __str__(self) -> str:
         return self.text(console.width())
 
+    @one_line
     def __repr__(self) -> str:
         return f"<{type(self).__name__} of {', '.join(self.columns)}: {counted(len(self.rows), 'row')}>"
 

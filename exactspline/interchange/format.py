@@ -8,10 +8,11 @@ from dataclasses import dataclass
 from exactspline.interchange.numbers import NumberText
 from exactspline.interchange.records import Piece, Reading, Source
 from exactspline.interchange.writing import Spline
+from exactspline.one_line import OneLine
 
 
-@dataclass(frozen=True)
-class Format:
+@dataclass(frozen=True, repr=False)
+class Format(OneLine):
     """A file format: its name, its title, the suffixes of its files, a function that recognizes the beginning of a
     file, its reader and writer, and a note on what is lost in writing; for formats with large files, also a reader that
     yields piece after piece; whether surfaces are written, too, and whether parts can be named, as a glyph of a font.

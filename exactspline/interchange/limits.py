@@ -7,10 +7,11 @@ from dataclasses import dataclass
 from itertools import groupby
 
 from exactspline.numbers.exact import mpq
+from exactspline.one_line import OneLine
 
 
-@dataclass(frozen=True)
-class Limits:
+@dataclass(frozen=True, repr=False)
+class Limits(OneLine):
     """Limits on an input file; to raise them, call `read(…, limits=Limits(megabytes=200))`.
 
     `digits` limits the characters of one number, `exponent` its power of ten, `depth` the nesting of brackets and

@@ -8,12 +8,13 @@ from typing import NamedTuple
 from exactspline.errors import CurveFileError, counted
 from exactspline.interchange.limits import Limits
 from exactspline.numbers.exact import mpq
+from exactspline.one_line import OneLine, one_line
 from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.surface import NurbsSurface
 
 
-@dataclass(frozen=True)
-class NamedCurve:
+@dataclass(frozen=True, repr=False)
+class NamedCurve(OneLine):
     """A curve with its name in the file, and notes on information in the file that a `Nurbs` does not hold."""
 
     name: str
@@ -21,8 +22,8 @@ class NamedCurve:
     notes: tuple[str, ...] = ()
 
 
-@dataclass(frozen=True)
-class Skipped:
+@dataclass(frozen=True, repr=False)
+class Skipped(OneLine):
     """An entity of a file that is not read: its type, its place in the file, the reason, whether a curve is missing
     as a result (not the case for surfaces, texts, or definitions that are not drawn), and the numbers of curves and of
     surfaces that were read before it (of a font, in its glyph).
@@ -70,6 +71,7 @@ class Reading:
         first = self.skipped[0]
         return CurveFileError(f"the {first.what} is skipped: {first.why}", where=first.where, remedy="correct the file")
 
+    @one_line
     def __repr__(self) -> str:
         parts = [counted(len(self.curves), "curve")] if self.curves or not self.surfaces else []
         parts += [counted(len(self.surfaces), "surface")] if self.surfaces else []
@@ -90,8 +92,8 @@ class Piece(NamedTuple):
     total: int
 
 
-@dataclass(frozen=True)
-class Source:
+@dataclass(frozen=True, repr=False)
+class Source(OneLine):
     """The input of a reader: the bytes, the name of the file, the requested part (a glyph), for formats that hold only
     control points degree and knots, and the distance within which what has no exact representation is replaced.
     """

@@ -12,6 +12,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass, field
 
 from exactspline.interchange.xml_tree import Element
+from exactspline.one_line import OneLine
 
 #: Properties that move the element they are set on.
 MOVING = frozenset(
@@ -42,8 +43,8 @@ _NAME = re.compile(r"([.#]?)((?:[-\w]|[^\x00-\x7f])+|\*)")
 _GROUPS = ("@media", "@supports", "@layer", "@container", "@scope", "@document", "@starting-style")
 
 
-@dataclass(frozen=True)
-class Rule:
+@dataclass(frozen=True, repr=False)
+class Rule(OneLine):
     """A rule: its selectors, given as tag, ids and classes of their last compounds, and the properties that it sets."""
 
     parts: tuple[tuple[str, frozenset[str], frozenset[str]], ...]

@@ -14,6 +14,7 @@ from exactspline.errors import FormulaError
 from exactspline.language.arguments import Curve, T
 from exactspline.language.operand import Constant, FieldOperand, Operand
 from exactspline.language.vector import Vector, cross, norm2
+from exactspline.one_line import one_line
 
 
 class Adjoined(FieldOperand):
@@ -91,6 +92,7 @@ class Adjoined(FieldOperand):
 
     __hash__ = None  # type: ignore[assignment]  # not hashable
 
+    @one_line
     def __repr__(self) -> str:
         return f"{self.plain!r} + {self.rooted!r} √({self.square!r})"
 

@@ -29,6 +29,7 @@ from exactspline.language.vector import Vector
 from exactspline.numbers.exact import Number, mpq
 from exactspline.numbers.immutable import Immutable, fill
 from exactspline.numbers.sides import Side
+from exactspline.one_line import one_line
 
 T = TypeVar("T", bound=Counted)
 
@@ -168,6 +169,7 @@ class Rational(Immutable, Operand, OwnProducts, OwnJoining, Generic[T]):
     def __getitem__(self, index: int) -> Rational[T]:
         return Rational(self.vector[index], self.product)
 
+    @one_line
     def __repr__(self) -> str:
         return f"Rational({self.numerator!r}, {self.denominator!r})"
 

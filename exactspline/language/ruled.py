@@ -9,12 +9,13 @@ from exactspline.language.operand import Constant, D, HasDegree, OwnVectors, R
 from exactspline.language.rational import Rational
 from exactspline.language.vector import Vector, cross, det
 from exactspline.numbers.immutable import Immutable, fill
+from exactspline.one_line import OneLine
 
 T_co = TypeVar("T_co", covariant=True)
 V = TypeVar("V")
 
 
-class RuledSurface(Immutable, Displayed, Generic[T_co]):
+class RuledSurface(OneLine, Immutable, Displayed, Generic[T_co]):
     """``directrix + ζ generator`` in any reading: two vectors (or vector quotients) that depend on a parameter s, and
     the ruling parameter ζ.
 
@@ -29,9 +30,6 @@ class RuledSurface(Immutable, Displayed, Generic[T_co]):
 
     def __init__(self, directrix: T_co, generator: T_co) -> None:
         fill(self, directrix=directrix, generator=generator)
-
-    def __repr__(self) -> str:
-        return "<RuledSurface>"
 
     def __reduce__(self) -> tuple[object, ...]:
         return RuledSurface, (self.directrix, self.generator)

@@ -27,6 +27,7 @@ from exactspline.language.operand import (
 from exactspline.numbers.exact import Number, mpq
 from exactspline.numbers.immutable import Immutable, fill
 from exactspline.numbers.sides import Side
+from exactspline.one_line import one_line
 
 T = TypeVar("T")
 T_co = TypeVar("T_co", covariant=True)
@@ -78,6 +79,7 @@ class Vector(Immutable, Displayed, Generic[T_co]):
         functions: tuple[Any, ...] = self.components
         return tuple(a(*place, **side) for a in functions)
 
+    @one_line
     def __repr__(self) -> str:
         return f"Vector({', '.join(map(repr, self.components))})"
 

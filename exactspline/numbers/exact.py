@@ -360,6 +360,19 @@ def content(values: Iterable[mpq]) -> mpq:
     return mpq(gcd(*[x.numerator for x in numbers]), lcm(*[x.denominator for x in numbers]))
 
 
+def primitive(vector: Iterable[mpq], *, oriented: bool = False) -> tuple[mpq, ...]:
+    """The multiple of a vector by coprime integers: a vector of 0 is itself. The first of them that is not 0 is
+    positive unless the vector is `oriented`; then its sense is kept.
+
+    >>> primitive([mpq(0), mpq(-4, 3), mpq(2)]), primitive([mpq(-4, 3), mpq(2)], oriented=True)
+    ((mpq(0,1), mpq(2,1), mpq(-3,1)), (mpq(-2,1), mpq(3,1)))
+    """
+    numbers = tuple(vector)
+    sense = 1 if oriented else sign(next(filter(None, numbers), mpq(1)))
+    unit = content(numbers) * sense or 1
+    return tuple([x / unit for x in numbers])
+
+
 def common_multiple(numbers: Iterable[flint.fmpz]) -> flint.fmpz:
     """The least common multiple of FLINT's integers, 1 for none.
 
@@ -437,16 +450,6 @@ def point_text(point: Sequence[mpq]) -> str:
     ('1', '(1, 1/2)')
     """
     return text(point[0]) if len(point) == 1 else f"({', '.join(map(text, point))})"
-
-
-def short_text(value: mpq) -> str:
-    """The exact text of a number or, if it is long, its beginning and its length, for use in messages.
-
-    >>> short_text(mpq(3, 4)), short_text(mpq(10) ** 50)
-    ('3/4', '1000000000… (51 characters)')
-    """
-    whole = text(value)
-    return whole if len(whole) <= 40 else f"{whole[:10]}… ({counted(len(whole), 'character')})"
 
 
 def _refuse_float(value: float) -> NumberError:

@@ -14,7 +14,8 @@ from typing import NamedTuple
 
 from flint import arb
 
-from exactspline.numbers.exact import mpq, mpz, rational, short_text, text, to_fmpq
+from exactspline.numbers.exact import mpq, mpz, rational, to_fmpq
+from exactspline.one_line import one_line, short_text
 
 
 class Interval(NamedTuple):
@@ -77,16 +78,12 @@ class Interval(NamedTuple):
         """Whether both have a number in common."""
         return self.low <= other.high and other.low <= self.high
 
-    @property
-    def shortly(self) -> str:
-        """Its text for messages, with long numbers abbreviated."""
+    def __str__(self) -> str:
         return f"[{short_text(self.low)}, {short_text(self.high)}]"
 
-    def __str__(self) -> str:
-        return f"[{text(self.low)}, {text(self.high)}]"
-
+    @one_line
     def __repr__(self) -> str:
-        return f"Interval({text(self.low)}, {text(self.high)})"
+        return f"Interval({short_text(self.low)}, {short_text(self.high)})"
 
 
 class Box(NamedTuple):
@@ -160,12 +157,13 @@ class Box(NamedTuple):
         >>> UNIT.shortly
         '[0, 1] × [0, 1]'
         """
-        return f"{self.first.shortly} × {self.second.shortly}"
+        return f"{self.first} × {self.second}"
 
     def __str__(self) -> str:
         parts = zip("uv", self, strict=True)
-        return ", ".join(f"{name} = {text(a)}" if a == b else f"{name} in {Interval(a, b)}" for name, (a, b) in parts)
+        return ", ".join(f"{n} = {short_text(s.low)}" if s.low == s.high else f"{n} in {s}" for n, s in parts)
 
+    @one_line
     def __repr__(self) -> str:
         return f"Box({self.first!r}, {self.second!r})"
 

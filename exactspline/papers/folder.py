@@ -15,6 +15,7 @@ from typing import Any, TypedDict, cast
 
 from exactspline.errors import ClaimError, FormulaError, as_path, command_name, nearest
 from exactspline.language.formula import Formula
+from exactspline.one_line import one_line
 from exactspline.papers.loading import Importable, checked_formulas, trusted_formulas
 
 try:  # compiled, and with limits on the nesting depth of untrusted input
@@ -87,6 +88,7 @@ class Paper:
     importable: Importable = dict
     _kept: dict[str, dict[str, Formula]] = field(default_factory=dict, repr=False)
 
+    @one_line
     def __repr__(self) -> str:
         return f"<Paper {self.name}: {self.title}>"
 

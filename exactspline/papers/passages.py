@@ -12,6 +12,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import TypedDict, cast
 
+from exactspline.one_line import OneLine
 from exactspline.papers.folder import Paper, read_toml
 
 FILE = "reading.toml"
@@ -38,8 +39,8 @@ class ReadingTable(TypedDict, total=False):
     page: list[Page]
 
 
-@dataclass(frozen=True)
-class Passage:
+@dataclass(frozen=True, repr=False)
+class Passage(OneLine):
     """One passage: its page and place on it, its section, its first letters, its digest, and how it is read."""
 
     page: int

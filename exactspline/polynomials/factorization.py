@@ -6,6 +6,8 @@ from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 from typing import Any, Generic, Protocol, Self, TypeVar
 
+from exactspline.one_line import OneLine
+
 
 class _Multiplicative(Protocol):
     """Objects with products and powers."""
@@ -44,8 +46,8 @@ def power_text(base: str, exponent: int) -> str:
     return inner + superscript(exponent)
 
 
-@dataclass(frozen=True)
-class Factorization(Generic[P]):
+@dataclass(frozen=True, repr=False)
+class Factorization(OneLine, Generic[P]):
     """``Π baseᵉ`` with distinct bases and non-zero exponents; bases with negative exponents are in the denominator.
 
     A constant factor, if any, is stored separately. Bases are compared, never hashed (FLINT's polynomials are not

@@ -6,14 +6,12 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from enum import StrEnum
 
+from exactspline.one_line import OneLine, one_line
 from exactspline.reals.real import Real
 from exactspline.roots.answers import CurvePiece
 
-#: Characters of numbers that are shown in one line.
-READABLE = 100
 
-
-class Described:
+class Described(OneLine):
     """One of the things of which an answer consists, on a piece of a curve: its kind, and what is to be said of it."""
 
     kind: StrEnum
@@ -38,6 +36,7 @@ class NamedNumbers:
     values: Mapping[str, Real]
     facts: Mapping[str, object] = field(default_factory=dict)
 
+    @one_line
     def __repr__(self) -> str:
         numbers = ", ".join(f"{name} {value}" for name, value in self.values.items())
-        return f"<{self.what}: {numbers}>" if len(numbers) <= READABLE else f"<{self.what}: {len(self.values)} numbers>"
+        return f"<{self.what}: {numbers}>"

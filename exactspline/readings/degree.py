@@ -20,6 +20,7 @@ from exactspline.language.provenance import DERIVATIVE, MULTIPLE, PRODUCT, SUM, 
 from exactspline.language.rational import Rational, RingOperand
 from exactspline.language.reading import Reading
 from exactspline.numbers.exact import mpq
+from exactspline.one_line import one_line
 from exactspline.words import choice
 
 #: One affine form: coefficients by name in alphabetical order, and the constant.
@@ -152,6 +153,7 @@ class Degree(RingOperand, PartlyOrdered):
     def __hash__(self) -> int:
         return hash(self.at(dict.fromkeys(sorted(self.names), 1_000_003)))
 
+    @one_line
     def __repr__(self) -> str:
         parts = [_term_text(t) for t in sorted(self.terms, reverse=True)]
         return parts[0] if len(parts) == 1 else f"max({', '.join(parts)})"

@@ -15,6 +15,7 @@ from exactspline.language.operand import Constant, Operand
 from exactspline.language.provenance import DERIVATIVE, DIFFERENCE, MULTIPLE, PRODUCT, SUM, UNIT, Provenance, leaf
 from exactspline.language.rational import RingOperand
 from exactspline.numbers.exact import rational, to_fmpq
+from exactspline.one_line import one_line
 from exactspline.polynomials.factorization import Factorization
 from exactspline.polynomials.factors import bounded_product
 from exactspline.readings.jet import IndeterminateReading, Jet, JetReading, JetRing
@@ -117,6 +118,7 @@ class FactoredJet(RingOperand):
 
     __hash__ = None  # type: ignore[assignment]  # not hashable
 
+    @one_line
     def __repr__(self) -> str:
         return repr(Jet(self.ring, self.expanded()))
 

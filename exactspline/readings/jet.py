@@ -23,6 +23,7 @@ from exactspline.language.provenance import DERIVATIVE, DIFFERENCE, MULTIPLE, PR
 from exactspline.language.rational import RingOperand
 from exactspline.language.reading import Reading
 from exactspline.numbers.exact import Number, from_flint, mpq, rational, to_fmpq
+from exactspline.one_line import OneLine, one_line
 from exactspline.polynomials.factorization import superscript
 from exactspline.polynomials.factors import bounded_product
 
@@ -41,7 +42,7 @@ def terms_of(polynomial: fmpq_mpoly) -> Terms:
     return tuple((tuple(map(int, exponents)), int(c.p), int(c.q)) for exponents, c in polynomial.to_dict().items())
 
 
-class JetRing:
+class JetRing(OneLine):
     """Polynomials in the derivatives up to `order` of the operands of a kind of argument, and in its constants.
 
     >>> from exactspline.language.kinds import CURVE
@@ -266,6 +267,7 @@ class Jet(RingOperand):
     def __hash__(self) -> int:
         return hash(str(self.polynomial))
 
+    @one_line
     def __repr__(self) -> str:
         return polynomial_text(self)
 

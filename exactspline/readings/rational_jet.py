@@ -14,6 +14,7 @@ from exactspline.language.arguments import Evaluated
 from exactspline.language.kinds import Kind
 from exactspline.language.operand import Constant, FieldOperand
 from exactspline.numbers.exact import rational, to_fmpq
+from exactspline.one_line import one_line
 from exactspline.polynomials.factors import bounded_product, greatest_common_divisor
 from exactspline.readings.jet import IndeterminateReading, Jet, JetRing, Terms, terms_of
 
@@ -117,6 +118,7 @@ class JetFraction(FieldOperand):
 
     __hash__ = None  # type: ignore[assignment]  # not hashable
 
+    @one_line
     def __repr__(self) -> str:
         return f"({Jet(self.ring, self.top)!r}) / ({Jet(self.ring, self.bottom)!r})"
 

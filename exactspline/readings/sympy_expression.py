@@ -25,6 +25,7 @@ from exactspline.language.kinds import Kind, Symbol
 from exactspline.language.operand import Constant, FieldOperand
 from exactspline.language.reading import Reading
 from exactspline.numbers.exact import rational
+from exactspline.one_line import one_line
 from exactspline.polynomials.cost import look_at_the_time
 from exactspline.polynomials.factorization import Factorization, multiplied
 
@@ -96,6 +97,7 @@ class SympyExpression(FieldOperand):
 
     __hash__ = None  # type: ignore[assignment]  # not hashable
 
+    @one_line
     def __repr__(self) -> str:
         return str(self.expression)
 

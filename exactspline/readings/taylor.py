@@ -15,6 +15,7 @@ from exactspline.language.arguments import Curve, T
 from exactspline.language.operand import Constant, FieldOperand, Scalar
 from exactspline.numbers.exact import Number, mpq
 from exactspline.numbers.sides import Side
+from exactspline.one_line import one_line
 
 
 class Coefficient(Scalar, Protocol):
@@ -87,6 +88,7 @@ class Series(FieldOperand):
         """Whether all known coefficients vanish."""
         return all(a == 0 for a in self.coefficients)
 
+    @one_line
     def __repr__(self) -> str:
         return f"Series({', '.join(map(str, self.coefficients))})"
 

@@ -16,6 +16,7 @@ from exactspline.language.kinds import Kind
 from exactspline.language.operand import Constant, FieldOperand
 from exactspline.language.reading import Reading
 from exactspline.numbers.exact import Number, mpq
+from exactspline.one_line import one_line
 
 #: Nonzero coefficients by the exponents of the two variables: exact numbers, or what can be calculated with like them.
 Coefficients = dict[tuple[int, int], mpq]
@@ -106,6 +107,7 @@ class DoubleSeries(FieldOperand):
         """Whether all known coefficients vanish."""
         return not self.coefficients
 
+    @one_line
     def __repr__(self) -> str:
         return f"DoubleSeries({self.coefficients}, {self.terms})"
 

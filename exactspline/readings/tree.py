@@ -18,6 +18,7 @@ from exactspline.language.parts import joined
 from exactspline.language.reading import Reading
 from exactspline.language.ruled import ruled
 from exactspline.language.vector import Vector, cross, det, dot, generalized_cross, join, perp
+from exactspline.one_line import one_line
 from exactspline.readings.expression import Expression, Operation
 from exactspline.readings.printing.text import print_text
 
@@ -127,6 +128,7 @@ class Node(Expression, Operand, OwnVectors):
         """The directrix of a ruled surface."""
         return self.args[0]
 
+    @one_line
     def __repr__(self) -> str:
         return print_text(self)
 

@@ -10,6 +10,7 @@ from exactspline.errors import OpenError, ReachError, as_integer
 from exactspline.numbers.exact import Rounding, double_between, mpq, mpz
 from exactspline.numbers.immutable import Immutable
 from exactspline.numbers.intervals import Interval, shifted
+from exactspline.one_line import LONGEST_NUMBER
 
 if TYPE_CHECKING:
     import mpmath
@@ -27,8 +28,6 @@ class Digits(Immutable):
     """Numerical representations of a real number. Subclasses define `_enclosed` and `_against_number`."""
 
     __slots__ = ()
-    #: The longest closed form that is shown; without a bound for a number that was given so.
-    _readable: int | None = 60
 
     def _enclosed(self, digits: int) -> Interval:
         """A closed interval that contains the number, at most ``10^−digits`` wide."""
@@ -185,7 +184,7 @@ class Digits(Immutable):
         '0'
         """
         with suppress(ReachError, OpenError):
-            if (known := self.closed_form) is not None and len(known[: self._readable]) == len(known):
+            if (known := self.closed_form) is not None and len(known) <= LONGEST_NUMBER:
                 return known
         shown, requested = "…", 2 * as_integer(digits, "a number of digits", 1) + 2
         try:

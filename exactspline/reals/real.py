@@ -240,7 +240,6 @@ class RationalNumber(Real):
 
     __slots__ = ("value",)
     value: mpq
-    _readable = None
 
     def __init__(self, value: Number) -> None:
         exact = rational(value)
@@ -290,7 +289,6 @@ class Quadratic(Real):
     a: mpq
     b: mpq
     c: int
-    _readable = None
 
     def __init__(self, a: mpq, b: mpq, c: int) -> None:
         fill(self, **UNASKED | {"a": a, "b": b, "c": c, "_exact": False, "_closed": self})

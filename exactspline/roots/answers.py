@@ -6,15 +6,32 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from typing import Generic, Self, TypeVar, overload
 
-from exactspline.numbers.exact import mpq, text
+from exactspline.numbers.exact import mpq
 from exactspline.numbers.intervals import Interval
+from exactspline.one_line import OneLine, one_line, short_text
+from exactspline.reals.real import real
 
 T_co = TypeVar("T_co", covariant=True)
 W = TypeVar("W")
 
 
-@dataclass(frozen=True)
-class CurvePiece:
+class OneNumber(OneLine):
+    """What has one number (its parameter, unless `_number` names another attribute), which `float` gives as a double,
+    correctly rounded.
+
+    >>> from exactspline import distance, example
+    >>> float(distance(example("circle"), example("ellipse")))
+    0.0
+    """
+
+    _number = "parameter"
+
+    def __float__(self) -> float:
+        return real(getattr(self, self._number)).double()
+
+
+@dataclass(frozen=True, repr=False)
+class CurvePiece(OneLine):
     """A piece of a curve by its parameters: one interval, or two where it runs across the seam of a closed curve.
 
     The parts are in the order in which the curve runs through them, all inside the domain.
@@ -43,8 +60,9 @@ class CurvePiece:
     def __contains__(self, t: object) -> bool:
         return any(a <= t <= b for a, b in self.parts)  # type: ignore[operator]  # any type comparable with mpq
 
+    @one_line
     def __str__(self) -> str:
-        return " ∪ ".join(f"[{text(a)}, {text(b)}]" for a, b in self.parts)
+        return " ∪ ".join(f"[{short_text(a)}, {short_text(b)}]" for a, b in self.parts)
 
 
 @dataclass(frozen=True, repr=False)
@@ -105,6 +123,7 @@ class Answer(Sequence[T_co], Generic[T_co, W]):
         """The points with a property, on the same parts."""
         return replace(self, points=tuple(filter(holds, self.points)))
 
+    @one_line
     def __repr__(self) -> str:
         return ", and ".join(self._parts()) or "nowhere"
 

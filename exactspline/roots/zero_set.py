@@ -13,7 +13,9 @@ from exactspline.hooks import Displayed
 from exactspline.numbers.exact import mpq, ratio, text
 from exactspline.numbers.immutable import Immutable, fill
 from exactspline.numbers.intervals import Interval
+from exactspline.one_line import one_line, short_text
 from exactspline.polynomials.isolation import Isolation, isolate
+from exactspline.roots.answers import OneNumber
 from exactspline.roots.root import Root
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.runs import intervals_of, runs
@@ -31,7 +33,7 @@ class _Near(NamedTuple):
 
 
 @dataclass(frozen=True)
-class Jump:
+class Jump(OneNumber):
     """A knot at which the spline jumps and either changes sign without a zero on either side, or has a zero seen from
     one side only.
 
@@ -47,8 +49,10 @@ class Jump:
         """Whether the spline has opposite signs on the two sides."""
         return self.left.sign * self.right.sign < 0
 
+    @one_line
     def __repr__(self) -> str:
-        return f"<Jump at {text(self.parameter)}: from {text(self.left.value)} to {text(self.right.value)}>"
+        at, left, right = map(short_text, (self.parameter, self.left.value, self.right.value))
+        return f"<Jump at {at}: from {left} to {right}>"
 
 
 @dataclass(frozen=True)
@@ -77,8 +81,9 @@ class ZeroInterval:
         """The parameter where the interval ends."""
         return self.parts[-1][1]
 
+    @one_line
     def __repr__(self) -> str:
-        return f"<ZeroInterval {' and '.join(f'[{text(a)}, {text(b)}]' for a, b in self.parts)}>"
+        return f"<ZeroInterval {' and '.join(f'[{short_text(a)}, {short_text(b)}]' for a, b in self.parts)}>"
 
 
 class ZeroSet(Immutable, Displayed):
@@ -130,6 +135,7 @@ class ZeroSet(Immutable, Displayed):
     def __getitem__(self, i: int) -> Root:
         return self.roots[i]
 
+    @one_line
     def __repr__(self) -> str:
         parts = {"root": self.roots, "interval": self.intervals, "jump": self.jumps}
         return f"<ZeroSet: {', '.join(counted(len(found), what) for what, found in parts.items())}>"

@@ -15,6 +15,7 @@ from typing import ClassVar
 
 from flint import fmpz, fmpz_poly
 
+from exactspline.errors import counted
 from exactspline.hooks import FunctionsOutside
 from exactspline.language.operand import CONSTANTS, Constant, checked_order
 from exactspline.language.provenance import DERIVATIVE, DIFFERENCE, MULTIPLE, PRODUCT, SUM, UNIT, Provenance, leaf
@@ -23,6 +24,7 @@ from exactspline.numbers.exact import Number, mpq, rational, text, to_fmpz
 from exactspline.numbers.immutable import Immutable, fill, setters
 from exactspline.numbers.intervals import Interval
 from exactspline.numbers.sides import Side
+from exactspline.one_line import LONGEST
 from exactspline.polynomials.bernstein import (
     ONE,
     Form,
@@ -201,7 +203,14 @@ class BSpline(Immutable, RingOperand, FunctionsOutside):
     def __repr__(self) -> str:
         knots = ", ".join(map(text, self.knots))
         points = ", ".join(map(text, self.control_points))
-        return f"BSpline({self.degree}, [{knots}], [{points}])"
+        written = f"BSpline({self.degree}, [{knots}], [{points}])"
+        return written if len(written) <= LONGEST else f"<BSpline: {self._described}>"
+
+    @property
+    def _described(self) -> str:
+        """Its size in words."""
+        sizes = counted(len(self.control_points), "control point"), counted(len(self.mesh), "segment")
+        return f"degree {self.degree}, {sizes[0]} on {self.domain}, {sizes[1]}"
 
     def __reduce__(self) -> tuple[object, ...]:
         forms = tuple(

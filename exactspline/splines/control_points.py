@@ -7,6 +7,7 @@ from itertools import pairwise
 
 from exactspline.errors import NumberError, ShapeError, as_instance, as_items, counted, shown
 from exactspline.numbers.exact import Number, mpq, text
+from exactspline.one_line import one_line
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.inputs import exact_row
 
@@ -43,6 +44,7 @@ class Direction(tuple[mpq, ...]):
     def __hash__(self) -> int:
         return hash((Direction, *self))
 
+    @one_line
     def __repr__(self) -> str:
         return f"Direction({', '.join(map(text, self))})"
 

@@ -10,6 +10,8 @@ from typing import TypeVar, overload
 
 from flint import fmpz_poly
 
+from exactspline.one_line import one_line
+
 T = TypeVar("T")
 
 
@@ -52,5 +54,6 @@ class Polynomials(Sequence[fmpz_poly]):
 
     __hash__ = None  # type: ignore[assignment]  # Python's way to say: not hashable
 
+    @one_line
     def __repr__(self) -> str:
         return repr(tuple(self))

@@ -14,9 +14,10 @@ from itertools import groupby, pairwise
 from flint import fmpz
 
 from exactspline.errors import DomainError, KnotError, ShapeError, as_items, counted
-from exactspline.numbers.exact import Number, mpq, rational, short_text, text, to_fmpz
+from exactspline.numbers.exact import Number, mpq, rational, text, to_fmpz
 from exactspline.numbers.immutable import Immutable, fill
 from exactspline.numbers.intervals import Interval
+from exactspline.one_line import one_line, short_text
 from exactspline.splines.inputs import exact_row
 
 #: Continuity at a breakpoint where the function has no knot.
@@ -72,6 +73,7 @@ class KnotVector(Immutable):
     def __hash__(self) -> int:
         return hash(self.knots)
 
+    @one_line
     def __repr__(self) -> str:
         return f"KnotVector({', '.join(map(text, self.knots))})"
 

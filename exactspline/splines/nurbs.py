@@ -19,6 +19,7 @@ from exactspline.numbers.immutable import Immutable, fill
 from exactspline.numbers.intervals import Interval
 from exactspline.numbers.once import cached_property
 from exactspline.numbers.sides import Side
+from exactspline.one_line import one_line
 from exactspline.polynomials.isolation import zero_on_segment
 from exactspline.reals.real import Real, square_root
 from exactspline.splines.blossom import CommonRows, common_rows
@@ -346,6 +347,7 @@ class Nurbs(Immutable, Curve[BSpline], FunctionsOutside):
             for x in self.p
         )
 
+    @one_line
     def __repr__(self) -> str:
         kind = "polynomial" if self.polynomial else "rational"
         return (

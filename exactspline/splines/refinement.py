@@ -11,9 +11,10 @@ from flint import fmpz, fmpz_poly
 
 from exactspline.errors import DomainError, KnotError, ReductionError, ShapeError, shown
 from exactspline.language.provenance import Provenance
-from exactspline.numbers.exact import Number, mpq, ratio, rational, short_text, text, to_fmpz
+from exactspline.numbers.exact import Number, mpq, ratio, rational, text, to_fmpz
 from exactspline.numbers.intervals import Interval
 from exactspline.numbers.sides import Side
+from exactspline.one_line import short_text
 from exactspline.polynomials import bernstein
 from exactspline.polynomials.bernstein import Form
 from exactspline.polynomials.factors import factorize

@@ -20,6 +20,7 @@ from exactspline.language.vector import Vector
 from exactspline.numbers.exact import Number, mpq, rational
 from exactspline.numbers.immutable import Immutable, fill
 from exactspline.numbers.intervals import UNIT, Box
+from exactspline.one_line import one_line
 from exactspline.polynomials.patch_forms import PatchForm, Sized, halved
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.common import on_one_mesh, with_common_knots
@@ -234,6 +235,7 @@ class NurbsSurface(Immutable, Surface[TensorSpline], FunctionsOutside):
         places = [(a + (b - a) * mpq(i, 3), c + (d - c) * mpq(j, 4)) for i in range(3) for j in range(3)]
         return hash((self.domain, *[self(u, v) for u, v in places]))
 
+    @one_line
     def __repr__(self) -> str:
         kind = "polynomial" if self.polynomial else "rational"
         (m, n), rows, columns = self.degree, len(self.control_points), len(self.control_points[0])

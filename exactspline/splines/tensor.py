@@ -21,9 +21,10 @@ from exactspline.language.letters import refuse_letter
 from exactspline.language.operand import CONSTANTS, Constant, checked_order
 from exactspline.language.provenance import DIFFERENCE, MULTIPLE, PRODUCT, SUM, Provenance, leaf
 from exactspline.language.rational import RingOperand
-from exactspline.numbers.exact import Number, mpq, over_one_denominator, rational, text, to_fmpz
+from exactspline.numbers.exact import Number, mpq, over_one_denominator, rational, to_fmpz
 from exactspline.numbers.immutable import Immutable, fill, setters
 from exactspline.numbers.intervals import Box, Interval
+from exactspline.one_line import one_line, short_text
 from exactspline.polynomials import tensor_bernstein
 from exactspline.polynomials.bernstein import common_denominators, raiser, without_content
 from exactspline.polynomials.patch_forms import PatchForm
@@ -162,8 +163,9 @@ class TensorSpline(Immutable, TensorParts, RingOperand):
         integers, _ = over_one_denominator([x for row in net for x in row])
         return PatchForm(fmpz_mat(len(net), len(net[0]), integers))
 
+    @one_line
     def __repr__(self) -> str:
-        (a, b), (c, d) = ((text(x) for x in side) for side in self.domain)
+        (a, b), (c, d) = (map(short_text, side) for side in self.domain)
         return f"<TensorSpline of degree {self.degree.s} × {self.degree.t} over [{a}, {b}] × [{c}, {d}]>"
 
     # ---- arithmetic

@@ -20,6 +20,7 @@ from exactspline.language.formula import Formula
 from exactspline.language.kinds import PAIR as PAIR_OF_CURVES
 from exactspline.language.kinds import Kind, kind_of
 from exactspline.language.vector import Vector, norm2
+from exactspline.one_line import OneLine
 from exactspline.papers import find
 from exactspline.polynomials.cost import at_its_cost
 from exactspline.readings.differential_order import is_polynomial, order_of
@@ -32,8 +33,8 @@ ALONE = ("curve", *PLANE, *SPACE)
 SURFACES = ("surface", "planar map")
 
 
-@dataclass(frozen=True)
-class Assumption:
+@dataclass(frozen=True, repr=False)
+class Assumption(OneLine):
     """The assumption that a polynomial in the curve has no zero (`everywhere`), or that it vanishes on no whole
     segment.
 

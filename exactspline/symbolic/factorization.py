@@ -22,6 +22,7 @@ from exactspline.language.surface_kind import BOTH
 from exactspline.language.vector import Vector
 from exactspline.numbers.exact import content, from_flint, mpq, sign, to_fmpq
 from exactspline.numbers.once import Lock
+from exactspline.one_line import OneLine
 from exactspline.papers import Paper, default_papers, formula_of
 from exactspline.polynomials.cost import Budget, Priced, drawing_on
 from exactspline.polynomials.factorization import Factorization, multiplied, power_text
@@ -42,17 +43,17 @@ class Named(NamedTuple):
     name: str
     polynomial: fmpq_mpoly
 
+    def __repr__(self) -> str:
+        return f"<Named {self.name}>"
 
-@dataclass(frozen=True)
-class Factor(Displayed):
+
+@dataclass(frozen=True, repr=False)
+class Factor(OneLine, Displayed):
     """A quotient of jet polynomials, as a constant times powers of named irreducible polynomials."""
 
     constant: mpq
     powers: Factorization[Named]
     ring: JetRing
-
-    def __repr__(self) -> str:
-        return f"<Factor {self}>"
 
     def __reduce__(self) -> tuple[object, ...]:
         powers = tuple((base.name, terms_of(base.polynomial), e) for base, e in self.powers)

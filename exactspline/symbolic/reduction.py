@@ -27,6 +27,7 @@ from exactspline.language.ruled import RuledSurface
 from exactspline.language.vector import Vector
 from exactspline.numbers.exact import from_flint, mpq
 from exactspline.numbers.once import cached_property
+from exactspline.one_line import OneLine, one_line
 from exactspline.papers import find, owner
 from exactspline.polynomials.factorization import Factorization
 from exactspline.polynomials.factors import bounded_product, greatest_common_divisor
@@ -44,8 +45,8 @@ from exactspline.symbolic.substitution import Substitution
 VALUE, DIRECTRIX, GENERATOR = "value", "directrix", "generator"
 
 
-@dataclass(frozen=True)
-class Power:
+@dataclass(frozen=True, repr=False)
+class Power(OneLine):
     """An irreducible differential polynomial that divides the numerator `above` times and the denominator `below`
     times.
     """
@@ -71,8 +72,8 @@ class Power:
         return self.assumption is None
 
 
-@dataclass(frozen=True)
-class Part:
+@dataclass(frozen=True, repr=False)
+class Part(OneLine):
     """One part of a formula: ``constant · Π power^above · core / Π power^below``. The core is a vector without common
     factor, 1 for a scalar.
     """
@@ -247,6 +248,7 @@ class Reduction:
     parts: tuple[Part, ...]
     kind: Kind
 
+    @one_line
     def __repr__(self) -> str:
         return f"<Reduction of {self.name} in R{self.dimension}>"
 

@@ -18,6 +18,7 @@ from exactspline.language.kinds import Kind, PairKind, kind_of
 from exactspline.language.rational import Rational
 from exactspline.language.ruled import RuledSurface
 from exactspline.numbers.immutable import Immutable
+from exactspline.one_line import one_line
 from exactspline.papers import Paper, paper_named
 from exactspline.readings.differential_order import order_of
 from exactspline.splines.nurbs import Nurbs
@@ -271,6 +272,7 @@ class Claim(Immutable, Displayed):
     def __hash__(self) -> int:
         return hash((self.paper, self.key))
 
+    @one_line
     def __repr__(self) -> str:
         return f"<claim {self.key} of {self.paper}>"
 

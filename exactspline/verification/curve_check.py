@@ -74,7 +74,7 @@ def extra_zero(a: BSpline, b: BSpline) -> Place | None:
 
     >>> t = BSpline.identity(0, 1)
     >>> extra_zero(t * (t - 1), t), extra_zero(t, t * t)
-    (At(parameter=mpq(1,1), from_left=True), None)
+    (<at the parameter 1 (from the left)>, None)
     """
     for i, (p, q) in enumerate(zip(a.polynomials, b.polynomials, strict=True)):
         if not p and not q:

@@ -32,6 +32,7 @@ from exactspline.language.kinds import CURVE, PAIR, PLANE, SPACE, TABLE, Kind
 from exactspline.language.parts import joined
 from exactspline.language.rational import Rational
 from exactspline.language.vector import Vector
+from exactspline.one_line import one_line
 from exactspline.papers import all_formulas, find, known_as
 from exactspline.polynomials.cost import within_seconds
 from exactspline.readings.degree import Degree, DegreeReading, parse_degree
@@ -63,6 +64,7 @@ class Measure:
     true: int | None
     control_points: int
 
+    @one_line
     def __repr__(self) -> str:
         degrees = f"degree {self.nominal}, here {self.represented}, true degree {self.true}"
         return f"<Measure {self.formula}: {degrees}, {counted(self.control_points, 'control point')}>"

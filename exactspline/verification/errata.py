@@ -12,6 +12,7 @@ from exactspline.errors import ClaimError, as_items
 from exactspline.hooks import Displayed
 from exactspline.language.choices import Parameter
 from exactspline.language.kinds import kind_of
+from exactspline.one_line import OneLine, one_line
 from exactspline.papers import Paper, default_papers, known_as
 from exactspline.readings.printing.text import symbol_text
 from exactspline.symbolic.factorization import Factor
@@ -47,12 +48,13 @@ class Refuted:
     check: tuple[str, ...]
     where: tuple[str, ...]
 
+    @one_line
     def __repr__(self) -> str:
         return f"<Refuted {self.id}: {self.statement}>"
 
 
-@dataclass(frozen=True)
-class Holds:
+@dataclass(frozen=True, repr=False)
+class Holds(OneLine):
     """A statement that holds instead of what is printed: the key of its claim, and its verdict."""
 
     key: str
@@ -74,6 +76,7 @@ class Erratum(Displayed):
     truth: tuple[Holds, ...]
     why: tuple[str, ...]
 
+    @one_line
     def __repr__(self) -> str:
         return f"<Erratum {self.id}: {self.title}>"
 
@@ -83,23 +86,23 @@ class Erratum(Displayed):
         return self.statements[0].id
 
 
-def errata(sources: Iterable[Paper] | None = None) -> Iterator[Erratum]:
+def errata(sources: Iterable[Paper] | None = None) -> tuple[Erratum, ...]:
     """The errors of papers, in the order of each, decided anew; by default those of the default papers.
 
-    >>> first = next(errata())
-    >>> first.error, [each.id for each in first.statements]
-    ('span', ['C3c'])
+    >>> first, *others = errata()
+    >>> first.error, [each.id for each in first.statements], len(others)
+    ('span', ['C3c'], 16)
     """
-    return _joined(Status.PRINTED, sources)
+    return tuple(_joined(Status.PRINTED, sources))
 
 
-def remarks(sources: Iterable[Paper] | None = None) -> Iterator[Erratum]:
+def remarks(sources: Iterable[Paper] | None = None) -> tuple[Erratum, ...]:
     """Misreadings in the same form: statements that fail too, although no paper makes them.
 
     >>> [each.error for each in remarks()]
     ['replacement', 'second-parameter', 'tilted-plane']
     """
-    return _joined(Status.OURS, sources)
+    return tuple(_joined(Status.OURS, sources))
 
 
 def _joined(status: Status, sources: Iterable[Paper] | None) -> Iterator[Erratum]:

@@ -13,6 +13,7 @@ from exactspline.language.formula import Formula, expect_formula
 from exactspline.language.kinds import PLANAR_MAP, SURFACE
 from exactspline.language.surface_kind import BOTH, Surface
 from exactspline.language.vector import Vector
+from exactspline.one_line import OneLine
 from exactspline.papers import Paper
 from exactspline.readings.degree import DegreeReading
 from exactspline.splines.tensor import TensorSpline
@@ -28,8 +29,8 @@ SEED, SIZE = 2007, 99
 NAMED = 3
 
 
-@dataclass(frozen=True)
-class PatchRow:
+@dataclass(frozen=True, repr=False)
+class PatchRow(OneLine):
     """A formula on patches of one bidegree: the degrees counted by Table 1, those proved by the degree theorem for its
     reduced form on the generic patch, and those attained by a patch with known control points; each a pair of degrees,
     None for zero. `missing` is the reason why the last two are unknown.

@@ -15,6 +15,7 @@ from exactspline.language.formula import Formula
 from exactspline.language.kinds import CURVE, Kind, common_kind
 from exactspline.language.parts import split
 from exactspline.numbers.exact import mpq
+from exactspline.one_line import OneLine, one_line
 from exactspline.papers import all_formulas, find, formula_of, resolve
 from exactspline.readings.degree import Degree, DegreeReading
 from exactspline.splines.nurbs import Nurbs
@@ -40,6 +41,7 @@ class _Answer(Worded):
     factor: str
     finding: Finding
 
+    @one_line
     def __repr__(self) -> str:
         return f"<{type(self).__name__} {self.verdict}: {self.left} = {self.factor} {self.right}>"
 
@@ -80,6 +82,7 @@ class Proof(_Answer):
         """The dimensions in words: R2 and R3."""
         return " and ".join(f"R{n}" for n in self.dimensions)
 
+    @one_line
     def __repr__(self) -> str:
         return f"{super().__repr__()[:-1]} in {self.spaces}>"
 
@@ -186,8 +189,8 @@ def proof_of(text: str, *, trust: bool = False) -> Proof:
     return _decided(Equation(resolve(left.strip(), trust=trust), named(last), " ".join(factor) or "1", named))
 
 
-@dataclass(frozen=True)
-class DegreeAnswer:
+@dataclass(frozen=True, repr=False)
+class DegreeAnswer(OneLine):
     """The answer of `degree`: the degree by Table 1, and that of the value in lowest terms on the generic curve."""
 
     formula: str

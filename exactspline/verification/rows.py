@@ -8,6 +8,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 
 from exactspline.hooks import Displayed
+from exactspline.one_line import one_line
 from exactspline.verification.claim import Claim
 from exactspline.verification.evidence import DegreeHere, Evidence, Found, ZeroHere
 from exactspline.verification.verdict import INAPPLICABLE, PROVED, REFUTED, UNDECIDED, VACUOUS, VERIFIED, Finding
@@ -35,6 +36,7 @@ class Row(Displayed):
     beside: Evidence | None = None
     second: Finding | None = None
 
+    @one_line
     def __repr__(self) -> str:
         return f"<Row {self.claim.key}: {self.finding.verdict}>"
 

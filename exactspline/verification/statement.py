@@ -17,6 +17,7 @@ from exactspline.hooks import Displayed
 from exactspline.language.choices import Counting, Parameter
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import TABLE
+from exactspline.one_line import OneLine, one_line
 from exactspline.papers import find
 from exactspline.readings.degree import Degree, DegreeReading
 from exactspline.readings.expression import Operation
@@ -38,8 +39,8 @@ NAIVE, REDUCED = "naive", "reduced"
 DEFINED = (Operation.NAMED, Operation.LEAF, Operation.RULED)
 
 
-@dataclass(frozen=True)
-class Side:
+@dataclass(frozen=True, repr=False)
+class Side(OneLine):
     """One formula of a claim: its role, its name and source, its text and LaTeX, its degree for a rational
     and a polynomial curve.
     """
@@ -58,8 +59,8 @@ class Side:
         return self.rational if self.rational == self.polynomial else f"{self.rational} (polynomial: {self.polynomial})"
 
 
-@dataclass(frozen=True)
-class Definition:
+@dataclass(frozen=True, repr=False)
+class Definition(OneLine):
     """What a letter in the formulas of a claim stands for, as text and as LaTeX."""
 
     text: str
@@ -85,6 +86,7 @@ class Statement(Displayed):
     reading: Name
     finding: Finding
 
+    @one_line
     def __repr__(self) -> str:
         return f"<Statement {self.claim.key}: {self.finding.verdict}>"
 

@@ -9,6 +9,7 @@ from dataclasses import dataclass, replace
 from itertools import product
 
 from exactspline.errors import ExactSplineError, InapplicableError, ReachError
+from exactspline.one_line import OneLine
 from exactspline.verification.evidence import Evidence, Fact, Found, HeldOn, LeftToTheProof, Refutes, Stopped
 from exactspline.verification.vocabulary import Name, Reason, Relation, Verdict
 
@@ -22,8 +23,8 @@ class ContradictionError(ExactSplineError):
     """
 
 
-@dataclass(frozen=True)
-class Finding:
+@dataclass(frozen=True, repr=False)
+class Finding(OneLine):
     """The result of one check: computed value, factor, witness and verdict, before it is compared with the record.
 
     ``relation`` is the relation that was decided, ``assumptions`` are the names of those that the decision uses,

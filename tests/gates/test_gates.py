@@ -185,6 +185,7 @@ def test_no_second_list_of_questions():
 SECOND_NUMBERS = {
     "reals/algebraic.py: Algebraic": "inside the one real type: FLINT's algebraic numbers, wrapped",
     "reals/digits.py: Digits": "a view: digits as they are shown",
+    "roots/answers.py: OneNumber": "no number: what has one, such as a feature its parameter",
 }
 WAYS = {
     "extras/teaching/shapes.py: curvature": "an exercise",
@@ -315,6 +316,7 @@ ROUNDED = {
     "polynomials/newton.py: proposed": "a guess, certified afterwards",
     "reals/digits.py: Digits.__float__": "rounds to a double, on request",
     "reals/real.py: RationalNumber.double": "rounds to a double, on request",
+    "roots/answers.py: OneNumber.__float__": "rounds to a double, on request",
     "verification/conditioning/compare.py: _at_root": "what is measured is the error of doubles",
     "verification/minimality.py: witness": "chooses by a seed",
     "verification/patch_degrees.py: _witness_patch": "chooses by a seed",

@@ -194,7 +194,8 @@ def test_why_there_are_no_ridges_is_said():
     for surface, why in ((example("sphere"), "umbilic"), (flat, "umbilic"), (line, "tangent plane")):
         found = analyse(surface).ridges
         assert repr(found).startswith("nowhere; ")
-        assert repr(found).count(why) == surface.patches[0] * surface.patches[1] == len(found.excluded)
+        assert why in repr(found)
+        assert [why in str(reason) for _, reason in found.excluded] == [True] * surface.patches[0] * surface.patches[1]
         assert (bool(found), found.complete) == (False, True)
     assert "every point is an umbilic" in run("inspect", "sphere", "--ask", "ridges").stdout
     assert repr(analyse(example("hyperbolic_paraboloid")).ridges) == "branches that cross"

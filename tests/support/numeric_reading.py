@@ -13,8 +13,9 @@ from exactspline.errors import DomainError
 from exactspline.language.arguments import Curve
 from exactspline.language.operand import CONSTANTS, Constant
 from exactspline.language.vector import Vector
-from exactspline.numbers.exact import Number, mpq, rational, short_text
+from exactspline.numbers.exact import Number, mpq, rational
 from exactspline.numbers.sides import Side
+from exactspline.one_line import short_text
 from exactspline.readings.taylor import Coefficient, Series
 from exactspline.splines.nurbs import Nurbs
 

@@ -23,6 +23,7 @@ from exactspline.extras.teaching.differences import (
 from exactspline.extras.teaching.parts import Math, Part, Point, Polynomial
 from exactspline.extras.teaching.reading import AnswerError, cleaned, numbers, points, polynomials
 from exactspline.numbers.exact import mpq, point_text, text
+from exactspline.one_line import OneLine, one_line
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.nurbs import Nurbs
 from exactspline.verification.vocabulary import Name
@@ -42,6 +43,7 @@ class Finding:
     def __bool__(self) -> bool:
         return self.right
 
+    @one_line
     def __repr__(self) -> str:
         return f"<Finding: {'; '.join(map(str, self.differences)) or 'right'}>"
 
@@ -89,8 +91,8 @@ def _named_values(names: Sequence[str], values: Sequence[mpq | Polynomial]) -> t
     return tuple(joined)
 
 
-@dataclass(frozen=True)
-class Numbers(Answer):
+@dataclass(frozen=True, repr=False)
+class Numbers(Answer, OneLine):
     """Named numbers in a given order."""
 
     names: tuple[str, ...]
@@ -122,8 +124,8 @@ class Numbers(Answer):
                 yield OtherNumber(Name(name), right, given)
 
 
-@dataclass(frozen=True)
-class Parameters(Answer):
+@dataclass(frozen=True, repr=False)
+class Parameters(Answer, OneLine):
     """A set of parameters, in any order; the empty set is written ``none``."""
 
     values: Point
@@ -150,8 +152,8 @@ class Parameters(Answer):
                 yield Invented(t)
 
 
-@dataclass(frozen=True)
-class Points(Answer):
+@dataclass(frozen=True, repr=False)
+class Points(Answer, OneLine):
     """The control points of a curve or a function over the knots of the exercise; they are unique."""
 
     reference: Nurbs | BSpline
@@ -207,8 +209,8 @@ class Points(Answer):
         return lambda t: tuple(f(t) for f in splines)
 
 
-@dataclass(frozen=True)
-class Polynomials(Answer):
+@dataclass(frozen=True, repr=False)
+class Polynomials(Answer, OneLine):
     """Named polynomials in t, in any notation."""
 
     names: tuple[str, ...]
@@ -246,8 +248,8 @@ class Polynomials(Answer):
                 yield _witness(_values_of(right), _values_of(given), (mpq(0), mpq(1)), Name(name))
 
 
-@dataclass(frozen=True)
-class Circle(Answer):
+@dataclass(frozen=True, repr=False)
+class Circle(Answer, OneLine):
     """Whether it is a circle: ``no``, or its centre and the square of its radius."""
 
     #: Centre and squared radius; empty if it is not a circle.

@@ -9,12 +9,13 @@ from typing import TypeAlias
 
 from exactspline.extras.teaching.triangles import Triangle
 from exactspline.numbers.exact import mpq
+from exactspline.one_line import OneLine
 
 Point: TypeAlias = tuple[mpq, ...]
 
 
-@dataclass(frozen=True)
-class Polynomial:
+@dataclass(frozen=True, repr=False)
+class Polynomial(OneLine):
     """A polynomial in t, given by its coefficients, the constant term first."""
 
     coefficients: tuple[mpq, ...]
@@ -24,8 +25,8 @@ class Polynomial:
 Value: TypeAlias = mpq | Point | Polynomial
 
 
-@dataclass(frozen=True)
-class Math:
+@dataclass(frozen=True, repr=False)
+class Math(OneLine):
     """``name = value``, or a list of values separated by commas; without values only the name, without a name only the
     values. The part of a name after an underscore is its index.
     """
@@ -42,7 +43,7 @@ def sentence(words: str, *parts: Math) -> tuple[str | Math, ...]:
     """Prose and formulas in turn: each ``%`` of the prose stands for the next formula.
 
     >>> sentence("% has the end %.", Math("t"), Math("b"))
-    (Math(name='t', values=()), ' has the end ', Math(name='b', values=()), '.')
+    (<Math t>, ' has the end ', <Math b>, '.')
     """
     first, *others = words.split("%")
     rest: Iterable[str | Math] = chain.from_iterable(zip(parts, others, strict=True))

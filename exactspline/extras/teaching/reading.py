@@ -71,7 +71,7 @@ def polynomials(answer: str) -> tuple[Polynomial, ...]:
     """Polynomials in t separated by commas or line breaks, written as in ``1 - 3t + 2t^2`` or ``2t(1-t)``.
 
     >>> polynomials("(1-t)^2, 2t(1 - t)")[1]
-    Polynomial(coefficients=(mpq(0,1), mpq(2,1), mpq(-2,1)))
+    <Polynomial (0, 2, -2)>
 
     Raises `AnswerError` for anything else.
     """

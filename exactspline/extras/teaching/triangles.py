@@ -15,7 +15,8 @@ from itertools import pairwise
 from math import comb
 
 from exactspline.errors import KnotError, ShapeError, counted, shown
-from exactspline.numbers.exact import Number, mpq, rational, short_text
+from exactspline.numbers.exact import Number, mpq, rational
+from exactspline.one_line import OneLine, short_text
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.control_points import Point, projected
 from exactspline.splines.inputs import MAX_DEGREE
@@ -76,8 +77,8 @@ class Triangle:
         return projected(row) if self.rational else row
 
 
-@dataclass(frozen=True)
-class ProductTable:
+@dataclass(frozen=True, repr=False)
+class ProductTable(OneLine):
     """The product of two functions on one segment. For Bézier points multiplied by binomial coefficients it is a
     product of polynomials: the sums along the diagonals of a table.
     """

@@ -13,6 +13,7 @@ from exactspline.geometry.analysis.registry import REGISTRY
 from exactspline.geometry.analysis.surfaces import SurfaceInspection
 from exactspline.geometry.bisectors.two_curves import CurveBisector
 from exactspline.interchange.files import read
+from exactspline.one_line import OneLine
 from exactspline.questions.entry import ALL_CURVES, CURVES, Entry, Of, Remembers
 from exactspline.questions.takes import QuestionError, name_of, parts_of, unknown
 from exactspline.roots.zero_set import ZeroSet
@@ -30,8 +31,8 @@ KINDS: dict[type, Of] = {
 }
 
 
-@dataclass(frozen=True)
-class Asked:
+@dataclass(frozen=True, repr=False)
+class Asked(OneLine):
     """A question of an object: its entry in the registry, and what it is asked with, as text."""
 
     entry: Entry
@@ -117,7 +118,7 @@ def facts_about(about: About) -> Remembers:
 
     >>> from exactspline import example
     >>> facts_about((example("circle"), example("ellipse")))
-    <CurvePair of <Nurbs circle: rational, degree 2, 9 control points in R2> and <Nurbs ellipse: rational, ...>>
+    <CurvePair of circle and ellipse>
     """
     if isinstance(about, Remembers):
         return about

@@ -30,6 +30,7 @@ from exactspline.hooks import Displayed
 from exactspline.language.rational import Rational
 from exactspline.numbers.exact import Number, mpq, rational
 from exactspline.numbers.sides import Side
+from exactspline.one_line import one_line
 from exactspline.questions.entry import (
     CURVES,
     Answered,
@@ -79,6 +80,7 @@ class Analysis(CurveValues, Displayed):
         """What is known of a curve in the plane z = 0, as a space curve for what is asked of space curves alone."""
         return self if self.given is self.curve or Of.PLANE_CURVE in of else _analysis(self.given)
 
+    @one_line
     def __repr__(self) -> str:
         return f"<Analysis of {self.curve!r}>"
 

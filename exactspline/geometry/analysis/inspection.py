@@ -20,6 +20,7 @@ from exactspline.geometry.rounded.intersections import NearbyMeeting
 from exactspline.geometry.rounded.stability import StableFeature
 from exactspline.numbers.exact import mpq
 from exactspline.numbers.once import cached_property
+from exactspline.one_line import OneLine
 from exactspline.reals.real import Real
 from exactspline.roots.answers import CurvePiece, Places
 from exactspline.roots.zero_set import ZeroSet
@@ -44,8 +45,8 @@ class Approach(Word):
         return Variant.PAPER if self is Approach.REDUCED and curve.dimension == 2 else Variant(self.value)
 
 
-@dataclass(frozen=True)
-class Inspection:
+@dataclass(frozen=True, repr=False)
+class Inspection(OneLine):
     """The analysis of a curve, its critical points by one approach."""
 
     approach: Approach
@@ -86,8 +87,8 @@ def inspect_curve(curve: Nurbs, approach: Approach | str = Approach.MINIMAL) -> 
     return Inspection(choice(Approach, approach, "approach"), in_the_plane(curve))
 
 
-@dataclass(frozen=True)
-class Report:
+@dataclass(frozen=True, repr=False)
+class Report(OneLine):
     """What is said of a curve: its inspection, and what else is asked for: all that curves within a distance have
     (`epsilon` as it is written, `within` as a number), how stable features are, the extrema of coordinates, and the
     approaches side by side.
@@ -188,8 +189,8 @@ def solved(curve: Nurbs, approach: Approach | str) -> list[tuple[str, str, BSpli
     return rows
 
 
-@dataclass(frozen=True)
-class ApproachResult:
+@dataclass(frozen=True, repr=False)
+class ApproachResult(OneLine):
     """The cost and the result of one approach to critical curvature.
 
     `extraneous` are roots at which κ′ neither vanishes nor changes its sign by a jump (those of κ that squaring

@@ -8,6 +8,7 @@ from exactspline.geometry.pairs.intersections import Intersections, intersection
 from exactspline.geometry.rounded.intersections import NearbyMeeting, intersections_nearby
 from exactspline.hooks import Displayed
 from exactspline.numbers.exact import Number
+from exactspline.one_line import one_line
 from exactspline.questions.entry import Answered, Inspected, Of, question, question_with
 from exactspline.questions.takes import WITHIN
 from exactspline.splines.nurbs import Nurbs
@@ -26,8 +27,9 @@ class CurvePair(Inspected, Displayed):
         self.curves = in_one_plane(first, second)
         super().__init__(*self.curves)
 
+    @one_line
     def __repr__(self) -> str:
-        return f"<CurvePair of {self.curves[0]!r} and {self.curves[1]!r}>"
+        return f"<CurvePair of {' and '.join(each.name or 'a curve' for each in self.curves)}>"
 
     @question(Of.TWO_CURVES, answered=Answered.PAIRS)
     def intersections(self) -> Intersections:

@@ -23,6 +23,7 @@ from exactspline.hooks import Displayed
 from exactspline.language.rational import Rational
 from exactspline.numbers.exact import mpq
 from exactspline.numbers.intervals import Box
+from exactspline.one_line import one_line
 from exactspline.polynomials.patch_forms import PatchForm
 from exactspline.questions.entry import Answered, Fact, Of, question
 from exactspline.splines.surface import NurbsSurface
@@ -54,6 +55,7 @@ class MapInspection(SurfaceValues, Displayed):
             raise ShapeError(f"the Jacobian of a map into R{surface.dimension}", remedy="it is defined for planar maps")
         self.surface = surface
 
+    @one_line
     def __repr__(self) -> str:
         return f"<MapInspection of {self.surface!r}>"
 

@@ -30,6 +30,7 @@ from exactspline.geometry.surfaces.umbilics import Umbilic, UmbilicsOfPatch, mer
 from exactspline.hooks import Displayed
 from exactspline.numbers.exact import Number, mpq
 from exactspline.numbers.intervals import UNIT, Box, Interval
+from exactspline.one_line import OneLine, one_line
 from exactspline.polynomials.patch_forms import PatchForm
 from exactspline.polynomials.two_parameters import as_polynomial
 from exactspline.questions.entry import Answered, Fact, Of, question, question_with
@@ -73,8 +74,8 @@ DIGITS = 20
 _STRICT = {PatchKind.ELLIPTIC_BUT: PatchKind.ELLIPTIC, PatchKind.HYPERBOLIC_BUT: PatchKind.HYPERBOLIC}
 
 
-@dataclass(frozen=True)
-class PatchInspection:
+@dataclass(frozen=True, repr=False)
+class PatchInspection(OneLine):
     """The features of one patch."""
 
     patch: Patch
@@ -150,6 +151,7 @@ class SurfaceInspection(CurvatureValues, Displayed):
         self.surface = surface
         self._forms = SurfaceForms(surface)
 
+    @one_line
     def __repr__(self) -> str:
         return f"<SurfaceInspection of {self.surface!r}>"
 

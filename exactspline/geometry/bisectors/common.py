@@ -6,6 +6,7 @@ from typing import Any
 
 from exactspline.errors import counted
 from exactspline.hooks import Displayed
+from exactspline.one_line import one_line
 
 
 class Bisector(Displayed):
@@ -16,6 +17,7 @@ class Bisector(Displayed):
     pieces: tuple[Any, ...]
     missing: tuple[Any, ...]
 
+    @one_line
     def __repr__(self) -> str:
         gaps = f", {len(self.missing)} missing" if self.missing else ""
         return f"<{type(self).__name__}: {counted(len(self.pieces), 'piece')}{gaps}>"

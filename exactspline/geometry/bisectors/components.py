@@ -15,8 +15,9 @@ from exactspline.geometry.bisectors.flats import ALL, Conditions, Flat, enclosed
 from exactspline.geometry.bisectors.root_lines import RootLines
 from exactspline.geometry.bisectors.system import System
 from exactspline.language.rational import Rational
-from exactspline.numbers.exact import Number, mpq, rational, short_text
+from exactspline.numbers.exact import Number, mpq, rational
 from exactspline.numbers.intervals import Box
+from exactspline.one_line import OneLine, short_text
 from exactspline.polynomials.two_parameters import CONTEXT, S, T, at
 from exactspline.roots.of_polynomials import Parameter, exactly, roots_in
 from exactspline.roots.root import Root
@@ -61,8 +62,8 @@ class Correspondence(StrEnum):
     ALGEBRAIC = "algebraic"
 
 
-@dataclass(frozen=True)
-class PairEquation:
+@dataclass(frozen=True, repr=False)
+class PairEquation(OneLine):
     """An irreducible integer polynomial in both parameters; its zeros are a curve of pairs.
 
     >>> equation = PairEquation.of(S - T)
@@ -116,8 +117,8 @@ class PairEquation:
         return PairEquation.of(self.polynomial.compose(T, S))
 
 
-@dataclass(frozen=True)
-class LinePiece:
+@dataclass(frozen=True, repr=False)
+class LinePiece(OneLine):
     """Lines as a ruled surface over [low, high] of one parameter: ``of`` is 0 when that is s, 1 when it is t.
 
     The other parameter is a constant, a quotient of splines, or None where it is arbitrary. Directrix and generator are
@@ -156,8 +157,8 @@ class LinePiece:
         return replace(self, of=1 - self.of)
 
 
-@dataclass(frozen=True)
-class Branch:
+@dataclass(frozen=True, repr=False)
+class Branch(OneLine):
     """A real branch of a curve of pairs: over the open interval (low, high) of s, the root of the equation with this
     `index` (counted from 0 in increasing order) among those with t inside the side; ``sample`` is a pair on it.
     """
@@ -168,8 +169,8 @@ class Branch:
     sample: tuple[mpq, Parameter]
 
 
-@dataclass(frozen=True)
-class RealZeros:
+@dataclass(frozen=True, repr=False)
+class RealZeros(OneLine):
     """The real zeros of an equation on a closed rectangle: its branches and their limits, the pairs on the border, and
     singular pairs at which no branches cross.
     """
@@ -182,8 +183,8 @@ class RealZeros:
         return bool(self.branches or self.ends or self.nodes)
 
 
-@dataclass(frozen=True)
-class LineComponent:
+@dataclass(frozen=True, repr=False)
+class LineComponent(OneLine):
     """Lines of solutions along a curve of pairs.
 
     ``pieces`` where the pairs are parametrized rationally; ``over_root`` where one parameter is an irrational constant;
@@ -233,8 +234,8 @@ class LineComponent:
         )
 
 
-@dataclass(frozen=True)
-class PlaneComponent:
+@dataclass(frozen=True, repr=False)
+class PlaneComponent(OneLine):
     """A plane (or all of space) for every pair of a curve of pairs, or of a rectangle (then the equation is None).
 
     ``intervals`` are those of s (of t where ``of`` is 1) on which the equation gives the other parameter as a quotient;
@@ -261,8 +262,8 @@ class PlaneComponent:
         )
 
 
-@dataclass(frozen=True)
-class SinglePair:
+@dataclass(frozen=True, repr=False)
+class SinglePair(OneLine):
     """One pair of parameters whose system is singular and has solutions."""
 
     s: Parameter
@@ -299,8 +300,8 @@ class SinglePair:
         return replace(self, s=self.t, t=self.s, cause=_exchanged(self.cause), system=self.system.transposed())
 
 
-@dataclass(frozen=True)
-class PoleCurve:
+@dataclass(frozen=True, repr=False)
+class PoleCurve(OneLine):
     """An irreducible factor of the surface's determinant: along its zeros on the rectangle the surface is at infinity.
 
     ``certain`` means that it certainly has zeros there, since it takes both signs.
@@ -311,8 +312,8 @@ class PoleCurve:
     certain: bool
 
 
-@dataclass(frozen=True)
-class SpecialPairs:
+@dataclass(frozen=True, repr=False)
+class SpecialPairs(OneLine):
     """All pairs of parameters that have no single point: those with lines, planes or all of space, and the poles.
 
     ``left_out`` names what could not be decided; where it is empty the answer is complete.

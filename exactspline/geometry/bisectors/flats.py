@@ -10,7 +10,8 @@ from flint import arb, ctx, fmpz_mpoly
 
 from exactspline.geometry.bisectors.system import System
 from exactspline.language.vector import Vector, cross, dot, norm2
-from exactspline.numbers.exact import mpq
+from exactspline.numbers.exact import mpq, primitive
+from exactspline.one_line import OneLine
 from exactspline.polynomials.two_parameters import enclosed, lifted
 from exactspline.roots.of_polynomials import Parameter, ball
 
@@ -28,9 +29,9 @@ class Conditions(Flag):
 ALL = Conditions.FIRST | Conditions.SECOND | Conditions.MIDDLE
 
 
-@dataclass(frozen=True)
-class Flat(Generic[Number]):
-    """A point, and the direction of a line through it or the normal of a plane."""
+@dataclass(frozen=True, repr=False)
+class Flat(OneLine, Generic[Number]):
+    """A point, and the direction of a line through it or the normal of a plane; where it is exact, coprime integers."""
 
     point: tuple[Number, ...]
     direction: tuple[Number, ...]
@@ -42,7 +43,8 @@ def flat_at(system: System, s: mpq, t: mpq, conditions: Conditions, *, plane: bo
     def value(p: fmpz_mpoly) -> mpq:
         return mpq(sum((int(x) * s ** int(i) * t ** int(j) for (i, j), x in p.terms()), mpq(0)))
 
-    return _flat(system, value, conditions, plane)
+    found = _flat(system, value, conditions, plane)
+    return Flat(found.point, primitive(found.direction))
 
 
 def enclosed_flat(

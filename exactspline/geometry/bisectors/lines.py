@@ -20,6 +20,7 @@ from exactspline.language.ruled import RuledSurface
 from exactspline.language.vector import Vector, cross, dot, norm2
 from exactspline.numbers.exact import mpq, to_fmpz
 from exactspline.numbers.intervals import Interval
+from exactspline.one_line import OneLine
 from exactspline.polynomials.bernstein import substituted
 from exactspline.polynomials.over_root import OverRoot, by_powers
 from exactspline.polynomials.two_parameters import lifted, rows_of
@@ -35,8 +36,8 @@ ONE, PARAMETER = fmpz_poly([1]), fmpz_poly([0, 1])
 Quotient = tuple[fmpz_poly, fmpz_poly]
 
 
-@dataclass(frozen=True)
-class Path:
+@dataclass(frozen=True, repr=False)
+class Path(OneLine):
     """Pairs as quotients of polynomials in one parameter."""
 
     s: Quotient

@@ -18,8 +18,9 @@ from exactspline.geometry.bisectors.common import Bisector
 from exactspline.geometry.bisectors.missing import STILL, THROUGH, is_zero_on
 from exactspline.language.arguments import Curve
 from exactspline.language.vector import Vector
-from exactspline.numbers.exact import Number, mpq, rational, short_text
+from exactspline.numbers.exact import Number, mpq, rational
 from exactspline.numbers.intervals import Interval
+from exactspline.one_line import one_line, short_text
 from exactspline.papers import find
 from exactspline.reals.real import between
 from exactspline.roots.root import Root
@@ -54,6 +55,7 @@ class RuledPiece:
     moved: str
     surface: SplineSurface
 
+    @one_line
     def __repr__(self) -> str:
         return f"<RuledPiece on {self.interval}>"
 
@@ -103,7 +105,7 @@ def point_bisector(
             good.append(segment)
     if not good:
         refuse_point(curve)
-        reasons = {why: [segment.shortly for segment, own in missing if own == why] for _, why in missing}
+        reasons = {why: [str(segment) for segment, own in missing if own == why] for _, why in missing}
         named = [why if len(reasons) == 1 else f"{', '.join(on)}: {why}" for why, on in reasons.items()]
         raise ShapeError(
             "there is no bisector surface: " + "; ".join(named), remedy="choose another point, or another curve"

@@ -9,8 +9,9 @@ from flint import arb, ctx, fmpz_poly
 from exactspline.errors import ReachError, ShapeError
 from exactspline.geometry.bisectors.flats import Flat
 from exactspline.geometry.bisectors.polynomials import vanish_together
-from exactspline.numbers.exact import Number, mpq, rational, short_text, to_fmpq
+from exactspline.numbers.exact import Number, mpq, rational, to_fmpq
 from exactspline.numbers.intervals import Interval
+from exactspline.one_line import OneLine, short_text
 from exactspline.polynomials.elimination import resultant
 from exactspline.polynomials.two_parameters import S, T, lifted, rows_of
 from exactspline.roots.of_polynomials import Parameter, ball, exactly, roots_in
@@ -22,8 +23,8 @@ from exactspline.splines.bspline import BSpline
 Coordinate = tuple[BSpline, ...]
 
 
-@dataclass(frozen=True)
-class RootLines:
+@dataclass(frozen=True, repr=False)
+class RootLines(OneLine):
     """Lines as a ruled surface over a segment of one parameter (``of``: 0 is s, 1 is t) at an irrational value r of the
     other one.
 

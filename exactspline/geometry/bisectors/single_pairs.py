@@ -11,8 +11,8 @@ from exactspline.errors import ReachError
 from exactspline.geometry.bisectors.components import Cause, SinglePair, Solutions, SpecialPairs
 from exactspline.geometry.bisectors.polynomials import vanish_together
 from exactspline.geometry.bisectors.system import System
-from exactspline.numbers.exact import short_text
 from exactspline.numbers.intervals import Box
+from exactspline.one_line import short_text
 from exactspline.polynomials.factors import greatest_common_divisor
 from exactspline.roots.of_polynomials import Parameter, Place
 from exactspline.roots.root import Root

@@ -14,6 +14,7 @@ from exactspline.geometry.bisectors.polynomials import Three, ThreeOfTwo, common
 from exactspline.language.vector import Vector, cross, det, dot, norm2
 from exactspline.numbers.intervals import Box, Interval
 from exactspline.numbers.once import cached_property
+from exactspline.one_line import OneLine
 from exactspline.polynomials.factors import factorize, greatest_common_divisor
 from exactspline.polynomials.two_parameters import lifted
 from exactspline.roots.of_polynomials import roots_in
@@ -21,8 +22,8 @@ from exactspline.roots.values import segment_polynomials
 from exactspline.splines.nurbs import Nurbs
 
 
-@dataclass(frozen=True)
-class SegmentOfCurve:
+@dataclass(frozen=True, repr=False)
+class SegmentOfCurve(OneLine):
     """One segment of a curve as polynomials in its parameter: the point ``p/w`` and the tangent without its zeros.
 
     ``cusps`` are irreducible polynomials whose roots on the interval are the zeros of γ′; where γ′ vanishes identically
@@ -70,8 +71,8 @@ def piece(curve: Nurbs, i: int) -> SegmentOfCurve:
     return SegmentOfCurve(interval, p, w, [f // shared for f in velocity], cusps)
 
 
-@dataclass(frozen=True)
-class System:
+@dataclass(frozen=True, repr=False)
+class System(OneLine):
     """The rows of two pieces, each over both parameters."""
 
     first: SegmentOfCurve

@@ -26,8 +26,9 @@ from exactspline.geometry.curves.kinds import FeatureKind, JointKind
 from exactspline.language.arguments import Curve
 from exactspline.language.rational import Rational
 from exactspline.language.vector import Vector, perp
-from exactspline.numbers.exact import Number, mpq, over_one_denominator, rational, short_text, text
+from exactspline.numbers.exact import Number, mpq, over_one_denominator, rational, text
 from exactspline.numbers.sides import Side
+from exactspline.one_line import one_line, short_text
 from exactspline.papers import find
 from exactspline.polynomials.bernstein import ONE
 from exactspline.polynomials.cost import PATCH, QUESTION, Budget, drawing_on
@@ -64,6 +65,7 @@ class TrimmedPiece:
     value: Rational[BSpline]
     foot: mpq | None = None
 
+    @one_line
     def __repr__(self) -> str:
         return f"<TrimmedPiece: {self.kind}>"
 

@@ -22,6 +22,7 @@ from exactspline.language.vector import Vector, det, dot, norm2, perp
 from exactspline.numbers.exact import mpq
 from exactspline.numbers.intervals import Box, Interval
 from exactspline.numbers.once import cached_property
+from exactspline.one_line import one_line
 from exactspline.polynomials.patch_forms import PatchForm
 from exactspline.polynomials.two_parameters import S, T, as_form, as_forms, lifted
 from exactspline.roots.values import segment_polynomials
@@ -48,6 +49,7 @@ class TruePairs:
     kept: tuple[Box, ...]
     undecided: tuple[Box, ...]
 
+    @one_line
     def __repr__(self) -> str:
         return f"<TruePairs in {len(self.kept)} boxes, undecided in {len(self.undecided)}>"
 

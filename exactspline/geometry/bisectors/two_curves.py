@@ -19,8 +19,9 @@ from exactspline.geometry.bisectors.special_pairs import special_pairs
 from exactspline.geometry.derived.domain import part
 from exactspline.language.rational import Rational
 from exactspline.language.vector import cross
-from exactspline.numbers.exact import Number, mpq, rational, short_text
+from exactspline.numbers.exact import Number, mpq, rational
 from exactspline.numbers.intervals import Box, Interval
+from exactspline.one_line import one_line, short_text
 from exactspline.papers import find
 from exactspline.polynomials.cost import PATCH, QUESTION, Budget, drawing_on
 from exactspline.questions.entry import Answered, Fact, Inspected, Of, question
@@ -38,6 +39,7 @@ class BisectorPatch:
     sides: Box
     value: Rational[TensorSpline]
 
+    @one_line
     def __repr__(self) -> str:
         return f"<BisectorPatch on {self.sides}>"
 
@@ -78,6 +80,7 @@ class CurveBisector(Inspected, Bisector):
         with drawing_on(Budget(QUESTION + PATCH * (first.segments * second.segments - 1))) as self.budget:
             self._patches, self.missing, self.unreduced = _surface(first, second, variant)
 
+    @one_line
     def __repr__(self) -> str:
         return Bisector.__repr__(self)
 

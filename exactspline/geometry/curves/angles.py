@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from exactspline.language.vector import Vector, dot
 from exactspline.numbers.exact import mpq
 from exactspline.numbers.once import cached_property
+from exactspline.one_line import one_line
 from exactspline.reals.real import Real, square_root
 
 if TYPE_CHECKING:
@@ -74,5 +75,6 @@ class Angle:
     def __hash__(self) -> int:
         return hash((self.cosine, self.sine))
 
+    @one_line
     def __repr__(self) -> str:
         return f"<Angle: cos = {self.cosine}, sin = {self.sine}>"

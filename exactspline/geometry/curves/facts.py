@@ -49,6 +49,7 @@ from exactspline.language.vector import Vector, cross
 from exactspline.numbers.exact import mpq, ratio, sign
 from exactspline.numbers.once import Lock
 from exactspline.numbers.sides import Side
+from exactspline.one_line import OneLine
 from exactspline.polynomials.bernstein import ONE, variations
 from exactspline.polynomials.factors import certainly_coprime
 from exactspline.programs import program
@@ -73,8 +74,8 @@ TOGETHER: dict[int, tuple[Formula, ...]] = {
 }
 
 
-@dataclass(frozen=True)
-class ZeroForm:
+@dataclass(frozen=True, repr=False)
+class ZeroForm(OneLine):
     """A form on a curve, its zeros, and the time that it took to find them, in seconds."""
 
     form: BSpline

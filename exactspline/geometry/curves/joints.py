@@ -24,7 +24,9 @@ from exactspline.language.arguments import Curve
 from exactspline.language.vector import Vector, cross, norm2
 from exactspline.numbers.exact import mpq, ratio
 from exactspline.numbers.sides import Side
+from exactspline.one_line import short_text
 from exactspline.reals.real import Real, square_root
+from exactspline.roots.answers import OneNumber
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.evaluation import quotient_derivatives
 
@@ -38,13 +40,19 @@ ORDER = 3
 
 
 @dataclass(frozen=True)
-class Joint:
+class Joint(OneNumber):
     """A knot inside the domain, or the seam of a closed curve (at the start of the domain), and how the two sides meet.
 
     `order` is that of geometric continuity: −1 for a gap, at most 3 (then "at least"); None where the curve stands
     still or only the direction of its tangent is known (a singular joint without a corner). `angle` is the angle by
     which the tangent turns, None where it does not. `gap` is the distance of the two sides, None where they meet.
-    `curvatures` are κ on both sides where the tangent is continuous and κN is not.
+    `curvatures` are κ on both sides where the tangent is continuous and κN is not. ``float(joint)`` is its parameter as
+    a double.
+
+    >>> from exactspline import analyse, example
+    >>> joint = analyse(example("circle")).joints[1]
+    >>> joint, float(joint)
+    (<Joint at 1: continuous curvature>, 1.0)
     """
 
     parameter: mpq
@@ -56,7 +64,7 @@ class Joint:
     curvatures: tuple[Real, Real] | None = None
 
     def __repr__(self) -> str:
-        return f"<Joint at {self.parameter}: {self.kind}>"
+        return f"<Joint at {short_text(self.parameter)}: {self.kind}>"
 
     @property
     def tangent_continuous(self) -> bool:

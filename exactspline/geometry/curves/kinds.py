@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from enum import StrEnum
 
+from exactspline.roots.answers import OneNumber
 from exactspline.roots.root import Root
 
 
@@ -77,12 +78,18 @@ class JointKind(StrEnum):
 
 
 @dataclass(frozen=True)
-class Feature:
+class Feature(OneNumber):
     """A point of the curve: its kind, its parameter as a certified root, and how it was detected. `by_jump` says that a
     sign changes at a knot without a zero on both sides; `of_absolute` is the kind of extremum of the absolute
-    curvature, None where it has none.
+    curvature, None where it has none. Its parameter as a double is ``float(feature)``.
+
+    >>> from exactspline import analyse, example
+    >>> found = analyse(example("cubic_s")).inflections[0]
+    >>> found, float(found)
+    (<inflection at 1/2>, 0.5)
     """
 
+    _number = "root"
     kind: FeatureKind
     root: Root
     form: str

@@ -14,7 +14,8 @@ from flint import fmpz, fmpz_mat
 
 from exactspline.geometry.curves.facts import facts_of
 from exactspline.geometry.derived.domain import space
-from exactspline.numbers.exact import common_divisor, content, mpq, ratio, sign, text
+from exactspline.numbers.exact import common_divisor, mpq, primitive, ratio, text
+from exactspline.one_line import OneLine
 from exactspline.polynomials.bernstein import Form, over_common_denominator
 from exactspline.roots.answers import CurvePiece
 from exactspline.splines.nurbs import Nurbs
@@ -23,8 +24,8 @@ from exactspline.splines.runs import intervals_of
 AXES = "xyz"
 
 
-@dataclass(frozen=True)
-class Plane:
+@dataclass(frozen=True, repr=False)
+class Plane(OneLine):
     """The plane ``normal·x = offset``: integers without a common divisor, the first nonzero component of the normal
     being positive.
 
@@ -172,8 +173,7 @@ def _relations(rows: Rows) -> list[list[mpq]]:
 
 def _plane(relation: list[mpq]) -> Plane:
     """The plane of a relation n·p + k w = 0."""
-    unit = content(relation) * sign(next(x for x in relation if x))
-    a, b, c, k = [int(x / unit) for x in relation]
+    a, b, c, k = map(int, primitive(relation))
     return Plane((a, b, c), -k)
 
 

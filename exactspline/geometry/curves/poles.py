@@ -24,6 +24,7 @@ from exactspline.language.vector import Vector
 from exactspline.numbers.exact import mpq
 from exactspline.numbers.intervals import Interval
 from exactspline.numbers.once import cached_property
+from exactspline.one_line import OneLine
 from exactspline.roots.root import Root
 from exactspline.roots.zero_set import zeros
 from exactspline.splines.bspline import BSpline
@@ -33,8 +34,8 @@ from exactspline.splines.nurbs import Nurbs
 FIRST_DIGITS, MOST_DIGITS = 6, 4096
 
 
-@dataclass(frozen=True)
-class BetweenPoles(Displayed):
+@dataclass(frozen=True, repr=False)
+class BetweenPoles(OneLine, Displayed):
     """A plane curve in pieces without poles, and the poles, each with an interval in which nothing else happens.
 
     Features at the poles themselves are not named: there is no point there.

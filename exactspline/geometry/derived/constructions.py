@@ -18,6 +18,7 @@ from exactspline.language.arguments import Curve
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import kind_of
 from exactspline.language.parts import joined, numerator
+from exactspline.one_line import one_line
 from exactspline.papers import default_papers, find
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.lowest_terms import SplineValue, SplineVector, in_lowest_terms, primitive, without_factor
@@ -81,6 +82,7 @@ class Construction:
     #: The formula of the minimal form, where it is not the lifted one.
     lowest: str = ""
 
+    @one_line
     def __repr__(self) -> str:
         return f"<Construction {self.name} of a {self.curve} curve>"
 

@@ -19,9 +19,10 @@ from exactspline.language.parts import joined, numerator, split
 from exactspline.language.rational import Rational
 from exactspline.language.ruled import RuledSurface
 from exactspline.language.vector import Vector
-from exactspline.numbers.exact import Number, mpq, rational, short_text, text
+from exactspline.numbers.exact import Number, mpq, rational
 from exactspline.numbers.intervals import Interval
 from exactspline.numbers.once import cached_property
+from exactspline.one_line import one_line, short_text
 from exactspline.papers import formula_of
 from exactspline.polynomials.cost import bounded
 from exactspline.roots.root import Root
@@ -39,8 +40,9 @@ class Piece:
     interval: Interval
     value: Any
 
+    @one_line
     def __repr__(self) -> str:
-        return f"<Piece on {_shown(self.interval)}>"
+        return f"<Piece on {self.interval}>"
 
 
 @dataclass(frozen=True)
@@ -54,6 +56,7 @@ class Derived(Displayed):
     #: Whether it is a ruled surface; the values are then those of the directrix and the generator.
     ruled: bool = False
 
+    @one_line
     def __repr__(self) -> str:
         return f"<Derived {self.name}, {self.variant}: {counted(len(self.pieces), 'piece')}>"
 
@@ -94,11 +97,11 @@ class Derived(Displayed):
         >>> print(derive("evolute", example("cubic_s")).existence)
         on [0, 1] except a pole at 1/2
         """
-        there = " and ".join(_shown(piece.interval) for piece in self.pieces)
+        there = " and ".join(str(piece.interval) for piece in self.pieces)
         if self.poles:
             places = ", ".join(pole.shortly() for pole in self.poles)
             there += f" except {'a pole' if len(self.poles) == 1 else 'poles'} at {places}"
-        gaps = [f"not on {_shown(interval)}: {reason.words}" for interval, reason in self.missing]
+        gaps = [f"not on {interval}: {reason.words}" for interval, reason in self.missing]
         return "; ".join([f"on {there}", *gaps])
 
     def __call__(self, t: Number) -> mpq | tuple[mpq, ...]:
@@ -123,10 +126,6 @@ class Derived(Displayed):
                 problem = f"{self.name} has a pole at the parameter {short_text(t)}"
                 raise DomainError(problem, where=short_text(t), remedy="choose another parameter")
         return tuple(c(t) for c in value) if isinstance(value, Vector) else value(t)
-
-
-def _shown(interval: Interval) -> str:
-    return f"[{text(interval[0])}, {text(interval[1])}]"
 
 
 def derive(what: str | Formula, curve: Nurbs, variant: Variant | str = Variant.MINIMAL) -> Derived:
@@ -182,7 +181,7 @@ def derive(what: str | Formula, curve: Nurbs, variant: Variant | str = Variant.M
     parts = intervals_where(breaks, exists)
     pieces = tuple(Piece(interval, _nonnegative(compute(part(curve, *interval)))) for interval in parts)
     if not pieces:
-        everywhere = ", ".join(f"on {_shown(interval)} {reason.words}" for interval, reason in missing)
+        everywhere = ", ".join(f"on {interval} {reason.words}" for interval, reason in missing)
         raise ShapeError(f"{curve.name or 'the curve'} has no {name}: {everywhere}", remedy="choose another curve")
     return Derived(name, Variant(variant), pieces, missing, ruled)
 

@@ -20,6 +20,7 @@ from exactspline.language.ruled import RuledSurface, development, differences
 from exactspline.language.vector import Vector, dot, norm2
 from exactspline.numbers.exact import Number, mpq, rational, text
 from exactspline.numbers.sides import Side
+from exactspline.one_line import OneLine
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.common import with_common_knots
 from exactspline.splines.knots import Mesh
@@ -31,8 +32,8 @@ from exactspline.splines.type_checks import curve_of
 V = TypeVar("V", bound=Vector[Any] | Operand)
 
 
-@dataclass(frozen=True)
-class RulingRelation:
+@dataclass(frozen=True, repr=False)
+class RulingRelation(OneLine):
     """How the ruling parameters ζ and λ of one surface, written in two ways, are related:
     ``ζ = shift(s) + scale(s) λ``, both in lowest terms.
     """

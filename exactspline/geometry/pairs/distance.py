@@ -27,6 +27,7 @@ from exactspline.hooks import Displayed
 from exactspline.numbers.exact import mpq, to_fmpq, to_fmpz
 from exactspline.numbers.intervals import UNIT, Box, Interval, ball_around, joined
 from exactspline.numbers.sides import Side
+from exactspline.one_line import one_line
 from exactspline.polynomials.bernstein import in_parameter, over_common_denominator, quotient_slope
 from exactspline.polynomials.cost import bounded
 from exactspline.polynomials.factors import factorize, greatest_common_divisor
@@ -36,6 +37,7 @@ from exactspline.polynomials.two_parameters import S, T, as_form, as_polynomial,
 from exactspline.polynomials.zero_places import FIRST
 from exactspline.reals.ball import InBalls
 from exactspline.reals.real import Real, real, square_root
+from exactspline.roots.answers import OneNumber
 from exactspline.roots.of_polynomials import Parameter, as_splines, exactly, roots_in
 from exactspline.roots.root import Root
 from exactspline.roots.segment_forms import SegmentForms, segment_forms
@@ -60,12 +62,13 @@ class ClosestPair:
     second: Real
     squared: Real = field(compare=False)
 
+    @one_line
     def __repr__(self) -> str:
         return f"<closest at {self.first.shortly()} and {self.second.shortly()}>"
 
 
 @dataclass(frozen=True, repr=False)
-class Distance(Displayed):
+class Distance(OneNumber, Displayed):
     """The least distance of two curves, and the pairs of points at it: exact numbers, and exactly equally near.
 
     `everywhere` are the arcs all of whose points are at it, by their parameters on both curves: arcs in common, arcs
@@ -73,8 +76,13 @@ class Distance(Displayed):
     other curve, and pieces that stand still (with an arc of a circle, all pairs of both). Their ends are among the
     pairs, the points between are not listed. `left_out` names what would take too long to decide. Then the square of
     the distance is at least `lower`, a rational number; otherwise `lower` is None.
+
+    >>> from exactspline import distance, example
+    >>> float(distance(example("circle"), example("ellipse")))
+    0.0
     """
 
+    _number = "value"
     pairs: tuple[ClosestPair, ...]
     lower: mpq | None = None
     left_out: tuple[str, ...] = ()
@@ -90,6 +98,7 @@ class Distance(Displayed):
         """The distance of the pairs."""
         return square_root(self.squared)
 
+    @one_line
     def __repr__(self) -> str:
         arcs = f", everywhere on {list(self.everywhere)}" if self.everywhere else ""
         doubt = f", undecided: {'; '.join(self.left_out)}" if self.left_out else ""
@@ -250,7 +259,7 @@ class _Search:
         except ReachError:
             pass  # named below
         if undecided:
-            self.left_out.append(f"the points inside the segments over {first.shortly} and {second.shortly}")
+            self.left_out.append(f"the points inside the segments over {first} and {second}")
             least = forms.least(undecided, self.bound)
             self.lower = least if self.lower is None else min(self.lower, least)
 

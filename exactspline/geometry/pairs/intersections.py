@@ -22,6 +22,7 @@ from exactspline.geometry.pairs.space_intersections import SpaceForms, space_mee
 from exactspline.hooks import Displayed
 from exactspline.numbers.exact import common_divisor, mpq
 from exactspline.numbers.intervals import Interval
+from exactspline.one_line import one_line
 from exactspline.polynomials.bezout import PlaneForms
 from exactspline.polynomials.common_arcs import Arc, Local, Meeting, Meetings, Rest
 from exactspline.polynomials.cost import PATCH, QUESTION, Budget, drawing_on
@@ -88,6 +89,7 @@ class Intersection:
         """The order of contact: the multiplicity less one."""
         return None if self.multiplicity is None else self.multiplicity - 1
 
+    @one_line
     def __repr__(self) -> str:
         times = "" if self.multiplicity in (None, 1) else f", multiplicity {self.multiplicity}"
         return f"<{self.kind} at {self.first.shortly()} and {self.second.shortly()}{times}>"
@@ -119,6 +121,7 @@ class Overlap:
         """Whether the curves run in opposite directions."""
         return self.first[0] > self.first[1]
 
+    @one_line
     def __repr__(self) -> str:
         first, second = ("[{}, {}]".format(*(x.shortly() for x in ends)) for ends in (self.first, self.second))
         return f"<overlap of {first} and {second}{', reversed' if self.reversed else ''}>"
@@ -274,7 +277,7 @@ class CollectedPoints:
             else:
                 found = space_meetings(one, other) if self.in_space else meetings(one, other)
         except ReachError as error:
-            sides = " and ".join(self._side(k, at).shortly for k, at in enumerate((i, j)))
+            sides = " and ".join(str(self._side(k, at)) for k, at in enumerate((i, j)))
             self.left_out.append(f"the segments over {sides}: {error.problem}")
             return
         self._add(found, i, j)

@@ -27,7 +27,7 @@ from exactspline.polynomials.isolation import isolate
 from exactspline.polynomials.zero_places import FIRST, SUSPICIOUS, Place
 from exactspline.polynomials.zero_places import at as at_rational
 from exactspline.reals.real import Real, square_root
-from exactspline.roots.answers import Answer, CurvePiece
+from exactspline.roots.answers import Answer, CurvePiece, OneNumber
 from exactspline.roots.segment_forms import SegmentForms, root_at, segment_forms
 from exactspline.roots.values import at, value_at
 from exactspline.splines.bspline import BSpline
@@ -37,7 +37,7 @@ from exactspline.splines.type_checks import curve_of
 
 
 @dataclass(frozen=True)
-class NearestPoint:
+class NearestPoint(OneNumber):
     """A point of a curve at the least distance, by its parameter; where the curve jumps, seen from this `side`."""
 
     parameter: Real

@@ -160,7 +160,7 @@ class _Search:
                 try:
                     found = list(_OfSegments(self, pair).points())
                 except ReachError as error:
-                    where = " and ".join(side.shortly for side in self.over(pair))
+                    where = " and ".join(str(side) for side in self.over(pair))
                     self.left_out.append(f"the segments over {where}: {error.problem}")
                     continue
                 self.points += map(self._from_seam, found)

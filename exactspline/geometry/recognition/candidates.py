@@ -47,7 +47,7 @@ def candidates(points: Sequence[Point], limit: mpq) -> Iterator[CurveShape]:
 
     >>> line, *_ = candidates([(mpq(0), mpq(0)), (mpq(1), mpq(2)), (mpq(2), mpq(4))], mpq(1))
     >>> print(line)
-    line: point (0, 0), direction (2, 4)
+    line: point (0, 0), direction (1, 2)
     """
     squared = limit * limit
     if (line := _line(points)) is not None and all_near(line, points, squared):

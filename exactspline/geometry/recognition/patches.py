@@ -17,6 +17,7 @@ from exactspline.geometry.recognition.shapes import Shape, ShapeKind, upper_squa
 from exactspline.geometry.recognition.surface_candidates import Sample, proposed
 from exactspline.geometry.surfaces.forms import SurfaceForms
 from exactspline.numbers.exact import Number, mpq
+from exactspline.one_line import OneLine
 from exactspline.reals.real import Real, real
 from exactspline.splines.precision import distance
 from exactspline.splines.surface import NurbsSurface
@@ -29,8 +30,8 @@ NOT_NEGATIVE = (Sign.POSITIVE, Sign.NOT_NEGATIVE, Sign.ZERO)
 PLACES = tuple(mpq(i, 32) for i in (1, 11, 21, 31))
 
 
-@dataclass(frozen=True)
-class RecognizedPart:
+@dataclass(frozen=True, repr=False)
+class RecognizedPart(OneLine):
     """Patches of a surface and the shape on which they are, or to which they are near.
 
     Every point of these patches is at most `within` away from the shape, 0 where they lie on it exactly. `once`: no

@@ -42,7 +42,7 @@ SMALL = mpq(1, 10**9)
 Guess = Callable[[Sequence[Point], mpq], Iterator[Shape]]
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class RecognizedPiece(Described):
     """A piece of a curve and the shape that it is, or lies near to.
 

@@ -11,6 +11,7 @@ angle α let ``X = ρ² cos² α`` and ``Y = z² sin² α``: its distance is ``|
 A conic is the zero set of a polynomial q of degree 2. Let Λ be a bound on half of its second derivatives. From a point
 x, a step of length E along the gradient changes q by at least ``E‖∇q‖ − E²Λ`` towards the conic; so
 ``|q| + E²Λ ≤ E‖∇q‖`` shows that x is at most E away from it. Where ``‖∇q‖ ≥ 64 EΛ``, the lines along the gradient lead
+from exactspline.one_line import OneLine, one_line
 from the curve to the conic within 17/16 E, and meet no other; the curve goes on along the conic where ``[∇q, γ′]``
 keeps its sign. For lines and circles both are said more simply, with the same meaning.
 
@@ -33,8 +34,9 @@ from gmpy2 import isqrt
 
 from exactspline.language.vector import Vector, cross, det
 from exactspline.language.wronskians import wronskians
-from exactspline.numbers.exact import from_flint, mpq, sign, to_fmpq
+from exactspline.numbers.exact import from_flint, mpq, primitive, sign, to_fmpq
 from exactspline.numbers.once import cached_property
+from exactspline.one_line import OneLine, one_line
 from exactspline.reals.real import Real, real, square_root
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.nurbs import Nurbs
@@ -64,8 +66,8 @@ class Homogeneous(Protocol):
         """The weight function."""
 
 
-@dataclass(frozen=True)
-class PointToAsk:
+@dataclass(frozen=True, repr=False)
+class PointToAsk(OneLine):
     """A point, as what a shape can be asked about."""
 
     p: Point
@@ -87,16 +89,23 @@ class ShapeKind(Word):
     TORUS = "torus"
 
 
-class Shape(ABC):
+class Shape(OneLine, ABC):
     """A curve or a surface of a simple kind."""
 
     kind: ShapeKind
+
+    def __post_init__(self) -> None:
+        """Its vectors have coprime integers."""
+        for name in ("direction", "normal", "axis"):
+            if vector := vars(self).get(name):
+                object.__setattr__(self, name, primitive(vector))
 
     @property
     @abstractmethod
     def numbers(self) -> dict[str, tuple[Real, ...]]:
         """What describes it, by name: centre, radius, …"""
 
+    @one_line
     def __str__(self) -> str:
         numbers = ", ".join(f"{name} {_shown(values)}" for name, values in self.numbers.items())
         return f"{self.kind}: {numbers}" if numbers else str(self.kind)
@@ -141,7 +150,7 @@ class CurveShape(Shape):
         return turning
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Line(CurveShape):
     """The line through a point in a direction, in the plane or in space."""
 
@@ -169,7 +178,7 @@ class Line(CurveShape):
         return along
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Plane(Shape):
     """The plane through a point orthogonal to a vector."""
 
@@ -191,7 +200,7 @@ class Plane(Shape):
         return [_square_margin(self.parts(of), within)]
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class _Round(Shape):
     """What is at one distance from a centre or an axis, by its square."""
 
@@ -225,7 +234,7 @@ class _Round(Shape):
         return [one * (outer * outer) - squared, squared - one * (inner * inner)]
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Sphere(_Round):
     """A sphere by its centre and the square of its radius."""
 
@@ -237,7 +246,7 @@ class Sphere(_Round):
         return {"centre": _reals(self.centre), "radius": (self.radius,)}
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Cylinder(_Round):
     """A cylinder by a point and the direction of its axis and the square of its radius."""
 
@@ -254,7 +263,7 @@ class Cylinder(_Round):
         return scalar(beside, beside), of.w * of.w * scalar(self.axis, self.axis)
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Circle(_Round, CurveShape):
     """A circle by its centre and the square of its radius; in space with a vector orthogonal to its plane."""
 
@@ -288,7 +297,7 @@ class Circle(_Round, CurveShape):
         return self._turning(_from(curve, self.centre), curve)
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Cone(Shape):
     """A cone, with both its halves, by its apex, the direction of its axis and the square of tan α for the angle α
     between axis and rulings.
@@ -321,7 +330,7 @@ class Cone(Shape):
         return [(x + y) * of.w * of.w * (within * within * scale) - (x - y) * (x - y)]
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Torus(Shape):
     """A ring torus by its centre, the direction of its axis, the squares of the distance R of the circle that turns
     from the axis and of the radius r of that circle, r < R.
@@ -368,7 +377,7 @@ class Torus(Shape):
             yield (level * level * one - w2 * beside) * s
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Conic(CurveShape):
     """A conic, ``(x, 1) Q (x, 1)ᵀ = 0`` with a symmetric matrix Q; in the plane that is regular, in space q is constant
     along a vector orthogonal to the plane of the conic, in which a point is given.
@@ -435,7 +444,7 @@ class Conic(CurveShape):
         if self.centre is not None:
             return {"centre": _reals(self.centre), "half axes": self.semi_axes} | in_space
         vertex, opening = self._vertex
-        return {"vertex": _reals(vertex), "axis": _reals(opening)} | in_space
+        return {"vertex": _reals(vertex), "axis": _reals(primitive(opening, oriented=True))} | in_space
 
     @property
     def _vertex(self) -> tuple[Point, Point]:
@@ -568,4 +577,5 @@ def upper_square_root(q: mpq) -> mpq:
 
 
 def _shown(values: Sequence[Real]) -> str:
-    return str(values[0]) if len(values) == 1 else f"({', '.join(map(str, values))})"
+    texts = [x.shortly() for x in values]
+    return texts[0] if len(texts) == 1 else f"({', '.join(texts)})"

@@ -15,6 +15,7 @@ from exactspline.interchange.segments import Segment, arc_around_origin, joined_
 from exactspline.language.wronskians import wronskians
 from exactspline.numbers.exact import Number, mpq
 from exactspline.numbers.sides import Side
+from exactspline.one_line import OneLine
 from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.precision import distance
 from exactspline.splines.type_checks import curve_of
@@ -24,8 +25,8 @@ from exactspline.words import choice
 KINDS = (ShapeKind.LINE, ShapeKind.CIRCLE)
 
 
-@dataclass(frozen=True)
-class Snapped:
+@dataclass(frozen=True, repr=False)
+class Snapped(OneLine):
     """A curve with exact pieces in place of some that were near to a shape.
 
     `replaced`: the pieces of the curve as it was, the exact shape that is there now, and the distance that is proved

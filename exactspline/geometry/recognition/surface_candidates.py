@@ -32,6 +32,7 @@ from exactspline.geometry.recognition.shapes import (
     solved,
 )
 from exactspline.numbers.exact import decimal_unit, mpq, sign
+from exactspline.one_line import OneLine
 
 #: Bits of the numbers in which distances are made least, and of the steps that show how they change.
 BITS, STEP = 256, mpq(1, 2**100)
@@ -43,8 +44,8 @@ STEPS, MOST_SAMPLES = 16, 64
 Numbers = Sequence[mpfr]
 
 
-@dataclass(frozen=True)
-class Sample:
+@dataclass(frozen=True, repr=False)
+class Sample(OneLine):
     """A point of a surface, and a vector orthogonal to it there, 0 where there is none."""
 
     point: Point

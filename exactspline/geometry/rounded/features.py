@@ -35,7 +35,7 @@ NARROWEST = 40
 SHALLOW = 3
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class NearbyFeature(Described):
     """A feature of the curves near a curve, in an interval of the parameter.
 

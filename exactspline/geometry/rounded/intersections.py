@@ -42,7 +42,7 @@ STEPS, BOXES = 8, 8
 Row = list[arb]
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class NearbyMeeting(Described):
     """Where curves near two curves meet: parameters of the first and of the second (of the same, for a curve and
     itself).

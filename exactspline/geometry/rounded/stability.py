@@ -31,9 +31,10 @@ from exactspline.geometry.recognition.proof import rounded_up
 from exactspline.geometry.rounded.features import NearbyFeature, features_nearby
 from exactspline.geometry.rounded.forms import PRECISION, CurvesNear, Family, with_positive_weights
 from exactspline.numbers.exact import mpq, to_fmpq
+from exactspline.one_line import one_line, short_text
 from exactspline.questions.answers import Described
 from exactspline.reals.real import Real, real
-from exactspline.roots.answers import CurvePiece
+from exactspline.roots.answers import CurvePiece, OneNumber
 from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.type_checks import curve_of
 
@@ -59,7 +60,7 @@ FINE = 2**16
 
 
 @dataclass(frozen=True, repr=False)
-class StableFeature(Described):
+class StableFeature(OneNumber, Described):
     """A feature of a curve, and how far the curve may be changed.
 
     Every curve whose control points and weights differ by at most `radius` has this feature exactly once near this
@@ -67,15 +68,17 @@ class StableFeature(Described):
     differ by at most `gone`; None where none was found.
     """
 
+    _number = "place"
     kind: FeatureKind
     place: Real
     radius: mpq
     witness: Nurbs | None = None
     gone: mpq | None = None
 
+    @one_line
     def __repr__(self) -> str:
-        end = "" if self.gone is None else f", gone at {self.gone}"
-        return f"<{self.kind} at {self.place.shortly()}: stable within {self.radius}{end}>"
+        end = "" if self.gone is None else f", gone at {short_text(self.gone)}"
+        return f"<{self.kind} at {self.place.shortly()}: stable within {short_text(self.radius)}{end}>"
 
     @property
     def piece(self) -> CurvePiece:  # type: ignore[override]  # an enclosure of the parameter

@@ -26,6 +26,7 @@ from exactspline.formulas.surfaces.lifted import area_squared_lifted, lifted_for
 from exactspline.geometry.rounded.forms import INSERT, PRECISION, SMALLER, Settled, basis_ordinates, dot
 from exactspline.numbers.exact import Number, mpq, to_fmpq
 from exactspline.numbers.intervals import Box, Interval, ball_around, ball_ends
+from exactspline.one_line import OneLine
 from exactspline.polynomials.patch_forms import clusters
 from exactspline.readings.taylor_surface import DoubleSeries
 from exactspline.splines.knots import KnotVector
@@ -45,8 +46,8 @@ STEPS = 6
 NARROWEST = 60
 
 
-@dataclass(frozen=True)
-class NearbyUmbilic:
+@dataclass(frozen=True, repr=False)
+class NearbyUmbilic(OneLine):
     """An umbilic of the surfaces near a surface, in a rectangle of parameters.
 
     ``certain``: every one of these surfaces has exactly one there. Otherwise some may have umbilics there, any number,

@@ -11,6 +11,7 @@ from exactspline.geometry.surfaces.forms import SurfaceForms, sides_of
 from exactspline.geometry.surfaces.singular import Line
 from exactspline.numbers.exact import mpq
 from exactspline.numbers.intervals import UNIT, Interval
+from exactspline.one_line import OneLine
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.surface import Along, NurbsSurface
 from exactspline.splines.tensor import TensorSpline
@@ -25,8 +26,8 @@ class Gap(StrEnum):
     INFINITE = "the curvatures grow without bound"
 
 
-@dataclass(frozen=True)
-class Pole:
+@dataclass(frozen=True, repr=False)
+class Pole(OneLine):
     """An isoparametric line along which a surface has no tangent plane: ``along`` runs over the `interval`, the other
     parameter is `value`. `point` is its image where that is a single point, None where it is a curve; `gap` describes
     the principal curvatures near it.

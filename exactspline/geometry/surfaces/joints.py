@@ -24,6 +24,7 @@ from exactspline.geometry.surfaces.degenerate import line_points
 from exactspline.geometry.surfaces.forms import SurfaceForms
 from exactspline.numbers.exact import mpq
 from exactspline.numbers.intervals import Interval
+from exactspline.one_line import OneLine
 from exactspline.roots.zero_set import zeros
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.surface import Along, NurbsSurface
@@ -57,8 +58,8 @@ ORDERS: dict[SurfaceJointKind, int | None] = {
 }
 
 
-@dataclass(frozen=True)
-class SurfaceJoint:
+@dataclass(frozen=True, repr=False)
+class SurfaceJoint(OneLine):
     """A part of a knot line inside the domain, or of the seam of a closed surface (`value` is the start of the domain
     then): ``across`` has this `value`, the other parameter runs over the `interval`. `angle` is that between the
     normals along a crease where it is the same everywhere.

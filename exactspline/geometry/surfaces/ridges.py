@@ -34,6 +34,7 @@ from exactspline.geometry.surfaces.singular import SingularPoints
 from exactspline.geometry.surfaces.umbilics import UmbilicsOfPatch
 from exactspline.numbers.exact import mpq, over_one_denominator
 from exactspline.numbers.intervals import UNIT, Box
+from exactspline.one_line import OneLine, one_line
 from exactspline.polynomials.certified_boxes import Isolation, isolate
 from exactspline.polynomials.cost import PATCH, Budget, affords, drawing_on, height_bits
 from exactspline.polynomials.factors import greatest_common_divisor
@@ -64,8 +65,8 @@ class NoDirections(StrEnum):
     SINGULAR = "no point has a tangent plane"
 
 
-@dataclass(frozen=True)
-class OpenRidges:
+@dataclass(frozen=True, repr=False)
+class OpenRidges(OneLine):
     """A rectangle of parameters in which the ridges are not resolved, and how many certified umbilics and points
     without a tangent plane are in it: through these run several ridges as a rule.
     """
@@ -114,6 +115,7 @@ class Ridges:
     def __bool__(self) -> bool:
         return any((self.curves, self.lines, self.stationary, self.undecided))
 
+    @one_line
     def __repr__(self) -> str:
         parts = [curve.shape.value for curve in self.curves] + ["a line"] * len(self.lines)
         parts += [f"everywhere on {part}" for part, _ in self.stationary]

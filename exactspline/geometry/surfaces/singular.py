@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import partial, reduce
 from typing import NamedTuple
 
@@ -17,6 +17,7 @@ from exactspline.errors import ReachError
 from exactspline.geometry.surfaces.forms import SurfaceForms, on_patch, sides_of
 from exactspline.numbers.exact import mpq
 from exactspline.numbers.intervals import Box
+from exactspline.one_line import OneLine
 from exactspline.polynomials.patch_forms import PatchForm
 
 #: Bits of a box around a point that is undecided.
@@ -96,8 +97,8 @@ def _curve_of(factor: PatchForm | None) -> tuple[ZeroCurve | None, ZeroCurve | N
     return curve, curve if curve.has_branches or sign is Sign.BOTH else None
 
 
-@dataclass(frozen=True)
-class SingularPoints:
+@dataclass(frozen=True, repr=False)
+class SingularPoints(OneLine):
     """Where the normal of a patch vanishes: `degenerate`: everywhere; along whole `edges`; at `places`, single ones
     inside, and those on the border, at which curves may end, also those of other patches; along lines and curves, the
     zeros `of_factor`, a common one of its coordinates; `undecided` are boxes of parameters.
@@ -107,7 +108,7 @@ class SingularPoints:
     edges: tuple[Edge, ...] = ()
     places: tuple[Place, ...] = ()
     undecided: tuple[Box, ...] = ()
-    of_factor: ZerosOfFactor = NONE
+    of_factor: ZerosOfFactor = field(default=NONE, repr=False)
 
     @property
     def inside(self) -> list[CommonZero]:

@@ -21,6 +21,7 @@ from exactspline.geometry.surfaces.forms import Reduced, SurfaceForms, on_patch,
 from exactspline.geometry.surfaces.singular import FAR, NONE, SingularPoints, ZerosOfFactor, singular_points
 from exactspline.numbers.exact import mpq
 from exactspline.numbers.intervals import UNIT, Box
+from exactspline.one_line import OneLine
 from exactspline.polynomials.patch_forms import PatchForm
 from exactspline.polynomials.rounded_forms import rounded
 from exactspline.polynomials.two_parameters import as_form, as_polynomial
@@ -42,8 +43,8 @@ class UmbilicKind(StrEnum):
     UNKNOWN = "of unknown kind"
 
 
-@dataclass(frozen=True)
-class Umbilic:
+@dataclass(frozen=True, repr=False)
+class Umbilic(OneLine):
     """One umbilic: where it is, and its kind: of index ½, of index −½, or a multiple zero of the equations.
 
     `one_sided` means that it is an umbilic only of some of the patches that meet there.
@@ -54,8 +55,8 @@ class Umbilic:
     one_sided: bool = False
 
 
-@dataclass(frozen=True)
-class UmbilicsOfPatch:
+@dataclass(frozen=True, repr=False)
+class UmbilicsOfPatch(OneLine):
     """The umbilics of one closed patch.
 
     `umbilics`: single ones inside, and those on the border, at which curves may end, also those of other patches
