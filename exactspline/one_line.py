@@ -62,7 +62,7 @@ class OneLine:
 
 def fields_of(value: object) -> str:
     """The values of the fields of a data class, with commas between them."""
-    fields = {name: getattr(value, name) for name in getattr(value, "__dataclass_fields__", ())}
+    fields = {x.name: getattr(value, x.name) for x in getattr(value, "__dataclass_fields__", {}).values() if x.repr}
     return ", ".join(filter(None, map(_field, fields, fields.values())))
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from functools import partial, reduce
 from typing import NamedTuple
 
@@ -31,7 +31,8 @@ class Line(NamedTuple):
     value: mpq
 
 
-class ZerosOfFactor(NamedTuple):
+@dataclass(frozen=True, repr=False)
+class ZerosOfFactor(OneLine):
     """The zeros of a common factor on a patch, if it has any: the `whole` of them, the `lines` among them at rational
     values, as knots have, and the rest as a `curve`, if it is more than single points; the `factors` that these have.
     """
@@ -108,7 +109,7 @@ class SingularPoints(OneLine):
     edges: tuple[Edge, ...] = ()
     places: tuple[Place, ...] = ()
     undecided: tuple[Box, ...] = ()
-    of_factor: ZerosOfFactor = field(default=NONE, repr=False)
+    of_factor: ZerosOfFactor = NONE
 
     @property
     def inside(self) -> list[CommonZero]:
