@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from decimal import Context, Decimal
 from functools import wraps
 from typing import TYPE_CHECKING, Any
 
@@ -36,10 +37,8 @@ def short_text(value: mpq) -> str:
     >>> short_text(mpq(3, 4)), short_text(mpq(10) ** 50 / 3)
     ('3/4', '3.3333333e+49…')
     """
-    from gmpy2 import mpfr, mpq
-
-    whole = str(mpq(value))
-    return whole if len(whole) <= LONGEST_NUMBER else f"{mpfr(value):.8g}…"
+    whole, top, bottom = str(value), Decimal(int(value.numerator)), Decimal(int(value.denominator))
+    return whole if len(whole) <= LONGEST_NUMBER else f"{Context(8).divide(top, bottom).normalize():.8g}…"
 
 
 class OneLine:

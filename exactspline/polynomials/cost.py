@@ -4,13 +4,13 @@ all calls made to answer one question.
 
 from __future__ import annotations
 
+import time
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
 from contextvars import ContextVar
 from dataclasses import dataclass, field
 from functools import cache, partial, wraps
 from operator import methodcaller
-from time import thread_time
 from typing import Any, Generic, ParamSpec, TypeVar
 
 from flint import fmpq, fmpz, fmpz_poly
@@ -25,6 +25,8 @@ LONGEST, LONGEST_LOOP = 2_000_000_000, 10_000_000_000
 #: The bound on the sum of the estimates for one question: they are upper ones, two to four times what is measured, so
 #: that this is about ten seconds; and what is added to it for each further pair of segments, as two cubics need it.
 QUESTION, PATCH = 20_000_000_000, 200_000_000
+#: The seconds of processor time of a thread; in a browser, where there is one thread, those of the process.
+thread_time = getattr(time, "thread_time", time.process_time)
 #: Advice for a computation that is too expensive.
 REMEDY = "take curves of lower degree, or numbers of fewer digits"
 
@@ -181,8 +183,7 @@ def within_seconds(limit: float | None) -> Iterator[None]:
 
 def look_at_the_time() -> None:
     """Leave the context of `within_seconds` when its time is over."""
-    end = _END.get()
-    if end is not None and thread_time() > end:
+    if (end := _END.get()) is not None and thread_time() > end:
         raise _TimeIsUp
 
 
