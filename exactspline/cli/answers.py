@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from typing import TYPE_CHECKING, Any
+from collections.abc import Iterable, Mapping, Sequence
+from itertools import product
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from exactspline.cli.common import Read, distinguish
 from exactspline.cli.output import OptionsError, Output
@@ -11,12 +12,39 @@ from exactspline.cli.parameters import Exit
 from exactspline.display.sheet import Sheet
 
 if TYPE_CHECKING:
+    from exactspline.batch.oracle_answers import Answer
     from exactspline.geometry.analysis.pairs import CurvePair
+    from exactspline.questions.answers import NamedNumbers
+    from exactspline.questions.entry import Of
     from exactspline.splines.nurbs import Nurbs
     from exactspline.splines.surface import NurbsSurface
 
 #: The most digits of the certified intervals of an answer.
 DIGITS = 1000
+
+
+class _Answered(NamedTuple):
+    """A question of a curve, or of two: of which, as data; the question; its answer, or why there is none."""
+
+    of: Mapping[str, object]
+    question: str
+    answer: Answer | None
+    error: str = ""
+
+    def data(self, digits: int, certificates: bool) -> dict[str, Any]:
+        """The answer as a row of JSON."""
+        from exactspline.batch.oracle_answers import answer_data
+
+        row: dict[str, Any] = {"key": f"{self.of['curve']}: {self.question}", **self.of, "error": self.error}
+        if self.answer is None:
+            return row | {"question": self.question, "items": [], "certificates": []}
+        return row | answer_data(self.answer, digits) | ({} if certificates else {"certificates": []})
+
+
+def refuse_with_ask(options: Mapping[str, object]) -> None:
+    """See that no option is given that has no effect beside a question."""
+    if refused := next((option for option, value in options.items() if value), ""):
+        raise OptionsError(f"{refused} and --ask", remedy=f"give {refused} in a command without --ask")
 
 
 def answer_questions(
@@ -25,40 +53,80 @@ def answer_questions(
     """Print the answers to questions about curves, which were read, and whether all could be: the exact value, a
     certified interval, the correctly rounded double.
     """
-    from exactspline.geometry.analysis.ask import check_question
     from exactspline.questions.entry import ALL_CURVES
 
-    _check_digits(digits)
-    for question in asked:
-        check_question(question, *ALL_CURVES)
+    _check(asked, digits, *ALL_CURVES)
     given, good = found
-    rows = [
-        _answered(read.curve, {"curve": read.curve.name} | read.data(), question, digits, certificates)
-        for read in given
-        for question in asked
-    ]
-    distinguish(rows)
-    _give(out, rows, digits, good=good)
+    answered = [_answered(x.curve, {"curve": x.curve.name} | x.data(), each) for x, each in product(given, asked)]
+    _give(out, answered, digits, certificates, good=good)
 
 
-def answer_about_pair(out: Output, pair: CurvePair, names: str, asked: list[str], digits: int) -> None:
+def answer_about_pair(out: Output, pair: CurvePair, asked: list[str], digits: int) -> None:
     """Print the answers to questions about two curves, in the same form."""
-    from exactspline.geometry.analysis.ask import check_question
     from exactspline.questions.entry import Of
 
-    _check_digits(digits)
-    for question in asked:
-        check_question(question, Of.TWO_CURVES)
-    _give(out, [_answered(pair, {"curve": names}, question, digits, False) for question in asked], digits, good=True)
+    _check(asked, digits, Of.TWO_CURVES)
+    of = {"curve": " and ".join(curve.name for curve in pair.curves)}
+    _give(out, [_answered(pair, of, question) for question in asked], digits, certificates=False, good=True)
 
 
-def _give(out: Output, rows: list[dict[str, Any]], digits: int, *, good: bool) -> None:
-    out.give("oracle", rows, (_sheet(row, digits) for row in rows), by="answer")
-    if not good or any(row["error"] for row in rows):
+def _give(out: Output, answered: list[_Answered], digits: int, certificates: bool, *, good: bool) -> None:
+    rows = [each.data(digits, certificates) for each in answered] if out.format == "json" else []
+    distinguish(rows)
+    out.give("oracle", rows, (_sheet(each, digits) for each in answered), by="answer")
+    if not good or any(each.error for each in answered):
         raise Exit(2)
 
 
-def _check_digits(digits: int) -> None:
+def _answered(about: Nurbs | CurvePair, of: Mapping[str, object], question: str) -> _Answered:
+    from exactspline.batch.oracle import oracle
+    from exactspline.errors import ExactSplineError
+
+    try:
+        return _Answered(of, question, oracle(about, question))
+    except ExactSplineError as error:
+        return _Answered(of, question, None, str(error))
+
+
+def _sheet(answered: _Answered, digits: int) -> Sheet:
+    """An answer, one number per row: exactly where that is short, and as the nearest double."""
+    from exactspline.display.reals import double_of, real_text
+
+    title = f"{answered.of['curve']}: {answered.question}"
+    made = Sheet("what", "name", "value", "double", title=title, name=title, prose=["value"])
+    for item in answered.answer.items if answered.answer else ():
+        ends = _ends(item)
+        for name, number in item.values.items():
+            double = double_of(number)
+            shown = "–" if double is None else repr(double)
+            made.add_row(item.what, name, ends.get(name) or real_text(number, digits), "" if name in ends else shown)
+        for name, fact in item.facts.items():
+            made.add_row(item.what, name.replace("_", " "), _shown(fact), "")
+    if answered.error:
+        made.add_row("no answer", "", answered.error, "")
+    elif not made.rows:
+        made.add_row("nothing", "", "there is none", "")
+    return made
+
+
+def _ends(item: NamedNumbers) -> dict[str, str]:
+    """The ends of intervals that contain what curves near a curve have, rounded outwards; `--json` has them exactly."""
+    from exactspline.display.features import ends_text
+    from exactspline.numbers.intervals import Interval
+
+    if "certain" not in item.facts:
+        return {}
+    pairs = [pair for pair in (("start", "end"), ("second 1", "second 2")) if pair[0] in item.values]
+    own = [(pair, ends_text(Interval(*(item.values[name].around(0).low for name in pair)))) for pair in pairs]
+    return {name: end for pair, ends in own for name, end in zip(pair, ends, strict=True)}
+
+
+def _check(asked: Iterable[str], digits: int, *of: Of) -> None:
+    """See that these are questions about such objects, and that there are not too many digits."""
+    from exactspline.geometry.analysis.ask import check_question
+
+    for question in asked:
+        check_question(question, *of)
     if digits > DIGITS:
         raise OptionsError(f"--digits {digits}", remedy=f"answers have at most {DIGITS}")
 
@@ -71,12 +139,9 @@ def answer_about_surfaces(
     """
     from exactspline.batch.surface_oracle import surface_answer
     from exactspline.errors import ExactSplineError
-    from exactspline.geometry.analysis.ask import check_question
     from exactspline.questions.entry import Of
 
-    _check_digits(digits)
-    for each in asked:
-        check_question(each, Of.SURFACE, Of.PLANAR_MAP)
+    _check(asked, digits, Of.SURFACE, Of.PLANAR_MAP)
     rows: list[dict[str, Any]] = []
     for surface in surfaces:
         for each in asked:
@@ -123,9 +188,12 @@ def _element(each: object, group: str, digits: int) -> tuple[str, str]:
 
 def _in_words(value: Any, digits: int) -> str:
     """A part of the data of an element."""
+    from exactspline.numbers.exact import rational
+    from exactspline.numbers.intervals import Interval, certain
+
     match value:
-        case {"low": _, "high": _, "exact": exact}:
-            return exact or _between(value, digits)
+        case {"low": low, "high": high, "exact": exact}:
+            return exact or certain(Interval(rational(low), rational(high)), digits)
         case dict():
             return ", ".join(f"{key.replace('_', ' ')} {_in_words(each, digits)}" for key, each in value.items())
         case [{"exact": _}, *_]:
@@ -138,62 +206,6 @@ def _in_words(value: Any, digits: int) -> str:
             return f"({', '.join(map(str, value))})"
         case _:
             return _shown(value)
-
-
-def _answered(
-    about: Nurbs | CurvePair, head: Mapping[str, object], asked: str, digits: int, certificates: bool
-) -> dict[str, Any]:
-    """A row of answers; `head` says of which curve, or curves, it is."""
-    from exactspline.batch.oracle import oracle as ask_oracle
-    from exactspline.batch.oracle_answers import answer_data
-    from exactspline.errors import ExactSplineError
-
-    row: dict[str, Any] = {"key": f"{head['curve']}: {asked}", **head}
-    try:
-        data = answer_data(ask_oracle(about, asked), digits)
-    except ExactSplineError as error:
-        return row | {"question": asked, "items": [], "certificates": [], "error": str(error)}
-    return row | data | {"certificates": data["certificates"] if certificates else [], "error": ""}
-
-
-def _sheet(row: dict[str, Any], digits: int) -> Sheet:
-    """An answer, one number per row."""
-    made = Sheet("what", "name", "value", "double", title=row["key"], name=row["key"], prose=["value"])
-    for item in row["items"]:
-        ends = _ends(item)
-        for name, number in item["values"].items():
-            exact = number["exact"] if number["exact"] is not None else _between(number, digits)
-            double = "–" if number["double"] is None else repr(number["double"])
-            made.add_row(item["what"], name, ends.get(name, exact), "" if name in ends else double)
-        for name, fact in item["facts"].items():
-            made.add_row(item["what"], name.replace("_", " "), _shown(fact), "")
-    if row["error"]:
-        made.add_row("no answer", "", row["error"], "")
-    elif not row["items"]:
-        made.add_row("nothing", "", "there is none", "")
-    return made
-
-
-def _ends(item: dict[str, Any]) -> dict[str, str]:
-    """The ends of intervals that contain what curves near a curve have, rounded outwards; `--json` has them exactly."""
-    from exactspline.display.features import ends_text
-    from exactspline.numbers.exact import rational
-    from exactspline.numbers.intervals import Interval
-
-    if "certain" not in item["facts"]:
-        return {}
-    pairs = [pair for pair in (("start", "end"), ("second 1", "second 2")) if pair[0] in item["values"]]
-    exact = [(pair, [item["values"][name]["exact"] for name in pair]) for pair in pairs]
-    own_ends = [(pair, ends_text(Interval(*map(rational, own)))) for pair, own in exact]
-    return {name: end for pair, ends in own_ends for name, end in zip(pair, ends, strict=True)}
-
-
-def _between(number: dict[str, Any], digits: int) -> str:
-    """An irrational number: the decimals that its certified interval makes certain, and dots."""
-    from exactspline.numbers.exact import rational
-    from exactspline.numbers.intervals import Interval, certain
-
-    return certain(Interval(rational(number["low"]), rational(number["high"])), digits)
 
 
 def _shown(fact: object) -> str:

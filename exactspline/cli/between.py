@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Annotated
 
-from exactspline.cli.answers import answer_about_pair
+from exactspline.cli.answers import answer_about_pair, refuse_with_ask
 from exactspline.cli.common import (
     CURVE_HELP,
     Drawing,
@@ -66,6 +66,7 @@ def between(
     from exactspline.display.serialize import described_data
     from exactspline.geometry.analysis.pairs import CurvePair
 
+    refuse_with_ask({"--plot": plot, "--emit-coq": emit_coq} if ask else {})
     check_output(plot, curve, other)
     check_output(emit_coq, curve, other)
     first, second = load_curve(curve), load_curve(other)
@@ -75,9 +76,7 @@ def between(
         check_distance(epsilon)
     pair = CurvePair(first, second)
     if ask:
-        answer_about_pair(
-            out, pair, f"{first.name} and {second.name}", with_distance(ask, epsilon, (), of_pair=True), digits
-        )
+        answer_about_pair(out, pair, with_distance(ask, epsilon, (), of_pair=True), digits)
         return
     sheets = [pair_sheet(pair, f"{first.name} (s) and {second.name} (t)", digits)]
     if epsilon:

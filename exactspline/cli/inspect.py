@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING, Annotated, Any, NamedTuple
 
-from exactspline.cli.answers import answer_about_surfaces, answer_questions
+from exactspline.cli.answers import answer_about_surfaces, answer_questions, refuse_with_ask
 from exactspline.cli.common import (
     CURVE_HELP,
     Approximate,
@@ -134,24 +134,27 @@ def inspect(
     from exactspline.cli.surfaces import surfaces_among
 
     check_approximate(approximate)
+    for_curves: dict[str, str | bool] = {
+        "--approach": approach,
+        "--coordinates": coordinates,
+        "--stability": stability,
+        "--certificate": certificate,
+        "--emit-coq": emit_coq,
+    }
     if ask:
+        refuse_with_ask(for_curves | {"--plot": plot})
         near = with_distance(ask, epsilon, ())
         if epsilon and near == ask:
             remedy = "it is for those that end in _within, such as features_within"
             raise OptionsError(f"--epsilon and --ask {ask[0]}", remedy=remedy)
         ask = near
+    elif certificates:
+        raise OptionsError("--certificates without --ask", remedy="add --ask QUESTION, or write --certificate FILE")
     read, good = each_read(curve, lambda name: (name, reading_of(name, approximate)))
     if with_surfaces := surfaces_among(read, requested=surfaces):
         if len(with_surfaces) < len(read):
             raise OptionsError("surfaces and curves", remedy="inspect them one after the other")
-        for_curves: dict[str, str | bool] = {
-            "--approach": approach,
-            "--coordinates": coordinates,
-            "--approximate": approximate,
-            "--stability": stability,
-            "--certificate": certificate,
-            "--emit-coq": emit_coq,
-        }
+        for_curves |= {"--approximate": approximate, "--certificates": certificates}
         _inspect_surfaces(out, with_surfaces, ask, for_curves, digits, plot, epsilon, good)
     elif ask:
         answer_questions(out, read_curves(read, good), ask, digits, certificates)
@@ -186,11 +189,11 @@ def _inspect_surfaces(
     from exactspline.cli.surfaces import inspect_surfaces, surfaces_in
 
     own = [surface for pair in read for surface in surfaces_in(*pair)]
+    if refused := next((option for option, value in for_curves.items() if value), ""):
+        raise OptionsError(f"{refused} and a surface", remedy="it is for curves")
     if ask:
         answer_about_surfaces(out, own, ask, digits, good=good)
         return
-    if refused := next((option for option, value in for_curves.items() if value), ""):
-        raise OptionsError(f"{refused} and a surface", remedy="it is for curves")
     if epsilon:
         check_distance(epsilon)
     inspect_surfaces(out, own, digits, plot, epsilon, good=good)

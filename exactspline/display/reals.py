@@ -26,11 +26,19 @@ def real_data(x: Real | mpq, digits: int) -> Data:
     number = real(x)
     # the closed form first: what turns out to be rational has equal bounds
     form, (low, high) = closed_form_data(number), number.around(digits + 1)
+    return {**form, "low": text(low), "high": text(high), "double": double_of(number)}
+
+
+def double_of(x: Real) -> float | None:
+    """The correctly rounded double; None where it is too large, or where the enclosures do not determine it.
+
+    >>> double_of(Real("1/3")), double_of(Real(10) ** 400)
+    (0.3333333333333333, None)
+    """
     try:
-        rounded: float | None = number.double()
+        return x.double()
     except (ExactSplineError, OverflowError):
-        rounded = None
-    return {**form, "low": text(low), "high": text(high), "double": rounded}
+        return None
 
 
 def closed_form_data(x: Real) -> Data:

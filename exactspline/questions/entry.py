@@ -287,13 +287,9 @@ class QuestionWith(Entry, Generic[F, P, T]):
 
     def _read(self, facts: Remembers, argument: str, place: str) -> dict[str, Any]:
         """What stands behind the colon and behind the @, read."""
-        texts = [argument] if argument else []
-        behind = iter(texts)
-        read = dict[str, Any]()
-        for name, takes in self.takes.items():
-            text = place if takes.placed else next(behind, "")
-            read[name] = takes.read(text, facts) if text else self.signature.parameters[name].default
-        return read
+        given = {name: place if takes.placed else argument for name, takes in self.takes.items()}
+        read = {name: self.takes[name].read(text, facts) for name, text in given.items() if text}
+        return {name: read.get(name, self.signature.parameters[name].default) for name in given}
 
 
 def question(
@@ -317,7 +313,7 @@ def question_with(
     nearby: bool = False,
 ) -> Callable[[Callable[Concatenate[F, P], T]], QuestionWith[F, P, T]]:
     """Make a method that computes an answer an entry of the registry; it takes these arguments, in the order of its
-    parameters.
+    parameters: at most one that stands behind the colon, and one behind the @.
     """
     given = takes if isinstance(takes, tuple) else (takes,)
     return lambda compute: QuestionWith(compute, About(of, answered, proof=proof, takes=given, nearby=nearby))

@@ -80,7 +80,8 @@ def _distance(given: Any, facts: object) -> mpq:
     return rational(given)
 
 
-def _point(given: Any, facts: object) -> tuple[Any, ...]:
+def _parts(given: Any, facts: object = None) -> tuple[Any, ...]:
+    """What is given with commas between, or as a sequence."""
     return tuple(given.split(",") if isinstance(given, str) else given)
 
 
@@ -91,7 +92,7 @@ COORDINATE = Takes("0", _integer)
 #: A distance, and one within which control points and weights may differ.
 DISTANCE, WITHIN = Takes("1/10", _distance), Takes("1/1000000", _distance)
 #: The coordinates of a point.
-POINT = Takes("1/2,2", _point)
+POINT = Takes("1/2,2", _parts)
 
 
 def _two_coordinates(given: Any, facts: Any) -> tuple[int, int]:
@@ -135,14 +136,14 @@ PLACE = Takes("1/2", _place, placed=True)
 
 
 def _two_parameters(given: Any, facts: object) -> tuple[mpq, mpq]:
-    parts = given.split(",") if isinstance(given, str) else tuple(given)
+    parts = _parts(given)
     if len(parts) != 2:
         raise QuestionError(f"{given!r} is not a place on a surface", remedy="give u and v, as in value@1/2,1/3")
     return rational(parts[0]), rational(parts[1])
 
 
 def _two_orders(given: Any, facts: object) -> tuple[int, int]:
-    parts = given.split(",") if isinstance(given, str) else tuple(given)
+    parts = _parts(given)
     if len(parts) != 2 or not all(str(n).isascii() and str(n).isdecimal() and int(n) <= MOST // 10 for n in parts):
         raise QuestionError(f"a derivative of the orders {given!r}", remedy="derivative:1,0@1/2,1/3 is S_u")
     return int(parts[0]), int(parts[1])

@@ -66,3 +66,12 @@ def test_questions_about_two_curves_are_answered_as_those_of_one():
         refused = run("between", "circle", "ellipse", "--ask", wrong)
         assert refused.returncode == 2
         assert "Traceback" not in refused.stderr
+
+
+@pytest.mark.parametrize("option", ["--plot", "--emit-coq"])
+def test_an_option_without_effect_beside_a_question_is_refused(option, tmp_path):
+    """Passed before: the picture that was asked for was not drawn, without a word."""
+    refused = run("between", "circle", "ellipse", "--ask", "distance", option, tmp_path / "a.svg")
+    assert refused.returncode == 2
+    assert f"{option} and --ask" in refused.stderr
+    assert not list(tmp_path.iterdir())

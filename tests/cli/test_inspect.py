@@ -177,3 +177,24 @@ def test_what_holds_of_all_curves_near_one_by_the_oracle_and_in_sweeps():
     }
     (seam,) = found["self_intersections_within:1e-3"]
     assert (seam["kind"], seam["low"], seam["other_high"]) == ("possible crossing", "0", "4")
+
+
+@pytest.mark.parametrize(
+    "options",
+    [
+        ("--plot", "a.svg"),
+        ("--certificate", "a.json"),
+        ("--emit-coq", "a.v"),
+        ("--approach", "all"),
+        ("--stability",),
+        ("--coordinates",),
+    ],
+)
+def test_an_option_without_effect_beside_a_question_is_refused(options):
+    """Passed before: `inspect circle --ask length --plot FILE` drew nothing, and said nothing."""
+    for asked in (("circle", "--ask", "length"), ("torus", "--ask", "umbilics")):
+        assert f"{options[0]} and --ask" in str(invoke("inspect", *asked, *options).exception)
+
+
+def test_certificates_without_a_question_are_refused():
+    assert "add --ask QUESTION" in str(invoke("inspect", "circle", "--certificates").exception)

@@ -16,12 +16,15 @@ from exactspline.display.evidence import worded
 from exactspline.errors import DomainError, FormulaError, ShapeError
 from exactspline.geometry.analysis.curves import analyse
 from exactspline.geometry.analysis.inspection import inspect_curve
+from exactspline.geometry.analysis.many_curves import features_of_curves
 from exactspline.geometry.curves import values as values_along
 from exactspline.geometry.curves.kinds import JointKind
 from exactspline.geometry.curves.planarity import as_plane_curve, planar_pieces, plane_of
 from exactspline.geometry.curves.values import curvature, torsion
 from exactspline.geometry.derived.constructions import Absence
 from exactspline.geometry.derived.derive import derive
+from exactspline.geometry.pairs.distance import distance
+from exactspline.geometry.pairs.nearest import nearest
 from exactspline.interchange.examples import example, example_names
 from exactspline.papers import find
 from exactspline.verification.claims import all_claims
@@ -116,6 +119,11 @@ def test_a_curve_in_the_plane_z_0_is_a_plane_curve_to_every_question():
     assert str(found.plane) == "z = 0"
     assert len(found.torsion_zeros.everywhere) == 1
     assert found.nearest((0, 0, 7))[0].distance == 7
+    # through functions that take several curves, or a curve and a point; refused before
+    line = Nurbs(1, [0, 0, 1, 1], [(0, 5), (1, 5)])
+    assert distance(curve, line) == distance(flat, line)
+    assert nearest(curve, (0, 0))[0].distance == nearest(flat, (0, 0))[0].distance
+    assert features_of_curves([curve]).kind.tolist() == features_of_curves([flat]).kind.tolist() != []
     # before and after other questions, and of the plane curve itself
     assert analyse(analyse(curve).curve) is not analyse(curve)
     assert analyse(curve) is analyse(curve) is found

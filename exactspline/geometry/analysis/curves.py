@@ -238,7 +238,7 @@ class Analysis(CurveValues, Displayed):
 
         Raises `ShapeError` for a point of another dimension.
         """
-        return nearest(self.curve if len(point) == self.curve.dimension else self.given, point)
+        return nearest(self.given, point)
 
     @question_with(POINT, Of.PLANE_CURVE, answered=Answered.VALUE)
     def winding_number(self, point: Sequence[Number]) -> int:
@@ -473,11 +473,9 @@ def analyse(given: Nurbs | NurbsSurface) -> Analysis | SurfaceInspection | MapIn
         return MapInspection(given) if given.dimension == 2 else SurfaceInspection(given)
     curve = curve_of(given)
     flat = in_the_plane(curve)
-    return (
-        _analysis(curve)
-        if flat is curve
-        else kept_by(flat).reader(lambda kept: Analysis(flat, kept, curve), "in space")
-    )
+    if flat is curve:
+        return _analysis(curve)
+    return kept_by(flat).reader(lambda kept: Analysis(flat, kept, curve), "in space")
 
 
 def _analysis(curve: Nurbs) -> Analysis:

@@ -22,6 +22,7 @@ from numpy.typing import ArrayLike, NDArray
 from exactspline.errors import ExactSplineError, NumberError, ShapeError, as_items
 from exactspline.geometry.analysis.curves import Analysis
 from exactspline.geometry.curves.kinds import FeatureKind
+from exactspline.geometry.curves.planarity import in_the_plane
 from exactspline.geometry.filter.filtered import AT_ONCE, filtered
 from exactspline.numbers.exact import Rounding, double, from_floats, is_float, mpq, rational
 from exactspline.polynomials.doubles import Flags, Floats, Integers
@@ -129,7 +130,8 @@ def _of_curves(curves: Sequence[Nurbs], start: int) -> ManyFeatures:
 def _plane(curve: Nurbs, i: int) -> Nurbs:
     """A curve in the plane, the i-th; raises `ShapeError` for anything else."""
     try:
-        if curve_of(curve).dimension != 2:
+        curve = in_the_plane(curve_of(curve))
+        if curve.dimension != 2:
             raise ShapeError(f"a curve in {curve.dimension} dimensions", remedy="in 2")
     except ShapeError as error:
         raise ShapeError(error.problem, where=f"curves[{i}]", remedy=error.remedy) from None

@@ -15,7 +15,7 @@ from exactspline.splines.nurbs import Nurbs
 
 
 class CurvePair(Inspected, Displayed):
-    """Two curves of one dimension, in the plane or in space.
+    """Two curves of the same dimension, in the plane or in space.
 
     >>> from exactspline import Nurbs, example
     >>> pair = CurvePair(example("circle"), Nurbs(1, [0, 0, 1, 1], [(0, 0), (2, 0)]))

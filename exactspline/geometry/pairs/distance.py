@@ -20,6 +20,7 @@ from flint import arb, fmpq_poly, fmpz_mpoly, fmpz_poly
 from exactspline.bivariate.common_zeros import CommonZero, projected, zeros_of
 from exactspline.bivariate.monotone_arcs import monotone_arcs
 from exactspline.errors import ReachError, ShapeError, counted
+from exactspline.geometry.curves.planarity import in_one_plane
 from exactspline.geometry.pairs.box_tree import IntegerBox, box_of, shift_for
 from exactspline.geometry.pairs.intersections import Intersections, Overlap, intersections
 from exactspline.geometry.pairs.nearest import nearest
@@ -119,10 +120,10 @@ def distance(first: Nurbs, second: Nurbs) -> Distance:
 
     Raises `ShapeError` for curves of different dimensions.
     """
-    if curve_of(first).dimension != curve_of(second).dimension:
-        raise ShapeError(
-            f"a curve in R{first.dimension} and one in R{second.dimension}", remedy="give curves of one dimension"
-        )
+    first, second = in_one_plane(curve_of(first), curve_of(second))
+    if first.dimension != second.dimension:
+        different = f"a curve in R{first.dimension} and one in R{second.dimension}"
+        raise ShapeError(different, remedy="give curves of the same dimension")
     return nearest_pairs(first, second, intersections(first, second))
 
 

@@ -173,7 +173,7 @@ def intersections(first: Nurbs, second: Nurbs) -> Intersections:
             raise ShapeError(f"a curve in R{curve.dimension}", remedy="give curves in the plane or in space")
     if first.dimension != second.dimension:
         raise ShapeError(
-            f"a curve in R{first.dimension} and one in R{second.dimension}", remedy="give curves of one dimension"
+            f"a curve in R{first.dimension} and one in R{second.dimension}", remedy="give curves of the same dimension"
         )
     return CollectedPoints(first, second).answer()
 

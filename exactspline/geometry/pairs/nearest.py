@@ -14,6 +14,7 @@ from functools import reduce
 from flint import ctx, fmpz, fmpz_poly
 
 from exactspline.errors import ShapeError, as_items, counted
+from exactspline.geometry.curves.planarity import in_the_plane
 from exactspline.geometry.pairs.box_tree import IntegerBox, box_of, shift_for
 from exactspline.hooks import Displayed
 from exactspline.numbers.exact import Number, lcm, mpq, rational
@@ -87,6 +88,8 @@ def nearest(curve: Nurbs, point: Iterable[Number]) -> Nearest:
 
     Raises `ShapeError` for a point of another dimension.
     """
+    point, flat = tuple(as_items(point, "a point")), in_the_plane(curve_of(curve))
+    curve = flat if len(point) == flat.dimension else curve
     delta = exact_point(curve, point)
     segments = [segment_forms(curve, i) for i in range(curve.segments)]
     found = [c for i in _near_segments(segments, delta) for c in _candidates(curve, i, segments[i], delta)]
