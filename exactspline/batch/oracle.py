@@ -78,10 +78,12 @@ def _first(about: Nurbs | CurvePair) -> Nurbs:
 def _items(curve: Nurbs, asked: Asked) -> Iterator[NamedNumbers]:
     """The items of an answer."""
     answer: Any = asked.answer
-    if isinstance(answer, Intersections):
-        yield from _meetings(answer)
-    elif isinstance(answer, Distance):
-        yield from _closest(answer)
+    if isinstance(answer, Intersections | Distance):
+        _check_decided(answer.left_out)
+        yield from _meetings(answer) if isinstance(answer, Intersections) else _closest(answer)
+        for arc in answer.everywhere:
+            ends = zip(("start", "end", "other start", "other end"), (*arc.first, *arc.second), strict=True)
+            yield NamedNumbers(EVERYWHERE, dict(ends), {"reversed": arc.reversed})
     elif isinstance(answer, Real):
         yield NamedNumbers(asked.entry.name, {asked.entry.name: answer})
     elif isinstance(answer, Derived):
@@ -167,20 +169,15 @@ def _check_decided(left_out: Iterable[str]) -> None:
 
 
 def _closest(found: Distance) -> Iterator[NamedNumbers]:
-    _check_decided(found.left_out)
     for pair in found.pairs:
         yield NamedNumbers("pair", {"parameter": pair.first, "other parameter": pair.second, "distance": found.value})
 
 
 def _meetings(found: Intersections) -> Iterator[NamedNumbers]:
-    _check_decided(found.left_out)
     for point in found:
         values = {"parameter": point.first, "other parameter": point.second}
         coordinates = {name: real(x) for name, x in zip("xyz", point.point, strict=False)}
         yield NamedNumbers(str(point.kind), values | coordinates, {"multiplicity": point.multiplicity})
-    for arc in found.everywhere:
-        ends = zip(("start", "end", "other start", "other end"), (*arc.first, *arc.second), strict=True)
-        yield NamedNumbers(EVERYWHERE, dict(ends), {"reversed": arc.reversed})
 
 
 def _point(curve: Nurbs, feature: Feature) -> NamedNumbers:

@@ -22,6 +22,7 @@ from exactspline.cli import app
 from exactspline.display.reals import real_data
 from exactspline.errors import ExactSplineError, OpenError
 from exactspline.geometry.analysis.ask import check_question, questions
+from exactspline.geometry.analysis.pairs import CurvePair
 from exactspline.geometry.analysis.registry import REGISTRY
 from exactspline.geometry.curves.balls import degrees, length
 from exactspline.geometry.curves.extent import coordinate_range
@@ -38,8 +39,8 @@ SQUARE = xs.Nurbs(1, [0, 0, 1, 2, 3, 4, 4], [(0, 0), (2, 0), (2, 1), (0, 1), (0,
 CURVES = ["cubic_s", "circle", "twisted_cubic", "cusp", "six_segment_cubic", "rational_space_cubic"]
 
 
-def items(curve, asked):
-    return oracle(curve, asked).items
+def items(about, asked):
+    return oracle(about, asked).items
 
 
 def value(curve, asked, name):
@@ -452,3 +453,15 @@ def test_two_curves_a_curve_and_a_point():
     ):
         with pytest.raises(ExactSplineError):
             oracle(circle, asked)
+
+
+def test_arcs_at_the_least_distance_are_told_in_every_form():
+    """Passed before: of parallel segments, with doubles of 17 digits, two pairs alone, as if no other points were as
+    near; `between` had the arc.
+    """
+    a, b = (xs.Nurbs.from_floats(1, [0, 0, 1, 1], [(x, y), (x + 4.1, y)]) for x, y in ((0.1, 0.3), (1.7, 1.9)))
+    told = items(CurvePair(a, b), "distance")
+    assert [item.what for item in told] == ["pair", "pair", "everywhere"]
+    (arc,) = xs.distance(a, b).everywhere
+    assert (told[2].values["start"], told[2].values["other end"]) == (arc.first[0], arc.second[1])
+    assert [item.what for item in items(CurvePair(a, a), "intersections")][-1] == "everywhere"

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from typing import NamedTuple, TypeAlias
 
@@ -166,9 +166,11 @@ def _not_asked(name: str, *of: Of) -> QuestionError:
     return QuestionError(f"{name} of {_either(of)}", remedy=f"it is asked of {_either(kinds)}")
 
 
-def _either(kinds: Iterable[Of]) -> str:
+def _either(kinds: Sequence[Of]) -> str:
     """Kinds of objects as words."""
-    return " or ".join(kind if kind is Of.TWO_CURVES else f"a {kind}" for kind in kinds)
+    of_all = set(ALL_CURVES) <= {*kinds}
+    rest = [kind for kind in kinds if not (of_all and kind in ALL_CURVES)]
+    return " or ".join(["a curve"] * of_all + [kind if kind is Of.TWO_CURVES else f"a {kind}" for kind in rest])
 
 
 class Listed(NamedTuple):
