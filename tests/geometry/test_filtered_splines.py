@@ -119,12 +119,14 @@ def test_the_jump_of_curvature_at_a_knot_decides():
     same_as_exact(curves)
 
 
-def test_the_examples_and_one_that_is_no_plane_curve():
+def test_the_examples_and_those_that_are_no_plane_curves():
     curves = [example(name) for name in examples("curves")]
     found = features_of_curves(curves)
-    assert sorted(found.refused) == [i for i, curve in enumerate(curves) if curve.dimension != 2] != []
+    in_a_plane = [all(point[2:] in ((), (0,)) for point in curve.control_points) for curve in curves]
+    assert sorted(found.refused) == [i for i, flat in enumerate(in_a_plane) if not flat] != []
     assert {type(error) for error in found.refused.values()} == {ShapeError}
-    same_as_exact([curve for curve in curves if curve.dimension == 2])
+    assert any(flat and curve.dimension == 3 for flat, curve in zip(in_a_plane, curves, strict=True))
+    same_as_exact([curve for curve, flat in zip(curves, in_a_plane, strict=True) if flat])
 
 
 def test_what_is_no_curve_is_refused_like_a_bad_curve():
