@@ -7,10 +7,11 @@ from __future__ import annotations
 
 from collections.abc import Callable, Container, Iterable, Mapping
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, NamedTuple
 
 from exactspline.errors import ExactSplineError, as_text, nearest
 from exactspline.numbers.exact import mpq, rational
+from exactspline.numbers.sides import Side
 from exactspline.reals.real import Real
 
 #: The largest integer that a question takes.
@@ -105,7 +106,18 @@ def _two_coordinates(given: Any, facts: Any) -> tuple[int, int]:
 TWO_COORDINATES = Takes("01", _two_coordinates)
 
 
-def _places(given: Any, facts: Any) -> tuple[mpq | Real, ...]:
+class OnCurve(NamedTuple):
+    """A parameter of a curve, and the side from which limits are taken there, where one is named."""
+
+    parameter: mpq | Real
+    side: Side | None = None
+
+
+#: Behind a parameter: from the left, and from the right.
+SIDES = {"-": Side.LEFT, "+": Side.RIGHT}
+
+
+def _places(given: Any, facts: Any) -> tuple[OnCurve, ...]:
     many = given.split(",") if isinstance(given, str) else given if isinstance(given, tuple | list) else (given,)
     if not many or "" in many:
         raise QuestionError(
@@ -114,22 +126,31 @@ def _places(given: Any, facts: Any) -> tuple[mpq | Real, ...]:
     return tuple(place for each in many for place in _named(each, facts))
 
 
-def _named(place: Any, facts: Any) -> tuple[mpq | Real, ...]:
-    """A parameter; or those of the knots or of the features of a curve."""
-    if isinstance(place, Real):
-        return (place,)
-    found = facts.parameters_of(place) if isinstance(place, str) else None
-    return (rational(place),) if found is None else found
+def _named(place: Any, facts: Any) -> list[OnCurve]:
+    """A parameter; or those of the knots or of the features of a curve; each with the side that is named, where the
+    domain is on both sides.
+    """
+    side = SIDES.get(place.strip()[-1:]) if isinstance(place, str) else None
+    name = place.strip()[:-1] if side else place
+    found = facts.parameters_of(name) if isinstance(name, str) else None
+    outside = facts.curve.domain[side is Side.RIGHT] if side else None
+    if found is None:
+        found = (name if isinstance(name, Real) else rational(name),)
+        if found[0] == outside:
+            remedy = "the limit from inside is asked for without a side"
+            raise QuestionError(f"the limit {place} from outside of the domain", remedy=remedy)
+    return [OnCurve(t, None if t == outside else side) for t in found]
 
 
 def _place(given: Any, facts: Any) -> mpq:
     places = _places(given, facts)
-    if len(places) != 1 or isinstance(places[0], Real):
+    if len(places) != 1 or isinstance(places[0].parameter, Real) or places[0].side:
         raise QuestionError(f"{given!r}, where one rational parameter is needed", remedy="such as 1/2")
-    return places[0]
+    return places[0].parameter
 
 
-#: Parameters: numbers, ``knots``, or the name of a question whose answer is a list of places.
+#: Parameters: numbers, ``knots``, or the name of a question whose answer is a list of places; behind each one may stand
+#: the side from which limits are taken, as in ``1/2-`` and ``knots+`` (at a knot otherwise the right one).
 PLACES = Takes("1/2", _places, placed=True)
 #: One rational parameter.
 PLACE = Takes("1/2", _place, placed=True)

@@ -222,7 +222,7 @@ def from_seam(curve, t):
     n = curve.degree
     knots = (*behind.knots, *[u + b - a for u in before.knots[n + 1 :]])
     other = curve_from(Rows(n, knots, (*behind.points, *before.points)))
-    way = Way(lambda u: u + b - a if u < t else u)
+    way = Way(lambda u: u + b - a if u < t else u, before=lambda u: u + b - a if u <= t else u)
     return other and (other, Image((way, way)))
 
 

@@ -117,17 +117,24 @@ class Motion:
 
 class Way(NamedTuple):
     """Where a parameter goes, and whether it runs the other way then; the derivative of the new one by the old one
-    where that is constant.
+    where that is constant. `before` is where its left side goes if that is elsewhere, as at a seam.
     """
 
     to: Callable[[mpq], mpq] = lambda t: t
     backwards: bool = False
     speed: mpq | int | None = 1
+    before: Callable[[mpq], mpq] | None = None
+
+    def left(self, t):
+        """Where what is left of a parameter goes."""
+        return (self.before or self.to)(t)
 
     def then(self, other):
         """This one, then another."""
         speed = None if self.speed is None or other.speed is None else self.speed * other.speed
-        return Way(lambda t: other.to(self.to(t)), self.backwards != other.backwards, speed)
+        right, left = (other.left, other.to) if self.backwards else (other.to, other.left)
+        backwards = self.backwards != other.backwards
+        return Way(lambda t: right(self.to(t)), backwards, speed, lambda t: left(self.left(t)))
 
 
 @dataclass(frozen=True)

@@ -108,8 +108,19 @@ def inside(low, high, random):
 
 
 def some_parameter(curve, random):
-    """A parameter that is not a knot."""
+    """A parameter that is not a knot, or one side of a knot."""
+    knots = curve.breakpoints[1:-1]
+    if knots and random.random() < 0.5:
+        return f"{random.choice(knots)}{random.choice('-+')}"
     return str(inside(*random.choice(list(pairwise(curve.breakpoints))), random))
+
+
+def moved_parameter(text, image, _):
+    """Where a parameter goes, or a side of one."""
+    way, side = image.ways[0], text[-1] if text[-1] in "-+" else ""
+    t = mpq(text.removesuffix(side))
+    moved = way.left(t) if side == "-" else way.to(t)
+    return f"{moved}{'+-'['-+'.index(side)] if side and way.backwards else side}"
 
 
 def some_place(surface, random):
@@ -159,7 +170,7 @@ TAKEN = {
         lambda surface, random: random.choice(["1,0", "0,1", "1,1"]),
         lambda text, image, _: ",".join(text.split(",")[:: -1 if image.exchanged else 1]),
     ),
-    takes.PLACES: Drawn(some_parameter, lambda text, image, _: str(image.ways[0].to(mpq(text)))),
+    takes.PLACES: Drawn(some_parameter, moved_parameter),
     takes.PLACE_ON_SURFACE: Drawn(some_place, moved_place),
 }
 #: The questions whose answer exchanges with another one where a map changes its orientation.

@@ -15,9 +15,10 @@ from exactspline.geometry.derived.derive import Derived, derive
 from exactspline.language.rational import Rational
 from exactspline.language.vector import Vector, cross
 from exactspline.numbers.exact import mpq
+from exactspline.numbers.sides import Side
 from exactspline.questions.answers import NamedNumbers
 from exactspline.questions.entry import ALL_CURVES, CURVES, Answered, Of, question, question_with, questions_of
-from exactspline.questions.takes import INTEGER, PLACE, PLACES, TWO_COORDINATES, QuestionError
+from exactspline.questions.takes import INTEGER, PLACE, PLACES, TWO_COORDINATES, OnCurve, QuestionError
 from exactspline.reals.real import Real, real
 from exactspline.roots.answers import Places
 from exactspline.roots.values import exact_place
@@ -25,7 +26,7 @@ from exactspline.roots.zero_set import ZeroSet
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.nurbs import Nurbs, changed
 
-Parameters: TypeAlias = tuple[mpq | Real, ...]
+Parameters: TypeAlias = tuple[OnCurve, ...]
 #: The largest number of segments times the square of the degree to which a degree is raised (a few seconds).
 MOST_ELEVATED = 1_000_000
 
@@ -37,7 +38,7 @@ def _slopes(facts: SpaceFacts) -> tuple[ZeroSet, ...]:
 class CurveValues(SpaceFacts):
     """The facts of one curve, and the questions about it whose answers are numbers or control points."""
 
-    def parameters_of(self, name: str) -> Parameters | None:
+    def parameters_of(self, name: str) -> tuple[mpq | Real, ...] | None:
         """The parameters of the knots, or of the places that are the answer to a question; None for another name.
 
         Raises `QuestionError` where a whole piece is the answer.
@@ -56,13 +57,15 @@ class CurveValues(SpaceFacts):
 
     @question_with(PLACES, *ALL_CURVES, answered=Answered.NUMBERS)
     def value(self, places: Parameters) -> tuple[NamedNumbers, ...]:
-        """The point at a parameter.
+        """The point at a parameter; ``1/2-`` is the limit from the left, and at a knot 1/2 the one from the right.
 
         >>> from exactspline import analyse, example
         >>> [point.values for point in analyse(example("circle")).value("1/2")]
         [{'parameter': <Real 1/2>, 'x': <Real 3/5>, 'y': <Real 4/5>}]
+        >>> [point.values["y"] for point in analyse(example("jump")).value("1-,1+")]
+        [<Real 0>, <Real 1>]
         """
-        return _at("point", places, lambda t: coordinates(self.curve, t))
+        return _at("point", places, lambda t, side: coordinates(self.curve, t, side=side))
 
     @question_with((PLACES, INTEGER), *ALL_CURVES, answered=Answered.NUMBERS)
     def derivative(self, places: Parameters, order: int = 1) -> tuple[NamedNumbers, ...]:
@@ -72,7 +75,7 @@ class CurveValues(SpaceFacts):
         >>> analyse(example("cubic_s")).derivative(0, 4)[0].values["y"]
         <Real 0>
         """
-        return _at("derivative", places, lambda t: coordinates(self.curve, t, order))
+        return _at("derivative", places, lambda t, side: coordinates(self.curve, t, order, side))
 
     @question_with(PLACES, *CURVES, answered=Answered.NUMBERS)
     def curvature(self, places: Parameters) -> tuple[NamedNumbers, ...]:
@@ -82,7 +85,7 @@ class CurveValues(SpaceFacts):
         >>> analyse(example("circle")).curvature("1/2")[0].values["curvature"]
         <Real 1>
         """
-        return _at("curvature", places, lambda t: {"curvature": values.curvature(self.curve, t)})
+        return _at("curvature", places, lambda t, side: {"curvature": values.curvature(self.curve, t, side)})
 
     @question_with(PLACES, Of.SPACE_CURVE, answered=Answered.NUMBERS)
     def torsion(self, places: Parameters) -> tuple[NamedNumbers, ...]:
@@ -92,7 +95,7 @@ class CurveValues(SpaceFacts):
         >>> analyse(example("twisted_cubic")).torsion(0)[0].values["torsion"]
         <Real 3>
         """
-        return _at("torsion", places, lambda t: {"torsion": values.torsion(self.curve, t)})
+        return _at("torsion", places, lambda t, side: {"torsion": values.torsion(self.curve, t, side)})
 
     @question_with(PLACES, *CURVES, answered=Answered.NUMBERS)
     def frame(self, places: Parameters) -> tuple[NamedNumbers, ...]:
@@ -110,11 +113,11 @@ class CurveValues(SpaceFacts):
         else:
             vectors = {"T": tangent, "N": Vector(*cross(self.binormal, tangent)), "B": self.binormal}
 
-        def frame(t: mpq | Real) -> dict[str, Real]:
+        def frame(t: mpq | Real, side: Side) -> dict[str, Real]:
             return {
                 f"{name}{axis}": x
                 for name, vector in vectors.items()
-                for axis, x in zip(axes(self.curve), values.unit(vector, t, name), strict=True)
+                for axis, x in zip(axes(self.curve), values.unit(vector, t, name, side), strict=True)
             }
 
         return _at("frame", places, frame)
@@ -250,16 +253,23 @@ def axes(curve: Nurbs) -> list[str]:
     return list("xyz"[:n]) if n <= 3 else [f"x{i}" for i in range(1, n + 1)]
 
 
-def coordinates(curve: Nurbs, t: mpq | Real, order: int = 0) -> dict[str, Real]:
+def coordinates(curve: Nurbs, t: mpq | Real, order: int = 0, side: Side = Side.RIGHT) -> dict[str, Real]:
     """A point or a derivative of a curve, by the names of the coordinates.
 
     >>> from exactspline import example
     >>> coordinates(example("circle"), exact_place(1))
     {'x': <Real 0>, 'y': <Real 1>}
     """
-    return dict(zip(axes(curve), values.point_at(curve, t, order), strict=True))
+    return dict(zip(axes(curve), values.point_at(curve, t, order, side), strict=True))
 
 
-def _at(what: str, places: Parameters, values_at: Callable[[mpq | Real], dict[str, Real]]) -> tuple[NamedNumbers, ...]:
-    """Numbers at each parameter."""
-    return tuple(NamedNumbers(what, {"parameter": real(t)} | values_at(t)) for t in places)
+def _at(
+    what: str, places: Parameters, values_at: Callable[[mpq | Real, Side], dict[str, Real]]
+) -> tuple[NamedNumbers, ...]:
+    """Numbers at each parameter, with the side from which they are limits where one was named."""
+    return tuple(
+        NamedNumbers(
+            what, {"parameter": real(t)} | values_at(t, side or Side.RIGHT), {"side": str(side)} if side else {}
+        )
+        for t, side in places
+    )

@@ -54,8 +54,8 @@ def _derivative(curve: Nurbs, order: int) -> tuple[list[BSpline], BSpline]:
     return numerators, denominator
 
 
-def unit(vector: Vector[BSpline], place: mpq | Real, name: str = "T") -> list[Real]:
-    """The components of a vector divided by its length at a parameter.
+def unit(vector: Vector[BSpline], place: mpq | Real, name: str = "T", side: Side = Side.RIGHT) -> list[Real]:
+    """The components of a vector divided by its length at a parameter, from this `side`.
 
     >>> from exactspline import BSpline
     >>> t = BSpline.identity(0, 2)
@@ -64,11 +64,11 @@ def unit(vector: Vector[BSpline], place: mpq | Real, name: str = "T") -> list[Re
 
     Raises `DomainError` if the vector vanishes there.
     """
-    signs = [sign_at(x, place) for x in vector]
+    signs = [sign_at(x, place, side) for x in vector]
     if not any(signs):
         raise DomainError(f"{name} is undefined: the vector vanishes there", remedy="choose another parameter")
     squared = norm2(vector)
-    return [signed_root(s, value_at(x * x, squared, place)) for x, s in zip(vector, signs, strict=True)]
+    return [signed_root(s, value_at(x * x, squared, place, side)) for x, s in zip(vector, signs, strict=True)]
 
 
 def curvature(curve: Nurbs, t: Number | Real, side: Side | str = Side.RIGHT) -> Real:
