@@ -17,6 +17,7 @@ from exactspline.geometry.analysis.ask import Asked, asked_of
 from exactspline.geometry.analysis.curve_values import axes, coordinates
 from exactspline.geometry.analysis.curves import analyse
 from exactspline.geometry.analysis.pairs import CurvePair
+from exactspline.geometry.bisectors.common import Bisector
 from exactspline.geometry.curves import balls
 from exactspline.geometry.curves import values as values_along
 from exactspline.geometry.curves.joints import Joint
@@ -86,6 +87,8 @@ def _items(curve: Nurbs, asked: Asked) -> Iterator[NamedNumbers]:
             yield NamedNumbers(EVERYWHERE, dict(ends), {"reversed": arc.reversed})
     elif isinstance(answer, Real):
         yield NamedNumbers(asked.entry.name, {asked.entry.name: answer})
+    elif isinstance(answer, Bisector):
+        yield from answer.items
     elif isinstance(answer, Derived):
         yield from _derived(curve, answer)
     elif isinstance(answer, Nurbs):

@@ -15,7 +15,7 @@ from typing import NamedTuple, cast
 from flint import fmpz_mpoly
 
 from exactspline.bivariate import common_zeros as elimination
-from exactspline.bivariate.across_borders import is_in
+from exactspline.bivariate.across_borders import is_in, once
 from exactspline.bivariate.answers import SurfacePart, SurfacePlaces
 from exactspline.bivariate.borders import EDGES, Patch, vanishes_at
 from exactspline.bivariate.common_factor import square_free
@@ -38,6 +38,7 @@ from exactspline.reals.real import Real, real
 from exactspline.roots.of_polynomials import Parameter, Place
 from exactspline.roots.root import Root
 from exactspline.roots.vanishing import vanish_at
+from exactspline.splines.surface import Along
 from exactspline.splines.tensor import TensorSpline, aligned
 from exactspline.splines.type_checks import function_of_two
 
@@ -169,6 +170,8 @@ class ZeroCurves:
     everywhere: tuple[SurfacePart, ...] = ()
     undecided: tuple[Box, ...] = ()
     function: TensorSpline | None = field(default=None, compare=False)
+    #: The parameters whose two ends are one.
+    closed: tuple[Along, ...] = ()
 
     @property
     def complete(self) -> bool:
@@ -222,7 +225,7 @@ class ZeroCurves:
             return tuple(
                 ZeroArc(curve, _reals(start), _reals(end), closed)
                 for curve in self.curves
-                for start, end, closed in curve.arcs(self.function.domain)
+                for start, end, closed in curve.arcs(self.function.domain, self.closed)
             )
 
     def sampled(self, steps: int = 40) -> list[list[tuple[mpq, mpq]]]:
@@ -311,7 +314,7 @@ def common_zeros(first: TensorSpline, second: TensorSpline, *more: TensorSpline)
     return CommonZeros(_each_once(points, functions[0]), tuple(whole), tuple(undecided), tuple(functions))
 
 
-def zero_curve(function: TensorSpline) -> ZeroCurves:
+def zero_curve(function: TensorSpline, closed: Iterable[Along] = ()) -> ZeroCurves:
     """All zeros of a function of two parameters with their topology: lines parallel to an axis, connected curves
     (loops, arcs, branches that cross; followed across knots), and single points.
 
@@ -325,11 +328,13 @@ def zero_curve(function: TensorSpline) -> ZeroCurves:
     >>> line.value
     mpq(1,2)
 
+    The two ends of a parameter that is `closed` are one: curves run on there.
+
     The work is limited as for `common_zeros`; what this does not suffice for is `undecided`.
 
     Raises `ShapeError` for anything but a function of two parameters.
     """
-    f = function_of_two(function)
+    f, ring = function_of_two(function), tuple(closed)
     found, undecided = list[_OnPatch](), list[Box]()
     with drawing_on(_budget(f)):
         for patch, sides in _patches(f):
@@ -338,9 +343,9 @@ def zero_curve(function: TensorSpline) -> ZeroCurves:
             except ReachError:
                 undecided.append(sides)
         undecided += [box for own in found for box in own.undecided]
-        lines, curves, points, undecided = _joined(found, undecided, f)
+        lines, curves, points, undecided = _joined(found, undecided, f, closed=ring)
     whole = tuple(SurfacePart(own.lines.patch, own.lines.sides) for own in found if own.lines.flat)
-    return ZeroCurves(lines, curves, _each_once(points, f), whole, tuple(undecided), f)
+    return ZeroCurves(lines, curves, _each_once(points, f, ring), whole, tuple(undecided), f, ring)
 
 
 def _near(x: Parameter) -> mpq:
@@ -470,13 +475,17 @@ def _on_patch(form: PatchForm, patch: Patch, sides: Box) -> _OnPatch:
 
 
 def _joined(
-    found: Sequence[_OnPatch], undecided: Sequence[Box], f: TensorSpline, others: Sequence[_Zero] = ()
+    found: Sequence[_OnPatch],
+    undecided: Sequence[Box],
+    f: TensorSpline,
+    others: Sequence[_Zero] = (),
+    closed: Sequence[Along] = (),
 ) -> tuple[tuple[ZeroLine, ...], tuple[ZeroComponent, ...], list[_Zero], list[Box]]:
     """The lines and curves of all patches, joined, and the single points, theirs and others, that are not on them; the
     boxes in which something is undecided.
     """
-    lines = zero_lines((len(f.meshes[0]), len(f.meshes[1])), f.domain, [own.lines for own in found])
-    components = chained([piece for own in found for piece in own.pieces], f.domain, (), undecided)
+    lines = zero_lines((len(f.meshes[0]), len(f.meshes[1])), f.domain, [own.lines for own in found], closed)
+    components = chained([piece for own in found for piece in own.pieces], f.domain, closed, undecided)
     curves = tuple(component for component in components if component.shape is not Shape.POINT)
     points, open_boxes = _single(component for component in components if component.shape is Shape.POINT)
     spots = {spot for curve in curves for spot, arcs in curve.met.items() if arcs}
@@ -484,7 +493,8 @@ def _joined(
     single = [
         zero
         for zero in (*others, *points)
-        if zero.place not in spots and not any(is_in(zero.place, part, f.domain, ()) for part in parts)
+        if once(zero.place, f.domain, closed) not in spots
+        and not any(is_in(zero.place, part, f.domain, closed) for part in parts)
     ]
     return lines, curves, single, [*undecided, *open_boxes]
 
@@ -501,12 +511,12 @@ def _single(components: Iterable[ZeroComponent]) -> tuple[list[_Zero], list[Box]
     return points, undecided
 
 
-def _each_once(found: Sequence[_Zero], f: TensorSpline) -> tuple[CommonZero, ...]:
+def _each_once(found: Sequence[_Zero], f: TensorSpline, closed: Sequence[Along] = ()) -> tuple[CommonZero, ...]:
     """The points in order, those at knots once."""
     inner, at_knots = list[list[_Zero]](), dict[Place, list[_Zero]]()
     for zero in found:
         if any(not isinstance(x, Root) and x in mesh.breaks for x, mesh in zip(zero.place, f.meshes, strict=True)):
-            at_knots.setdefault(zero.place, []).append(zero)
+            at_knots.setdefault(once(zero.place, f.domain, closed), []).append(zero)
         else:
             inner.append([zero])
     points = []

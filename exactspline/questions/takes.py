@@ -156,11 +156,14 @@ PLACES = Takes("1/2", _places, placed=True)
 PLACE = Takes("1/2", _place, placed=True)
 
 
-def _two_parameters(given: Any, facts: object) -> tuple[mpq, mpq]:
-    parts = _parts(given)
-    if len(parts) != 2:
-        raise QuestionError(f"{given!r} is not a place on a surface", remedy="give u and v, as in value@1/2,1/3")
-    return rational(parts[0]), rational(parts[1])
+def _two(expected: str, remedy: str) -> Callable[[Any, Any], tuple[mpq, mpq]]:
+    def read(given: Any, facts: object) -> tuple[mpq, mpq]:
+        parts = _parts(given)
+        if len(parts) != 2:
+            raise QuestionError(f"{given!r}, where {expected} are expected", remedy=remedy)
+        return rational(parts[0]), rational(parts[1])
+
+    return read
 
 
 def _two_orders(given: Any, facts: object) -> tuple[int, int]:
@@ -170,7 +173,9 @@ def _two_orders(given: Any, facts: object) -> tuple[int, int]:
     return int(parts[0]), int(parts[1])
 
 
+#: A signed distance for each of two curves.
+OFFSETS = Takes("1/10,0", _two("two distances", "give one for each curve, such as 1/10,0"))
 #: The parameters u and v of a point on a surface.
-PLACE_ON_SURFACE = Takes("1/2,1/3", _two_parameters, placed=True)
+PLACE_ON_SURFACE = Takes("1/2,1/3", _two("u and v", "as in value@1/2,1/3"), placed=True)
 #: How often to differentiate by u and by v.
 TWO_ORDERS = Takes("1,0", _two_orders)

@@ -19,7 +19,7 @@ from exactspline.questions.entry import Of, Question, question, question_with
 from exactspline.questions.takes import Takes
 from tests.support.changes import CHANGES
 from tests.support.dials import DIALS
-from tests.support.drawn import DRAWN, light_surface, smooth_loop
+from tests.support.drawn import DRAWN, light_pair, light_surface, smooth_loop
 from tests.support.exemptions import EXEMPTIONS
 from tests.support.matrix import (
     Counts,
@@ -27,6 +27,7 @@ from tests.support.matrix import (
     ask,
     cells,
     compared,
+    drawn,
     exempt,
     exempt_cells,
     given_to,
@@ -127,6 +128,18 @@ def test_every_question_after_every_change(of):
     assert not counts.failures, report(counts.failures)
     expected = {cell for cell in cells(dear=False) if cell[0] is of and not exempt(*cell)}
     assert expected <= counts.compared.keys()
+
+
+@pytest.mark.parametrize("change", CHANGES[Of.TWO_CURVES])
+def test_dear_questions_of_two_curves_after_every_change(change):
+    """Bisectors and intersections of offsets, of curves of few segments and small integers."""
+    counts = Counts()
+    for i in range(3):
+        random = Random(f"{SEED} light {change} {i}")
+        pair, letters = drawn(Of.TWO_CURVES, random, change, light_pair)
+        for name in ("bisector", "offset_intersections"):
+            compared(pair, REGISTRY[Of.TWO_CURVES][name], letters, random, counts)
+    assert not counts.failures, report(counts.failures)
 
 
 EXAMPLES = [

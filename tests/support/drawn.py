@@ -135,6 +135,26 @@ def pair(random):
     return CurvePair(first, second)
 
 
+def light_pair(random):
+    """Two curves of small integers, of degree 1 or 2: open ones, rings, closed chains with corners, circles."""
+    dimension = random.choice([2, 2, 2, 3])
+    return CurvePair(*(light_curve(dimension, random) for _ in range(2)))
+
+
+def light_curve(dimension, random):
+    """One of them."""
+    if dimension == 2 and random.random() < 0.25:
+        return moved_curve(example("circle"), MOTIONS["rotated"](2, random))
+    degree, count, closed = random.choice([(1, 2, False), (1, 3, True), (2, 2, False), (2, 2, True), (2, 3, True)])
+    points = [point(DIALS["small integers"], dimension, random) for _ in range(count)]
+    if degree == 2 and closed and count == 3:
+        return Nurbs(2, [mpq(t) for t in range(8)], [*points, *points[:2]])
+    points = [*points, points[0] if closed else point(DIALS["small integers"], dimension, random)]
+    if degree == 1:
+        return Nurbs(1, [0, *range(count + 1), count], points)
+    return Nurbs(2, [0, 0, 0, 1, 1, 1], points)
+
+
 def surface(random):
     """A patch of small degree, or one of the examples of which there is something to tell."""
     kind = random.random()

@@ -26,7 +26,7 @@ from exactspline.reals.real import Real
 from exactspline.splines.surface import NurbsSurface
 from tests.support.changes import CHANGES
 from tests.support.drawn import DRAWN
-from tests.support.exemptions import DEAR, EXEMPTIONS, NOT_TRANSPORTED
+from tests.support.exemptions import DEAR, EXEMPTIONS, NOT_TRANSPORTED, WHERE_DECIDED
 from tests.support.images import Image, rings
 from tests.support.transport import NUMBERS, POWERS, Refused, To, rows, same, shown
 
@@ -157,6 +157,13 @@ def axis_turns(text, image):
     return bool(matrix) and next(row[int(text)] for row in matrix if row[int(text)]) < 0
 
 
+def moved_distances(text, image, _):
+    """Signed distances of two curves: left and right change places for each curve that is reversed."""
+    flips = [way.backwards != image.motion.turns for way in image.ways]
+    moved = [x * image.motion.scale * (-1 if flip else 1) for x, flip in zip(exact(text), flips, strict=True)]
+    return listed(moved[::-1] if image.exchanged else moved)
+
+
 #: What questions take.
 TAKEN = {
     takes.POINT: Drawn(some_point, lambda text, image, _: listed(image.motion(exact(text)))),
@@ -164,6 +171,10 @@ TAKEN = {
     takes.DISTANCE: Drawn(
         lambda curve, random: str(mpq(random.choice([-1, 1]) * random.randint(1, 9), random.choice([1, 4, 20]))),
         lambda text, image, _: str(exact(text)[0] * image.motion.scale * (-1 if image.turns else 1)),
+    ),
+    takes.OFFSETS: Drawn(
+        lambda pair, random: listed(mpq(random.randint(-4, 4), random.choice([4, 20])) for _ in range(2)),
+        moved_distances,
     ),
     takes.INTEGER: Drawn(lambda curve, random: str(random.randint(1, 2))),
     takes.TWO_ORDERS: Drawn(
@@ -192,7 +203,7 @@ def transported(entry):
 
 def questions(of, *, dear=False, registry=REGISTRY):
     """The questions of an object whose answers are transported; the dear ones where they are asked for."""
-    return [x for x in registry[of].values() if transported(x) and (dear or x.name not in DEAR)]
+    return [x for x in registry[of].values() if transported(x) and (dear or (of, x.name) not in DEAR)]
 
 
 def types_of(entry: Entry) -> set[type]:
@@ -340,7 +351,14 @@ def differing(thing, entry, given, letters, asking=ask):
     to = To(thing, image, rings(changed), dimension, name, given, flipped)
     expected = rows(asking(thing, name, given), to)
     found = rows(asking(changed, other_name, others), To(changed, Image(), rings(changed), dimension, name, others))
-    return None if same(found, expected) else (shown(found), shown(expected))
+    if same(found, expected) or (name in WHERE_DECIDED and any(map(undecided, (found, expected)))):
+        return None
+    return shown(found), shown(expected)
+
+
+def undecided(told):
+    """Whether something is left out of an answer."""
+    return any(word in ("left out", "undecided") for words, _ in told for word in words)
 
 
 def compared(thing, entry, letters, random, counts, asking=ask):

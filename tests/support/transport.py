@@ -17,6 +17,11 @@ from exactspline.bivariate.zero_lines import ZeroLine
 from exactspline.errors import ReachError
 from exactspline.geometry.analysis.planar_maps import MapKind
 from exactspline.geometry.analysis.surfaces import PatchInspection
+from exactspline.geometry.bisectors.common import Bisector
+from exactspline.geometry.bisectors.plane_curves import PlaneBisector
+from exactspline.geometry.bisectors.point_and_curve import PointBisector
+from exactspline.geometry.bisectors.trimmed import TrimmedBisector
+from exactspline.geometry.bisectors.two_curves import CurveBisector
 from exactspline.geometry.curves.joints import Joint
 from exactspline.geometry.curves.kinds import Feature, JointKind
 from exactspline.geometry.curves.planarity import Plane
@@ -33,6 +38,7 @@ from exactspline.geometry.surfaces.umbilics import Umbilic
 from exactspline.questions.answers import NamedNumbers
 from exactspline.reals.real import Real
 from exactspline.roots.answers import CurvePiece, Places
+from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.surface import Along
 from tests.support.images import Image, Known, Ring, closed_in, known
 
@@ -65,9 +71,14 @@ class To:
         return pair[::-1] if self.image.exchanged else pair
 
     def interval(self, ends, k=0):
-        """Where an interval of rational ends goes, cut at the knots there."""
-        low, high = sorted(map(self.image.ways[k].to, ends))
-        return self.rings[1 - k if self.image.exchanged else k].cut(low, high)
+        """Where an interval of rational ends goes, cut at the knots there, and at a seam that is inside of it."""
+        way, ring = self.image.ways[k], self.rings[1 - k if self.image.exchanged else k]
+        low, high = (mpq(t) for t in ends)
+        moved = (way.to(low), way.to(high) if low == high else way.left(high))
+        first, last = moved[::-1] if way.backwards else moved
+        if low == high or first < last:
+            return ring.cut(first, last)
+        return [part for part in (*ring.cut(first, ring.high), *ring.cut(ring.low, last)) if part[0] < part[1]]
 
     def boxes(self, sides):
         """Where a rectangle of rational sides goes, cut at the knots there."""
@@ -377,7 +388,7 @@ NUMBERS = {
 
 @rows.register
 def _(answer: Intersections, to):
-    alone = answer.curves is None
+    alone = isinstance(to.asked, Nurbs)
     points = [of_pair(x, to, alone) for x in answer]
     arcs, _ = whole_arcs(answer.everywhere, to, alone)
     return [*points, *arcs, *[(("left out",), ())] * bool(answer.left_out)]
@@ -450,6 +461,70 @@ def _(found: Distance, to):
 @rows.register
 def _(found: ClosestPair, to):
     return [(("closest",), tuple(to.both(found.first, found.second)))]
+
+
+# ---- bisectors
+
+
+@rows.register
+def _(found: Bisector, to):
+    raise TypeError(f"no transport for {type(found).__name__}")
+
+
+@rows.register
+def _(found: PlaneBisector, to):
+    """Arcs by the pairs and points of their ends; a box that is not decided."""
+    if found.missing:
+        return [(("undecided",), ())]
+    pairs, told = found.pairs, []
+    for arc in pairs.arcs:
+        ends = [] if arc.closed else [arc.start, arc.end]
+        told += [(("arc",), at_pair(found, *end, to)) for end in ends] or [(("loop",), ())]
+    told += [(("pair",), at_pair(found, x.first, x.second, to)) for x in pairs.points]
+    told += [(("line", to.along(x.along)), own) for x in pairs.lines for own in on_line(x, x.value, to)]
+    return told + [(("rectangle",), box) for part in pairs.everywhere for box in to.boxes(part.sides)]
+
+
+def at_pair(bisector, first, second, to):
+    """A pair of parameters, and its point where it has one."""
+    try:
+        point = to.image.motion.of_known([known(x) for x in bisector.point(first, second)])
+    except ReachError:
+        point = ()
+    return (*to.both(first, second), *point)
+
+
+@rows.register
+def _(found: TrimmedBisector, to):
+    """The ends of arcs, but those in which two of them meet, and those of straight pieces, by their points."""
+    if found.left_out:
+        return [(("left out",), ())]
+    arcs = [to.parameter(t) for piece in found.arcs for t in (piece.low, piece.high)]
+    met = Counter(map(key_of, zip(arcs)))
+    told = [(("arc",), (t,)) for t in arcs if met[key_of((t,))] == 1]
+    for piece in found.pieces:
+        values = {} if piece.kind == "arc" else piece.described.values
+        for end in ("start", "end")[: 2 * bool(values)]:
+            point = [known(values[f"{end} {axis}"]) for axis in "xy" if f"{end} {axis}" in values]
+            told.append((("straight",), tuple(to.image.motion.of_known(point)) if point else ()))
+    return told
+
+
+@rows.register
+def _(found: PointBisector, to):
+    """Where there is no ruling, or no one plane; which coordinate is a parameter goes with the axes."""
+    parts = [part for interval, _ in found.missing for part in to.interval(interval)]
+    missing = [(("missing",), tuple(map(known, part))) for part in parts]
+    return [*missing, *[(("singular",), (to.parameter(t),)) for t in found.singular]]
+
+
+@rows.register
+def _(found: CurveBisector, to):
+    """The rectangles of the surface, and of what is beside it the single pairs."""
+    if found.left_out:
+        return [(("left out",), ())]
+    surface = [(("surface",), box) for patch in found.patches for box in to.boxes(patch.sides)]
+    return [*surface, *[((str(x.solutions),), tuple(to.both(x.s, x.t))) for x in found.pairs]]
 
 
 # ---- surfaces

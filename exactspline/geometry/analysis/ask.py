@@ -6,7 +6,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from typing import NamedTuple, TypeAlias
 
-from exactspline.geometry.analysis.curves import Analysis, analyse, kind_of_curve, questions_about
+from exactspline.geometry.analysis.curves import QUESTIONS, Analysis, analyse, kind_of_curve, questions_about
 from exactspline.geometry.analysis.pairs import CurvePair
 from exactspline.geometry.analysis.planar_maps import MapInspection
 from exactspline.geometry.analysis.registry import REGISTRY
@@ -152,10 +152,10 @@ def _of_two(curve: Nurbs, question: str) -> Asked:
     entry = REGISTRY[Of.TWO_CURVES][name_of(question)]
     form = form_for_a_curve(entry)
     given, _ = read_as(entry, question, form)
-    other, _, argument = given.rpartition(",") if entry.about.argument else (given, "", "")
+    other, *argument = given.rsplit(",", len(entry.about.argument.split(",")) if entry.about.argument else 0)
     if not other:
         raise QuestionError(f"{question!r} is incomplete", remedy=f"write it like {form!r}")
-    return Asked(entry, CurvePair(curve, read(other).curve), argument, "")
+    return Asked(entry, CurvePair(curve, read(other).curve), ",".join(argument), "")
 
 
 def _not_asked(name: str, *of: Of) -> QuestionError:
@@ -191,4 +191,9 @@ def questions() -> list[Listed]:
     entries = {id(entry): entry for of in REGISTRY.values() for entry in of.values()}
     found = [Listed(entry.name, entry.form, entry.about.of, entry.meaning) for entry in entries.values()]
     pairs = REGISTRY[Of.TWO_CURVES].values()
-    return found + [Listed(entry.name, form_for_a_curve(entry), CURVES, entry.meaning) for entry in pairs]
+    # a question that is also asked of one curve alone takes something else there
+    return found + [
+        Listed(entry.name, form_for_a_curve(entry), CURVES, entry.meaning)
+        for entry in pairs
+        if entry.name not in QUESTIONS
+    ]

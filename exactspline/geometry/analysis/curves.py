@@ -11,6 +11,8 @@ from typing import TYPE_CHECKING, overload
 
 from exactspline.errors import ShapeError
 from exactspline.geometry.analysis.curve_values import CurveValues
+from exactspline.geometry.bisectors.any_pair import bisector
+from exactspline.geometry.bisectors.common import Bisector
 from exactspline.geometry.curves import plane_features, space_features
 from exactspline.geometry.curves.extent import slope_zeros, turning_points
 from exactspline.geometry.curves.facts import ZeroForm, kept_by
@@ -239,6 +241,18 @@ class Analysis(CurveValues, Displayed):
         Raises `ShapeError` for a point of another dimension.
         """
         return nearest(self.given, point)
+
+    @question_with(POINT, *CURVES, answered=Answered.SOLUTIONS)
+    def bisector(self, point: Sequence[Number]) -> Bisector:
+        """The points equally far from the curve and a point: in the plane of the whole curve, in space on its normals.
+
+        >>> from exactspline import Nurbs
+        >>> analyse(Nurbs(1, [0, 0, 1, 1], [(-4, 0), (4, 0)])).bisector((0, 2)).pieces[0]
+        <TrimmedPiece: arc>
+
+        Raises `ShapeError` for a point on the curve and for one of another dimension.
+        """
+        return bisector(self.with_coordinate(len(point) - 1), point)
 
     @question_with(POINT, Of.PLANE_CURVE, answered=Answered.VALUE)
     def winding_number(self, point: Sequence[Number]) -> int:

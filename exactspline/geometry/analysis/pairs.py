@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+from exactspline.geometry.bisectors.any_pair import bisector
+from exactspline.geometry.bisectors.common import Bisector
 from exactspline.geometry.curves.planarity import in_one_plane
+from exactspline.geometry.pairs import offsets
 from exactspline.geometry.pairs.distance import Distance, nearest_pairs
 from exactspline.geometry.pairs.intersections import Intersections, intersections
 from exactspline.geometry.rounded.intersections import NearbyMeeting, intersections_nearby
@@ -10,7 +13,7 @@ from exactspline.hooks import Displayed
 from exactspline.numbers.exact import Number
 from exactspline.one_line import one_line
 from exactspline.questions.entry import Answered, Inspected, Of, question, question_with
-from exactspline.questions.takes import WITHIN
+from exactspline.questions.takes import OFFSETS, WITHIN
 from exactspline.splines.nurbs import Nurbs
 
 
@@ -42,6 +45,21 @@ class CurvePair(Inspected, Displayed):
         """
         return intersections(*self.curves)
 
+    @question_with(OFFSETS, Of.TWO_CURVES, answered=Answered.PAIRS)
+    def offset_intersections(self, distances: tuple[Number, Number]) -> Intersections:
+        """The points that offsets of two plane curves have in common, each at its signed distance, positive to the
+        left; by the parameters of the curves.
+
+        >>> from exactspline import Nurbs, example
+        >>> from exactspline.geometry.analysis.pairs import CurvePair
+        >>> line = Nurbs(1, [0, 0, 1, 1], [(-4, 0), (4, 0)])
+        >>> CurvePair(example("ellipse"), line).offset_intersections(("1/4", 0))
+        [<knot at 0 and 23/32>, <knot at 2 and 9/32>]
+
+        Raises `ShapeError` in space.
+        """
+        return offsets.intersections(*self.curves, offset=distances)
+
     @question_with(WITHIN, Of.TWO_CURVES, answered=Answered.DESCRIBED, nearby=True)
     def intersections_within(self, epsilon: Number) -> tuple[NearbyMeeting, ...]:
         """The points that all curves near both have in common, and those that some may have: of all whose control
@@ -65,3 +83,15 @@ class CurvePair(Inspected, Displayed):
         <Real 1>
         """
         return nearest_pairs(*self.curves, self.intersections)
+
+    @question(Of.TWO_CURVES, answered=Answered.SOLUTIONS, on_request=True)
+    def bisector(self) -> Bisector:
+        """The points equally far from both of two curves, on the normals of both.
+
+        >>> from exactspline import Nurbs
+        >>> from exactspline.geometry.analysis.pairs import CurvePair
+        >>> lines = (Nurbs(1, [0, 0, 1, 1], points) for points in ([(0, 0), (2, 0)], [(0, 1), (3, 4)]))
+        >>> CurvePair(*lines).bisector.pieces
+        (<arc from (-1 + √2)/2 and 0 to 1 and (-2 + 3√2)/6>,)
+        """
+        return bisector(*self.curves)

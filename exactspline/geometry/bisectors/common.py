@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from typing import Any
 
-from exactspline.errors import counted
+from exactspline.errors import ShapeError, counted
 from exactspline.hooks import Displayed
 from exactspline.one_line import one_line
+from exactspline.questions.answers import NamedNumbers
 
 
 class Bisector(Displayed):
@@ -16,6 +18,14 @@ class Bisector(Displayed):
 
     pieces: tuple[Any, ...]
     missing: tuple[Any, ...]
+
+    @property
+    def items(self) -> Iterable[NamedNumbers]:
+        """What it consists of, in the plane: the points of the ends of each piece, then their parameters.
+
+        Raises `ShapeError` in space.
+        """
+        raise ShapeError("the points of a surface", remedy="exactspline bisector --json has its control points")
 
     @one_line
     def __repr__(self) -> str:

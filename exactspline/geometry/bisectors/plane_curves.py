@@ -6,7 +6,9 @@ Source: Elber and Kim, Bisector curves of planar rational curves, Computer-Aided
 
 from __future__ import annotations
 
-from itertools import product
+from collections.abc import Iterator, Sequence
+from contextlib import suppress
+from itertools import chain, product
 
 from exactspline.bivariate.zeros import ZeroArc, ZeroCurves, zero_curve
 from exactspline.errors import ReachError, ShapeError
@@ -17,9 +19,11 @@ from exactspline.geometry.curves.facts import facts_of
 from exactspline.numbers.exact import Number, mpq
 from exactspline.numbers.intervals import Box
 from exactspline.numbers.once import cached_property
-from exactspline.reals.real import Real
+from exactspline.questions.answers import NamedNumbers
+from exactspline.reals.real import Real, real
 from exactspline.roots.values import at, exact_place, sign_at
 from exactspline.splines.nurbs import Nurbs
+from exactspline.splines.surface import Along
 from exactspline.splines.tensor import TensorSpline
 from exactspline.splines.type_checks import curve_of
 
@@ -52,8 +56,9 @@ class PlaneBisector(Bisector):
 
     @cached_property
     def pairs(self) -> ZeroCurves:
-        """All zeros of the function."""
-        return zero_curve(self.function)
+        """All zeros of the function; they run on over the seam of a closed curve where that is no corner."""
+        ways = zip(Along, self.curves, strict=True)
+        return zero_curve(self.function, (line for line, curve in ways if curve.closed and _is_smooth(curve)))
 
     @cached_property
     def trimmed(self) -> TruePairs:
@@ -98,12 +103,47 @@ class PlaneBisector(Bisector):
         along = (b[0] * chord[0] + b[1] * chord[1]) / across
         return p[0] - along * a[1], p[1] + along * a[0]
 
+    @property
+    def items(self) -> Iterator[NamedNumbers]:
+        """The arcs of pairs and the single ones: the points of their ends but those at infinity, then the parameters;
+        lines and rectangles of pairs by their sides.
+
+        Raises `ReachError` where pairs are not decided.
+        """
+        if self.missing:
+            raise ReachError(f"the pairs in {self.missing[0]}", remedy="ask for the segments one by one")
+        for arc in self.pairs.arcs:
+            places = [] if arc.start is None or arc.end is None else [("start", arc.start), ("end", arc.end)]
+            yield NamedNumbers("arc of pairs" if places else "loop of pairs", self._by_name(places))
+        for point in self.pairs.points:
+            yield NamedNumbers("pair", self._by_name([("parameter", (point.first, point.second))]))
+        boxes = [("line of pairs", line.box) for line in self.pairs.lines]
+        boxes += [("rectangle of pairs", (part.sides[0], part.sides[1])) for part in self.pairs.everywhere]
+        for what, box in boxes:
+            ends = zip(("start", "end", "other start", "other end"), chain(*box), strict=True)
+            yield NamedNumbers(what, {name: real(x) for name, x in ends})
+
+    def _by_name(self, places: Sequence[tuple[str, tuple[Real, Real]]]) -> dict[str, Real]:
+        """Pairs of parameters by name, before them their points."""
+        values, parameters = dict[str, Real](), dict[str, Real]()
+        for name, (s, t) in places:
+            with suppress(ReachError):
+                values |= zip((f"{name} x", f"{name} y"), map(real, self.point(s, t)), strict=True)
+            parameters |= {name: s, f"other {name}": t}
+        return values | parameters
+
     def _vanishes(self, s: mpq | Real, t: mpq | Real) -> bool:
         """Whether the function vanishes at a pair of which one number is rational."""
         if not isinstance(t, Real):
             return sign_at(self.function.at_t(t), s) == 0
         assert not isinstance(s, Real)
         return sign_at(self.function.at_s(s), t) == 0
+
+
+def _is_smooth(curve: Nurbs) -> bool:
+    """Whether both ends of a closed curve have one tangent, also where it turns back there."""
+    first, last = ([f(t) for f in tangent(curve)] for t in curve.domain)
+    return first[0] * last[1] == first[1] * last[0]
 
 
 def _sides(curve: Nurbs, t: mpq | Real) -> list[Nurbs]:

@@ -32,8 +32,11 @@ from exactspline.one_line import one_line, short_text
 from exactspline.papers import find
 from exactspline.polynomials.bernstein import ONE
 from exactspline.polynomials.cost import PATCH, QUESTION, Budget, drawing_on
+from exactspline.questions.answers import NamedNumbers
+from exactspline.reals.real import Real, real
 from exactspline.roots.of_polynomials import Parameter
 from exactspline.roots.root import Root
+from exactspline.roots.values import exact_place, sign_at, value_at
 from exactspline.roots.zero_set import zeros
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.knots import Mesh
@@ -78,6 +81,17 @@ class TrimmedPiece:
             raise ShapeError(f"{short_text(t)} is outside this piece", remedy="stay between low and high")
         return self.value.point(t)
 
+    @property
+    def described(self) -> NamedNumbers:
+        """The points of both ends, without one at infinity, then the parameters, and that of the foot."""
+        ends, values = {"start": exact_place(self.low), "end": exact_place(self.high)}, dict[str, Real]()
+        below = self.value.denominator
+        for name, t in ends.items():
+            if sign_at(below, t):
+                values |= {f"{name} {x}": value_at(f, below, t) for x, f in zip("xy", self.value.vector, strict=True)}
+        feet = {} if self.foot is None else {"foot": Real(self.foot)}
+        return NamedNumbers(str(self.kind), values | {name: real(t) for name, t in ends.items()} | feet)
+
     def restricted(self) -> Rational[BSpline] | None:
         """The piece as a quotient over [low, high] alone; None where an end is irrational."""
         low, high = (t.exact if isinstance(t, Root) else t for t in (self.low, self.high))
@@ -98,6 +112,13 @@ class TrimmedBisector(Bisector):
     pieces: tuple[TrimmedPiece, ...]
     missing: tuple[str, ...]
     left_out: tuple[str, ...] = ()
+
+    @property
+    def items(self) -> tuple[NamedNumbers, ...]:
+        """Its pieces; raises `ReachError` where some are left out."""
+        if self.left_out:
+            raise ReachError(self.left_out[0], remedy="ask for parts of the curve")
+        return tuple(piece.described for piece in self.pieces)
 
     @property
     def arcs(self) -> list[TrimmedPiece]:
