@@ -7,9 +7,11 @@ source section by section; and what such tables compare: constructions with thei
 <Measure f2: degree 3d − 3, here 3, true degree 0, 16 control points>
 """
 
+from exactspline.display.answer_forms import inspection_data
 from exactspline.display.latex import mathematics
 from exactspline.display.reading_along import reading_along
-from exactspline.display.serialize import derived_data, inspection_data
+from exactspline.display.records import to_dict, to_records
+from exactspline.display.serialize import derived_data
 from exactspline.display.tables import (
     Grid,
     approaches_table,
@@ -63,6 +65,8 @@ __all__ = [
     "symbolic_table",
     "table_1_degrees",
     "table_1_splines",
+    "to_dict",
+    "to_records",
     "variants_table",
     "verdicts",
 ]

@@ -11,9 +11,10 @@ from typing import Any, get_args, get_origin, get_type_hints
 from exactspline.batch.corpus import Problem
 from exactspline.interchange.digests import short_digest
 from exactspline.one_line import OneLine, one_line
+from exactspline.questions.entry import Of
 
 #: The version of a line's schema; it is raised when a field changes its meaning or is removed.
-VERSION = 6
+VERSION = 7
 
 
 #: The kind of a piece all of whose points answer a question about points.
@@ -134,7 +135,8 @@ class Line:
                 yield from ((name, EVERYWHERE) for _ in answer["everywhere"])
                 yield from ((name, UNDECIDED) for _ in answer["undecided"])
             elif isinstance(answer, list):
-                yield from ((name, each.get("kind", "")) for each in answer if isinstance(each, dict))
+                kinds = [str(each.get("kind", each.get("what", ""))) for each in answer if isinstance(each, dict)]
+                yield from ((name, kind) for kind in kinds)
             elif isinstance(answer, str):
                 yield name, answer
 
@@ -178,19 +180,23 @@ def line_schema() -> dict[str, object]:
     """The JSON Schema of a line.
 
     >>> line_schema()["title"]
-    'exactspline/sweep_line, version 6'
+    'exactspline/sweep_line, version 7'
     """
-    from exactspline.display.answer_forms import surface_answer_forms, values_form
+    from exactspline.display.answer_forms import form_of
+    from exactspline.geometry.analysis.registry import REGISTRY
 
     properties = {
         name: _form(kind) for name, kind in get_type_hints(Line).items() if name in DATA and name != "answers"
     }
-    # a question with a place is answered by numbers
+    # behind the name stands what a question is asked with
     properties["answers"] = {
         "type": "object",
         "additionalProperties": False,
-        "properties": surface_answer_forms(),
-        "patternProperties": {"@": values_form()},
+        "patternProperties": {
+            f"^{name}([:@]|$)": form_of(entry).schema
+            for of in (Of.SURFACE, Of.PLANAR_MAP)
+            for name, entry in REGISTRY[of].items()
+        },
     }
     properties["index"] |= {"minimum": 0}
     properties["seconds"] |= {"minimum": 0}

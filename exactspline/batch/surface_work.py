@@ -8,13 +8,14 @@ from typing import Any
 
 from exactspline.batch.backends import ALONE
 from exactspline.batch.corpus import Item
-from exactspline.batch.surface_oracle import applies, surface_answer
 from exactspline.batch.work import DIGITS, MOST_DIGITS, OneByOne
+from exactspline.display.records import answer_data
 from exactspline.errors import as_integer, as_texts
-from exactspline.geometry.analysis.ask import check_question
+from exactspline.geometry.analysis.ask import asked_of, check_question, kind_of
 from exactspline.geometry.analysis.curves import analyse
 from exactspline.geometry.analysis.registry import REGISTRY
 from exactspline.questions.entry import Of
+from exactspline.questions.takes import name_of
 from exactspline.splines.surface import NurbsSurface
 
 
@@ -71,5 +72,7 @@ class SurfaceWork(OneByOne):
         fields["patches"] = first * second
         found = analyse(surface)
         fields["answers"] = {
-            asked: surface_answer(surface, asked, self.digits, found) for asked in self.find if applies(surface, asked)
+            asked: answer_data(asked_of(found, asked), self.digits)
+            for asked in self.find
+            if name_of(asked) in REGISTRY[kind_of(found)]
         }

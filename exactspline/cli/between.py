@@ -61,9 +61,9 @@ def between(
     or, if there are none, the pairs of points at the least distance.
     """
     from exactspline.display import console
+    from exactspline.display.answer_forms import FORMS_BESIDE, answers_data
     from exactspline.display.features import common_points_sheet
-    from exactspline.display.pair_data import pair_data, pair_sheet
-    from exactspline.display.serialize import described_data
+    from exactspline.display.pair_data import pair_sheet
     from exactspline.geometry.analysis.pairs import CurvePair
 
     refuse_with_ask({"--plot": plot, "--emit-coq": emit_coq} if ask else {})
@@ -98,10 +98,10 @@ def between(
             console.lines(shown, f"not decided: {what}")
 
     def rows() -> Iterator[dict[str, object]]:
-        row = {"key": f"{curve} and {other}", "curves": [first.name, second.name]} | pair_data(pair, digits)
+        row = {"key": f"{curve} and {other}", "curves": [first.name, second.name]} | answers_data(pair, digits)
         if epsilon:
-            found = pair.intersections_within(epsilon)
-            row |= {"epsilon": epsilon, "meetings": [described_data(each, digits) for each in found]}
+            found = FORMS_BESIDE["between"]["meetings"].write(pair.intersections_within(epsilon), digits)
+            row |= {"epsilon": epsilon, "meetings": found}
         yield row
 
     out.give("between", rows(), sheets[:1], people)

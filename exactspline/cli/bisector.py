@@ -107,6 +107,7 @@ def _coordinates(point: str) -> list[str]:
 
 def _of_two(c: Nurbs, other: Nurbs, variant: str, digits: int) -> Answer:
     from exactspline.display import bisector_data, bisector_sheet
+    from exactspline.display.answer_forms import answers_data
     from exactspline.display.plot.in_space import picture
     from exactspline.errors import FormulaError
     from exactspline.geometry.bisectors.plane_curves import PlaneBisector
@@ -125,7 +126,7 @@ def _of_two(c: Nurbs, other: Nurbs, variant: str, digits: int) -> Answer:
             partial(picture, "bisector of plane curves", flat),
         )
     found = curve_bisector(c, other, variant or SurfaceVariant.MINIMAL)
-    data = head | bisector_data.curve_bisector_data(found, digits)
+    data = head | bisector_data.curve_bisector_data(found) | answers_data(found, digits)
     rows, notes = bisector_sheet.of_two_curves(found, digits)
     return Answer(data, rows, notes, f"{title}, {found.variant}", partial(picture, "bisector of curves", found))
 

@@ -198,8 +198,9 @@ def _with_repair(named: NamedCurve | NurbsSurface, repair: Snapped | None) -> Na
 def _row(
     named: NamedCurve | NurbsSurface, repair: Snapped | None, reading: Reading, target: str, notes: Sequence[str]
 ) -> dict[str, Any]:
+    from exactspline.display.answer_forms import FORMS
     from exactspline.display.reals import DIGITS
-    from exactspline.display.serialize import described_data
+    from exactspline.geometry.recognition.pieces import RecognizedPiece
     from exactspline.interchange.records import NamedCurve
 
     if isinstance(named, NamedCurve):
@@ -211,7 +212,10 @@ def _row(
     row: dict[str, Any] = {"key": named.name, "format": reading.format, "target": target, **made}
     row |= {"control_points": count, "notes": [*own, *reading.notes, *notes], "skipped": []}
     if repair is not None:
-        row |= {name: [described_data(x, DIGITS) for x in getattr(repair, name)] for name in ("replaced", "kept")}
+        row |= {
+            name: [FORMS[RecognizedPiece].write(x, DIGITS) for x in getattr(repair, name)]
+            for name in ("replaced", "kept")
+        }
     return row
 
 

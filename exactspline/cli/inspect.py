@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING, Annotated, Any, NamedTuple
 
-from exactspline.cli.answers import answer_about_surfaces, answer_questions, refuse_with_ask
+from exactspline.cli.answers import answer_about_curves, answer_about_surfaces, refuse_with_ask
 from exactspline.cli.common import (
     CURVE_HELP,
     Approximate,
@@ -157,7 +157,7 @@ def inspect(
         for_curves |= {"--approximate": approximate, "--certificates": certificates}
         _inspect_surfaces(out, with_surfaces, ask, for_curves, digits, plot, epsilon, good)
     elif ask:
-        answer_questions(out, read_curves(read, good), ask, digits, certificates)
+        answer_about_curves(out, read_curves(read, good), ask, digits, certificates=certificates)
     else:
         from exactspline.geometry.curves.planarity import in_the_plane
 
@@ -265,7 +265,7 @@ class Inspected(NamedTuple):
 
     def data(self) -> dict[str, object]:
         """All of it as data."""
-        from exactspline.display.serialize import report_data
+        from exactspline.display.answer_forms import report_data
 
         c = self.report.curve
         with ticking("refining", self.features) as tick:

@@ -31,7 +31,8 @@ def schemas() -> dict[str, dict[str, dict[str, object]]]:
     """The fields of a row by the name of the schema."""
     from importlib import resources
 
-    from exactspline.display.answer_forms import FORMS_BESIDE, surface_answer_forms, values_form
+    from exactspline.display.answer_forms import FORMS_BESIDE, form_of
+    from exactspline.geometry.analysis.registry import REGISTRY
 
     text = resources.files(__package__).joinpath("schemas.json").read_text(encoding="utf-8")
     found = {name: _fields(by_type) for name, by_type in json.loads(text).items()}
@@ -42,7 +43,8 @@ def schemas() -> dict[str, dict[str, dict[str, object]]]:
     found["between"] |= answers("two curves")
     for name, fields in FORMS_BESIDE.items():
         found[name] |= {field: form.schema | {"optional": True} for field, form in fields.items()}
-    found["oracle surface"]["answer"] = {"anyOf": [values_form(), *surface_answer_forms().values(), {"type": "null"}]}
+    forms = [form_of(entry).schema for entries in REGISTRY.values() for entry in entries.values()]
+    found["answers"]["answer"] = {"anyOf": [*{str(form): form for form in forms}.values(), {"type": "null"}]}
     return found
 
 
@@ -75,14 +77,14 @@ def answers(*of: str) -> dict[str, dict[str, object]]:
     """The fields of an inspection of these kinds of objects: the questions that it answers, each with the form of its
     answer. One that is not asked of all of them is optional.
     """
-    from exactspline.display.answer_forms import answer_form
+    from exactspline.display.answer_forms import form_of
     from exactspline.geometry.analysis.registry import REGISTRY
     from exactspline.questions.entry import Of
 
     kinds = [Of(kind) for kind in of]
     entries = {name: entry for kind in kinds for name, entry in REGISTRY[kind].items()}
     return {
-        name: answer_form(entry)
+        name: form_of(entry).schema
         | {"description": entry.meaning}
         | ({} if set(kinds) <= set(entry.about.of) else {"optional": True})
         for name, entry in entries.items()

@@ -69,22 +69,18 @@ def inspect_surfaces(
 
 def _inspected(surface: NurbsSurface, digits: int, plot: str, epsilon: str) -> tuple[dict[str, object], list[Sheet]]:
     """What a surface has as data and as tables, and the picture where one is requested."""
-    from exactspline.display.surface_data import (
-        map_data,
-        map_sheet,
-        nearby_umbilics_sheet,
-        surface_answer_data,
-        surface_inspection_data,
-        surface_sheet,
-    )
+    from exactspline.display.answer_forms import FORMS, FORMS_BESIDE, surface_inspection_data
+    from exactspline.display.forms import list_of
+    from exactspline.display.surface_data import map_sheet, nearby_umbilics_sheet, surface_sheet
     from exactspline.geometry.analysis.planar_maps import jacobian_sign
     from exactspline.geometry.analysis.surfaces import inspect_surface
+    from exactspline.geometry.recognition.patches import RecognizedPart
 
     if surface.dimension == 2:
         if plot:
             raise OptionsError("--plot and a map of the plane", remedy="surfaces in space are drawn")
         sign = jacobian_sign(surface)
-        return map_data(sign, digits), [map_sheet(sign)]
+        return surface_inspection_data(sign, digits), [map_sheet(sign)]
     found = inspect_surface(surface)
     if plot:
         _drawn(found, plot)
@@ -92,8 +88,8 @@ def _inspected(surface: NurbsSurface, digits: int, plot: str, epsilon: str) -> t
     if not epsilon:
         return data, [surface_sheet(found, digits)]
     shapes, umbilics = found.shapes_within(epsilon), found.umbilics_within(epsilon)
-    data |= {"shapes": surface_answer_data(shapes, digits), "epsilon": epsilon}
-    data["umbilics_within"] = surface_answer_data(umbilics, digits)
+    data |= {"shapes": list_of(FORMS[RecognizedPart]).write(shapes, digits), "epsilon": epsilon}
+    data["umbilics_within"] = FORMS_BESIDE["inspect surface"]["umbilics_within"].write(umbilics, digits)
     sheets = [surface_sheet(found, digits, shapes)]
     if umbilics:
         sheets.append(nearby_umbilics_sheet(umbilics, f"All surfaces within {epsilon} of {surface.name}"))

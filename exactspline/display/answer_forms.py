@@ -1,22 +1,27 @@
-"""The form of the answer to each question, by the type that it promises."""
+"""The form of the answer to each question, by the type that it promises, and all answers about an object as data."""
 
 from __future__ import annotations
 
+from collections.abc import Callable, Iterable, Iterator
+from dataclasses import asdict, replace
 from enum import StrEnum
-from types import NoneType
+from functools import cache
+from operator import itemgetter
+from types import NoneType, SimpleNamespace
 from typing import Any, get_args, get_type_hints
 
 from exactspline.bivariate.answers import SurfacePlaces
 from exactspline.display import bisector_data, surface_data
 from exactspline.display.bisector_data import FORMS_OF_POINT, MISSING, PAIRS, PARAMETER, SIDES_MISSING
+from exactspline.display.data import Data, picked, plain
 from exactspline.display.forms import (
-    FLAG,
+    BOX,
     INTEGER,
     INTERVAL,
     TEXT,
     Form,
-    Schema,
     list_of,
+    lists,
     one_of,
     or_null,
     pair_of,
@@ -24,29 +29,51 @@ from exactspline.display.forms import (
 )
 from exactspline.display.pair_data import DISTANCE, INTERSECTIONS
 from exactspline.display.reals import REAL
-from exactspline.display.serialize import FEATURE, INTERVALS, JOINT, NUMBERS, PLANAR_PIECE
+from exactspline.display.serialize import (
+    CURVE,
+    DERIVED,
+    FEATURE,
+    INTERVALS,
+    JOINT,
+    NAMED_NUMBERS,
+    NEAREST_POINT,
+    PLANAR_PIECE,
+    SPLINE,
+    Located,
+    Net,
+    described_form,
+    located,
+)
 from exactspline.display.surface_data import places_on_surface
-from exactspline.geometry.analysis.registry import REGISTRY
+from exactspline.errors import ShapeError, a_kind, as_integer
+from exactspline.geometry.analysis.curves import QUESTIONS, Analysis
+from exactspline.geometry.analysis.inspection import Approach, Report, inspect_curve
+from exactspline.geometry.analysis.planar_maps import MapInspection
+from exactspline.geometry.analysis.surfaces import SurfaceInspection
 from exactspline.geometry.curves.joints import Joint
 from exactspline.geometry.curves.kinds import Feature, FeatureKind
 from exactspline.geometry.curves.planarity import Plane
+from exactspline.geometry.derived.derive import Derived
 from exactspline.geometry.pairs.distance import Distance
 from exactspline.geometry.pairs.intersections import IntersectionKind, Intersections
+from exactspline.geometry.pairs.nearest import Nearest, NearestPoint
 from exactspline.geometry.recognition.pieces import RecognizedPiece
 from exactspline.geometry.recognition.shapes import ShapeKind
 from exactspline.geometry.rounded.features import NearbyFeature
 from exactspline.geometry.rounded.intersections import NearbyMeeting
 from exactspline.geometry.rounded.stability import StableFeature
 from exactspline.geometry.rounded.umbilics import NearbyUmbilic
+from exactspline.language.rational import Rational
 from exactspline.numbers.exact import mpq
-from exactspline.questions.entry import Answered, Entry, Of, Question, QuestionWith
+from exactspline.questions.answers import NamedNumbers
+from exactspline.questions.entry import Entry, Question, QuestionWith, Remembers, questions_of
+from exactspline.reals.real import Real
 from exactspline.roots.answers import CurvePiece, Places
+from exactspline.splines.bspline import BSpline
+from exactspline.splines.nurbs import Nurbs
+from exactspline.splines.type_checks import curve_of
 
 TEXTS = list_of(TEXT)
-
-
-def _described(kinds: type[StrEnum], *facts: str) -> Form:
-    return record(kind=one_of(kinds), intervals=INTERVALS, numbers=NUMBERS, **dict.fromkeys(facts, FLAG))
 
 
 def _any_of(*forms: Form) -> Form:
@@ -57,16 +84,27 @@ def _any_of(*forms: Form) -> Form:
 FORMS: dict[Any, Form] = {
     **surface_data.FORMS,
     **bisector_data.FORMS,
+    Real: REAL,
     mpq: TEXT,
+    int: INTEGER,
+    NamedNumbers: NAMED_NUMBERS,
+    Nurbs: CURVE,
+    BSpline | Rational[BSpline]: SPLINE.of(Net.of),
+    Derived: DERIVED,
     Plane: TEXT,
     Feature: FEATURE,
     Joint: JOINT,
     CurvePiece: INTERVALS,
     tuple[CurvePiece, Plane]: PLANAR_PIECE,
-    RecognizedPiece: _described(ShapeKind, "whole"),
-    NearbyFeature: _described(FeatureKind, "certain", "single"),
-    NearbyMeeting: _described(IntersectionKind, "certain"),
-    StableFeature: _described(FeatureKind),
+    RecognizedPiece: described_form(ShapeKind, "whole"),
+    NearbyFeature: described_form(FeatureKind, "certain", "single"),
+    NearbyMeeting: replace(
+        described_form(IntersectionKind, "certain"),
+        leaves=lambda one: [("kind", one.kind), ("first", one.first), ("second", one.second), ("certain", one.certain)],
+    ),
+    StableFeature: described_form(FeatureKind),
+    NearestPoint: NEAREST_POINT,
+    Nearest: lists(points=list_of(NEAREST_POINT), everywhere=list_of(INTERVALS)),
     Intersections: INTERSECTIONS,
     Distance: DISTANCE,
 }
@@ -87,7 +125,7 @@ FORMS_BESIDE: dict[str, dict[str, Form]] = {
         "coordinate_extrema": list_of(FEATURE),
         "nearby": list_of(FORMS[NearbyFeature]),
         "meetings": list_of(FORMS[NearbyMeeting]),
-        "stability": list_of(record(FORMS[StableFeature], prominence=or_null(REAL))),
+        "stability": list_of(record(FORMS[StableFeature].of(itemgetter(0)), prominence=(or_null(REAL), itemgetter(1)))),
         "approaches": list_of(
             record(
                 name=TEXT,
@@ -99,21 +137,17 @@ FORMS_BESIDE: dict[str, dict[str, Form]] = {
 }
 
 
-def values_form() -> Schema:
-    """The form of numbers by name, as the oracle has them: exactly, between two bounds, and as a double."""
-    return record(values=Form({"type": "object", "additionalProperties": REAL.schema})).schema
-
-
-def answer_form(entry: Entry) -> Schema:
-    """The form of the answer to a question, by the type that the question promises.
+@cache
+def form_of(entry: Entry) -> Form:
+    """The form of the answer to a question, by the type that the question promises. Features and joints are written
+    with their curve (`placed`).
 
     >>> from exactspline.geometry.analysis.curves import QUESTIONS
-    >>> answer_form(QUESTIONS["inflections"])["properties"]["points"]["items"]["properties"]["kind"]["enum"][:2]
+    >>> form_of(QUESTIONS["inflections"]).schema["properties"]["points"]["items"]["properties"]["kind"]["enum"][:2]
     ['cusp', 'stop']
     """
     assert isinstance(entry, Question | QuestionWith)
-    promised = get_type_hints(entry.compute).get("return")
-    return {} if promised is None else _form(promised).schema
+    return _form(get_type_hints(entry.compute)["return"])
 
 
 def _form(kind: Any) -> Form:
@@ -123,13 +157,87 @@ def _form(kind: Any) -> Form:
     if NoneType in parts:
         return or_null(_form(next(part for part in parts if part is not NoneType)))
     if origin is Places:
-        return record(points=list_of(_form(parts[0])), everywhere=list_of(INTERVALS))
+        return lists(points=list_of(_form(parts[0])), everywhere=list_of(INTERVALS))
     if origin is SurfacePlaces:
         return places_on_surface(_form(parts[0]))
     return one_of(kind) if isinstance(kind, type) and issubclass(kind, StrEnum) else list_of(_form(parts[0]))
 
 
-def surface_answer_forms() -> dict[str, Schema]:
-    """The forms of the answers to the questions about surfaces and maps of the plane, by their names."""
-    entries = {name: entry for of in (Of.SURFACE, Of.PLANAR_MAP) for name, entry in REGISTRY[of].items()}
-    return {name: answer_form(x) for name, x in entries.items() if x.about.answered is not Answered.NUMBERS}
+def placed(facts: Remembers, answer: object, tick: Callable[[], None] = lambda: None) -> object:
+    """An answer as it is written: of a curve the features and joints with the curve; `tick` is called after every
+    feature.
+    """
+    if not isinstance(facts, Analysis):
+        return answer
+    curve = facts.curve
+    if isinstance(answer, Places):
+        return SimpleNamespace(points=_ticking(curve, answer, tick), everywhere=answer.everywhere)
+    if isinstance(answer, tuple):
+        return [located(curve, each) if isinstance(each, Joint) else each for each in answer]
+    return answer
+
+
+def _ticking(curve: Nurbs, features: Iterable[Feature], tick: Callable[[], None]) -> Iterator[Located]:
+    for feature in features:
+        yield located(curve, feature)
+        tick()
+
+
+def answers_data(facts: Remembers, digits: int) -> Data:
+    """The answers to all questions about an object that belong into a report, under their names.
+
+    >>> from exactspline import Nurbs, example
+    >>> from exactspline.geometry.analysis.pairs import CurvePair
+    >>> pair = CurvePair(example("circle"), Nurbs(1, [0, 0, 1, 1], [(0, 0), (2, 0)]))
+    >>> answers_data(pair, 5)["intersections"]["points"][0]["second"]
+    {'exact': '1/2', 'low': '1/2', 'high': '1/2', 'double': 0.5}
+    """
+    entries = {name: entry for name, entry in questions_of(type(facts)).items() if entry.about.reported}
+    return {name: form_of(entry).write(entry.answer(facts), digits) for name, entry in entries.items()}
+
+
+def inspection_data(
+    curve: Nurbs, approach: Approach | str = Approach.MINIMAL, digits: int = 20, tick: Callable[[], None] = lambda: None
+) -> Data:
+    """What a curve has as data, its critical points by an approach, each answer under the name of its question; `tick`
+    is called after every feature.
+
+    Raises `ExactSplineError` for what is neither a plane nor a space curve, and for an unknown approach.
+    """
+    digits = as_integer(digits, "a number of digits", 1)
+    if not callable(tick):
+        raise ShapeError(f"{a_kind(tick)}, where a function without arguments is expected", remedy="leave it out")
+    return report_data(Report(inspect_curve(curve_of(curve), approach)), digits, tick)
+
+
+def report_data(report: Report, digits: int, tick: Callable[[], None] = lambda: None) -> Data:
+    """What is said of a curve as data; `tick` is called after every feature."""
+    curve, facts, beside = report.curve, report.inspection.analysis, FORMS_BESIDE["inspect"]
+    data: Data = {"curve": curve.name, "approach": report.inspection.approach, "closed": curve.closed}
+    data["digits"] = digits
+    for name, answer in report.answers.items():
+        data[name] = form_of(QUESTIONS[name]).write(placed(facts, answer, tick), digits)
+    if report.within is not None:
+        data["epsilon"] = report.epsilon
+        for name, found in (("nearby", report.nearby), ("meetings", report.meetings)):
+            data[name] = beside[name].write(found, digits)
+    if report.with_stability:
+        data["stability"] = beside["stability"].write(report.stable, digits)
+    if report.with_coordinates:
+        extrema = enumerate(report.coordinate_extrema)
+        at = [located(curve, feature, axis) for axis, places in extrema for feature in places]
+        data["coordinate_extrema"] = beside["coordinate_extrema"].write(at, digits)
+    if report.with_approaches:
+        data["approaches"] = [asdict(row) for row in report.approaches]
+    return data
+
+
+def surface_inspection_data(inspection: SurfaceInspection | MapInspection, digits: int) -> Data:
+    """The whole inspection of a surface or of a map of the plane as data."""
+    head = {"surface": inspection.surface.name} | picked(inspection.surface, "degree", "polynomial")
+    if isinstance(inspection, SurfaceInspection):
+        head |= {"digits": digits} | picked(inspection, "closed", "complete", "minimal", "umbilic_everywhere")
+        head["curvature"] = plain(inspection.constant_curvature)
+    else:
+        head |= {"complete": inspection.complete, "undecided": list_of(BOX).write(inspection.undecided, digits)}
+    return head | answers_data(inspection, digits)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from enum import StrEnum
 from operator import itemgetter
-from typing import Any, NamedTuple, cast
+from typing import Any, NamedTuple
 
 from flint import arb
 
@@ -26,7 +26,6 @@ from exactspline.display.forms import (
 from exactspline.display.reals import REAL, real_data
 from exactspline.display.serialize import NET, PIECE, piece_data
 from exactspline.errors import ReachError
-from exactspline.geometry.analysis.registry import REGISTRY
 from exactspline.geometry.bisectors.components import (
     Branch,
     Cause,
@@ -46,7 +45,6 @@ from exactspline.geometry.bisectors.two_curves import BisectorPatch, CurveBisect
 from exactspline.language.rational import Rational
 from exactspline.language.vector import Vector
 from exactspline.numbers.exact import mpq, text
-from exactspline.questions.entry import Of
 from exactspline.reals.real import Real
 from exactspline.roots.of_polynomials import Parameter
 from exactspline.roots.root import Root
@@ -81,21 +79,14 @@ _LETTER = Form({"enum": [*NAMES]}, lambda of, digits: NAMES[of])
 # ---- two curves
 
 
-def curve_bisector_data(bisector: CurveBisector, digits: int) -> Data:
-    """The whole bisector of two curves: its surface by homogeneous control nets ``(w x, w y, w z, w)`` with rows along
-    s, and lines, planes, single pairs and poles.
-    """
-    missing = [{"sides": plain(sides), "reason": reason} for sides, reason in bisector.missing]
-    answers = {name: entry.answer(bisector) for name, entry in REGISTRY[Of.PAIR].items()}
+def curve_bisector_data(bisector: CurveBisector) -> Data:
+    """What is said of the whole bisector of two curves, in addition to its parts."""
     return {
         "kind": "bisector of two curves",
         "variant": str(bisector.variant),
-        "missing": missing,
+        "missing": [{"sides": plain(sides), "reason": reason} for sides, reason in bisector.missing],
         "left_out": list(bisector.left_out),
         "complete": not bisector.left_out,
-    } | {
-        name: [FORMS[type(each)].write(each, digits) for each in cast(tuple[object, ...], x)]
-        for name, x in answers.items()
     }
 
 

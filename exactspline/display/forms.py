@@ -1,8 +1,10 @@
-"""Forms of data: what is written of an object for programs, and the JSON Schema of what is written, in one."""
+"""Forms of data, in one: what is written of an object for programs, the JSON Schema of what is written, and the numbers
+and words in it by name, for tables and data frames.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, replace
 from enum import Enum
 from operator import attrgetter
@@ -10,30 +12,55 @@ from typing import Any, cast
 
 from exactspline.display.data import Data, plain
 from exactspline.numbers.exact import mpq, text
+from exactspline.reals.real import Real
 
 Schema = dict[str, object]
 #: How a value is found in an object: the path of an attribute, or a function.
 Source = str | Callable[..., object]
+#: A number or a word with its name.
+Leaf = tuple[str, object]
 
 
 @dataclass(frozen=True)
 class Form:
     """The form of a value: its ``schema``, and what is to ``write`` of a value, irrational numbers to this many digits.
     In an object a field of an ``optional`` form is left out where its value is None.
+
+    ``leaves`` are the numbers and words of a value by their names, the value itself without a name by default.
+    ``elements`` are the things of which a list or an object of lists (`lists`) consists: the name of the list, the form
+    of its elements, each element. An object of lists is ``divided`` into them also where it is an element itself.
     """
 
     schema: Schema
     write: Callable[[Any, int], Any] = lambda value, digits: plain(value)
     optional: bool = False
+    leaves: Callable[[Any], Iterable[Leaf]] = lambda value: () if value is None else (("", value),)
+    elements: Callable[[Any], Iterable[tuple[str, Form, Any]]] | None = None
+    divided: bool = False
 
     def of(self, source: Source) -> Form:
         """The form of an object that is written by a value found in it."""
         take = attrgetter(source) if isinstance(source, str) else source
-        return replace(self, write=lambda of, digits: self.write(take(of), digits))
+        elements = self.elements
+        return replace(
+            self,
+            write=lambda of, digits: self.write(take(of), digits),
+            leaves=lambda of: self.leaves(take(of)),
+            elements=elements and (lambda of: elements(take(of))),
+        )
 
 
 def _exactly(value: object, digits: int) -> str:
     return text(value) if isinstance(value, int | type(mpq())) else str(value)
+
+
+def word(value: object) -> str:
+    """What is not a number, as text.
+
+    >>> word(True), word((1, 2))
+    ('yes', '(1, 2)')
+    """
+    return ("yes" if value else "no") if isinstance(value, bool) else str(value)
 
 
 TEXT = Form({"type": "string"}, _exactly)
@@ -48,9 +75,20 @@ def list_of(form: Form, least: int = 0, most: int | None = None) -> Form:
     ['1/2', '3']
     """
     schema: Schema = {"type": "array", "items": form.schema, "minItems": least}
+
+    def leaves(x: Iterable[Any]) -> Iterator[Leaf]:
+        each = [[*form.leaves(one)] for one in x]
+        if any(name or isinstance(value, Real | type(mpq())) for one in each for name, value in one):
+            for i, one in enumerate(each, 1):
+                yield from ((f"{i} {name}".strip() if len(each) > 1 else name, value) for name, value in one)
+        elif each:
+            yield "", f"({', '.join(word(value) for one in each for _, value in one)})"
+
     return Form(
         schema | ({} if most is None else {"maxItems": most}),
         lambda x, digits: [form.write(each, digits) for each in x],
+        leaves=leaves,
+        elements=lambda x: (("", form, each) for each in x),
     )
 
 
@@ -61,14 +99,18 @@ def pair_of(form: Form) -> Form:
 
 def or_null(form: Form) -> Form:
     """The form of what may be missing."""
-    return Form(
-        {"anyOf": [form.schema, {"type": "null"}]}, lambda x, digits: None if x is None else form.write(x, digits)
+    return replace(
+        form,
+        schema={"anyOf": [form.schema, {"type": "null"}]},
+        write=lambda x, digits: None if x is None else form.write(x, digits),
+        leaves=lambda x: () if x is None else form.leaves(x),
+        elements=None,
     )
 
 
 def optional(form: Form) -> Form:
     """The form of a field that is left out where its value is missing."""
-    return replace(form, write=or_null(form).write, optional=True)
+    return replace(or_null(form), schema=form.schema, optional=True)
 
 
 def one_of(kinds: type[Enum]) -> Form:
@@ -83,6 +125,8 @@ def record(*parts: Form, **fields: Form | tuple[Form, Source]) -> Form:
     >>> form = record(size=(INTEGER, "numerator"), denominator=TEXT)
     >>> form.write(mpq(1, 2), 20), form.schema["required"]
     ({'size': mpz(1), 'denominator': '2'}, ['size', 'denominator'])
+    >>> dict(form.leaves(mpq(1, 2)))
+    {'size': mpz(1), 'denominator': mpz(2)}
     """
     found = {name: field if isinstance(field, tuple) else (field, name) for name, field in fields.items()}
     forms = {name: form.of(source) for name, (form, source) in found.items()}
@@ -104,11 +148,43 @@ def record(*parts: Form, **fields: Form | tuple[Form, Source]) -> Form:
                 data[name] = value
         return data
 
+    def leaves(of: Any) -> Iterator[Leaf]:
+        for part in parts:
+            yield from part.leaves(of)
+        for name, form in forms.items():
+            # 1 and 2 of a pair need its name, cosine and sine do not
+            yield from (
+                (inner if inner[:1].isalpha() else f"{name} {inner}".strip(), x) for inner, x in form.leaves(of)
+            )
+
     return Form(
-        {"type": "object", "required": required, "additionalProperties": False, "properties": properties}, write
+        {"type": "object", "required": required, "additionalProperties": False, "properties": properties},
+        write,
+        leaves=leaves,
     )
 
 
-INTERVAL = pair_of(TEXT)
+def lists(**fields: Form | tuple[Form, Source]) -> Form:
+    """The form of an object with lists, and what else is known of them.
+
+    >>> form = lists(factors=(list_of(TEXT), lambda n: [2, 3]), value=(INTEGER, lambda n: n))
+    >>> [(name, each) for name, _, each in form.elements(6)]
+    [('', 6), ('factors', 2), ('factors', 3)]
+    """
+    found = {name: field if isinstance(field, tuple) else (field, name) for name, field in fields.items()}
+    forms = {name: form.of(source) for name, (form, source) in found.items()}
+    beside = record(**{name: fields[name] for name, form in forms.items() if form.elements is None})
+
+    def elements(of: Any) -> Iterator[tuple[str, Form, Any]]:
+        if beside.schema["properties"]:
+            yield "", beside, of
+        for name, form in forms.items():
+            for _, element, each in form.elements(of) if form.elements else ():
+                yield name, element, each
+
+    return replace(record(**fields), elements=elements, divided=True)
+
+
+INTERVAL = Form(pair_of(TEXT).schema, pair_of(TEXT).write)
 #: A rectangle of parameters.
 BOX = record(u=(INTERVAL, "first"), v=(INTERVAL, "second"))

@@ -4,34 +4,17 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from exactspline.display.data import Data
-from exactspline.display.forms import FLAG, INTEGER, TEXT, list_of, one_of, or_null, pair_of, record
+from exactspline.display.forms import FLAG, INTEGER, TEXT, list_of, lists, one_of, or_null, pair_of, record
 from exactspline.display.numbers import polynomial_text
 from exactspline.display.reals import DIGITS, REAL, real_text
+from exactspline.display.serialize import POINT
 from exactspline.display.sheet import Sheet
-from exactspline.geometry.pairs.intersections import Intersection, IntersectionKind, Intersections, Overlap
+from exactspline.geometry.pairs.intersections import Intersection, IntersectionKind, Overlap
 from exactspline.numbers.exact import mpq
-from exactspline.questions.entry import questions_of
 from exactspline.reals.real import Real
 
 if TYPE_CHECKING:
     from exactspline.geometry.analysis.pairs import CurvePair
-
-
-def pair_data(pair: CurvePair, digits: int) -> Data:
-    """All answers about two curves, each under the name of its question.
-
-    >>> from exactspline import Nurbs, example
-    >>> from exactspline.geometry.analysis.pairs import CurvePair
-    >>> pair = CurvePair(example("circle"), Nurbs(1, [0, 0, 1, 1], [(0, 0), (2, 0)]))
-    >>> pair_data(pair, 5)["intersections"]["points"][0]["second"]
-    {'exact': '1/2', 'low': '1/2', 'high': '1/2', 'double': 0.5}
-    """
-    answers = {name: entry.answer(pair) for name, entry in questions_of(type(pair)).items() if entry.about.reported}
-    return {
-        name: (INTERSECTIONS if isinstance(answer, Intersections) else DISTANCE).write(answer, digits)
-        for name, answer in answers.items()
-    }
 
 
 _OVERLAP = record(
@@ -48,11 +31,11 @@ _INTERSECTION = record(
     second=REAL,
     multiplicity=or_null(INTEGER),
     at_knot=pair_of(FLAG),
-    point=list_of(REAL),
+    point=POINT,
 )
 #: The points and arcs that two curves have in common.
-INTERSECTIONS = record(points=list_of(_INTERSECTION), everywhere=list_of(_OVERLAP), left_out=list_of(TEXT))
-DISTANCE = record(
+INTERSECTIONS = lists(points=list_of(_INTERSECTION), everywhere=list_of(_OVERLAP), left_out=list_of(TEXT))
+DISTANCE = lists(
     points=(list_of(record(first=REAL, second=REAL)), "pairs"),
     everywhere=list_of(_OVERLAP),
     lower=or_null(TEXT),

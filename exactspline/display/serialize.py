@@ -1,9 +1,11 @@
-"""Features and derived objects as data: control points as exact text, roots as certified intervals."""
+"""The forms of what a curve has, feature by feature, and of curves, by their control points."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from dataclasses import asdict
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import suppress
+from dataclasses import replace
+from enum import StrEnum
 from operator import itemgetter
 from typing import Any, NamedTuple
 
@@ -13,46 +15,61 @@ from exactspline.display.forms import (
     INTERVAL,
     TEXT,
     Form,
+    Leaf,
     list_of,
+    lists,
     one_of,
     optional,
     or_null,
     pair_of,
     record,
 )
-from exactspline.display.pair_data import INTERSECTIONS
 from exactspline.display.reals import REAL, real_data
-from exactspline.errors import ExactSplineError, ShapeError, a_kind, as_instance, as_integer
+from exactspline.errors import ExactSplineError, as_instance
+from exactspline.geometry.analysis.curve_values import axes
 from exactspline.geometry.analysis.curves import analyse
-from exactspline.geometry.analysis.inspection import Approach, Report, inspect_curve
 from exactspline.geometry.curves import balls
 from exactspline.geometry.curves import values as values_along
 from exactspline.geometry.curves.joints import Joint
 from exactspline.geometry.curves.kinds import Feature, FeatureKind, JointKind
-from exactspline.geometry.curves.planarity import Plane
 from exactspline.geometry.derived.derive import Derived
-from exactspline.geometry.pairs.intersections import Intersections
 from exactspline.language.rational import Rational
 from exactspline.language.vector import Vector
+from exactspline.numbers.exact import mpq
 from exactspline.numbers.intervals import Interval
 from exactspline.numbers.sides import Side
-from exactspline.questions.answers import Described
 from exactspline.reals.real import Real
-from exactspline.roots.answers import CurvePiece, Places
 from exactspline.roots.root import Root, knot_root
+from exactspline.roots.values import at, exact_place
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.common import with_common_knots
+from exactspline.splines.control_points import Direction
+from exactspline.splines.knots import KnotVector
 from exactspline.splines.lowest_terms import SplineVector
 from exactspline.splines.nurbs import Nurbs
-from exactspline.splines.type_checks import curve_of
 
 #: An angle: its cosine and sine, and in degrees.
 ANGLE = or_null(record(cosine=REAL, sine=REAL, degrees=(REAL, balls.degrees)))
+
+
+def by_name(form: Form) -> Form:
+    """The form of values by their names."""
+
+    def leaves(values: Mapping[str, Any]) -> Iterator[Leaf]:
+        for name, value in values.items():
+            yield from ((f"{name} {inner}".strip(), each) for inner, each in form.leaves(value))
+
+    return Form(
+        {"type": "object", "additionalProperties": form.schema},
+        lambda values, digits: {name: form.write(value, digits) for name, value in values.items()},
+        leaves=leaves,
+    )
+
+
 #: Numbers, points and vectors by their names.
-NUMBERS = Form(
-    {"type": "object", "additionalProperties": list_of(REAL).schema},
-    lambda values, digits: {name: list_of(REAL).write(each, digits) for name, each in values.items()},
-)
+NUMBERS = by_name(list_of(REAL))
+#: A point by its coordinates.
+POINT = replace(list_of(REAL), leaves=lambda point: zip(axes(len(point)), point, strict=True))
 
 
 class Located(NamedTuple):
@@ -65,6 +82,13 @@ class Located(NamedTuple):
     root: Root
     joint: Joint | None = None
     coordinate: int | None = None
+
+    @property
+    def point(self) -> tuple[mpq | Real, ...] | None:
+        """The point there; None at infinity."""
+        with suppress(ExactSplineError):
+            return at(self.curve, exact_place(self.root))
+        return None
 
     def values(self, quantity: Callable[[Nurbs, Root, Side], Real]) -> list[Real]:
         """κ or τ there, or at a knot the limits from both sides where they differ; raises an `ExactSplineError` where
@@ -84,17 +108,18 @@ def located(curve: Nurbs, of: Feature | Joint, coordinate: int | None = None) ->
     return Located(curve, of, of.root, analyse(curve).joint(of.root.low) if of.at_knot else None, coordinate)
 
 
-def _limits(quantity: Callable[[Nurbs, Root, Side], Real]) -> Form:
+def _limits(quantity: Callable[[Nurbs, Root, Side], Real]) -> tuple[Form, Callable[[Located], list[Real] | None]]:
     """The value of a quantity at a place, or its limits from both sides; empty where it has none."""
-    form = list_of(REAL, 0, 2)
 
-    def write(at: Located, digits: int) -> object:
+    def found(at: Located) -> list[Real] | None:
+        if isinstance(at.of, Feature) and at.of.kind.is_singular:
+            return None
         try:
-            return form.write(at.values(quantity), digits)
+            return at.values(quantity)
         except ExactSplineError:
             return []
 
-    return Form(form.schema, write)
+    return optional(list_of(REAL, 0, 2)), found
 
 
 _CURVATURE, _TORSION = _limits(values_along.curvature), _limits(values_along.torsion)
@@ -107,8 +132,10 @@ FEATURE = record(
     by_jump=(FLAG, "of.by_jump"),
     of_absolute=(Form({"enum": ["", *map(str, FeatureKind)]}, lambda kind, digits: str(kind or "")), "of.of_absolute"),
     angle=(ANGLE, lambda at: at.joint and at.joint.angle),
-    curvature=(optional(_CURVATURE), lambda at: None if at.of.kind.is_singular else at),
-    torsion=(optional(_TORSION), lambda at: None if at.of.kind.is_singular or at.curve.dimension < 3 else at),
+    point=or_null(POINT),
+    multiplicity=(INTEGER, "root.multiplicity"),
+    curvature=_CURVATURE,
+    torsion=(_TORSION[0], lambda at: None if at.curve.dimension < 3 else _TORSION[1](at)),
     coordinate=optional(INTEGER),
 )
 #: A joint: its kind and order of geometric continuity, the angle of a corner, the width of a gap, and the curvatures of
@@ -123,86 +150,76 @@ JOINT = record(
     curvatures=(or_null(pair_of(REAL)), "of.curvatures"),
 )
 #: The intervals of a piece, and a planar piece with its plane.
-INTERVALS = list_of(INTERVAL, 1).of("parts")
+INTERVALS = replace(list_of(INTERVAL, 1).of("parts"), leaves=INTERVAL.leaves)
 PLANAR_PIECE = record(intervals=(INTERVALS, itemgetter(0)), plane=(TEXT, itemgetter(1)))
 
+#: Numbers by their names, with what they are numbers of.
+NAMED_NUMBERS = record(what=TEXT, values=by_name(REAL), facts=by_name(INTEGER))
+NEAREST_POINT = record(parameter=REAL, distance=REAL, point=POINT)
 
-def inspection_data(
-    curve: Nurbs, approach: Approach | str = Approach.MINIMAL, digits: int = 20, tick: Callable[[], None] = lambda: None
-) -> dict[str, object]:
-    """What a curve has as data, its critical points by an approach, each answer under the name of its question (see
-    `answer_data`); `tick` is called after every feature.
 
-    Raises `ExactSplineError` for what is neither a plane nor a space curve, and for an unknown approach.
+def described_form(kinds: type[StrEnum], *facts: str) -> Form:
+    """The form of a piece with what is said of it."""
+    said = record(**{name: (FLAG, itemgetter(name)) for name in facts}).of("facts")
+    return record(record(kind=one_of(kinds), intervals=(INTERVALS, "piece"), numbers=(NUMBERS, "values")), said)
+
+
+# ---- curves and functions by their control points
+
+
+class Net(NamedTuple):
+    """The knots and the control points of functions over common knots: with a denominator ``w`` these are homogeneous,
+    ``(w x, w y, w)``; the interval where they are a piece of something.
     """
-    digits = as_integer(digits, "a number of digits", 1)
-    if not callable(tick):
-        raise ShapeError(f"{a_kind(tick)}, where a function without arguments is expected", remedy="leave it out")
-    return report_data(Report(inspect_curve(curve_of(curve), approach)), digits, tick)
+
+    degree: int
+    knots: KnotVector
+    control_points: list[tuple[mpq, ...]]
+    homogeneous: bool
+    interval: Interval | None = None
+
+    @classmethod
+    def of(cls, value: SplineVector | Rational[BSpline] | BSpline, interval: Interval | None = None) -> Net:
+        """The net of a function, a vector of functions, or a quotient."""
+        homogeneous = isinstance(value, Rational)
+        parts = [*value.elevated()] if isinstance(value, Rational) else [value]
+        flat = [f for part in parts for f in (part if isinstance(part, Vector) else [part])]
+        raised = with_common_knots(flat)
+        points = zip(*[f.control_points for f in raised], strict=True)
+        return cls(raised[0].degree, raised[0].knots, [*points], homogeneous, interval)
 
 
-def report_data(report: Report, digits: int, tick: Callable[[], None] = lambda: None) -> dict[str, object]:
-    """What is said of a curve as data; `tick` is called after every feature."""
-    curve = report.curve
-    data: dict[str, object] = {"curve": curve.name, "approach": report.inspection.approach, "closed": curve.closed}
-    data["digits"] = digits
-    data |= {name: answer_data(curve, answer, digits, tick) for name, answer in report.answers.items()}
-    if report.within is not None:
-        data["epsilon"] = report.epsilon
-        for name, found in (("nearby", report.nearby), ("meetings", report.meetings)):
-            data[name] = [described_data(each, digits) for each in found]
-    if report.with_stability:
-        data["stability"] = list_of(STABLE).write(report.stable, digits)
-    if report.with_coordinates:
-        placed = [
-            located(curve, feature, axis) for axis, places in enumerate(report.coordinate_extrema) for feature in places
-        ]
-        data["coordinate_extrema"] = list_of(FEATURE).write(placed, digits)
-    if report.with_approaches:
-        data["approaches"] = [asdict(row) for row in report.approaches]
-    return data
+class ControlPoint(NamedTuple):
+    """A control point of a curve, or a direction, with its weight."""
+
+    kind: str
+    point: tuple[mpq, ...]
+    weight: mpq
 
 
-def answer_data(curve: Nurbs, answer: object, digits: int, tick: Callable[[], None] = lambda: None) -> object:
-    """The answer to a question as data: points one by one, and the intervals all of whose points are answers; joints;
-    pieces, each as the list of its intervals (two where it crosses the seam of a closed curve), planar ones with their
-    planes.
-    """
-    if isinstance(answer, Places):
-        points = []
-        for f in answer:
-            points.append(FEATURE.write(located(curve, f), digits))
-            tick()
-        return {"points": points, "everywhere": list_of(INTERVALS).write(answer.everywhere, digits)}
-    if isinstance(answer, Intersections):
-        return INTERSECTIONS.write(answer, digits)
-    if isinstance(answer, tuple):
-        return [_element_data(curve, each, digits) for each in answer]
-    return None if answer is None else str(answer)
-
-
-def described_data(found: Described, digits: int) -> dict[str, object]:
-    """A piece with what is said of it."""
-    return {
-        "kind": str(found.kind),
-        "intervals": INTERVALS.write(found.piece, digits),
-        "numbers": NUMBERS.write(found.values, digits),
-        **found.facts,
-    }
-
-
-#: A stable feature with its prominence.
-STABLE = Form(
-    {}, lambda pair, digits: described_data(pair[0], digits) | {"prominence": or_null(REAL).write(pair[1], digits)}
+_KNOTS = list_of(REAL)
+#: Functions by their control points.
+SPLINE = lists(
+    interval=optional(INTERVAL), degree=INTEGER, homogeneous=FLAG, knots=_KNOTS, control_points=list_of(list_of(REAL))
 )
-
-
-def _element_data(curve: Nurbs, each: Joint | CurvePiece | Described | tuple[CurvePiece, Plane], digits: int) -> object:
-    if isinstance(each, Joint):
-        return JOINT.write(located(curve, each), digits)
-    if isinstance(each, Described):
-        return described_data(each, digits)
-    return (INTERVALS if isinstance(each, CurvePiece) else PLANAR_PIECE).write(each, digits)
+#: A curve by its control points.
+CURVE = lists(
+    degree=INTEGER,
+    knots=_KNOTS,
+    control_points=(
+        list_of(record(kind=TEXT, point=POINT, weight=REAL)),
+        lambda curve: [
+            ControlPoint("direction" if isinstance(point, Direction) else "control point", tuple(point), weight)
+            for point, weight in zip(curve.control_points, curve.weights, strict=True)
+        ],
+    ),
+)
+#: A derived curve piece by piece; where it is missing; its poles.
+DERIVED = lists(
+    pieces=list_of(SPLINE.of(lambda piece: Net.of(piece.value, piece.interval))),
+    missing=list_of(record(interval=(INTERVAL, itemgetter(0)), reason=(TEXT, lambda missing: missing[1].words))),
+    poles=list_of(REAL),
+)
 
 
 def derived_data(derived: Derived, curve: str) -> dict[str, object]:
@@ -225,30 +242,17 @@ def derived_data(derived: Derived, curve: str) -> dict[str, object]:
 
 def piece_data(interval: Interval, value: BSpline | SplineVector) -> dict[str, object]:
     """A spline, a vector of them or a `Rational` over an interval, by its control points."""
-    head: dict[str, object] = {"interval": [str(t) for t in interval]}
-    if isinstance(value, Rational):
-        numerator, denominator = value.elevated()
-        components = [*(numerator if isinstance(numerator, Vector) else [numerator]), denominator]
-        return head | {"kind": "rational"} | _net(components, "homogeneous_control_points")
-    if isinstance(value, Vector):
-        return head | {"kind": "polynomial"} | _net(list(value), "control_points")
-    points = [str(b) for b in value.control_points]
-    return head | {
-        "kind": "function",
-        "degree": value.degree,
-        "knots": [str(t) for t in value.knots],
-        "control_points": points,
-    }
-
-
-def _net(components: list[Any], field: str) -> dict[str, object]:
-    """Control points of several splines over their common knots."""
-    raised = with_common_knots(components)
-    knots = raised[0].knots
+    net = Net.of(value)
+    kind = "rational" if net.homogeneous else "polynomial" if isinstance(value, Vector) else "function"
+    points = [[str(x) for x in row] for row in net.control_points]
     return {
-        "degree": raised[0].degree,
-        "knots": [str(t) for t in knots],
-        field: [[str(x) for x in row] for row in zip(*[c.control_points for c in raised])],
+        "interval": [str(t) for t in interval],
+        "kind": kind,
+        "degree": net.degree,
+        "knots": [str(t) for t in net.knots],
+        "homogeneous_control_points" if net.homogeneous else "control_points": (
+            [x for row in points for x in row] if kind == "function" else points
+        ),
     }
 
 

@@ -7,14 +7,13 @@ from math import prod
 from operator import itemgetter
 from typing import Any
 
-from exactspline.bivariate.answers import SurfacePlaces
 from exactspline.bivariate.borders import Patch
 from exactspline.bivariate.joined_curves import Piece, ZeroComponent
 from exactspline.bivariate.surface_points import Place
 from exactspline.bivariate.zero_curve import Shape
 from exactspline.bivariate.zero_lines import ZeroLine
 from exactspline.display.bisector_data import PARAMETER, control_net
-from exactspline.display.data import Data, picked, plain
+from exactspline.display.data import Data
 from exactspline.display.described import described_surface, shape_text
 from exactspline.display.features import ends_text
 from exactspline.display.forms import (
@@ -25,6 +24,7 @@ from exactspline.display.forms import (
     TEXT,
     Form,
     list_of,
+    lists,
     one_of,
     or_null,
     pair_of,
@@ -51,7 +51,6 @@ from exactspline.language.vector import Vector
 from exactspline.numbers.exact import mpq, text
 from exactspline.numbers.intervals import Box, Interval, hull, joined
 from exactspline.polynomials.patch_forms import clusters
-from exactspline.questions.entry import questions_of
 from exactspline.roots.of_polynomials import Parameter, enclosing
 from exactspline.splines.surface import Along, NurbsSurface
 from exactspline.splines.tensor import TensorSpline
@@ -87,25 +86,6 @@ INCOMPLETE = " – incomplete: see the rows that are undecided"
 
 
 # ---- data
-
-
-def surface_inspection_data(inspection: SurfaceInspection, digits: int) -> Data:
-    """The whole inspection as data: numbers as exact text, irrational ones as intervals and to a given number of
-    digits.
-    """
-    head = {"surface": inspection.surface.name} | picked(inspection.surface, "degree", "polynomial")
-    facts = picked(inspection, "closed", "complete", "minimal", "umbilic_everywhere")
-    facts["curvature"] = plain(inspection.constant_curvature)
-    return head | {"digits": digits} | facts | _answers_data(inspection, digits)
-
-
-def _answers_data(inspection: SurfaceInspection | MapInspection, digits: int) -> Data:
-    """The answers to all questions of the registry about a surface, under their names."""
-    return {
-        name: surface_answer_data(entry.answer(inspection), digits)
-        for name, entry in questions_of(type(inspection)).items()
-        if entry.about.reported
-    }
 
 
 def _place_data(place: Place, digits: int) -> Data:
@@ -188,7 +168,7 @@ FORMS: dict[type, Form] = {
         geometric_continuity=(or_null(INTEGER), "order"),
         angle=ANGLE,
     ),
-    Ridges: record(
+    Ridges: lists(
         curves=list_of(_CURVE),
         lines=list_of(_LINE),
         everywhere=(list_of(record(_PART.of(itemgetter(0)), curvatures=(INTEGER, itemgetter(1)))), "stationary"),
@@ -202,21 +182,7 @@ def places_on_surface(element: Form) -> Form:
     """The form of places on a surface: points one by one, the parts of patches all of whose points are answers, and
     boxes in which something is undecided.
     """
-    return record(points=list_of(element), everywhere=list_of(record(_PART, along_curve=FLAG)), undecided=list_of(BOX))
-
-
-_ELEMENT = Form({}, lambda each, digits: FORMS.get(type(each), TEXT).write(each, digits))
-
-
-def surface_answer_data(answer: object, digits: int) -> object:
-    """The answer to a question about a surface as data: places; lists of curves, joints and patches; a value as text; a
-    single point.
-    """
-    if isinstance(answer, SurfacePlaces):
-        return places_on_surface(_ELEMENT).write(answer, digits)
-    if isinstance(answer, Ridges):
-        return _ELEMENT.write(answer, digits)
-    return list_of(_ELEMENT).write(answer, digits) if isinstance(answer, tuple) else plain(answer)
+    return lists(points=list_of(element), everywhere=list_of(record(_PART, along_curve=FLAG)), undecided=list_of(BOX))
 
 
 def _extent_of(curve: ZeroComponent) -> Iterator[str]:
@@ -424,13 +390,6 @@ def _near(side: Interval, digits: int = 4) -> str:
 
 
 # ---- maps of the plane
-
-
-def map_data(inspection: MapInspection, digits: int) -> Data:
-    """The sign of a Jacobian determinant as data."""
-    head = {"surface": inspection.surface.name} | picked(inspection.surface, "degree", "polynomial")
-    undecided = list_of(BOX).write(inspection.undecided, digits)
-    return head | {"complete": inspection.complete, "undecided": undecided} | _answers_data(inspection, digits)
 
 
 def map_sheet(inspection: MapInspection) -> Sheet:

@@ -3,6 +3,7 @@ seam.
 """
 
 import json
+import re
 
 import pytest
 
@@ -161,11 +162,13 @@ def test_what_holds_of_all_curves_near_one_by_the_oracle_and_in_sweeps():
     as if the curve had it.
     """
     exact = json.loads(invoke("inspect", "cubic_s", "--ask", "features_within:1e-3", "--json").output)["rows"][0][
-        "items"
+        "answer"
     ]
     lines = invoke("inspect", "cubic_s", "--ask", "features_within", "--epsilon", "1e-3").output.splitlines()
-    shown = [rational(line.split()[2]) for line in lines if line.split()[1:2] in (["start"], ["end"])]
-    own = [rational(item["values"][name]["exact"]) for item in exact for name in ("start", "end")]
+    intervals = [re.findall(r"intervals \[([^],]+), ([^],]+)\]", line) for line in lines]
+    shown = [rational(end) for found in intervals for pair in found for end in pair]
+    own = [rational(end) for item in exact for interval in item["intervals"] for end in interval]
+    assert len(own) == 6
     unit = rational("1e-12")
     assert all(0 < (x - y) * (-1) ** k < unit for k, (x, y) in enumerate(zip(own, shown, strict=True)))
     refused = str(invoke("inspect", "cubic_s", "--ask", "inflections", "--epsilon", "1e-3").exception)

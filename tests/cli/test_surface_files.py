@@ -58,12 +58,12 @@ def test_exact_answers_about_surfaces(tmp_path):
     write([example("sphere"), example("torus")], round_ones)
     done = run("inspect", round_ones, "--json", "--ask", "curvature@1/3,1/2", "--ask", "umbilics", "--ask", "value@0,0")
     sphere, umbilics, value, torus, *_ = rows(done)
-    assert {name: x["exact"] for name, x in sphere["answer"]["values"].items()} == {"K": "1", "H": "-1"}
+    assert {name: x["exact"] for name, x in sphere["answer"][0]["values"].items()} == {"K": "1", "H": "-1"}
     assert umbilics["answer"]["everywhere"]
-    assert [x["double"] for x in value["answer"]["values"].values()] == [float(x) for x in example("sphere")(0, 0)]
+    assert [x["double"] for x in value["answer"][0]["values"].values()] == [float(x) for x in example("sphere")(0, 0)]
     # on the tube of radius 1 around a circle of radius 2, where cos θ = 3/5: K = cos θ / (2 + cos θ), and outwards
     # 2 H = −1 − K
-    assert [torus["answer"]["values"][name]["exact"] for name in "KH"] == ["3/13", "-8/13"]
+    assert [torus["answer"][0]["values"][name]["exact"] for name in "KH"] == ["3/13", "-8/13"]
     assert run("inspect", round_ones, "--ask", "curvature@0,0,0").returncode == 2
     assert run("inspect", round_ones, "--ask", "inflections").returncode == 2
 

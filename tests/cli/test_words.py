@@ -66,8 +66,7 @@ DOCUMENTS = {
     "surfaces": "list surfaces --json",
     "papers": "list papers --json",
     "glossary": "list words --json",
-    "oracle surface": "inspect torus --ask umbilics --ask curvature@1/3,1/2 --json",
-    "oracle": "inspect cubic_s --ask inflections --ask length --certificates --json",
+    "answers": "inspect cubic_s --ask inflections --ask length --certificates --json",
     "questions": "list questions --json",
     "topics": "teach exercise --json",
     "exercise": "teach exercise all --solutions --json",
@@ -92,7 +91,7 @@ def test_every_schema_is_published():
     listed = json.loads(invoke("schema").stdout)["schemas"]
     assert set(DOCUMENTS) | {"figures", "convert", "convert surface"} == set(schemas())
     assert set(schemas()) | {"sweep_line"} == set(listed)
-    assert json.loads(invoke("schema", "sweep_line").stdout)["title"] == "exactspline/sweep_line, version 6"
+    assert json.loads(invoke("schema", "sweep_line").stdout)["title"] == "exactspline/sweep_line, version 7"
     assert json.loads(invoke("schema", "prove").stdout)["title"] == "exactspline/prove, version 3"
 
 

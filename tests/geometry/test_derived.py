@@ -9,7 +9,6 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from exactspline import BSpline, Nurbs
-from exactspline.batch.oracle import items
 from exactspline.display.serialize import derived_data
 from exactspline.errors import DomainError, ExactSplineError, FormulaError, ShapeError
 from exactspline.geometry.curves.curvature import curvature_function
@@ -20,6 +19,7 @@ from exactspline.interchange.examples import example
 from exactspline.language.parts import numerator
 from exactspline.papers import all_formulas, find
 from tests.support.command import run
+from workshop.vectors.items import items
 
 
 def test_circle_has_constant_curvature():

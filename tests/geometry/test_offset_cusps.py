@@ -6,10 +6,10 @@ import pytest
 from mpmath import mp
 
 import exactspline as xs
-from exactspline.batch.oracle import oracle
 from exactspline.errors import ShapeError
 from exactspline.geometry.analysis.curves import analyse
 from exactspline.numbers.exact import mpq
+from workshop.vectors.items import items
 
 PLANE = [name for name in xs.examples("curves") if xs.example(name).dimension == 2]
 
@@ -56,7 +56,7 @@ def test_an_arc_shrinks_to_its_centre():
     assert [str(piece) for piece in analyse(circle).offset_cusps(1).everywhere] == ["[0, 4]"]
     assert not analyse(circle).offset_cusps(-1)
     assert not analyse(circle).offset_cusps("1/2")
-    assert [item.what for item in oracle(circle, "offset_cusps:1").items] == ["everywhere"]
+    assert [item.what for item in items(circle, "offset_cusps:1")] == ["everywhere"]
 
 
 def test_doubles_of_17_digits():

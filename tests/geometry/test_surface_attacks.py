@@ -7,7 +7,7 @@ from gmpy2 import mpq
 
 from exactspline import NurbsSurface, analyse, example
 from exactspline.bivariate.borders import Edge
-from exactspline.display.surface_data import surface_inspection_data
+from exactspline.display.answer_forms import surface_inspection_data
 from exactspline.geometry.analysis.planar_maps import MapKind
 from exactspline.geometry.analysis.surfaces import PatchKind
 from exactspline.geometry.surfaces.joints import SurfaceJointKind

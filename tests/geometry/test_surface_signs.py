@@ -23,7 +23,8 @@ from exactspline.bivariate.signs import Sign, sign_on_patch
 from exactspline.bivariate.zero_curve import Shape, ZeroCurve
 from exactspline.cli import app
 from exactspline.cli.output import OptionsError
-from exactspline.display.surface_data import map_sheet, surface_inspection_data, surface_sheet
+from exactspline.display.answer_forms import surface_inspection_data
+from exactspline.display.surface_data import map_sheet, surface_sheet
 from exactspline.errors import FormulaError
 from exactspline.geometry.analysis.planar_maps import MapKind
 from exactspline.geometry.analysis.surfaces import PatchKind

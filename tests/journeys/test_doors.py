@@ -206,6 +206,7 @@ OPTIONS = {
     "sweep": ([CUSP],),
     "symbolic_table": (),
     "table_1_splines": (),
+    "to_dict": (CUSP, "cusps"),
     "torsion": (SPACE, "1/3"),
     "trace": (xs.find("f2"),),
     "verdicts": ("C4.1a",),

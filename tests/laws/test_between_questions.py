@@ -4,8 +4,8 @@ from random import Random
 
 import pytest
 
+import exactspline as xs
 from exactspline import Nurbs, analyse
-from exactspline.batch.oracle import oracle
 from exactspline.errors import ExactSplineError
 from exactspline.geometry.analysis.pairs import CurvePair
 from exactspline.geometry.curves.kinds import FeatureKind
@@ -110,7 +110,7 @@ def test_surplus_words_are_refused(of):
         surplus += [] if argument else [f"{entry.name}:1{'@' * bool(place)}{place}"]
         for text in surplus:
             with pytest.raises(ExactSplineError):
-                oracle(curve, text)
+                xs.ask(curve, text)
 
 
 def test_corners_cusps_and_extrema_are_among_what_they_are_part_of():

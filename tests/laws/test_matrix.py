@@ -41,7 +41,6 @@ from tests.support.parts import differing_parts, of_parts, somewhere
 from tests.support.paths import (
     after_others,
     again,
-    by_command,
     in_the_plane_z_0,
     said,
     same_by_batch,
@@ -239,7 +238,7 @@ def test_by_python_by_the_command_and_in_a_sweep(of, tmp_path):
     curve, asking = asked_of(of, "doors")
     for entry, given in asking:
         by_python = said(again(curve), text_of(entry, given))
-        assert same_by_command(by_python, by_command(curve, entry, given, tmp_path)), (SEED, entry.name)
+        assert same_by_command(curve, entry, given, tmp_path), (SEED, entry.name)
         found = None if isinstance(by_python, str) else swept(curve, entry, given)
         assert found is None or same_by_sweep(by_python, found), (SEED, entry.name, by_python, found)
 

@@ -7,12 +7,12 @@ import pytest
 from gmpy2 import mpq
 
 import exactspline as xs
-from exactspline.batch.oracle import items
 from exactspline.display.reals import real_data
 from exactspline.errors import ExactSplineError, OpenError, ReachError
 from exactspline.interchange.examples import example_names
 from exactspline.reals.real import square_root
 from tests.support.sampled import sample
+from workshop.vectors.items import items
 
 ASKED = [
     "critical_points", "offset_cusps:1", "turning_points:0", "nearest:1/3,2", "nearest:1/3,2,1", "intersections:circle",

@@ -9,7 +9,6 @@ from click.testing import CliRunner
 
 import exactspline as xs
 from exactspline.batch.inspections import LISTED, asked_by_sweeps, checked_names, inspected
-from exactspline.batch.oracle import oracle
 from exactspline.cli import app
 from exactspline.cli.schema import answers, schema_of
 from exactspline.display.glossary import glossary
@@ -21,7 +20,9 @@ from exactspline.geometry.analysis.curves import QUESTIONS, Analysis, analyse, q
 from exactspline.geometry.analysis.registry import REGISTRY
 from exactspline.questions.entry import ALL_CURVES, CURVES, Of, question, question_with, questions_of
 from exactspline.questions.takes import Takes
+from exactspline.geometry.curves.kinds import Feature
 from exactspline.roots.answers import Places
+from workshop.vectors.items import items
 
 LINE = xs.Nurbs(1, [0, 0, 1, 1], [(0, 0), (1, 1)])
 SPACE_LINE = xs.Nurbs(1, [0, 0, 1, 1], [(0, 0, 0), (1, 1, 1)])
@@ -124,13 +125,13 @@ def test_a_question_that_stands_nowhere_else_is_asked_everywhere(monkeypatch):
 
     class Added(Analysis):
         @question(*CURVES)
-        def left_half(self):
+        def left_half(self) -> Places[Feature]:
             """The left half of the curve."""
             a, b = self.curve.domain
             return Places((), (xs_piece(a, (a + b) / 2),))
 
         @question_with(Takes("1/2", lambda part, facts: xs.rational(part)), *CURVES)
-        def beginning(self, part):
+        def beginning(self, part) -> Places[Feature]:
             """The beginning of the curve, up to this part of it."""
             a, b = self.curve.domain
             return Places((), (xs_piece(a, a + part * (b - a)),))
@@ -170,7 +171,7 @@ def test_none_and_all_are_two_answers(curve, asked, where):
     found = getattr(analyse(curve), asked)
     assert found
     assert where is None or [str(piece) for piece in found.everywhere] == [where]
-    told = [item.what for item in oracle(curve, asked).items]
+    told = [item.what for item in items(curve, asked)]
     assert "everywhere" in told
     listed = [each.kind for each in inspected(curve, [asked], 5)[asked]]
     assert "everywhere" in listed
@@ -178,7 +179,7 @@ def test_none_and_all_are_two_answers(curve, asked, where):
 
 def test_none_is_none():
     assert not analyse(xs.example("ellipse")).inflections
-    assert oracle(xs.example("ellipse"), "inflections").items == ()
+    assert items(xs.example("ellipse"), "inflections") == ()
     assert inspected(xs.example("ellipse"), ["inflections"], 5) == {"inflections": ()}
 
 
@@ -186,7 +187,7 @@ def test_a_question_about_another_kind_of_curve_is_refused():
     with pytest.raises(ShapeError):
         analyse(xs.example("circle")).torsion_zeros  # noqa: B018
     with pytest.raises(xs.ExactSplineError, match="space curve"):
-        oracle(xs.example("circle"), "torsion_zeros")
+        xs.ask(xs.example("circle"), "torsion_zeros")
 
 
 def test_answers_say_of_which_curve_they_are(tmp_path):

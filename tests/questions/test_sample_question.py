@@ -24,7 +24,7 @@ ASKED = '''
 import json
 from click.testing import CliRunner
 import exactspline as xs
-from exactspline.batch.oracle import oracle
+from exactspline.geometry.analysis.ask import asked_of
 from exactspline.cli import app
 from exactspline.cli.schema import schema_of
 from exactspline.display.features import feature_sheet
@@ -48,9 +48,9 @@ print(json.dumps({
     "attribute": len(getattr(xs.analyse(circle), NAME)),
     "inspect": len(row("inspect", "circle")[NAME]["points"]),
     "table": sum(line[0] in ("maximum of κ", "minimum of κ") for line in sheet.rows),
-    "inspect --ask": len(row("inspect", "circle", "--ask", NAME)["items"]),
-    "certificate": len(oracle(circle, NAME).certificates),
-    "as a place": len(oracle(circle, f"value@{NAME}").items),
+    "inspect --ask": len(row("inspect", "circle", "--ask", NAME)["answer"]["points"]),
+    "certificate": len([*asked_of(circle, NAME).proofs]),
+    "as a place": len(xs.ask(circle, f"value@{NAME}")),
     "sweep --find": len(json.loads(told("sweep", "circle", "--find", NAME, "--output", "-"))["found"][NAME]),
     "schema": fields[NAME]["description"],
     "glossary": glossary()["questions"][NAME.replace("_", " ")],

@@ -12,6 +12,7 @@ from functools import reduce
 from operator import add
 
 from exactspline.errors import ExactSplineError
+from exactspline.geometry.analysis.curves import analyse
 from exactspline.geometry.analysis.pairs import CurvePair
 from exactspline.geometry.curves import balls
 from exactspline.geometry.curves.extent import coordinate_range, slope
@@ -173,9 +174,7 @@ def _area(case: Case) -> Answer | None:
     c = case.curve
     if c.dimension != 2 or not c.polynomial or not c.closed or c.segments < 3:
         return None
-    from exactspline.batch.oracle import oracle
-
-    return _numbers([oracle(c, "area").items[0].values["area"]])
+    return _numbers([analyse(c).area])
 
 
 def _nearest(case: Case) -> Answer:

@@ -13,7 +13,6 @@ from typing import Any
 from zlib import crc32
 
 from exactspline.atomic_write import write_text
-from exactspline.batch.oracle import items
 from exactspline.errors import ExactSplineError
 from exactspline.geometry.analysis.curves import QUESTIONS, questions_about
 from exactspline.geometry.analysis.pairs import CurvePair
@@ -26,6 +25,7 @@ from exactspline.splines.nurbs import Nurbs
 from exactspline.testing import Case
 from workshop.grade.questions import MEETINGS, PLACES, STRAIGHT, ULPS
 from workshop.grade.questions import QUESTIONS as ASKED
+from workshop.vectors.items import items
 
 #: Increased whenever a field changes its meaning.
 VERSION = 2
@@ -66,10 +66,11 @@ def _of_registry() -> list[str]:
 def case_data(case: Case) -> dict[str, Any]:
     """A case with its answers as data.
 
-    >>> from workshop.vectors.corpus import corpus
-    >>> data = case_data(next(corpus("near", 1)))
-    >>> data["dial"], data["answers"]["cusps"]["answer"], data["answers"]["inflections"]["answer"]
-    ({'sign': 1, 'k': 2}, 'none', 'these')
+        >>> from workshop.vectors.items import items
+    from workshop.vectors.corpus import corpus
+        >>> data = case_data(next(corpus("near", 1)))
+        >>> data["dial"], data["answers"]["cusps"]["answer"], data["answers"]["inflections"]["answer"]
+        ({'sign': 1, 'k': 2}, 'none', 'these')
     """
     case = replace(case, curve=in_the_plane(case.curve))
     curve, dial = case.curve, case.dial

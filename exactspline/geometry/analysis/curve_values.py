@@ -117,7 +117,7 @@ class CurveValues(SpaceFacts):
             return {
                 f"{name}{axis}": x
                 for name, vector in vectors.items()
-                for axis, x in zip(axes(self.curve), values.unit(vector, t, name, side), strict=True)
+                for axis, x in zip(axes(self.curve.dimension), values.unit(vector, t, name, side), strict=True)
             }
 
         return _at("frame", places, frame)
@@ -200,7 +200,7 @@ class CurveValues(SpaceFacts):
         ranges = (coordinate_range(self.curve, i) for i in range(self.curve.dimension))
         return tuple(
             NamedNumbers(axis, {"low": low, "high": high})
-            for axis, (low, high) in zip(axes(self.curve), ranges, strict=True)
+            for axis, (low, high) in zip(axes(self.curve.dimension), ranges, strict=True)
         )
 
     @question(Of.PLANE_CURVE, answered=Answered.VALUE, on_request=True)
@@ -242,14 +242,12 @@ class CurveValues(SpaceFacts):
         return balls.length(self.curve)
 
 
-def axes(curve: Nurbs) -> list[str]:
+def axes(n: int) -> list[str]:
     """The names of the coordinates.
 
-    >>> from exactspline import example
-    >>> axes(example("circle"))
+    >>> axes(2)
     ['x', 'y']
     """
-    n = curve.dimension
     return list("xyz"[:n]) if n <= 3 else [f"x{i}" for i in range(1, n + 1)]
 
 
@@ -260,7 +258,7 @@ def coordinates(curve: Nurbs, t: mpq | Real, order: int = 0, side: Side = Side.R
     >>> coordinates(example("circle"), exact_place(1))
     {'x': <Real 0>, 'y': <Real 1>}
     """
-    return dict(zip(axes(curve), values.point_at(curve, t, order, side), strict=True))
+    return dict(zip(axes(curve.dimension), values.point_at(curve, t, order, side), strict=True))
 
 
 def _at(

@@ -1,4 +1,4 @@
-"""The exact oracle: answers to the questions of the registry as items, each with its numbers by name.
+"""Answers to the questions of the registry as the packs have them: items, each with its numbers by name.
 
 A question is text: a name, an argument after a colon, parameters after an @. ``value@1/2``, ``derivative:2@0,1/3``,
 ``value@cusps``, ``elevate:2``, ``cusps``.
@@ -11,7 +11,6 @@ from contextlib import suppress
 from typing import Any
 
 from exactspline.batch.lines import EVERYWHERE
-from exactspline.batch.oracle_answers import Answer
 from exactspline.errors import DomainError, ShapeError
 from exactspline.geometry.analysis.ask import Asked, asked_of
 from exactspline.geometry.analysis.curve_values import axes, coordinates
@@ -38,25 +37,6 @@ from exactspline.splines.bspline import BSpline
 from exactspline.splines.common import with_common_knots
 from exactspline.splines.control_points import Direction
 from exactspline.splines.nurbs import Nurbs
-from exactspline.splines.type_checks import curve_of
-
-
-def oracle(about: Nurbs | CurvePair, asked: str) -> Answer:
-    """The answer to a question about a curve or two as items, with the certificates of the zero sets it relies on.
-
-    >>> from exactspline import example
-    >>> [item] = oracle(example("cusp"), "cusps").items
-    >>> item.what, item.values["parameter"].exact, item.values["parameter"].double()
-    ('cusp', mpq(1,2), 0.5)
-    >>> oracle(example("circle"), "length").items[0].values["length"].double("up")
-    6.283185307179587
-
-    Raises `QuestionError` for an unknown question, and another `ExactSplineError` where the question has no answer for
-    the curve.
-    """
-    question = asked_of(about if isinstance(about, CurvePair) else curve_of(about), asked)
-    certificates = tuple(proof.certificate() for proof in question.proofs)
-    return Answer(asked.strip(), tuple(_items(_first(about), question)), certificates)
 
 
 def items(about: Nurbs | CurvePair, asked: str) -> tuple[NamedNumbers, ...]:
@@ -115,7 +95,7 @@ def _control_points(curve: Nurbs, part: str = "") -> Iterator[NamedNumbers]:
     facts = {"part": part} if part else {}
     yield NamedNumbers("curve", {}, facts | {"knots": [text(t) for t in curve.knots], "degree": curve.degree})
     for point, weight in zip(curve.control_points, curve.weights, strict=True):
-        values = dict(zip(axes(curve), map(Real, point), strict=True)) | {"weight": Real(weight)}
+        values = dict(zip(axes(curve.dimension), map(Real, point), strict=True)) | {"weight": Real(weight)}
         yield NamedNumbers("direction" if isinstance(point, Direction) else "control point", values, facts)
 
 
@@ -133,7 +113,7 @@ def _derived(curve: Nurbs, derived: Derived) -> Iterator[NamedNumbers]:
     """A derived curve piece by piece: homogeneous control points ``(w x, w y, w)``; where it is missing, its poles."""
     for piece in derived.pieces:
         top, bottom = piece.value.elevated() if isinstance(piece.value, Rational) else (piece.value, None)
-        first, *points = _net(list(top), bottom, axes(curve))
+        first, *points = _net(list(top), bottom, axes(curve.dimension))
         yield NamedNumbers(first.what, {}, {**first.facts, "interval": [text(t) for t in piece.interval]})
         yield from points
     for (a, b), why in derived.missing:
@@ -151,7 +131,7 @@ def _item(
         # an extremum of the curvature is also one of its critical points
         return analyse(curve).once(("item", each), lambda: _point(curve, each))
     if isinstance(each, NearestPoint):
-        place = dict(zip(axes(curve), map(real, at(curve, each.parameter, side=each.side)), strict=True))
+        place = dict(zip(axes(curve.dimension), map(real, at(curve, each.parameter, side=each.side)), strict=True))
         return NamedNumbers("nearest point", {"parameter": each.parameter, "distance": each.distance} | place)
     if isinstance(each, int):
         return NamedNumbers("value", {"value": real(each)})

@@ -1,0 +1,114 @@
+"""An answer as data, as records (what each thing is, with its numbers and words by name), and as a table."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import replace
+from typing import NamedTuple
+
+from exactspline.display.answer_forms import form_of, placed
+from exactspline.display.features import ends_text
+from exactspline.display.forms import Form, word
+from exactspline.display.reals import double_of, real_text
+from exactspline.display.sheet import Sheet
+from exactspline.errors import as_integer
+from exactspline.geometry.analysis.ask import About, Asked, asked_of
+from exactspline.numbers.exact import mpq
+from exactspline.numbers.intervals import Interval
+from exactspline.reals.real import Real, real
+from exactspline.roots.answers import CurvePiece
+
+#: The types of exact numbers.
+NUMBER = Real | type(mpq())
+
+
+class Record(NamedTuple):
+    """A thing of which an answer consists: what it is, and its numbers and words by name."""
+
+    what: str
+    values: Mapping[str, object]
+
+
+def answer_data(asked: Asked, digits: int) -> object:
+    """The answer to a question as data for programs."""
+    return form_of(asked.entry).write(placed(asked.facts, asked.answer), digits)
+
+
+def records(asked: Asked) -> list[Record]:
+    """The things of which the answer to a question consists.
+
+    >>> from exactspline import example
+    >>> [(each.what, dict(each.values)) for each in records(asked_of(example("circle"), "bounding_box"))]
+    [('x', {'low': <Real -1>, 'high': <Real 1>}), ('y', {'low': <Real -1>, 'high': <Real 1>})]
+    """
+    what = asked.entry.name.removesuffix("_within").removesuffix("s")
+    return [*_records(form_of(asked.entry), placed(asked.facts, asked.answer), what)]
+
+
+def _records(form: Form, value: object, what: str) -> Iterator[Record]:
+    if form.elements is None:
+        values = dict(form.leaves(value))
+        kind = str(values.pop("kind", values.pop("what", what)))
+        if values:
+            yield Record(kind.replace("_", " "), {name or "value": x for name, x in values.items()})
+        return
+    for group, element, each in form.elements(value):
+        own = what if group in ("", "points") else group.removesuffix("s")
+        yield from _records(element if element.divided else replace(element, elements=None), each, own)
+
+
+def answer_sheet(title: str, found: list[Record], digits: int) -> Sheet:
+    """An answer as a table: a number in a row, exactly where that is short, and as the nearest double; words in one."""
+    made = Sheet("what", "name", "value", "double", title=title, name=title, prose=["value"])
+    for each in found:
+        words = list[str]()
+        for name, value in each.values.items():
+            if isinstance(value, NUMBER):
+                double = double_of(real(value))
+                shown = "–" if double is None else repr(double)
+                made.add_row(each.what, name.replace("_", " "), real_text(value, digits), shown)
+            else:
+                words.append(f"{name.replace('_', ' ')} {_outwards(value)}")
+        if words:
+            made.add_row(each.what, "", "; ".join(words).removeprefix("value "), "")
+    if not found:
+        made.add_row("nothing", "", "there is none", "")
+    return made
+
+
+def _outwards(value: object) -> str:
+    """A word; an interval that contains something rounded outwards, since JSON has it exactly."""
+    if not isinstance(value, Interval | CurvePiece):
+        return word(value)
+    parts = value.parts if isinstance(value, CurvePiece) else [value]
+    return " ∪ ".join(f"[{', '.join(ends_text(part))}]" for part in parts)
+
+
+def to_dict(about: About, question: str, digits: int = 20) -> dict[str, object]:
+    """The answer to a question (see `ask`) as ``json.dumps`` takes it, irrational numbers to this many digits.
+
+    >>> from exactspline import example
+    >>> to_dict(example("torus"), "umbilics")
+    {'question': 'umbilics', 'answer': {'points': [], 'everywhere': [], 'undecided': []}}
+    """
+    digits = as_integer(digits, "a number of digits", 1)
+    return {"question": question, "answer": answer_data(asked_of(about, question), digits)}
+
+
+def to_records(about: About, question: str) -> list[dict[str, object]]:
+    """The answer to a question (see `ask`) as a list of records, numbers as correctly rounded doubles: what
+    ``pandas.DataFrame`` and ``polars.DataFrame`` take.
+
+    >>> from exactspline import example
+    >>> to_records(example("cubic_s"), "inflections")[0]["parameter"]
+    0.5
+    """
+    found = records(asked_of(about, question))
+    return [{"what": each.what} | {name: _plain(x) for name, x in each.values.items()} for each in found]
+
+
+def _plain(value: object) -> object:
+    """A number as a double, a word as text."""
+    if isinstance(value, NUMBER):
+        return double_of(real(value))
+    return value if isinstance(value, bool | int) else str(value)
