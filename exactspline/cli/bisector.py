@@ -107,7 +107,7 @@ def _coordinates(point: str) -> list[str]:
 
 def _of_two(c: Nurbs, other: Nurbs, variant: str, digits: int) -> Answer:
     from exactspline.display import bisector_data, bisector_sheet
-    from exactspline.display.answer_forms import answers_data
+    from exactspline.display.answer_forms import bisector_answer
     from exactspline.display.plot.in_space import picture
     from exactspline.errors import FormulaError
     from exactspline.geometry.bisectors.plane_curves import PlaneBisector
@@ -118,7 +118,7 @@ def _of_two(c: Nurbs, other: Nurbs, variant: str, digits: int) -> Answer:
         if variant:
             raise FormulaError(f"the variant {variant!r} of a bisector in the plane", remedy="leave the variant out")
         flat = PlaneBisector(c, other)
-        data = head | bisector_data.plane_bisector_data(flat, digits)
+        data = head | bisector_answer(flat, digits) | bisector_data.feet_data(flat, digits)
         return Answer(
             data,
             *bisector_sheet.of_plane_curves(flat, digits),
@@ -126,13 +126,14 @@ def _of_two(c: Nurbs, other: Nurbs, variant: str, digits: int) -> Answer:
             partial(picture, "bisector of plane curves", flat),
         )
     found = curve_bisector(c, other, variant or SurfaceVariant.MINIMAL)
-    data = head | bisector_data.curve_bisector_data(found) | answers_data(found, digits)
+    data = head | bisector_answer(found, digits)
     rows, notes = bisector_sheet.of_two_curves(found, digits)
     return Answer(data, rows, notes, f"{title}, {found.variant}", partial(picture, "bisector of curves", found))
 
 
 def _of_point(c: Nurbs, point: list[str], variant: str, digits: int) -> Answer:
-    from exactspline.display import bisector_data, bisector_sheet
+    from exactspline.display import bisector_sheet
+    from exactspline.display.answer_forms import bisector_answer
     from exactspline.display.plot.in_space import picture
     from exactspline.errors import FormulaError
     from exactspline.geometry.bisectors.point_and_curve import point_bisector
@@ -142,7 +143,7 @@ def _of_point(c: Nurbs, point: list[str], variant: str, digits: int) -> Answer:
     title = f"bisector of {c.name} and the point ({', '.join(point)})"
     if c.dimension != 2:
         ruled = point_bisector(c, point, variant or "direct")
-        data, title = head | bisector_data.point_bisector_data(ruled, digits), f"{title} ({ruled.variant})"
+        data, title = head | bisector_answer(ruled, digits), f"{title} ({ruled.variant})"
         rows, notes = bisector_sheet.of_point_in_space(ruled, digits)
         return Answer(data, rows, notes, title, partial(picture, "bisector of a point", ruled, c, point))
     if variant:
@@ -151,7 +152,7 @@ def _of_point(c: Nurbs, point: list[str], variant: str, digits: int) -> Answer:
             remedy="leave the variant out: it is trimmed, in lowest terms",
         )
     found = trimmed_bisector(c, point)
-    data, title = head | bisector_data.trimmed_data(found, digits), f"{title}, trimmed"
+    data, title = head | bisector_answer(found, digits), f"{title}, trimmed"
     rows, notes = bisector_sheet.of_point_in_plane(found, digits)
     return Answer(data, rows, notes, title, partial(picture, "trimmed bisector", found, c, point))
 

@@ -50,6 +50,11 @@ from exactspline.geometry.analysis.curves import QUESTIONS, Analysis
 from exactspline.geometry.analysis.inspection import Approach, Report, inspect_curve
 from exactspline.geometry.analysis.planar_maps import MapInspection
 from exactspline.geometry.analysis.surfaces import SurfaceInspection
+from exactspline.geometry.bisectors.common import Bisector
+from exactspline.geometry.bisectors.plane_curves import PlaneBisector
+from exactspline.geometry.bisectors.point_and_curve import PointBisector
+from exactspline.geometry.bisectors.trimmed import TrimmedBisector
+from exactspline.geometry.bisectors.two_curves import CurveBisector
 from exactspline.geometry.curves.joints import Joint
 from exactspline.geometry.curves.kinds import Feature, FeatureKind
 from exactspline.geometry.curves.planarity import Plane
@@ -80,6 +85,20 @@ def _any_of(*forms: Form) -> Form:
     return Form({"anyOf": [form.schema for form in forms]})
 
 
+def bisector_answer(found: Bisector, digits: int) -> Data:
+    """A bisector as data."""
+    match found:
+        case CurveBisector():
+            return bisector_data.curve_bisector_data(found) | answers_data(found, digits)
+        case PlaneBisector():
+            return bisector_data.plane_bisector_data(found, digits)
+        case PointBisector():
+            return bisector_data.point_bisector_data(found, digits)
+        case TrimmedBisector():
+            return bisector_data.trimmed_data(found, digits)
+    raise TypeError(type(found))
+
+
 #: The form of an answer, or of one of its elements, by its type.
 FORMS: dict[Any, Form] = {
     **surface_data.FORMS,
@@ -91,6 +110,9 @@ FORMS: dict[Any, Form] = {
     Nurbs: CURVE,
     BSpline | Rational[BSpline]: SPLINE.of(Net.of),
     Derived: DERIVED,
+    Bisector: Form(
+        {"type": "object"}, bisector_answer, elements=lambda found: (("", NAMED_NUMBERS, item) for item in found.items)
+    ),
     Plane: TEXT,
     Feature: FEATURE,
     Joint: JOINT,

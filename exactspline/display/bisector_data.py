@@ -261,15 +261,17 @@ PAIRS = record(piece=one_of(PairsKind), start=_END, end=_END, sides=or_null(pair
 
 
 def plane_bisector_data(bisector: PlaneBisector, digits: int) -> Data:
-    """The pairs of the bisector of two plane curves, and the boxes in which no point of either curve is nearer."""
-    form = record(
-        pieces=(list_of(PAIRS), pairs_of),
-        true_feet=(list_of(_SIDES), "trimmed.kept"),
-        undecided=(list_of(_SIDES), "trimmed.undecided"),
-    )
-    data: Data = form.write(bisector, digits)
+    """The pairs of the bisector of two plane curves."""
+    data: Data = record(pieces=(list_of(PAIRS), pairs_of)).write(bisector, digits)
     missing = [{"sides": plain(sides), "reason": "the pairs are not decided"} for sides in bisector.missing]
     return {"kind": "bisector of two plane curves"} | data | {"missing": missing, "complete": not bisector.missing}
+
+
+def feet_data(bisector: PlaneBisector, digits: int) -> Data:
+    """The boxes of pairs in which no point of either curve is nearer."""
+    form = record(true_feet=(list_of(_SIDES), "trimmed.kept"), undecided=(list_of(_SIDES), "trimmed.undecided"))
+    data: Data = form.write(bisector, digits)
+    return data
 
 
 # ---- a point and a curve

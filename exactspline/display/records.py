@@ -49,7 +49,8 @@ def _records(form: Form, value: object, what: str) -> Iterator[Record]:
     if form.elements is None:
         values = dict(form.leaves(value))
         kind = str(values.pop("kind", values.pop("what", what)))
-        if values:
+        # what is not there has neither numbers nor a kind
+        if values or kind != what:
             yield Record(kind.replace("_", " "), {name or "value": x for name, x in values.items()})
         return
     for group, element, each in form.elements(value):
@@ -69,7 +70,7 @@ def answer_sheet(title: str, found: list[Record], digits: int) -> Sheet:
                 made.add_row(each.what, name.replace("_", " "), real_text(value, digits), shown)
             else:
                 words.append(f"{name.replace('_', ' ')} {_outwards(value)}")
-        if words:
+        if words or not each.values:
             made.add_row(each.what, "", "; ".join(words).removeprefix("value "), "")
     if not found:
         made.add_row("nothing", "", "there is none", "")

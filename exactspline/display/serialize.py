@@ -154,7 +154,7 @@ INTERVALS = replace(list_of(INTERVAL, 1).of("parts"), leaves=INTERVAL.leaves)
 PLANAR_PIECE = record(intervals=(INTERVALS, itemgetter(0)), plane=(TEXT, itemgetter(1)))
 
 #: Numbers by their names, with what they are numbers of.
-NAMED_NUMBERS = record(what=TEXT, values=by_name(REAL), facts=by_name(INTEGER))
+NAMED_NUMBERS = record(what=TEXT, values=by_name(REAL), facts=by_name(Form({"type": ["integer", "string"]})))
 NEAREST_POINT = record(parameter=REAL, distance=REAL, point=POINT)
 
 

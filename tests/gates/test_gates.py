@@ -223,8 +223,7 @@ def test_there_is_one_real_type():
 
 def test_there_is_one_way_to_a_curvature():
     rooms = ("geometry", "splines", "roots", "programs", "display", "extras", "reals", "verification")
-    oracle = "batch/oracle", "batch/inspections"
-    assert gates.found_in(gates.trees(), gates.ways_to_a_curvature, (*rooms, *oracle)) == WAYS.keys()
+    assert gates.found_in(gates.trees(), gates.ways_to_a_curvature, (*rooms, "batch/inspections")) == WAYS.keys()
     assert planted("class Curve:\n    def curvature_at(self, t): ...", gates.ways_to_a_curvature) == [
         "Curve.curvature_at"
     ]

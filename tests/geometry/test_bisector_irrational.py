@@ -14,7 +14,7 @@ from gmpy2 import mpq
 
 from exactspline import BSpline
 from exactspline.cli import app
-from exactspline.display.bisector_data import curve_bisector_data
+from exactspline.display.answer_forms import bisector_answer
 from exactspline.errors import ReachError
 from exactspline.geometry.bisectors import root_lines
 from exactspline.geometry.bisectors.polynomials import vanish_together
@@ -134,7 +134,7 @@ def test_poles_out_of_reach_are_named_and_the_rest_is_there(monkeypatch):
             found = curve_bisector(CUSP_IN_ORIGIN, other)
             assert component(found).over_root.poles is None
             assert found.left_out == ("the poles of the lines over (√2/2) of one curve",)
-            data = curve_bisector_data(found, 20)
+            data = bisector_answer(found, 20)
         assert not data["complete"]
         (line,) = [x for x in data["lines"] if x["over_root"]]
         assert line["over_root"]["poles"] is None

@@ -9,11 +9,11 @@ from click.testing import CliRunner
 from gmpy2 import mpq
 
 import exactspline as xs
-from exactspline.batch.oracle import items
 from exactspline.cli import app
 from exactspline.cli.schema import schema_of
 from exactspline.geometry.analysis.pairs import CurvePair
 from tests.support.drawn import light_curve
+from workshop.vectors.items import items
 
 
 def segment(*points):
@@ -108,5 +108,5 @@ def test_each_offset_has_its_own_sign():
 )
 def test_they_are_asked_by_commands(arguments):
     document = json.loads(CliRunner().invoke(app, [*arguments, "--json"]).stdout)
-    jsonschema.validate(document, schema_of("oracle"))
-    assert all(row["items"] and not row["error"] for row in document["rows"])
+    jsonschema.validate(document, schema_of("answers"))
+    assert all(row["answer"] and not row["error"] for row in document["rows"])

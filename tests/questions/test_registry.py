@@ -18,9 +18,9 @@ from exactspline.geometry.analysis import surfaces as inspection
 from exactspline.geometry.analysis.ask import questions
 from exactspline.geometry.analysis.curves import QUESTIONS, Analysis, analyse, questions_about
 from exactspline.geometry.analysis.registry import REGISTRY
+from exactspline.geometry.curves.kinds import Feature
 from exactspline.questions.entry import ALL_CURVES, CURVES, Of, question, question_with, questions_of
 from exactspline.questions.takes import Takes
-from exactspline.geometry.curves.kinds import Feature
 from exactspline.roots.answers import Places
 from workshop.vectors.items import items
 
