@@ -126,11 +126,11 @@ def _no_quadratic_modulo(m: fmpz_poly, f: fmpz_poly, g: fmpz_poly, prime: int) -
     common, inverse, _ = bottom.xgcd(over)
     if over.degree() < m.degree() or common.degree():
         return False
-    n, row, rows = over.degree(), top * inverse % over, []
+    n, row, entries = over.degree(), top * inverse % over, []
     for _ in range(n):
-        rows.append([int(row[k]) for k in range(n)])
+        entries += row.coeffs() + [0] * (n - len(row))
         row = row.left_shift(1) % over
-    return all(p.degree() > 2 for p, _ in nmod_mat(rows, prime).charpoly().factor()[1])
+    return all(p.degree() > 2 for p, _ in nmod_mat(n, n, entries, prime).charpoly().factor()[1])
 
 
 def at_most_quadratic(
