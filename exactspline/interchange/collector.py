@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from contextlib import contextmanager
 from typing import Any, TypeVar
 
 from exactspline.errors import ExactSplineError, ShapeError, counted
+from exactspline.interchange.arcs import distance_text
 from exactspline.interchange.limits import work
 from exactspline.interchange.numbers import decimal
+from exactspline.interchange.periods import whole
 from exactspline.interchange.records import NamedCurve, Reading, Skipped, Source
 from exactspline.interchange.segments import Segment, joined_segments
 from exactspline.numbers.exact import mpq
@@ -17,6 +19,7 @@ from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.surface import NurbsSurface
 
 Points = Sequence[Sequence[mpq]]
+EQUAL = "written as rational, but its weights are equal: a polynomial curve"
 T = TypeVar("T")
 
 
@@ -105,28 +108,57 @@ class Collector:
         weights: Sequence[mpq] | None = None,
         *,
         homogeneous: bool = False,
+        flagged: Collection[str] = (),
         name: str = "",
         notes: Sequence[str] = (),
         within: tuple[mpq, mpq] | None = None,
     ) -> None:
-        """Build one curve; `points` are Cartesian, or (w x, w y, …, w) when `homogeneous`; `within` is the part of its
-        domain that the file uses. Data that do not define a curve are recorded as skipped, with the reason.
+        """Build one curve (see `built`); data that do not define one are recorded as skipped, with the reason."""
+        with self.skipping(what, where):
+            more: dict[str, Any] = {"homogeneous": homogeneous, "flagged": flagged, "name": name, "notes": notes}
+            self.take(self.built(where, degree, knots, points, weights, **more), within)
+
+    def built(
+        self,
+        where: str,
+        degree: int,
+        knots: Sequence[mpq],
+        points: Points,
+        weights: Sequence[mpq] | None = None,
+        *,
+        homogeneous: bool = False,
+        flagged: Collection[str] = (),
+        name: str = "",
+        notes: Sequence[str] = (),
+    ) -> NamedCurve:
+        """A curve with its notes; `points` are Cartesian, or (w x, w y, …, w) when `homogeneous`. It may be listed as
+        in `whole`; what it is `flagged` as, periodic or closed, is compared with the data.
         """
-        name = name or f"{self.format} {len(self.curves) + 1}"
-        try:
-            self.count(len(points) + len(knots))
-            self._check(degree, knots, points, weights or ())
-            source = f"{self.source.name} {where}".strip()
-            if homogeneous:
-                curve = Nurbs.from_homogeneous(degree, knots, points, name=name, source=source)
-            else:
-                curve = Nurbs(degree, knots, points, weights=weights, name=name, source=source)
-            if within is not None and within != curve.domain:
-                curve = curve.restrict(*within)
-        except ExactSplineError as error:
-            self.skip(what, where, str(error))
-            return
-        self._keep(curve, notes, rational=homogeneous or weights is not None)
+        self.count(len(points) + len(knots))
+        self._check_degree(degree)
+        full = whole(degree, knots, len(points), "periodic" in flagged)
+        self.room(full.more)
+        points, knots = full.continued(points), full.knots
+        weights = None if weights is None else full.continued(weights)
+        self._check(degree, knots, points, weights or ())
+        name, source = name or f"{self.format} {len(self.curves) + 1}", f"{self.source.name} {where}".strip()
+        if homogeneous:
+            curve = Nurbs.from_homogeneous(degree, knots, points, name=name, source=source)
+        else:
+            curve = Nurbs(degree, knots, points, weights=weights, name=name, source=source)
+        remarks = [*notes, *full.notes]
+        if "closed" in flagged and not curve.closed:
+            ends = zip(curve(curve.domain[0]), curve(curve.domain[1], "left"), strict=True)
+            apart = distance_text([a - b for a, b in ends])
+            remarks.append(f"flagged closed, but its ends are {apart} apart: read as written")
+        if curve.polynomial and (homogeneous or weights is not None):
+            remarks.append(EQUAL)
+        return NamedCurve(name, curve, tuple(remarks))
+
+    def take(self, made: NamedCurve, within: tuple[mpq, mpq] | None = None, *notes: str) -> None:
+        """Add a curve that is built, or the part of it that the file uses."""
+        curve = made.curve if within in (None, made.curve.domain) else made.curve.restrict(*within)
+        self.curves.append(NamedCurve(made.name, curve, (*made.notes, *notes)))
 
     def add_surface(
         self,
@@ -170,13 +202,14 @@ class Collector:
         *,
         homogeneous: bool = False,
         u_fastest: bool = True,
+        flagged: Collection[str] = (),
         name: str = "",
         notes: Sequence[str] = (),
     ) -> None:
         """Build one curve or one surface, by the number of its parameters."""
         more: dict[str, Any] = {"homogeneous": homogeneous, "name": name, "notes": notes}
         if len(degrees) == 1:
-            self.add(what, where, degrees[0], knots[0], points, weights, **more)
+            self.add(what, where, degrees[0], knots[0], points, weights, flagged=flagged, **more)
         else:
             sides = (degrees[0], degrees[1]), (knots[0], knots[1])
             self.add_surface(what, where, *sides, points, weights, u_fastest=u_fastest, **more)
@@ -202,23 +235,21 @@ class Collector:
         Raises `ShapeError` for one beyond the limits.
         """
         self._check(curve.degree, curve.knots.knots, curve.control_points, curve.weights)
-        self._keep(curve, notes, rational=rational)
+        remarks = [*notes, EQUAL] if curve.polynomial and rational else notes
+        self.take(NamedCurve(curve.name, curve, tuple(remarks)))
 
-    def _keep(self, curve: Nurbs, notes: Sequence[str], *, rational: bool) -> None:
-        remarks = list(notes)
-        if curve.polynomial and rational:
-            remarks.append("written as rational, but its weights are equal: a polynomial curve")
-        self.curves.append(NamedCurve(curve.name, curve, tuple(remarks)))
-
-    def _check(self, degree: int, knots: Sequence[mpq], points: Points, weights: Sequence[mpq]) -> None:
+    def _check_degree(self, degree: int) -> None:
         if not 0 <= degree <= self.limits.degree:
             raise ShapeError(f"degree {degree}", where="degree", remedy=f"at most {self.limits.degree} is read")
+
+    def _check(self, degree: int, knots: Sequence[mpq], points: Points, weights: Sequence[mpq]) -> None:
+        self._check_degree(degree)
         if not points or len(knots) != len(points) + degree + 1:
-            raise ShapeError(
-                f"{counted(len(points), 'control point')} for {counted(len(knots), 'knot')} of degree {degree}",
-                where="control_points",
-                remedy=f"there must be {max(len(knots) - degree - 1, 0)} (knots − degree − 1)",
-            )
+            problem = f"{counted(len(points), 'control point')} for {counted(len(knots), 'knot')} of degree {degree}"
+            remedy = f"there must be {max(len(knots) - degree - 1, 0)} (knots − degree − 1)"
+            if len(knots) == len(points) + degree - 1:
+                remedy = "as openNURBS writes them, without the first and the last: repeat both"
+            raise ShapeError(problem, where="control_points", remedy=remedy)
         numbers = [*knots, *weights, *(x for row in points for x in row)]
         longest = max(x.numerator.bit_length() + x.denominator.bit_length() for x in numbers)
         if work(degree, knots, longest) > self.limits.work:

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import re
 from dataclasses import dataclass, field
+from decimal import Decimal
 from math import inf
 
 from exactspline.errors import NumberError, counted, shown
 from exactspline.interchange.limits import Limits
-from exactspline.numbers.exact import decimal_places, isqrt, mpq, rational
+from exactspline.numbers.exact import decimal_places, isqrt, mpq, mpz, rational
 
 _DECIMAL = re.compile(r"[+-]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eEdD]([+-]?\d{1,9}))?", re.ASCII)
 _WHOLE = re.compile(r"[+-]?\d{1,9}", re.ASCII)
@@ -58,6 +59,31 @@ def square_root(value: mpq) -> mpq | None:
         return None
     root = mpq(isqrt(value.numerator), isqrt(value.denominator))
     return root if root * root == value else None
+
+
+def dyadic(value: mpq, error: mpq) -> mpq:
+    """A multiple of a power of two that is at most `error` below a number.
+
+    >>> dyadic(mpq(1, 3), mpq(1, 10))
+    mpq(5,16)
+    """
+    scale = mpz(1) << int(1 / error).bit_length()
+    return mpq(value * scale // 1, scale)
+
+
+def root_below(square: mpq, error: mpq) -> mpq:
+    """A multiple of a power of two that is at most `error` below the square root of a number."""
+    scale = mpz(1) << int(1 / error).bit_length()
+    return mpq(isqrt(square.numerator * scale * scale // square.denominator), scale)
+
+
+def about(value: mpq) -> str:
+    """A number that is not negative, as text of three digits.
+
+    >>> about(mpq(2, 3) / 10**9), about(mpq(109)), about(mpq(1234567))
+    ('6.67E-10', '109', '1.23E+6')
+    """
+    return f"{Decimal(int(value.numerator)) / Decimal(int(value.denominator)):.3g}".replace("e", "E")
 
 
 def finite_double(value: mpq) -> float:

@@ -6,12 +6,12 @@ import re
 from dataclasses import dataclass, field
 
 from exactspline.errors import ExactSplineError, NumberError
-from exactspline.interchange.affine import Affine
-from exactspline.interchange.angles import quarter_turns_of_degrees, turn_near
+from exactspline.interchange.affine import APPROXIMATE, Affine
+from exactspline.interchange.arcs import DEGREES, quarter_turns, turn_near
 from exactspline.interchange.limits import Limits
-from exactspline.interchange.numbers import decimal, square_root
+from exactspline.interchange.numbers import decimal, root_below, square_root
 from exactspline.interchange.segments import Segment, arc_around_origin, mapped, polynomial
-from exactspline.numbers.exact import isqrt, mpq, mpz
+from exactspline.numbers.exact import mpq
 
 Point = tuple[mpq, mpq]
 
@@ -99,9 +99,12 @@ def elliptic_arc(
     if not sweep:
         return [segment[::-1] for segment in reversed(elliptic_arc(end, start, radii, degrees, large, True, within))]
     rx, ry = abs(radii[0]), abs(radii[1])
-    if rx != ry and within is not None and (degrees / 90).denominator != 1:
+    turns = quarter_turns(degrees, DEGREES)
+    if rx != ry and turns is None:
+        if within is None:
+            raise NumberError("its axes are turned by no multiple of 90°", remedy=APPROXIMATE)
         return _turned_arc(start, end, (rx, ry), degrees, large, within)
-    if rx != ry and quarter_turns_of_degrees(degrees) % 2:
+    if turns and turns % 2:
         rx, ry = ry, rx
     # in units of the radii the ellipse is the unit circle, or a larger one where the radii are too small
     p, q = ((x / rx, y / ry) for x, y in (start, end))
@@ -110,9 +113,9 @@ def elliptic_arc(
     offset = square_root(1 / square - mpq(1, 4)) if square < 4 else mpq(0)
     if offset is None and within is not None:
         # δ is the error of the offset times the chord, which is shorter than 2
-        offset = _root_below(1 / square - mpq(1, 4), within / (4 * max(rx, ry)))
+        offset = root_below(1 / square - mpq(1, 4), within / (4 * max(rx, ry)))
     if offset is None:
-        raise NumberError("its centre is irrational", remedy="such an arc has no rational control points")
+        raise NumberError("its centre is irrational", remedy=f"it has no rational control points; {APPROXIMATE}")
     side = -offset if large else offset
     centre = ((p[0] + q[0]) / 2 - side * chord[1], (p[1] + q[1]) / 2 + side * chord[0])
     arcs = arc_around_origin(*((x - centre[0], y - centre[1]) for x, y in (p, q)))
@@ -121,7 +124,7 @@ def elliptic_arc(
 
 def _turned_arc(start: Point, end: Point, radii: Point, degrees: mpq, large: bool, within: mpq) -> list[Segment]:
     """An arc near that of a turned ellipse, counter-clockwise in the coordinates of the drawing."""
-    cosine, sine = turn_near(degrees, _greatest_turn(start, end, radii, within / 2))
+    cosine, sine = turn_near(degrees, DEGREES, _greatest_turn(start, end, radii, within / 2))
     turn, back = (Affine([[cosine, -s, 0], [s, cosine, 0]]) for s in (sine, -sine))
     first, last = ((x, y) for x, y in (back(point) for point in (start, end)))
     return mapped(elliptic_arc(first, last, radii, mpq(0), large, True, within / 2), turn)
@@ -142,12 +145,6 @@ def _greatest_turn(start: Point, end: Point, radii: Point, within: mpq) -> mpq:
     chord = abs(end[0] - start[0]) + abs(end[1] - start[1])
     room = min(within / far, mpq(1))
     return min((room / 18) ** 2 * near / chord, room / 2 / (6 * far / near + 2 + chord / near))
-
-
-def _root_below(square: mpq, error: mpq) -> mpq:
-    """The largest multiple of a power of two, at most `error`, below the square root of a number."""
-    scale = mpz(1) << max(int(1 / error).bit_length(), 0)
-    return mpq(isqrt(square.numerator * scale * scale // square.denominator), scale)
 
 
 _COMMAND = re.compile(r"[MLHVCSQTAZ][^MLHVCSQTAZ]*", re.IGNORECASE)

@@ -7,7 +7,7 @@ from collections.abc import Mapping
 
 from exactspline.errors import NumberError, ShapeError, counted
 from exactspline.interchange.affine import Affine
-from exactspline.interchange.angles import quarter_turns_of_degrees
+from exactspline.interchange.arcs import DEGREES, RIGHT, quarter_turns
 from exactspline.interchange.limits import Limits
 from exactspline.interchange.numbers import decimal
 from exactspline.numbers.exact import mpq
@@ -96,7 +96,10 @@ def _one(name: str, n: list[mpq]) -> Affine:
     if name == "scale" and len(n) in (1, 2):
         return Affine([[n[0], 0, 0], [0, n[-1], 0]])
     if name == "rotate" and len(n) in (1, 3):
-        cosine, sine = _TURNS[quarter_turns_of_degrees(n[0]) % 4]
+        turns = quarter_turns(n[0], DEGREES)
+        if turns is None:
+            raise NumberError("an angle that is not a multiple of 90°", remedy="its sine or cosine is irrational")
+        cosine, sine = RIGHT[turns % 4]
         turn = Affine([[cosine, -sine, 0], [sine, cosine, 0]])
         there, back = (Affine([[1, 0, s * x], [0, 1, s * y]]) for s in (1, -1) for x, y in [n[1:] or (0, 0)])
         return there @ turn @ back

@@ -8,9 +8,9 @@ from gmpy2 import mpq
 from hypothesis import assume, given
 from hypothesis import strategies as st
 
-from exactspline.errors import NumberError, ShapeError
+from exactspline.errors import ShapeError
 from exactspline.interchange.affine import Affine
-from exactspline.interchange.angles import quarter_turns_of_degrees, quarter_turns_of_radians
+from exactspline.interchange.arcs import DEGREES, RADIANS, quarter_turns
 from exactspline.interchange.constructors import arc, circle, conic, ellipse
 
 numbers = st.builds(mpq, st.integers(-20, 20), st.integers(1, 7))
@@ -111,17 +111,27 @@ def test_circles_that_are_none():
     ("4.71238898038469", 3), ("31.41592653589793", 20),
 ])  # fmt: skip
 def test_decimals_that_mean_right_angles(text, turns):
-    assert quarter_turns_of_radians(text) == turns
+    assert quarter_turns(mpq(text), RADIANS, last_digit(text)) == turns
+
+
+def last_digit(text):
+    return mpq(1, 10 ** len(text.partition(".")[2]))
 
 
 @pytest.mark.parametrize("text", ["1", "3", "3.14", "1.57", "1.5708963", "1.570796326794890"])
 def test_decimals_that_do_not(text):
     """A decimal that its own last digit tells apart from the multiple of π/2 is none, nor is one of two digits."""
-    with pytest.raises(NumberError, match="not a multiple of π/2"):
-        quarter_turns_of_radians(text)
+    assert quarter_turns(mpq(text), RADIANS, last_digit(text)) is None
 
 
-def test_degrees_are_exact():
-    assert quarter_turns_of_degrees(mpq(-270)) == -3
-    with pytest.raises(NumberError, match="not a multiple of 90"):
-        quarter_turns_of_degrees(mpq(90) + mpq(1, 10**30))
+def test_degrees_and_radians_are_near_to_right_angles_by_one_rule():
+    """Rounded to its last digit, a multiple of 90 degrees is itself; doubles beside it are roundings of it."""
+    for degrees in ("-270", "-270.00000000000006", "-269.9999999999999"):
+        assert quarter_turns(mpq(degrees), DEGREES, last_digit(degrees)) == -3
+    assert quarter_turns(mpq("0.000000000000006"), DEGREES, mpq("1e-15")) == 0
+    for degrees in ("90.000000000001", "89.99999", "90.1", "89"):
+        assert quarter_turns(mpq(degrees), DEGREES, last_digit(degrees)) is None
+    for k in range(-8, 9):
+        for unit, right in ((math.pi / 2, RADIANS), (90.0, DEGREES)):
+            for double in (k * unit, math.nextafter(k * unit, math.inf), math.nextafter(k * unit, -math.inf)):
+                assert quarter_turns(mpq(*double.as_integer_ratio()), right) == k

@@ -88,38 +88,9 @@ def _spline(collector: Collector, words: Tokens, dimension: int, where: str) -> 
     points, weights = _poles(words, count, dimension, rational)
     collector.count(distinct)
     pairs = [(words.number(), words.count()) for _ in range(distinct)]
-    if degree > collector.limits.degree or any(not 1 <= times <= degree + 1 for _, times in pairs):
-        why = f"multiplicities beyond 1 to {degree + 1}, or a degree above {collector.limits.degree}"
-        collector.skip("B-spline curve", where, why)
-        return
     collector.count(sum(times for _, times in pairs))
     knots = [knot for knot, times in pairs for _ in range(times)]
-    notes = []
-    if periodic:
-        try:
-            knots, wrapped = _unrolled(pairs, degree)
-        except CurveFileError as error:
-            collector.skip("periodic B-spline curve", where, str(error))
-            return
-        points += points[:wrapped]
-        weights = weights and weights + weights[:wrapped]
-        notes.append(f"periodic: the knots are extended by the period, {wrapped} control points are repeated")
-    collector.add("B-spline curve", where, degree, knots, points, weights, notes=notes)
-
-
-def _unrolled(pairs: Sequence[tuple[mpq, int]], degree: int) -> tuple[list[mpq], int]:
-    """The full knot vector of a periodic curve, and how many poles are repeated."""
-    knots = [knot for knot, times in pairs for _ in range(times)]
-    more = degree + 1 - pairs[0][1] if pairs else 0
-    if len(pairs) < 2 or pairs[0][1] != pairs[-1][1] or more < 0 or not pairs[0][0] < pairs[-1][0]:
-        raise CurveFileError("end knots of a periodic curve that do not match", remedy="repeat each equally often")
-    period = pairs[-1][0] - pairs[0][0]
-    once = knots[pairs[0][1] :]
-    after = [t + period * (r + 1) for r in range(more // len(once) + 1) for t in once][:more]
-    # the knots before the first one are those before the last one, shifted back by the period
-    cycle = knots[: len(knots) - pairs[-1][1]]
-    before = [t - period * (r + 1) for r in reversed(range(more // len(cycle) + 1)) for t in cycle]
-    return [*before[len(before) - more :], *knots, *after], more
+    collector.add("B-spline curve", where, degree, knots, points, weights, flagged=["periodic"] * periodic)
 
 
 def _ellipse(collector: Collector, words: Tokens, dimension: int, where: str, kind: int) -> None:

@@ -14,13 +14,13 @@ from dataclasses import dataclass
 from itertools import pairwise
 
 from exactspline.errors import CurveFileError, ShapeError
-from exactspline.interchange.affine import Affine, cross, unit
-from exactspline.interchange.angles import quarter_turns_of_degrees, quarter_turns_of_radians
+from exactspline.interchange.affine import Affine, axes, cross, dot, unit
+from exactspline.interchange.arcs import DEGREES, RADIANS, ZERO, Round
 from exactspline.interchange.collector import Collector
 from exactspline.interchange.format import Format
 from exactspline.interchange.numbers import NumberText, decimal, whole
 from exactspline.interchange.records import Reading, Source
-from exactspline.interchange.segments import Segment, arc_around_origin, bulged, mapped, polynomial
+from exactspline.interchange.segments import Segment, bulged, mapped, polynomial
 from exactspline.interchange.writing import Spline
 from exactspline.numbers.exact import mpq
 
@@ -166,14 +166,29 @@ class _Values:
                 f"{self.flag(code)} {what} announced, {len(listed)} given", remedy="the two must agree"
             )
 
-    def frame(self) -> tuple[Sequence[mpq], Sequence[mpq], Sequence[mpq]]:
-        """The axes of the entity's coordinate system, by the arbitrary axis algorithm; raises `ShapeError` if they are
-        irrational.
+    def placed(self, local: Sequence[mpq], radius: mpq, size: mpq = ZERO) -> Affine:
+        """The map from the unit circle to a circle in the entity's coordinate system, by the arbitrary axis algorithm;
+        where the axes are irrational, near ones if an error is allowed.
         """
-        normal = unit(self.point(210, (0, 0, 1)))
-        small = all(abs(x) < mpq(1, 64) for x in normal[:2])
-        across = unit(cross([mpq(0), mpq(1), mpq(0)] if small else [mpq(0), mpq(0), mpq(1)], normal))
-        return across, cross(normal, across), normal
+        normal, within = self.point(210, (0, 0, 1)), self.collector.source.within
+        # the axes move no point by more than the error times its coordinates
+        reach = sum(map(abs, local), start=2 * radius + size)
+        error = within / (2 * reach) if within and reach else None
+        length = dot(normal, normal)
+        small = all(64 * 64 * x * x < length for x in normal[:2])
+        up = [mpq(0), mpq(1), mpq(0)] if small else [mpq(0), mpq(0), mpq(1)]
+        frame = axes(cross(up, normal), normal, error)
+        centre = [dot(local, column) for column in zip(*frame, strict=True)]
+        return Affine([[radius * x, radius * y, c] for x, y, c in zip(frame[0], frame[1], centre, strict=True)])
+
+    def angle(self, code: int, default: int, right: mpq) -> tuple[mpq, mpq, mpq]:
+        """An angle, by default this number of right angles, with what a right angle is, and what its last digit is
+        worth.
+        """
+        [text] = self.entity.texts(code)[:1] or [""]
+        mantissa, _, exponent = text.upper().replace("D", "E").partition("E")
+        angle = self.number(code) if text else default * right
+        return angle, right, mpq(10) ** (int(exponent or 0) - len(mantissa.partition(".")[2]))
 
     def add(self, segments: Sequence[Segment]) -> None:
         """Add the curve made of segments in space, as a plane curve if z = 0."""
@@ -197,13 +212,11 @@ def _spline(values: _Values) -> None:
     if all(point[2] == 0 for point in points):
         points = [point[:2] for point in points]
     degree = values.flag(71)
-    if flags & PERIODIC and len(knots) > degree and knots[0] == knots[degree]:
-        values.notes.append("flagged periodic, but its knots are clamped: read as written")
     if flags & RATIONAL and not weights:
         values.notes.append("flagged rational, but without weights: a polynomial curve")
-    values.collector.add(
-        "SPLINE", values.where, degree, knots, points, weights or None, name=values.name, notes=values.notes
-    )
+    flagged = [word for bit, word in ((PERIODIC, "periodic"), (CLOSED, "closed")) if flags & bit]
+    parts = degree, knots, points, weights or None
+    values.collector.add("SPLINE", values.where, *parts, name=values.name, notes=values.notes, flagged=flagged)
 
 
 def _line(values: _Values) -> None:
@@ -211,42 +224,31 @@ def _line(values: _Values) -> None:
 
 
 def _circle(values: _Values) -> None:
-    _arc_between(values, 0, 4)
+    _elliptic(values, values.placed(values.point(10), values.number(40)))
 
 
 def _arc(values: _Values) -> None:
-    _arc_between(values, *(quarter_turns_of_degrees(values.number(code)) for code in (50, 51)))
-
-
-def _arc_between(values: _Values, start: int, end: int) -> None:
-    across, up, normal = values.frame()
-    local, radius = values.point(10), values.number(40)
-    centre = [
-        sum((a * b for a, b in zip(local, column, strict=True)), mpq(0))
-        for column in zip(across, up, normal, strict=True)
-    ]
-    _elliptic(values, centre, [radius * x for x in across], [radius * x for x in up], start, end)
+    for code in (50, 51):
+        values.number(code)
+    _elliptic(values, values.placed(values.point(10), values.number(40)), 50, 51, DEGREES)
 
 
 def _ellipse(values: _Values) -> None:
-    major = values.point(11)
-    minor = [values.number(40) * x for x in cross(unit(values.point(210, (0, 0, 1))), major)]
-    turns = [quarter_turns_of_radians(values.entity.texts(code)[0]) if values.entity.texts(code) else default
-             for code, default in ((41, 0), (42, 4))]  # fmt: skip
-    if turns[0] == turns[1]:
+    major, centre, within = values.point(11), values.point(10), values.collector.source.within
+    reach = values.number(40) * sum(map(abs, major))
+    normal = unit(values.point(210, (0, 0, 1)), within and min(within / (2 * reach or 1), mpq(1)))
+    minor = [values.number(40) * x for x in cross(normal, major)]
+    if values.angle(41, 0, RADIANS)[0] == values.angle(42, 4, RADIANS)[0]:
         raise ShapeError("its start and end parameters agree", remedy="a whole ellipse runs from 0 to 2π")
-    if any(text.strip("-+0.") for code in (41, 42) for text in values.entity.texts(code)):
-        values.notes.append("its decimal parameters are read as the multiples of π/2 of which they are roundings")
-    _elliptic(values, values.point(10), major, minor, *turns)
+    _elliptic(values, Affine([*zip(major, minor, centre, strict=True)]), 41, 42, RADIANS)
 
 
-_RIGHT = [(mpq(1), mpq(0)), (mpq(0), mpq(1)), (mpq(-1), mpq(0)), (mpq(0), mpq(-1))]
-
-
-def _elliptic(values: _Values, centre: Sequence[mpq], u: Sequence[mpq], v: Sequence[mpq], start: int, end: int) -> None:
-    """Add centre + cos t u + sin t v, for t between two multiples of a right angle."""
-    arcs = arc_around_origin(_RIGHT[start % 4], _RIGHT[end % 4])
-    values.add(mapped(arcs, Affine([*zip(u, v, centre, strict=True)])))
+def _elliptic(values: _Values, frame: Affine, first: int = 0, last: int = 0, right: mpq = DEGREES) -> None:
+    """Add the arc between the angles of two group codes, by default the whole curve."""
+    curve = Round(frame, values.collector.source.within)
+    ends = [curve.at_angle(*values.angle(code, turns, right)) for code, turns in ((first, 0), (last, 4))]
+    values.notes += curve.notes
+    values.add(curve.arc(*ends))
 
 
 def _polyline(values: _Values) -> None:
@@ -260,9 +262,11 @@ def _polyline(values: _Values) -> None:
             segments += bulged((start[0], start[1]), (end[0], end[1]), bulge)
     if not segments:
         raise CurveFileError("all vertices coincide", remedy="a polyline has at least two vertices")
-    across, up, normal = values.frame()
-    lift = [x * values.number(38, 0) for x in normal]
-    values.add(mapped(segments, Affine([*zip(across, up, lift, strict=True)])))
+    lift = values.number(38, 0)
+    reach = max(sum(map(abs, vertex[:2]), start=mpq(0)) for vertex in vertices)
+    # an arc reaches no further from its chord than the bulge times half its length
+    reach *= 2 + 2 * max(abs(vertex[2]) for vertex in vertices)
+    values.add(mapped(segments, values.placed([mpq(0), mpq(0), lift], mpq(1), reach)))
 
 
 _READERS: dict[str, Callable[[_Values], None]] = {

@@ -15,11 +15,12 @@ from collections.abc import Sequence
 from exactspline.errors import CurveFileError, counted
 from exactspline.extras.cad.iges_records import DirectoryEntry, entries, formatted, unit_of
 from exactspline.interchange.affine import Affine
+from exactspline.interchange.arcs import RIGHT, Round
 from exactspline.interchange.collector import Collector
 from exactspline.interchange.format import Format
 from exactspline.interchange.numbers import NumberText, decimal, whole, with_point
 from exactspline.interchange.records import Reading, Source
-from exactspline.interchange.segments import Segment, arc_around_origin, conic_arc, joined_segments, mapped, polynomial
+from exactspline.interchange.segments import Segment, conic_arc, joined_segments, mapped, polynomial
 from exactspline.interchange.writing import Spline
 from exactspline.numbers.exact import mpq
 from exactspline.splines.nurbs import Nurbs
@@ -112,7 +113,7 @@ def _placement(collector: Collector, directory: dict[int, DirectoryEntry], entry
 def _spline(collector: Collector, entry: DirectoryEntry, where: str, placed: Affine) -> None:
     values = _Values(entry, collector)
     last, degree = values.whole(), values.whole()
-    _planar, _closed, flagged_polynomial, periodic = (values.whole() for _ in range(4))
+    _planar, closed, flagged_polynomial, periodic = (values.whole() for _ in range(4))
     if last < 0 or degree < 0:
         raise CurveFileError(f"{last + 1} points of degree {degree}", remedy="both must be positive")
     knots, weights = values.numbers(last + degree + 2), values.numbers(last + 1)
@@ -121,10 +122,9 @@ def _spline(collector: Collector, entry: DirectoryEntry, where: str, placed: Aff
     within, notes = _used(knots, degree, start, end)
     if flagged_polynomial and len(set(weights)) > 1:
         notes.append("flagged polynomial, but its weights differ: read as rational")
-    if periodic and knots[:1] == knots[degree : degree + 1]:
-        notes.append("flagged periodic, but its knots are clamped: read as written")
     plain = None if len(set(weights)) == 1 and weights[0] == 1 and flagged_polynomial else weights
-    _add(collector, entry, where, (degree, knots, points, plain), notes, within)
+    flagged = ["periodic"] * bool(periodic) + ["closed"] * bool(closed and within is None)
+    _add(collector, entry, where, (degree, knots, points, plain), notes, within, flagged)
 
 
 def _used(knots: Sequence[mpq], degree: int, start: mpq, end: mpq) -> tuple[tuple[mpq, mpq] | None, list[str]]:
@@ -171,6 +171,7 @@ def _add(
     parts: Parts,
     notes: Sequence[str] = (),
     within: tuple[mpq, mpq] | None = None,
+    flagged: Sequence[str] = (),
 ) -> None:
     degree, knots, points, weights = parts
     if entry.use == PARAMETER_SPACE and all(point[2] == 0 for point in points):
@@ -178,14 +179,16 @@ def _add(
     if entry.blanked:
         notes = [*notes, "blanked: not to be displayed"]
     name, kind = f"{entry.label or entry.kind} {entry.number}", f"entity {entry.kind}"
-    collector.add(kind, where, degree, knots, points, weights, name=name, notes=notes, within=within)
+    collector.add(kind, where, degree, knots, points, weights, name=name, notes=notes, within=within, flagged=flagged)
 
 
-def _pieces(collector: Collector, entry: DirectoryEntry, where: str, segments: Sequence[Segment]) -> None:
+def _pieces(
+    collector: Collector, entry: DirectoryEntry, where: str, segments: Sequence[Segment], notes: Sequence[str] = ()
+) -> None:
     degree, knots, points = joined_segments(segments)
     weights = [point[-1] for point in points]
     plain = [[x / point[-1] for x in point[:-1]] for point in points]
-    _add(collector, entry, where, (degree, knots, plain, None if set(weights) == {1} else weights))
+    _add(collector, entry, where, (degree, knots, plain, None if set(weights) == {1} else weights), notes)
 
 
 def _line(collector: Collector, entry: DirectoryEntry, where: str, placed: Affine) -> None:
@@ -194,16 +197,20 @@ def _line(collector: Collector, entry: DirectoryEntry, where: str, placed: Affin
     _pieces(collector, entry, where, [polynomial(*(placed(point) for point in _Values(entry, collector).rows(2)))])
 
 
-def _at_height(placed: Affine, z: mpq, shift: Sequence[mpq] = (mpq(0), mpq(0))) -> Affine:
+def _at_height(placed: Affine, z: mpq) -> Affine:
     """The map from the plane of an arc into space."""
-    return placed @ Affine([[1, 0, 0, shift[0]], [0, 1, 0, shift[1]], [0, 0, 1, z]])
+    return placed @ Affine([[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, z]])
 
 
 def _arc(collector: Collector, entry: DirectoryEntry, where: str, placed: Affine) -> None:
     z, *numbers = _Values(entry, collector).numbers(7)
     centre, start, end = numbers[:2], numbers[2:4], numbers[4:]
-    u, v = ((point[0] - centre[0], point[1] - centre[1]) for point in (start, end))
-    _pieces(collector, entry, where, _lifted(arc_around_origin(u, v), _at_height(placed, z, centre)))
+    x, y = (a - b for a, b in zip(start, centre, strict=True))
+    # the circle through the start, whose radius may be irrational
+    within = collector.source.within
+    curve = Round(Affine([[x, -y, centre[0]], [y, x, centre[1]]]), within and within / placed.stretch)
+    arc = curve.arc(RIGHT[0], curve.at_point(end))
+    _pieces(collector, entry, where, _lifted(arc, _at_height(placed, z)), [*curve.notes])
 
 
 def _conic(collector: Collector, entry: DirectoryEntry, where: str, placed: Affine) -> None:

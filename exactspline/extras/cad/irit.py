@@ -11,7 +11,7 @@ import re
 from collections import Counter
 from collections.abc import Sequence
 from math import prod
-from typing import TypeAlias
+from typing import Any, TypeAlias
 
 from exactspline.errors import CurveFileError, counted
 from exactspline.interchange.collector import Collector
@@ -114,14 +114,12 @@ def _spline(collector: Collector, node: Node, where: str, name: str, parameters:
     if not bezier and len(vectors) != parameters:
         raise CurveFileError(f"{len(vectors)} knot vectors", remedy="a curve has one, a surface two")
     knots = [bezier_knots(n - 1) for n in orders] if bezier else [_numbers(collector, each[1:]) for each in vectors]
-    notes = []
-    if not bezier and any(each[0] == "KVP" for each in vectors):
-        if parameters > 1:
-            raise CurveFileError("a periodic surface", remedy="write it with knots marked by KV")
-        points += points[: orders[0] - 1]
-        notes.append("periodic: its first control points are repeated")
+    flagged = ["periodic"] if not bezier and any(each[0] == "KVP" for each in vectors) else []
+    if flagged and parameters > 1:
+        raise CurveFileError("a periodic surface", remedy="write it with knots marked by KV")
     degrees = [order - 1 for order in orders]
-    collector.add_spline(what, where, degrees, knots, points, homogeneous=homogeneous, name=name, notes=notes)
+    more: dict[str, Any] = {"homogeneous": homogeneous, "flagged": flagged, "name": name}
+    collector.add_spline(what, where, degrees, knots, points, **more)
 
 
 def _numbers(collector: Collector, row: Node) -> list[mpq]:

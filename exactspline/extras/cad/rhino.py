@@ -1,12 +1,12 @@
 """``.3dm`` files, read with rhino3dm (the extra `formats`) in a separate process; it returns the doubles of the file
 unchanged.
 
-NURBS curves, lines, polylines and every segment of a polycurve are read. Of arcs only full circles are read, exact for
-the plane as written; the ends of other arcs are irrational in general. openNURBS omits the first and the last knot;
-they are added again with arbitrary values, since no point of the domain depends on them. Surfaces are read where they
-are NURBS in the file, also those under the faces of a Brep, as wholes: trims, edges of Breps and all other objects are
-skipped. Copies of block definitions are not placed: their curves are read as the block defines them, with a
-note.
+NURBS curves, lines, polylines and every segment of a polycurve are read, and full circles, exact for the plane as
+written. The ends of other arcs are irrational in general: they are moved along the circle where an error is allowed.
+openNURBS omits the first and the last knot; they are added again with arbitrary values, since no point of the domain
+depends on them. Surfaces are read where they are NURBS in the file, also those under the faces of a Brep, as wholes:
+trims, edges of Breps and all other objects are skipped. Copies of block definitions are not placed: their curves are
+read as the block defines them, with a note.
 """
 
 from __future__ import annotations
@@ -23,11 +23,11 @@ from typing import Any
 
 from exactspline.errors import CurveFileError, counted
 from exactspline.interchange.affine import Affine
+from exactspline.interchange.arcs import RADIANS, RIGHT, Round
 from exactspline.interchange.collector import Collector
 from exactspline.interchange.format import Format
 from exactspline.interchange.numbers import NumberText
 from exactspline.interchange.records import Reading, Source
-from exactspline.interchange.segments import ellipse
 from exactspline.interchange.writing import Spline
 from exactspline.numbers.exact import mpq, rational
 
@@ -64,7 +64,7 @@ def read(source: Source) -> Reading:
             if "degrees" in entry:
                 _spline(collector, entry)
             elif "plane" in entry:
-                _circle(collector, entry)
+                _arc(collector, entry)
             else:
                 collector.skip(kind, where, "this type of object is not read", curve=kind in CURVES)
     return collector.reading()
@@ -107,14 +107,14 @@ def _spline(collector: Collector, entry: dict[str, Any]) -> None:
         collector.note("trims are not read, surfaces are read as wholes: Brep")
 
 
-def _circle(collector: Collector, entry: dict[str, Any]) -> None:
-    if not entry["complete"]:
-        raise CurveFileError("an arc with irrational ends", remedy="store it as a NURBS curve")
+def _arc(collector: Collector, entry: dict[str, Any]) -> None:
     [radius] = map(rational, entry["radius"])
     rows = [map(rational, row) for row in entry["plane"]]
     frame = Affine([[radius * x, radius * y, centre] for x, y, centre in zip(*rows, strict=True)])
-    note = "a full circle, exact for the plane as written; its parameter was the angle"
-    collector.add_segments("ArcCurve", entry["where"], ellipse(frame), entry["name"], [note, *entry["notes"]])
+    curve = Round(frame, collector.source.within)
+    ends = [RIGHT[0]] * 2 if entry["complete"] else [curve.at_angle(rational(a), RADIANS) for a in entry["angles"]]
+    notes = ["exact for the plane as written; its parameter was the angle", *curve.notes, *entry["notes"]]
+    collector.add_segments("ArcCurve", entry["where"], curve.arc(*ends), entry["name"], notes)
 
 
 def write(splines: Sequence[Spline], numbers: NumberText) -> bytes:

@@ -27,9 +27,8 @@ def _described(rhino: Any, geometry: Any, where: str, name: str, notes: list[str
     if isinstance(geometry, rhino.ArcCurve):
         plane = geometry.Arc.Plane
         vectors = [_hex(v.X, v.Y, v.Z) for v in (plane.XAxis, plane.YAxis, plane.Origin)]
-        return [
-            entry | {"complete": bool(geometry.IsCompleteCircle), "radius": _hex(geometry.Radius), "plane": vectors}
-        ]
+        found = {"radius": _hex(geometry.Radius), "plane": vectors, "complete": bool(geometry.IsCompleteCircle)}
+        return [entry | found | {"angles": _hex(geometry.Arc.StartAngle, geometry.Arc.EndAngle)}]
     if isinstance(geometry, rhino.NurbsSurface):
         return [entry | _net(geometry)]
     if isinstance(geometry, rhino.Brep):

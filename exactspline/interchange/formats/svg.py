@@ -254,7 +254,8 @@ def _shape(collector: Collector, element: Element, where: str, place: _Place) ->
     if element.tag == "path":
         data = element.attributes.get("d", "")
         collector.room(least_size(data))
-        parsed, problem = subpaths(data, collector.limits, _in_its_coordinates(collector.source.within, place.placed))
+        within = collector.source.within
+        parsed, problem = subpaths(data, collector.limits, within and within / max(place.placed.stretch, mpq(1)))
         if not parsed:
             raise ShapeError(problem, remedy="correct the path data") if problem else NotDrawnError("no segments")
         notes += [f"{problem}: read up to there"] if problem else []
@@ -270,15 +271,6 @@ def _shape(collector: Collector, element: Element, where: str, place: _Place) ->
         placed = mapped(part.segments, place.placed)
         own = f"{name}.{i}" if several else name
         collector.add_segments(element.tag, at, placed, own, [*notes, *_of_arcs(part, collector.source.within)])
-
-
-def _in_its_coordinates(within: mpq | None, placed: Affine) -> mpq | None:
-    """A distance before the transform that is at most the given one after it."""
-    if within is None:
-        return None
-    # the spectral norm is at most the larger one of those by rows and by columns
-    (a, b), (c, d) = ([abs(x) for x in row[:2]] for row in placed.rows)
-    return within / max(a + b, c + d, a + c, b + d, mpq(1))
 
 
 def _of_arcs(part: Subpath, within: mpq | None) -> list[str]:
