@@ -54,8 +54,8 @@ Approximate = Annotated[
     Option(
         "--approximate",
         metavar="E",
-        help="Replace an arc of SVG that has no rational control points by a rational one that is nowhere further from "
-        "it than E.",
+        help="Read an arc of a file that has no rational control points, or irrational ends, as a rational one nowhere "
+        "further from it than E.",
     ),
 ]
 Digits = Annotated[

@@ -89,8 +89,7 @@ class Round:
         if not all(map(any, list(zip(*frame.rows, strict=True))[:-1])):
             raise ShapeError("a circle or an ellipse of radius 0", remedy="its radius must be positive")
         self.frame, self.within = frame, within
-        #: Notes, each once.
-        self.notes: dict[str, None] = {}
+        self.notes: list[str] = []
         self.moved = False
         #: By what angle an end may be turned.
         self.error = None if within is None else within / (2 * frame.stretch)
@@ -100,12 +99,12 @@ class Round:
         turns = quarter_turns(angle, right, digit)
         if turns is not None:
             if angle != turns * right:
-                self.notes["an angle is read as the multiple of 90° of which it is a rounding"] = None
+                self.notes.append("an angle is read as the multiple of 90° of which it is a rounding")
             return RIGHT[turns % 4]
         if self.error is None:
             raise ShapeError("an angle that is not a multiple of 90°", remedy=f"its ends are irrational; {APPROXIMATE}")
         self.moved = True
-        self.notes[f"its ends are moved along the curve by at most {text(self.within or mpq(0))}"] = None
+        self.notes.append(f"its ends are moved along the curve by at most {text(self.within or mpq(0))}")
         return turn_near(angle, right, self.error)
 
     def at_point(self, point: Sequence[mpq]) -> Point:
@@ -129,7 +128,7 @@ class Round:
         if self.within is None or dot(gap, gap) > self.within**2:
             raise ShapeError(f"an end {moved} away from the curve", remedy="allow more: --approximate")
         self.moved = True
-        self.notes[f"an end is moved by {moved} onto the curve"] = None
+        self.notes.append(f"an end is moved by {moved} onto the curve")
 
     def arc(self, start: Point, end: Point) -> list[Segment]:
         """The arc counter-clockwise between two points of the unit circle, the whole curve where they are the same."""

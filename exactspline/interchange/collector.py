@@ -158,7 +158,7 @@ class Collector:
     def take(self, made: NamedCurve, within: tuple[mpq, mpq] | None = None, *notes: str) -> None:
         """Add a curve that is built, or the part of it that the file uses."""
         curve = made.curve if within in (None, made.curve.domain) else made.curve.restrict(*within)
-        self.curves.append(NamedCurve(made.name, curve, (*made.notes, *notes)))
+        self.curves.append(NamedCurve(made.name, curve, tuple(dict.fromkeys([*made.notes, *notes]))))
 
     def add_surface(
         self,

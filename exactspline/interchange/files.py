@@ -54,8 +54,9 @@ def read(
     or of bytes.
 
     The format is recognized by the content, then by the suffix, unless it is named. `degree` and `knots` are for
-    formats that hold only control points. With `approximate`, a distance above 0, an arc of SVG that has no rational
-    control points is replaced by one that has, with the same ends and nowhere further from it; a note says so.
+    formats that hold only control points. With `approximate`, a distance above 0, an arc that has no rational control
+    points is replaced by one that has and is nowhere further from it (of SVG with the same ends, of other formats on
+    the same circle where that is rational); a note says so.
 
     >>> read(b"100 1 0 0\\n2 0\\n2 2\\n0 0 1 1\\n0 0\\n0.1 2\\n").curves[0].curve(1)
     (mpq(1,10), mpq(2,1))

@@ -210,7 +210,7 @@ def _arc(collector: Collector, entry: DirectoryEntry, where: str, placed: Affine
     within = collector.source.within
     curve = Round(Affine([[x, -y, centre[0]], [y, x, centre[1]]]), within and within / placed.stretch)
     arc = curve.arc(RIGHT[0], curve.at_point(end))
-    _pieces(collector, entry, where, _lifted(arc, _at_height(placed, z)), [*curve.notes])
+    _pieces(collector, entry, where, _lifted(arc, _at_height(placed, z)), curve.notes)
 
 
 def _conic(collector: Collector, entry: DirectoryEntry, where: str, placed: Affine) -> None:
