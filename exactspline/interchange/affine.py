@@ -74,17 +74,18 @@ def unit(vector: Sequence[mpq], error: mpq | None = None) -> list[mpq]:
     if length is None and error is not None:
         length = root_below(square, error * max(map(abs, vector)) / 2)
     if not length:
-        raise ShapeError(
-            "an axis of irrational length", remedy=f"only axes of rational length are exact; {APPROXIMATE}"
-        )
+        raise ShapeError("an axis of irrational length", remedy=f"rational lengths are exact; {APPROXIMATE}")
     return [x / length for x in vector]
 
 
-def axes(along: Sequence[mpq], normal: Sequence[mpq], error: mpq | None = None) -> tuple[Vector, Vector, Vector]:
+def axes(
+    along: Sequence[mpq], normal: Sequence[mpq], error: mpq | None = None
+) -> tuple[tuple[Vector, Vector, Vector], bool]:
     """Three perpendicular unit vectors: one on the side of `along`, the one turned from it by a right angle, and one in
     the direction of `normal`; where these are irrational, with `error` three rational ones, each off by at most that.
+    And whether it is so.
 
-    >>> [x, y, z] = axes([mpq(1), mpq(1), mpq(0)], [mpq(1), mpq(-1), mpq(1)], mpq(1, 10**9))
+    >>> (x, y, z), near = axes([mpq(1), mpq(1), mpq(0)], [mpq(1), mpq(-1), mpq(1)], mpq(1, 10**9))
     >>> dot(x, x) == dot(y, y) == 1, dot(x, y) == 0 == dot(y, z), abs(x[0] * x[0] - mpq(1, 2)) < mpq(1, 10**8)
     (True, True, True)
     """
@@ -95,12 +96,12 @@ def axes(along: Sequence[mpq], normal: Sequence[mpq], error: mpq | None = None) 
         x = unit([a - onto * b for a, b in zip(along, z, strict=True)], slack)
         found = (x, list(cross(z, x)), z)
         if slack is None or error is None or dot(x, x) == dot(z, z) == 1:
-            return found
+            return found, False
         # the lengths of x and z are off by at most the slack, their directions are right
         turned = _rotation(*found, slack)
         off = max(sum(abs(a - b) for a, b in zip(*both, strict=True)) for both in zip(turned, found, strict=True))
         if off + 3 * slack <= error:
-            return turned
+            return turned, True
         slack /= 16
 
 

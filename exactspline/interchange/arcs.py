@@ -85,11 +85,12 @@ class Round:
     ((mpq(0,1), mpq(2,1), mpq(1,1)), 'its ends are moved along the curve by at most 1/100')
     """
 
-    def __init__(self, frame: Affine, within: mpq | None) -> None:
+    def __init__(self, frame: Affine, within: mpq | None, near: bool = False) -> None:
         if not all(map(any, list(zip(*frame.rows, strict=True))[:-1])):
             raise ShapeError("a circle or an ellipse of radius 0", remedy="its radius must be positive")
         self.frame, self.within = frame, within
-        self.notes: list[str] = []
+        #: The note where the axes are irrational, and the map is only near to the one that is meant.
+        self.notes = [f"its axes are irrational: it is read within {text(within)} of it"] if within and near else []
         self.moved = False
         #: By what angle an end may be turned.
         self.error = None if within is None else within / (2 * frame.stretch)
@@ -115,20 +116,11 @@ class Round:
         if x * x + y * y == 1 and self.frame((x, y)) == tuple(point):
             return x, y
         if self.error is None:
-            raise ShapeError(
-                "an end that is not exactly on the curve", remedy=f"only exact ends are read; {APPROXIMATE}"
-            )
+            raise ShapeError("an end that is not exactly on the curve", remedy=f"correct it; {APPROXIMATE}")
         found = on_circle(x, y, self.error / 2**16) if x or y else RIGHT[0]
-        self._move(self.frame(found), point)
-        return found
-
-    def _move(self, to: Sequence[mpq], point: Sequence[mpq]) -> None:
-        gap = [a - b for a, b in zip(to, point, strict=True)]
-        moved = distance_text(gap)
-        if self.within is None or dot(gap, gap) > self.within**2:
-            raise ShapeError(f"an end {moved} away from the curve", remedy="allow more: --approximate")
+        self.notes.append(moved(self.frame(found), point, self.within))
         self.moved = True
-        self.notes.append(f"an end is moved by {moved} onto the curve")
+        return found
 
     def arc(self, start: Point, end: Point) -> list[Segment]:
         """The arc counter-clockwise between two points of the unit circle, the whole curve where they are the same."""
@@ -136,6 +128,14 @@ class Round:
         if self.moved and self.error is not None and 0 < dot(gap, gap) < 16 * self.error**2:
             raise ShapeError("the ends are nearer to each other than E", remedy="give a smaller --approximate E")
         return mapped(arc_around_origin(start, end), self.frame)
+
+
+def moved(to: Sequence[mpq], point: Sequence[mpq], within: mpq | None) -> str:
+    """A note on an end that is moved onto its curve; raises `ShapeError` where that is further than allowed."""
+    gap = [a - b for a, b in zip(to, point, strict=True)]
+    if within is None or dot(gap, gap) > within**2:
+        raise ShapeError(f"an end {distance_text(gap)} away from its curve", remedy=f"correct it; {APPROXIMATE}")
+    return f"an end is moved by {distance_text(gap)} onto the curve"
 
 
 def distance_text(gap: Sequence[mpq]) -> str:

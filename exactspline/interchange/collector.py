@@ -72,6 +72,11 @@ class Collector:
         """Record a note that applies to all curves of the file; repetitions are dropped."""
         self._notes[text] = None
 
+    def unit(self, name: str) -> None:
+        """Note the unit of length of the file, if it has one."""
+        if name:
+            self.note(f"lengths in {name}: read as written")
+
     def room(self, objects: int) -> None:
         """Raise `ShapeError` if this many further objects would exceed the limit; called before they are built."""
         if self._objects + objects > self.limits.objects:
@@ -220,11 +225,11 @@ class Collector:
         """The numbers of control points along u and v; `ShapeError` where there are others, or too many."""
         m, n = (len(vector) - d - 1 for vector, d in zip(knots, degree, strict=True))
         if min(m, n) < 1 or m * n != len(points):
-            raise ShapeError(
+            problem, remedy = (
                 f"{counted(len(points), 'control point')} for {m} × {n}",
-                where="control_points",
-                remedy="there must be as many as the knots require",
+                "give as many as the knots require",
             )
+            raise ShapeError(problem, where="control_points", remedy=remedy)
         for d, vector in zip(degree, knots, strict=True):
             self._check(d, vector, [*points[: len(vector) - d - 1]], weights)
         return m, n
@@ -253,7 +258,5 @@ class Collector:
         numbers = [*knots, *weights, *(x for row in points for x in row)]
         longest = max(x.numerator.bit_length() + x.denominator.bit_length() for x in numbers)
         if work(degree, knots, longest) > self.limits.work:
-            raise ShapeError(
-                f"degree {degree}, {counted(len(points), 'control point')}, numbers of {longest} bits: too much work",
-                remedy="read with a larger limit of work",
-            )
+            problem = f"degree {degree}, {counted(len(points), 'control point')}, {longest} bits: too much work"
+            raise ShapeError(problem, remedy="read with a larger limit of work")

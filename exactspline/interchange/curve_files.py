@@ -73,17 +73,11 @@ def _one_piece(data: dict[str, Any]) -> dict[str, Any]:
     pieces = data["pieces"] if isinstance(data["pieces"], list) else []
     curves = [p for p in pieces if isinstance(p, dict) and p.get("kind") in ("polynomial", "rational")]
     if data.get("layout") or len(pieces) != 1 or not curves:
-        raise CurveFileError(
-            "is a derived object, but not one curve in one piece",
-            where="pieces",
-            remedy="a curve has degree, knots and control points; copy a piece",
-        )
+        problem = "is a derived object, but not one curve in one piece"
+        raise CurveFileError(problem, where="pieces", remedy="copy a piece: degree, knots and control points")
     if pieces[0].get("cut"):
-        raise CurveFileError(
-            "is a part of these control points that ends at an irrational parameter",
-            where="pieces[0]",
-            remedy="see low and high; a curve file can only end at a rational parameter",
-        )
+        problem = "is a part of these control points that ends at an irrational parameter"
+        raise CurveFileError(problem, where="pieces[0]", remedy="see low and high; a curve file ends at a rational one")
     of = f" of {data['curve']}" if data.get("curve") else ""
     named: dict[str, Any] = {"name": f"{data.get('name') or data.get('kind') or 'piece'}{of}"}
     return named | curves[0]
@@ -95,9 +89,7 @@ def _curve_of_piece(piece: dict[str, Any], name: str, limits: Limits) -> Nurbs:
     Its homogeneous control points are ``(w x, w y, …, w)``.
     """
     if piece["kind"] not in ("polynomial", "rational"):
-        raise CurveFileError(
-            f"a piece of the kind {piece['kind']!r} is not a curve", where="kind", remedy="copy one that is a curve"
-        )
+        raise CurveFileError(f"{piece['kind']!r} is not a curve", where="kind", remedy="copy a piece that is a curve")
     rational_piece = piece["kind"] == "rational"
     field = "homogeneous_control_points" if rational_piece else "control_points"
     for needed in ("degree", "knots", field):
@@ -107,11 +99,8 @@ def _curve_of_piece(piece: dict[str, Any], name: str, limits: Limits) -> Nurbs:
         raise CurveFileError("is not a list", where="knots", remedy="write a JSON list")
     net = piece[field]
     if not isinstance(net, list) or not net or not all(isinstance(row, list) and row for row in net):
-        raise CurveFileError(
-            "is not a list of points",
-            where=field,
-            remedy="write (w x, w y, …, w) for each" if rational_piece else "write (x, y, …) for each",
-        )
+        remedy = f"write {'(w x, w y, …, w)' if rational_piece else '(x, y, …)'} for each"
+        raise CurveFileError("is not a list of points", where=field, remedy=remedy)
     read = [numbers_of(row, f"{field}[{i}]", limits) for i, row in enumerate(net)]
     rows = exact_points(read, least=3 if rational_piece else 2)
     degree, knots = whole_degree(piece["degree"]), KnotVector(numbers_of(piece["knots"], "knots", limits))
@@ -137,11 +126,8 @@ def _end(end: Any, key: str, limits: Limits) -> mpq:
     if not isinstance(end, dict):
         return _rational(end, key, limits)
     if end.get("exact") is None:
-        raise CurveFileError(
-            f"the piece ends at an irrational parameter (in [{end.get('low')}, {end.get('high')}])",
-            where=key,
-            remedy="no curve with rational knots ends there; write a rational parameter inside the piece",
-        )
+        problem = f"the piece ends at an irrational parameter (in [{end.get('low')}, {end.get('high')}])"
+        raise CurveFileError(problem, where=key, remedy="write a rational parameter inside the piece")
     return _rational(end["exact"], key, limits)
 
 

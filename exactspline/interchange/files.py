@@ -117,9 +117,7 @@ def _format(source: Source, named: str | None) -> Format:
         raise CurveFileError("is empty", remedy="name a file of curves")
     chosen = _recognized(source.data, source.name) if named is None else _named_format(named)
     if source.part and not chosen.parts:
-        raise CurveFileError(
-            f"{chosen.title}: there is no part {source.part!r}", remedy="leave it out: fonts have parts"
-        )
+        raise CurveFileError(f"{chosen.title}: there is no part {source.part!r}", remedy="only fonts have parts")
     return chosen
 
 

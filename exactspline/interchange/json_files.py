@@ -41,9 +41,8 @@ def points_of(rows: Sequence[object], place: str = "control_points", limits: Lim
         where = f"{place}[{i}]"
         if isinstance(row, dict):
             if set(row) != {"vector"} or not isinstance(row["vector"], list):
-                raise CurveFileError(
-                    "is not a control point", where=where, remedy='write [x, y], or {"vector": [x, y]} for a direction'
-                )
+                remedy = 'write [x, y], or {"vector": [x, y]} for a direction'
+                raise CurveFileError("is not a control point", where=where, remedy=remedy)
             numbers = numbers_of(row["vector"], f"{where}.vector", limits)
             try:
                 points.append(Direction(*numbers))
@@ -89,9 +88,8 @@ def number_of(value: object, where: str = "", limits: Limits = USUAL) -> Number:
     if len(size) > len(str(most)) or int(size or 0) > most:
         raise NumberError(f"the exponent {exponent[:20]!r}", where=where, remedy=f"exponents up to {most} are read")
     if len(value) > LONGER * limits.digits:
-        raise NumberError(
-            f"a number of {counted(len(value), 'character')}", where=where, remedy="read with a larger limit of digits"
-        )
+        problem = f"a number of {counted(len(value), 'character')}"
+        raise NumberError(problem, where=where, remedy="read with a larger limit of digits")
     return str(value)
 
 
@@ -114,11 +112,8 @@ def parsed(text: str) -> object:
     except RecursionError:
         raise CurveFileError("brackets are nested too deeply", remedy="a curve needs three levels") from None
     except json.JSONDecodeError as error:
-        raise CurveFileError(
-            f"is not JSON ({error.msg})",
-            where=f"line {error.lineno}, column {error.colno}",
-            remedy="correct the text there",
-        ) from None
+        place = f"line {error.lineno}, column {error.colno}"
+        raise CurveFileError(f"is not JSON ({error.msg})", where=place, remedy="correct the text there") from None
 
 
 def _once_each(fields: list[tuple[str, object]]) -> dict[str, object]:

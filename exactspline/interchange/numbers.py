@@ -33,6 +33,16 @@ def decimal(text: str, limits: Limits) -> mpq:
     return rational(text.replace("D", "e").replace("d", "e") if match[1] else text)
 
 
+def last_digit(text: str) -> mpq:
+    """What the last digit of a decimal is worth.
+
+    >>> last_digit("1.50E3")
+    mpq(10,1)
+    """
+    mantissa, _, exponent = text.upper().replace("D", "E").partition("E")
+    return mpq(10) ** (int(exponent or 0) - len(mantissa.partition(".")[2]))
+
+
 def whole(text: str) -> int:
     """A small integer; raises `NumberError` otherwise.
 

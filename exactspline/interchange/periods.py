@@ -1,4 +1,6 @@
-"""Closed curves of which a file lists one period, or leaves out the control points that are repeated."""
+"""Closed curves of which a file lists one period, or leaves out the control points that are repeated; and the part of
+a spline that a file uses.
+"""
 
 from __future__ import annotations
 
@@ -57,3 +59,24 @@ def _unrolled(knots: Sequence[mpq], count: int, more: int) -> Whole:
         found = [found[count - 1] - period, *found, found[len(found) - count] + period]
     remark = f"periodic, listed by one period: the knots are continued, {more} control points are repeated"
     return Whole(found, more, (remark,))
+
+
+def domain(degree: int, knots: Sequence[mpq]) -> tuple[mpq, mpq]:
+    """The ends of the domain, 0 and 0 where there are too few knots."""
+    return (knots[degree], knots[-degree - 1]) if len(knots) >= 2 * degree + 2 else (mpq(0), mpq(0))
+
+
+def used(ends: tuple[mpq, mpq], start: mpq, end: mpq) -> tuple[tuple[mpq, mpq] | None, list[str]]:
+    """The part of a domain with these ends that an entity uses, None for all of it, and notes on it.
+
+    >>> used((mpq(0), mpq(1)), mpq(1, 4), mpq(2))[0]
+    (mpq(1,4), mpq(1,1))
+    """
+    low, high = max(start, ends[0]), min(end, ends[1])
+    if (start, end) == ends or not ends[0] < ends[1]:
+        return None, []
+    asked = f"the entity uses the parameters from {start} to {end}"
+    if not low < high:
+        return None, [f"{asked}, which are not in the domain: the whole spline is read"]
+    beyond = "" if (low, high) == (start, end) else f", of which only {ends[0]} to {ends[1]} is in the domain"
+    return (low, high), [f"{asked}{beyond}"]

@@ -8,11 +8,11 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from itertools import pairwise
-from math import comb
 
 from exactspline.errors import ShapeError
 from exactspline.interchange.affine import Affine, cross
 from exactspline.numbers.exact import mpq
+from exactspline.splines.bspline import BSpline
 
 Point = tuple[mpq, ...]
 Segment = tuple[Point, ...]
@@ -158,20 +158,11 @@ def _applied(matrix: Sequence[Point], x: Sequence[mpq]) -> Point:
 
 def _elevated(segment: Segment, degree: int) -> Segment:
     """The segment elevated to a higher degree."""
-    n = len(segment) - 1
-    rise = degree - n
-    if not rise:
+    by = degree + 1 - len(segment)
+    if not by:
         return segment
-    return tuple(
-        tuple(
-            sum(
-                (comb(n, i) * comb(rise, k - i) * segment[i][j] for i in range(max(0, k - rise), min(n, k) + 1)), mpq(0)
-            )
-            / comb(degree, k)
-            for j in range(len(segment[0]))
-        )
-        for k in range(degree + 1)
-    )
+    columns = [BSpline.bezier(x).elevate_degree(by).control_points for x in zip(*segment, strict=True)]
+    return tuple(zip(*columns, strict=True))
 
 
 def joined_segments(segments: Sequence[Segment]) -> tuple[int, list[mpq], list[Point]]:

@@ -56,10 +56,8 @@ def about(matrix: Affine, attributes: Mapping[str, str], style: Mapping[str, str
             raise NumberError("CSS has no lengths without a unit")
         x, y = (length(word, limits) for word in words[:2])
     except NumberError:
-        raise ShapeError(
-            f"the transform-origin {given[:40]!r} in the transform-box {box[:20]!r}",
-            remedy="give two lengths in the view-box",
-        ) from None
+        problem = f"the transform-origin {given[:40]!r} in the transform-box {box[:20]!r}"
+        raise ShapeError(problem, remedy="give two lengths in the view-box") from None
     there, back = (Affine([[1, 0, sign * x], [0, 1, sign * y]]) for sign in (1, -1))
     return there @ matrix @ back
 
@@ -82,9 +80,7 @@ def transform(text: str, limits: Limits) -> Affine:
         numbers = [decimal(word, limits) for word in re.sub(r"\s*,\s*|\s+", " ", match[2]).split()]
         whole = whole @ _one(match[1], numbers)
     if text[position:].strip(" \t\r\n,"):
-        raise ShapeError(
-            f"{text[position : position + 20]!r} is not a transform", remedy="write translate(…) or the like"
-        )
+        raise ShapeError(f"{text[position : position + 20]!r} is not a transform", remedy="write translate(…), …")
     return whole
 
 
@@ -106,9 +102,8 @@ def _one(name: str, n: list[mpq]) -> Affine:
     if name in ("skewX", "skewY") and len(n) == 1:
         slope = _tangent(n[0])
         return Affine([[1, slope, 0], [0, 1, 0]] if name == "skewX" else [[1, 0, 0], [slope, 1, 0]])
-    raise ShapeError(
-        f"{name[:20]} of {counted(len(n), 'number')}", remedy="matrix, translate, scale, rotate, skewX, skewY are read"
-    )
+    remedy = "matrix, translate, scale, rotate, skewX, skewY are read"
+    raise ShapeError(f"{name[:20]} of {counted(len(n), 'number')}", remedy=remedy)
 
 
 def _tangent(degrees: mpq) -> int:

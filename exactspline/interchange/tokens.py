@@ -76,9 +76,6 @@ class Tokens:
 
     def _checked(self, count: int) -> int:
         if not 0 <= count <= self.limits.objects:
-            raise ShapeError(
-                f"a count of {count}",
-                where=f"line {self.line}",
-                remedy=f"it must be between 0 and {self.limits.objects}",
-            )
+            remedy = f"it must be between 0 and {self.limits.objects}"
+            raise ShapeError(f"a count of {count}", where=f"line {self.line}", remedy=remedy)
         return count

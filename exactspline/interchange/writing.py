@@ -79,10 +79,8 @@ def pen_segments(curve: Nurbs) -> list[list[Point]]:
     """
     if curve.dimension != 2 or not curve.polynomial or not 1 <= curve.degree <= 3:
         kind = "polynomial" if curve.polynomial else "rational"
-        raise ShapeError(
-            f"a {kind} curve of degree {curve.degree} in R{curve.dimension}",
-            remedy="this format holds polynomial plane curves of degree 1 to 3",
-        )
+        remedy = "this format holds polynomial plane curves of degree 1 to 3"
+        raise ShapeError(f"a {kind} curve of degree {curve.degree} in R{curve.dimension}", remedy=remedy)
     segments = [[*zip(*rows, strict=True)] for rows in zip(*[component.segments for component in curve.p], strict=True)]
     for before, after in pairwise(segments):
         if before[-1] != after[0]:

@@ -74,11 +74,8 @@ def parse(data: bytes, limits: Limits) -> Element:
         nonlocal counted
         counted += 1 + len(attributes)
         if counted > limits.objects or len(open_elements) >= limits.depth:
-            raise CurveFileError(
-                "is nested too deeply or has too many elements",
-                where=f"line {parser.CurrentLineNumber}",
-                remedy="read with larger limits",
-            )
+            place, problem = f"line {parser.CurrentLineNumber}", "is nested too deeply or has too many elements"
+            raise CurveFileError(problem, where=place, remedy="read with larger limits")
         own = {key.partition(":")[2]: value for key, value in attributes.items() if key.split(":")[0] == "xmlns"}
         declared.append({**declared[-1], **own} if own else declared[-1])
         prefix, _, tag = name.rpartition(":")

@@ -14,11 +14,12 @@ from dataclasses import dataclass
 from itertools import pairwise
 
 from exactspline.errors import CurveFileError, ShapeError
+from exactspline.extras.cad.names import NAMES
 from exactspline.interchange.affine import Affine, axes, cross, dot, unit
 from exactspline.interchange.arcs import DEGREES, RADIANS, ZERO, Round
 from exactspline.interchange.collector import Collector
 from exactspline.interchange.format import Format
-from exactspline.interchange.numbers import NumberText, decimal, whole
+from exactspline.interchange.numbers import NumberText, decimal, last_digit, whole
 from exactspline.interchange.records import Reading, Source
 from exactspline.interchange.segments import Segment, bulged, mapped, polynomial
 from exactspline.interchange.writing import Spline
@@ -28,11 +29,6 @@ CLOSED, PERIODIC, RATIONAL, PLANAR = 1, 2, 4, 8
 #: Entities that are curves or place curves, and are not read.
 CURVES = ("INSERT", "POLYLINE", "HELIX", "MLINE", "LEADER", "MULTILEADER", "ACAD_PROXY_ENTITY")
 WHY = {"INSERT": "copies of blocks are not placed"}
-#: Units of length by their code in $INSUNITS.
-UNITS = {"1": "inches", "2": "feet", "3": "miles", "4": "millimetres", "5": "centimetres", "6": "metres",
-         "7": "kilometres", "8": "microinches", "9": "mils", "10": "yards", "11": "angstroms", "12": "nanometres",
-         "13": "microns", "14": "decimetres", "15": "decametres", "16": "hectometres", "17": "gigametres",
-         "18": "astronomical units", "19": "light years", "20": "parsecs", "21": "US survey feet"}  # fmt: skip
 SILENT = ("SEQEND", "VERTEX", "ENDBLK", "BLOCK", "SECTION", "ENDSEC", "EOF")
 
 
@@ -84,9 +80,7 @@ def _entities(source: Source, collector: Collector) -> Iterator[_Entity]:
     for i in range(0, len(lines) - 1, 2):
         code, value = lines[i].strip(), lines[i + 1].strip()
         if len(code) > 6 or not code.lstrip("-").isdecimal() or not code.isascii():
-            raise CurveFileError(
-                f"{code[:20]!r} is not a group code", where=f"line {i + 1}", remedy="codes are integers"
-            )
+            raise CurveFileError(f"{code[:20]!r} is not a group code", where=f"line {i + 1}", remedy="an integer is")
         collector.count(1)
         if code == "0":
             if entity:
@@ -101,8 +95,8 @@ def _entities(source: Source, collector: Collector) -> Iterator[_Entity]:
             section = value
         elif section == "HEADER":
             variable = value if code == "9" else variable
-            if variable == "$INSUNITS" and code == "70" and value in UNITS:
-                collector.note(f"lengths in {UNITS[value]}: read as written")
+            if variable == "$INSUNITS" and code == "70":
+                collector.unit(NAMES["dxf units"].get(value, ""))
         elif entity:
             entity.pairs.append((int(code), value))
             if entity.kind == "BLOCK" and code == "2":
@@ -163,12 +157,12 @@ class _Values:
         """See that as many are given as the entity announces, where it does."""
         if self.entity.texts(code) and self.flag(code) != len(listed):
             raise CurveFileError(
-                f"{self.flag(code)} {what} announced, {len(listed)} given", remedy="the two must agree"
+                f"{self.flag(code)} {what} announced, {len(listed)} given", remedy="correct the number"
             )
 
-    def placed(self, local: Sequence[mpq], radius: mpq, size: mpq = ZERO) -> Affine:
-        """The map from the unit circle to a circle in the entity's coordinate system, by the arbitrary axis algorithm;
-        where the axes are irrational, near ones if an error is allowed.
+    def placed(self, local: Sequence[mpq], radius: mpq, size: mpq = ZERO) -> Round:
+        """A circle in the entity's coordinate system, by the arbitrary axis algorithm; where the axes are irrational,
+        with near ones if an error is allowed.
         """
         normal, within = self.point(210, (0, 0, 1)), self.collector.source.within
         # the axes move no point by more than the error times its coordinates
@@ -177,18 +171,17 @@ class _Values:
         length = dot(normal, normal)
         small = all(64 * 64 * x * x < length for x in normal[:2])
         up = [mpq(0), mpq(1), mpq(0)] if small else [mpq(0), mpq(0), mpq(1)]
-        frame = axes(cross(up, normal), normal, error)
+        frame, near = axes(cross(up, normal), normal, error)
         centre = [dot(local, column) for column in zip(*frame, strict=True)]
-        return Affine([[radius * x, radius * y, c] for x, y, c in zip(frame[0], frame[1], centre, strict=True)])
+        rows = [[radius * x, radius * y, c] for x, y, c in zip(frame[0], frame[1], centre, strict=True)]
+        return Round(Affine(rows), within, near)
 
     def angle(self, code: int, default: int, right: mpq) -> tuple[mpq, mpq, mpq]:
         """An angle, by default this number of right angles, with what a right angle is, and what its last digit is
         worth.
         """
         [text] = self.entity.texts(code)[:1] or [""]
-        mantissa, _, exponent = text.upper().replace("D", "E").partition("E")
-        angle = self.number(code) if text else default * right
-        return angle, right, mpq(10) ** (int(exponent or 0) - len(mantissa.partition(".")[2]))
+        return (self.number(code), right, last_digit(text)) if text else (default * right, right, ZERO)
 
     def add(self, segments: Sequence[Segment]) -> None:
         """Add the curve made of segments in space, as a plane curve if z = 0."""
@@ -240,12 +233,11 @@ def _ellipse(values: _Values) -> None:
     minor = [values.number(40) * x for x in cross(normal, major)]
     if values.angle(41, 0, RADIANS)[0] == values.angle(42, 4, RADIANS)[0]:
         raise ShapeError("its start and end parameters agree", remedy="a whole ellipse runs from 0 to 2π")
-    _elliptic(values, Affine([*zip(major, minor, centre, strict=True)]), 41, 42, RADIANS)
+    _elliptic(values, Round(Affine([*zip(major, minor, centre, strict=True)]), within), 41, 42, RADIANS)
 
 
-def _elliptic(values: _Values, frame: Affine, first: int = 0, last: int = 0, right: mpq = DEGREES) -> None:
+def _elliptic(values: _Values, curve: Round, first: int = 0, last: int = 0, right: mpq = DEGREES) -> None:
     """Add the arc between the angles of two group codes, by default the whole curve."""
-    curve = Round(frame, values.collector.source.within)
     ends = [curve.at_angle(*values.angle(code, turns, right)) for code, turns in ((first, 0), (last, 4))]
     values.notes += curve.notes
     values.add(curve.arc(*ends))
@@ -266,7 +258,9 @@ def _polyline(values: _Values) -> None:
     reach = max(sum(map(abs, vertex[:2]), start=mpq(0)) for vertex in vertices)
     # an arc reaches no further from its chord than the bulge times half its length
     reach *= 2 + 2 * max(abs(vertex[2]) for vertex in vertices)
-    values.add(mapped(segments, values.placed([mpq(0), mpq(0), lift], mpq(1), reach)))
+    plane = values.placed([ZERO, ZERO, lift], mpq(1), reach)
+    values.notes += plane.notes
+    values.add(mapped(segments, plane.frame))
 
 
 _READERS: dict[str, Callable[[_Values], None]] = {

@@ -12,6 +12,7 @@ import re
 from collections.abc import Sequence
 from math import prod
 
+from exactspline.extras.cad.names import NAMES
 from exactspline.interchange.collector import Collector
 from exactspline.interchange.format import Format
 from exactspline.interchange.numbers import NumberText
@@ -21,11 +22,6 @@ from exactspline.interchange.writing import Spline
 from exactspline.numbers.exact import mpq
 
 CURVE, SURFACE, POINTS, LINES, VOLUME = 100, 200, 400, 410, 700
-CLASSES = {
-    110: "curve on a surface", 120: "line", 130: "circle", 140: "ellipse", 150: "bounded curve", 160: "hyperbola",
-    170: "parabola", SURFACE: "spline surface", 210: "bounded surface", 250: "plane", 260: "cylinder", 270: "sphere",
-    280: "cone", 290: "torus", POINTS: "point cloud", LINES: "line cloud", VOLUME: "spline volume",
-}  # fmt: skip
 #: Classes of curves that are not read.
 OTHER_CURVES = (110, 120, 130, 140, 150, 160, 170)
 _HEADER = re.compile(r"^[ \t]*([1-9]\d\d)[ \t]+([01])[ \t]+([09])[ \t]+(\d+)(?:[ \t]+\d+){0,4}[ \t]*\r?$", re.M)
@@ -37,7 +33,7 @@ def looks_like(head: bytes) -> bool:
     return (
         len(words) > 3
         and all(word.isdigit() for word in words[:4])
-        and words[0] in {b"%d" % number for number in (CURVE, *CLASSES)}
+        and words[0].decode() in NAMES["g2"]
         and words[1] in (b"0", b"1")
     )
 
@@ -55,7 +51,9 @@ def read(source: Source) -> Reading:
         if kind in (CURVE, SURFACE):
             _spline(collector, words, where, kind)
             continue
-        collector.skip(CLASSES.get(kind, f"class {kind}"), where, "not a spline curve", curve=kind in OTHER_CURVES)
+        collector.skip(
+            NAMES["g2"].get(str(kind), f"class {kind}"), where, "not a spline curve", curve=kind in OTHER_CURVES
+        )
         if kind == VOLUME:
             _net(words, 3)
         elif kind in (POINTS, LINES):
@@ -68,7 +66,7 @@ def read(source: Source) -> Reading:
 
 def _spline(collector: Collector, words: Tokens, where: str, kind: int) -> None:
     rational, sides, points = _net(words, 1 if kind == CURVE else 2)
-    what = CLASSES.get(kind, "spline curve")
+    what = NAMES["g2"][str(kind)]
     with collector.skipping(what, where, curve=kind == CURVE):
         degrees, knots = [order - 1 for order, _ in sides], [knots for _, knots in sides]
         collector.add_spline(what, where, degrees, knots, points, homogeneous=rational)

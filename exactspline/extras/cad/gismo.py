@@ -56,20 +56,14 @@ def _parts(
     vectors = [e for e in below if e.tag == "KnotVector"]
     coefficients = [e for e in below if e.tag == "coefs"]
     if len(vectors) != parameters or len(coefficients) != 1:
-        raise CurveFileError(
-            f"{counted(len(vectors), 'knot vector')} and {len(coefficients)} coefs",
-            where="Basis",
-            remedy="a curve has one knot vector, a surface two, and both coefs",
-        )
+        problem = f"{counted(len(vectors), 'knot vector')} and {len(coefficients)} coefs"
+        raise CurveFileError(problem, where="Basis", remedy=f"{parameters} and 1 are needed")
     sides = [_side(collector, vector) for vector in vectors]
     values = collector.numbers(coefficients[0].text.split())
     dimension = whole(coefficients[0].attributes.get("geoDim", ""))
     if dimension < 1 or len(values) % dimension:
-        raise CurveFileError(
-            f"{counted(len(values), 'number')} for points of dimension {dimension}",
-            where="coefs",
-            remedy="give full rows",
-        )
+        problem = f"{counted(len(values), 'number')} for points of dimension {dimension}"
+        raise CurveFileError(problem, where="coefs", remedy="give full rows")
     points = [values[i : i + dimension] for i in range(0, len(values), dimension)]
     return sides, points, next((collector.numbers(e.text.split()) for e in below if e.tag == "weights"), None)
 

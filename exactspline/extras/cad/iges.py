@@ -14,11 +14,13 @@ from collections.abc import Sequence
 
 from exactspline.errors import CurveFileError, counted
 from exactspline.extras.cad.iges_records import DirectoryEntry, entries, formatted, unit_of
+from exactspline.extras.cad.names import NAMES
 from exactspline.interchange.affine import Affine
 from exactspline.interchange.arcs import RIGHT, Round
 from exactspline.interchange.collector import Collector
 from exactspline.interchange.format import Format
 from exactspline.interchange.numbers import NumberText, decimal, whole, with_point
+from exactspline.interchange.periods import domain, used
 from exactspline.interchange.records import Reading, Source
 from exactspline.interchange.segments import Segment, conic_arc, joined_segments, mapped, polynomial
 from exactspline.interchange.writing import Spline
@@ -26,18 +28,10 @@ from exactspline.numbers.exact import mpq
 from exactspline.splines.nurbs import Nurbs
 
 ARC, COMPOSITE, CONIC, LINE, MATRIX, SPLINE, SURFACE = 100, 102, 104, 110, 124, 126, 128
-NAMES = {
-    COMPOSITE: "composite curve", 106: "copious data", 108: "plane", 112: "parametric spline curve",
-    114: "parametric spline surface", 116: "point", 118: "ruled surface", 120: "surface of revolution",
-    122: "tabulated cylinder", 130: "offset curve", 140: "offset surface",
-    141: "boundary", 142: "curve on a surface", 143: "bounded surface", 144: "trimmed surface",
-}  # fmt: skip
 #: Entities that trim a surface, which is read as a whole.
 TRIMS = (141, 142, 143, 144)
 #: Entities that are curves, or that contain curves not read elsewhere.
 CURVES = (106, 112, 130, 308, 320, 408, 412, 414, 420)
-NAMES |= {308: "subfigure definition", 408: "placed subfigure", 412: "rectangular array of subfigures",
-          414: "circular array of subfigures", 420: "placed network subfigure"}  # fmt: skip
 PARAMETER_SPACE = "05"
 
 
@@ -77,15 +71,14 @@ def read(source: Source) -> Reading:
     """The curves of a file."""
     collector = Collector("iges", source)
     directory = {entry.number: entry for entry in entries(source.text, source.limits)}
-    if unit := unit_of(source.text):
-        collector.note(f"lengths in {unit}: read as written")
+    collector.unit(unit_of(source.text))
     for entry in directory.values():
         where = f"entity {entry.kind} (DE {entry.number})"
         reader = _READERS.get(entry.kind)
         if entry.kind == MATRIX:
             continue
         if reader is None:
-            name = NAMES.get(entry.kind, f"entity {entry.kind}")
+            name = NAMES["iges"].get(str(entry.kind), f"entity {entry.kind}")
             why = "its parts are read separately" if entry.kind == COMPOSITE else "this type of entity is not read"
             why = "trims are not read: the surface is read as a whole" if entry.kind in TRIMS else why
             collector.skip(name, where, why, curve=entry.kind in CURVES)
@@ -119,25 +112,12 @@ def _spline(collector: Collector, entry: DirectoryEntry, where: str, placed: Aff
     knots, weights = values.numbers(last + degree + 2), values.numbers(last + 1)
     points = [placed(point) for point in values.rows(last + 1)]
     start, end = values.numbers(2)
-    within, notes = _used(knots, degree, start, end)
+    within, notes = used(domain(degree, knots), start, end)
     if flagged_polynomial and len(set(weights)) > 1:
         notes.append("flagged polynomial, but its weights differ: read as rational")
     plain = None if len(set(weights)) == 1 and weights[0] == 1 and flagged_polynomial else weights
     flagged = ["periodic"] * bool(periodic) + ["closed"] * bool(closed and within is None)
     _add(collector, entry, where, (degree, knots, points, plain), notes, within, flagged)
-
-
-def _used(knots: Sequence[mpq], degree: int, start: mpq, end: mpq) -> tuple[tuple[mpq, mpq] | None, list[str]]:
-    """The part of the domain that an entity uses (its V(0) and V(1)), and notes on it."""
-    if len(knots) < 2 * degree + 2 or (start, end) == (low_high := (knots[degree], knots[-degree - 1])):
-        return None, []
-    low, high = max(start, low_high[0]), min(end, low_high[1])
-    if not low < high:
-        return None, [
-            f"the parameters that the entity uses ({start} to {end}) are not in the domain: the whole spline is read"
-        ]
-    beyond = "" if (low, high) == (start, end) else f", of which only {low_high[0]} to {low_high[1]} is in the domain"
-    return (low, high), [f"the entity uses the parameters from {start} to {end}{beyond}"]
 
 
 def _surface(collector: Collector, entry: DirectoryEntry, where: str, placed: Affine) -> None:
@@ -151,10 +131,10 @@ def _surface(collector: Collector, entry: DirectoryEntry, where: str, placed: Af
     knots = values.numbers(last_u + m + 2), values.numbers(last_v + n + 2)
     weights, points = values.numbers(count), [placed(point) for point in values.rows(count)]
     ends = values.numbers(4)
-    sides = [_used(*side) for side in zip(knots, (m, n), ends[::2], ends[1::2], strict=True)]
+    whole = [domain(*side) for side in zip((m, n), knots, strict=True)]
+    sides = [used(*side) for side in zip(whole, ends[::2], ends[1::2], strict=True)]
     notes = [remark for _, remarks in sides for remark in remarks]
-    whole = [(vector[d], vector[-d - 1]) for vector, d in zip(knots, (m, n), strict=True)]
-    used_u, used_v = (part or domain for (part, _), domain in zip(sides, whole, strict=True))
+    used_u, used_v = (part or all_of_it for (part, _), all_of_it in zip(sides, whole, strict=True))
     plain = None if polynomial and set(weights) == {1} else weights
     name, kind = f"{entry.label or entry.kind} {entry.number}", f"entity {SURFACE}"
     parts, within = (points, plain), (used_u, used_v)

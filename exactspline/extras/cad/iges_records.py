@@ -8,6 +8,7 @@ import re
 from dataclasses import dataclass
 
 from exactspline.errors import CurveFileError
+from exactspline.extras.cad.names import NAMES
 from exactspline.interchange.limits import Limits
 from exactspline.interchange.numbers import whole
 
@@ -38,9 +39,7 @@ def _sections(text: str) -> dict[str, list[str]]:
         if letter in ("B", "C"):
             raise CurveFileError("is binary or compressed IGES", where=f"line {number}", remedy="save it as IGES text")
         if letter not in by_letter:
-            raise CurveFileError(
-                f"{letter!r} in column 73", where=f"line {number}", remedy="IGES lines are marked S, G, D, P or T there"
-            )
+            raise CurveFileError(f"{letter!r} in column 73", where=f"line {number}", remedy="S, G, D, P or T is there")
         by_letter[letter].append(line)
     return by_letter
 
@@ -84,11 +83,6 @@ def _parameters(text: str, separator: str, ending: str, limits: Limits) -> list[
     raise CurveFileError("a record is not terminated", remedy=f"records end with {ending!r}")
 
 
-#: Units of length by their flag in the global section.
-UNITS = {"1": "inches", "2": "millimetres", "4": "feet", "5": "miles", "6": "metres", "7": "kilometres", "8": "mils",
-         "9": "microns", "10": "centimetres", "11": "microinches"}  # fmt: skip
-
-
 def unit_of(text: str) -> str:
     """The unit of length given in the global section, "" if there is none."""
     separator, ending, rest = _delimiters(_sections(text)["G"])
@@ -98,7 +92,7 @@ def unit_of(text: str) -> str:
         return ""
     # parameters 14 and 15 of the section, the first two of which are the delimiters
     flag, name = (values[i] if i < len(values) else "" for i in (11, 12))
-    return name if flag == "3" else UNITS.get(flag, "")
+    return name if flag == "3" else str(NAMES["iges units"].get(flag, ""))
 
 
 def entries(text: str, limits: Limits) -> list[DirectoryEntry]:

@@ -105,10 +105,8 @@ def _spline(collector: Collector, node: Node, where: str, name: str, parameters:
     points = [_numbers(collector, row) for row in rows]
     dimension, homogeneous = int(match[2]), match[1] == "P"
     if len(points) != prod(counts) or any(len(row) != dimension + homogeneous for row in points):
-        raise CurveFileError(
-            f"{counted(len(points), 'point')}, but {prod(counts)} of type {match[0]} are announced",
-            remedy="the two must agree",
-        )
+        problem = f"{counted(len(points), 'point')}, but {prod(counts)} of type {match[0]} are announced"
+        raise CurveFileError(problem, remedy="the two must agree")
     if homogeneous:
         points = [[*row[1:], row[0]] for row in points]
     if not bezier and len(vectors) != parameters:

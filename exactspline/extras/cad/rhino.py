@@ -57,7 +57,7 @@ def read(source: Source) -> Reading:
     _rhino()
     for entry in _entries(source):
         if "unit" in entry:
-            collector.note(f"lengths in {entry['unit']}: read as written")
+            collector.unit(entry["unit"])
             continue
         where, kind = entry["where"], entry["kind"]
         with collector.skipping(kind, where, curve=len(entry.get("degrees", ())) < 2):

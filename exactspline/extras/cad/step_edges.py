@@ -1,120 +1,240 @@
-"""Lines, circles and ellipses of a STEP file, bounded by the vertices of the edges that use them."""
+"""Curves of a STEP file between the ends that edges and trimmed curves give them: lines, circles, ellipses, splines."""
 
 from __future__ import annotations
 
 import re
 from collections.abc import Sequence
-from operator import sub
+from dataclasses import dataclass
+from typing import TypeAlias
 
 from exactspline.errors import ShapeError
-from exactspline.extras.cad.step_records import StepFile, Value
-from exactspline.interchange.affine import Affine, cross, unit
-from exactspline.interchange.segments import arc_around_origin, ellipse, mapped
+from exactspline.extras.cad.step_records import StepFile, Value, keywords, parts
+from exactspline.extras.cad.step_splines import CURVE, KEYWORDS, built_curve
+from exactspline.extras.cad.step_text import name_of
+from exactspline.interchange.affine import Affine, axes, dot, unit
+from exactspline.interchange.arcs import DEGREES, RADIANS, RIGHT, Round, moved, quarter_turns
+from exactspline.interchange.numbers import decimal, last_digit
+from exactspline.interchange.periods import used
+from exactspline.interchange.records import NamedCurve
+from exactspline.interchange.segments import Segment, ellipse, polynomial
 from exactspline.numbers.exact import mpq
 
-EDGE, ELEMENTARY = "EDGE_CURVE", ("LINE", "CIRCLE", "ELLIPSE")
+EDGE, TRIMMED, POLYLINE = "EDGE_CURVE", "TRIMMED_CURVE", "POLYLINE"
+ELEMENTARY = ("LINE", "CIRCLE", "ELLIPSE")
+#: How many attributes an edge and a trimmed curve have, and the place of their curve among them.
+BOUNDED = {EDGE: (5, 3), TRIMMED: (6, 1)}
+#: Every keyword of a curve with control points.
+ANY_CURVE = frozenset((POLYLINE, KEYWORDS[CURVE].spline, KEYWORDS[CURVE].rational, *KEYWORDS[CURVE].kinds))
 #: Curves given together with the surfaces they lie on; their first reference is the curve in space.
 ON_SURFACES = ("SURFACE_CURVE", "SEAM_CURVE", "INTERSECTION_CURVE")
 #: Entities that contain curves in the parameter plane of a surface.
 PARAMETERS = "DEFINITIONAL_REPRESENTATION"
+PART = "edges may use only a part of it, or reverse it"
 _TEXT = re.compile(r"'[^']*'")
 _REFERENCE = re.compile(r"#\d{1,12}", re.ASCII)
+Point: TypeAlias = "list[mpq]"
+
+
+@dataclass
+class _End:
+    """An end of a part of a curve: its parameter as text, its point, or both."""
+
+    parameter: str
+    point: Point | None
 
 
 class Edges:
-    """The edges of a file, and the elementary curves that they use."""
+    """The curves of a file that have no control points, and the parts of curves that edges and trimmed curves use."""
 
     def __init__(self, file: StepFile) -> None:
-        self.file = file
+        self.file, self.within = file, file.collector.source.within
         self.used: set[str] = set()
         self.in_parameters: set[str] = set()
+        #: What a right angle is in the unit of angles of the file.
+        self.right = RADIANS
         for text in file.instances.values():
             kind, _, rest = text.partition("(")
             if kind.strip() == PARAMETERS:
                 self.in_parameters.update(_REFERENCE.findall(_TEXT.sub("", rest).partition(")")[0]))
-            if kind.strip() == EDGE or kind.strip() in ON_SURFACES:
-                # the referenced curve, possibly on a continuation line
-                self.used.update(_REFERENCE.findall(_TEXT.sub("", rest))[2 * (kind.strip() == EDGE) :][:1])
+            elif kind.strip() in BOUNDED:
+                # the curve that is used, possibly on a continuation line
+                place = BOUNDED[kind.strip()][1] - 1
+                for curve in _REFERENCE.findall(_TEXT.sub("", rest))[place : place + 1]:
+                    self.used.add(self._followed(curve))
+            elif "PLANE_ANGLE_UNIT" in text and "'DEGREE'" in text.upper():
+                self.right = DEGREES
 
-    def notes(self, number: int) -> list[str]:
-        """Notes on how edges and surfaces use a spline."""
-        used = f"#{number}" in self.used
-        in_parameters = f"#{number}" in self.in_parameters
-        return [
-            *(["edges may use only a part of it, or reverse it"] if used else []),
-            *(["in the parameter plane of a surface"] if in_parameters else []),
-        ]
-
-    def read(self, keyword: str, number: int, where: str) -> None:
-        """Add the curve of an edge, or an elementary curve that no edge uses."""
-        if keyword == EDGE:
-            self._edge(number, where)
-        elif f"#{number}" not in self.used:
-            if keyword == "LINE":
-                self.file.collector.skip(keyword, where, "an unbounded line that no edge uses", curve=False)
-                return
-            frame, _ = self._frame(keyword, f"#{number}")
-            self.file.collector.add_segments(keyword, where, ellipse(frame), where, ["the full curve"])
-
-    def _edge(self, number: int, where: str) -> None:
-        _, first, last, curve, sense = self.file.named(f"#{number}", EDGE, 5)
-        keyword = self._kind(curve)
-        if keyword in ON_SURFACES:
-            curve = self.file.named(curve, keyword, 4)[1]
-            keyword = self._kind(curve)
-        if keyword not in ELEMENTARY:
-            # a spline is read where it is defined
-            return
-        ends = [self.file.point(self.file.named(end, "VERTEX_POINT", 2)[1]) for end in (first, last)]
-        if keyword == "LINE":
-            _, through, along = self.file.named(curve, "LINE", 3)
-            direction = self.file.numbers(self.file.named(self.file.named(along, "VECTOR", 3)[1], "DIRECTION", 2)[1])
-            start = self.file.point(through)
-            if any(any(cross(list(map(sub, end, start)), direction)) for end in ends):
-                raise ShapeError("a vertex that is not exactly on the line", remedy="only exact curves are read")
-            self.file.collector.add(EDGE, where, 1, [mpq(0), mpq(0), mpq(1), mpq(1)], ends, name=where)
-            return
-        frame, inverse = self._frame(keyword, curve)
-        u, v = (self._local(inverse, end) for end in (ends if sense == ".T." else ends[::-1]))
-        note = f"on {curve}" + ("" if sense == ".T." else ", reversed")
-        self.file.collector.add_segments(EDGE, where, mapped(arc_around_origin(u, v), frame), where, [note])
+    def _followed(self, reference: Value) -> str:
+        """The curve in space that a reference means: of a curve on a surface its first."""
+        for _ in range(self.file.limits.depth):
+            kind = self._kind(reference)
+            if kind not in (*ON_SURFACES, TRIMMED):
+                break
+            found = _REFERENCE.findall(_TEXT.sub("", self.file.instances[int(str(reference)[1:])]))
+            reference = found[0] if found else ""
+        return str(reference)
 
     def _kind(self, reference: Value) -> str:
         found = _REFERENCE.fullmatch(reference) if isinstance(reference, str) else None
         text = self.file.instances.get(int(found[0][1:]), "") if found else ""
-        if not text:
-            raise ShapeError("an edge without a curve", remedy="refer to one")
-        return text.partition("(")[0].strip()
+        named = keywords(text)
+        return CURVE if not ANY_CURVE.isdisjoint(named) else named[0] if named else ""
 
-    def _local(self, inverse: Affine, point: Sequence[mpq]) -> tuple[mpq, mpq]:
-        """The corresponding point of the unit circle; raises `ShapeError` for a point not exactly on the curve."""
-        x, y, *off = inverse(point)
-        if x * x + y * y != 1 or any(off):
-            raise ShapeError("a vertex that is not exactly on the curve", remedy="only exact curves are read")
-        return x, y
+    def read(self, keyword: str, number: int, where: str) -> None:
+        """Add the curve of an instance, unless it is used by others."""
+        collector, reference = self.file.collector, f"#{number}"
+        if keyword in BOUNDED:
+            self._bounded(keyword, reference)
+        elif reference in self.used:
+            return
+        elif keyword == CURVE:
+            collector.take(self._spline(reference), None, *self._in_parameters(reference))
+        elif keyword == "LINE":
+            collector.skip(keyword, where, "an unbounded line that no edge uses", curve=False)
+        else:
+            notes = ["the full curve", *self._in_parameters(reference)]
+            collector.add_segments(keyword, where, ellipse(self._round(keyword, reference).frame), where, notes)
 
-    def _frame(self, keyword: str, reference: Value) -> tuple[Affine, Affine]:
-        """The map from the unit circle to a circle or an ellipse in space, and its inverse."""
+    def _in_parameters(self, reference: str) -> list[str]:
+        return ["in the parameter plane of a surface"] if reference in self.in_parameters else []
+
+    def _bounded(self, keyword: str, reference: str) -> None:
+        """Add the curve of an edge, or a trimmed curve."""
+        count, place = BOUNDED[keyword]
+        name, *given = self.file.named(reference, keyword, count)
+        curve, sense = self._followed(given[place - 1]), given[3]
+        kind = self._kind(curve)
+        if keyword == EDGE:
+            ends = [_End("", self.file.point(self.file.named(end, "VERTEX_POINT", 2)[1])) for end in given[:2]]
+        else:
+            ends = [self._trim(end) for end in given[1:3]]
+        whole = keyword == EDGE and given[0] == given[1]
+        # the direction of the curve: from the last end to the first where the sense is not that of the curve
+        ends, notes = (ends, list[str]()) if sense == ".T." else (ends[::-1], ["reversed"])
+        if kind == CURVE:
+            made, title = self._spline(curve), name_of([name], "")
+            part, remarks = (None, []) if whole else self._part(made, ends)
+            made = NamedCurve(title or made.name, made.curve, made.notes)
+            self.file.collector.take(made, part, *remarks, *notes, *self._in_parameters(reference))
+            return
+        if kind == "LINE":
+            segments: list[Segment] = [polynomial(*self._on_line(curve, ends, notes))]
+        elif kind in ELEMENTARY:
+            found = self._round(kind, curve)
+            u, v = [RIGHT[0]] * 2 if whole else [self._on_round(found, end) for end in ends]
+            segments, notes = found.arc(u, v), [f"on {curve}", *notes, *found.notes]
+        else:
+            raise ShapeError(f"a part of {kind or 'no curve'}", remedy="of lines, conics and splines parts are read")
+        self.file.collector.add_segments(keyword, reference, segments, name_of([name], reference), notes)
+
+    def _trim(self, values: Value) -> _End:
+        """An end of a trimmed curve: a list of a point, a parameter, or both."""
+        listed = values if isinstance(values, list) else []
+        parameters = [inner[0] for inner in listed if isinstance(inner, list) and inner]
+        points = [self.file.point(each) for each in listed if isinstance(each, str) and _REFERENCE.fullmatch(each)]
+        return _End(str(parameters[0]) if parameters else "", points[0] if points else None)
+
+    def _number(self, end: _End) -> mpq:
+        if not end.parameter:
+            raise ShapeError("an end without a parameter or a point", remedy="write one")
+        return decimal(end.parameter, self.file.limits)
+
+    def _spline(self, reference: str) -> NamedCurve:
+        """The curve with control points of an instance."""
+        entity = parts(self.file.instances[int(reference[1:])], self.file.limits)
+        if POLYLINE not in entity:
+            return built_curve(self.file, entity, reference)
+        given = entity[POLYLINE]
+        points = [self.file.point(each) for each in self.file.texts(given[-1] if given else "")]
+        knots = [mpq(max(0, min(i - 1, len(points) - 1))) for i in range(len(points) + 2)]
+        return self.file.collector.built(reference, 1, knots, points, name=name_of(given, reference))
+
+    def _part(self, made: NamedCurve, ends: Sequence[_End]) -> tuple[tuple[mpq, mpq] | None, list[str]]:
+        """The parameters between two ends, None for the whole curve, and notes."""
+        if all(end.parameter for end in ends):
+            return used(made.curve.domain, *map(self._number, ends))
+        low, high = made.curve.domain
+        points = [made.curve(low), made.curve(high, "left")]
+        if [tuple(end.point or ()) for end in ends] == points:
+            return None, []
+        notes = list[str]()
+        found = [self._parameter(made, end.point or [], notes) for end in ends]
+        start, end = (found[0], found[1]) if None not in found else (low, low)
+        if start is None or end is None or not start < end:
+            return None, [PART]
+        return (start, end), notes
+
+    def _parameter(self, made: NamedCurve, point: Point, notes: list[str]) -> mpq | None:
+        """The parameter of a point of a spline, or of the point nearest to it within the error that is allowed."""
+        from exactspline.geometry.pairs.nearest import nearest
+
+        curve, (low, high) = made.curve, made.curve.domain
+        if len(point) != curve.dimension:
+            return None
+        # the ends first: a point near one may be nearest to a point inside
+        places = [low, high]
+        for place in nearest(curve, point).points:
+            exact = place.parameter.exact
+            places += [min(max(place.parameter.enclosure(40).low, low), high) if exact is None else exact]
+        for t in places:
+            foot = curve(t, "left" if t == high else "right")
+            gap = [a - b for a, b in zip(foot, point, strict=True)]
+            if not any(gap):
+                return t
+            if self.within is not None and dot(gap, gap) <= self.within**2:
+                notes.append(moved(foot, point, self.within))
+                return t
+        return None
+
+    def _on_line(self, reference: str, ends: Sequence[_End], notes: list[str]) -> list[Sequence[mpq]]:
+        """The two ends of a part of a line."""
+        _, through, along = self.file.named(reference, "LINE", 3)
+        start, (_, towards, size) = self.file.point(through), self.file.named(along, "VECTOR", 3)
+        direction = self._direction(towards, ())
+        found = list[Sequence[mpq]]()
+        for end in ends:
+            if end.point is None:
+                [length] = self.file.numbers([size])
+                t, step = self._number(end) * length, unit(direction)
+            else:
+                away = [a - b for a, b in zip(end.point, start, strict=True)]
+                t, step = dot(away, direction) / dot(direction, direction), direction
+            place = [a + t * b for a, b in zip(start, step, strict=True)]
+            if end.point is not None and place != end.point:
+                notes.append(moved(place, end.point, self.within))
+            found.append(place)
+        return found
+
+    def _on_round(self, curve: Round, end: _End) -> tuple[mpq, ...]:
+        """The point of the unit circle for an end: by its parameter where that is a multiple of a right angle."""
+        if end.parameter:
+            angle, digit = self._number(end), last_digit(end.parameter)
+            if end.point is None or quarter_turns(angle, self.right, digit) is not None:
+                return curve.at_angle(angle, self.right, digit)
+        return curve.at_point(end.point or [])
+
+    def _round(self, keyword: str, reference: str) -> Round:
+        """A circle or an ellipse, in the plane or in space."""
         _, placement, *sizes = self.file.named(reference, keyword, 3 if keyword == "CIRCLE" else 4)
         radii = self.file.numbers(sizes)
         a, b = radii[0], radii[-1]
-        _, centre, axis, reference_direction = self.file.named(placement, "AXIS2_PLACEMENT_3D", 4)
-        z = unit(self._direction(axis, (0, 0, 1)))
-        given = self._direction(reference_direction, (1, 0, 0))
-        along = sum((p * q for p, q in zip(given, z, strict=True)), start=mpq(0))
-        x = unit([p - along * q for p, q in zip(given, z, strict=True)])
-        y, shift = cross(z, x), self.file.point(centre)
-        if not a > 0 < b or len(shift) != 3:
+        if not a > 0 < b:
             raise ShapeError("a circle without a positive radius", remedy="its radius must be positive")
-        rows = [[p * a, q * b, r, c] for p, q, r, c in zip(x, y, z, shift, strict=True)]
-        back = [[c / size for c in v] for v, size in ((x, a), (y, b), (z, mpq(1)))]
-        inverse = [[*row, -sum((p * q for p, q in zip(row, shift, strict=True)), start=mpq(0))] for row in back]
-        return Affine([[row[0], row[1], row[3]] for row in rows]), Affine(inverse)
+        error = None if self.within is None else min(self.within / (2 * (a + b)), mpq(1))
+        if self._kind(placement) == "AXIS2_PLACEMENT_2D":
+            _, centre, along = self.file.named(placement, "AXIS2_PLACEMENT_2D", 3)
+            x = unit(self._direction(along, (1, 0)), error)
+            y, near = [-x[1], x[0]], dot(x, x) != 1
+        else:
+            _, centre, axis, along = self.file.named(placement, "AXIS2_PLACEMENT_3D", 4)
+            (x, y, _), near = axes(self._direction(along, (1, 0, 0)), self._direction(axis, (0, 0, 1)), error)
+        rows = [[p * a, q * b, c] for p, q, c in zip(x, y, self.file.point(centre), strict=True)]
+        return Round(Affine(rows), self.within, near)
 
     def _direction(self, reference: Value, usual: Sequence[int]) -> list[mpq]:
         if reference == "$":
             return list(map(mpq, usual))
         ratios = self.file.numbers(self.file.named(reference, "DIRECTION", 2)[1])
-        if len(ratios) != 3:
+        if not any(ratios) or (usual and len(ratios) != len(usual)):
             raise ShapeError("a direction that is not in space", remedy="write three ratios")
         return ratios

@@ -43,9 +43,7 @@ def _instances(text: str, collector: Collector) -> dict[int, str]:
                 collector.skip("instance", f"#{match[1]}", "it is defined twice: the last one is read")
             texts[int(match[1])] = match[2]
             if len(texts) > collector.limits.objects:
-                raise CurveFileError(
-                    f"more than {collector.limits.objects} instances", remedy="read with larger limits"
-                )
+                raise CurveFileError(f"over {collector.limits.objects} instances", remedy="read with larger limits")
     if rest := _BEGUN.match(text, end):
         collector.skip("instance", rest[1], "the file ends in it")
     if END not in statement:
@@ -92,9 +90,7 @@ def parts(text: str, limits: Limits) -> dict[str, list[Value]]:
     while position < len(text):
         match = _TOKEN.match(text, position)
         if not match:
-            raise CurveFileError(
-                f"{text[position : position + 20]!r} is not STEP text", remedy="correct the text there"
-            )
+            raise CurveFileError(f"{text[position : position + 20]!r} is not STEP text", remedy="correct it")
         token, position = match[1], match.end()
         if token == "(":
             if len(lists) > limits.depth:
@@ -141,9 +137,8 @@ class StepFile:
             raise CurveFileError(f"not a reference to a {keyword}", remedy="references look like #12")
         arguments = parts(self.instances.get(int(reference[1:]), ""), self.limits).get(keyword, [])
         if len(arguments) != count:
-            raise CurveFileError(
-                f"is not a {keyword} with {counted(count, 'attribute')}", where=reference, remedy="refer to one"
-            )
+            problem = f"is not a {keyword} with {counted(count, 'attribute')}"
+            raise CurveFileError(problem, where=reference, remedy="refer to one")
         return arguments
 
     def numbers(self, values: Value) -> list[mpq]:

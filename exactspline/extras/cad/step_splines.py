@@ -7,11 +7,13 @@ Faces trim surfaces; the trims are not read.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import Any
 
 from exactspline.errors import CurveFileError, counted
 from exactspline.extras.cad.step_records import StepFile, Value
 from exactspline.extras.cad.step_text import StepText, name_of, string
 from exactspline.interchange.numbers import whole
+from exactspline.interchange.records import NamedCurve
 from exactspline.interchange.writing import Spline
 from exactspline.numbers.exact import mpq
 from exactspline.splines.nurbs import Nurbs
@@ -54,19 +56,21 @@ KEYWORDS = {what: Keywords(what) for what in (CURVE, SURFACE)}
 ANY_SURFACE = frozenset((KEYWORDS[SURFACE].spline, KEYWORDS[SURFACE].rational, *KEYWORDS[SURFACE].kinds))
 #: Entities that use a part of a surface.
 FACES = ("ADVANCED_FACE", "FACE_SURFACE", "CURVE_BOUNDED_SURFACE", "RECTANGULAR_TRIMMED_SURFACE")
-#: Surfaces that are not splines.
-OTHERS = (
-    "PLANE", "CYLINDRICAL_SURFACE", "CONICAL_SURFACE", "SPHERICAL_SURFACE", "TOROIDAL_SURFACE",
-    "DEGENERATE_TOROIDAL_SURFACE", "SURFACE_OF_REVOLUTION", "SURFACE_OF_LINEAR_EXTRUSION", "OFFSET_SURFACE",
-    "SURFACE_REPLICA", "RECTANGULAR_COMPOSITE_SURFACE",
-)  # fmt: skip
 
 
-def add_spline(
-    file: StepFile, what: str, entity: dict[str, list[Value]], where: str, notes: Sequence[str] = ()
-) -> None:
-    """Add the spline of an instance."""
-    keywords = KEYWORDS[what]
+def built_curve(file: StepFile, entity: dict[str, list[Value]], where: str) -> NamedCurve:
+    """The spline curve of an instance."""
+    return file.collector.built(where, **_spline(file, CURVE, entity, where))
+
+
+def add_surface(file: StepFile, entity: dict[str, list[Value]], where: str) -> None:
+    """Add the spline surface of an instance."""
+    file.collector.add_spline(SURFACE, where, **_spline(file, SURFACE, entity, where))
+
+
+def _spline(file: StepFile, what: str, entity: dict[str, list[Value]], where: str) -> dict[str, Any]:
+    """What a collector needs to build the spline of an instance."""
+    keywords, notes = KEYWORDS[what], list[str]()
     kind, base, specific, name = keywords.parts(entity)
     n = keywords.parameters
     degrees = [whole(text) for text in file.texts(base[:n])]
@@ -79,12 +83,15 @@ def add_spline(
         knots = [_listed_knots(file, *pair) for pair in zip(specific[:n], specific[n : 2 * n], strict=True)]
     else:
         knots = [_standard_knots(kind, *pair) for pair in zip(degrees, [len(net), len(net[0])][-n:], strict=True)]
-        notes = [*notes, f"{kind}: knots as defined by the standard"]
+        notes.append(f"{kind}: knots as defined by the standard")
     weights = None
     if entity.get(keywords.rational):
         weights = [w for row in _rows(file, what, entity[keywords.rational][0]) for w in file.numbers(row)]
-    points, named = [point for row in net for point in row], name_of(name, where)
-    file.collector.add_spline(kind, where, degrees, knots, points, weights, u_fastest=False, name=named, notes=notes)
+    points = [point for row in net for point in row]
+    made: dict[str, Any] = {"points": points, "weights": weights, "name": name_of(name, where), "notes": notes}
+    if what == SURFACE:
+        return made | {"degrees": degrees, "knots": knots, "u_fastest": False}
+    return made | {"degree": degrees[0], "knots": knots[0], "flagged": ["closed"] if base[3] == ".T." else []}
 
 
 def _rows(file: StepFile, what: str, values: Value) -> Sequence[Value]:
@@ -101,9 +108,8 @@ def _listed_knots(file: StepFile, multiplicities: Value, values: Value) -> list[
     """Knots that are listed with their multiplicities."""
     counts, knots = [whole(text) for text in file.texts(multiplicities)], file.numbers(values)
     if len(counts) != len(knots) or any(count < 0 for count in counts):
-        raise CurveFileError(
-            f"{counted(len(counts), 'multiplicity')} for {counted(len(knots), 'knot')}", remedy="give one per knot"
-        )
+        problem = f"{counted(len(counts), 'multiplicity')} for {counted(len(knots), 'knot')}"
+        raise CurveFileError(problem, remedy="give one per knot")
     file.collector.count(sum(counts))
     return [knot for knot, times in zip(knots, counts, strict=True) for _ in range(times)]
 
@@ -116,10 +122,8 @@ def _standard_knots(kind: str, degree: int, count: int) -> list[mpq]:
         return [mpq(i - degree) for i in range(count + degree + 1)]
     times = degree if kind.startswith("BEZIER") else 1
     if degree < 1 or count <= degree or (count - 1 - degree) % times:
-        raise CurveFileError(
-            f"{counted(count, 'point')} for degree {degree}",
-            remedy="this kind of spline needs a different number of points",
-        )
+        remedy = "this kind of spline needs a different number of points"
+        raise CurveFileError(f"{counted(count, 'point')} for degree {degree}", remedy=remedy)
     inner = [mpq(i // times + 1) for i in range(count - 1 - degree)]
     return [mpq(0)] * (degree + 1) + inner + [mpq((count - 1 - degree) // times + 1)] * (degree + 1)
 

@@ -59,9 +59,8 @@ def _add(points: object, point: Element, source: Source) -> None:
         raise CurveFileError(f"<{point.tag[:40]}> in a contour", where=f"line {point.line}", remedy="write points")
     given = point.attributes
     if given.get("type") not in TYPES or not {"x", "y"} <= set(given):
-        raise CurveFileError(
-            "a point without x and y, or of unknown type", where=f"line {point.line}", remedy="correct it"
-        )
+        problem = "a point without x and y, or of unknown type"
+        raise CurveFileError(problem, where=f"line {point.line}", remedy="correct it")
     place = tuple(decimal(given[axis], source.limits) for axis in "xy")
     points.addPoint(place, TYPES[given.get("type")], given.get("smooth") == "yes")  # type: ignore[attr-defined]  # a pen
 

@@ -186,9 +186,7 @@ class _Drawing:
             raise ShapeError(f"CSS sets {in_words(given)}", remedy="write attributes")
         moving = {name for name in MOVING & style.keys() if style[name].lower() != "none"} | MOVING & sheet
         if moving or ORIGIN & sheet:
-            raise ShapeError(
-                f"a transform in CSS ({in_words(moving | ORIGIN & sheet)})", remedy="write it as an attribute"
-            )
+            raise ShapeError(f"a transform in CSS ({in_words(moving | ORIGIN & sheet)})", remedy="write an attribute")
         local = IDENTITY
         if "transform" not in style:
             local = transform(element.attributes.get("transform", ""), self.collector.limits)
@@ -221,9 +219,8 @@ class _Drawing:
         # the attribute without a prefix takes precedence
         link = use.attributes.get("href", links[0] if links else "").strip()
         if not link.startswith("#"):
-            raise ShapeError(
-                "a copy of an element of another file" if link else "a copy of nothing", remedy="write the element here"
-            )
+            what = "an element of another file" if link else "nothing"
+            raise ShapeError(f"a copy of {what}", remedy="write the element here")
         target = self.by_id.get(link[1:])
         if target is None or not link[1:]:
             raise ShapeError(f"a copy of {link[:40]!r}, which is not in the file", remedy="correct the link")

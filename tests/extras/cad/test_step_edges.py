@@ -57,10 +57,11 @@ def test_an_edge_on_a_line_is_read_where_its_vertices_are_on_it():
     found, skipped = curves(
         "#30=EDGE_CURVE('#21',#8,#9,#21,.T.);#31=EDGE_CURVE('',#8,#9,#22,.T.);#32=EDGE_CURVE('',#8,#7,#21,.T.);"
     )
-    assert found["#30"]("1/2") == (mpq(3, 2), 3, mpq(9, 2))
+    # an edge is named by its entity
+    assert found["#21"]("1/2") == (mpq(3, 2), 3, mpq(9, 2))
     # (0, 0, 2) + s (1, 2, 3) passes through neither vertex
-    assert "not exactly on the line" in skipped["#31"]
-    assert "not exactly on the line" in skipped["#32"]
+    assert "away from its curve" in skipped["#31"]
+    assert "away from its curve" in skipped["#32"]
     assert "#21" not in skipped
 
 
