@@ -98,10 +98,9 @@ class Collector:
     ) -> None:
         """Build the curve made of segments, polynomial where all weights are 1."""
         degree, knots, points = joined_segments(segments)
-        if all(point[-1] == 1 for point in points):
-            self.add(what, where, degree, knots, [point[:-1] for point in points], name=name, notes=notes)
-        else:
-            self.add(what, where, degree, knots, points, homogeneous=True, name=name, notes=notes)
+        rational = any(point[-1] != 1 for point in points)
+        rows = points if rational else [point[:-1] for point in points]
+        self.add(what, where, degree, knots, rows, homogeneous=rational, name=name, notes=notes)
 
     def add(
         self,
@@ -225,11 +224,8 @@ class Collector:
         """The numbers of control points along u and v; `ShapeError` where there are others, or too many."""
         m, n = (len(vector) - d - 1 for vector, d in zip(knots, degree, strict=True))
         if min(m, n) < 1 or m * n != len(points):
-            problem, remedy = (
-                f"{counted(len(points), 'control point')} for {m} × {n}",
-                "give as many as the knots require",
-            )
-            raise ShapeError(problem, where="control_points", remedy=remedy)
+            problem = f"{counted(len(points), 'control point')} for {m} × {n}"
+            raise ShapeError(problem, where="control_points", remedy="give as many as the knots require")
         for d, vector in zip(degree, knots, strict=True):
             self._check(d, vector, [*points[: len(vector) - d - 1]], weights)
         return m, n

@@ -206,13 +206,9 @@ def _texts(numbers: Iterable[mpq]) -> list[str]:
 def _data(
     of: Nurbs | NurbsSurface, degree: object, knots: object, points: object, weights: object
 ) -> dict[str, object]:
-    return (
-        {"name": of.name}
-        | ({"source": of.source} if of.source else {})
-        | {"degree": degree, "knots": knots, "control_points": points}
-        | ({"note": of.note} if of.note else {})
-        | ({} if of.polynomial else {"weights": weights})
-    )
+    data = {"name": of.name, "source": of.source or None, "degree": degree, "knots": knots, "control_points": points}
+    data |= {"note": of.note or None, "weights": None if of.polynomial else weights}
+    return {field: value for field, value in data.items() if value is not None}
 
 
 def write_json(path: str | os.PathLike[str], data: object) -> None:

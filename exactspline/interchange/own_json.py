@@ -17,10 +17,13 @@ from exactspline.errors import CurveFileError
 from exactspline.interchange.collector import Collector
 from exactspline.interchange.curve_files import curve_data, curve_from_data, surface_data, surface_from_data
 from exactspline.interchange.format import Format
-from exactspline.interchange.json_files import parsed
+from exactspline.interchange.json_files import numbers_of, parsed
+from exactspline.interchange.limits import Limits
 from exactspline.interchange.numbers import NumberText
+from exactspline.interchange.periods import whole
 from exactspline.interchange.records import Reading, Source
 from exactspline.interchange.writing import Spline
+from exactspline.numbers.exact import rational
 from exactspline.splines.surface import NurbsSurface
 
 #: The fields of a curve that are long.
@@ -80,10 +83,22 @@ def _curve(collector: Collector, entry: Any, where: str) -> None:
         raise CurveFileError("is not an object", remedy='write {"degree": …, "knots": […], "control_points": […]}')
     collector.count(sum(len(entry[key]) for key in SIZED if isinstance(entry.get(key), list)))
     piece = "pieces" in entry or "kind" in entry
+    entry, unrolled = (entry, []) if piece else _whole(entry, collector.limits)
     curve = curve_from_data(entry, where if piece else Path(collector.source.name).stem, collector.limits)
     remarks = [curve.note, f"source: {curve.source}" if curve.source else ""]
-    notes = ["written by `derive`"] if piece else list(filter(None, remarks))
+    notes = ["written by `derive`"] if piece else [*filter(None, remarks), *unrolled]
     collector.keep(curve, notes, rational=not piece and entry.get("weights") is not None)
+
+
+def _whole(entry: dict[str, Any], limits: Limits) -> tuple[dict[str, Any], Sequence[str]]:
+    """The data of a curve of which one period is listed, continued, and notes; other data as they are."""
+    degree, listed = entry.get("degree"), {key: entry[key] for key in SIZED if isinstance(entry.get(key), list)}
+    knots, points = listed.get("knots", []), listed.get("control_points", [])
+    if not isinstance(degree, str) or not degree.isdecimal() or len(knots) == len(points) + int(degree) + 1:
+        return entry, ()
+    full = whole(int(degree), [rational(t) for t in numbers_of(knots, "knots", limits)], len(points))
+    more = {key: full.continued(values) for key, values in listed.items()} | {"knots": list(map(str, full.knots))}
+    return (entry | more, full.notes) if full.notes else (entry, ())
 
 
 def _surface(found: Collector, entry: Any, where: str) -> None:

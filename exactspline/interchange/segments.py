@@ -200,9 +200,7 @@ def bulged(start: Point, end: Point, bulge: mpq) -> list[Segment]:
     if bulge < 0:
         return [segment[::-1] for segment in reversed(bulged(end, start, -bulge))]
     factor = (1 - bulge * bulge) / (4 * bulge)
-    centre = (
-        (start[0] + end[0]) / 2 - (end[1] - start[1]) * factor,
-        (start[1] + end[1]) / 2 + (end[0] - start[0]) * factor,
-    )
-    arcs = arc_around_origin(*((point[0] - centre[0], point[1] - centre[1]) for point in (start, end)))
-    return mapped(arcs, Affine([[1, 0, centre[0]], [0, 1, centre[1]]]))
+    x = (start[0] + end[0]) / 2 - (end[1] - start[1]) * factor
+    y = (start[1] + end[1]) / 2 + (end[0] - start[0]) * factor
+    arcs = arc_around_origin(*((point[0] - x, point[1] - y) for point in (start, end)))
+    return mapped(arcs, Affine([[1, 0, x], [0, 1, y]]))

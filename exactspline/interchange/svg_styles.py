@@ -11,27 +11,14 @@ import re
 from collections.abc import Iterable
 from dataclasses import dataclass, field
 
+from exactspline.interchange.svg_names import NAMES
 from exactspline.interchange.xml_tree import Element
 from exactspline.one_line import OneLine
 
-#: Properties that move the element they are set on.
-MOVING = frozenset(
-    ("transform", "translate", "rotate", "scale", "zoom", "offset", "offset-path", "offset-distance", "offset-position",
-     "offset-rotate", "offset-anchor", "all")
-)  # fmt: skip
-#: Properties that determine the origin of a transform.
-ORIGIN = frozenset(("transform-origin", "transform-box"))
-#: Properties that define the shape of an element.
-SHAPING = {
-    "path": frozenset(("d",)),
-    "circle": frozenset(("cx", "cy", "r")),
-    "ellipse": frozenset(("cx", "cy", "rx", "ry")),
-    "rect": frozenset(("x", "y", "width", "height", "rx", "ry")),
-    "svg": frozenset(("x", "y", "width", "height")),
-    "use": frozenset(("x", "y")),
-}
-#: Properties that hide an element or a part of it.
-HIDING = ("display", "visibility", "clip-path", "clip", "mask", "mask-image", "content-visibility")
+#: Properties that move the element they are set on; that determine the origin of a transform; that define the shape of
+#: an element; and that hide an element or a part of it.
+MOVING, ORIGIN, HIDING = (frozenset(NAMES[kind]) for kind in ("moving", "origin", "hiding"))
+SHAPING = {tag: frozenset(properties) for tag, properties in NAMES["shaping"].items()}
 ANY_PROPERTY = "all"
 
 _COMMENT = re.compile(r"/\*.*?(?:\*/|\Z)", re.S)

@@ -10,15 +10,14 @@ from exactspline.interchange.affine import Affine
 from exactspline.interchange.arcs import DEGREES, RIGHT, quarter_turns
 from exactspline.interchange.limits import Limits
 from exactspline.interchange.numbers import decimal
+from exactspline.interchange.svg_names import NAMES
 from exactspline.numbers.exact import mpq
 
 _CALL = re.compile(r"[\s,]*([A-Za-z]+)\s*\(([^()]*)\)")
-_TURNS = ((1, 0), (0, 1), (-1, 0), (0, -1))
 
 
 #: CSS pixels per unit of length (CSS Values and Units, absolute lengths).
-UNITS = {"px": mpq(1), "in": mpq(96), "cm": mpq(9600, 254), "mm": mpq(960, 254), "q": mpq(240, 254), "pt": mpq(4, 3),
-         "pc": mpq(16)}  # fmt: skip
+UNITS = {unit: mpq(pixels) for unit, pixels in NAMES["units"].items()}
 _SIDES = {"left": "0", "top": "0"}
 _LENGTH = re.compile(r"(.*?)(px|in|cm|mm|q|pt|pc)?", re.ASCII | re.IGNORECASE | re.DOTALL)
 

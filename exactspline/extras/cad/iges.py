@@ -11,6 +11,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
+from typing import Any
 
 from exactspline.errors import CurveFileError, counted
 from exactspline.extras.cad.iges_records import DirectoryEntry, entries, formatted, unit_of
@@ -22,7 +23,7 @@ from exactspline.interchange.format import Format
 from exactspline.interchange.numbers import NumberText, decimal, whole, with_point
 from exactspline.interchange.periods import domain, used
 from exactspline.interchange.records import Reading, Source
-from exactspline.interchange.segments import Segment, conic_arc, joined_segments, mapped, polynomial
+from exactspline.interchange.segments import Segment, conic_arc, mapped, polynomial
 from exactspline.interchange.writing import Spline
 from exactspline.numbers.exact import mpq
 from exactspline.splines.nurbs import Nurbs
@@ -117,7 +118,10 @@ def _spline(collector: Collector, entry: DirectoryEntry, where: str, placed: Aff
         notes.append("flagged polynomial, but its weights differ: read as rational")
     plain = None if len(set(weights)) == 1 and weights[0] == 1 and flagged_polynomial else weights
     flagged = ["periodic"] * bool(periodic) + ["closed"] * bool(closed and within is None)
-    _add(collector, entry, where, (degree, knots, points, plain), notes, within, flagged)
+    flat, remarks = _remarks(entry, points, notes)
+    parts = degree, knots, [point[: 2 if flat else 3] for point in points], plain
+    more: dict[str, Any] = {"name": entry.name, "notes": remarks, "within": within, "flagged": flagged}
+    collector.add(f"entity {entry.kind}", where, *parts, **more)
 
 
 def _surface(collector: Collector, entry: DirectoryEntry, where: str, placed: Affine) -> None:
@@ -136,45 +140,33 @@ def _surface(collector: Collector, entry: DirectoryEntry, where: str, placed: Af
     notes = [remark for _, remarks in sides for remark in remarks]
     used_u, used_v = (part or all_of_it for (part, _), all_of_it in zip(sides, whole, strict=True))
     plain = None if polynomial and set(weights) == {1} else weights
-    name, kind = f"{entry.label or entry.kind} {entry.number}", f"entity {SURFACE}"
-    parts, within = (points, plain), (used_u, used_v)
-    collector.add_surface(kind, where, (m, n), knots, *parts, name=name, notes=notes, within=within)
-
-
-Parts = tuple[int, Sequence[mpq], Sequence[Sequence[mpq]], Sequence[mpq] | None]
+    more: dict[str, Any] = {"name": entry.name, "notes": notes, "within": (used_u, used_v)}
+    collector.add_surface(f"entity {SURFACE}", where, (m, n), knots, points, plain, **more)
 
 
 def _add(
-    collector: Collector,
-    entry: DirectoryEntry,
-    where: str,
-    parts: Parts,
-    notes: Sequence[str] = (),
-    within: tuple[mpq, mpq] | None = None,
-    flagged: Sequence[str] = (),
-) -> None:
-    degree, knots, points, weights = parts
-    if entry.use == PARAMETER_SPACE and all(point[2] == 0 for point in points):
-        points, notes = [point[:2] for point in points], [*notes, "in the parameter plane of a surface"]
-    if entry.blanked:
-        notes = [*notes, "blanked: not to be displayed"]
-    name, kind = f"{entry.label or entry.kind} {entry.number}", f"entity {entry.kind}"
-    collector.add(kind, where, degree, knots, points, weights, name=name, notes=notes, within=within, flagged=flagged)
-
-
-def _pieces(
     collector: Collector, entry: DirectoryEntry, where: str, segments: Sequence[Segment], notes: Sequence[str] = ()
 ) -> None:
-    degree, knots, points = joined_segments(segments)
-    weights = [point[-1] for point in points]
-    plain = [[x / point[-1] for x in point[:-1]] for point in points]
-    _add(collector, entry, where, (degree, knots, plain, None if set(weights) == {1} else weights), notes)
+    """Add the curve made of segments."""
+    flat, notes = _remarks(entry, [point for segment in segments for point in segment], notes)
+    if flat:
+        segments = [tuple((x, y, w) for x, y, _, w in segment) for segment in segments]
+    collector.add_segments(f"entity {entry.kind}", where, segments, entry.name, notes)
+
+
+def _remarks(
+    entry: DirectoryEntry, points: Sequence[Sequence[mpq]], notes: Sequence[str]
+) -> tuple[bool, Sequence[str]]:
+    """Whether a curve lies in the parameter plane of a surface, and notes on the entity."""
+    flat = entry.use == PARAMETER_SPACE and all(point[2] == 0 for point in points)
+    remarks = ["in the parameter plane of a surface"] if flat else []
+    return flat, [*notes, *remarks, *(["blanked: not to be displayed"] if entry.blanked else [])]
 
 
 def _line(collector: Collector, entry: DirectoryEntry, where: str, placed: Affine) -> None:
     if entry.form:
         raise CurveFileError("an unbounded line or ray", remedy="form 0 is a segment")
-    _pieces(collector, entry, where, [polynomial(*(placed(point) for point in _Values(entry, collector).rows(2)))])
+    _add(collector, entry, where, [polynomial(*(placed(point) for point in _Values(entry, collector).rows(2)))])
 
 
 def _at_height(placed: Affine, z: mpq) -> Affine:
@@ -190,12 +182,12 @@ def _arc(collector: Collector, entry: DirectoryEntry, where: str, placed: Affine
     within = collector.source.within
     curve = Round(Affine([[x, -y, centre[0]], [y, x, centre[1]]]), within and within / placed.stretch)
     arc = curve.arc(RIGHT[0], curve.at_point(end))
-    _pieces(collector, entry, where, _lifted(arc, _at_height(placed, z)), curve.notes)
+    _add(collector, entry, where, _lifted(arc, _at_height(placed, z)), curve.notes)
 
 
 def _conic(collector: Collector, entry: DirectoryEntry, where: str, placed: Affine) -> None:
     *form, z, x1, y1, x2, y2 = _Values(entry, collector).numbers(11)
-    _pieces(collector, entry, where, _lifted(conic_arc(form, (x1, y1), (x2, y2)), _at_height(placed, z)))
+    _add(collector, entry, where, _lifted(conic_arc(form, (x1, y1), (x2, y2)), _at_height(placed, z)))
 
 
 def _lifted(segments: Sequence[Segment], placed: Affine) -> list[Segment]:

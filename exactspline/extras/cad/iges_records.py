@@ -28,6 +28,11 @@ class DirectoryEntry:
     label: str
     parameters: list[str]
 
+    @property
+    def name(self) -> str:
+        """The label, or the type, and the number."""
+        return f"{self.label or self.kind} {self.number}"
+
 
 def _sections(text: str) -> dict[str, list[str]]:
     """The lines of each section by its letter; raises `CurveFileError` for letters other than S, G, D, P, T."""

@@ -34,38 +34,28 @@ def _described(rhino: Any, geometry: Any, where: str, name: str, notes: list[str
     if isinstance(geometry, rhino.Brep):
         under = [(i, geometry.Surfaces[i]) for i in range(len(geometry.Surfaces))]
         nets = [(i, surface) for i, surface in under if isinstance(surface, rhino.NurbsSurface)]
-        described = [
-            entry | {"kind": "NurbsSurface", "where": f"{where}, surface {i + 1}", "trimmed": True} | _net(surface)
-            for i, surface in nets
-        ]
-        return [*described, entry]
+        held = entry | {"kind": "NurbsSurface", "trimmed": True}
+        return [*(held | {"where": f"{where}, surface {i + 1}"} | _net(surface) for i, surface in nets), entry]
     if not isinstance(geometry, (rhino.NurbsCurve, rhino.LineCurve, rhino.PolylineCurve)):
         return [entry]
     curve = geometry if isinstance(geometry, rhino.NurbsCurve) else geometry.ToNurbsCurve()
     if curve is None:
         return [entry]
     points = [curve.Points[i] for i in range(len(curve.Points))]
-    return [
-        entry
-        | {
-            "degrees": [int(curve.Degree)],
-            "rational": bool(curve.IsRational),
-            "knots": [_hex(*curve.Knots)],
-            "points": [_hex(p.X, p.Y, p.Z, p.W) for p in points],
-        }
-    ]
+    return [entry | _held([int(curve.Degree)], [curve.Knots], points, curve.IsRational)]
 
 
 def _net(surface: Any) -> dict[str, Any]:
     """A surface: two degrees, two knot vectors, the control points along v first."""
     grid = [(i, j) for i in range(surface.Points.CountU) for j in range(surface.Points.CountV)]
     points = [surface.Points.GetControlPoint(i, j) for i, j in grid]
-    return {
-        "degrees": [int(surface.OrderU) - 1, int(surface.OrderV) - 1],
-        "rational": bool(surface.IsRational),
-        "knots": [_hex(*surface.KnotsU), _hex(*surface.KnotsV)],
-        "points": [_hex(p.X, p.Y, p.Z, p.W) for p in points],
-    }
+    degrees = [int(surface.OrderU) - 1, int(surface.OrderV) - 1]
+    return _held(degrees, [surface.KnotsU, surface.KnotsV], points, surface.IsRational)
+
+
+def _held(degrees: list[int], knots: list[Any], points: list[Any], rational: bool) -> dict[str, Any]:
+    rows = [_hex(p.X, p.Y, p.Z, p.W) for p in points]
+    return {"degrees": degrees, "rational": bool(rational), "knots": [_hex(*each) for each in knots], "points": rows}
 
 
 def entries(data: bytes, seconds: int) -> list[dict[str, object]]:

@@ -82,14 +82,9 @@ def read(source: Source) -> Reading:
 
 def _units(file: StepFile) -> set[str]:
     """The units of length that the representations of the file use."""
-    used = {
-        reference
-        for text in file.instances.values()
-        if "GLOBAL_UNIT_ASSIGNED_CONTEXT" in text
-        for reference in _REFERENCE.findall(text.partition("GLOBAL_UNIT_ASSIGNED_CONTEXT")[2])
-    }
+    contexts = [text.partition("GLOBAL_UNIT_ASSIGNED_CONTEXT")[2] for text in file.instances.values()]
     units = set()
-    for reference in used:
+    for reference in set(_REFERENCE.findall(" ".join(contexts))):
         text = file.instances.get(int(reference), "")
         metre, other = _METRE.search(text), _CONVERSION.search(text)
         if metre:

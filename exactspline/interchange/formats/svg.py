@@ -25,6 +25,7 @@ from exactspline.interchange.format import Format
 from exactspline.interchange.numbers import NumberText, decimal
 from exactspline.interchange.records import Reading, Source
 from exactspline.interchange.segments import Segment, ellipse, mapped, polynomial
+from exactspline.interchange.svg_names import NAMES
 from exactspline.interchange.svg_paths import Subpath, least_size, subpaths
 from exactspline.interchange.svg_styles import HIDING, MOVING, ORIGIN, SHAPING, Sheet, declarations, in_words
 from exactspline.interchange.svg_transforms import about, length, transform
@@ -32,18 +33,9 @@ from exactspline.interchange.writing import Spline, pen_segments
 from exactspline.interchange.xml_tree import Element, attribute, parse
 from exactspline.numbers.exact import mpq, text
 
-DEFINITIONS = (
-    "defs", "symbol", "marker", "clipPath", "mask", "pattern", "linearGradient", "radialGradient", "filter", "font",
-    "glyph", "missing-glyph", "hatch", "cursor",
-)  # fmt: skip
-SKIPPED = {
-    "text": "its glyphs are in a font", "image": "not a curve", "foreignObject": "not SVG", "video": "not a curve",
-    "audio": "not a curve", "canvas": "not a curve", "iframe": "not a curve",
-}  # fmt: skip
-SHAPES = ("path", "line", "polyline", "polygon", "rect", "circle", "ellipse")
-CONTAINERS = ("svg", "g", "a", "switch", "use", "symbol")
-SILENT = ("style", "script", "title", "desc", "metadata", "view")
-ANIMATIONS = ("animate", "animateTransform", "animateMotion", "set", "discard")
+DEFINITIONS, SKIPPED, SHAPES, CONTAINERS, SILENT, ANIMATIONS = (
+    NAMES[kind] for kind in ("definitions", "skipped", "shapes", "containers", "silent", "animations")
+)
 IDENTITY = Affine.identity(2)
 SVG = "http://www.w3.org/2000/svg"
 FOREIGN = "not drawn: it is, or is inside, an element of another namespace than SVG"
@@ -199,10 +191,10 @@ class _Drawing:
 
     def _hidden(self, element: Element, style: dict[str, str], sheet: frozenset[str]) -> tuple[str, ...]:
         """Notes on curves that are, or may be, partly or fully hidden; raises `NotDrawnError` if nothing is drawn."""
-        given = {name: element.attributes[name] for name in HIDING if name in element.attributes}
-        given |= {name: style[name] for name in HIDING if name in style}
+        given = {name: element.attributes[name] for name in NAMES["hiding"] if name in element.attributes}
+        given |= {name: style[name] for name in NAMES["hiding"] if name in style}
         given = {name: value.strip() for name, value in given.items()}
-        may = sheet & set(HIDING)
+        may = sheet & HIDING
         if given.get("display") == "none" and not may:
             raise NotDrawnError("not drawn: display is none")
         remarks = [
