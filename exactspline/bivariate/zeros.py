@@ -490,12 +490,8 @@ def _joined(
     points, open_boxes = _single(component for component in components if component.shape is Shape.POINT)
     spots = {spot for curve in curves for spot, arcs in curve.met.items() if arcs}
     parts = [line.box for line in lines] + [own.lines.sides for own in found if own.lines.flat]
-    single = [
-        zero
-        for zero in (*others, *points)
-        if once(zero.place, f.domain, closed) not in spots
-        and not any(is_in(zero.place, part, f.domain, closed) for part in parts)
-    ]
+    beside = [zero for zero in (*others, *points) if once(zero.place, f.domain, closed) not in spots]
+    single = [zero for zero in beside if not any(is_in(zero.place, part, f.domain, closed) for part in parts)]
     return lines, curves, single, [*undecided, *open_boxes]
 
 

@@ -71,6 +71,8 @@ class Of(StrEnum):
 
     PLANE_CURVE = "plane curve"
     SPACE_CURVE = "space curve"
+    #: Of these only what needs no lengths and angles is asked as of plane curves; in the plane z = 0 they are these.
+    PLANAR_CURVE = "space curve in another plane than z = 0"
     SURFACE = "surface in space"
     PLANAR_MAP = "map of a rectangle into the plane"
     #: A curve that is neither in the plane nor in space.

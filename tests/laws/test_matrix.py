@@ -4,6 +4,7 @@ registry against every change, and every path. The seed goes with the day; `EXAC
 
 import os
 import time
+from collections import Counter
 from dataclasses import dataclass, replace
 from itertools import product
 from random import Random
@@ -12,6 +13,7 @@ import pytest
 from gmpy2 import mpq
 
 from exactspline import NurbsSurface, TensorSpline, analyse
+from exactspline.geometry.analysis.pairs import CurvePair
 from exactspline.geometry.analysis.registry import REGISTRY
 from exactspline.geometry.curves.kinds import FeatureKind
 from exactspline.interchange.examples import example
@@ -21,6 +23,7 @@ from tests.support.changes import CHANGES
 from tests.support.dials import DIALS
 from tests.support.drawn import DRAWN, light_pair, light_surface, smooth_loop
 from tests.support.exemptions import EXEMPTIONS
+from tests.support.images import TILTED
 from tests.support.matrix import (
     Counts,
     Letter,
@@ -39,9 +42,12 @@ from tests.support.matrix import (
 )
 from tests.support.parts import differing_parts, of_parts, somewhere
 from tests.support.paths import (
+    IN_ANY_PLANE,
     after_others,
     again,
+    in_another_plane,
     in_the_plane_z_0,
+    pair_in_another_plane,
     said,
     same_by_batch,
     same_by_command,
@@ -49,6 +55,7 @@ from tests.support.paths import (
     swept,
     without_extension,
 )
+from tests.support.transport import same, shown
 
 #: How many seeds take turns: all of them have been seen to pass, so that no other change is blamed for a bad draw. The
 #: campaign draws anew.
@@ -250,6 +257,23 @@ def test_in_the_plane_z_0():
         for entry, given in [*asking, (REGISTRY[Of.PLANE_CURVE]["evolute"], ())]:
             found = in_the_plane_z_0(curve, entry, given)
             assert found == said(again(curve), text_of(entry, given)), (SEED, entry.name)
+
+
+@pytest.mark.parametrize("tilt", range(len(TILTED)))
+def test_in_another_plane(tilt):
+    """What needs no lengths is asked of a curve there as of a plane curve, with the sides of its plane."""
+    compared = Counter()
+    for i in range(6):
+        curve, asking = asked_of(Of.PLANE_CURVE, f"tilted {tilt} {i}")
+        for entry, given in asking:
+            if entry.name in IN_ANY_PLANE:
+                found, expected = in_another_plane(curve, entry, given, TILTED[tilt])
+                assert same(found, expected), (SEED, i, entry.name, given, shown(found), shown(expected))
+                compared[entry.name] += 1
+        pair = CurvePair(curve, DRAWN[Of.PLANE_CURVE](Random(f"{SEED} {tilt} {i}")))
+        found, expected = pair_in_another_plane(pair, TILTED[tilt])
+        assert same(found, expected), (SEED, i, shown(found), shown(expected))
+    assert compared == dict.fromkeys(IN_ANY_PLANE, 6)
 
 
 def test_in_a_batch():

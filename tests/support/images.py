@@ -137,6 +137,16 @@ class Way(NamedTuple):
         return Way(lambda t: right(self.to(t)), backwards, speed, lambda t: left(self.left(t)))
 
 
+THIRD = mpq(1, 3)
+#: The plane into other planes of space. As seen from the tip of the normal whose first nonzero coordinate is positive,
+#: left and right change places in the last one.
+TILTED = (
+    Motion(((THIRD, -2 * THIRD), (2 * THIRD, 2 * THIRD), (-2 * THIRD, THIRD)), (mpq(1), mpq(0), mpq(5))),
+    Motion(((mpq(0), mpq(1)), (mpq(0), mpq(0)), (mpq(1), mpq(0))), (mpq(0), mpq(7), mpq(0))),
+    Motion(((2 * THIRD, -2 * THIRD), (THIRD, 2 * THIRD), (2 * THIRD, THIRD)), (mpq(0), mpq(7), mpq(-1, 3)), turns=True),
+)
+
+
 @dataclass(frozen=True)
 class Image:
     """Where each parameter goes; whether the two parameters, or the two curves, are exchanged; where points go."""

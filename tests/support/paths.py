@@ -12,12 +12,17 @@ from gmpy2 import mpq
 from exactspline import Nurbs, sweep
 from exactspline.batch.inspections import LISTED
 from exactspline.errors import ExactSplineError, OpenError, ReachError
+from exactspline.geometry.analysis.ask import asked_of
 from exactspline.geometry.analysis.many_curves import features_of_curves, features_of_many
+from exactspline.geometry.analysis.pairs import CurvePair
 from exactspline.interchange.files import write
 from exactspline.programs import accelerator, certain_pairs
 from exactspline.tables import to_dict
+from tests.support.changes import moved_curve
 from tests.support.command import run
-from tests.support.matrix import Itself, facts_of, kind_of, questions, text_of
+from tests.support.images import Image, rings
+from tests.support.matrix import TAKEN, Itself, ask, facts_of, kind_of, questions, text_of
+from tests.support.transport import Refused, To, rows
 from workshop.vectors.items import items
 
 
@@ -165,6 +170,45 @@ def in_space(curve):
     """A plane curve as one in the plane z = 0."""
     points = [(*p, mpq(0)) for p in curve.control_points]
     return Nurbs(curve.degree, list(curve.knots), points, list(curve.weights))
+
+
+#: What is asked of a curve in another plane and does not go with the dimension; frames, joints with signed angles and
+#: extrema of κ do.
+IN_ANY_PLANE = (
+    "self_intersections",
+    "winding_number",
+    "inflections",
+    "singular_points",
+    "straight_pieces",
+    "nearest",
+    "length",
+    "value",
+)
+
+
+def in_another_plane(curve, entry, given, motion):
+    """What is said of a plane curve that was moved into another plane of space, and what should be; as rows."""
+    moved, image = moved_curve(curve, motion), Image(motion=motion)
+    others = tuple(TAKEN[each].moved(text, image, 2) for each, text in zip(entry.about.takes, given, strict=True))
+    expected = rows(ask(curve, entry.name, given), To(curve, image, rings(curve), 2, entry.name, given))
+    try:
+        answer = asked_of(moved, text_of(entry, others)).answer
+    except ExactSplineError as error:
+        answer = Refused(type(error).__name__)
+    found = rows(answer, To(moved, Image(), rings(moved), 3, entry.name, others))
+    return [[(without_extrema(words), numbers) for words, numbers in told] for told in (found, expected)]
+
+
+def without_extrema(words):
+    """Without what is said of |κ|, which in space is κ."""
+    return tuple(word for word in words if not word.startswith("of |κ|"))
+
+
+def pair_in_another_plane(pair, motion):
+    """The same of the common points of two curves."""
+    moved = CurvePair(*(moved_curve(curve, motion) for curve in pair.curves))
+    expected = rows(pair.intersections, To(pair, Image(motion=motion), rings(pair), 2, "intersections"))
+    return rows(moved.intersections, To(moved, Image(), rings(moved), 3, "intersections")), expected
 
 
 def in_the_plane_z_0(curve, entry, given):

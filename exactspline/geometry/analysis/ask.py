@@ -12,6 +12,7 @@ from exactspline.geometry.analysis.planar_maps import MapInspection
 from exactspline.geometry.analysis.registry import REGISTRY
 from exactspline.geometry.analysis.surfaces import SurfaceInspection
 from exactspline.geometry.bisectors.two_curves import CurveBisector
+from exactspline.geometry.curves.planarity import in_common_plane
 from exactspline.interchange.files import read
 from exactspline.one_line import OneLine
 from exactspline.questions.entry import ALL_CURVES, CURVES, Entry, Of, Remembers
@@ -86,6 +87,8 @@ def asked_of(about: About, question: str) -> Asked:
         entry = questions_about(facts.given).get(name)
         if entry is None and name in REGISTRY[Of.TWO_CURVES]:
             return _of_two(facts.given, question)
+        if entry is None and facts.curve.dimension == 3 and in_common_plane(facts.curve):
+            kind = Of.PLANAR_CURVE
     if entry is None:
         raise _not_asked(name, kind)
     return Asked(entry, facts, *read_as(entry, question))
@@ -190,10 +193,6 @@ def questions() -> list[Listed]:
     """
     entries = {id(entry): entry for of in REGISTRY.values() for entry in of.values()}
     found = [Listed(entry.name, entry.form, entry.about.of, entry.meaning) for entry in entries.values()]
-    pairs = REGISTRY[Of.TWO_CURVES].values()
     # a question that is also asked of one curve alone takes something else there
-    return found + [
-        Listed(entry.name, form_for_a_curve(entry), CURVES, entry.meaning)
-        for entry in pairs
-        if entry.name not in QUESTIONS
-    ]
+    pairs = [entry for entry in REGISTRY[Of.TWO_CURVES].values() if entry.name not in QUESTIONS]
+    return found + [Listed(entry.name, form_for_a_curve(entry), CURVES, entry.meaning) for entry in pairs]

@@ -197,11 +197,8 @@ class CurveValues(SpaceFacts):
         >>> [(side.what, *side.values.values()) for side in analyse(example("circle")).bounding_box]
         [('x', <Real -1>, <Real 1>), ('y', <Real -1>, <Real 1>)]
         """
-        ranges = (coordinate_range(self.curve, i) for i in range(self.curve.dimension))
-        return tuple(
-            NamedNumbers(axis, {"low": low, "high": high})
-            for axis, (low, high) in zip(axes(self.curve.dimension), ranges, strict=True)
-        )
+        ranges = [(axis, *coordinate_range(self.curve, i)) for i, axis in enumerate(axes(self.curve.dimension))]
+        return tuple(NamedNumbers(axis, {"low": low, "high": high}) for axis, low, high in ranges)
 
     @question(Of.PLANE_CURVE, answered=Answered.VALUE, on_request=True)
     def area(self) -> Real:
@@ -265,9 +262,5 @@ def _at(
     what: str, places: Parameters, values_at: Callable[[mpq | Real, Side], dict[str, Real]]
 ) -> tuple[NamedNumbers, ...]:
     """Numbers at each parameter, with the side from which they are limits where one was named."""
-    return tuple(
-        NamedNumbers(
-            what, {"parameter": real(t)} | values_at(t, side or Side.RIGHT), {"side": str(side)} if side else {}
-        )
-        for t, side in places
-    )
+    sides = [(t, side or Side.RIGHT, {"side": str(side)} if side else {}) for t, side in places]
+    return tuple(NamedNumbers(what, {"parameter": real(t)} | values_at(t, side), facts) for t, side, facts in sides)

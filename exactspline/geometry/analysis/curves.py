@@ -18,7 +18,7 @@ from exactspline.geometry.curves.extent import slope_zeros, turning_points
 from exactspline.geometry.curves.facts import ZeroForm, kept_by
 from exactspline.geometry.curves.joints import curvature_of
 from exactspline.geometry.curves.kinds import Feature, FeatureKind
-from exactspline.geometry.curves.planarity import Plane, in_the_plane, planar_pieces, plane_of
+from exactspline.geometry.curves.planarity import Plane, in_common_plane, in_the_plane, planar_pieces, plane_of
 from exactspline.geometry.derived.constructions import Variant, construction
 from exactspline.geometry.filter.certain import Certain, certain
 from exactspline.geometry.pairs.intersections import Intersections, self_intersections
@@ -220,7 +220,7 @@ class Analysis(CurveValues, Displayed):
             return self._certain.straight
         return tuple(self.pieces_where_zero(self.zero_form(self.critical_form)))
 
-    @question(Of.PLANE_CURVE, answered=Answered.PAIRS)
+    @question(Of.PLANE_CURVE, Of.PLANAR_CURVE, answered=Answered.PAIRS)
     def self_intersections(self) -> Intersections:
         """The points through which a plane curve passes more than once.
 
@@ -254,9 +254,10 @@ class Analysis(CurveValues, Displayed):
         """
         return bisector(self.with_coordinate(len(point) - 1), point)
 
-    @question_with(POINT, Of.PLANE_CURVE, answered=Answered.VALUE)
+    @question_with(POINT, Of.PLANE_CURVE, Of.PLANAR_CURVE, answered=Answered.VALUE)
     def winding_number(self, point: Sequence[Number]) -> int:
-        """How often a closed plane curve winds around a point, counterclockwise.
+        """How often a closed plane curve winds around a point, counterclockwise; in another plane of space as seen from
+        the tip of the normal whose first nonzero coordinate is positive.
 
         >>> from exactspline import example
         >>> analyse(example("circle")).winding_number(("1/2", "1/3"))
@@ -511,6 +512,8 @@ def questions_about(curve: Nurbs) -> dict[str, Entry]:
     """
     of = {kind_of_curve(curve), kind_of_curve(in_the_plane(curve))}
     analyse(curve).check_dimension()
+    if Of.PLANE_CURVE not in of and in_common_plane(curve):
+        of.add(Of.PLANAR_CURVE)
     return {name: entry for name, entry in QUESTIONS.items() if of & {*entry.about.of}}
 
 

@@ -85,10 +85,10 @@ class TrimmedPiece:
     def described(self) -> NamedNumbers:
         """The points of both ends, without one at infinity, then the parameters, and that of the foot."""
         ends, values = {"start": exact_place(self.low), "end": exact_place(self.high)}, dict[str, Real]()
-        below = self.value.denominator
         for name, t in ends.items():
-            if sign_at(below, t):
-                values |= {f"{name} {x}": value_at(f, below, t) for x, f in zip("xy", self.value.vector, strict=True)}
+            if sign_at(self.value.denominator, t):
+                point = [value_at(f, self.value.denominator, t) for f in self.value.vector]
+                values |= zip((f"{name} x", f"{name} y"), point, strict=True)
         feet = {} if self.foot is None else {"foot": Real(self.foot)}
         return NamedNumbers(str(self.kind), values | {name: real(t) for name, t in ends.items()} | feet)
 

@@ -9,6 +9,8 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
+from itertools import chain
+from typing import TypeVar
 
 from flint import fmpz, fmpz_mat
 
@@ -22,6 +24,7 @@ from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.runs import intervals_of
 
 AXES = "xyz"
+T = TypeVar("T")
 
 
 @dataclass(frozen=True, repr=False)
@@ -48,8 +51,22 @@ class Plane(OneLine):
     @property
     def axis(self) -> int | None:
         """The number of the coordinate that is constant on a coordinate plane (or one parallel to it), else None."""
-        nonzero = [i for i, k in enumerate(self.normal) if k]
-        return nonzero[0] if len(nonzero) == 1 else None
+        return self.across if sum(map(bool, self.normal)) == 1 else None
+
+    @property
+    def across(self) -> int:
+        """The number of the first coordinate that is not constant along the normal. Without it points of the plane have
+        two coordinates, an affine image of the plane as it is seen from the tip of the normal (`seen`).
+        """
+        return next(i for i, k in enumerate(self.normal) if k)
+
+    def seen(self, point: Sequence[T]) -> tuple[T, T]:
+        """Two coordinates of a point of the plane: (x, y), (z, x) or (y, z).
+
+        >>> Plane((1, 0, -2), 3).seen(("x", "y", "z"))
+        ('y', 'z')
+        """
+        return point[(self.across + 1) % 3], point[(self.across + 2) % 3]
 
 
 def plane_of(curve: Nurbs) -> Plane | None:
@@ -63,11 +80,7 @@ def plane_of(curve: Nurbs) -> Plane | None:
 
     Raises `ShapeError` for a curve that is not in space.
     """
-    points: Rows = []
-    for segment in _rows(space(curve)):
-        points = _span([*points, *segment])
-        if len(points) == 4:
-            return None
+    points = _span_of(curve)
     relations = _relations(points)
     if len(relations) == 1:
         return _plane(relations[0])
@@ -76,6 +89,30 @@ def plane_of(curve: Nurbs) -> Plane | None:
             (a, k) = _relations([(row[i], row[3]) for row in points])[0]
             return _plane([a if j == i else mpq(0) for j in range(3)] + [k])
     return None
+
+
+def in_common_plane(*curves: Nurbs) -> tuple[Plane, list[Nurbs]] | None:
+    """A plane in which curves in space lie, and their images in two of its coordinates (`Plane.seen`); None where there
+    is none.
+
+    >>> from exactspline.interchange.examples import example
+    >>> plane, (curve,) = in_common_plane(example("planar_in_space"))
+    >>> str(plane), curve
+    ('x − z = −1', <Nurbs planar_in_space in the plane x − z = −1: rational, degree 3, 4 control points in R2>)
+    >>> in_common_plane(example("planar_in_space"), example("twisted_cubic"))
+    """
+    relations = _relations(_span_of(*curves))
+    plane = _plane(relations[0]) if relations else None
+    return None if plane is None else (plane, [_seen_in(plane, curve) for curve in curves])
+
+
+def _span_of(*curves: Nurbs) -> Rows:
+    """The span of the Bézier points of curves in space; all of it as soon as they lie in no plane."""
+    points: Rows = []
+    segments = chain.from_iterable(_rows(space(curve)) for curve in curves)
+    while len(points) < 4 and (segment := next(segments, None)):
+        points = _span([*points, *segment])
+    return points
 
 
 def planar_pieces(curve: Nurbs) -> list[tuple[CurvePiece, Plane]]:
@@ -188,11 +225,13 @@ def as_plane_curve(curve: Nurbs) -> Nurbs | None:
     ((mpq(2,1), mpq(1,1)), (mpq(5,1), mpq(3,1)))
     """
     plane = plane_of(curve)
-    if plane is None or plane.axis is None:
-        return None
-    i, j = (plane.axis + 1) % 3, (plane.axis + 2) % 3
+    return None if plane is None or plane.axis is None else _seen_in(plane, curve)
+
+
+def _seen_in(plane: Plane, curve: Nurbs) -> Nurbs:
+    """A curve in a plane by two coordinates."""
     name = f"{curve.name or 'the curve'} in the plane {plane}"
-    x, y = curve.p[i].control_points, curve.p[j].control_points
+    x, y = (f.control_points for f in plane.seen([*curve.p]))
     weights = [mpq(1)] * len(x) if curve.polynomial else curve.w.control_points
     points = list(zip(x, y, weights, strict=True))
     return Nurbs.from_homogeneous(curve.degree, curve.knots, points, name=name, source=curve.source)

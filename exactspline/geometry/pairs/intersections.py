@@ -14,6 +14,7 @@ from functools import partial
 from typing import Any, NamedTuple
 
 from exactspline.errors import ReachError, ShapeError
+from exactspline.geometry.curves.planarity import in_common_plane
 from exactspline.geometry.pairs.box_tree import BoxTree, Cone, cone_around, legs, pairs_that_may_meet, shift_for
 from exactspline.geometry.pairs.intersection_certificate import intersection_certificate
 from exactspline.geometry.pairs.lazy_intersections import PairForm
@@ -188,10 +189,10 @@ def self_intersections(curve: Nurbs) -> Intersections:
     >>> self_intersections(loop)
     [<crossing at (2 - √3)/4 and (2 + √3)/4>]
 
-    Raises `ShapeError` for a curve that is not in the plane.
+    Raises `ShapeError` for a curve that is not in a plane.
     """
-    if curve_of(curve).dimension != 2:
-        raise ShapeError(f"a curve in R{curve.dimension}", remedy="give a curve in the plane")
+    if curve_of(curve).dimension != 2 and (curve.dimension != 3 or in_common_plane(curve) is None):
+        raise ShapeError(f"a curve in R{curve.dimension}", remedy="give a curve in a plane")
     return CollectedPoints(curve, curve, alone=True).answer()
 
 
@@ -219,7 +220,10 @@ class CollectedPoints:
     """The common points and arcs of pairs of segments, each once."""
 
     def __init__(self, first: Nurbs, second: Nurbs, *, alone: bool = False) -> None:
-        self.curves, self.alone, self.in_space = (first, second), alone, first.dimension == 3
+        plane = in_common_plane(first, second) if first.dimension == 3 else None
+        #: The curves, and what is computed with: of curves in a plane of space their images in two coordinates.
+        self.given, self.curves = (first, second), (first, second) if plane is None else plane[1]
+        self.alone, self.in_space = alone, self.curves[0].dimension == 3
         self.segments = [[segment_rows(curve, i) for i in range(curve.segments)] for curve in self.curves[: 2 - alone]]
         #: The common points inside two segments.
         self.inner: list[tuple[tuple[int, int], Meeting]] = []
@@ -350,7 +354,7 @@ class CollectedPoints:
             if not self._ends_an_arc(group[0])
         ]
         count = len(at_knots) + len(self.inner) + sum(len(found) for _, found in self.certain)
-        make, curves = partial(self._in_order, at_knots), None if self.alone else self.curves
+        make, curves = partial(self._in_order, at_knots), None if self.alone else self.given
         return Intersections.late(count, make, tuple(self.arcs), left_out=tuple(self.left_out), curves=curves)
 
     def _in_order(self, at_knots: list[Intersection]) -> tuple[Intersection, ...]:
@@ -366,9 +370,9 @@ class CollectedPoints:
         times = point.multiplicity
         parameters = _parameters(point, *(self._side(k, i) for k, i in enumerate(pair)))
         if self.in_space:
-            return Intersection(*parameters, IntersectionKind.SPACE, None, self.curves)
+            return Intersection(*parameters, IntersectionKind.SPACE, None, self.given)
         kind = IntersectionKind.CROSSING if times is not None and times % 2 else IntersectionKind.TOUCHING
-        return Intersection(*parameters, kind, times, self.curves)
+        return Intersection(*parameters, kind, times, self.given)
 
     def _ends_an_arc(self, point: _Found) -> bool:
         place = tuple(self._at(k, point) for k in (0, 1))
@@ -393,7 +397,7 @@ class CollectedPoints:
             self._at(1, point),
             self._kind(group),
             min(times, default=None),
-            self.curves,
+            self.given,
             (point.knots[0] is not None, point.knots[1] is not None),
         )
 

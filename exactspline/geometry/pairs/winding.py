@@ -14,7 +14,7 @@ from itertools import pairwise
 from flint import fmpz, fmpz_poly
 
 from exactspline.errors import DomainError, ShapeError, as_items
-from exactspline.geometry.curves.planarity import in_the_plane
+from exactspline.geometry.curves.planarity import in_common_plane, in_the_plane
 from exactspline.geometry.pairs.nearest import exact_point
 from exactspline.numbers.exact import Number, mpq
 from exactspline.numbers.intervals import Interval
@@ -56,7 +56,8 @@ def winding_number(curves: Nurbs | Iterable[Nurbs], point: Iterable[Number]) -> 
     2
 
     Raises `DomainError` for a point on a curve, with its parameter, and `ShapeError` for curves that are not closed,
-    not in the plane or not connected.
+    not in one plane or not connected. In another plane of space than z = 0 it is counterclockwise as seen from the tip
+    of the normal whose first nonzero coordinate is positive.
 
     Source: Hormann and Agathos, The point in polygon problem for arbitrary polygons, 2001 (for polygons).
     """
@@ -91,10 +92,15 @@ def contains(
 
 def _position(curves: Nurbs | Iterable[Nurbs], point: Iterable[Number]) -> int | tuple[Nurbs, Real]:
     """The winding number, or the curve that the point is on, and the parameter."""
-    point = tuple(as_items(point, "a point"))
-    total = 0
-    for given in [curves] if isinstance(curves, Nurbs) else as_items(curves, "curves"):
-        curve = _closed_plane(given)
+    point, total = tuple(as_items(point, "a point")), 0
+    given = [in_the_plane(curve_of(x)) for x in ([curves] if isinstance(curves, Nurbs) else as_items(curves, "curves"))]
+    if given and all(curve.dimension == 3 for curve in given):
+        place = Nurbs(0, [0, 1], [exact_point(given[0], point)])
+        if flat := in_common_plane(*given, place):
+            *given, place = flat[1]
+            (point,) = place.control_points
+    for curve in given:
+        _check_closed_in_the_plane(curve)
         delta = exact_point(curve, point)
         segments = [segment_forms(curve, i) for i in range(curve.segments)]
         _check_connected(segments)
@@ -106,13 +112,11 @@ def _position(curves: Nurbs | Iterable[Nurbs], point: Iterable[Number]) -> int |
     return total
 
 
-def _closed_plane(curve: Nurbs) -> Nurbs:
-    curve = in_the_plane(curve_of(curve))
+def _check_closed_in_the_plane(curve: Nurbs) -> None:
     if curve.dimension != 2:
-        raise ShapeError(f"a curve in R{curve.dimension}", remedy="give curves in the plane")
+        raise ShapeError(f"a curve in R{curve.dimension}", remedy="give curves and a point in one plane")
     if not curve.closed:
         raise ShapeError("a curve that is not closed", remedy="close it by a segment")
-    return curve
 
 
 def _check_connected(segments: list[SegmentForms]) -> None:
