@@ -71,6 +71,19 @@ def test_a_seam_at_a_corner_is_two_places():
             assert squared(point, feet[0]) == squared(point, feet[1])
 
 
+def test_beside_a_piece_on_which_a_curve_stands_still_points_are_those_of_the_other_side():
+    """At its end arcs had no point, though they end there at one."""
+    for points in ([(0, 0), (2, 0), (2, 0)], [(2, 0), (2, 0), (0, 0)]):
+        curve, other = segment(*points), segment((0, 1), (4, 3))
+        arcs = [found.values for found in items(CurvePair(curve, other), "bisector") if found.what == "arc of pairs"]
+        ends = [(values, end) for values in arcs for end in ("start", "end") if values[end] == 1]
+        assert ends
+        for values, end in ends:
+            point = [values[f"{end} {axis}"] for axis in "xy"]
+            assert point[0] == 2
+            assert squared(point, (2, 0)) == squared(point, xs.at(other, values[f"other {end}"]))
+
+
 def test_in_the_plane_z_0_they_are_bisectors_in_the_plane():
     flat = xs.Nurbs(1, [0, 0, 1, 1], [(-4, 0, 0), (4, 0, 0)])
     assert items(flat, "bisector:0,2") == items(LINE, "bisector:0,2")

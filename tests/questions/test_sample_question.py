@@ -10,6 +10,8 @@ from pathlib import Path
 import pytest
 
 import exactspline
+from exactspline.questions.entry import Of
+from tests.support.changes import CHANGES
 
 NAME = "sideways_extrema"
 ENTRY = f'''
@@ -60,20 +62,110 @@ print(json.dumps({
 '''
 
 
-@pytest.fixture(scope="module")
-def answers(tmp_path_factory):
-    """What all who ask questions say in a copy of the package with the entry."""
-    folder = tmp_path_factory.mktemp("copy")
+#: One of two curves, with a parameter; and the doors to it.
+NAME_OF_TWO = "intersections_right_of"
+PLACE_OF_TWO = "\n    @question(Of.TWO_CURVES, answered=Answered.PAIRS)\n    def distance(self)"
+ENTRY_OF_TWO = f'''
+    from exactspline.questions.takes import DISTANCE
+
+    @question_with(DISTANCE, Of.TWO_CURVES, answered=Answered.PAIRS)
+    def {NAME_OF_TWO}(self, x: Number) -> Intersections:
+        """The common points whose first coordinate is larger than this."""
+        found = self.intersections
+        return Intersections(tuple(each for each in found if each.point[0] > x), left_out=found.left_out)
+{PLACE_OF_TWO}'''
+ASKED_OF_TWO = '''
+import json
+from random import Random
+import exactspline as xs
+from click.testing import CliRunner
+from exactspline.cli import app
+from exactspline.cli.schema import schema_of
+from exactspline.display.glossary import glossary
+from exactspline.geometry.analysis.pairs import CurvePair
+from exactspline.interchange.files import write
+from exactspline.questions.entry import Of
+from exactspline.tables import to_dict, to_records
+from tests.support.matrix import Counts, cells, compared, drawn, questions, without_transport
+import jsonschema
+
+def told(*arguments):
+    """What a command prints."""
+    done = CliRunner().invoke(app, list(arguments))
+    assert done.exit_code == 0, done.output
+    return done.output
+
+def refused(question):
+    """Why a question is not answered."""
+    try:
+        xs.ask((circle, line), question)
+    except xs.ExactSplineError as error:
+        return str(error)
+
+def row(*arguments):
+    """The first row of what it prints as JSON."""
+    document = json.loads(told(*arguments, "--json"))
+    jsonschema.validate(document, schema_of(document["schema"].split("/")[1]))
+    return document["rows"][0]
+
+circle, line = xs.example("circle"), xs.Nurbs(1, [0, 0, 1, 1], [(-2, 0), (2, 0)])
+write(line, "line.json")
+asked, of_one = f"{NAME}:1/2", f"{NAME}:line.json,1/2"
+counts = Counts()
+for seed in range(12):
+    random = Random(seed)
+    pair, letters = drawn(Of.TWO_CURVES, random, "exchanged")
+    (entry,) = [each for each in questions(Of.TWO_CURVES) if each.name == NAME]
+    compared(pair, entry, letters[:1], random, counts)
+print(json.dumps({
+    "attribute": len(getattr(CurvePair(circle, line), NAME)("1/2")),
+    "xs.ask": len(xs.ask((circle, line), asked)),
+    "of one curve": len(xs.ask(circle, of_one)),
+    "between --ask": len(row("between", "circle", "line.json", "--ask", asked)["answer"]["points"]),
+    "inspect --ask": len(row("inspect", "circle", "--ask", of_one)["answer"]["points"]),
+    "table": told("between", "circle", "line.json", "--ask", asked, "--csv").count("crossing,first,"),
+    "data": len(to_dict((circle, line), asked)["answer"]["points"]),
+    "records": len(to_records((circle, line), asked)),
+    "none": len(row("between", "circle", "line.json", "--ask", f"{NAME}:1")["answer"]["points"]),
+    "surplus": refused(NAME),
+    "report": NAME in row("between", "circle", "line.json"),
+    "glossary": glossary()["questions"][NAME.replace("_", " ")],
+    "list questions": [form in told("list", "questions") for form in (f"{NAME}:1/10", f"{NAME}:CURVE,1/10")],
+    "list words": NAME.replace("_", " ") in told("list", "words"),
+    "cells": len([cell for cell in cells() if cell[1] == NAME]),
+    "without transport": without_transport(),
+    "matrix": [counts.asked, list(map(str, counts.failures))],
+}))
+'''
+
+
+def said_in_a_copy(folder, name, file, place, entry, script):
+    """What a script says in a copy of the package with an entry at a place of a file."""
     shutil.copytree(Path(exactspline.__file__).parent, folder / "exactspline")
-    file = folder / "exactspline" / "geometry" / "analysis" / "curves.py"
+    file = folder / "exactspline" / "geometry" / "analysis" / file
     code = file.read_text(encoding="utf-8")
-    assert code.count("\n    @property\n    def flatness(self)") == 1
-    file.write_text(code.replace("\n    @property\n    def flatness(self)", ENTRY), encoding="utf-8")
-    command = [sys.executable, "-c", f"NAME = {NAME!r}\n{ASKED}"]
-    environment = {**os.environ, "PYTHONPATH": str(folder), "PYTHONDONTWRITEBYTECODE": "1"}
+    assert code.count(place) == 1
+    file.write_text(code.replace(place, entry), encoding="utf-8")
+    command = [sys.executable, "-c", f"NAME = {name!r}\n{script}"]
+    path = os.pathsep.join([str(folder), str(Path(__file__).parents[2])])
+    environment = {**os.environ, "PYTHONPATH": path, "PYTHONDONTWRITEBYTECODE": "1"}
     done = subprocess.run(command, capture_output=True, text=True, check=False, cwd=folder, env=environment)
     assert done.returncode == 0, done.stderr
     return json.loads(done.stdout)
+
+
+@pytest.fixture(scope="module")
+def answers(tmp_path_factory):
+    """What all who ask questions of a curve say."""
+    folder = tmp_path_factory.mktemp("copy")
+    return said_in_a_copy(folder, NAME, "curves.py", "\n    @property\n    def flatness(self)", ENTRY, ASKED)
+
+
+@pytest.fixture(scope="module")
+def answers_of_two(tmp_path_factory):
+    """What all who ask questions of two curves say."""
+    folder = tmp_path_factory.mktemp("copy")
+    return said_in_a_copy(folder, NAME_OF_TWO, "pairs.py", PLACE_OF_TWO, ENTRY_OF_TWO, ASKED_OF_TWO)
 
 
 def test_an_entry_is_asked_wherever_questions_are(answers):
@@ -86,6 +178,26 @@ def test_an_entry_is_asked_wherever_questions_are(answers):
     assert answers["list words"]
 
 
+def test_a_question_of_two_curves_is_asked_wherever_questions_are(answers_of_two):
+    """One entry in one file: no door has a list of its own."""
+    found = answers_of_two
+    counted = ("attribute", "xs.ask", "of one curve", "between --ask", "inspect --ask", "table", "data", "records")
+    assert {name: found[name] for name in counted} == dict.fromkeys(counted, 1)
+    assert found["none"] == 0
+    assert "write it like 'intersections_right_of:1/10'" in found["surplus"]
+    assert not found["report"]
+    assert found["glossary"] == "the common points whose first coordinate is larger than this"
+    assert found["list questions"] == [True, True]
+    assert found["list words"]
+
+
+def test_a_question_of_two_curves_is_in_the_matrix(answers_of_two):
+    assert answers_of_two["cells"] == len(CHANGES[Of.TWO_CURVES])
+    assert answers_of_two["without transport"] == []
+    assert answers_of_two["matrix"] == [12, []]
+
+
 def test_without_the_entry_nothing_of_it_is_there():
     folder = Path(exactspline.__file__).parent
-    assert not any(NAME in file.read_text(encoding="utf-8") for file in folder.rglob("*.py"))
+    texts = [file.read_text(encoding="utf-8") for file in folder.rglob("*.py")]
+    assert not any(name in text for name in (NAME, NAME_OF_TWO) for text in texts)

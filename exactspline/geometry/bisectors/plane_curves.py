@@ -8,17 +8,17 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from contextlib import suppress
-from itertools import chain, product
+from itertools import chain, compress, product
 
 from exactspline.bivariate.zeros import ZeroArc, ZeroCurves, zero_curve
 from exactspline.errors import ReachError, ShapeError
 from exactspline.geometry.bisectors.common import Bisector
 from exactspline.geometry.bisectors.plane_pair import PlanePair, tangent
 from exactspline.geometry.bisectors.true_pairs import TruePairs, true_pairs
-from exactspline.geometry.curves.facts import facts_of
 from exactspline.numbers.exact import Number, mpq
 from exactspline.numbers.intervals import Box
 from exactspline.numbers.once import cached_property
+from exactspline.numbers.sides import Side
 from exactspline.questions.answers import NamedNumbers
 from exactspline.reals.real import Real, real
 from exactspline.roots.values import at, exact_place, sign_at
@@ -57,8 +57,8 @@ class PlaneBisector(Bisector):
     @cached_property
     def pairs(self) -> ZeroCurves:
         """All zeros of the function; they run on over the seam of a closed curve where that is no corner."""
-        ways = zip(Along, self.curves, strict=True)
-        return zero_curve(self.function, (line for line, curve in ways if curve.closed and _is_smooth(curve)))
+        closed = [curve.closed and _has_one_tangent(curve, *curve.domain[::-1]) for curve in self.curves]
+        return zero_curve(self.function, compress(Along, closed))
 
     @cached_property
     def trimmed(self) -> TruePairs:
@@ -140,15 +140,19 @@ class PlaneBisector(Bisector):
         return sign_at(self.function.at_s(s), t) == 0
 
 
-def _is_smooth(curve: Nurbs) -> bool:
-    """Whether both ends of a closed curve have one tangent, also where it turns back there."""
-    first, last = ([f(t) for f in tangent(curve)] for t in curve.domain)
-    return first[0] * last[1] == first[1] * last[0]
+def _has_one_tangent(curve: Nurbs, before: mpq, behind: mpq) -> bool:
+    """Whether the tangents left and right of a point are parallel, also where the curve turns back, or there is none;
+    both parameters are of this point.
+    """
+    last, first = ([f(t, side) for f in tangent(curve)] for t, side in ((before, Side.LEFT), (behind, Side.RIGHT)))
+    return any(first) == any(last) and first[0] * last[1] == first[1] * last[0]
 
 
 def _sides(curve: Nurbs, t: mpq | Real) -> list[Nurbs]:
-    """The parts of a curve behind and before a corner at a parameter; elsewhere all of it."""
-    (low, high), inner = curve.domain, curve.breakpoints[1:-1]
-    if isinstance(t, Real) or t not in inner or facts_of(curve).tangent_continuous(inner.index(t) + 1):
+    """The parts of a curve behind and before a corner at a parameter, those with a tangent there; elsewhere all of
+    it.
+    """
+    low, high = curve.domain
+    if isinstance(t, Real) or t not in curve.breakpoints[1:-1] or _has_one_tangent(curve, t, t):
         return [curve]
-    return [curve.restrict(t, high), curve.restrict(low, t)]
+    return [part for part in (curve.restrict(t, high), curve.restrict(low, t)) if any(f(t) for f in tangent(part))]
