@@ -4,22 +4,30 @@ take long.
 python -m tests.campaigns.matrix COUNT SEED
 
 Prints each failure with its shortest word, and the numbers of cells, of exemptions, of words, of answers compared and
-of failures. Fewer words are about surfaces, maps and pairs, whose questions take longer.
+of failures; then by how much questions take longer per segment after knots are inserted, of which more than three times
+is a failure. Fewer words are about surfaces, maps and pairs, whose questions take longer.
 """
 
 import sys
 import time
+from collections import Counter
+from itertools import pairwise
 from random import Random
 
 from exactspline.questions.entry import Of
-from tests.support.matrix import Counts, cells, exempt_cells, run_word
+from tests.support.changes import curve_from, inserted, rows_of
+from tests.support.drawn import DRAWN
+from tests.support.matrix import Counts, ask, cells, exempt_cells, given_to, questions, run_word
+from tests.support.paths import again
 
 SEED = 2028
 #: Of a hundred words, how many are about which kind of object.
 SHARES = {Of.PLANE_CURVE: 50, Of.SPACE_CURVE: 30, Of.TWO_CURVES: 4, Of.SURFACE: 6, Of.PLANAR_MAP: 10}
 KINDS = [of for of, share in SHARES.items() for _ in range(share)]
-#: Ridges take about a minute: they are asked of one of 200 surfaces.
-DEAR = 200
+#: What takes long is asked in the first word about a kind in so many hundreds: ridges take about a minute.
+DEAR = {Of.SURFACE: 33, Of.TWO_CURVES: 1}
+#: Knots that are inserted into each segment, and how many times as long a segment may take then.
+INSERTED, MOST = 7, 3
 
 
 def campaign(count, seed=SEED, told=print):
@@ -27,12 +35,39 @@ def campaign(count, seed=SEED, told=print):
     counts, known = Counts(), 0
     for i in range(count):
         random = Random(f"{seed} {i}")
-        of = KINDS[i % len(KINDS)]
-        run_word(of, random, counts, dear=i % (DEAR * len(KINDS)) == KINDS.index(of))
+        hundred, k = divmod(i, len(KINDS))
+        of = KINDS[k]
+        run_word(of, random, counts, dear=of in DEAR and k == KINDS.index(of) and hundred % DEAR[of] == 0)
         for failure in counts.failures[known:]:
             told(f"word {i} of {count}, seed {seed}: {failure}")
         known = len(counts.failures)
     return counts
+
+
+def with_many_knots(curve):
+    """The same curve with knots in each segment, at a seventh and so on."""
+    rows = rows_of(curve)
+    for low, high in pairwise(rows.breaks):
+        for n in range(1, INSERTED + 1):
+            rows = inserted(rows, low + (high - low) * n / (INSERTED + 1))
+    return curve_from(rows)
+
+
+def slower(count, seed=SEED):
+    """How many times as long questions about curves take per segment after knots are inserted."""
+    spent = Counter()
+    for i in range(count):
+        random = Random(f"{seed} knots {i}")
+        of = (Of.PLANE_CURVE, Of.SPACE_CURVE)[i % 2]
+        curve = DRAWN[of](random)
+        for entry in questions(of):
+            given = given_to(entry, curve, random)
+            for dense in (False, True):
+                asked = with_many_knots(curve) if dense else again(curve)
+                started = time.process_time()
+                ask(asked, entry.name, given)
+                spent[entry.name, dense] += (time.process_time() - started) / asked.segments
+    return {name: spent[name, True] / spent[name, False] for name, dense in spent if dense}
 
 
 def main(count, seed):
@@ -42,7 +77,11 @@ def main(count, seed):
     print(f"cells {len(cells())}, exemptions {len(exempt_cells())}, cells compared {len(counts.compared)}")
     print(f"words {counts.words}, answers compared {counts.asked}, failures {len(counts.failures)}")
     print(f"{time.process_time() - started:.0f} s of processor time")
-    return 1 if counts.failures else 0
+    ratios = slower(max(2, min(count // 10, 100)), seed)
+    print("times per segment after knots are inserted: " + ", ".join(f"{k} {x:.1f}" for k, x in ratios.items()))
+    slow = [name for name, x in ratios.items() if x > MOST]
+    print(f"more than {MOST} times: {', '.join(slow) or 'none'}")
+    return 1 if counts.failures or slow else 0
 
 
 if __name__ == "__main__":

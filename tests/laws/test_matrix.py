@@ -2,7 +2,10 @@
 registry against every change, and every path. The seed goes with the day; `EXACTSPLINE_SEED` gives another one.
 """
 
+import inspect
 import os
+import sys
+import textwrap
 import time
 from collections import Counter
 from dataclasses import dataclass, replace
@@ -13,15 +16,19 @@ import pytest
 from gmpy2 import mpq
 
 from exactspline import NurbsSurface, TensorSpline, analyse
+from exactspline.geometry.analysis import curves, many_curves
 from exactspline.geometry.analysis.pairs import CurvePair
 from exactspline.geometry.analysis.registry import REGISTRY
+from exactspline.geometry.analysis.surfaces import SurfaceInspection
 from exactspline.geometry.curves.kinds import FeatureKind
+from exactspline.geometry.pairs import nearest as nearest_points
 from exactspline.interchange.examples import example
 from exactspline.questions.entry import Of, Question, question, question_with
 from exactspline.questions.takes import Takes
+from exactspline.reals.real import Real
 from tests.support.changes import CHANGES
 from tests.support.dials import DIALS
-from tests.support.drawn import DRAWN, light_pair, light_surface, smooth_loop
+from tests.support.drawn import DRAWN, light_pair, light_surface, round_loop, smooth_loop
 from tests.support.exemptions import EXEMPTIONS
 from tests.support.images import TILTED
 from tests.support.matrix import (
@@ -30,6 +37,7 @@ from tests.support.matrix import (
     ask,
     cells,
     compared,
+    differing,
     drawn,
     exempt,
     exempt_cells,
@@ -140,12 +148,31 @@ def test_every_question_after_every_change(of):
 def test_dear_questions_of_two_curves_after_every_change(change):
     """Bisectors and intersections of offsets, of curves of few segments and small integers."""
     counts = Counts()
-    for i in range(3):
+    for i in range(2):
         random = Random(f"{SEED} light {change} {i}")
         pair, letters = drawn(Of.TWO_CURVES, random, change, light_pair)
         for name in ("bisector", "offset_intersections"):
             compared(pair, REGISTRY[Of.TWO_CURVES][name], letters, random, counts)
     assert not counts.failures, report(counts.failures)
+
+
+@pytest.mark.parametrize("change", ["reversed", "other seam", "moebius", "rotated"])
+def test_nearest_points_on_an_arc_that_ends_at_the_seam(change):
+    """As seen from the centre of the arc."""
+    assert not circles_compared(change), SEED
+
+
+def circles_compared(change):
+    """What differs of curves with an arc that begins or ends at the seam, asked at its centre."""
+    found = []
+    for seam in (1, 3, 4):
+        random = Random(f"{SEED} round {change} {seam}")
+        curve, centres = round_loop(random, seam)
+        letters = (Letter(change, random.randrange(1 << 30)),)
+        for centre, name in product(centres, ("nearest", "bisector", "winding_number")):
+            given = (",".join(map(str, centre)),)
+            found.append(differing(curve, REGISTRY[Of.PLANE_CURVE][name], given, letters))
+    return [each for each in found if each]
 
 
 EXAMPLES = [
@@ -197,6 +224,22 @@ def test_lines_of_surfaces_after_a_knot_on_them(name):
     facts = analyse(surface)
     assert bool(facts.poles) == (name not in ("umbilics", "crossed by a curve"))
     assert not (facts.singular_curves or facts.umbilic_curves) or name == "crossed by a curve"
+
+
+def test_curves_of_umbilics_from_corner_to_corner_after_a_knot():
+    """And parabolic ones: single points are those that are on none of them."""
+    assert not curves_of_umbilics_compared()
+
+
+def curves_of_umbilics_compared():
+    """What differs after a knot across such a curve."""
+    d, counts = U - V, Counts()
+    for form, seed in product((d**4, d**2 + d**3), range(2)):
+        surface = NurbsSurface.from_splines([U, V, form])
+        for name in ("umbilics", "umbilic_curves", "parabolic_points", "singular_points"):
+            letters = (Letter("knot on what was found", seed),)
+            compared(surface, REGISTRY[Of.SURFACE][name], letters, Random(seed), counts)
+    return counts.failures
 
 
 @pytest.mark.parametrize("bits", [30, 300])
@@ -349,3 +392,53 @@ def test_a_planted_fault_is_found(fault):
         n += 1
     assert counts.failures
     assert any(len(failure.letters) == 1 for failure in counts.failures)
+
+
+# ---- what was mended, as it was
+
+
+def as_before(monkeypatch, owner, name, new, old, *, also=()):
+    """A function of a module or a class as it was: with another text in it; `also` names modules that import it."""
+    text = textwrap.dedent(inspect.getsource(vars(owner)[name]))
+    assert text.count(new) == 1
+    space = dict(vars(sys.modules[owner.__module__] if isinstance(owner, type) else owner))
+    exec(compile(f"from __future__ import annotations\n{text.replace(new, old)}", name, "exec"), space)
+    for each in (owner, *also):
+        monkeypatch.setattr(each, name, space[name])
+
+
+def test_a_seam_that_batches_leave_out_is_found(monkeypatch):
+    """26.9: curves whose ends are equal went through the numbers of many curves."""
+    as_before(monkeypatch, many_curves, "_features", " | (p[:, 0] == p[:, -1]).all(axis=1)", "")
+    with pytest.raises(AssertionError):
+        test_in_a_batch()
+
+
+def test_umbilics_told_beside_their_curve_are_found(monkeypatch):
+    """26.11: points on curves of umbilics, and of points without a tangent plane, were told one by one."""
+    old = "set()"
+    new = "{spot for curve in curves for spot, arcs in curve.met.items() if arcs}"
+    as_before(monkeypatch, SurfaceInspection, "_single", new, old)
+    assert curves_of_umbilics_compared()
+
+
+def test_the_end_of_an_arc_told_again_at_the_seam_is_found(monkeypatch):
+    """26.13 (a): of an arc of nearest points."""
+    new, old = "{low if end == high and curve.closed else end for", "{end for"
+    as_before(monkeypatch, nearest_points, "nearest", new, old, also=[curves])
+    assert circles_compared("reversed")
+    assert circles_compared("other seam")
+
+
+def test_a_number_that_is_rational_once_that_was_asked_is_found(monkeypatch):
+    """26.15: what a number is was read where it had been decided, and was null elsewhere."""
+
+    def exact(number):
+        return number._exact if isinstance(number._exact, type(mpq())) else None
+
+    monkeypatch.setattr(Real, "exact", property(exact))
+    counts, n = Counts(), 0
+    while not counts.failures and n < 40:
+        run_word(Of.PLANE_CURVE, Random(f"{SEED} exact {n}"), counts)
+        n += 1
+    assert counts.failures

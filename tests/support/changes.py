@@ -105,7 +105,9 @@ def common_factor(rows, random):
 def affine(rows, random):
     """Another affine parameter, in the same direction."""
     c, d = mpq(random.randint(1, 9), random.randint(1, 9)), mpq(random.randint(-9, 9))
-    return Rows(rows.degree, tuple(c * t + d for t in rows.knots), rows.points), Way(lambda t: c * t + d, speed=c)
+    return Rows(rows.degree, tuple(c * t + d for t in rows.knots), rows.points), Way(
+        lambda t: c * t + d, slopes=lambda t: (c, mpq(0))
+    )
 
 
 def moebius(rows, random):
@@ -127,14 +129,18 @@ def moebius(rows, random):
         for t in rows.knots[i + 1 : i + rows.degree + 1]:
             factor /= below(t)
         points.append(tuple(x * factor for x in row))
-    return Rows(rows.degree, tuple(map(to, rows.knots)), tuple(points)), Way(to, speed=None)
+
+    def slopes(t):
+        return 1 / below(t) ** 2, -2 * k / below(t) ** 3
+
+    return Rows(rows.degree, tuple(map(to, rows.knots)), tuple(points)), Way(to, slopes=slopes)
 
 
 def reversed_rows(rows, random):
     """Run through the other way."""
     a, b = rows.domain
     knots = tuple(a + b - t for t in reversed(rows.knots))
-    return Rows(rows.degree, knots, rows.points[::-1]), Way(lambda t: a + b - t, backwards=True, speed=-1)
+    return Rows(rows.degree, knots, rows.points[::-1]), Way(lambda t: a + b - t, True, lambda t: (mpq(-1), mpq(0)))
 
 
 #: What is done to one parameter of a curve or a surface, by its name.

@@ -83,7 +83,7 @@ def smooth_loop(number, dimension, random):
     return Nurbs(5, [mpq(0)] * 6 + [mpq(1)] * 6, points)
 
 
-def stadium(number, dimension, random):
+def stadium(number, dimension, random, seam=None):
     """A closed chain of straight pieces and quarters of circles, its seam at any knot; turned."""
     end = 2 * mpq(random.randint(1, 3))
     outline = [(0, 0), (end / 2, 0), (end, 0), (end + 1, 0), (end + 1, 1), (end + 1, 2), (end, 2)]
@@ -91,8 +91,14 @@ def stadium(number, dimension, random):
     points = [(mpq(x), mpq(y), mpq(0))[:dimension] for x, y in outline]
     own = [2 if k in (4, 10) else 1 for k in range(13)]
     curve = Nurbs(2, [mpq(0), *[mpq(t) for t in range(7) for _ in range(2)], mpq(6)], points, own)
-    seen = from_seam(curve, mpq(random.randint(1, 5)))[0]
+    seen = from_seam(curve, mpq(seam or random.randint(1, 5)))[0]
     return moved_curve(seen, MOTIONS["rotated"](dimension, random))
+
+
+def round_loop(random, seam=None):
+    """A stadium with its seam where a quarter of a circle begins or ends, and the centres of both."""
+    made = stadium(None, 2, random, seam or random.choice([1, 3, 4]))
+    return made, list(dict.fromkeys(x.shape.centre for x in analyse(made).shapes if hasattr(x.shape, "centre")))
 
 
 def known_curve(names, number, dimension, random):

@@ -3,7 +3,6 @@
 from exactspline.questions.entry import Of
 
 CURVES = (Of.PLANE_CURVE, Of.SPACE_CURVE)
-ALL = (*CURVES, Of.SURFACE, Of.PLANAR_MAP)
 SINGULAR = "knot on a singular point"
 KNOTS = ("knot far away", "knot on what was found", SINGULAR, "knot near what was found")
 OF_SURFACES = ("knot far away", "knot on what was found", "knot near what was found")
@@ -34,10 +33,8 @@ EXEMPTIONS = [
     (CURVES, ("turning_points", "bounding_box"), ("rotated",), "a turned coordinate is none"),
     ((Of.PLANE_CURVE,), ("moments",), ("rotated",), "a turned coordinate is none"),
     ((Of.PLANE_CURVE,), ("area", "moments"), ("common factor", "moebius"), "of curves with equal weights alone"),
-    (ALL, ("derivative",), ("moebius",), "the chain rule is written for affine parameters"),
     ((Of.SPACE_CURVE,), ("plane",), ("rotated",), "of straight curves only planes of constant coordinates are told"),
     ((Of.SURFACE,), ("patches",), OF_SURFACES, "a part of a patch may be of one kind"),
     ((Of.SURFACE,), ("shapes",), OF_SURFACES, "a small part may be nearer to a shape than the whole"),
-    ((Of.SURFACE,), ("ridges",), (*OF_SURFACES, *FORMS), "what is resolved goes with the degree of the forms"),
     ((Of.SURFACE,), ("ridges",), (*OF_SURFACES, *FORMS), "what is resolved goes with the degree of the forms"),
 ]

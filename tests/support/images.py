@@ -116,13 +116,13 @@ class Motion:
 
 
 class Way(NamedTuple):
-    """Where a parameter goes, and whether it runs the other way then; the derivative of the new one by the old one
-    where that is constant. `before` is where its left side goes if that is elsewhere, as at a seam.
+    """Where a parameter goes, and whether it runs the other way then; the first two derivatives of the new one by the
+    old one. `before` is where its left side goes if that is elsewhere, as at a seam.
     """
 
     to: Callable[[mpq], mpq] = lambda t: t
     backwards: bool = False
-    speed: mpq | int | None = 1
+    slopes: Callable[[mpq], tuple[mpq, mpq]] = lambda t: (mpq(1), mpq(0))
     before: Callable[[mpq], mpq] | None = None
 
     def left(self, t):
@@ -131,10 +131,14 @@ class Way(NamedTuple):
 
     def then(self, other):
         """This one, then another."""
-        speed = None if self.speed is None or other.speed is None else self.speed * other.speed
         right, left = (other.left, other.to) if self.backwards else (other.to, other.left)
         backwards = self.backwards != other.backwards
-        return Way(lambda t: right(self.to(t)), backwards, speed, lambda t: left(self.left(t)))
+
+        def slopes(t):
+            (first, second), (outer, bend) = self.slopes(t), other.slopes(self.to(t))
+            return outer * first, bend * first**2 + outer * second
+
+        return Way(lambda t: right(self.to(t)), backwards, slopes, lambda t: left(self.left(t)))
 
 
 THIRD = mpq(1, 3)

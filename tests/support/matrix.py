@@ -371,9 +371,10 @@ def compared(thing, entry, letters, random, counts, asking=ask):
     counts.asked += 1
     given = given_to(entry, thing, random)
     counts.compared.update((of, entry.name, each.name) for each in applied(thing, letters)[2])
-    if differing(thing, entry, given, letters, asking):
+    if first := differing(thing, entry, given, letters, asking):
         shorter = shrunk(thing, entry, given, letters, asking)
-        found, expected = differing(thing, entry, given, shorter, asking)
+        # it differs no more where an answer goes with what was asked before
+        found, expected = differing(thing, entry, given, shorter, asking) or first
         counts.failures.append(Failure(thing, text_of(entry, given), shorter, found, expected))
 
 

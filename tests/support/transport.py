@@ -314,12 +314,18 @@ def as_point(found, values, to):
 
 def as_derivative(found, values, to):
     """A vector, by the chain rule."""
-    orders = [int(x) for x in to.given[1].split(",")]
-    factor = mpq(1)
-    for order, way in zip(orders, to.image.ways, strict=False):
-        factor /= mpq(way.speed) ** order
-    vector = to.image.motion.of_known(list(values.values()), point=False)
-    return (), [x.times(factor) for x in vector]
+    orders, places = [int(x) for x in to.given[1].split(",")], to.given[0].split(",")
+    vector = [x.exact for x in values.values()]
+    slopes = [way.slopes(mpq(t.rstrip("+-"))) for way, t in zip(to.image.ways, places, strict=False)]
+    if orders == [2]:
+        (first, bend), side = slopes[0], "left" if places[0].endswith("-") else "right"
+        lower = to.asked.derivative(1, mpq(places[0].rstrip("+-")), side)
+        # γ_uu = γ_tt / φ′² − γ_t φ″ / φ′³
+        vector = [x / first**2 - y * bend / first**3 for x, y in zip(vector, lower, strict=True)]
+    else:
+        for order, (first, _) in zip(orders, slopes, strict=True):
+            vector = [x / first**order for x in vector]
+    return (), to.image.motion.of_known([known(x) for x in vector], point=False)
 
 
 def as_curvature(found, values, to):
