@@ -24,9 +24,9 @@ SEED = 2028
 #: Of a hundred words, how many are about which kind of object.
 SHARES = {Of.PLANE_CURVE: 50, Of.SPACE_CURVE: 30, Of.TWO_CURVES: 4, Of.SURFACE: 6, Of.PLANAR_MAP: 10}
 KINDS = [of for of, share in SHARES.items() for _ in range(share)]
-#: What takes long is asked in the first word about a kind in so many hundreds: ridges take about a minute.
+#: What takes long is asked once in this many hundreds of words: ridges take about a minute.
 DEAR = {Of.SURFACE: 33, Of.TWO_CURVES: 1}
-#: Knots that are inserted into each segment, and how many times as long a segment may take then.
+#: Knots that are inserted into each segment, and by which factor a segment may take longer then.
 INSERTED, MOST = 7, 3
 
 
