@@ -30,6 +30,7 @@ from exactspline.numbers.intervals import Interval
 from exactspline.numbers.sides import Side
 from exactspline.questions.entry import Answered
 from exactspline.reals.real import Real
+from exactspline.roots.answers import CurvePiece
 from exactspline.roots.root import Root
 from exactspline.splines.nurbs import Nurbs
 
@@ -51,7 +52,8 @@ def feature_sheet(report: Report, digits: int = DIGITS) -> Sheet:
     c = report.curve
     closed = ", closed" if c.closed else ""
     columns = ("what", "parameter", "curvature", *["torsion"] * (c.dimension == 3), "remark")
-    made = Sheet(*columns, title=f"{c.name}: {described(c)}{closed}", name=c.name, prose=["remark"])
+    title = f"{c.name}: {described(c)}{closed}"
+    made = Sheet(*columns, title=title, name=c.name, prose=["remark"], lists=columns[1:-1])
     for kind, where, values, remark in _rows(report, digits):
         made.add_row(kind, where, *(values + [""] * 2)[: len(columns) - 3], remark)
     return made
@@ -78,13 +80,17 @@ def _rows(report: Report, digits: int) -> Iterator[_Row]:
         yield from _own_intersections(cast(Intersections, report.answers[name]), digits)
     for name in _asked(c, Answered.PIECES):
         for piece in report.pieces(name):
-            yield QUESTIONS[name].about.of_piece, str(piece), [], ""
+            yield QUESTIONS[name].about.of_piece, _piece_text(piece, digits), [], ""
     for found in report.shapes:
         # exact lines are among the straight pieces
         if found.kind is not ShapeKind.LINE or found.within:
-            yield str(found.kind), str(found.piece), [], shape_text(found.shape.numbers, found.within)
+            yield str(found.kind), _piece_text(found.piece, digits), [], shape_text(found.shape.numbers, found.within)
     for piece, plane in report.inspection.analysis.planar_pieces:
-        yield QUESTIONS["planar_pieces"].about.of_piece, str(piece), [], f"in the plane {plane}"
+        yield QUESTIONS["planar_pieces"].about.of_piece, _piece_text(piece, digits), [], f"in the plane {plane}"
+
+
+def _piece_text(piece: CurvePiece, digits: int) -> str:
+    return " ∪ ".join(f"[{real_text(a, digits)}, {real_text(b, digits)}]" for a, b in piece.parts)
 
 
 def _feature_row(at: Located, digits: int) -> _Row:

@@ -55,7 +55,7 @@ def pair_sheet(pair: CurvePair, title: str, digits: int = DIGITS) -> Sheet:
     def along(arc: Overlap) -> list[str]:
         return [f"[{', '.join(map(number, ends))}]" for ends in (arc.first, arc.second)]
 
-    made = Sheet("what", "s", "t", "point", "remark", title=title, prose=["remark"])
+    made = Sheet("what", "s", "t", "point", "remark", title=title, prose=["remark"], lists=["s", "t", "point"])
     for point in common:
         at = ", ".join(map(number, point.point))
         made.add_row(point.kind, number(point.first), number(point.second), f"({at})", _remark(point))

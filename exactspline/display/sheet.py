@@ -1,5 +1,5 @@
-"""A table that is never cropped: in columns where there is room, otherwise one block per row; in a pipe one line per
-row; also as CSV and Markdown.
+"""A table that is never cropped: in columns where there is room, with prose below its row where that is too wide,
+otherwise one block per row; in a pipe one line per row; also as CSV and Markdown.
 """
 
 from __future__ import annotations
@@ -42,7 +42,8 @@ COLOURS = {
 class Sheet:
     """A table of texts under headings: one cell per column in each of the ``rows``.
 
-    ``numbers`` names the columns that are aligned to the right, ``prose`` those whose cells may be broken into lines.
+    ``numbers`` names the columns that are aligned to the right, ``prose`` those whose cells may be broken into lines,
+    ``lists`` those whose cells may be broken between their numbers.
     ``name`` is the subject of the table: CSV and Markdown put it into a separate column when several tables are
     combined. Where rows become blocks, the first ``heads`` cells head the block.
 
@@ -64,10 +65,11 @@ class Sheet:
         name: str = "",
         numbers: Iterable[str] = (),
         prose: Iterable[str] = (),
+        lists: Iterable[str] = (),
         heads: int = 1,
     ) -> None:
         self.columns, self.title, self.name, self.heads = columns, visible(title), visible(name), heads
-        self.numbers, self.prose = frozenset(numbers), frozenset(prose)
+        self.numbers, self.prose, self.lists = frozenset(numbers), frozenset(prose), frozenset(lists)
         self.rows: list[tuple[str, ...]] = []
         for row in rows:
             self.add_row(*row)
@@ -100,7 +102,9 @@ class Sheet:
         if width >= PIPE:
             return head + self._aligned()
         widths = self._fitted(width)
-        return head + (self._in_columns(widths) if widths else self._in_blocks(width))
+        if widths is None:
+            return head + (self._with_prose_below(width) or self._in_blocks(width))
+        return head + self._in_columns(widths)
 
     def _fitted(self, width: int) -> list[int] | None:
         """The widths of the columns, with only headings and prose broken; None where they do not fit."""
@@ -112,9 +116,9 @@ class Sheet:
         headings = [max(map(cell_len, name.split()), default=0) for name in self.columns]
         least = list(map(max, cells, headings))
         for i, name in enumerate(self.columns):
-            if name in self.prose:
+            if name in self.prose | self.lists:
                 longest = max((cell_len(word) for row in self.rows for word in words_in(row[i])), default=0)
-                least[i] = min(least[i], max(NARROWEST, longest, headings[i]))
+                least[i] = min(least[i], max(NARROWEST if name in self.prose else 0, longest, headings[i]))
         spare = free - sum(least)
         if spare < 0:
             return None
@@ -145,6 +149,27 @@ class Sheet:
             line.append(("" if name in self.numbers else blank) + " " * GAP)
         line.rstrip()
         return line
+
+    def _with_prose_below(self, width: int) -> list[Text]:
+        """The table in columns, with the prose of a row indented below it; empty where prose is not one of several
+        columns, and where there is no room.
+        """
+        from rich.text import Text
+
+        prose = [i for i, name in enumerate(self.columns) if name in self.prose]
+        rest = [i for i in range(len(self.columns)) if i not in prose]
+        narrow = Sheet(*[self.columns[i] for i in rest], numbers=self.numbers, lists=self.lists)
+        narrow.rows = [tuple(row[i] for i in rest) for row in self.rows]
+        widths = narrow._fitted(width) if len(prose) == 1 and len(rest) > 2 else None
+        if widths is None:
+            return []
+        lines = list[Text]()
+        for row, own in zip([self.columns, *self.rows], [narrow.columns, *narrow.rows], strict=True):
+            heading = row is self.columns
+            lines += narrow._row(own, widths, heading=heading)
+            below = [" " * GAP * 2 + line for i in prose for line in hanging(row[i], width - 2 * GAP)]
+            lines += [Text(line, style="bold" if heading else "") for line in below]
+        return lines
 
     def _aligned(self) -> list[Text]:
         """One line per row, whatever its length."""

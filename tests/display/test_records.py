@@ -6,6 +6,7 @@ import pytest
 
 import exactspline as xs
 from exactspline.display.records import answer_data, answer_sheet, records
+from exactspline.display.sheet import Sheet
 from exactspline.geometry.analysis.ask import asked_of, facts_about, kind_of
 from exactspline.geometry.analysis.registry import REGISTRY
 from exactspline.questions.entry import Of
@@ -84,3 +85,23 @@ def test_records_make_a_data_frame_and_dictionaries_are_json():
 
 def test_every_kind_of_object_is_tried():
     assert {kind_of(facts_about(xs.example(name))) for name in OBJECTS.values()} == {*OBJECTS}
+
+
+def test_a_table_keeps_its_columns_where_prose_does_not_fit():
+    """Blocks of three lines before; nothing is cropped, and the prose stands below its row."""
+    names = ["curve", "degree", "points", "a heading that is as wide as a cell", "note"]
+    sheet = Sheet(*names, rows=[("circle", 2, 9, "1.25 | -1.5", "a note of several words " * 3)], prose=["note"])
+    lines = sheet.text(60).splitlines()
+    assert lines[0].split()[:3] == names[:3]
+    assert lines[1] == "    note"
+    assert lines[2].split() == ["circle", "2", "9", "1.25", "|", "-1.5"]
+    assert " ".join(" ".join(lines[3:]).split()) == ("a note of several words " * 3).strip()
+    assert max(map(len, lines)) <= 60
+
+
+def test_a_cell_with_two_numbers_is_broken_between_them():
+    sheet = Sheet("what", "value", rows=[("limits", "1.23456789012 | -1.23456789012")], lists=["value"])
+    lines = sheet.text(24).splitlines()
+    assert [line.split() for line in lines] == [
+        ["what", "value"], ["limits", "1.23456789012", "|"], ["-1.23456789012"],
+    ]  # fmt: skip
