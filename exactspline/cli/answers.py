@@ -35,8 +35,8 @@ def answer_about_curves(
     from exactspline.questions.entry import ALL_CURVES
 
     read, good = found
-    _answer(out, [({"curve": x.curve.name} | x.data(), x.curve) for x in read], asked, digits, ALL_CURVES, certificates)
-    _end(good)
+    given = [({"curve": x.curve.name} | x.data(), x.curve) for x in read]
+    _answer(out, given, asked, digits, ALL_CURVES, certificates=certificates, good=good)
 
 
 def answer_about_pair(out: Output, pair: CurvePair, asked: list[str], digits: int) -> None:
@@ -52,17 +52,18 @@ def answer_about_surfaces(
     """Answer questions about surfaces and maps of the plane; `good` is whether all could be read."""
     from exactspline.questions.entry import Of
 
-    _answer(out, [({"surface": x.name}, x) for x in surfaces], asked, digits, (Of.SURFACE, Of.PLANAR_MAP))
-    _end(good)
-
-
-def _end(good: bool) -> None:
-    if not good:
-        raise Exit(2)
+    _answer(out, [({"surface": x.name}, x) for x in surfaces], asked, digits, (Of.SURFACE, Of.PLANAR_MAP), good=good)
 
 
 def _answer(
-    out: Output, given: _Asked, asked: list[str], digits: int, kinds: Iterable[Of], certificates: bool = False
+    out: Output,
+    given: _Asked,
+    asked: list[str],
+    digits: int,
+    kinds: Iterable[Of],
+    *,
+    certificates: bool = False,
+    good: bool = True,
 ) -> None:
     """Print the answers: exact values, certified intervals, correctly rounded doubles."""
     from exactspline.display.records import answer_data, answer_sheet, records
@@ -96,4 +97,5 @@ def _answer(
             rows.append(row)
     distinguish(rows)
     out.give("answers", rows, sheets, by="answer")
-    _end(not any(row["error"] for row in rows))
+    if not good or any(row["error"] for row in rows):
+        raise Exit(2)

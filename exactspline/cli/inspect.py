@@ -88,6 +88,7 @@ Plot = Annotated[
 Coordinates = Annotated[
     bool, Option("--coordinates", help="Also list where a coordinate is largest or smallest (for type design).")
 ]
+All = Annotated[bool, Option("--all", help="List also what only rounded numbers add to a circle or a sphere.")]
 Certificates = Annotated[
     bool, Option("--certificates", help="With --ask: put the certificates of the zero sets into the JSON.")
 ]
@@ -123,6 +124,7 @@ def inspect(
     surfaces: Surfaces = False,
     approximate: Approximate = "",
     coordinates: Coordinates = False,
+    with_all: All = False,
     certificates: Certificates = False,
     certificate: CertificateFile = "",
     emit_coq: CoqFile = "",
@@ -142,7 +144,7 @@ def inspect(
         "--emit-coq": emit_coq,
     }
     if ask:
-        refuse_with_ask(for_curves | {"--plot": plot})
+        refuse_with_ask(for_curves | {"--plot": plot, "--all": with_all})
         near = with_distance(ask, epsilon, ())
         if epsilon and near == ask:
             remedy = "it is for those that end in _within, such as features_within"
@@ -155,7 +157,7 @@ def inspect(
         if len(with_surfaces) < len(read):
             raise OptionsError("surfaces and curves", remedy="inspect them one after the other")
         for_curves |= {"--approximate": approximate, "--certificates": certificates}
-        _inspect_surfaces(out, with_surfaces, ask, for_curves, digits, plot, epsilon, good)
+        _inspect_surfaces(out, with_surfaces, ask, for_curves, digits, plot, epsilon, good, with_all)
     elif ask:
         answer_about_curves(out, read_curves(read, good), ask, digits, certificates=certificates)
     else:
@@ -166,7 +168,7 @@ def inspect(
         if emit_coq and found:
             write_theorems(emit_coq, found[0].curve)
         inspected = [
-            _inspected(replace(each, curve=c), approach or MINIMAL, digits, coordinates, epsilon, stability)
+            _inspected(replace(each, curve=c), approach or MINIMAL, digits, coordinates, epsilon, stability, with_all)
             for each in found
             for c in also_in_their_planes([in_the_plane(each.curve)])
         ]
@@ -184,6 +186,7 @@ def _inspect_surfaces(
     plot: str,
     epsilon: str,
     good: bool,
+    with_all: bool,
 ) -> None:
     """The surfaces in what was read; `for_curves` are the options that are only for curves."""
     from exactspline.cli.surfaces import inspect_surfaces, surfaces_in
@@ -196,7 +199,7 @@ def _inspect_surfaces(
         return
     if epsilon:
         check_distance(epsilon)
-    inspect_surfaces(out, own, digits, plot, epsilon, good=good)
+    inspect_surfaces(out, own, digits, plot, epsilon, good=good, with_all=with_all)
 
 
 def _see_that_they_fit(found: Sequence[Read], approach: str, epsilon: str, emit_coq: str) -> None:
@@ -281,7 +284,9 @@ class Inspected(NamedTuple):
         return sum(len(answer) for answer in self.report.answers.values() if isinstance(answer, Places))
 
 
-def _inspected(read: Read, approach: str, digits: int, coordinates: bool, epsilon: str, stability: bool) -> Inspected:
+def _inspected(
+    read: Read, approach: str, digits: int, coordinates: bool, epsilon: str, stability: bool, with_all: bool
+) -> Inspected:
     """A curve, and what is asked of it."""
     from exactspline.geometry.analysis.inspection import Report, inspect_curve
     from exactspline.numbers.exact import text
@@ -290,7 +295,7 @@ def _inspected(read: Read, approach: str, digits: int, coordinates: bool, epsilo
     found = inspect_curve(read.curve, MINIMAL if approach == ALL else approach)
     within = distance(epsilon, read.curve) if epsilon else None
     written = text(within) if within is not None and epsilon == WRITTEN else epsilon
-    return Inspected(read, Report(found, written, within, stability, coordinates, approach == ALL), digits)
+    return Inspected(read, Report(found, written, within, stability, coordinates, approach == ALL, with_all), digits)
 
 
 def _proofs(found: Inspection) -> list[dict[str, object]]:

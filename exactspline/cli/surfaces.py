@@ -49,12 +49,19 @@ def surfaces_in(name: str, reading: Reading, why: str = "without --surfaces thes
 
 
 def inspect_surfaces(
-    out: Output, surfaces: Sequence[NurbsSurface], digits: int, plot: str, epsilon: str, *, good: bool
+    out: Output,
+    surfaces: Sequence[NurbsSurface],
+    digits: int,
+    plot: str,
+    epsilon: str,
+    *,
+    good: bool,
+    with_all: bool = False,
 ) -> None:
     """Print what surfaces have; a bad one is reported and the rest goes on. `good` is whether all could be read."""
     if plot and len(surfaces) > 1:
         raise OptionsError("--plot and several surfaces", remedy="draw them one by one")
-    inspected, all_good = each_read(surfaces, lambda surface: _inspected(surface, digits, plot, epsilon))
+    inspected, all_good = each_read(surfaces, lambda surface: _inspected(surface, digits, plot, epsilon, with_all))
     good = good and all_good
     out.give(
         "inspect surface",
@@ -67,7 +74,9 @@ def inspect_surfaces(
         raise Exit(2)
 
 
-def _inspected(surface: NurbsSurface, digits: int, plot: str, epsilon: str) -> tuple[dict[str, object], list[Sheet]]:
+def _inspected(
+    surface: NurbsSurface, digits: int, plot: str, epsilon: str, with_all: bool
+) -> tuple[dict[str, object], list[Sheet]]:
     """What a surface has as data and as tables, and the picture where one is requested."""
     from exactspline.display.answer_forms import FORMS, FORMS_BESIDE, surface_inspection_data
     from exactspline.display.forms import list_of
@@ -86,11 +95,11 @@ def _inspected(surface: NurbsSurface, digits: int, plot: str, epsilon: str) -> t
         _drawn(found, plot)
     data = surface_inspection_data(found, digits)
     if not epsilon:
-        return data, [surface_sheet(found, digits)]
+        return data, [surface_sheet(found, digits, with_all=with_all)]
     shapes, umbilics = found.shapes_within(epsilon), found.umbilics_within(epsilon)
     data |= {"shapes": list_of(FORMS[RecognizedPart]).write(shapes, digits), "epsilon": epsilon}
     data["umbilics_within"] = FORMS_BESIDE["inspect surface"]["umbilics_within"].write(umbilics, digits)
-    sheets = [surface_sheet(found, digits, shapes)]
+    sheets = [surface_sheet(found, digits, shapes, with_all=with_all)]
     if umbilics:
         sheets.append(nearby_umbilics_sheet(umbilics, f"All surfaces within {epsilon} of {surface.name}"))
     return data, sheets

@@ -51,9 +51,6 @@ from exactspline.geometry.analysis.inspection import Approach, Report, inspect_c
 from exactspline.geometry.analysis.planar_maps import MapInspection
 from exactspline.geometry.analysis.surfaces import SurfaceInspection
 from exactspline.geometry.bisectors.common import Bisector
-from exactspline.geometry.bisectors.plane_curves import PlaneBisector
-from exactspline.geometry.bisectors.point_and_curve import PointBisector
-from exactspline.geometry.bisectors.trimmed import TrimmedBisector
 from exactspline.geometry.bisectors.two_curves import CurveBisector
 from exactspline.geometry.curves.joints import Joint
 from exactspline.geometry.curves.kinds import Feature, FeatureKind
@@ -87,16 +84,9 @@ def _any_of(*forms: Form) -> Form:
 
 def bisector_answer(found: Bisector, digits: int) -> Data:
     """A bisector as data."""
-    match found:
-        case CurveBisector():
-            return bisector_data.curve_bisector_data(found) | answers_data(found, digits)
-        case PlaneBisector():
-            return bisector_data.plane_bisector_data(found, digits)
-        case PointBisector():
-            return bisector_data.point_bisector_data(found, digits)
-        case TrimmedBisector():
-            return bisector_data.trimmed_data(found, digits)
-    raise TypeError(type(found))
+    if isinstance(found, CurveBisector):
+        return bisector_data.curve_bisector_data(found) | answers_data(found, digits)
+    return bisector_data.WRITTEN[type(found)](found, digits)
 
 
 #: The form of an answer, or of one of its elements, by its type.
@@ -235,14 +225,13 @@ def inspection_data(
 def report_data(report: Report, digits: int, tick: Callable[[], None] = lambda: None) -> Data:
     """What is said of a curve as data; `tick` is called after every feature."""
     curve, facts, beside = report.curve, report.inspection.analysis, FORMS_BESIDE["inspect"]
-    data: Data = {"curve": curve.name, "approach": report.inspection.approach, "closed": curve.closed}
-    data["digits"] = digits
+    approach = report.inspection.approach
+    data: Data = {"curve": curve.name, "approach": approach, "closed": curve.closed, "digits": digits}
     for name, answer in report.answers.items():
         data[name] = form_of(QUESTIONS[name]).write(placed(facts, answer, tick), digits)
     if report.within is not None:
         data["epsilon"] = report.epsilon
-        for name, found in (("nearby", report.nearby), ("meetings", report.meetings)):
-            data[name] = beside[name].write(found, digits)
+        data |= {name: beside[name].write(getattr(report, name), digits) for name in ("nearby", "meetings")}
     if report.with_stability:
         data["stability"] = beside["stability"].write(report.stable, digits)
     if report.with_coordinates:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from enum import StrEnum
 from operator import itemgetter
 from typing import Any, NamedTuple
@@ -319,6 +319,14 @@ def trimmed_data(bisector: TrimmedBisector, digits: int) -> Data:
     form = record(pieces=list_of(FORMS_OF_POINT[TrimmedPiece]), missing=_TEXTS, left_out=_TEXTS)
     data: Data = form.write(bisector, digits)
     return {"kind": "trimmed bisector"} | data | {"complete": not bisector.left_out}
+
+
+#: How bisectors in one part are written, by their types.
+WRITTEN: dict[type, Callable[[Any, int], Data]] = {
+    PlaneBisector: plane_bisector_data,
+    PointBisector: point_bisector_data,
+    TrimmedBisector: trimmed_data,
+}
 
 
 # ---- as text

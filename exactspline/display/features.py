@@ -12,7 +12,7 @@ from exactspline.display.numbers import decimal, rounded_down
 from exactspline.display.reals import DIGITS, READABLE, closed_form_data, real_text
 from exactspline.display.serialize import Located, located
 from exactspline.display.sheet import Sheet
-from exactspline.errors import ExactSplineError
+from exactspline.errors import ExactSplineError, counted
 from exactspline.geometry.analysis.curves import QUESTIONS, questions_about
 from exactspline.geometry.analysis.inspection import Report
 from exactspline.geometry.curves import balls
@@ -48,7 +48,9 @@ REMARKS = (
 
 
 def feature_sheet(report: Report, digits: int = DIGITS) -> Sheet:
-    """The features of a curve, one per row; a parameter exactly where that is short."""
+    """The features of a curve, one per row; a parameter exactly where that is short. What only rounded numbers add to a
+    circle (`Analysis.below_rounding`) is one row, unless the report is of all.
+    """
     c = report.curve
     closed = ", closed" if c.closed else ""
     columns = ("what", "parameter", "curvature", *["torsion"] * (c.dimension == 3), "remark")
@@ -64,9 +66,20 @@ _Row = tuple[str, str, list[str], str]
 
 
 def _rows(report: Report, digits: int) -> Iterator[_Row]:
-    c = report.curve
-    for name in _asked(c, Answered.PLACES):
-        yield from (_feature_row(located(c, f), digits) for f in report.places(name))
+    c, facts = report.curve, report.inspection.analysis
+    found = [f for name in _asked(c, Answered.PLACES) for f in report.places(name)]
+    shown = [f for f in found if report.with_all or not facts.below_rounding(f)]
+    shapes: list[_Row] = [
+        (str(each.kind), _piece_text(each.piece, digits), [], shape_text(each.shape.numbers, each.within))
+        for each in report.shapes
+        # exact lines are among the straight pieces
+        if each.kind is not ShapeKind.LINE or each.within
+    ]
+    if below := len(found) - len(shown):
+        yield from shapes
+        why = f"not of all curves within {decimal(facts.rounding, 4)}; --all lists them"
+        yield f"{counted(below, 'feature')} below the rounding", "", [], why
+    yield from (_feature_row(located(c, f), digits) for f in shown)
     for axis, places in zip("xyz", report.coordinate_extrema, strict=False):
         for f in places:
             curvature = [_values(located(c, f), values_along.curvature, digits)]
@@ -81,10 +94,7 @@ def _rows(report: Report, digits: int) -> Iterator[_Row]:
     for name in _asked(c, Answered.PIECES):
         for piece in report.pieces(name):
             yield QUESTIONS[name].about.of_piece, _piece_text(piece, digits), [], ""
-    for found in report.shapes:
-        # exact lines are among the straight pieces
-        if found.kind is not ShapeKind.LINE or found.within:
-            yield str(found.kind), _piece_text(found.piece, digits), [], shape_text(found.shape.numbers, found.within)
+    yield from [] if below else shapes
     for piece, plane in report.inspection.analysis.planar_pieces:
         yield QUESTIONS["planar_pieces"].about.of_piece, _piece_text(piece, digits), [], f"in the plane {plane}"
 

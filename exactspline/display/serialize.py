@@ -82,6 +82,7 @@ class Located(NamedTuple):
     root: Root
     joint: Joint | None = None
     coordinate: int | None = None
+    below_rounding: bool | None = None
 
     @property
     def point(self) -> tuple[mpq | Real, ...] | None:
@@ -105,7 +106,9 @@ def located(curve: Nurbs, of: Feature | Joint, coordinate: int | None = None) ->
     """A feature or a joint with what is needed to tell it."""
     if isinstance(of, Joint):
         return Located(curve, of, knot_root(of.parameter), of)
-    return Located(curve, of, of.root, analyse(curve).joint(of.root.low) if of.at_knot else None, coordinate)
+    facts = analyse(curve)
+    joint = facts.joint(of.root.low) if of.at_knot else None
+    return Located(curve, of, of.root, joint, coordinate, facts.below_rounding(of) or None)
 
 
 def _limits(quantity: Callable[[Nurbs, Root, Side], Real]) -> tuple[Form, Callable[[Located], list[Real] | None]]:
@@ -137,6 +140,7 @@ FEATURE = record(
     curvature=_CURVATURE,
     torsion=(_TORSION[0], lambda at: None if at.curve.dimension < 3 else _TORSION[1](at)),
     coordinate=optional(INTEGER),
+    below_rounding=optional(FLAG),
 )
 #: A joint: its kind and order of geometric continuity, the angle of a corner, the width of a gap, and the curvatures of
 #: both sides where they differ.

@@ -30,6 +30,7 @@ from exactspline.display.forms import (
     pair_of,
     record,
 )
+from exactspline.display.numbers import decimal
 from exactspline.display.reals import real_text
 from exactspline.display.serialize import ANGLE, NUMBERS
 from exactspline.display.sheet import Sheet
@@ -251,8 +252,16 @@ def nearby_umbilics_sheet(found: Sequence[NearbyUmbilic], title: str) -> Sheet:
 COVERED = {True: "covered once", False: "perhaps covered twice"}
 
 
-def surface_sheet(inspection: SurfaceInspection, digits: int, shapes: Sequence[RecognizedPart] | None = None) -> Sheet:
-    """The features of a surface, one per row; its shapes are those within 10⁻⁹ of its size if others are not given."""
+def surface_sheet(
+    inspection: SurfaceInspection,
+    digits: int,
+    shapes: Sequence[RecognizedPart] | None = None,
+    *,
+    with_all: bool = False,
+) -> Sheet:
+    """The features of a surface, one per row; its shapes are those within 10⁻⁹ of its size if others are not given. The
+    umbilics that rounded numbers add to a sphere are one row, unless all are listed.
+    """
     surface = inspection.surface
     closed = f", closed in {' and '.join(along.value for along in inspection.closed)}" if inspection.closed else ""
     title = f"{surface.name}: {described_surface(surface)}{closed}{'' if inspection.complete else INCOMPLETE}"
@@ -270,7 +279,12 @@ def surface_sheet(inspection: SurfaceInspection, digits: int, shapes: Sequence[R
         made.add_row("parabolic curve", *_extent_of(curve), _of_curve(curve))
     for place in inspection.parabolic_points:
         made.add_row("parabolic point", *_parameters(place, digits), "K = 0 at this point only")
-    for umbilic in inspection.umbilics:
+    below = () if with_all else inspection.umbilics_below_rounding
+    if below:
+        what = f"{counted(len(below), 'umbilic')} below the rounding"
+        why = f"not of all surfaces within {decimal(inspection.rounding, 4)}; --all lists them"
+        made.add_row(what, "", "", why)
+    for umbilic in [each for each in inspection.umbilics if each not in below]:
         made.add_row("umbilic", *_parameters(umbilic.place, digits), _of_umbilic(umbilic))
     for curve in inspection.umbilic_curves:
         made.add_row("umbilic curve", *_extent_of(curve), _of_curve(curve))

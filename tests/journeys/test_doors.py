@@ -213,6 +213,7 @@ OPTIONS = {
     "verify": ("f2", "f2", CUSP),
     "write": ([CUSP], "written.json"),
     "wronskian": (xs.language.Vector(T, T * T),),
+    "zero_curve": (VALUES["tensor spline"],),
     "zeros": (T * T - 2,),
 }
 

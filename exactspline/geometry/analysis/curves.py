@@ -24,7 +24,8 @@ from exactspline.geometry.filter.certain import Certain, certain
 from exactspline.geometry.pairs.intersections import Intersections, self_intersections
 from exactspline.geometry.pairs.nearest import Nearest, nearest
 from exactspline.geometry.pairs.winding import winding_number
-from exactspline.geometry.recognition.pieces import RecognizedPiece, recognized
+from exactspline.geometry.recognition.pieces import RecognizedPiece, recognized, small_distance
+from exactspline.geometry.recognition.shapes import ShapeKind
 from exactspline.geometry.rounded.features import NearbyFeature, features_nearby, singular_points_nearby
 from exactspline.geometry.rounded.intersections import NearbyMeeting, self_intersections_nearby
 from exactspline.geometry.rounded.stability import StableFeature, stability
@@ -288,6 +289,29 @@ class Analysis(CurveValues, Displayed):
         [('ellipse: centre (0, 0), half axes (2, 1)', True)]
         """
         return recognized(self.curve)
+
+    @Fact
+    def rounding(self) -> mpq:
+        """10⁻⁹ of the size of a curve that is within this distance of one circle, and not on it; 0 for another curve.
+
+        >>> from exactspline import Nurbs, example
+        >>> arc = Nurbs(2, [0, 0, 0, 1, 1, 1], [(1, 0), (1, 1), (0, 1)], [1, "0.70710678118654752", 1])
+        >>> [analyse(curve).rounding for curve in (arc, example("circle"))]
+        [mpq(1,1000000000), mpq(0,1)]
+        """
+        circles = [found for found in self.shapes if found.kind is ShapeKind.CIRCLE]
+        widths = (b - a for found in circles for a, b in found.piece.parts)
+        is_whole = len(circles) == 1 and sum(widths, mpq(0)) == self.curve.domain.width
+        return small_distance(self.curve) if is_whole and circles[0].within else mpq(0)
+
+    def below_rounding(self, feature: Feature) -> bool:
+        """Whether an inflection or an extremum of κ is what rounded numbers add to a circle: the curve is near one, and
+        not all curves within the distance `rounding` of it have the feature.
+        """
+        if not self.rounding or feature.kind.is_singular:
+            return False
+        robust = [near for near in self.features_within(self.rounding) if near.certain]
+        return not any(near.kind is feature.kind and feature.root in near.piece for near in robust)
 
     @question_with(WITHIN, *CURVES, answered=Answered.DESCRIBED, nearby=True)
     def shapes_within(self, epsilon: Number) -> tuple[RecognizedPiece, ...]:

@@ -100,6 +100,7 @@ class Report(OneLine):
     with_stability: bool = False
     with_coordinates: bool = False
     with_approaches: bool = False
+    with_all: bool = False
 
     @property
     def curve(self) -> Nurbs:

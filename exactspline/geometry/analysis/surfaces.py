@@ -19,6 +19,7 @@ from exactspline.bivariate.zero_lines import LinesOfPatch, ZeroLine, without_lin
 from exactspline.errors import ReachError
 from exactspline.geometry.analysis.surface_values import CurvatureValues
 from exactspline.geometry.recognition.patches import RecognizedPart, recognized_surface
+from exactspline.geometry.recognition.shapes import ShapeKind
 from exactspline.geometry.rounded.umbilics import NearbyUmbilic, umbilics_nearby
 from exactspline.geometry.surfaces.constant import constant_curvature
 from exactspline.geometry.surfaces.degenerate import Pole, closed_along, is_point, pole_at
@@ -333,6 +334,35 @@ class SurfaceInspection(CurvatureValues, Displayed):
         [('cone: apex (0, 0, 2), axis (0, 0, 1), tan 1/2', True)]
         """
         return recognized_surface(self.surface)
+
+    @Fact
+    def rounding(self) -> mpq:
+        """The distance of a surface from one sphere, if it is at most 10⁻⁹ of its size; 0 for another surface, and on a
+        sphere.
+
+        >>> from exactspline import analyse, example
+        >>> analyse(example("sphere")).rounding
+        mpq(0,1)
+        """
+        return next((part.within for part in self.shapes if part.kind is ShapeKind.SPHERE and part.whole), mpq(0))
+
+    @Fact
+    def umbilics_below_rounding(self) -> tuple[Umbilic, ...]:
+        """The umbilics that rounded numbers add to a sphere: not all surfaces within the distance `rounding` of the
+        surface have them.
+
+        >>> from exactspline import analyse, example
+        >>> analyse(example("ellipsoid")).umbilics_below_rounding
+        ()
+        """
+        if not self.rounding:
+            return ()
+        robust = [near.sides for near in self.umbilics_within(self.rounding) if near.certain]
+        return tuple(
+            found
+            for found in self.umbilics
+            if not any(all(a <= t <= b for t, (a, b) in zip(found.place.spot, box, strict=True)) for box in robust)
+        )
 
     @question_with(WITHIN, Of.SURFACE, answered=Answered.SHAPES, nearby=True)
     def shapes_within(self, epsilon: Number) -> tuple[RecognizedPart, ...]:
