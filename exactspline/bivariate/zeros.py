@@ -25,7 +25,7 @@ from exactspline.bivariate.singular_points import PointKind, SingularPoint, sing
 from exactspline.bivariate.zero_curve import Shape, ZeroCurve
 from exactspline.bivariate.zero_curve_certificate import zero_curve_certificate
 from exactspline.bivariate.zero_lines import LinesOfPatch, ZeroLine, without_lines, zero_lines
-from exactspline.errors import ReachError
+from exactspline.errors import ReachError, as_instance, as_items
 from exactspline.numbers.exact import mpq
 from exactspline.numbers.intervals import Box, Interval
 from exactspline.numbers.once import cached_property
@@ -334,7 +334,8 @@ def zero_curve(function: TensorSpline, closed: Iterable[Along] = ()) -> ZeroCurv
 
     Raises `ShapeError` for anything but a function of two parameters.
     """
-    f, ring = function_of_two(function), tuple(closed)
+    f = function_of_two(function)
+    ring = tuple(as_instance(x, Along, "a direction", "write Along.U") for x in as_items(closed, "directions"))
     found, undecided = list[_OnPatch](), list[Box]()
     with drawing_on(_budget(f)):
         for patch, sides in _patches(f):

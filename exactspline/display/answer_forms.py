@@ -181,11 +181,10 @@ def placed(facts: Remembers, answer: object, tick: Callable[[], None] = lambda: 
     """
     if not isinstance(facts, Analysis):
         return answer
-    curve = facts.curve
     if isinstance(answer, Places):
-        return SimpleNamespace(points=_ticking(curve, answer, tick), everywhere=answer.everywhere)
+        return SimpleNamespace(points=_ticking(facts.curve, answer, tick), everywhere=answer.everywhere)
     if isinstance(answer, tuple):
-        return [located(curve, each) if isinstance(each, Joint) else each for each in answer]
+        return [located(facts.curve, each) if isinstance(each, Joint) else each for each in answer]
     return answer
 
 
