@@ -45,9 +45,7 @@ class Affine:
         """The image of a point, or of ``w x`` where the homogeneous coordinates of the point are ``(w x, w)`` (w = 0
         for a vector).
         """
-        return tuple(
-            sum((a * x for a, x in zip(row, point, strict=False)), start=mpq(0)) + row[-1] * weight for row in self.rows
-        )
+        return tuple(dot(row[:-1], point) + row[-1] * weight for row in self.rows)
 
     def homogeneous(self, point: Sequence[mpq]) -> tuple[mpq, ...]:
         """The image of a homogeneous point ``(w x, w y, …, w)``."""

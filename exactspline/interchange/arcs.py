@@ -125,9 +125,47 @@ class Round:
     def arc(self, start: Point, end: Point) -> list[Segment]:
         """The arc counter-clockwise between two points of the unit circle, the whole curve where they are the same."""
         gap = [a - b for a, b in zip(start, end, strict=True)]
-        if self.moved and self.error is not None and 0 < dot(gap, gap) < 16 * self.error**2:
+        if self.moved and self.error is not None and dot(gap, gap) < 16 * self.error**2:
             raise ShapeError("the ends are nearer to each other than E", remedy="give a smaller --approximate E")
         return mapped(arc_around_origin(start, end), self.frame)
+
+
+def through_ends(
+    form: Sequence[mpq], start: Point, end: Point, within: mpq | None, notes: list[str]
+) -> tuple[Sequence[mpq], Point]:
+    """The ellipse about the same centre, given by its equation (see `conic_arc`), that passes through the start of an
+    arc, and the end of the arc moved onto it, both by at most half of an error. Another conic stays as it is,
+    and every one without an error.
+
+    >>> form, notes = [mpq(1), mpq(0), mpq(1), mpq(0), mpq(0), mpq(-24, 25)], []
+    >>> form, end = through_ends(form, (mpq(1), mpq(0)), (mpq(0), mpq(99, 100)), mpq(1, 5), notes)
+    >>> form[-1], end[0] ** 2 + end[1] ** 2 == 1, notes[1:]
+    (mpq(-1,1), True, ['an end is moved by 0.0141 onto the curve'])
+
+    Raises `ShapeError` where they are further away.
+    """
+    (a, b, c, d, e, f), w = form, [q - p for p, q in zip(start, end, strict=True)]
+    determinant = 4 * a * c - b * b
+    if within is None or determinant <= 0:
+        return form, end
+
+    def value(x: mpq, y: mpq) -> mpq:
+        return (a * x + b * y + d) * x + (c * y + e) * y
+
+    centre = (b * e - 2 * c * d) / determinant, (b * d - 2 * a * e) / determinant
+    level, size = -value(*start), -value(*centre) - f
+    # its points move away from the centre in proportion; the squared half axis is at most 4 (a + c) size / determinant
+    if not size or not 0 <= 16 * (f - level) ** 2 * (a + c) / (size * determinant) <= within**2:
+        raise ShapeError("a start of an arc that is not near its ellipse", remedy=f"correct it; {APPROXIMATE}")
+    notes += [f"the ellipse is moved by at most {text(within / 2)} onto its start"] if f != level else []
+    if any(w):
+        # the other point of the line through both ends
+        (x, y), square = start, value(*w) - d * w[0] - e * w[1]
+        t = 1 - (value(x + w[0], y + w[1]) - value(x, y)) / square
+        found = (x + t * w[0], y + t * w[1])
+        notes += [moved(found, end, within / 2)] if found != tuple(end) else []
+        end = found
+    return [a, b, c, d, e, level], end
 
 
 def moved(to: Sequence[mpq], point: Sequence[mpq], within: mpq | None) -> str:

@@ -19,6 +19,8 @@ from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.surface import NurbsSurface
 
 Points = Sequence[Sequence[mpq]]
+#: Of what is of a kind that a reader does not know.
+UNREAD = "not read; write it as a spline"
 EQUAL = "written as rational, but its weights are equal: a polynomial curve"
 T = TypeVar("T")
 
@@ -51,7 +53,7 @@ class Collector:
         self.curves, self.surfaces, self.skipped, self._notes = [], [], [], {}
         return collected
 
-    def skip(self, what: str, where: str, why: str, *, curve: bool = True) -> None:
+    def skip(self, what: str, where: str, why: str = UNREAD, *, curve: bool = True) -> None:
         """Record an entity that is not read; `curve` states whether a curve is missing as a result."""
         self.count(1)
         self.skipped.append(Skipped(what, where, why, curve, (len(self.curves), len(self.surfaces))))

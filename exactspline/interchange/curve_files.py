@@ -54,13 +54,9 @@ def curve_from_data(given: Mapping[str, object], name: str = "", limits: Limits 
         if not isinstance(data.get(field, []), list) and not (field == "weights" and data[field] is None):
             raise CurveFileError("is not a list", where=field, remedy="write a JSON list")
     weights = data.get("weights")
-    return Nurbs(
-        whole_degree(data["degree"]),
-        numbers_of(data["knots"], "knots", limits),
-        points_of(data["control_points"], limits=limits),
-        None if weights is None else numbers_of(weights, "weights", limits),
-        **_labels(data, name),
-    )
+    own = None if weights is None else numbers_of(weights, "weights", limits)
+    knots, points = numbers_of(data["knots"], "knots", limits), points_of(data["control_points"], limits=limits)
+    return Nurbs(whole_degree(data["degree"]), knots, points, own, **_labels(data, name))
 
 
 def _labels(data: Mapping[str, object], name: str) -> dict[str, str]:
@@ -160,14 +156,9 @@ def surface_from_data(given: Mapping[str, object], name: str = "", limits: Limit
         place = f"control_points[{i}]"
         net.append(points_of(_list(row, place), place, limits))
     weights = data.get("weights")
-    return NurbsSurface(
-        (degree[0], degree[1]),
-        numbers_of(knots[0], "knots[0]", limits),
-        numbers_of(knots[1], "knots[1]", limits),
-        net,
-        None if weights is None else _numbers(weights, limits),
-        **_labels(data, name),
-    )
+    own = None if weights is None else _numbers(weights, limits)
+    u, v = (numbers_of(row, f"knots[{i}]", limits) for i, row in enumerate(knots))
+    return NurbsSurface((degree[0], degree[1]), u, v, net, own, **_labels(data, name))
 
 
 def _list(value: Any, where: str, count: int | None = None) -> list[Any]:

@@ -197,13 +197,11 @@ def _by_suffix(path: str) -> Format:
 def _recognized(data: bytes, name: str) -> Format:
     head, suffix = data[:HEAD], Path(name).suffix.lower()
     # a name in JSON may look like another format: <svg …, [OBJECT …
-    in_json = own_json.looks_like(head)
+    in_json, elsewhere = own_json.looks_like(head), any(suffix in each.suffixes for each in formats())
     for known in (each for each in formats() if not in_json or ".json" in each.suffixes):
         # text that begins with a brace is not necessarily JSON: if the suffix belongs to another format, that one reads
         # it
-        braced = (
-            known.suffixes == (".json",) and suffix != ".json" and any(suffix in each.suffixes for each in formats())
-        )
+        braced = known.suffixes == (".json",) and suffix != ".json" and elsewhere
         if known.looks_like(head) and not braced:
             return known
     try:

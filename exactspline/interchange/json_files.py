@@ -88,8 +88,7 @@ def number_of(value: object, where: str = "", limits: Limits = USUAL) -> Number:
     if len(size) > len(str(most)) or int(size or 0) > most:
         raise NumberError(f"the exponent {exponent[:20]!r}", where=where, remedy=f"exponents up to {most} are read")
     if len(value) > LONGER * limits.digits:
-        problem = f"a number of {counted(len(value), 'character')}"
-        raise NumberError(problem, where=where, remedy="read with a larger limit of digits")
+        raise NumberError(f"a number of {counted(len(value), 'character')}", where=where, remedy="raise Limits.digits")
     return str(value)
 
 

@@ -160,11 +160,8 @@ class NumberText:
         if text is not None and len(text) <= self.longest:
             return text
         if not self.rounding:
-            problem = (
-                "has no finite decimal expansion"
-                if text is None
-                else f"takes {counted(len(text), 'character')}, but this format allows {self.longest}"
-            )
+            problem = f"takes {counted(len(text or ''), 'character')}, but this format allows {self.longest}"
+            problem = problem if text else "has no finite decimal expansion"
             raise NumberError(f"{shown(str(value)).strip(chr(39))} {problem}", remedy=_REMEDY)
         self.rounded += 1
         return repr(finite_double(value)).replace("e", "E")

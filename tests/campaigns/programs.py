@@ -97,7 +97,7 @@ def of_open_cascade(random, suffix):
             gp_Pnt(*(random.uniform(-9, 9) for _ in range(3))), gp_Dir(*(random.gauss(0, 1) for _ in range(3)))
         )
         radius = random.uniform(0.5, 50)
-        round_one = random.random() < 0.6 or suffix == "igs"
+        round_one = random.random() < 0.6
         curve = (
             Geom_Circle(axes, radius) if round_one else Geom_Ellipse(axes, radius, radius * random.uniform(0.1, 0.9))
         )

@@ -25,7 +25,9 @@ def test_from_one_format_to_another(tmp_path):
     done = run(source, target)
     assert done.exit_code == 2  # 0 before, although a curve is left out
     assert re.search(
-        rf"^skipped: {re.escape(str(source))}: circle \(.+\): not a spline curve$", done.stderr, re.MULTILINE
+        rf"^skipped: {re.escape(str(source))}: circle \(.+\): not read; write it as a spline$",
+        done.stderr,
+        re.MULTILINE,
     )
     assert "2 curves from g2 to" in done.stderr
     assert [named.curve.degree for named in read(target).curves] == [1, 2]

@@ -61,11 +61,11 @@ def _curve(collector: Collector, words: Tokens, dimension: int, where: str) -> b
         _ellipse(collector, words, dimension, where, kind)
     elif kind in (TRIMMED, OFFSET):
         words.numbers(2 if kind == TRIMMED else 1 + (dimension == 3) * 3)
-        collector.skip(NAMES[kind], where, "only its basis curve is read")
+        collector.skip(NAMES[kind], where, "only its basis curve is read; write it as a spline")
     elif kind in NAMES:
         frame = {LINE: 2, PARABOLA: 3, HYPERBOLA: 3}[kind] + (dimension == 3 and kind != LINE)
         words.numbers(frame * dimension + {LINE: 0, PARABOLA: 1, HYPERBOLA: 2}[kind])
-        collector.skip(NAMES[kind], where, "it is unbounded", curve=kind != LINE)
+        collector.skip(NAMES[kind], where, "it is unbounded; write its part as a spline", curve=kind != LINE)
     else:
         raise CurveFileError(f"a curve of kind {kind}", where=where, remedy="kinds 1 to 9 are known")
     return kind in (TRIMMED, OFFSET)

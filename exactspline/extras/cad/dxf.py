@@ -17,7 +17,7 @@ from exactspline.errors import CurveFileError, ShapeError
 from exactspline.extras.cad.names import NAMES
 from exactspline.interchange.affine import Affine, axes, cross, dot, unit
 from exactspline.interchange.arcs import DEGREES, RADIANS, ZERO, Round
-from exactspline.interchange.collector import Collector
+from exactspline.interchange.collector import UNREAD, Collector
 from exactspline.interchange.format import Format
 from exactspline.interchange.numbers import NumberText, decimal, last_digit, whole
 from exactspline.interchange.records import Reading, Source
@@ -28,7 +28,7 @@ from exactspline.numbers.exact import mpq
 CLOSED, PERIODIC, RATIONAL, PLANAR = 1, 2, 4, 8
 #: Entities that are curves or place curves, and are not read.
 CURVES = ("INSERT", "POLYLINE", "HELIX", "MLINE", "LEADER", "MULTILEADER", "ACAD_PROXY_ENTITY")
-WHY = {"INSERT": "copies of blocks are not placed"}
+WHY = {"INSERT": "copies of blocks are not placed; explode them"}
 SILENT = ("SEQEND", "VERTEX", "ENDBLK", "BLOCK", "SECTION", "ENDSEC", "EOF")
 
 
@@ -64,7 +64,7 @@ def read(source: Source) -> Reading:
         reader = _READERS.get(entity.kind)
         if reader is None:
             if entity.kind not in SILENT:
-                why = WHY.get(entity.kind, "this type of entity is not read")
+                why = WHY.get(entity.kind, UNREAD)
                 collector.skip(entity.kind, where, why, curve=entity.kind in CURVES)
             continue
         with collector.skipping(entity.kind, where):

@@ -24,18 +24,14 @@ from exactspline.numbers.exact import mpq
 CURVE, SURFACE, POINTS, LINES, VOLUME = 100, 200, 400, 410, 700
 #: Classes of curves that are not read.
 OTHER_CURVES = (110, 120, 130, 140, 150, 160, 170)
+_BEGINNING = re.compile(rb"\s*(\d+)\s+[01]\s+\d+\s+\d+\s")
 _HEADER = re.compile(r"^[ \t]*([1-9]\d\d)[ \t]+([01])[ \t]+([09])[ \t]+(\d+)(?:[ \t]+\d+){0,4}[ \t]*\r?$", re.M)
 
 
 def looks_like(head: bytes) -> bool:
     """Whether a file begins with the header of a known class."""
-    words = head.split(maxsplit=4)
-    return (
-        len(words) > 3
-        and all(word.isdigit() for word in words[:4])
-        and words[0].decode() in NAMES["g2"]
-        and words[1] in (b"0", b"1")
-    )
+    found = _BEGINNING.match(head)
+    return found is not None and found[1].decode() in NAMES["g2"]
 
 
 def read(source: Source) -> Reading:
@@ -51,9 +47,7 @@ def read(source: Source) -> Reading:
         if kind in (CURVE, SURFACE):
             _spline(collector, words, where, kind)
             continue
-        collector.skip(
-            NAMES["g2"].get(str(kind), f"class {kind}"), where, "not a spline curve", curve=kind in OTHER_CURVES
-        )
+        collector.skip(NAMES["g2"].get(str(kind), f"class {kind}"), where, curve=kind in OTHER_CURVES)
         if kind == VOLUME:
             _net(words, 3)
         elif kind in (POINTS, LINES):

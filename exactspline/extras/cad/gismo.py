@@ -35,7 +35,7 @@ def read(source: Source) -> Reading:
         kind = element.attributes.get("type", "without a type")
         where = f"geometry {element.attributes.get('id', number)} (line {element.line})"
         if kind not in (*CURVES, *SURFACES):
-            collector.skip(f"geometry {kind}", where, "neither a spline curve nor a spline surface", curve=False)
+            collector.skip(f"geometry {kind}", where, curve=False)
             continue
         with collector.skipping(f"geometry {kind}", where, curve=kind in CURVES):
             sides, points, weights = _parts(collector, element, 1 if kind in CURVES else 2)

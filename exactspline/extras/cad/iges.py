@@ -17,8 +17,8 @@ from exactspline.errors import CurveFileError, counted
 from exactspline.extras.cad.iges_records import DirectoryEntry, entries, formatted, unit_of
 from exactspline.extras.cad.names import NAMES
 from exactspline.interchange.affine import Affine
-from exactspline.interchange.arcs import RIGHT, Round
-from exactspline.interchange.collector import Collector
+from exactspline.interchange.arcs import RIGHT, Round, through_ends
+from exactspline.interchange.collector import UNREAD, Collector
 from exactspline.interchange.format import Format
 from exactspline.interchange.numbers import NumberText, decimal, whole, with_point
 from exactspline.interchange.periods import domain, used
@@ -29,8 +29,6 @@ from exactspline.numbers.exact import mpq
 from exactspline.splines.nurbs import Nurbs
 
 ARC, COMPOSITE, CONIC, LINE, MATRIX, SPLINE, SURFACE = 100, 102, 104, 110, 124, 126, 128
-#: Entities that trim a surface, which is read as a whole.
-TRIMS = (141, 142, 143, 144)
 #: Entities that are curves, or that contain curves not read elsewhere.
 CURVES = (106, 112, 130, 308, 320, 408, 412, 414, 420)
 PARAMETER_SPACE = "05"
@@ -80,8 +78,7 @@ def read(source: Source) -> Reading:
             continue
         if reader is None:
             name = NAMES["iges"].get(str(entry.kind), f"entity {entry.kind}")
-            why = "its parts are read separately" if entry.kind == COMPOSITE else "this type of entity is not read"
-            why = "trims are not read: the surface is read as a whole" if entry.kind in TRIMS else why
+            why = NAMES["iges reasons"].get(str(entry.kind), UNREAD)
             collector.skip(name, where, why, curve=entry.kind in CURVES)
             continue
         with collector.skipping(f"entity {entry.kind}", where, curve=entry.kind != SURFACE):
@@ -186,8 +183,10 @@ def _arc(collector: Collector, entry: DirectoryEntry, where: str, placed: Affine
 
 
 def _conic(collector: Collector, entry: DirectoryEntry, where: str, placed: Affine) -> None:
-    *form, z, x1, y1, x2, y2 = _Values(entry, collector).numbers(11)
-    _add(collector, entry, where, _lifted(conic_arc(form, (x1, y1), (x2, y2)), _at_height(placed, z)))
+    *numbers, z, x1, y1, x2, y2 = _Values(entry, collector).numbers(11)
+    start, notes, within = (x1, y1), list[str](), collector.source.within
+    form, end = through_ends(numbers, start, (x2, y2), within and within / placed.stretch, notes)
+    _add(collector, entry, where, _lifted(conic_arc(form, start, end), _at_height(placed, z)), notes)
 
 
 def _lifted(segments: Sequence[Segment], placed: Affine) -> list[Segment]:

@@ -55,8 +55,7 @@ def read(source: Source) -> Reading:
         elif keyword in SKIPPED:
             if keyword == "TRIMSRF":
                 collector.note("trims of surfaces are not read")
-            why = "neither a spline curve nor a spline surface"
-            collector.skip(keyword.lower(), name or "unnamed object", why, curve=keyword == "POLYLINE")
+            collector.skip(keyword.lower(), name or "unnamed object", curve=keyword == "POLYLINE")
         else:
             waiting += [(item, name) for item in reversed(node) if isinstance(item, list)]
     return collector.reading()

@@ -66,7 +66,7 @@ def read(source: Source) -> Reading:
             elif "plane" in entry:
                 _arc(collector, entry)
             else:
-                collector.skip(kind, where, "this type of object is not read", curve=kind in CURVES)
+                collector.skip(kind, where, curve=kind in CURVES)
     return collector.reading()
 
 
@@ -98,10 +98,8 @@ def _spline(collector: Collector, entry: dict[str, Any]) -> None:
     rows, homogeneous_points = [[rational(x) for x in row] for row in entry["points"]], entry["rational"]
     points = rows if homogeneous_points else [row[:3] for row in rows]
     knots = [[vector[0], *vector, vector[-1]] for vector in inner]
-    collector.add_spline(
-        entry["kind"], entry["where"], entry["degrees"], knots, points,
-        homogeneous=homogeneous_points, u_fastest=False, name=entry["name"], notes=entry["notes"],
-    )  # fmt: skip
+    more: dict[str, Any] = {"homogeneous": homogeneous_points, "name": entry["name"], "notes": entry["notes"]}
+    collector.add_spline(entry["kind"], entry["where"], entry["degrees"], knots, points, u_fastest=False, **more)
     collector.note(MISSING)
     if entry.get("trimmed"):
         collector.note("trims are not read, surfaces are read as wholes: Brep")

@@ -40,12 +40,12 @@ def _instances(text: str, collector: Collector) -> dict[int, str]:
         match = _INSTANCE.match(statement)
         if match:
             if int(match[1]) in texts:
-                collector.skip("instance", f"#{match[1]}", "it is defined twice: the last one is read")
+                collector.skip("instance", f"#{match[1]}", "it is defined twice: the last one is read; remove one")
             texts[int(match[1])] = match[2]
             if len(texts) > collector.limits.objects:
                 raise CurveFileError(f"over {collector.limits.objects} instances", remedy="read with larger limits")
     if rest := _BEGUN.match(text, end):
-        collector.skip("instance", rest[1], "the file ends in it")
+        collector.skip("instance", rest[1], "the file ends in it; complete the file")
     if END not in statement:
         collector.note(f"{END} is missing: the file may be cut off")
     return texts

@@ -38,7 +38,7 @@ def read(source: Source) -> Reading:
         where = f"line {element.line}"
         if element.tag != "contour":
             placed = element.tag == "component"
-            why = "it is defined in another file" if placed else "not a curve"
+            why = "it is defined in another file; decompose the glyph" if placed else "not a curve"
             collector.skip(element.tag[:40], where, why, curve=placed)
             continue
         number += 1
@@ -59,8 +59,7 @@ def _add(points: object, point: Element, source: Source) -> None:
         raise CurveFileError(f"<{point.tag[:40]}> in a contour", where=f"line {point.line}", remedy="write points")
     given = point.attributes
     if given.get("type") not in TYPES or not {"x", "y"} <= set(given):
-        problem = "a point without x and y, or of unknown type"
-        raise CurveFileError(problem, where=f"line {point.line}", remedy="correct it")
+        raise CurveFileError("a point without x, y or a known type", where=f"line {point.line}", remedy="correct it")
     place = tuple(decimal(given[axis], source.limits) for axis in "xy")
     points.addPoint(place, TYPES[given.get("type")], given.get("smooth") == "yes")  # type: ignore[attr-defined]  # a pen
 

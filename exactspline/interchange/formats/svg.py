@@ -151,9 +151,7 @@ class _Drawing:
 
     def _chosen(self, switch: Element) -> list[Element]:
         """The first child of a `switch` that can be drawn, in a list; empty if there is none."""
-        children = [
-            child for child in switch.children if child.tag not in SILENT and child.namespace in self.namespaces
-        ]
+        children = [each for each in switch.children if each.tag not in SILENT and each.namespace in self.namespaces]
         chosen = next((child for child in children if not _condition(child)), None)
         for child in children:
             if child is not chosen:
@@ -264,10 +262,8 @@ def _shape(collector: Collector, element: Element, where: str, place: _Place) ->
 
 def _of_arcs(part: Subpath, within: mpq | None) -> list[str]:
     """Notes on arcs that have no exact representation."""
-    return [
-        *(["a part of a subpath: an arc next to it is left out"] if part.divided else []),
-        *([f"{REPLACED} {text(within)}"] if part.approximated and within is not None else []),
-    ]
+    divided = ["a part of a subpath: an arc next to it is left out"] if part.divided else []
+    return divided + ([f"{REPLACED} {text(within)}"] if part.approximated and within is not None else [])
 
 
 def _basic(collector: Collector, element: Element) -> tuple[list[Segment], list[str]]:
