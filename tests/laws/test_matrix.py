@@ -51,11 +51,15 @@ from tests.support.matrix import (
 from tests.support.parts import differing_parts, of_parts, somewhere
 from tests.support.paths import (
     IN_ANY_PLANE,
+    after_all_others,
     after_others,
     again,
+    as_data,
     in_another_plane,
     in_the_plane_z_0,
+    pair_by_commands,
     pair_in_another_plane,
+    plain_python,
     said,
     same_by_batch,
     same_by_command,
@@ -291,6 +295,34 @@ def test_by_python_by_the_command_and_in_a_sweep(of, tmp_path):
         assert same_by_command(curve, entry, given, tmp_path), (SEED, entry.name)
         found = None if isinstance(by_python, str) else swept(curve, entry, given)
         assert found is None or same_by_sweep(by_python, found), (SEED, entry.name, by_python, found)
+
+
+def test_two_curves_by_python_and_by_both_commands(tmp_path):
+    pair = light_pair(Random(f"{SEED} two doors"))
+    for entry in questions(Of.TWO_CURVES, dear=True):
+        found = pair_by_commands(pair, entry, given_to(entry, pair, Random(SEED)), tmp_path)
+        assert all(each == found[0] for each in found), (SEED, entry.name, found)
+
+
+@pytest.mark.parametrize("of", [Of.SURFACE, Of.PLANAR_MAP], ids=str)
+def test_surfaces_by_python_and_by_the_command(of, tmp_path):
+    surface = LIGHT.get(of, DRAWN[of])(Random(f"{SEED} doors"))
+    for entry in questions(of):
+        assert same_by_command(surface, entry, given_to(entry, surface, Random(SEED)), tmp_path), (SEED, entry.name)
+
+
+@pytest.mark.parametrize("of", [Of.TWO_CURVES, Of.SURFACE, Of.PLANAR_MAP], ids=str)
+def test_pairs_and_surfaces_before_and_after_other_questions(of):
+    """Pairs of curves also without the extension."""
+    for i in range(3):
+        random = Random(f"{SEED} {of} order {i}")
+        thing = {Of.TWO_CURVES: light_pair, **LIGHT}.get(of, DRAWN[of])(random)
+        asking = [(entry, given_to(entry, thing, random)) for entry in questions(of, dear=of is Of.TWO_CURVES)]
+        alone = [as_data(thing, text_of(*each)) for each in asking]
+        assert any(each != "refused" for each in alone)
+        assert after_all_others(thing, asking) == alone, (SEED, i)
+        with plain_python():
+            assert of is not Of.TWO_CURVES or [as_data(thing, text_of(*each)) for each in asking] == alone, (SEED, i)
 
 
 def test_in_the_plane_z_0():

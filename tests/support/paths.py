@@ -4,6 +4,7 @@ bit; intervals must contain what is found.
 """
 
 import json
+from contextlib import contextmanager
 from unittest import mock
 
 import numpy as np
@@ -15,8 +16,11 @@ from exactspline.errors import ExactSplineError, OpenError, ReachError
 from exactspline.geometry.analysis.ask import asked_of
 from exactspline.geometry.analysis.many_curves import features_of_curves, features_of_many
 from exactspline.geometry.analysis.pairs import CurvePair
+from exactspline.geometry.analysis.registry import REGISTRY
 from exactspline.interchange.files import write
 from exactspline.programs import accelerator, certain_pairs
+from exactspline.questions.entry import Of
+from exactspline.splines.surface import NurbsSurface
 from exactspline.tables import to_dict
 from tests.support.changes import moved_curve
 from tests.support.command import run
@@ -26,8 +30,13 @@ from tests.support.transport import Refused, To, rows
 from workshop.vectors.items import items
 
 
-def again(curve):
-    """The same curve, of which nothing is known."""
+def again(thing):
+    """The same curve, pair of curves, or surface, of which nothing is known."""
+    if isinstance(thing, CurvePair):
+        return CurvePair(*map(again, thing.curves))
+    if isinstance(thing, NurbsSurface):
+        return NurbsSurface(thing.degree, *map(list, thing.knots), thing.control_points, thing.weights)
+    curve = thing
     return Nurbs(curve.degree, list(curve.knots), list(curve.control_points), list(curve.weights))
 
 
@@ -67,22 +76,66 @@ def after_others(curve, asking):
     return [said(other, text_of(entry, given)) for entry, given in [*asking, *asking]][len(asking) :]
 
 
-def without_extension(curve, entry, given):
+@contextmanager
+def plain_python():
     """By exact arithmetic and what is written in Python alone."""
     with mock.patch.object(accelerator, "filter_curve", None), mock.patch.object(certain_pairs, "filter_pairs", None):
+        yield
+
+
+def without_extension(curve, entry, given):
+    """By exact arithmetic and what is written in Python alone."""
+    with plain_python():
         return said(again(curve), text_of(entry, given))
 
 
 def same_by_command(curve, entry, given, folder):
     """Whether the command says, as JSON, what Python says; a refusal has its words elsewhere."""
     write(curve, folder / "curve.json")
-    done = run("inspect", folder / "curve.json", "--ask", text_of(entry, given), "--json")
-    by_command = json.loads(done.stdout)["rows"][0]["answer"] if done.returncode == 0 else None
+    asked = text_of(entry, given)
+    return as_data(curve, asked) == commanded("inspect", folder / "curve.json", "--ask", asked)
+
+
+def pair_by_commands(pair, entry, given, folder):
+    """What Python and both commands say of two curves: `between`, and `inspect` of the first one."""
+    files = [folder / "first.json", folder / "second.json"]
+    for curve, file in zip(pair.curves, files, strict=True):
+        write(curve, file)
+    asked = text_of(entry, given)
+    found = [as_data(pair, asked), commanded("between", *files, "--ask", asked)]
+    if entry.name not in REGISTRY[Of.PLANE_CURVE]:
+        of_one = ",".join([f"{entry.name}:{files[1]}", *asked.partition(":")[2:]]).rstrip(",")
+        found.append(commanded("inspect", files[0], "--ask", of_one))
+    return found
+
+
+def commanded(*arguments):
+    """The answer that a command gives as JSON; that it was refused."""
+    done = run(*arguments, "--json")
+    assert done.returncode in (0, 2), done.stderr
+    return "refused" if done.returncode else without_bounds(json.loads(done.stdout)["rows"][0]["answer"])
+
+
+def as_data(thing, asked):
+    """The answer by Python, asked alone, as JSON has it; that it was refused."""
+    return asked_as_data(again(thing), asked)
+
+
+def asked_as_data(thing, asked):
+    """The same of a thing of which more may be known."""
+    about = facts_of(Itself(thing))
     try:
-        by_python = to_dict(again(curve), text_of(entry, given), 12)["answer"]
+        return without_bounds(json.loads(json.dumps(to_dict(about, asked, 12)["answer"])))
     except ExactSplineError:
-        return by_command is None and done.returncode == 2
-    return without_bounds(json.loads(json.dumps(by_python))) == without_bounds(by_command)
+        return "refused"
+
+
+def after_all_others(thing, asking):
+    """The answers to several questions, with their givens, in another order, after all of them were asked."""
+    other = again(thing)
+    for _ in range(2):
+        found = {text_of(*each): asked_as_data(other, text_of(*each)) for each in reversed(asking)}
+    return [found[text_of(*each)] for each in asking]
 
 
 def without_bounds(data):
