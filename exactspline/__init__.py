@@ -32,4 +32,4 @@ def _printed(form: str, shown: object) -> str | None:
 
 
 set_printers(_printed)
-set_functions(name for name in _names if name.islower())
+set_functions((name for name in _names if name.islower()), __getattr__)

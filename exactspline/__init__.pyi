@@ -28,9 +28,7 @@ from .interchange.examples import examples as examples
 
 # evaluation
 from .roots.values import at as at
-from .geometry.curves.floats import at_floats as at_floats
-from .geometry.curves.floats import curvature_floats as curvature_floats
-from .geometry.curves.floats import floats as floats
+from .geometry.analysis.floats import floats as floats
 from .geometry.curves.values import curvature as curvature
 from .geometry.curves.values import torsion as torsion
 from .numbers.sides import Side as Side

@@ -6,9 +6,13 @@ from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from enum import Enum
 from importlib import import_module
-from typing import Any, ClassVar, Protocol, dataclass_transform
+from typing import TYPE_CHECKING, Any, ClassVar, Protocol, cast, dataclass_transform
 
 from exactspline.one_line import OneLine, fields_of
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
 
 #: From the name of a format (``html``, ``latex``, ``short``, ``words``) and an object to a text, None where there is
 #: none.
@@ -31,6 +35,8 @@ def _plain(form: str, shown: object) -> str | None:
 
 _printers: list[Printers] = [_plain]
 _functions = set[str]()
+#: How a function of the front door is loaded by its name.
+_loaded: list[Callable[[str], Callable[..., object]]] = []
 
 
 def set_printers(printers: Printers) -> None:
@@ -38,11 +44,13 @@ def set_printers(printers: Printers) -> None:
     _printers[0] = printers
 
 
-def set_functions(names: Iterable[str]) -> None:
-    """Let the errors of missing methods name these functions of the front door."""
+def set_functions(names: Iterable[str], loaded: Callable[[str], Callable[..., object]]) -> None:
+    """Let the errors of missing methods name these functions of the front door, and methods that are lent call them."""
+    _loaded[:] = [loaded]
     for name in names:
-        _functions.add(name)
-        setattr(FunctionsOutside, name, _FunctionOutside(name))
+        if not hasattr(FunctionsOutside, name):
+            _functions.add(name)
+            setattr(FunctionsOutside, name, _FunctionOutside(name))
 
 
 class Writer(Protocol):
@@ -115,6 +123,20 @@ class FunctionsOutside:
     """
 
     __slots__ = ()
+
+    def floats(
+        self,
+        *parameters: object,
+        of: str = "point",
+        order: int | tuple[int, int] = 0,
+        rounding: str = "nearest",
+        side: str = "right",
+    ) -> NDArray[np.float64]:
+        """Correctly rounded doubles at parameters, as an array: of points, and by ``of="curvature"``, ``order=1``, … of
+        other quantities: what `exactspline.floats` returns for this object.
+        """
+        found = _loaded[0]("floats")(self, *parameters, of=of, order=order, rounding=rounding, side=side)
+        return cast("NDArray[np.float64]", found)
 
     def __dir__(self) -> list[str]:
         missing = {name for name in _functions if isinstance(_found(type(self), name), _FunctionOutside)}

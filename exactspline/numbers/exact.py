@@ -7,7 +7,6 @@ input data. The package imports all names of gmpy2 from here, so that another im
 
 from __future__ import annotations
 
-import operator
 import re
 from collections.abc import Callable, Iterable, Sequence
 from decimal import Decimal
@@ -79,8 +78,9 @@ _HEX = re.compile(r"\s*([+-]?)0[xX]([0-9a-fA-F]*)(?:\.([0-9a-fA-F]*))?(?:[pP]([+
 def rational(value: Number) -> mpq:
     """The exact value of a number as ``gmpy2.mpq``.
 
-    Accepts ``int``, ``Fraction``, ``mpz``, ``mpq``, finite ``Decimal``, FLINT's ``fmpz`` and ``fmpq``, the integers of
-    other libraries (such as numpy), and text: ``"3/4"``, ``"0.1"``, ``"1e-6"``, C99 hex floats such as ``"0x1.8p-3"``.
+    Accepts ``int``, ``Fraction``, ``mpz``, ``mpq``, finite ``Decimal``, FLINT's ``fmpz`` and ``fmpq``, the integers and
+    fractions of other libraries (such as numpy and sympy), and text: ``"3/4"``, ``"0.1"``, ``"1e-6"``, C99 hex floats
+    such as ``"0x1.8p-3"``.
 
     >>> rational("0.1"), rational("3/4"), rational("0x1.8p-3")
     (mpq(1,10), mpq(3,4), mpq(3,16))
@@ -106,20 +106,27 @@ def rational(value: Number) -> mpq:
         return _from_text(str(given))
     if kind in (flint.fmpq, flint.fmpz):
         return from_flint(given)
-    if kind is float:
+    if isinstance(value, Rational) and not isinstance(value, int):
+        return mpq(int(given.numerator), int(given.denominator))
+    if is_float(value):
         raise _refuse_float(given)
-    if isinstance(value, Integral) and not isinstance(value, int):
-        return mpq(operator.index(given))
     name = f"{kind.__module__}.{kind.__qualname__}".removeprefix("builtins.")
-    if hasattr(given, "refine"):
+    if hasattr(given, "refine") and hasattr(given, "exact"):
         raise NumberError(
             f"{shown(value)} is a root, which need not be rational",
             remedy="the function exactspline.at takes one; root.exact is its rational value, if any",
         )
+    several = isinstance(value, Iterable) and not isinstance(value, str | bytes)
     raise NumberError(
-        f"{shown(value)} is of type {name}, which is not taken as an exact number",
-        remedy='pass an int, a Fraction, an mpq, a Decimal or text such as "3/4" or "0.1" (for floats see from_float)',
+        f"{shown(value)} is of type {name}, which is not taken as an exact number", remedy=_MANY if several else _ONE
     )
+
+
+_ONE = 'pass an int, a Fraction, an mpq, a Decimal or text such as "3/4" or "0.1"; √2 is exactspline.square_root(2)'
+_MANY = (
+    "pass an int, a Fraction or text; curve.floats(ts) evaluates at many parameters, exactspline.from_floats(rows) "
+    "takes doubles as data"
+)
 
 
 def from_float(value: float) -> mpq:
@@ -162,14 +169,15 @@ def from_floats(values: Iterable[Iterable[float]]) -> list[list[mpq]]:
 
 
 def from_floats(values: float | Iterable[float] | Iterable[Iterable[float]]) -> mpq | list[mpq] | list[list[mpq]]:
-    """The exact binary value of a float, or of those in a sequence, or in rows such as control points.
+    """The exact binary value of a float, or of those in a sequence, or in rows such as control points: the way to take
+    doubles as data. Integers among them stay what they are.
 
     >>> from_floats(0.1) == rational("0.1")
     False
     >>> from_floats([(0.5, 1.0), (0.25, -2.0)])
     [[mpq(1,2), mpq(1,1)], [mpq(1,4), mpq(-2,1)]]
 
-    Raises `NumberError`, with its position, for an element that is not a float.
+    Raises `NumberError`, with its position, for an element that is neither a float nor an integer.
     """
     return from_float(values) if is_float(values) else _from_floats(values, DEEPEST)
 
@@ -187,7 +195,7 @@ def _from_floats(values: Any, depth: int) -> list[Any]:
             if isinstance(value, Iterable) and not isinstance(value, str):
                 values_found.append(_from_floats(value, depth - 1))
             else:
-                values_found.append(from_float(value))
+                values_found.append(rational(value) if isinstance(value, Integral) else from_float(value))
         except NumberError as error:
             raise error.at(f"[{i}]") from None
     return values_found
@@ -457,7 +465,8 @@ def _refuse_float(value: float) -> NumberError:
         return NumberError(f"{value} is not a number", remedy="write a finite number")
     return NumberError(
         f"{value} is a float, whose exact value is not what it shows",
-        remedy=f'write "{value}" for the decimal, or from_float({value}) for the binary value',
+        remedy=f'write "{value}" for the decimal, exactspline.from_floats({float(value)}) for the binary value; '
+        f"curve.floats({float(value)}) evaluates there",
     )
 
 

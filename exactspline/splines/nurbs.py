@@ -34,7 +34,12 @@ from exactspline.splines.nurbs_operations import mapped, same_quotients
 from exactspline.splines.refinement import insertable
 
 
-def _normalized(v: tuple[mpq, ...], problem: str) -> tuple[Real, ...]:
+def normalized(v: tuple[mpq, ...], problem: str) -> tuple[Real, ...]:
+    """A vector divided by its length; the problem where it has none.
+
+    >>> normalized((mpq(3), mpq(4)), "the null vector")
+    (<Real 3/5>, <Real 4/5>)
+    """
     length = norm2(Vector(*v))
     if not length:
         raise DomainError(problem, remedy="choose another parameter")
@@ -240,7 +245,7 @@ class Nurbs(Immutable, Curve[BSpline], FunctionsOutside):
 
         Raises `DomainError` where γ′ = 0.
         """
-        return _normalized(self.tangent(t, side), f"γ′ = 0 at the parameter {text(rational(t))}")
+        return normalized(self.tangent(t, side), f"γ′ = 0 at the parameter {text(rational(t))}")
 
     def normal(self, t: Number, side: Side | str = Side.RIGHT) -> tuple[Real, ...]:
         """The unit normal at a rational parameter, exactly: in the plane γ′⊥/‖γ′‖, to the left of the curve; in space
@@ -256,11 +261,11 @@ class Nurbs(Immutable, Curve[BSpline], FunctionsOutside):
         where = f"at the parameter {text(rational(t))}"
         first = self.tangent(t, side)
         if self.dimension == 2:
-            return _normalized(perp(Vector(*first)).components, f"γ′ = 0 {where}")
+            return normalized(perp(Vector(*first)).components, f"γ′ = 0 {where}")
         if self.dimension != 3:
             raise ShapeError(f"the normal of a curve in R{self.dimension}", remedy="it is defined in plane and space")
         bent = across(Vector(*first), Vector(*self.derivative(2, t, side)))
-        return _normalized(bent.components, f"γ′ × γ″ = 0 {where}")
+        return normalized(bent.components, f"γ′ × γ″ = 0 {where}")
 
     # the splines are computed when they are asked for: a curve that was only read has control points alone
 

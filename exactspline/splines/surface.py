@@ -16,17 +16,18 @@ from exactspline.hooks import FunctionsOutside
 from exactspline.language.operand import checked_order
 from exactspline.language.rational import Rational
 from exactspline.language.surface_kind import BOTH, Surface
-from exactspline.language.vector import Vector
+from exactspline.language.vector import Vector, cross
 from exactspline.numbers.exact import Number, mpq, rational
 from exactspline.numbers.immutable import Immutable, fill
 from exactspline.numbers.intervals import UNIT, Box
 from exactspline.one_line import one_line
 from exactspline.polynomials.patch_forms import PatchForm, Sized, halved
+from exactspline.reals.real import Real
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.common import on_one_mesh, with_common_knots
 from exactspline.splines.control_points import Point, exact_points, exact_weights, lifted, projected
 from exactspline.splines.knots import KnotVector, Mesh
-from exactspline.splines.nurbs import Nurbs
+from exactspline.splines.nurbs import Nurbs, normalized
 from exactspline.splines.nurbs_operations import mapped, same_quotients
 from exactspline.splines.tensor import TensorSpline
 from exactspline.splines.tensor_net import checked_degrees, checked_knots, checked_net, control_point_counts
@@ -298,6 +299,20 @@ class NurbsSurface(Immutable, Surface[TensorSpline], FunctionsOutside):
                     row = [x - factor * y for x, y in zip(row, earlier, strict=True)]
             found[k, h] = [mpq(x / weights[0, 0]) for x in row]
         return tuple(found[i, j])
+
+    def normal(self, u: Number, v: Number) -> tuple[Real, ...]:
+        """The unit normal ``S_u × S_v/‖S_u × S_v‖`` of a surface in space at a pair of parameters, exactly.
+
+        >>> f = NurbsSurface((1, 1), [0, 0, 1, 1], [0, 0, 1, 1], [[(0, 0, 0), (0, 1, 0)], [(1, 0, 0), (1, 1, 1)]])
+        >>> f.normal(0, 0)
+        (<Real 0>, <Real 0>, <Real 1>)
+
+        Raises `DomainError` where there is no tangent plane, `ShapeError` for a surface that is not in space.
+        """
+        if self.dimension != 3:
+            raise ShapeError(f"the normal of a surface in R{self.dimension}", remedy="it is defined in space")
+        upright = cross(Vector(*self.partial(1, 0, u, v)), Vector(*self.partial(0, 1, u, v)))
+        return normalized(upright.components, f"no tangent plane at {rational(u)}, {rational(v)}")
 
     def isocurve(self, along: Along | str, at: Number) -> Nurbs:
         """The curve on the surface along one parameter, with the other one fixed.

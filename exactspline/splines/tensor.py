@@ -15,6 +15,7 @@ from typing import Any, ClassVar
 from flint import fmpz, fmpz_mat, fmpz_poly
 
 from exactspline.errors import FormulaError, ShapeError, as_instance, shown
+from exactspline.hooks import FunctionsOutside
 from exactspline.language.arguments import PARAMETERS, Curve, Pair
 from exactspline.language.choices import Parameter
 from exactspline.language.letters import refuse_letter
@@ -65,7 +66,7 @@ from exactspline.splines.tensor_patches import (
 DIRECTION = {Parameter.FIRST: 0, Parameter.U: 0, Parameter.SECOND: 1, Parameter.V: 1}
 
 
-class TensorSpline(Immutable, TensorParts, RingOperand):
+class TensorSpline(Immutable, TensorParts, RingOperand, FunctionsOutside):
     """A scalar tensor-product B-spline in two parameters s and t, over a rectangle.
 
     `degrees`, knots and `control_points` as for `BSpline`, in each direction: ``control_points[i][j]`` with i along s

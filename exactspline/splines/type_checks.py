@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any, cast
+
 from exactspline.errors import ShapeError, a_kind
 from exactspline.language.rational import Rational
 from exactspline.language.vector import Vector
@@ -11,15 +13,24 @@ from exactspline.splines.surface import NurbsSurface
 from exactspline.splines.tensor import TensorSpline
 
 
+def of_file(given: object) -> object:
+    """The curve of what was read from a file (a `NamedCurve`, a `Reading` of one curve), anything else itself."""
+    named = hasattr(type(given), "curve") or "curve" in getattr(type(given), "__dataclass_fields__", ())
+    return cast(Any, given).curve if named else given
+
+
 def curve_of(given: object) -> Nurbs:
-    """The curve itself; `ShapeError` for anything else, with the way from a quotient of splines to a curve.
+    """The curve itself, also that of a file; `ShapeError` for anything else, with the way from functions to a curve.
 
     >>> curve_of("circle")
     Traceback (most recent call last):
     exactspline.errors.ShapeError: a str, where a curve is expected; give a Nurbs, such as exactspline.example("circle")
     """
+    given = of_file(given)
     if isinstance(given, Nurbs):
         return given
+    if isinstance(given, BSpline):
+        raise ShapeError("a function, where a curve is expected", remedy="exactspline.graph(f) is its graph")
     if isinstance(given, Rational | Vector) and given.is_vector:
         raise ShapeError(
             f"{a_kind(given)} of splines, where a curve is expected",

@@ -315,6 +315,8 @@ def asking(modules: dict[str, ast.Module]) -> Iterator[str]:
 ALLOWED = {
     "display.plot.functions:plot_function": "a spline or a quotient is drawn",
     "interchange.bridges.sympy:to_sympy": "a spline or a curve is written for another library",
+    "geometry.analysis.floats:_of_curve": "a curve or a function at parameters, rounded",
+    "geometry.analysis.floats:_of_surface": "a surface or a function at parameters, rounded",
     "programs.inputs:operands_of": "whether there is a program",
     "readings.bernstein_term:every_coefficient": "a proof about values of its own reading",
     "verification.denominators:factored": "a denominator in factors, a number or a fraction",

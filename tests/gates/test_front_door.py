@@ -92,7 +92,7 @@ def test_every_name_of_a_stub_is_there():
 SOURCES = sorted(ROOT.rglob("*.py"))
 
 
-@pytest.mark.parametrize("name", ["plot", "curvature", "torsion", "at_floats", "analyse"])
+@pytest.mark.parametrize("name", ["plot", "curvature", "torsion", "ask", "analyse"])
 @pytest.mark.parametrize(
     "thing", [xs.example("circle"), xs.example("sphere"), xs.BSpline.identity(0, 1)], ids=["curve", "surface", "spline"]
 )

@@ -15,7 +15,6 @@ from gmpy2 import mpq
 from mpmath import libmp, mp
 
 import exactspline as xs
-from exactspline import at_floats
 from exactspline.errors import ExactSplineError, FormulaError, NumberError
 from exactspline.interchange.examples import example
 from exactspline.numbers.exact import Rounding, double, is_float
@@ -132,11 +131,11 @@ def doubles_of(ours, theirs, curve, t, way):
 
 
 QUESTIONS = {
-    "point": lambda c, t, way: (at_floats(c, [t], rounding=way)[0], derivatives(c, exact_parameter(t), 0)[0]),
-    "first": lambda c, t, way: (at_floats(c, [t], order=1, rounding=way)[0], derivatives(c, exact_parameter(t), 1)[1]),
-    "third": lambda c, t, way: (at_floats(c, [t], order=3, rounding=way)[0], derivatives(c, exact_parameter(t), 3)[3]),
+    "point": lambda c, t, way: (c.floats(t, rounding=way), derivatives(c, exact_parameter(t), 0)[0]),
+    "first": lambda c, t, way: (c.floats(t, order=1, rounding=way), derivatives(c, exact_parameter(t), 1)[1]),
+    "third": lambda c, t, way: (c.floats(t, order=3, rounding=way), derivatives(c, exact_parameter(t), 3)[3]),
     "curvature": lambda c, t, way: doubles_of(xs.curvature, curvature, c, exact_parameter(t), way),
-    "curvatures": lambda c, t, way: (xs.curvature_floats(c, [t], way).values, [curvature(c, exact_parameter(t))]),
+    "curvatures": lambda c, t, way: (c.floats([t], of="curvature", rounding=way), [curvature(c, exact_parameter(t))]),
     "torsion": lambda c, t, way: doubles_of(xs.torsion, torsion, c, exact_parameter(t), way),
 }
 
@@ -176,7 +175,7 @@ def test_roots_are_correctly_rounded():
                     value, slope = mpmath.polyval(polynomial, near, derivative=True)
                     near = near - value / slope if slope else near
                 for way in WAYS:
-                    assert agrees(xs.floats(root, way), near, way, scale=abs(near)) is not False, points
+                    assert agrees(xs.floats(root, rounding=way), near, way, scale=abs(near)) is not False, points
                     held += 1
 
 
@@ -186,7 +185,7 @@ def test_knots_and_control_points_are_correctly_rounded():
         curve = random_curve(chance, 2, rational=True)
         numbers = [x for point in curve.control_points for x in point]
         for way, mode in WAYS.items():
-            rounded = [y for row in xs.floats(curve.control_points, way) for y in row]
+            rounded = [y for row in xs.floats(curve.control_points, rounding=way) for y in row]
             for x, found in zip(numbers, rounded, strict=True):
                 held += 1
                 assert found == libmp.to_float(
@@ -237,7 +236,7 @@ def test_what_is_no_way_of_rounding():
     with pytest.raises(NumberError, match="nearest, down, up"):
         double(mpq(1), "towards zero")
     with pytest.raises(ExactSplineError, match="order"):
-        at_floats(xs.example("circle"), [0], order=-1)
+        xs.example("circle").floats([0], order=-1)
 
 
 def test_floats_of_numpy_and_lists_in_one_call():
@@ -248,12 +247,12 @@ def test_floats_of_numpy_and_lists_in_one_call():
     snapped = xs.Nurbs.from_floats(1, [0, 0, 1, 1], [[0.1, 0], [1, 2]], weights=[0.3, 1], snap=True)
     assert snapped.weights[0] == mpq(3, 10)
     ts = np.linspace(0, 1, 5)
-    assert np.array(at_floats(curve, ts)).shape == (5, 2)
-    assert at_floats(curve, ts) == at_floats(curve, list(map(float, ts)))
+    assert curve.floats(ts).shape == (5, 2)
+    assert (curve.floats(ts) == curve.floats(list(map(float, ts)))).all()
     with pytest.raises(NumberError):
         xs.Nurbs.from_floats(1, [0, 0, 1, 1], [[float("nan"), 0], [1, 2]])
     with pytest.raises(NumberError):
-        at_floats(curve, [float("inf")])
+        curve.floats([float("inf")])
 
 
 def test_a_user_of_scipy_in_three_lines():
@@ -267,29 +266,85 @@ def test_a_user_of_scipy_in_three_lines():
 @pytest.mark.parametrize("order", [-1, True, 1.0, "1", None])
 def test_orders_of_derivatives_are_natural_numbers(order):
     with pytest.raises(FormulaError, match="orders are 0, 1, 2"):
-        at_floats(example("circle"), [0.5], order=order)
+        example("circle").floats([0.5], order=order)
 
 
 def test_curvatures_of_many_parameters():
-    """At a cusp no curvature: NaN, and its index; the others are those one by one."""
+    """At a cusp no curvature: NaN; the others are those one by one."""
     cusp, ts = xs.example("cusp"), [0, 0.25, 0.5, "1/3", 1]
-    values, singular = xs.curvature_floats(cusp, ts)
-    assert singular == [2]
-    assert values[2] != values[2]
+    values = cusp.floats(ts, of="curvature").tolist()
+    assert [math.isnan(value) for value in values] == [False, False, True, False, False]
     assert [values[i] for i in (0, 1, 3, 4)] == [float(xs.curvature(cusp, t)) for t in (0, "1/4", "1/3", 1)]
     (root,) = xs.zeros(cusp.p[0] * cusp.p[0] - cusp.p[0].constant("1/50")).roots[:1]
-    assert xs.curvature_floats(cusp, [root, mpq(1, 2)])[1] == [1]
-    assert xs.curvature_floats(cusp, [root]).values == [float(xs.curvature(cusp, root))]
+    first, second = cusp.floats([root, mpq(1, 2)], of="curvature")
+    assert first == float(xs.curvature(cusp, root))
+    assert math.isnan(second)
     space = xs.example("twisted_cubic")
-    assert xs.curvature_floats(space, [0.25]).values == [float(xs.curvature(space, "1/4"))]
+    assert space.floats(0.25, of="curvature") == float(xs.curvature(space, "1/4"))
     with pytest.raises(xs.errors.DomainError):
-        xs.curvature_floats(cusp, [0, 2])
+        cusp.floats([0, 2], of="curvature")
     with pytest.raises(xs.errors.ShapeError):
-        xs.curvature_floats(xs.Nurbs(1, [0, 0, 1, 1], [(0, 0, 0, 0), (1, 1, 1, 1)]), [0])
+        xs.Nurbs(1, [0, 0, 1, 1], [(0, 0, 0, 0), (1, 1, 1, 1)]).floats([0], of="curvature")
 
 
 def test_sides_at_a_knot():
     curve = xs.Nurbs(2, [0, 0, 0, 1, 1, 2, 2, 2], [(0, 0), (1, 0), (2, 1), (3, 2), (3, 4)])
     for side in ("left", "right"):
-        (value,) = xs.curvature_floats(curve, [1], side=side).values
+        value = curve.floats(1, of="curvature", side=side)
         assert value == float(xs.curvature(curve, 1, side)) != 0
+
+
+@pytest.mark.parametrize("name", ["cubic_s", "circle", "twisted_cubic", "rational_space_cubic"])
+def test_directions_against_the_derivatives(name):
+    """Unit tangents and normals at rational and irrational parameters, against derivatives in 200 bits."""
+    curve = xs.example(name)
+    (root,) = [r for r in xs.zeros(curve.p[0] * curve.p[0] - curve.w * curve.w / 7) if r.exact is None][:1]
+    with mp.workprec(BITS):
+        for t in (mpq(1, 7), root):
+            _, v, a = derivatives(curve, t, 2)
+            along = sum(x * y for x, y in zip(v, a, strict=True)) / sum(x * x for x in v)
+            bent = [y - along * x for x, y in zip(v, a, strict=True)] if len(v) == 3 else [-v[1], v[0]]
+            for of, vector in (("tangent", v), ("unit_tangent", v), ("normal", bent)):
+                size = 1 if of == "tangent" else mp.sqrt(sum(x * x for x in vector))
+                for found, x in zip(curve.floats(t, of=of), vector, strict=True):
+                    assert agrees(found, x / size, "nearest") is not False
+
+
+def test_surfaces_functions_and_what_is_undefined():
+    """A grid is broadcast; where a cone has no tangent plane, and at a cusp, NaN."""
+    sphere, ts = xs.example("sphere"), [0.25, 0.5, 0.75]
+    grid = sphere.floats([[t] for t in ts], ts)
+    assert grid.shape == (3, 3, 3)
+    assert grid[0, 1].tolist() == [float(x) for x in sphere("1/4", "1/2")]
+    assert sphere.floats(ts, ts, order=(1, 0))[1].tolist() == [float(x) for x in sphere.partial(1, 0, "1/2", "1/2")]
+    (told,) = xs.analyse(sphere).curvature(("1/4", "1/2"))
+    assert sphere.floats(0.25, 0.5, of="mean_curvature") == float(told.values["H"])
+    assert [float(x) for x in sphere.normal("1/4", "1/2")] == sphere.floats(0.25, 0.5, of="normal").tolist()
+    cone = xs.NurbsSurface(
+        (1, 2), [0, 0, 1, 1], [0, 0, 0, 1, 1, 1], [[(0, 0, 0)] * 3, [(1, 0, 1), (1, 1, 1), (0, 1, 1)]]
+    )
+    assert all(map(math.isnan, cone.floats(0, 0.5, of="normal")))
+    assert math.isnan(cone.floats(0, 0.5, of="gaussian_curvature"))
+    assert all(map(math.isnan, xs.example("cusp").floats(0.5, of="unit_tangent")))
+    product = sphere.p[0]
+    assert product.floats(0.25, 0.5, order=(0, 1)) == float(product.partial(0, 1)("1/4", "1/2"))
+    t = xs.BSpline.identity(0, 2)
+    assert (t * t).floats(ts, order=1).tolist() == [0.5, 1.0, 1.5]
+    assert (t * t).floats(xs.zeros(t * t - 2), order=0).tolist() == [2.0]
+
+
+@pytest.mark.parametrize(("call", "says"), [
+    (lambda c: c.floats(), "curve.floats"),
+    (lambda c: c.floats([0], [1]), "2 rows of parameters"),
+    (lambda c: c.floats(0, of="colour"), "the quantity 'colour' is unknown"),
+    (lambda c: c.floats(0, of="curvature", order=1), "a derivative of the curvature"),
+    (lambda c: c.floats(0, of="mean_curvature"), "mean_curvature of a curve"),
+    (lambda c: c.p[0].floats(0, of="normal"), "exactspline.graph"),
+    (lambda c: xs.example("torus").floats(0), "us, vs"),
+    (lambda c: xs.example("torus").floats(0, 0, order=1), r"order=\(1, 0\)"),
+    (lambda c: xs.example("torus").floats(0, 0, of="torsion"), "torsion of a surface"),
+    (lambda c: xs.floats([0], [1]), "curve.floats"),
+])  # fmt: skip
+def test_what_floats_does_not_take(call, says):
+    with pytest.raises(xs.ExactSplineError, match=says):
+        call(xs.example("cubic_s"))

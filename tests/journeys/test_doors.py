@@ -17,7 +17,6 @@ from exactspline.display.described import described
 from exactspline.errors import ShapeError
 from exactspline.extras import pictures3d
 from exactspline.geometry.analysis.curves import QUESTIONS
-from exactspline.geometry.curves.floats import place_of
 from exactspline.numbers.exact import from_float
 from tests.support.command import run
 from tests.support.sampled import sample
@@ -162,11 +161,9 @@ SCROLL = xs.find("tangent_developable_reduced")(xs.example("rational_space_cubic
 #: For every function with arguments that have defaults, what it is given in the other places.
 OPTIONS = {
     "at": (T, "1/2"),
-    "at_floats": (CUSP, [0]),
     "check_certificate": (xs.zeros(T * T - 2).certificate(),),
     "contains": (xs.example("circle"), (0, 0)),
     "curvature": (CUSP, "1/3"),
-    "curvature_floats": (CUSP, [0]),
     "degree": ("f2",),
     "derive": ("evolute", CUSP),
     "claims": ("C4.1a",),
@@ -381,23 +378,23 @@ def test_singular_points_in_four_dimensions():
 
 @pytest.mark.parametrize("end", ["1/10", "2/3", "0.1", "1e300/3", "1e-300", "123456789.123456789"])
 def test_the_double_nearest_to_an_end_is_in_the_domain(end):
-    """A DomainError before, where the double lies outside: at_floats([0.1]) on [0, 1/10]."""
+    """A DomainError before, where the double lies outside: floats([0.1]) on [0, 1/10]."""
     numerator, _, denominator = end.partition("/")
     b = xs.rational(numerator) / xs.rational(denominator or "1")
     for curve in (xs.Nurbs(1, [0, 0, b, b], [(0, 0), (1, 1)]), xs.Nurbs(1, [b, b, 2 * b, 2 * b], [(0, 0), (1, 1)])):
         for t in map(float, curve.domain):
-            ((x, _),) = xs.at_floats(curve, [t])
+            ((x, _),) = curve.floats([t])
             assert x == pytest.approx(float(t > b * mpq(3, 2)) if curve.domain[0] else float(t > 0), abs=1e-15)
-            assert xs.curvature(curve, place_of(t, curve)) == 0
+            assert curve.floats([t], of="curvature") == 0
     with pytest.raises(xs.ExactSplineError, match="outside the domain"):
-        xs.at_floats(xs.Nurbs(1, [0, 0, b, b], [(0, 0), (1, 1)]), [float(b) * 1.0001])
+        xs.Nurbs(1, [0, 0, b, b], [(0, 0), (1, 1)]).floats([float(b) * 1.0001])
 
 
 def test_one_overflow_does_not_end_the_others():
     """An OverflowError for the whole batch before."""
     curve = xs.Nurbs(1, [0, 0, 1, 1], [(0, 0), ("-1e400", 1)])
-    assert xs.at_floats(curve, [0, "1/2", 1]) == [(0.0, 0.0), (-float("inf"), 0.5), (-float("inf"), 1.0)]
-    assert xs.at_floats(curve, [1], rounding="up")[0][0] == -1.7976931348623157e308
+    assert curve.floats([0, "1/2", 1]).tolist() == [[0.0, 0.0], [-float("inf"), 0.5], [-float("inf"), 1.0]]
+    assert curve.floats(1, rounding="up")[0] == -1.7976931348623157e308
     steep = xs.Nurbs(2, [0, 0, 0, 1, 1, 1], [(0, 0), ("1e-400", 0), (1, 1)])
     with pytest.raises(OverflowError):
         float(xs.curvature(steep, 0))

@@ -144,7 +144,7 @@ RETURNED = {
 }
 #: Names that return what one of those above returns, plain data, numbers, text, pictures or nothing.
 COVERED = {
-    *("at", "at_floats", "curvature_floats"),
+    "at",
     *("complex_quotient", "conjugate", "cross", "det", "dot", "generalized_cross", "join", "norm2", "perp", "triple"),
     *("wronskian", "numerator", "control_point_count", "greville_abscissae", "zeros", "rational"),
     *("from_floats", "floats", "features_of_many", "features_of_curves", "check_certificate"),

@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterator
 from fractions import Fraction
 from typing import Any
 
-from exactspline.geometry.curves.floats import curvature_floats
+from exactspline.geometry.analysis.floats import floats
 from exactspline.numbers.exact import mpq
 from exactspline.splines.nurbs import Nurbs
 from workshop.bench.inputs import curve
@@ -46,7 +46,7 @@ def spline_rows(options: Options) -> Iterator[Row]:
         yield from compared(SPLINES, case, best(timed), {"scipy": Fraction(most)})
         yield from (missing(SPLINES, case, who) for who in absent)
     one, parameters = curve(3), [i / MANY for i in range(MANY + 1)]
-    took = best({OURS: (lambda _: curvature_floats(one, parameters), lambda: None)})[OURS] / 1000
+    took = best({OURS: (lambda _: floats(one, parameters, of="curvature"), lambda: None)})[OURS] / 1000
     yield bounded(SPLINES, f"{MANY:,} curvatures of a rational cubic, correctly rounded", took, "s", Fraction(1, 2))
 
 

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+from exactspline.errors import DomainError
 from exactspline.geometry.surfaces.forms import SurfaceForms
 from exactspline.numbers.exact import mpq
 from exactspline.questions.answers import NamedNumbers
 from exactspline.questions.entry import Answered, Inspected, Of, question_with
 from exactspline.questions.takes import PLACE_ON_SURFACE, TWO_ORDERS, QuestionError
-from exactspline.reals.real import Real, square_root
+from exactspline.reals.real import Real
 from exactspline.splines.surface import NurbsSurface
 
 
@@ -56,8 +57,6 @@ class CurvatureValues(SurfaceValues):
     def curvature(self, place: tuple[mpq, mpq]) -> tuple[NamedNumbers, ...]:
         """The Gaussian curvature K and the mean curvature H at a pair of parameters, inside a patch.
 
-        For the normal ``S_u × S_v``: ``H = w⁸ (EN − 2FM + GL) |w| √a / (2 a²)`` with ``a = w⁶ (EG − F²)``.
-
         >>> from exactspline import analyse, example
         >>> analyse(example("sphere")).curvature(("1/3", "1/3"))[0].values["K"]
         <Real 1>
@@ -65,14 +64,11 @@ class CurvatureValues(SurfaceValues):
         Raises `QuestionError` on a knot line inside of the surface, and where it has no tangent plane.
         """
         self._check_inside(place)
-        u, v = place
-        forms = SurfaceForms(self.surface)
-        numerator, denominator = (form(u, v) for form in forms.curvature)
-        if not denominator:
-            raise QuestionError(f"no tangent plane at {u}, {v}", remedy="see singular_points")
-        mean = forms.minimality(u, v) * abs(self.surface.w(u, v)) / (2 * denominator)
-        values = {"K": Real(numerator / denominator), "H": square_root(forms.area(u, v)) * mean}
-        return (NamedNumbers("curvature", values),)
+        try:
+            gaussian, mean = SurfaceForms(self.surface).curvatures(*place)
+        except DomainError as error:
+            raise QuestionError(error.problem, remedy=error.remedy) from None
+        return (NamedNumbers("curvature", {"K": gaussian, "H": mean}),)
 
 
 def _by_axis(point: tuple[mpq, ...]) -> dict[str, Real]:

@@ -5,12 +5,13 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from exactspline.errors import DomainError, ShapeError
+from exactspline.formulas.derivatives import across
 from exactspline.geometry.curves.facts import facts_of
 from exactspline.geometry.curves.planarity import in_the_plane
 from exactspline.geometry.derived.domain import part, space
 from exactspline.language.arguments import Curve
 from exactspline.language.rational import Rational
-from exactspline.language.vector import Vector, cross, det, norm2
+from exactspline.language.vector import Vector, cross, det, norm2, perp
 from exactspline.numbers.exact import Number, mpq, text
 from exactspline.numbers.exact import sign as sign_of
 from exactspline.numbers.sides import Side
@@ -69,6 +70,26 @@ def unit(vector: Vector[BSpline], place: mpq | Real, name: str = "T", side: Side
         raise DomainError(f"{name} is undefined: the vector vanishes there", remedy="choose another parameter")
     squared = norm2(vector)
     return [signed_root(s, value_at(x * x, squared, place, side)) for x, s in zip(vector, signs, strict=True)]
+
+
+def direction_at(curve: Nurbs, place: mpq | Real, side: Side | str = Side.RIGHT, *, normal: bool) -> tuple[Real, ...]:
+    """The unit tangent, or the unit normal, at a rational parameter or an irrational root.
+
+    >>> from exactspline import example, zeros
+    >>> circle = example("circle")
+    >>> [x.double() for x in direction_at(circle, zeros(circle.p[0] - circle.p[1])[0], normal=True)]
+    [-0.7071067811865476, -0.7071067811865476]
+    """
+    if not isinstance(place, Real):
+        return curve.normal(place, side) if normal else curve.unit_tangent(place, side)
+    first = Vector(*_derivative(curve, 1)[0])
+    if not normal:
+        return tuple(unit(first, place, "the tangent"))
+    if curve.dimension == 2:
+        return tuple(unit(perp(first), place, "the normal"))
+    # the second derivative is divided by one power of w more
+    second = Vector(*[x * curve.w for x in _derivative(space(curve), 2)[0]])
+    return tuple(unit(across(first, second), place, "the normal"))
 
 
 def curvature(curve: Nurbs, t: Number | Real, side: Side | str = Side.RIGHT) -> Real:

@@ -10,14 +10,16 @@ from itertools import product
 from typing import NamedTuple
 
 from exactspline.bivariate.borders import Patch
-from exactspline.errors import ShapeError
+from exactspline.errors import DomainError, ShapeError
 from exactspline.language.formula import Formula
 from exactspline.language.parts import numerator
 from exactspline.language.vector import Vector
+from exactspline.numbers.exact import mpq
 from exactspline.numbers.intervals import Box
 from exactspline.numbers.once import cached_property
 from exactspline.papers import find
 from exactspline.polynomials.patch_forms import Borders, PatchForm
+from exactspline.reals.real import Real, square_root
 from exactspline.splines.surface import NurbsSurface
 from exactspline.splines.tensor import TensorSpline, aligned
 
@@ -130,6 +132,23 @@ class SurfaceForms:
     def curvature(self) -> tuple[TensorSpline, TensorSpline]:
         """Numerator and denominator of K: ``w⁴ · w⁸ (LN − M²)`` and ``‖Π_n‖⁴``."""
         return self.parabolic * self.surface.w**4, self.area * self.area
+
+    def curvatures(self, u: mpq, v: mpq) -> tuple[Real, Real]:
+        """K and H at a pair of parameters.
+
+        For the normal ``S_u × S_v``: ``H = w⁸ (EN − 2FM + GL) |w| √a / (2 a²)`` with ``a = w⁶ (EG − F²)``.
+
+        >>> from exactspline import example
+        >>> SurfaceForms(example("sphere")).curvatures(mpq(1, 3), mpq(1, 3))[0]
+        <Real 1>
+
+        Raises `DomainError` where there is no tangent plane.
+        """
+        numerator, denominator = (form(u, v) for form in self.curvature)
+        if not denominator:
+            raise DomainError(f"no tangent plane at {u}, {v}", remedy="see singular_points")
+        mean = self.minimality(u, v) * abs(self.surface.w(u, v)) / (2 * denominator)
+        return Real(numerator / denominator), square_root(self.area(u, v)) * mean
 
     @property
     def patches(self) -> list[Patch]:

@@ -1,0 +1,306 @@
+"""Correctly rounded doubles: of exact numbers, and of curves, functions and surfaces at many parameters."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Sequence
+from functools import partial
+from math import inf, isfinite, nan
+from typing import TYPE_CHECKING, Any, TypeAlias, cast, overload
+
+from exactspline.errors import DomainError, NumberError, ShapeError, a_kind, as_items, counted, shown
+from exactspline.geometry.curves.kinds import Feature
+from exactspline.geometry.curves.values import (
+    curvature,
+    direction_at,
+    in_plane_or_space,
+    is_singular,
+    point_at,
+    segment_at,
+    signed_square,
+    torsion,
+)
+from exactspline.geometry.surfaces.forms import SurfaceForms
+from exactspline.language.operand import checked_order
+from exactspline.numbers.exact import (
+    DEEPEST,
+    Number,
+    Rounding,
+    checked_rounding,
+    double,
+    double_root,
+    from_float,
+    is_float,
+    mpq,
+    rational,
+)
+from exactspline.numbers.intervals import Interval
+from exactspline.numbers.sides import Side
+from exactspline.reals.real import Real, real
+from exactspline.roots.values import at, exact_place
+from exactspline.splines.bspline import BSpline
+from exactspline.splines.inputs import checked_side
+from exactspline.splines.nurbs import Nurbs
+from exactspline.splines.surface import NurbsSurface
+from exactspline.splines.tensor import TensorSpline
+from exactspline.splines.type_checks import of_file
+from exactspline.words import Word, choice
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
+#: Values with a correctly rounded double; a feature stands for its parameter.
+Exact: TypeAlias = Number | Real | Feature
+#: What is evaluated at parameters.
+Evaluated: TypeAlias = Nurbs | BSpline | NurbsSurface | TensorSpline
+#: The order of a derivative, by the only parameter or by both.
+Orders: TypeAlias = int | tuple[int, int]
+
+
+class Quantity(Word):
+    """What is asked at parameters: of a curve the first six, of a surface points, normals and the last two."""
+
+    POINT = "point"
+    TANGENT = "tangent"
+    UNIT_TANGENT = "unit_tangent"
+    NORMAL = "normal"
+    CURVATURE = "curvature"
+    TORSION = "torsion"
+    GAUSSIAN_CURVATURE = "gaussian_curvature"
+    MEAN_CURVATURE = "mean_curvature"
+
+
+SCALARS_OF_SURFACES = (Quantity.GAUSSIAN_CURVATURE, Quantity.MEAN_CURVATURE)
+SCALARS = (Quantity.CURVATURE, Quantity.TORSION, *SCALARS_OF_SURFACES)
+
+
+# text is one number here, though for a type checker it is a sequence of texts
+@overload
+def floats(values: Exact, *, rounding: str = ...) -> float:  # type: ignore[overload-overlap]  # see above
+    """The correctly rounded double of a number."""
+
+
+@overload
+def floats(values: Iterable[Exact], *, rounding: str = ...) -> list[float]:  # type: ignore[overload-overlap]  # likewise
+    """Those of the numbers in a sequence."""
+
+
+@overload
+def floats(values: Iterable[Iterable[Exact]], *, rounding: str = ...) -> list[list[float]]:
+    """Those of the numbers in rows."""
+
+
+@overload
+def floats(
+    values: Evaluated, *parameters: object, of: str = ..., order: Orders = ..., rounding: str = ..., side: str = ...
+) -> NDArray[np.float64]:
+    """Those of a curve, a function or a surface at parameters."""
+
+
+def floats(
+    values: Exact | Iterable[Exact] | Iterable[Iterable[Exact]] | Evaluated,
+    *parameters: object,
+    of: str = Quantity.POINT,
+    order: Orders = 0,
+    rounding: str = Rounding.NEAREST,
+    side: str = Side.RIGHT,
+) -> float | list[float] | list[list[float]] | NDArray[np.float64]:
+    """Correctly rounded doubles (``nearest``, ``down`` or ``up``): of numbers, and of a curve, a function or a surface
+    at parameters, which may be doubles. ``curve.floats(ts)`` is ``floats(curve, ts)``.
+
+    Of a number, of the parameter of a feature, of every number in a sequence or in rows (knots, control points, zeros,
+    features) a double or lists of doubles:
+
+    >>> from exactspline import analyse, example
+    >>> curve = example("cubic_s")
+    >>> floats(analyse(example("cusp")).cusps), floats(curve.control_points[1]), floats(mpq(1, 10), rounding="up") - 0.1
+    ([0.5], [1.0, 2.0], 0.0)
+
+    Of a curve at parameters `ts` (of a surface `us`, `vs`, which are broadcast) an array of the shape of these, for
+    vectors with one more axis: the points, the derivatives of an `order` (of a surface a pair), or what `of` names:
+    ``tangent``, ``unit_tangent``, ``normal``, ``curvature``, ``torsion``, of a surface ``normal``,
+    ``gaussian_curvature``, ``mean_curvature``; NaN where that is not defined. A double among the parameters counts with
+    its binary value; where that is outside the domain, the double nearest to an end is this end. What is beyond the
+    largest double is rounded as IEEE 754 does.
+
+    >>> circle = example("circle")
+    >>> circle.floats([0.5, "1/3"]).tolist(), circle.floats(0.5, of="curvature").tolist()
+    ([[0.6, 0.8], [0.8, 0.6]], 1.0)
+    >>> circle.floats([0.1], order=2, rounding="down").tolist()
+    [[-3.7658897739592607, -1.160825816921463]]
+    >>> example("cusp").floats([0, 0.5], of="curvature").tolist()
+    [-0.039283710065919304, nan]
+    >>> example("sphere").floats([[0.25], [0.5]], [0.25, 0.5, 0.75], of="gaussian_curvature").shape
+    (2, 3)
+
+    Raises `NumberError` for anything that is not a number, `DomainError` outside the domain, `ShapeError` where the
+    quantity is of no such object, `OverflowError` for a number beyond the largest double.
+    """
+    given: object = of_file(values)
+    if isinstance(given, Evaluated):
+        if not parameters:
+            raise ShapeError(f"{a_kind(given)} without parameters", remedy="write curve.floats(ts)")
+        quantity = choice(Quantity, of, "quantity", raised=ShapeError)
+        if order and quantity is not Quantity.POINT:
+            raise ShapeError(f"a derivative of the {quantity}", remedy="an order is that of a derivative of the curve")
+        limit = Side.LEFT if checked_side(side) else Side.RIGHT
+        return _values(given, parameters, quantity, order, checked_rounding(rounding), limit)
+    if parameters:
+        raise ShapeError(f"parameters of {a_kind(given)}", remedy="write curve.floats(ts)")
+    return cast("float | list[float] | list[list[float]]", _doubles(values, rounding, DEEPEST))
+
+
+def _doubles(values: object, rounding: str, depth: int) -> object:
+    """The doubles of numbers in sequences nested to some depth."""
+    if isinstance(values, Feature):
+        return values.root.double(rounding)
+    if isinstance(values, Iterable) and not isinstance(values, str):
+        if depth == 0:
+            raise NumberError(
+                f"lists nested more than {DEEPEST} levels deep", remedy="give a list of numbers, or of rows"
+            )
+        return [_doubles(value, rounding, depth - 1) for value in as_items(values, "numbers")]
+    return real(cast(Number, values)).double(rounding)
+
+
+def _values(
+    given: Evaluated, parameters: Sequence[object], of: Quantity, order: Orders, rounding: Rounding, side: Side
+) -> NDArray[np.float64]:
+    """The doubles at parameters, as an array of their shape, with one more axis where they are vectors."""
+    import numpy as np
+
+    grids = np.broadcast_arrays(*[np.asarray(_listed(ts), dtype=object) for ts in parameters])
+    if isinstance(given, NurbsSurface | TensorSpline):
+        rows = _of_surface(given, grids, of, order, rounding)
+    else:
+        _expected(len(grids), 1, "ts")
+        places = [place_of(t, given.domain) for t in grids[0].flat]
+        rows = _of_curve(given, places, of, checked_order(cast(int, order)), rounding, side)
+    vectors = isinstance(given, Nurbs | NurbsSurface) and of not in SCALARS
+    axes = (given.dimension,) if isinstance(given, Nurbs | NurbsSurface) and vectors else ()
+    return np.array(rows, dtype=float).reshape((*grids[0].shape, *axes))
+
+
+def _listed(ts: object) -> object:
+    """Parameters as numpy reads them: a set of zeros, and others that are no lists, as a list."""
+    return list(ts) if isinstance(ts, Iterable) and not isinstance(ts, str) and not hasattr(ts, "dtype") else ts
+
+
+def _expected(found: int, count: int, written: str) -> None:
+    """See that there are as many rows of parameters as there are parameters."""
+    if found != count:
+        raise ShapeError(f"{counted(found, 'row')} of parameters", remedy=f"write .floats({written})")
+
+
+def _of_curve(
+    given: Nurbs | BSpline, places: Sequence[mpq | Real], of: Quantity, order: int, rounding: Rounding, side: Side
+) -> list[list[float]]:
+    """The doubles of one quantity of a curve, or of a function, at its parameters."""
+    if isinstance(given, BSpline):
+        if of is not Quantity.POINT:
+            raise ShapeError(f"the {of} of a function", remedy="exactspline.graph(f) is the curve that it draws")
+        derived = given.d(order)
+        return [[_rounded(at(derived, place, side=side), rounding)] for place in places]
+    if of in SCALARS_OF_SURFACES:
+        raise ShapeError(f"the {of} of a curve", remedy="there are curvature and torsion")
+    for place in places:
+        segment_at(given, place, side)
+    if of is Quantity.CURVATURE:
+        plane, left = in_plane_or_space(given), side is Side.LEFT
+        return [[_curvature(plane, place, rounding, side, left=left)] for place in places]
+    if of is Quantity.POINT and not order and not any(isinstance(place, Real) for place in places):
+        points = given.evaluation.points(cast("Sequence[mpq]", places), left=side is Side.LEFT)
+        return [[_rounded(x, rounding) for x in point] for point in points]
+    size = 1 if of in SCALARS else given.dimension
+    return [_defined(partial(_vector, given, t, of, order, side), size, rounding) for t in places]
+
+
+def _vector(curve: Nurbs, place: mpq | Real, of: Quantity, order: int, side: Side) -> Sequence[mpq | Real]:
+    if of is Quantity.TORSION:
+        return [torsion(curve, place, side)]
+    if of in (Quantity.NORMAL, Quantity.UNIT_TANGENT):
+        return direction_at(curve, place, side, normal=of is Quantity.NORMAL)
+    order = 1 if of is Quantity.TANGENT else order
+    return point_at(curve, place, order, side) if isinstance(place, Real) else curve.derivative(order, place, side)
+
+
+def _defined(value: Callable[[], Sequence[mpq | Real]], size: int, rounding: Rounding) -> list[float]:
+    """The doubles of a vector, NaN where it is not defined; its parameter is in the domain."""
+    try:
+        return [_rounded(x, rounding) for x in value()]
+    except DomainError:
+        return [nan] * size
+
+
+def _curvature(curve: Nurbs, place: mpq | Real, rounding: Rounding, side: Side, *, left: bool) -> float:
+    """The curvature at a parameter, NaN where γ′ = 0."""
+    if not isinstance(place, Real):
+        sign, top, bottom = signed_square(curve, place, left=left)
+        return _rounded_root(sign, top, bottom, rounding) if bottom else nan
+    if is_singular(curve, segment_at(curve, place, side), place, side):
+        return nan
+    return _rounded(curvature(curve, place, side), rounding)
+
+
+def _of_surface(
+    given: NurbsSurface | TensorSpline, grids: Sequence[Any], of: Quantity, order: Orders, rounding: Rounding
+) -> list[list[float]]:
+    """The doubles of one quantity of a surface, or of a function of two parameters."""
+    _expected(len(grids), 2, "us, vs")
+    places = [
+        tuple(rational(cast(mpq, place_of(t, side))) for t, side in zip(place, given.domain, strict=True))
+        for place in zip(*[grid.flat for grid in grids], strict=True)
+    ]
+    pair = order if isinstance(order, tuple) else (order, order)
+    if len(pair) != 2 or (order and not isinstance(order, tuple)):
+        raise ShapeError(f"the order {shown(order)} of a derivative by u and v", remedy="write order=(1, 0)")
+    i, j = map(checked_order, pair)
+    if isinstance(given, TensorSpline):
+        derived = given.partial(i, j)
+        return [[_rounded(derived(u, v), rounding)] for u, v in places]
+    if of is Quantity.POINT:
+        return [[_rounded(x, rounding) for x in given.partial(i, j, u, v)] for u, v in places]
+    if of is Quantity.NORMAL:
+        return [_defined(partial(given.normal, u, v), 3, rounding) for u, v in places]
+    if of not in SCALARS_OF_SURFACES:
+        raise ShapeError(f"the {of} of a surface", remedy=f"there are point, normal, {', '.join(SCALARS_OF_SURFACES)}")
+    forms, which = SurfaceForms(given), SCALARS_OF_SURFACES.index(of)
+
+    def curvatures(u: mpq, v: mpq) -> list[Real]:
+        return [forms.curvatures(u, v)[which]]
+
+    return [_defined(partial(curvatures, u, v), 1, rounding) for u, v in places]
+
+
+def _rounded(x: mpq | Real, rounding: str) -> float:
+    """The double as IEEE 754 rounds, also beyond the largest: one overflow does not end the others."""
+    try:
+        return x.double(rounding) if isinstance(x, Real) else double(x, rounding)
+    except OverflowError:
+        return inf if x > 0 else -inf
+
+
+def _rounded_root(sign: int, top: int, bottom: int, rounding: str) -> float:
+    try:
+        return double_root(sign, top, bottom, rounding)
+    except OverflowError:
+        return sign * inf
+
+
+def place_of(t: object, domain: Interval) -> mpq | Real:
+    """A parameter in a domain. A float counts with its binary value; where that is outside the domain, the double
+    nearest to an end is this end.
+    """
+    if isinstance(t, Feature):
+        t = t.root
+    if not is_float(t):
+        return exact_place(cast(Number | Real, t))
+    low, high = domain
+    value = from_float(t)
+    if low <= value <= high:
+        return value
+    for end, outside in ((low, value < low), (high, value > high)):
+        nearest = _rounded(end, Rounding.NEAREST)
+        if outside and isfinite(nearest) and value == from_float(nearest):
+            return end
+    return value
