@@ -306,7 +306,6 @@ ROUNDED = {
     "geometry/analysis/many_curves.py: _found": "the certified filter, which counts what has no double",
     "geometry/analysis/many_curves.py: outside": "the certified filter",
     "geometry/analysis/many_curves.py: scaled_operands": "the certified filter",
-    "interchange/bridges/numpy.py: points_at": "rounds to doubles, on request",
     "interchange/numbers.py: about": "digits that are shown",
     "extras/cad/rhino.py: write": "writes a file of doubles, and names the numbers that are rounded",
     "extras/cad/rhino_process.py: _hex": "doubles of a file, bit by bit",

@@ -74,19 +74,19 @@ def test_numpy_numbers_of_every_width():
 
 def test_points_in_arrays():
     np = pytest.importorskip("numpy")
-    from exactspline.interchange.bridges.numpy import points_at, to_arrays
+    from exactspline.interchange.bridges.numpy import to_arrays
 
     ts = np.linspace(0, 1, 17)
-    points = points_at(ARC, ts)
+    points = ARC.floats(ts)
     assert points.shape == (17, 2)
     for t, row in zip(ts, points, strict=True):
         assert tuple(row) == tuple(int(x.numerator) / int(x.denominator) for x in ARC(from_float(float(t))))
-    assert points_at(ARC, []).shape == (0, 2)
+    assert ARC.floats([]).shape == (0, 2)
     arrays = to_arrays(SPACE)
     assert arrays.control_points.shape == (4, 3)
     assert arrays.weights.tolist() == [1, 2, 0.5, 1]
     with pytest.raises(DomainError):
-        points_at(ARC, [1.5])
+        ARC.floats([1.5])
 
 
 def test_scipy_both_ways():
