@@ -9,6 +9,7 @@ Everything that a user looks for is here; a name is imported when it is first us
 """
 
 from importlib import import_module
+from sys import modules
 
 import lazy_loader
 
@@ -17,7 +18,7 @@ from exactspline.hooks import set_functions, set_printers
 __version__ = "0.2.0"
 
 #: The names stand in ``__init__.pyi``, which type checkers read too.
-__getattr__, __dir__, _names = lazy_loader.attach_stub(__name__, __file__)
+_loaded, __dir__, _names = lazy_loader.attach_stub(__name__, __file__)
 __all__ = [*_names, "__version__"]  # noqa: PLE0604
 
 
@@ -32,4 +33,18 @@ def _printed(form: str, shown: object) -> str | None:
 
 
 set_printers(_printed)
-set_functions((name for name in _names if name.islower()), __getattr__)
+
+
+def _outside(name: str, thing: object) -> object:
+    """What objects do not have themselves: see `exactspline.first_guesses`."""
+    return import_module("exactspline.first_guesses").of_object(modules[__name__], name, thing)
+
+
+def __getattr__(name: str) -> object:
+    """A name of the front door, or what was meant."""
+    if name in _names or name[0] == "_":
+        return _loaded(name)
+    return import_module("exactspline.first_guesses").of_package(modules[__name__], name)
+
+
+set_functions((name for name in _names if name.islower()), _outside)

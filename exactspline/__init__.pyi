@@ -3,6 +3,7 @@
 from .extras import teaching as teaching
 from . import display as display
 from . import interchange as interchange
+from . import constructors as constructors
 from . import language as language
 from . import readings as readings
 from . import tables as tables
@@ -10,11 +11,14 @@ from . import tables as tables
 # construction
 from .splines.bspline import BSpline as BSpline
 from .splines.nurbs import Nurbs as Nurbs
+from .splines.nurbs import graph as graph
 from .splines.surface import NurbsSurface as NurbsSurface
 from .splines.tensor import TensorSpline as TensorSpline
 from .splines.knots import KnotVector as KnotVector
 from .splines.control_points import Direction as Direction
 from .splines.control_points import greville_abscissae as greville_abscissae
+from .constructors import circle as circle
+from .constructors import interpolate as interpolate
 from .numbers.exact import rational as rational
 from .numbers.exact import from_floats as from_floats
 from .reals.real import Real as Real
@@ -23,11 +27,13 @@ from .reals.real import square_root as square_root
 # files and examples
 from .interchange.files import read as read
 from .interchange.files import write as write
+from .interchange.bridges.scipy import from_scipy as from_scipy
+from .interchange.bridges.scipy import to_scipy as to_scipy
 from .interchange.examples import example as example
 from .interchange.examples import examples as examples
 
 # evaluation
-from .roots.values import at as at
+from .roots.values import evaluate as evaluate
 from .geometry.analysis.floats import floats as floats
 from .geometry.curves.values import curvature as curvature
 from .geometry.curves.values import torsion as torsion
@@ -42,7 +48,6 @@ from .certificates import check_certificate as check_certificate
 # analysis
 from .geometry.analysis.curves import analyse as analyse
 from .geometry.analysis.many_curves import features_of_curves as features_of_curves
-from .geometry.analysis.many_curves import features_of_many as features_of_many
 from .geometry.analysis.ask import ask as ask
 from .batch.sweep import sweep as sweep
 from .batch.families import Family as Family
@@ -64,6 +69,7 @@ from .geometry.pairs.winding import winding_number as winding_number
 
 # pictures
 from .display.plot.anything import plot as plot
+from .display.latex import latex as latex
 
 # formulas and papers
 from .papers import find as find

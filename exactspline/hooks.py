@@ -5,7 +5,10 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from enum import Enum
+from functools import cache
 from importlib import import_module
+from itertools import chain
+from os.path import dirname, join
 from typing import TYPE_CHECKING, Any, ClassVar, Protocol, cast, dataclass_transform
 
 from exactspline.one_line import OneLine, fields_of
@@ -34,9 +37,10 @@ def _plain(form: str, shown: object) -> str | None:
 
 
 _printers: list[Printers] = [_plain]
-_functions = set[str]()
-#: How a function of the front door is loaded by its name.
-_loaded: list[Callable[[str], Callable[..., object]]] = []
+#: What the front door knows of a name and an object that has no attribute of that name.
+_outside: list[Callable[[str, object], object]] = []
+#: The first two rows of what users type first: functions that are methods, too, and questions.
+LENT, QUESTIONS = "lent", "questions"
 
 
 def set_printers(printers: Printers) -> None:
@@ -44,13 +48,24 @@ def set_printers(printers: Printers) -> None:
     _printers[0] = printers
 
 
-def set_functions(names: Iterable[str], loaded: Callable[[str], Callable[..., object]]) -> None:
-    """Let the errors of missing methods name these functions of the front door, and methods that are lent call them."""
-    _loaded[:] = [loaded]
-    for name in names:
+@cache
+def first_guesses() -> dict[str, list[str]]:
+    """What users type first, by the call that works (``guesses.txt``).
+
+    >>> first_guesses()["x.closed"][:2]
+    ['is_closed', 'isclosed']
+    """
+    with open(join(dirname(__file__), "guesses.txt"), encoding="utf-8") as stream:
+        rows = [line.rpartition(": ") for line in stream if line[0] != "#"]
+    return {call: guesses.split() for call, _, guesses in rows}
+
+
+def set_functions(names: Iterable[str], outside: Callable[[str, object], object]) -> None:
+    """Let objects find by `outside` these functions of the front door, and what users type first, as attributes."""
+    _outside[:] = [outside]
+    for name in {*names, *chain(*first_guesses().values())}:
         if not hasattr(FunctionsOutside, name):
-            _functions.add(name)
-            setattr(FunctionsOutside, name, _FunctionOutside(name))
+            setattr(FunctionsOutside, name, _Outside(name))
 
 
 class Writer(Protocol):
@@ -103,21 +118,24 @@ class WordedData(Worded):
             dataclass(frozen=True, repr=False)(cls)
 
 
-class _FunctionOutside:
-    """An attribute that there is not, and a function of its name that there is."""
+class _Outside:
+    """An attribute that the front door finds: a function that takes the object, the answer to a question, or an error
+    that names the call that works.
+    """
 
     def __init__(self, name: str) -> None:
         self.name = name
 
     def __get__(self, instance: object, owner: type) -> object:
-        """Refuse it, naming the function."""
-        problem = f"{owner.__name__!r} object has no attribute {self.name!r}"
-        raise AttributeError(f"{problem}; use the function exactspline.{self.name}", name=self.name, obj=instance)
+        """What is found, of a class itself an error alone."""
+        if instance is None:
+            raise AttributeError(f"type object {owner.__name__!r} has no attribute {self.name!r}", name=self.name)
+        return _outside[0](self.name, instance)
 
 
 class FunctionsOutside:
-    """An object that functions of the front door take: ``exactspline.plot(curve)``, not ``curve.plot()``. The last of
-    the bases, so that its attributes come after all others.
+    """An object that functions of the front door take: ``curve.plot()`` is ``exactspline.plot(curve)``, and
+    ``curve.length`` the answer to a question. The last of the bases, so that its attributes come after all others.
 
     There is no ``__getattr__``: with one, every attribute of a class is found more slowly.
     """
@@ -135,13 +153,9 @@ class FunctionsOutside:
         """Correctly rounded doubles at parameters, as an array: of points, and by ``of="curvature"``, ``order=1``, … of
         other quantities: what `exactspline.floats` returns for this object.
         """
-        found = _loaded[0]("floats")(self, *parameters, of=of, order=order, rounding=rounding, side=side)
-        return cast("NDArray[np.float64]", found)
+        evaluate = cast("Callable[..., NDArray[np.float64]]", _outside[0]("floats", self))
+        return evaluate(*parameters, of=of, order=order, rounding=rounding, side=side)
 
     def __dir__(self) -> list[str]:
-        missing = {name for name in _functions if isinstance(_found(type(self), name), _FunctionOutside)}
-        return [name for name in super().__dir__() if name not in missing or name in getattr(self, "__dict__", ())]
-
-
-def _found(owner: type, name: str) -> object:
-    return next((each.__dict__[name] for each in owner.__mro__ if name in each.__dict__), None)
+        own = {name for each in type(self).__mro__ if each is not FunctionsOutside for name in each.__dict__}
+        return sorted({*own, *getattr(self, "__dict__", ()), "floats"})

@@ -14,6 +14,7 @@ from exactspline.language.rational import Rational
 from exactspline.language.ruled import RuledSurface
 from exactspline.language.vector import Vector
 from exactspline.numbers.exact import mpq, text
+from exactspline.papers import find
 from exactspline.readings.degree import Degree
 from exactspline.readings.jet import Jet, polynomial_text
 from exactspline.readings.printing.latex import print_latex
@@ -38,12 +39,13 @@ def mathematics(x: object) -> str | None:
 
 
 def latex(x: object) -> str | None:
-    r"""LaTeX for a notebook, None for other objects: a display formula, with line breaks where it is too long.
+    r"""LaTeX of a formula (or its name), a function, a number, a claim, …, None for other objects: a display formula,
+    with line breaks where it is too long.
 
-    >>> from exactspline.papers import find
-    >>> latex(find("D1")).strip("$")
+    >>> latex("D1").strip("$")
     "D_1 = p'\\,w - p\\,w'"
     """
+    x = find(x) if isinstance(x, str) else x
     inner = mathematics(x)
     return None if inner is None else f"$${inner}$$"
 

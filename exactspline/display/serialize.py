@@ -40,7 +40,7 @@ from exactspline.numbers.intervals import Interval
 from exactspline.numbers.sides import Side
 from exactspline.reals.real import Real
 from exactspline.roots.root import Root, knot_root
-from exactspline.roots.values import at, exact_place
+from exactspline.roots.values import evaluate, exact_place
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.common import with_common_knots
 from exactspline.splines.control_points import Direction
@@ -88,7 +88,7 @@ class Located(NamedTuple):
     def point(self) -> tuple[mpq | Real, ...] | None:
         """The point there; None at infinity."""
         with suppress(ExactSplineError):
-            return at(self.curve, exact_place(self.root))
+            return evaluate(self.curve, exact_place(self.root))
         return None
 
     def values(self, quantity: Callable[[Nurbs, Root, Side], Real]) -> list[Real]:

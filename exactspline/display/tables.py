@@ -213,7 +213,8 @@ def measured(curve: Nurbs, *names: str) -> Grid:
     >>> measured(example("ellipse"), "f2")["degree in d"]
     ['3d − 3']
     """
-    formulas = [find(name) for name in names] or measurable(curve_of(curve).dimension)
+    curve = curve_of(curve)
+    formulas = [find(name) for name in names] or measurable(curve.dimension)
     measurements = [measure(formula, curve) for formula in formulas]
     rows = [
         (m.formula, m.nominal, m.represented, "–" if m.true is None else m.true, m.control_points) for m in measurements

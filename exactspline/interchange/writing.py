@@ -81,7 +81,8 @@ def pen_segments(curve: Nurbs) -> list[list[Point]]:
         kind = "polynomial" if curve.polynomial else "rational"
         remedy = "this format holds polynomial plane curves of degree 1 to 3"
         raise ShapeError(f"a {kind} curve of degree {curve.degree} in R{curve.dimension}", remedy=remedy)
-    segments = [[*zip(*rows, strict=True)] for rows in zip(*[component.segments for component in curve.p], strict=True)]
+    rows = zip(*[component.bezier_points for component in curve.p], strict=True)
+    segments = [[*zip(*row, strict=True)] for row in rows]
     for before, after in pairwise(segments):
         if before[-1] != after[0]:
             raise ShapeError("a jump", remedy="split the curve there")

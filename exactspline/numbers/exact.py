@@ -114,7 +114,7 @@ def rational(value: Number) -> mpq:
     if hasattr(given, "refine") and hasattr(given, "exact"):
         raise NumberError(
             f"{shown(value)} is a root, which need not be rational",
-            remedy="the function exactspline.at takes one; root.exact is its rational value, if any",
+            remedy="the function exactspline.evaluate takes one; root.exact is its rational value, if any",
         )
     several = isinstance(value, Iterable) and not isinstance(value, str | bytes)
     raise NumberError(

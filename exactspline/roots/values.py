@@ -12,7 +12,7 @@ from typing import overload
 
 from flint import fmpq_poly, fmpz_poly
 
-from exactspline.errors import DomainError, ShapeError, a_kind
+from exactspline.errors import DomainError
 from exactspline.numbers.exact import Number, mpq, mpz, rational, sign, text
 from exactspline.numbers.immutable import fill
 from exactspline.numbers.intervals import Interval, quotient, rounded_outwards
@@ -23,6 +23,7 @@ from exactspline.polynomials.centred_form import bounds_over
 from exactspline.reals.real import UNASKED, Real, square_root
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.nurbs import Nurbs
+from exactspline.splines.type_checks import curve_of
 
 
 class ValueAt(Real):
@@ -101,16 +102,16 @@ def signed_root(sign: int, square: Real) -> Real:
 
 
 @overload
-def at(function: BSpline, t: Number | Real, *, side: Side | str = Side.RIGHT) -> mpq | Real:
+def evaluate(function: BSpline, t: Number | Real, *, side: Side | str = Side.RIGHT) -> mpq | Real:
     """The value of a spline at a parameter."""
 
 
 @overload
-def at(function: Nurbs, t: Number | Real, *, side: Side | str = Side.RIGHT) -> tuple[mpq | Real, ...]:
+def evaluate(function: Nurbs, t: Number | Real, *, side: Side | str = Side.RIGHT) -> tuple[mpq | Real, ...]:
     """The point of a curve at a parameter."""
 
 
-def at(
+def evaluate(
     function: BSpline | Nurbs, t: Number | Real, *, side: Side | str = Side.RIGHT
 ) -> mpq | Real | tuple[mpq | Real, ...]:
     """The value of a spline, or the point of a curve, at a parameter: rational numbers at a rational parameter, `Real`
@@ -118,21 +119,18 @@ def at(
 
     >>> from exactspline import BSpline, Nurbs, zeros
     >>> parabola = Nurbs(2, [0, 0, 0, 1, 1, 1], [(0, 0), ("1/2", 0), (1, 1)])
-    >>> at(parabola, "1/2")
+    >>> evaluate(parabola, "1/2")
     (mpq(1,2), mpq(1,4))
-    >>> x, y = at(parabola, zeros(parabola.p[1].scaled(2) - 1).roots[0])
+    >>> x, y = evaluate(parabola, zeros(parabola.p[1].scaled(2) - 1).roots[0])
     >>> x, y == "1/2", y == mpq(1, 2), x.decimal(30)
     (<Real √2/2>, False, True, '0.707106781186547524400844362105')
     >>> s = BSpline.identity(0, 2)
-    >>> at(s * s * s, zeros(s * s - 2).roots[0]), at(s, "1/3")
+    >>> evaluate(s * s * s, zeros(s * s - 2).roots[0]), evaluate(s, "1/3")
     (<Real 2√2>, mpq(1,3))
 
     Raises `DomainError` outside the domain.
     """
-    if not isinstance(function, BSpline | Nurbs):
-        raise ShapeError(
-            f"{a_kind(function)}, where a spline or a curve is expected", remedy="give a BSpline or a Nurbs"
-        )
+    function = function if isinstance(function, BSpline) else curve_of(function)
     place = exact_place(t)
     if not isinstance(place, Real):
         return function(place, side)

@@ -15,7 +15,7 @@ from typing import ClassVar
 
 from flint import fmpz, fmpz_poly
 
-from exactspline.errors import counted
+from exactspline.errors import ShapeError, as_items, counted
 from exactspline.hooks import FunctionsOutside
 from exactspline.language.operand import CONSTANTS, Constant, checked_order
 from exactspline.language.provenance import DERIVATIVE, DIFFERENCE, MULTIPLE, PRODUCT, SUM, UNIT, Provenance, leaf
@@ -89,7 +89,7 @@ class BSpline(Immutable, RingOperand, FunctionsOutside):
         degree = checked_degree(degree)
         vector = knots if isinstance(knots, KnotVector) else KnotVector(knots)
         vector.check(degree)
-        points = exact_row(control_points, "control_points")
+        points = _exact_numbers(control_points)
         vector.check_count(degree, len(points))
         mesh, continuity, spans = mesh_of(vector, degree)
         forms = list(blossom.forms_of(vector.knots, degree, points, spans))
@@ -176,16 +176,21 @@ class BSpline(Immutable, RingOperand, FunctionsOutside):
         """The control points over `knots`."""
         points: tuple[mpq, ...] | None = getattr(self, "_points", None)
         if points is None:
-            known = (self.knots.knots, self.degree, self.mesh.breaks, self.segments)
+            known = (self.knots.knots, self.degree, self.mesh.breaks, self.bezier_points)
             points = blossom.to_control_points(*known) if self.degree >= 0 else ()
             fill(self, _points=points)
         return points
 
     @property
-    def segments(self) -> tuple[tuple[mpq, ...], ...]:
+    def segments(self) -> int:
+        """Number of polynomial segments."""
+        return len(self.mesh)
+
+    @property
+    def bezier_points(self) -> tuple[tuple[mpq, ...], ...]:
         """The Bézier points of every segment.
 
-        >>> BSpline(1, [0, 0, 1, 3, 3], [1, 2, 0]).segments
+        >>> BSpline(1, [0, 0, 1, 3, 3], [1, 2, 0]).bezier_points
         ((mpq(1,1), mpq(2,1)), (mpq(2,1), mpq(0,1)))
         """
         return tuple(tuple(bezier(form, self.degree)) for form in zip(self.numerators, self.denominators, strict=True))
@@ -309,6 +314,22 @@ class BSpline(Immutable, RingOperand, FunctionsOutside):
             result = derivative
         return result
 
+    def integral(self) -> BSpline:
+        """The antiderivative that is 0 at the start of the domain, one degree higher and continuous.
+
+        >>> f = BSpline(1, [0, 0, 1, 3, 3], [2, 0, 4])
+        >>> f.integral().d() == f, f.integral()(0), f.integral()(3)
+        (True, mpq(0,1), mpq(5,1))
+        """
+        degree, reached, points = self.degree + 1, mpq(0), list[mpq]()
+        for piece in self.bezier_segments():
+            (a, b), values = piece.domain, [reached]
+            for point in piece.control_points:
+                values.append(values[-1] + point * (b - a) / degree)
+            points += values
+            reached = values[-1]
+        return BSpline(degree, [t for t in self.breakpoints for _ in range(degree + 1)], points)
+
     def elevated_to(self, other: BSpline) -> BSpline:
         """The same function, at least of the degree of `other`."""
         return self if self.degree >= other.degree else self.elevate_degree(other.degree - self.degree)
@@ -376,6 +397,18 @@ class BSpline(Immutable, RingOperand, FunctionsOutside):
     reparametrize = refinement.reparametrize
     bezier_segments = refinement.bezier_segments
     compose = refinement.compose
+
+
+def _exact_numbers(given: Iterable[Number]) -> tuple[mpq, ...]:
+    """The control points of a function; the error for points names the class of curves."""
+    numbers = tuple(as_items(given, "control points"))
+    if numbers and isinstance(numbers[0], Iterable) and not isinstance(numbers[0], str):
+        raise ShapeError(
+            "points, where a function has numbers",
+            where="control_points[0]",
+            remedy="a curve is exactspline.Nurbs(degree, knots, points)",
+        )
+    return exact_row(numbers, "control_points")
 
 
 _new = object.__new__
@@ -465,20 +498,3 @@ def _limit(numerator: BSpline, denominator: BSpline, t: mpq) -> mpq | None:
             return None
         numerator, denominator = numerator.d(), denominator.d()
     return None
-
-
-def integral(f: BSpline) -> BSpline:
-    """The antiderivative that is 0 at the start of the domain, one degree higher and continuous.
-
-    >>> f = BSpline(1, [0, 0, 1, 3, 3], [2, 0, 4])
-    >>> integral(f).d() == f, integral(f)(0), integral(f)(3)
-    (True, mpq(0,1), mpq(5,1))
-    """
-    degree, reached, points = f.degree + 1, mpq(0), list[mpq]()
-    for piece in f.bezier_segments():
-        (a, b), values = piece.domain, [reached]
-        for point in piece.control_points:
-            values.append(values[-1] + point * (b - a) / degree)
-        points += values
-        reached = values[-1]
-    return BSpline(degree, [t for t in f.breakpoints for _ in range(degree + 1)], points)

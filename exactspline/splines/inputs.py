@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from exactspline.errors import DomainError, NumberError, ShapeError, shown
+from exactspline.errors import DomainError, NumberError, ShapeError, a_kind, shown
 from exactspline.numbers.exact import Number, mpq, rational
 from exactspline.numbers.sides import Side
 from exactspline.words import choice
@@ -17,6 +17,9 @@ RATIONAL = type(mpq())
 
 def checked_degree(degree: object) -> int:
     """A degree as given by a user; `ShapeError` unless it is an int from 0 to `MAX_DEGREE`."""
+    if isinstance(degree, Iterable) and not isinstance(degree, str):
+        remedy = "write the degree, the knots, the control points (scipy has knots, coefficients, degree)"
+        raise ShapeError(f"{a_kind(degree)}, where a degree is expected", where="degree", remedy=remedy)
     if type(degree) is not int or degree < 0:
         raise ShapeError(f"{shown(degree)} is not a degree", where="degree", remedy="an integer ≥ 0")
     if degree > MAX_DEGREE:

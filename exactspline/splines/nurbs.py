@@ -6,14 +6,14 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
 from functools import partial
-from typing import Any, cast
+from typing import Any, cast, overload
 
-from exactspline.errors import DomainError, ShapeError, WeightError, as_items
+from exactspline.errors import DomainError, ShapeError, WeightError, as_instance, as_items, counted
 from exactspline.formulas.derivatives import across
 from exactspline.hooks import FunctionsOutside
 from exactspline.language.arguments import Curve
 from exactspline.language.operand import Operand, checked_order
-from exactspline.language.vector import Vector, norm2, perp
+from exactspline.language.vector import Vector, dot, norm2, perp
 from exactspline.numbers.exact import Number, from_float, is_float, mpq, rational, sign, text
 from exactspline.numbers.immutable import Immutable, fill
 from exactspline.numbers.intervals import Interval
@@ -90,13 +90,25 @@ class Nurbs(Immutable, Curve[BSpline], FunctionsOutside):
         source: str = "",
         note: str = "",
     ) -> None:
-        points = exact_points(control_points)
+        degree, points = checked_degree(degree), exact_points(control_points)
         vector = knots if isinstance(knots, KnotVector) else KnotVector(knots)
-        data = checked_degree(degree), vector, points, exact_weights(weights, points)
+        data = degree, vector, points, exact_weights(weights, points)
         vars(self).update(_fields(*data), name=name, source=source, note=note)
         # weights of one sign cannot cancel
         if not self.polynomial and min(self.weights) <= 0 <= max(self.weights):
             _check_weight(self.w)
+
+    @classmethod
+    def bezier(
+        cls, points: Sequence[Iterable[Number]], weights: Iterable[Number] | None = None, a: Number = 0, b: Number = 1
+    ) -> Nurbs:
+        """The Bézier curve with these points over [a, b].
+
+        >>> Nurbs.bezier([(0, 0), (1, 2), (2, 0)])("1/2")
+        (mpq(1,1), mpq(1,1))
+        """
+        points = list(as_items(points, "control points"))
+        return cls(len(points) - 1, [*[a] * len(points), *[b] * len(points)], points, weights)
 
     @classmethod
     def from_homogeneous(
@@ -194,6 +206,56 @@ class Nurbs(Immutable, Curve[BSpline], FunctionsOutside):
         a, b = self.domain
         return hash((a, b, *[self(a + (b - a) * mpq(i, 4)) for i in range(4)]))
 
+    # ---- sums and multiples
+
+    __array_ufunc__ = None  # numpy leaves sums and products with arrays to the curve
+
+    def __add__(self, other: Nurbs | Sequence[Number]) -> Nurbs:
+        """The sum with a curve over the same domain, or the curve moved by a vector.
+
+        >>> line = Nurbs.bezier([(0, 0), (1, 2)])
+        >>> (line + (1, "1/2"))(0), (line - line)(1), (2 * line)(1), line @ line == (5 * BSpline.bezier([0, 0, 1]))
+        ((mpq(1,1), mpq(1,2)), (mpq(0,1), mpq(0,1)), (mpq(2,1), mpq(4,1)), True)
+
+        Raises `DomainError` for curves over different domains.
+        """
+        if isinstance(other, Nurbs):
+            as_dimension(other.dimension, self.dimension, "curve")
+            p = [x * other.w + y * self.w for x, y in zip(self.p, other.p, strict=True)]
+            return Nurbs.from_splines(p, None if self.polynomial and other.polynomial else self.w * other.w)
+        vector = exact_row(as_items(other, "the numbers of a vector"), "vector")
+        as_dimension(len(vector), self.dimension, "vector")
+        return self.transform([[int(i == j) for j in range(self.dimension)] + [x] for i, x in enumerate(vector)])
+
+    __radd__ = __add__
+
+    def __neg__(self) -> Nurbs:
+        return self * -1
+
+    def __sub__(self, other: Nurbs | Sequence[Number]) -> Nurbs:
+        return self + (-other if isinstance(other, Nurbs) else [-x for x in exact_row(other, "vector")])
+
+    def __rsub__(self, other: Sequence[Number]) -> Nurbs:
+        return -self + other
+
+    def __mul__(self, factor: Number) -> Nurbs:
+        """The multiple by an exact number."""
+        if isinstance(factor, Nurbs):
+            raise ShapeError("a product of two curves", remedy="their dot product is curve @ curve")
+        n, q = self.dimension, rational(factor)
+        return self.transform([[q * (i == j) for j in range(n)] for i in range(n)])
+
+    __rmul__ = __mul__
+
+    def __truediv__(self, divisor: Number) -> Nurbs:
+        return self * (1 / rational(divisor))
+
+    def __matmul__(self, other: Nurbs) -> Operand:
+        """The dot product with a curve over the same domain, a function."""
+        as_dimension(other.dimension, self.dimension, "curve")
+        product = dot(self.p, other.p)
+        return product if self.polynomial and other.polynomial else product / (self.w * other.w)
+
     # ---- the curve
 
     def __call__(self, t: Number, side: Side | str = Side.RIGHT) -> tuple[mpq, ...]:
@@ -215,16 +277,31 @@ class Nurbs(Immutable, Curve[BSpline], FunctionsOutside):
         """Its splines as integers, from which points and derivatives are computed."""
         return Evaluation(self.p.components, None if self.polynomial else self.w)
 
-    def derivative(self, order: int, t: Number, side: Side | str = Side.RIGHT) -> tuple[mpq, ...]:
+    @overload
+    def derivative(self, order: int = ...) -> Nurbs:
+        """The curve of the derivatives."""
+
+    @overload
+    def derivative(self, order: int, t: Number, side: Side | str = ...) -> tuple[mpq, ...]:
+        """The derivative at a parameter."""
+
+    def derivative(
+        self, order: int = 1, t: Number | None = None, side: Side | str = Side.RIGHT
+    ) -> Nurbs | tuple[mpq, ...]:
         """The derivative of the given order at a rational parameter, exactly; at a knot the limit from the `side`.
+        Without a parameter the curve of all of them: of order 1 the hodograph.
 
         >>> from exactspline import Nurbs
         >>> arc = Nurbs(2, [0, 0, 0, 1, 1, 1], [(1, 0), (1, 1), (0, 1)], weights=[1, 1, 2])
-        >>> arc.derivative(1, 0), arc.derivative(2, 0)
-        ((mpq(0,1), mpq(2,1)), (mpq(-4,1), mpq(0,1)))
+        >>> arc.derivative(1, 0), arc.derivative(2, 0), arc.derivative()(0)
+        ((mpq(0,1), mpq(2,1)), (mpq(-4,1), mpq(0,1)), (mpq(0,1), mpq(2,1)))
 
         Raises `FormulaError` for a negative order, `DomainError` outside the domain.
         """
+        if t is None:
+            numerators, w = derivative_splines(self, checked_order(order))
+            numerators = [f if f.degree >= 0 else f.constant(0) for f in numerators]
+            return Nurbs.from_splines(numerators, None if self.polynomial else w, name=self.name)
         return self.evaluation.jet(rational(t), checked_order(order), left=checked_side(side))[-1]
 
     def tangent(self, t: Number, side: Side | str = Side.RIGHT) -> tuple[mpq, ...]:
@@ -429,6 +506,38 @@ class Nurbs(Immutable, Curve[BSpline], FunctionsOutside):
         """
         image, w = mapped(list(self.p), self.w, matrix, polynomial=self.polynomial)
         return type(self).from_splines(image, w, name=self.name)
+
+
+def as_dimension(found: int, needed: int, what: str) -> None:
+    """See that a vector or a curve has as many coordinates as a curve; `ShapeError` otherwise."""
+    if found != needed:
+        raise ShapeError(f"a {what} of {counted(found, 'coordinate')}", remedy=f"it needs {needed}")
+
+
+def derivative_splines(curve: Nurbs, order: int) -> tuple[list[BSpline], BSpline]:
+    """The derivative of some order as a quotient of splines.
+
+    >>> derivative_splines(Nurbs.bezier([(0, 0), (1, 2)]), 1)[0][1].control_points
+    (mpq(2,1),)
+    """
+    if curve.polynomial:
+        return [x.d(order) for x in curve.p], curve.w
+    numerators, slope, denominator = list(curve.p), curve.w.d(), curve.w
+    for k in range(1, order + 1):
+        # (N/wᵏ)′ = (N′ w − k w′ N)/wᵏ⁺¹
+        numerators = [f.d() * curve.w - (slope * f).scaled(k) for f in numerators]
+        denominator = denominator * curve.w
+    return numerators, denominator
+
+
+def graph(f: BSpline) -> Nurbs:
+    """The graph of a function as a plane curve: t ↦ (t, f(t)).
+
+    >>> graph(BSpline.bezier([0, 0, 1]))("1/2")
+    (mpq(1,2), mpq(1,4))
+    """
+    f = as_instance(f, BSpline, "a function", "give a BSpline")
+    return Nurbs.from_splines([BSpline.identity(*f.domain), f])
 
 
 def changed(curve: Nurbs, change: Callable[[BSpline], BSpline]) -> Nurbs:

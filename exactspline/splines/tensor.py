@@ -93,7 +93,7 @@ class TensorSpline(Immutable, TensorParts, RingOperand, FunctionsOutside):
         vectors = checked_knots(knots_s, degree.s, "knots_s"), checked_knots(knots_t, degree.t, "knots_t")
         net = checked_net(control_points, control_point_counts(vectors, degree), ("s", "t"), exact_row)
         along_t = [BSpline(degree.t, vectors[1], row) for row in net]
-        bezier = zip(*[[x for part in row.segments for x in part] for row in along_t], strict=True)
+        bezier = zip(*[[x for part in row.bezier_points for x in part] for row in along_t], strict=True)
         along_s = [BSpline(degree.s, vectors[0], column) for column in bezier]
         stride = tensor_bernstein.stride_for(degree.s)
         forms = [tensor_bernstein.from_net(net, stride) for net in bezier_nets(degree, along_s)]

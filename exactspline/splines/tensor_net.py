@@ -85,7 +85,7 @@ def _miscounted(problem: str, where: str, count: int, letter: str) -> ShapeError
 def bezier_nets(degrees: Degrees, along_s: Sequence[BSpline]) -> Iterator[Net]:
     """The Bézier nets of all patches, t running faster; `along_s` has a spline in s for each Bézier point along t."""
     n = degrees.t + 1
-    segments = [spline.segments for spline in along_s]
+    segments = [spline.bezier_points for spline in along_s]
     for i, j in product(range(len(along_s[0].mesh)), range(len(along_s) // n)):
         yield [list(row) for row in zip(*[segments[j * n + k][i] for k in range(n)], strict=True)]
 

@@ -13,7 +13,7 @@ from exactspline.language.kinds import HODOGRAPH, PLANAR_MAP, SURFACE, CurveKind
 from exactspline.language.vector import Vector
 from exactspline.numbers.exact import mpq
 from exactspline.readings.degree import DegreeReading
-from exactspline.splines.bspline import BSpline, integral
+from exactspline.splines.bspline import BSpline
 from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.surface import NurbsSurface
 from exactspline.splines.tensor import TensorSpline, surface_pair
@@ -59,7 +59,7 @@ def pair_with(curve: Nurbs, other: Curve[BSpline] | None = None) -> Pair[TensorS
 def with_hodograph(curve: Nurbs) -> Accompanied[BSpline]:
     """The Pythagorean-hodograph curve whose u, v and h are the numerators and the denominator of a plane curve."""
     u, v = curve.p
-    x, y = (integral(f * curve.w) for f in (u * u - v * v, u * v + u * v))
+    x, y = ((f * curve.w).integral() for f in (u * u - v * v, u * v + u * v))
     return curve_of_hodograph({"x": x, "y": y, "u": u, "v": v, "h": curve.w}, x.constant(1))
 
 

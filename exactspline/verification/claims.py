@@ -217,8 +217,7 @@ def expect_claim(given: object) -> Claim:
     if isinstance(given, Claim):
         return given
     raise ShapeError(
-        f"{a_kind(given)}, where a claim is expected",
-        remedy='give one, such as exactspline.select_claims(["C4.1a"])[0]',
+        f"{a_kind(given)}, where a claim is expected", remedy='give one, such as exactspline.claims("C4.1a")[0]'
     )
 
 

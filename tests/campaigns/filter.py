@@ -4,7 +4,7 @@ exact ones: kinds, order, signs, jumps, and every interval contains its zero. An
 ``python -m tests.campaigns.filter COUNT SEED`` compares until this many features were compared, prints for every family
 how many curves were decided, how many features they have, and why the others were left to exact arithmetic. It ends
 with status 1 at the first difference, and where more curves of a family are left for no exact reason than its ceiling
-allows. ``python -m tests.campaigns.filter --arrays COUNT SEED`` compares `features_of_many` and `features_of_curves`
+allows. ``python -m tests.campaigns.filter --arrays COUNT SEED`` compares `features_of_curves` of arrays and of curves
 with exact arithmetic on this many closed curves, kind by kind.
 """
 
@@ -13,7 +13,7 @@ import sys
 from collections import Counter
 from fractions import Fraction
 
-from exactspline import Nurbs, features_of_curves, features_of_many, from_floats
+from exactspline import Nurbs, features_of_curves, from_floats
 from exactspline.geometry.analysis.curves import Analysis
 from exactspline.geometry.filter.certain import certain
 from exactspline.numbers.exact import mpq
@@ -177,7 +177,7 @@ def differing_arrays(nets, weights):
         Nurbs(degree, [0] * (degree + 1) + [1] * (degree + 1), [from_floats(p) for p in net], w and from_floats(w))
         for net, w in zip(nets, weights or [None] * len(nets), strict=True)
     ]
-    answers = features_of_many(nets, weights), features_of_curves(curves)
+    answers = features_of_curves(nets, weights), features_of_curves(curves)
     for i, curve in enumerate(curves):
         facts = exact(curve)
         true = [*facts.inflections, *facts.curvature_extrema]

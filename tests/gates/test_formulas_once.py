@@ -317,6 +317,8 @@ ALLOWED = {
     "interchange.bridges.sympy:to_sympy": "a spline or a curve is written for another library",
     "geometry.analysis.floats:_of_curve": "a curve or a function at parameters, rounded",
     "geometry.analysis.floats:_of_surface": "a surface or a function at parameters, rounded",
+    "interchange.bridges.scipy:_joined": "a function or a curve is read",
+    "interchange.bridges.scipy:read_scipy": "a function or a curve is read",
     "programs.inputs:operands_of": "whether there is a program",
     "readings.bernstein_term:every_coefficient": "a proof about values of its own reading",
     "verification.denominators:factored": "a denominator in factors, a number or a fraction",

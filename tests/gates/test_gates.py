@@ -307,6 +307,7 @@ ROUNDED = {
     "geometry/analysis/many_curves.py: outside": "the certified filter",
     "geometry/analysis/many_curves.py: scaled_operands": "the certified filter",
     "interchange/numbers.py: about": "digits that are shown",
+    "interchange/bridges/scipy.py: _joined": "the unit in the last place of a double",
     "extras/cad/rhino.py: write": "writes a file of doubles, and names the numbers that are rounded",
     "extras/cad/rhino_process.py: _hex": "doubles of a file, bit by bit",
     "programs/certain_pairs.py: segment_in_doubles": "the certified filter",
@@ -414,7 +415,6 @@ def test_no_exception_is_caught_whole():
 # ---- law 7: what only developers run is not in the wheel
 
 BY_NAME = {
-    "interchange.constructors": "imported by those who use it",
     "testing": "imported by those who test programs",
     "testing.families": "the same",
     "testing.reported": "the same",

@@ -20,12 +20,7 @@ from tests.support.sampled import sample
 
 np = pytest.importorskip("numpy")
 
-from exactspline.geometry.analysis.many_curves import (  # noqa: E402
-    features_in_parts,
-    features_of_curves,
-    features_of_many,
-    scaled_operands,
-)
+from exactspline.geometry.analysis.many_curves import features_in_parts, features_of_curves, scaled_operands  # noqa: E402
 from exactspline.geometry.filter.filtered import filtered  # noqa: E402  # needs numpy
 from exactspline.geometry.filter.plane_programs import plane_program  # noqa: E402
 from exactspline.polynomials.doubles import Bounded, isolated, ordinates, values_at  # noqa: E402
@@ -173,7 +168,7 @@ def expected(points, weights):
 
 def same_as_exact(points, weights=None, found=None):
     """Hold every answer against the exact one: how many curves there are, and how many went to exact arithmetic."""
-    found = features_of_many(points, weights) if found is None else found
+    found = features_of_curves(points, weights) if found is None else found
     for k in range(len(points)):
         own = found.curve == k
         true = expected(points[k], None if weights is None else weights[k])
@@ -201,8 +196,8 @@ def test_answers_on_hostile_curves_are_the_exact_ones():
 def test_the_seam_of_a_closed_curve_is_a_knot():
     """Passed before: what changes its sign by a jump at the seam was in no answer, unless doubles did not suffice."""
     loop = [(2, -3), (-2, 2), (-1, -2), (6, -8), (2, -3)]
-    assert features_of_many([loop]) == features_of_curves([Nurbs(4, [0] * 5 + [1] * 5, loop)])
-    assert features_of_many([loop]).kind.tolist() == ["minimum", "maximum", "minimum", "maximum"]
+    assert features_of_curves([loop]) == features_of_curves([Nurbs(4, [0] * 5 + [1] * 5, loop)])
+    assert features_of_curves([loop]).kind.tolist() == ["minimum", "maximum", "minimum", "maximum"]
     chance = random.Random(5)
     compared = [campaign.differing_arrays(*campaign.closed_arrays(chance, 40)) for _ in range(4)]
     assert [wrong for _, wrong in compared] == [[]] * 4
@@ -211,25 +206,25 @@ def test_the_seam_of_a_closed_curve_is_a_knot():
 
 def test_symmetric_and_special_curves():
     arc = [(1, 0), (1, 1), (0, 1)]
-    assert features_of_many([arc], [[1, 1, 2]]).curve.tolist() == []
+    assert features_of_curves([arc], [[1, 1, 2]]).curve.tolist() == []
     bump, cusp, line = [(0, 0), (1, 2), (2, 0)], [(0, 0), (1, 1), (0, 1), (1, 0)], [(0, 0), (1, 1), (2, 2), (3, 3)]
-    found = features_of_many([bump])
+    found = features_of_curves([bump])
     assert (found.kind.tolist(), found.exact.tolist()) == (["minimum"], [])
     assert found.low[0] <= 0.5 <= found.high[0]
-    assert features_of_many([cusp]).exact.tolist() == [0]
+    assert features_of_curves([cusp]).exact.tolist() == [0]
     same_as_exact(np.array([cusp, line], dtype=float))
 
 
 def test_huge_numbers_are_made_small_by_powers_of_two():
     points = np.random.default_rng(4).uniform(-1, 1, (40, 4, 2))
-    kinds = [features_of_many(points * 2.0**e).kind.tolist() for e in (0, 900, -900)]
+    kinds = [features_of_curves(points * 2.0**e).kind.tolist() for e in (0, 900, -900)]
     assert kinds[0] == kinds[1] == kinds[2]
-    assert len(features_of_many(points * 2.0**900).exact) < 4
+    assert len(features_of_curves(points * 2.0**900).exact) < 4
 
 
 def test_stopping_early_keeps_what_was_done():
     points = np.random.default_rng(1).uniform(-9, 9, (50, 4, 2))
-    whole, parts = features_of_many(points), features_in_parts(points, at_once=20)
+    whole, parts = features_of_curves(points), features_in_parts(points, at_once=20)
     first, second = next(parts), next(parts)
     upto = whole.curve < 40
     assert [*first.curve, *second.curve] == whole.curve[upto].tolist()
@@ -238,20 +233,20 @@ def test_stopping_early_keeps_what_was_done():
 
 def test_what_is_no_batch_is_refused():
     with pytest.raises(ShapeError):
-        features_of_many([[0, 1], [2, 3]])
+        features_of_curves([[0, 1], [2, 3]])
     with pytest.raises(ShapeError):
-        features_of_many(np.zeros((3, 4, 2)), np.ones((3, 3)))
+        features_of_curves(np.zeros((3, 4, 2)), np.ones((3, 3)))
     with pytest.raises(ShapeError, match="not an array"):
-        features_of_many([[(0, 0), (1, 1)], [(0, 0)]])
+        features_of_curves([[(0, 0), (1, 1)], [(0, 0)]])
     for numbers in (np.zeros((1, 2, 2), dtype=complex), [[("0", "1"), ("1", "2")]], np.zeros((1, 2, 2), dtype=bool)):
         with pytest.raises(NumberError, match="of the type"):
-            features_of_many(numbers)
+            features_of_curves(numbers)
 
 
 def test_one_bad_curve_does_not_stop_the_others():
     numbers = np.random.default_rng(8)
     points, weights = numbers.uniform(-9, 9, (12, 4, 2)), numbers.uniform(0.5, 4, (12, 4))
-    whole = features_of_many(points, weights)
+    whole = features_of_curves(points, weights)
     points[1, 2, 0], points[3, 0, 1], points[5], weights[6, 1] = np.nan, np.inf, -np.inf, np.nan
     weights[8], weights[9] = [1, -5, -5, 1], 0
     for at_once in (3, 100):
@@ -270,23 +265,23 @@ def test_one_bad_curve_does_not_stop_the_others():
 def test_arrays_of_any_make_are_read_as_what_they_hold():
     points = np.round(np.random.default_rng(9).uniform(-9, 9, (20, 4, 2)), 2).astype(np.float32)
     double = points.astype(float)
-    expected = features_of_many(double)
+    expected = features_of_curves(double)
     wide = np.zeros((20, 8, 4))
     wide[:, ::2, 1::2] = double
     swapped = np.asfortranarray(double)
     others = (points, double.astype(">f8"), wide[:, ::2, 1::2], swapped, double.astype(np.longdouble),
               double.astype(object), np.ma.array(double), double[::-1][::-1])  # fmt: skip
     for other in others:
-        found = features_of_many(other)
+        found = features_of_curves(other)
         assert all(np.array_equal(a, b) for a, b in zip(found[:5], expected[:5], strict=True))
         assert not found.refused
     whole = np.round(double * 100).astype(np.int16)
-    assert features_of_many(whole).low.tolist() == features_of_many(whole.astype(float)).low.tolist()
+    assert features_of_curves(whole).low.tolist() == features_of_curves(whole.astype(float)).low.tolist()
 
 
 def test_a_number_that_is_no_double_is_not_rounded():
     points = np.random.default_rng(9).integers(-9, 9, (4, 4, 2))
-    good = features_of_many(points)
+    good = features_of_curves(points)
     beyond, between, thirds = points.copy(), points.astype(np.longdouble), points.astype(object)
     beyond[2, 1, 1] = 2**53 + 1
     between[2, 1, 1] += np.longdouble(2) ** -60
@@ -296,7 +291,7 @@ def test_a_number_that_is_no_double_is_not_rounded():
     hidden = np.ma.array(points.astype(float), mask=False)
     hidden.mask[2, 1, 1] = True
     for numbers in (beyond, between, thirds, huge, hidden):
-        found = features_of_many(numbers)
+        found = features_of_curves(numbers)
         if numbers is between and np.finfo(np.longdouble).nmant == 52:
             continue
         assert list(found.refused) == [2]
@@ -304,8 +299,8 @@ def test_a_number_that_is_no_double_is_not_rounded():
         assert found.kind.tolist() == good.kind[good.curve != 2].tolist()
     beyond[2, 1, 1] = 2**54
     thirds[2, 1, 1] = Fraction(1, 4)
-    assert not features_of_many(beyond).refused
-    assert not features_of_many(thirds).refused
+    assert not features_of_curves(beyond).refused
+    assert not features_of_curves(thirds).refused
 
 
 @pytest.mark.parametrize("mode", FLUSHED)
@@ -314,8 +309,8 @@ def test_a_processor_that_flushes_subnormal_numbers_is_not_believed(mode):
     tiny = np.array([[(0, 0), (3, 2), (5, -4), (7, 1)]] * 2) * np.array([[[5e-324]], [[1]]])
     for p, w in ((points[33:42], weights[33:42]), (points[58:], weights[58:]), (tiny, None), (tiny + 0, weights[:2])):
         with rounding(mode):
-            found = features_of_many(p, w)
-        assert found.curve.tolist() == features_of_many(p, w).curve.tolist()
+            found = features_of_curves(p, w)
+        assert found.curve.tolist() == features_of_curves(p, w).curve.tolist()
         same_as_exact(p, w, found)
 
 

@@ -63,7 +63,7 @@ def series(f, t, order):
     """f and its derivatives at t in 200 bits, by the power form of the segment."""
     i = f.mesh.locate(t) if isinstance(t, mpq) else next(i for i, b in enumerate(f.breakpoints[1:]) if t < b)
     a, b = f.breakpoints[i : i + 2]
-    powers = power_form(f.segments[i])
+    powers = power_form(f.bezier_points[i])
     u = (parameter(t) - at_200_bits(a)) / at_200_bits(b - a)
     rows = [
         sum((at_200_bits(c * math.perm(k, r)) * u ** (k - r) for k, c in enumerate(powers) if k >= r), start=mp.mpf(0))

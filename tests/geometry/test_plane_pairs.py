@@ -39,13 +39,13 @@ def test_points_of_a_bisector_are_equally_far_on_both_normals(seed, dial):
     assert found.missing == ()
     for s in (mpq(1, 3), mpq(4, 5)):
         for t in xs.zeros(found.function.at_s(s)):
-            x, p, q = found.point(s, t), xs.at(first, s), xs.at(second, t)
+            x, p, q = found.point(s, t), xs.evaluate(first, s), xs.evaluate(second, t)
             ways = [[b - a for a, b in zip(one, x, strict=True)] for one in (p, q)]
             one, other = (way[0] * way[0] + way[1] * way[1] for way in ways)
             assert one == other
             for curve, at, (a, b) in ((first, s, ways[0]), (second, t, ways[1])):
                 u, v = (f.d() * curve.w - f * curve.w.d() for f in curve.p)
-                assert xs.at(u, at) * a + xs.at(v, at) * b == 0
+                assert xs.evaluate(u, at) * a + xs.evaluate(v, at) * b == 0
             count += 1
     signs = [_difference(first, second, mpq(1, 3), mpq(2 * k + 1, 160)) for k in range(80)]
     changes, zeros = sum(a * b < 0 for a, b in pairwise(signs)), len(xs.zeros(found.function.at_s(mpq(1, 3))))
@@ -65,7 +65,7 @@ def _difference(first, second, s, t):
 def _frame(curve, t):
     """A point and a tangent in doubles."""
     step = 1e-6
-    points = [[float(x) for x in xs.at(curve, t + mpq(e))] for e in (0, step, -step)]
+    points = [[float(x) for x in xs.evaluate(curve, t + mpq(e))] for e in (0, step, -step)]
     return points[0], [(u - v) / (2 * step) for u, v in zip(points[1], points[2], strict=True)]
 
 
@@ -102,7 +102,10 @@ def polygon(curve, distance, sides):
     points = []
     for k in range(sides + 1):
         t = mpq(k, sides) * (curve.domain[1] - curve.domain[0]) + curve.domain[0]
-        (x, y), (u, v) = ([float(c) for c in xs.at(curve, t)], [float(xs.at(f, t)) for f in _velocity(curve)])
+        (x, y), (u, v) = (
+            [float(c) for c in xs.evaluate(curve, t)],
+            [float(xs.evaluate(f, t)) for f in _velocity(curve)],
+        )
         size = hypot(u, v)
         points.append((x - distance * v / size, y + distance * u / size))
     return points
@@ -138,7 +141,7 @@ def test_the_bisector_at_corners_and_where_a_curve_has_no_tangent():
     found, velocity, ends = bisector(corner, parabola), tangent(parabola), 0
     for place in (place for arc in found.pieces for place in (arc.start, arc.end) if place[0] == 1):
         x, y = found.point(*place)
-        p, (u, v) = xs.at(parabola, place[1]), (xs.at(f, place[1]) for f in velocity)
+        p, (u, v) = xs.evaluate(parabola, place[1]), (xs.evaluate(f, place[1]) for f in velocity)
         assert (x - 2) * (x - 2) + y * y == (x - p[0]) * (x - p[0]) + (y - p[1]) * (y - p[1])
         assert (x - p[0]) * u + (y - p[1]) * v == 0
         assert 0 in (x - 2, y)
@@ -164,7 +167,7 @@ def test_offsets_meet_themselves_as_polygons_do(seed, dial):
 
 
 def _offset(curve, t, distance):
-    (x, y), (u, v) = ([float(c) for c in xs.at(curve, t)], [float(xs.at(f, t)) for f in _velocity(curve)])
+    (x, y), (u, v) = ([float(c) for c in xs.evaluate(curve, t)], [float(xs.evaluate(f, t)) for f in _velocity(curve)])
     return x - float(distance) * v / hypot(u, v), y + float(distance) * u / hypot(u, v)
 
 

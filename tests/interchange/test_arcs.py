@@ -8,10 +8,10 @@ from gmpy2 import mpq
 from hypothesis import assume, given
 from hypothesis import strategies as st
 
+from exactspline.constructors import arc, circle, conic, ellipse
 from exactspline.errors import ShapeError
 from exactspline.interchange.affine import Affine
 from exactspline.interchange.arcs import DEGREES, RADIANS, quarter_turns
-from exactspline.interchange.constructors import arc, circle, conic, ellipse
 
 numbers = st.builds(mpq, st.integers(-20, 20), st.integers(1, 7))
 circle_points = st.one_of(

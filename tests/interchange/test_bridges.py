@@ -157,7 +157,7 @@ def test_pens_both_ways():
     pen = ContourPen()
     draw(dyadic, pen)
     [again] = pen.curves()
-    assert [part.segments for part in again.p] == [part.segments for part in dyadic.p]
+    assert [part.bezier_points for part in again.p] == [part.bezier_points for part in dyadic.p]
     with pytest.raises(ShapeError, match="this format holds"):
         draw(ARC, pen)
 

@@ -355,7 +355,7 @@ def test_svg_keeps_the_segments(curve):
     data, notes = encoded([curve], "svg")
     assert "no knots" in notes[0]
     [named] = read(data).curves
-    assert [part.segments for part in named.curve.p] == [part.segments for part in curve.p]
+    assert [part.bezier_points for part in named.curve.p] == [part.bezier_points for part in curve.p]
 
 
 def test_svg_refuses_what_it_cannot_draw():

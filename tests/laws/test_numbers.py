@@ -80,16 +80,16 @@ ALPHA, BETA = xs.zeros(T * T * T - T - 1).roots[0], xs.zeros((T * T - 5) * (T * 
 
 
 @pytest.mark.parametrize(("number", "form"), [
-    (lambda: xs.at(T * T * T - T, ALPHA), "1"),
+    (lambda: xs.evaluate(T * T * T - T, ALPHA), "1"),
     (lambda: ALPHA * (ALPHA * ALPHA - 1), "1"),
     (lambda: square_root(ALPHA**3 - ALPHA + 7), "2√2"),
-    (lambda: xs.at((T * T - 3) / 4, BETA), "(1 + √6)/2"),
+    (lambda: xs.evaluate((T * T - 3) / 4, BETA), "(1 + √6)/2"),
     (lambda: (BETA - square_root(2)) * 5 - 1, "-1 + 5√3"),
     (lambda: square_root(5 + 2 * square_root(6)) - square_root(3), "√2"),
     (lambda: xs.zeros((T * T * T - 2) * (T * T - 3)).roots[1], "√3"),
     (lambda: 1 / xs.zeros(3 * T * T - 7 * T + 3).roots[0], "(7 + √13)/6"),
     (lambda: ALPHA, None), (lambda: BETA, None), (lambda: ALPHA + BETA, None), (lambda: ALPHA * square_root(2), None),
-    (lambda: xs.at(T * T - T * 3, ALPHA), None), (lambda: square_root(2) + square_root(3), None),
+    (lambda: xs.evaluate(T * T - T * 3, ALPHA), None), (lambda: square_root(2) + square_root(3), None),
     (lambda: square_root(1 + square_root(2)), None),
 ])  # fmt: skip
 def test_numbers_of_degree_at_most_2_are_known_as_such(number, form):

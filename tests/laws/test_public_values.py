@@ -55,7 +55,10 @@ RETURNED = {
     "KnotVector": lambda: xs.KnotVector([0, 0, 1, 1]),
     "Nurbs": lambda: SPLINE,
     "NurbsSurface": lambda: SURFACE,
-    "Real": lambda: [xs.Real("1/3"), xs.at(LINE, xs.zeros(xs.BSpline.identity(0, 1) ** 2 - mpq(1, 2)).roots[0])[0]],
+    "Real": lambda: [
+        xs.Real("1/3"),
+        xs.evaluate(LINE, xs.zeros(xs.BSpline.identity(0, 1) ** 2 - mpq(1, 2)).roots[0])[0],
+    ],
     "Rational": lambda: SPLINE.gamma,
     "Root": lambda: ROOT,
     "Side": lambda: list(xs.Side),
@@ -144,10 +147,10 @@ RETURNED = {
 }
 #: Names that return what one of those above returns, plain data, numbers, text, pictures or nothing.
 COVERED = {
-    "at",
+    *("evaluate", "read_scipy", "circle", "graph", "interpolate", "latex"),
     *("complex_quotient", "conjugate", "cross", "det", "dot", "generalized_cross", "join", "norm2", "perp", "triple"),
     *("wronskian", "numerator", "control_point_count", "greville_abscissae", "zeros", "rational"),
-    *("from_floats", "floats", "features_of_many", "features_of_curves", "check_certificate"),
+    *("from_floats", "floats", "features_of_curves", "check_certificate"),
     *("derived_data", "inspection_data", "to_dict", "to_records"),
     *("example", "examples"),
     *("write", "from_geomdl", "from_scipy", "to_geomdl", "to_scipy"),

@@ -210,7 +210,7 @@ def test_sides_of_a_knot():
 
 @pytest.mark.parametrize("digits", [0, 5, 40, 300])
 def test_a_point_at_a_root(digits):
-    x, y = xs.at(PARABOLA, HALF)
+    x, y = xs.evaluate(PARABOLA, HALF)
     low, high = x.enclosure(digits)
     assert high - low <= mpq(1, 10**digits)
     assert low**2 <= mpq(1, 2) <= high**2
@@ -221,8 +221,8 @@ def test_a_point_at_a_root(digits):
 
 def test_a_point_at_a_rational_root_is_exact():
     (third,) = (r for r in xs.zeros((3 * xs.BSpline.identity(0, 1) - 1) * (xs.BSpline.identity(0, 1) + 1)))
-    assert xs.at(PARABOLA, third) == (mpq(1, 3), mpq(1, 9))
-    assert xs.at(PARABOLA, "1/3") == (mpq(1, 3), mpq(1, 9))
+    assert xs.evaluate(PARABOLA, third) == (mpq(1, 3), mpq(1, 9))
+    assert xs.evaluate(PARABOLA, "1/3") == (mpq(1, 3), mpq(1, 9))
     assert curvature(PARABOLA, third) == curvature(PARABOLA, "1/3")
 
 
@@ -260,6 +260,6 @@ def test_a_singular_point_at_an_irrational_root_is_named():
 
 def test_a_root_outside_the_domain():
     far = xs.zeros(xs.BSpline.identity(0, 9) ** 2 - 5).roots[0]
-    for ask in (xs.at, curvature):
+    for ask in (xs.evaluate, curvature):
         with pytest.raises(DomainError):
             ask(PARABOLA, far)

@@ -286,7 +286,7 @@ def test_reverse_and_reparametrize(f):
 def test_bezier_segments(f):
     segments = f.bezier_segments()
     assert [s.domain for s in segments] == list(zip(f.breakpoints, f.breakpoints[1:], strict=False))
-    for s, points in zip(segments, f.segments, strict=True):
+    for s, points in zip(segments, f.bezier_points, strict=True):
         low, high = s.domain
         assert s.control_points == tuple(points)
         assert s == BSpline.bezier(points, low, high)

@@ -48,7 +48,7 @@ VALUES = {
     "ZeroInterval": JUMPY.intervals[0],
     "rational": Real("2/3"),
     "square root": square_root(mpq(1, 8)),
-    "value at a root": xs.at(CURVE, ZEROS.roots[-1])[0],
+    "value at a root": xs.evaluate(CURVE, ZEROS.roots[-1])[0],
     "sum": square_root(2) + square_root(3),
     "curvature": xs.curvature(CURVE, ZEROS.roots[-1]),
 }
@@ -80,7 +80,7 @@ def test_a_value_cannot_be_changed(name):
 
 def test_what_a_spline_shows_is_no_list():
     f = xs.BSpline(1, [0, 0, 1, 2, 2], [1, 2, 0])
-    shown = (f.segments, f.segments[0], f.denominators, f.control_points, f.breakpoints)
+    shown = (f.bezier_points, f.bezier_points[0], f.denominators, f.control_points, f.breakpoints)
     assert all(type(x) is tuple for x in (*shown, f.mesh.widths, f.knots.knots))
     assert all(type(x) is tuple for x in (ZEROS.roots, ZEROS.jumps, ZEROS.intervals, ZEROS.isolations))
     for copies in (f.forms, f.polynomials):

@@ -14,7 +14,7 @@ from exactspline import Nurbs, sweep
 from exactspline.batch.inspections import LISTED
 from exactspline.errors import ExactSplineError, OpenError, ReachError
 from exactspline.geometry.analysis.ask import asked_of
-from exactspline.geometry.analysis.many_curves import features_of_curves, features_of_many
+from exactspline.geometry.analysis.many_curves import features_of_curves
 from exactspline.geometry.analysis.pairs import CurvePair
 from exactspline.geometry.analysis.registry import REGISTRY
 from exactspline.interchange.files import write
@@ -183,10 +183,10 @@ def batch_rows(curve):
 
 
 def same_by_batch(curve):
-    """Whether `features_of_curves`, and for a Bézier curve of doubles `features_of_many`, tell what `analyse` tells."""
+    """Whether `features_of_curves`, of curves and of arrays of doubles, tells what `analyse` tells."""
     batches = [features_of_curves([curve, again(curve)])]
     if doubles := as_doubles(curve):
-        batches.append(features_of_many(*doubles))
+        batches.append(features_of_curves(*doubles))
     return all(batch_agrees(batch, curve) for batch in batches)
 
 

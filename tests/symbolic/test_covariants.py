@@ -125,7 +125,7 @@ def test_covariants_follow_a_projective_change_of_parameter(name, dimension, dat
         assert all(c.is_zero for c in lowest(rows))
         return
     for old, new in zip(lowest(rows), lowest([after((a, b), row) for row in rows]), strict=True):
-        plain, changed = old.reduce_degree(surplus).segments[0], new.reduce_degree(surplus).segments[0]
+        plain, changed = old.reduce_degree(surplus).bezier_points[0], new.reduce_degree(surplus).bezier_points[0]
         assert tuple(x * (a * b) ** m for x in after((a, b), plain)) == changed
 
 
@@ -137,8 +137,8 @@ def test_what_is_no_covariant_does_not():
     def lowest(x, w):
         return D2(Curve(Vector(BSpline.bezier(x), BSpline.bezier(x)), BSpline.bezier(w)))[0].reduce_degree(1)
 
-    plain = after(change, lowest(row, w).segments[0])
-    changed = lowest(after(change, row), after(change, w)).segments[0]
+    plain = after(change, lowest(row, w).bezier_points[0])
+    changed = lowest(after(change, row), after(change, w)).bezier_points[0]
     assert len(plain) == 2 * d - 2
     assert len({x / y for x, y in zip(plain, changed, strict=True)}) > 1
 

@@ -73,7 +73,7 @@ def _batch(count: int, kind: str) -> Iterator[Row]:
         return
     import numpy
 
-    from exactspline.geometry.analysis.many_curves import features_of_many
+    from exactspline.geometry.analysis.many_curves import features_of_curves
 
     words = f"degree=3 count={count} seed=2 rational={'yes' if kind else 'no'}"
     data = [_floats(c) for c in map(Family.parsed(words).curve, range(count))]
@@ -83,9 +83,9 @@ def _batch(count: int, kind: str) -> Iterator[Row]:
         return points, numpy.array([each[3] or [1] * 4 for each in data], dtype=float) if kind else None
 
     given = arrays()
-    features = features_of_many(*given)
+    features = features_of_curves(*given)
     note = f"{_kinds(features.kind)}; {len(features.exact)} curves decided by exact arithmetic"
-    timed: dict[str, Timed] = {OURS: (lambda _: features_of_many(*given), lambda: None)}
+    timed: dict[str, Timed] = {OURS: (lambda _: features_of_curves(*given), lambda: None)}
     making: dict[str, Timed] = {OURS: (lambda _: arrays(), lambda: None)}
     theirs = _compared_with_occ(data, timed, making)
     took = {who: value / count for who, value in best(timed).items()}

@@ -56,7 +56,7 @@ class FractionPoly:
 
 def powers(c: Nurbs) -> list[list[list[Fraction]]]:
     """The components and the weight of every segment in powers of its local parameter from 0 to 1."""
-    rows = zip(*[spline.segments for spline in (*c.p, c.w)], strict=True)
+    rows = zip(*[spline.bezier_points for spline in (*c.p, c.w)], strict=True)
     return [[_in_powers([Fraction(str(b)) for b in points]) for points in row] for row in rows]
 
 

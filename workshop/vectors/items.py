@@ -32,7 +32,7 @@ from exactspline.questions.answers import Described, NamedNumbers
 from exactspline.questions.takes import QuestionError
 from exactspline.reals.real import Real, real
 from exactspline.roots.answers import CurvePiece, Places
-from exactspline.roots.values import at, exact_place
+from exactspline.roots.values import evaluate, exact_place
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.common import with_common_knots
 from exactspline.splines.control_points import Direction
@@ -131,7 +131,9 @@ def _item(
         # an extremum of the curvature is also one of its critical points
         return analyse(curve).once(("item", each), lambda: _point(curve, each))
     if isinstance(each, NearestPoint):
-        place = dict(zip(axes(curve.dimension), map(real, at(curve, each.parameter, side=each.side)), strict=True))
+        place = dict(
+            zip(axes(curve.dimension), map(real, evaluate(curve, each.parameter, side=each.side)), strict=True)
+        )
         return NamedNumbers("nearest point", {"parameter": each.parameter, "distance": each.distance} | place)
     if isinstance(each, int):
         return NamedNumbers("value", {"value": real(each)})

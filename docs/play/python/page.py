@@ -222,7 +222,7 @@ def _decimal(root: Any, count: int) -> str:
 
 def _feature(curve: Any, group: str, feature: Any) -> dict[str, Any]:
     root = feature.root
-    point = xs.floats(xs.at(curve, root))
+    point = xs.floats(xs.evaluate(curve, root))
     told = {
         "group": group,
         "kind": str(feature.kind),

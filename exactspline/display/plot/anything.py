@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from typing import TYPE_CHECKING
 
 from exactspline.display.plot.canvas import axes_for
@@ -16,6 +16,7 @@ from exactspline.geometry.bisectors.point_and_curve import PointBisector, RuledP
 from exactspline.geometry.bisectors.two_curves import CurveBisector
 from exactspline.geometry.derived.derive import Derived
 from exactspline.hooks import named
+from exactspline.interchange.records import Reading
 from exactspline.language.rational import Rational
 from exactspline.language.ruled import RuledSurface
 from exactspline.language.vector import Vector
@@ -24,15 +25,16 @@ from exactspline.splines.bspline import BSpline
 from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.surface import NurbsSurface
 from exactspline.splines.tensor import TensorSpline
+from exactspline.splines.type_checks import of_file
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
 
-def plot(thing: object, ax: Axes | None = None, **how: object) -> Axes:
-    """Draw a curve, a function, a zero set, a derived curve, a surface, its analysis (in a figure of its own) or a
-    bisector into matplotlib's axes (None: those of a new figure), which are returned. `how` is passed to the function
-    of `exactspline.display.plot` for this type of object.
+def plot(*things: object, ax: Axes | None = None, **how: object) -> Axes:
+    """Draw a curve, a function, a zero set, a derived curve, a surface, its analysis (in a figure of its own), a
+    bisector, or several of them, also as a list, into matplotlib's axes (None: those of a new figure), which are
+    returned. `how` is passed to the function of `exactspline.display.plot` for this type of object.
 
     >>> from exactspline import BSpline, example, zeros
     >>> f = BSpline.bezier([1, -1, 1])
@@ -41,6 +43,19 @@ def plot(thing: object, ax: Axes | None = None, **how: object) -> Axes:
 
     Raises `PlotError` without matplotlib and for options that it does not have, `ShapeError` for other objects.
     """
+    for thing in _listed(things):
+        ax = _drawn(of_file(thing), ax, how)
+    return axes_for(ax)
+
+
+def _listed(things: Iterable[object]) -> list[object]:
+    """Things, and those in lists and readings of files among them."""
+    nested = [thing.curves if isinstance(thing, Reading) else thing for thing in things]
+    return [one for thing in nested for one in (thing if isinstance(thing, list | tuple) else [thing])]
+
+
+def _drawn(thing: object, ax: Axes | None, how: dict[str, object]) -> Axes:
+    """One thing, drawn into axes or a new figure."""
     if isinstance(thing, SurfaceInspection) and ax is None and not how:
         axes: Axes = picture("inspected surface", thing).axes[0]
         return axes
@@ -50,12 +65,12 @@ def plot(thing: object, ax: Axes | None = None, **how: object) -> Axes:
         return of_two(*thing.curves, ax, **how)
     if isinstance(thing, PointBisector | Derived):
         for piece in thing.pieces:
-            ax = plot(piece.surface if isinstance(piece, RuledPiece) else piece.value, ax, **how)
+            ax = _drawn(piece.surface if isinstance(piece, RuledPiece) else piece.value, ax, how)
         return axes_for(ax)
     draw, shown = _way_to_draw(thing)
     check_names(draw, how)
     if isinstance(thing, ZeroSet):
-        how.setdefault("roots", thing)
+        how = {"roots": thing} | how
     return draw(shown, ax=ax, **how)
 
 

@@ -165,7 +165,7 @@ def elevation_triangles(curve: Nurbs | BSpline, by: int = 1) -> tuple[Triangle, 
     splines, has_weight = _splines(curve)
     breaks = curve.breakpoints
     return tuple(
-        _upwards(tuple(zip(*[f.segments[i] for f in splines], strict=True)), (a, b), by, has_weight)
+        _upwards(tuple(zip(*[f.bezier_points[i] for f in splines], strict=True)), (a, b), by, has_weight)
         for i, (a, b) in enumerate(pairwise(breaks))
     )
 
@@ -183,7 +183,7 @@ def product_tables(left: BSpline, right: BSpline) -> tuple[ProductTable, ...]:
     mesh = spline_of(left).mesh.union(spline_of(right).mesh)
 
     def scaled(f: BSpline, a: mpq, b: mpq) -> tuple[mpq, ...]:
-        (points,) = f.restrict(a, b).segments
+        (points,) = f.restrict(a, b).bezier_points
         return tuple(comb(f.degree, i) * x for i, x in enumerate(points))
 
     return tuple(ProductTable((a, b), scaled(left, a, b), scaled(right, a, b)) for a, b in pairwise(mesh.breaks))

@@ -36,7 +36,7 @@ from exactspline.numbers.exact import (
 from exactspline.numbers.intervals import Interval
 from exactspline.numbers.sides import Side
 from exactspline.reals.real import Real, real
-from exactspline.roots.values import at, exact_place
+from exactspline.roots.values import evaluate, exact_place
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.inputs import checked_side
 from exactspline.splines.nurbs import Nurbs
@@ -200,7 +200,7 @@ def _of_curve(
         if of is not Quantity.POINT:
             raise ShapeError(f"the {of} of a function", remedy="exactspline.graph(f) is the curve that it draws")
         derived = given.d(order)
-        return [[_rounded(at(derived, place, side=side), rounding)] for place in places]
+        return [[_rounded(evaluate(derived, place, side=side), rounding)] for place in places]
     if of in SCALARS_OF_SURFACES:
         raise ShapeError(f"the {of} of a curve", remedy="there are curvature and torsion")
     for place in places:

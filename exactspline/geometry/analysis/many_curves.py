@@ -11,10 +11,10 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from functools import partial
-from itertools import islice
+from itertools import chain, islice
 from math import comb
 from types import MappingProxyType
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, cast
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -82,33 +82,33 @@ def _restored(
     return ManyFeatures(curve, kind, low, high, exact, MappingProxyType(refused))
 
 
-def features_of_many(points: ArrayLike, weights: ArrayLike | None = None) -> ManyFeatures:
-    """Inflections and curvature extrema of plane Bézier curves of one degree.
+def features_of_curves(curves: Iterable[Nurbs] | ArrayLike, weights: ArrayLike | None = None) -> ManyFeatures:
+    """Inflections and curvature extrema of plane curves, of any degrees, polynomial or rational; of Bézier curves of
+    one degree also given as arrays of doubles: points of the shape (curves, degree + 1, 2), `weights` of the shape
+    (curves, degree + 1).
 
-    `points` are doubles of the shape (curves, degree + 1, 2), `weights` of the shape (curves, degree + 1). A curve with
-    a number that is not finite or not a double, or whose denominator has a zero, is refused; the others are computed.
-
-    >>> features = features_of_many([[(0, 0), (1, 2), (2, -2), (3, 0.5)]] * 2)
-    >>> features.curve.tolist(), features.kind.tolist(), features.exact.tolist()
-    ([0, 0, 0, 1, 1, 1], ['inflection', 'minimum', 'maximum', 'inflection', 'minimum', 'maximum'], [])
-    >>> list(features_of_many([[(0, 0), (1, float("nan"))], [(0, 0), (1, 1)]]).refused.values())
-    [NumberError('points[0]: is not a finite number; write finite numbers')]
-
-    Raises `ShapeError` for arrays of another shape, `NumberError` for arrays that do not contain numbers.
-    """
-    return _concatenated(list(features_in_parts(points, weights)))
-
-
-def features_of_curves(curves: Iterable[Nurbs]) -> ManyFeatures:
-    """Inflections and curvature extrema of plane curves, of any degrees, polynomial or rational. Curves that are not in
-    the plane are refused; the others are computed.
+    Curves that are not in the plane, that have a number that is not finite or not a double, or whose denominator has a
+    zero, are refused; the others are computed.
 
     >>> from exactspline import example
     >>> features = features_of_curves([example("six_segment_cubic"), example("cubic_s")] * 2)
     >>> np.bincount(features.curve).tolist(), len(features.refused)
     ([10, 3, 10, 3], 0)
+    >>> features = features_of_curves([[(0, 0), (1, 2), (2, -2), (3, 0.5)]] * 2)
+    >>> features.curve.tolist(), features.kind.tolist(), features.exact.tolist()
+    ([0, 0, 0, 1, 1, 1], ['inflection', 'minimum', 'maximum', 'inflection', 'minimum', 'maximum'], [])
+    >>> list(features_of_curves([[(0, 0), (1, float("nan"))], [(0, 0), (1, 1)]]).refused.values())
+    [NumberError('points[0]: is not a finite number; write finite numbers')]
+
+    Raises `ShapeError` for arrays of another shape, `NumberError` for arrays that do not contain numbers.
     """
-    parts = list(curve_features_in_parts(curves))
+    if isinstance(curves, np.ndarray):
+        return _concatenated(list(features_in_parts(curves, weights)))
+    source = iter(as_items(cast("Iterable[Nurbs]", curves), "curves"))
+    first = next(source, None)
+    if isinstance(first, Sequence) and not isinstance(first, str):
+        return _concatenated(list(features_in_parts([first, *source], weights)))
+    parts = list(curve_features_in_parts(() if first is None else chain([first], source)))
     return _concatenated(parts) if parts else _in_order([], np.zeros(0, dtype=int), {})
 
 
@@ -168,7 +168,7 @@ def _concatenated(parts: list[ManyFeatures]) -> ManyFeatures:
 def features_in_parts(
     points: ArrayLike, weights: ArrayLike | None = None, *, at_once: int = AT_ONCE
 ) -> Iterator[ManyFeatures]:
-    """The same as `features_of_many`, for a part of the curves at a time, so that partial results are available."""
+    """The same as `features_of_curves` of arrays, for a part of the curves at a time."""
     p, w, wrong = _checked(points, weights)
     for start in range(0, max(len(p), 1), at_once):
         some = slice(start, start + at_once)

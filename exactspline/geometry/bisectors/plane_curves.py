@@ -21,7 +21,7 @@ from exactspline.numbers.once import cached_property
 from exactspline.numbers.sides import Side
 from exactspline.questions.answers import NamedNumbers
 from exactspline.reals.real import Real, real
-from exactspline.roots.values import at, exact_place, sign_at
+from exactspline.roots.values import evaluate, exact_place, sign_at
 from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.surface import Along
 from exactspline.splines.tensor import TensorSpline
@@ -90,8 +90,8 @@ class PlaneBisector(Bisector):
         place = exact_place(s), exact_place(t)
         pairs = [PlaneBisector(*pair) for pair in product(*map(_sides, self.curves, place))]
         first, second = next((pair for pair in pairs[:-1] if pair._vanishes(*place)), pairs[-1]).curves
-        p, q = at(first, s), at(second, t)
-        a, b = ([at(f, x) for f in tangent(curve)] for curve, x in ((first, s), (second, t)))
+        p, q = evaluate(first, s), evaluate(second, t)
+        a, b = ([evaluate(f, x) for f in tangent(curve)] for curve, x in ((first, s), (second, t)))
         chord = [y - x for x, y in zip(p, q, strict=True)]
         across = a[0] * b[1] - a[1] * b[0]
         if across == 0:

@@ -183,8 +183,8 @@ def curve_bisector(
     Raises `ShapeError` for curves that are not in space, `FormulaError` for an unknown variant.
     """
     chosen = choice(SurfaceVariant, variant, "variant")
+    first, second = curve_of(first), curve_of(second)
     for c in (first, second):
-        curve_of(c)
         if c.dimension != 3:
             raise ShapeError(
                 f"a curve in R{c.dimension}",

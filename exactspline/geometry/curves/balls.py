@@ -72,7 +72,7 @@ def _length_ball(curve: Nurbs, bits: int) -> arb:
     velocity, breaks, total = facts_of(curve).velocity, curve.breakpoints, arb(0)
     budget = _Budget(bits)
     # all segments in one pass: every access to them computes them anew
-    weights, *columns = ([_powers(points, f.degree) for points in f.segments] for f in (curve.w, *velocity))
+    weights, *columns = ([_powers(points, f.degree) for points in f.bezier_points] for f in (curve.w, *velocity))
     stops = [root.refine(bits * 3 // 10 + bits // 500 + 5) for root in facts_of(curve).speed.zeros]
     for i, (a, b) in enumerate(pairwise(breaks)):
         parts_of = [column[i] for column in columns]

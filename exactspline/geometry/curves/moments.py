@@ -44,5 +44,5 @@ def _check_closed(facts: Facts) -> None:
 def _integral(f: BSpline) -> mpq:
     """Over the whole domain: on a segment the mean of the Bézier points times the width."""
     widths = [b - a for a, b in pairwise(f.breakpoints)]
-    means = [sum(points, start=mpq(0)) / len(points) if points else mpq(0) for points in f.segments]
+    means = [sum(points, start=mpq(0)) / len(points) if points else mpq(0) for points in f.bezier_points]
     return sum((w * m for w, m in zip(widths, means, strict=True)), start=mpq(0))

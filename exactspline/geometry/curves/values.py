@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 from exactspline.errors import DomainError, ShapeError
 from exactspline.formulas.derivatives import across
 from exactspline.geometry.curves.facts import facts_of
@@ -21,10 +19,8 @@ from exactspline.roots.values import exact_place, segment_of, sign_at, signed_ro
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.inputs import checked_side
 from exactspline.splines.lowest_terms import in_lowest_terms
+from exactspline.splines.nurbs import Nurbs, derivative_splines
 from exactspline.splines.type_checks import curve_of
-
-if TYPE_CHECKING:
-    from exactspline.splines.nurbs import Nurbs
 
 
 def point_at(curve: Nurbs, place: mpq | Real, order: int = 0, side: Side | str = Side.RIGHT) -> tuple[Real, ...]:
@@ -39,20 +35,8 @@ def point_at(curve: Nurbs, place: mpq | Real, order: int = 0, side: Side | str =
     if not isinstance(place, Real):
         return tuple(map(Real, curve.derivative(order, place, side) if order else curve(place, side)))
     within(curve.domain, place)
-    numerators, denominator = _derivative(curve, order)
+    numerators, denominator = derivative_splines(curve, order)
     return tuple(value_at(f, denominator, place) for f in numerators)
-
-
-def _derivative(curve: Nurbs, order: int) -> tuple[list[BSpline], BSpline]:
-    """The derivative of some order as a quotient of splines."""
-    if curve.polynomial:
-        return [x.d(order) for x in curve.p], curve.w
-    numerators, slope, denominator = list(curve.p), curve.w.d(), curve.w
-    for k in range(1, order + 1):
-        # (N/wᵏ)′ = (N′ w − k w′ N)/wᵏ⁺¹
-        numerators = [f.d() * curve.w - (slope * f).scaled(k) for f in numerators]
-        denominator = denominator * curve.w
-    return numerators, denominator
 
 
 def unit(vector: Vector[BSpline], place: mpq | Real, name: str = "T", side: Side = Side.RIGHT) -> list[Real]:
@@ -82,13 +66,13 @@ def direction_at(curve: Nurbs, place: mpq | Real, side: Side | str = Side.RIGHT,
     """
     if not isinstance(place, Real):
         return curve.normal(place, side) if normal else curve.unit_tangent(place, side)
-    first = Vector(*_derivative(curve, 1)[0])
+    first = Vector(*derivative_splines(curve, 1)[0])
     if not normal:
         return tuple(unit(first, place, "the tangent"))
     if curve.dimension == 2:
         return tuple(unit(perp(first), place, "the normal"))
     # the second derivative is divided by one power of w more
-    second = Vector(*[x * curve.w for x in _derivative(space(curve), 2)[0]])
+    second = Vector(*[x * curve.w for x in derivative_splines(space(curve), 2)[0]])
     return tuple(unit(across(first, second), place, "the normal"))
 
 
@@ -120,7 +104,8 @@ def curvature(curve: Nurbs, t: Number | Real, side: Side | str = Side.RIGHT) -> 
 
 def in_plane_or_space(curve: Nurbs) -> Nurbs:
     """A curve in the plane or in space; one in the plane z = 0 as a plane curve."""
-    if curve_of(curve).dimension not in (2, 3):
+    curve = curve_of(curve)
+    if curve.dimension not in (2, 3):
         raise ShapeError(f"a curve in R{curve.dimension}", remedy="curvature needs a curve in the plane or in space")
     return in_the_plane(curve)
 

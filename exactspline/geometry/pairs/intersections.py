@@ -41,7 +41,7 @@ from exactspline.roots.segment_forms import (
     segment_forms,
     segment_rows,
 )
-from exactspline.roots.values import at, segment_polynomials
+from exactspline.roots.values import evaluate, segment_polynomials
 from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.type_checks import curve_of
 
@@ -83,7 +83,7 @@ class Intersection:
         """The coordinates, exactly."""
         # a zero, and before it a rational number, is simpler than the value of a map at a zero
         k = min((0, 1), key=lambda k: _unknown((self.first, self.second)[k]))
-        return at(self.curves[k], (self.first, self.second)[k])
+        return evaluate(self.curves[k], (self.first, self.second)[k])
 
     @property
     def contact(self) -> int | None:
@@ -191,7 +191,8 @@ def self_intersections(curve: Nurbs) -> Intersections:
 
     Raises `ShapeError` for a curve that is not in a plane.
     """
-    if curve_of(curve).dimension != 2 and (curve.dimension != 3 or in_common_plane(curve) is None):
+    curve = curve_of(curve)
+    if curve.dimension != 2 and (curve.dimension != 3 or in_common_plane(curve) is None):
         raise ShapeError(f"a curve in R{curve.dimension}", remedy="give a curve in a plane")
     return CollectedPoints(curve, curve, alone=True).answer()
 

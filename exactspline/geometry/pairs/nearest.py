@@ -30,7 +30,7 @@ from exactspline.polynomials.zero_places import at as at_rational
 from exactspline.reals.real import Real, square_root
 from exactspline.roots.answers import Answer, CurvePiece, OneNumber
 from exactspline.roots.segment_forms import SegmentForms, root_at, segment_forms
-from exactspline.roots.values import at, value_at
+from exactspline.roots.values import evaluate, value_at
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.knots import Mesh
 from exactspline.splines.nurbs import Nurbs
@@ -62,7 +62,7 @@ class NearestPoint(OneNumber):
     @property
     def point(self) -> tuple[mpq | Real, ...]:
         """The coordinates, exactly."""
-        return at(self.curve, self.parameter, side=self.side)
+        return evaluate(self.curve, self.parameter, side=self.side)
 
     def __repr__(self) -> str:
         return f"<nearest point at {self.parameter.shortly()}: distance {self.distance.shortly()}>"

@@ -41,7 +41,7 @@ from exactspline.reals.real import RationalNumber, Real, real, square_root
 from exactspline.roots.of_polynomials import Parameter
 from exactspline.roots.root import Root
 from exactspline.roots.segment_forms import segment_forms
-from exactspline.roots.values import at
+from exactspline.roots.values import evaluate
 from exactspline.roots.vanishing import vanish_at
 from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.type_checks import curve_of
@@ -64,7 +64,7 @@ class OffsetIntersection(Intersection):
         """The coordinates, exactly."""
         k = int(not isinstance(self.first, RationalNumber) and isinstance(self.second, RationalNumber))
         curve, t, side, d = self.curves[k], (self.first, self.second)[k], self.sides[k], self.distances[k]
-        (x, y), (a, b) = at(curve, t, side=side), [at(f, t, side=side) for f in tangent(curve)]
+        (x, y), (a, b) = evaluate(curve, t, side=side), [evaluate(f, t, side=side) for f in tangent(curve)]
         length = square_root(a * a + b * b)
         return x - b * d / length, y + a * d / length
 

@@ -50,7 +50,7 @@ def signs(f: BSpline) -> set[int]:
     ({1}, {1}, {-1}, [-1, 1], {0})
     """
     found, hard = set[int](), set[Interval]()
-    for ends, points in zip(pairwise(f.breakpoints), f.segments, strict=True):
+    for ends, points in zip(pairwise(f.breakpoints), f.bezier_points, strict=True):
         of_points = {sign(x) for x in points}
         if len(of_points) > 1:
             of_points -= {0}

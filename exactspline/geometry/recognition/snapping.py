@@ -133,8 +133,8 @@ def _with(curve: Nurbs, replaced: dict[mpq, RecognizedPiece]) -> Nurbs:
 
 def _parts(curve: Nurbs, replaced: dict[mpq, RecognizedPiece]) -> Iterator[tuple[mpq, list[Segment]]]:
     """The ends of consecutive parts, each with its segments: those of the curve, one by one, and exact pieces."""
-    rows = zip(*[f.segments for f in curve.p], strict=True)
-    weights = curve.w.segments if not curve.polynomial else [(mpq(1),) * (curve.degree + 1)] * curve.segments
+    rows = zip(*[f.bezier_points for f in curve.p], strict=True)
+    weights = curve.w.bezier_points if not curve.polynomial else [(mpq(1),) * (curve.degree + 1)] * curve.segments
     behind = curve.domain[0]
     for (start, end), columns, row in zip(pairwise(curve.breakpoints), rows, weights, strict=True):
         if start < behind:

@@ -332,7 +332,7 @@ def _enclosed(rows: arb_mat) -> list[arb]:
 def basis_ordinates(n: int, knots: tuple[mpq, ...]) -> tuple[tuple[arb, ...], ...]:
     """The ordinates of the basis functions on the segment [0, 1]."""
     units = [[int(i == k) for i in range(n + 1)] for k in range(n + 1)]
-    return tuple(tuple(arb(to_fmpq(x)) for x in BSpline(n, knots, unit).segments[0]) for unit in units)
+    return tuple(tuple(arb(to_fmpq(x)) for x in BSpline(n, knots, unit).bezier_points[0]) for unit in units)
 
 
 def _best_factor(values: Sequence[float], slopes: Sequence[float]) -> float:

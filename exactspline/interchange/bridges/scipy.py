@@ -1,16 +1,21 @@
-"""scipy's piecewise polynomials: read exactly; `BSpline` written with correct rounding."""
+"""scipy's piecewise polynomials: read exactly, as smooth and as closed as their class says; written with correct
+rounding.
+"""
 
 from __future__ import annotations
 
-from itertools import pairwise
-from math import comb
-from typing import TYPE_CHECKING, Any, TypeAlias
+from itertools import groupby, pairwise
+from math import comb, ulp
+from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias
 
-from exactspline.errors import ShapeError, shown
+from exactspline.errors import ShapeError, counted, shown
 from exactspline.interchange.bridges.values import doubles, exact, exact_rows
-from exactspline.numbers.exact import mpq
+from exactspline.numbers.exact import double, mpq
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.nurbs import Nurbs
+from exactspline.splines.smooth_knots import with_smooth_knots
+from exactspline.splines.surface import NurbsSurface
+from exactspline.splines.tensor import TensorSpline
 from exactspline.splines.type_checks import curve_of
 
 if TYPE_CHECKING:
@@ -22,42 +27,91 @@ if TYPE_CHECKING:
         scipy.interpolate.BSpline
         | scipy.interpolate.PPoly
         | scipy.interpolate.BPoly
+        | scipy.interpolate.UnivariateSpline
         | tuple[np.ndarray, np.ndarray | list[np.ndarray], int]
     )
+    #: Those in two.
+    InTwo: TypeAlias = scipy.interpolate.NdBSpline | scipy.interpolate.BivariateSpline
+
+#: A coefficient may be moved by this many units in the last place of the largest one.
+MOST_ULPS = 8
 
 
-def from_scipy(spline: Piecewise) -> Nurbs | BSpline:
-    """The exact curve of a vector-valued spline, the exact `BSpline` of a scalar one: every double is taken at its
-    binary value.
+class ReadSpline(NamedTuple):
+    """A curve, a function, a surface or a function of two parameters, and notes on what was changed."""
 
-    Takes scipy's `BSpline`, `PPoly` (with it `CubicSpline`, `PchipInterpolator`, `Akima1DInterpolator`), `BPoly`, and
-    the ``(t, c, k)`` of `splrep` and `splprep`. Neighbouring pieces of a `PPoly` agree only up to rounding at their
-    common breakpoint, so breakpoints get full multiplicity and each piece keeps its end points.
+    curve: Nurbs | BSpline | NurbsSurface | TensorSpline
+    notes: tuple[str, ...] = ()
+
+
+def from_scipy(spline: Piecewise | InTwo, *, literal: bool = False) -> Nurbs | BSpline | NurbsSurface | TensorSpline:
+    """The exact curve of a vector-valued spline, the exact `BSpline` of a scalar one, in two parameters a
+    `NurbsSurface` or a `TensorSpline`: what `read_scipy` reads, without its notes.
 
     >>> from scipy.interpolate import CubicSpline
-    >>> from_scipy(CubicSpline([0, 1, 2], [0, 1, 0]))("1/2")
-    mpq(3,4)
+    >>> spline = from_scipy(CubicSpline([0, 1, 2, 3], [0, 1, 0, 2]))
+    >>> spline.continuity_at(1), from_scipy(CubicSpline([0, 1, 2], [0, 1, 0], bc_type="periodic")).d().segments
+    (2, 2)
+    """
+    return read_scipy(spline, literal=literal).curve
 
-    Raises `ShapeError` for anything else and for coefficient arrays of more than two axes, and the errors of `Nurbs`.
+
+def read_scipy(spline: Piecewise | InTwo, *, literal: bool = False) -> ReadSpline:
+    """The exact spline of one of scipy's, every double at its binary value, and notes on what was changed.
+
+    Takes `BSpline`, `PPoly` (with it `CubicSpline`, `PchipInterpolator`, `Akima1DInterpolator`), `BPoly`,
+    `UnivariateSpline` and its kin, the ``(t, c, k)`` of `splrep` and `splprep`, `NdBSpline` of one and two parameters,
+    and `RectBivariateSpline`.
+
+    Neighbouring pieces of a `PPoly` agree only up to rounding at their common breakpoint, and so do the ends of a
+    periodic spline. What the class says is made true: a `CubicSpline` is of class C², `PchipInterpolator`,
+    `Akima1DInterpolator` and `CubicHermiteSpline` are C¹, and a periodic one is closed and as smooth at its seam. A
+    note says by how much a Bézier coefficient was changed at most. With `literal` the pieces stay as they are.
+
+    >>> from scipy.interpolate import CubicSpline
+    >>> read_scipy(CubicSpline([0, 0.1, 1], [0, 1, 0.3])).notes
+    ('made C2: a Bézier coefficient is changed by at most 4.48e-16, 2 units in the last place of the largest',)
+
+    Raises `ShapeError` for anything else, for coefficients of more than two axes, and where a coefficient would be
+    changed by more than 8 units in the last place of the largest one; and the errors of `Nurbs`.
     """
     import numpy as np
     import scipy.interpolate as si
 
-    given: Any = spline
+    given: Any = getattr(spline, "_eval_args", spline)  # (t, c, k) of a UnivariateSpline
     if isinstance(given, (tuple, list)) and len(given) == 3:
         t, c, k = given
         # splprep lists the coefficients of each coordinate
         given = si.BSpline(t, np.stack(c, axis=1) if isinstance(c, (list, tuple)) else c, k) if _is_tck(t, k) else None
+    if isinstance(given, si.NdBSpline) and len(given.t) == 1:
+        given = si.BSpline(given.t[0], given.c, given.k[0])
+    if isinstance(given, si.NdBSpline) and len(given.t) == 2:
+        return ReadSpline(_in_two(given.k, given.t, given.c))
+    if isinstance(given, si.RectBivariateSpline):
+        (tx, ty, c), (m, n) = given.tck, given.degrees
+        return ReadSpline(_in_two((m, n), (tx, ty), np.reshape(c, (len(tx) - m - 1, len(ty) - n - 1))))
     if isinstance(given, (si.PPoly, si.BPoly)):
-        return _of_pieces(given.c, given.x, powers=isinstance(given, si.PPoly))
+        breaks, pieces = _pieces(given.c, given.x, powers=isinstance(given, si.PPoly))
+        order = 2 if isinstance(given, si.CubicSpline) else 1 if isinstance(given, si.CubicHermiteSpline) else -1
+        order = -1 if literal else order
+        counts = [len(given.c) - 1 - order] * len(pieces)
+        return _joined(breaks, pieces, counts, periodic=order >= 0 and given.extrapolate == "periodic")
     if not isinstance(given, si.BSpline):
         raise ShapeError(
-            f"{shown(spline)} is not a scipy spline in one parameter",
+            f"{shown(spline)} is not a scipy spline in one parameter or two",
             remedy="give a BSpline, PPoly or BPoly of scipy.interpolate, or (t, c, k)",
         )
     degree, knots = int(given.k), [exact(t) for t in given.t]
     # scipy allows more coefficients than the knots require
-    return _made(degree, knots, given.c[: len(knots) - degree - 1])
+    c = given.c[: len(knots) - degree - 1]
+    made = _made(degree, knots, c)
+    wrapped = knots[0] < knots[degree] and np.array_equal(c[:degree], c[len(c) - degree :])
+    if literal or not (wrapped or given.extrapolate == "periodic"):
+        return ReadSpline(made)
+    parts = [made] if isinstance(made, BSpline) else list(made.p)
+    rows = [zip(*row, strict=True) for row in zip(*[part.bezier_points for part in parts], strict=True)]
+    counts = [min(len([*same]), degree) for t, same in groupby(knots) if t in parts[0].breakpoints[:-1]]
+    return _joined(list(parts[0].breakpoints), [*map(list, rows)], counts, periodic=True)
 
 
 def _is_tck(t: object, k: object) -> bool:
@@ -74,15 +128,26 @@ def _made(degree: int, knots: list[mpq], coefficients: np.ndarray) -> Nurbs | BS
     return Nurbs(degree, knots, exact_rows(coefficients))
 
 
-def _of_pieces(c: np.ndarray, x: np.ndarray, *, powers: bool) -> Nurbs | BSpline:
-    """The spline of pieces given by Bernstein coefficients ``c[i, piece]``, or by coefficients of the powers of the
-    distance from the start of the piece, highest power first.
+def _in_two(degrees: Any, knots: Any, net: np.ndarray) -> NurbsSurface | TensorSpline:
+    """The function of two parameters, or the surface, with these coefficients."""
+    m, n = map(int, degrees)
+    u, v = ([exact(t) for t in row] for row in knots)
+    if net.ndim == 2:
+        return TensorSpline((m, n), u, v, exact_rows(net))
+    return NurbsSurface((m, n), u, v, [exact_rows(row) for row in net])
+
+
+def _pieces(c: np.ndarray, x: np.ndarray, *, powers: bool) -> tuple[list[mpq], list[list[tuple[mpq, ...]]]]:
+    """The breakpoints and the Bézier points of pieces given by Bernstein coefficients ``c[i, piece]``, or by
+    coefficients of the powers of the distance from the start of the piece, highest power first.
     """
     import numpy as np
 
     degree, breaks = len(c) - 1, [exact(t) for t in x]
     if breaks[0] > breaks[-1]:
         raise ShapeError("breakpoints that decrease", remedy="give the spline of −x, whose breakpoints increase")
+    if c.ndim > 3:
+        raise ShapeError(f"coefficients of shape {c.shape}", remedy="a curve has one row per coordinate")
     exactly = np.vectorize(exact, otypes=[object])(c)
     if powers:
         exactly = exactly[::-1].copy()
@@ -90,8 +155,29 @@ def _of_pieces(c: np.ndarray, x: np.ndarray, *, powers: bool) -> Nurbs | BSpline
             scaled = [exactly[j, piece] * (b - a) ** j for j in range(degree + 1)]
             for i in range(degree + 1):
                 exactly[i, piece] = sum(scaled[j] * mpq(comb(i, j), comb(degree, j)) for j in range(i + 1))
-    rows = np.swapaxes(exactly, 0, 1).reshape(-1, *exactly.shape[2:])
-    return _made(degree, [t for t in breaks for _ in range(degree + 1)], rows)
+    rows = np.swapaxes(exactly, 0, 1)
+    return breaks, [[tuple(np.atleast_1d(point)) for point in piece] for piece in rows]
+
+
+def _joined(breaks: list[mpq], pieces: list[list[tuple[mpq, ...]]], counts: list[int], *, periodic: bool) -> ReadSpline:
+    """The spline of pieces over knots of these multiplicities, with a note on what its smoothness changes."""
+    degree, scalar = len(pieces[0]) - 1, len(pieces[0][0]) == 1
+    knots, points = with_smooth_knots(degree, breaks, pieces, counts, periodic=periodic)
+    curve = BSpline(degree, knots, [x for (x,) in points]) if scalar else Nurbs(degree, knots, points)
+    parts = [curve] if isinstance(curve, BSpline) else list(curve.p)
+    old = [x for piece in pieces for point in piece for x in point]
+    rows = zip(*[part.bezier_points for part in parts], strict=True)
+    new = [x for row in rows for point in zip(*row, strict=True) for x in point]
+    change = max(abs(x - y) for x, y in zip(old, new, strict=True))
+    units = -(-change // exact(ulp(float(max(map(abs, old))))))
+    if not change:
+        return ReadSpline(curve)
+    order = f"C{degree - max(counts)}{' and closed' * periodic}"
+    most = f"{double(change, 'up'):.3g}, {counted(int(units), 'unit')} in the last place of the largest"
+    by = f"a Bézier coefficient is changed by at most {most}"
+    if units > MOST_ULPS:
+        raise ShapeError(f"not {order}: {by}", remedy="literal=True takes the pieces as they are")
+    return ReadSpline(curve, (f"made {order}: {by}",))
 
 
 def to_scipy(curve: Nurbs | BSpline) -> scipy.interpolate.BSpline:

@@ -50,7 +50,7 @@ def _polynomials(spline: BSpline, symbol: sympy.Symbol) -> list[sympy.Expr]:
     import sympy
 
     polynomials = []
-    for (a, b), points in zip(pairwise(spline.breakpoints), spline.segments, strict=True):
+    for (a, b), points in zip(pairwise(spline.breakpoints), spline.bezier_points, strict=True):
         n = len(points) - 1
         # in powers of u = (t − a)/(b − a)
         powers = [

@@ -98,13 +98,13 @@ def test_a_rational_curve_is_combined_with_its_weights():
 def test_elevation_gives_the_bezier_points_of_a_higher_degree(f, by):
     triangles = elevation_triangles(f, by)
     higher = f.elevate_degree(by)
-    assert tuple(tuple(row[0] for row in each.columns[-1]) for each in triangles) == higher.segments
+    assert tuple(tuple(row[0] for row in each.columns[-1]) for each in triangles) == higher.bezier_points
 
 
 @given(functions(), functions())
 def test_the_diagonals_sum_to_the_product(f, g):
     tables = product_tables(f, g)
-    assert tuple(table.points for table in tables) == (f * g).segments
+    assert tuple(table.points for table in tables) == (f * g).bezier_points
 
 
 def test_what_no_triangle_exists_of_is_refused():

@@ -167,7 +167,7 @@ def sympy_curve(c, segment, t, variables, *, point=False):
         terms = [sympy.Rational(str(b)) * comb(n, i) * t**i * (1 - t) ** (n - i) for i, b in enumerate(points)]
         return SympyOperand(sympy.Poly(sum(terms), *variables, domain="QQ"), t)
 
-    x, y, z, w = (operand(spline.segments[segment]) for spline in (*c.p, c.w))
+    x, y, z, w = (operand(spline.bezier_points[segment]) for spline in (*c.p, c.w))
     return Curve(Vector(x, y, z), w, point=Vector(*[w.constant(k) for k in POINT]) if point else None)
 
 

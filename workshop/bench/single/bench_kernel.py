@@ -46,7 +46,10 @@ def power_basis(c):
         terms = [sympy.Rational(str(b)) * comb(n, i) * t**i * (1 - t) ** (n - i) for i, b in enumerate(points)]
         return sympy.Poly(sum(terms), t, domain="QQ")
 
-    return [tuple(map(poly, rows)) for rows in zip(c.p[0].segments, c.p[1].segments, c.w.segments, strict=True)]
+    return [
+        tuple(map(poly, rows))
+        for rows in zip(c.p[0].bezier_points, c.p[1].bezier_points, c.w.bezier_points, strict=True)
+    ]
 
 
 def sympy_f2(polys):
@@ -88,7 +91,7 @@ def fraction_f2(segments):
 def as_fractions(c):
     return [
         tuple([Fraction(str(b)) for b in row] for row in rows)
-        for rows in zip(c.p[0].segments, c.p[1].segments, c.w.segments, strict=True)
+        for rows in zip(c.p[0].bezier_points, c.p[1].bezier_points, c.w.bezier_points, strict=True)
     ]
 
 
@@ -114,7 +117,7 @@ def test_f2_slow_peers(benchmark, case, who):
     else:
         value = f2(c)
         result = benchmark.pedantic(fraction_f2, args=(as_fractions(c),), rounds=5)
-        assert [[Fraction(str(b)) for b in row] for row in value.segments] == result
+        assert [[Fraction(str(b)) for b in row] for row in value.bezier_points] == result
 
 
 @pytest.mark.parametrize("case", CASES, ids=ids)

@@ -12,7 +12,7 @@ from time import process_time
 import numpy as np
 
 from exactspline import Nurbs, analyse
-from exactspline.geometry.analysis.many_curves import features_of_many
+from exactspline.geometry.analysis.many_curves import features_of_curves
 from exactspline.numbers.exact import from_float
 
 
@@ -61,9 +61,9 @@ def main(count):
     for degree in (2, 3, 4, 5):
         points, weights = numbers.uniform(-9, 9, (count, degree + 1, 2)), numbers.uniform(0.5, 4, (count, degree + 1))
         for w in (None, weights):
-            features_of_many(points[:64], None if w is None else w[:64])
+            features_of_curves(points[:64], None if w is None else w[:64])
             start = process_time()
-            many = features_of_many(points, w)
+            many = features_of_curves(points, w)
             each, exact = 1000 * (process_time() - start) / count, 100 * len(many.exact) / count
             kind = "polynomial" if w is None else "rational"
             print(

@@ -1,0 +1,175 @@
+"""What a user types first works, or the error names the call that works; every such call, in errors, docstrings and
+pages, is that of the front door.
+"""
+
+import ast
+import re
+from fractions import Fraction
+from pathlib import Path
+
+import pytest
+
+import exactspline as xs
+from exactspline.geometry.analysis.registry import REGISTRY
+from exactspline.hooks import LENT, QUESTIONS, first_guesses
+from exactspline.questions.entry import Of
+
+np = pytest.importorskip("numpy")
+pytest.importorskip("matplotlib").use("Agg")
+TABLE = Path(__file__).with_name("first_guesses.txt").read_text(encoding="utf-8").splitlines()
+GUESSES = [line.rpartition(" → ")[::2] for line in TABLE if not line.startswith("#")]
+#: Errors of Python itself, which name nothing.
+PYTHON = 4
+
+
+@pytest.fixture(scope="module")
+def names(tmp_path_factory):
+    interpolate = pytest.importorskip("scipy.interpolate")
+    geomdl = pytest.importorskip("geomdl.BSpline")
+    knots, points = [0, 0, 0, 0, 1, 1, 1, 1], [(0, 0), (1, 2), (3, 2), (4, 0)]
+    of_geomdl = geomdl.Curve()
+    of_geomdl.degree, of_geomdl.ctrlpts, of_geomdl.knotvector = 3, list(map(list, points)), knots
+    curve = xs.Nurbs(3, knots, [(0, 0), (1, 2), (2, -2), (3, 0)])
+    place = str(tmp_path_factory.mktemp("guesses") / "curve.json")
+    xs.write(curve, place)
+    return {
+        "xs": xs, "np": np, "Fraction": Fraction, "knots": knots, "points": points, "numbers": [0, 1, 0, 1],
+        "weights": [1, 2, 2, 1], "path": place, "c": curve, "d": xs.Nurbs(3, knots, points),
+        "f": xs.BSpline(3, knots, [0, 1, 0, 1]), "geomdl_curve": of_geomdl,
+        "scipy_curve": interpolate.BSpline(np.array(knots, float), np.array(points, float), 3),
+    }  # fmt: skip
+
+
+@pytest.mark.parametrize(("guess", "told"), GUESSES, ids=[guess for guess, _ in GUESSES])
+def test_a_guess_works_or_its_error_names_the_call(guess, told, names):
+    if ".area" in guess or "area(" in guess:  # of a closed curve
+        names = names | {"c": xs.Nurbs.bezier([(0, 0), (1, 2), (3, 2), (0, 0)])}
+    if told == "works":
+        eval(guess, names)
+        return
+    with pytest.raises((xs.ExactSplineError, AttributeError, TypeError)) as caught:
+        eval(guess, names)
+    assert told == "Python" or told in str(caught.value)
+
+
+def test_most_guesses_work():
+    """41 of 111 before."""
+    told = [told for _, told in GUESSES]
+    assert len(told) == len({guess for guess, _ in GUESSES}) == 111
+    assert told.count("works") >= 84
+    assert told.count("Python") <= PYTHON
+
+
+def test_the_questions_are_those_of_the_registry():
+    of = [of for of in Of if of not in (Of.TWO_CURVES, Of.PAIR, Of.PLANAR_MAP)]
+    assert set(first_guesses()[QUESTIONS]) == {name for each in of for name in REGISTRY[each]}
+    assert set(first_guesses()[LENT]) <= set(dir(xs))
+
+
+def test_every_other_name_leads_to_a_call_that_is_there():
+    curve, spline, surface = xs.example("circle"), xs.BSpline.identity(0, 1), xs.example("torus")
+    for call in first_guesses():
+        name, _, _ = call.partition("(")
+        room, _, attribute = name.rpartition(".")
+        if room == "x":
+            assert any(hasattr(thing, attribute) for thing in (curve, spline, surface)), call
+        elif room.startswith("exactspline"):
+            assert callable(named(name)), call
+        else:
+            assert call in (LENT, QUESTIONS) or eval(call, {"x": curve}).dimension == 2
+
+
+def named(dotted):
+    """What a dotted name of the front door means; AttributeError where it means nothing."""
+    found = xs
+    for part in dotted.split(".")[1:]:
+        found = getattr(found, part)
+    return found
+
+
+@pytest.mark.parametrize(("thing", "name", "says"), [
+    ("circle", "torsion_zeros", "it is not asked of a plane curve"),
+    ("circle", "umbilics", "it is not asked of a plane curve"),
+    ("torus", "inflections", "it is not asked of a surface in space"),
+    ("torus", "degree_elevation", None),
+])  # fmt: skip
+def test_what_objects_do_not_have(thing, name, says):
+    if says is None:
+        assert getattr(xs.example(thing), name)() == xs.example(thing).elevate_degree()
+        return
+    with pytest.raises(AttributeError, match=f"has no attribute '{name}'.*{says}"):
+        getattr(xs.example(thing), name)
+
+
+def test_questions_are_functions_too():
+    assert xs.length(xs.example("circle")) == xs.example("circle").length
+    assert xs.umbilics(xs.example("torus")) == xs.analyse(xs.example("torus")).umbilics
+    assert xs.features_within(xs.example("cubic_s"), "1/1000") == xs.example("cubic_s").features_within("1/1000")
+    with pytest.raises(AttributeError, match=r"exactspline\.graph"):
+        xs.length(xs.BSpline.identity(0, 1))
+
+
+CALL = re.compile(r"\bexactspline((?:\.\w+)+)\(")
+ROOT = Path(xs.__file__).parent
+
+
+def calls():
+    """Every call ``exactspline.name(…)`` in a text of the code and of the pages."""
+    for path in sorted(ROOT.rglob("*.py")):
+        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+            if isinstance(node, ast.Constant) and isinstance(node.value, str):
+                yield from ((path.name, name) for name in CALL.findall(node.value))
+    for path in [ROOT.parent / "README.md", *(ROOT.parent / "docs").glob("*.md")]:
+        if path.exists():
+            yield from ((path.name, name) for name in CALL.findall(path.read_text(encoding="utf-8")))
+
+
+def test_every_call_that_a_text_names_is_there():
+    """`from_float` before, which errors named and the front door has not."""
+    found = set(calls())
+    assert len(found) > 15
+    for place, name in found:
+        assert callable(named(f"exactspline{name}")), (place, name)
+
+
+@pytest.mark.parametrize("given", [0.1, np.float32(0.1), np.float64(0.5)], ids=repr)
+def test_what_the_error_of_a_float_names_is_executed(given):
+    curve = xs.example("circle")
+    with pytest.raises(xs.ExactSplineError) as caught:
+        curve(given)
+    data = re.search(r"exactspline\.\w+\(.*?\)", str(caught.value))[0]
+    place = re.search(r"curve\.\w+\(.*?\)", str(caught.value))[0]
+    names = {"curve": curve, "exactspline": xs}
+    assert curve.floats(given).tolist() == eval(place, names).tolist() == [float(x) for x in curve(eval(data, names))]
+
+
+def test_what_a_curve_is_read_from_is_a_curve():
+    """ShapeErrors before: a NamedCurve, where a curve is expected."""
+    reading, circle, step = xs.read("circle"), xs.example("circle"), (1, 0)
+    for given in (reading, reading.curves[0]):
+        assert xs.curvature(given, 0) == 1
+        assert float(xs.analyse(given).length) == float(circle.length)
+        assert xs.intersections(given, circle + step) == xs.intersections(circle, circle + step)
+        assert xs.plot(given).get_legend()
+        assert xs.floats(given, 0).tolist() == [1, 0]
+        assert xs.evaluate(given, "1/2") == circle("1/2")
+    with pytest.raises(xs.ExactSplineError, match=r"exactspline\.graph\(f\)"):
+        xs.analyse(xs.BSpline.identity(0, 1))
+
+
+def test_sums_and_multiples():
+    vector = (1, 2)
+    arc, line = xs.example("circle"), xs.Nurbs.bezier([(0, 0), (8, 4)], a=0, b=4)
+    arc = arc.restrict(0, 4)
+    assert (arc + line)(1) == tuple(a + b for a, b in zip(arc(1), line(1), strict=True))
+    assert (arc - line + line) == arc == arc * 2 / 2 == vector + arc - vector == vector - (vector - arc)
+    assert arc * -1 == -arc
+    assert np.array(vector) + arc == arc + vector
+    assert (arc @ arc).scalar == (arc @ arc).denominator
+    assert arc.derivative()(1) == arc.derivative(1, 1)
+    assert arc.derivative(2)("1/3") == arc.derivative(2, "1/3")
+    assert line.derivative(2)(0) == (0, 0)
+    space = xs.example("twisted_cubic")
+    for wrong in (lambda: arc + space(0), lambda: arc @ space, lambda: arc * line, lambda: arc * 0.5):
+        with pytest.raises(xs.ExactSplineError):
+            wrong()
