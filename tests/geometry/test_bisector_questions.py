@@ -102,6 +102,15 @@ def test_a_bisector_in_space_has_no_list_of_points():
     assert len(xs.ask(xs.example("ellipse_in_space"), "bisector:1,1,2").pieces) == 3
 
 
+def test_a_pole_at_the_seam_is_told_once():
+    """A tangent through the point: it was told at both ends."""
+    points = [(0, 0, 0), (4, 0, 1), (3, 5, -1), (-1, 2, 3)]
+    curve = xs.Nurbs(2, [*range(9)], [*points, *points[:2]])
+    start = curve.domain[0]
+    place = ",".join(str(x + y) for x, y in zip(curve(start), curve.derivative(1, start), strict=True))
+    assert [x.exact for x in xs.ask(curve, f"bisector:{place}").singular] == [start]
+
+
 def test_each_offset_has_its_own_sign():
     """An offset to the left is one to the right of the reversed curve."""
     ellipse = xs.example("ellipse")

@@ -23,7 +23,7 @@ from exactspline.numbers.intervals import Interval
 from exactspline.one_line import one_line, short_text
 from exactspline.papers import find
 from exactspline.reals.real import between
-from exactspline.roots.root import Root
+from exactspline.roots.root import Root, knot_root
 from exactspline.roots.zero_set import zeros
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.lowest_terms import SplineSurface, common_factor
@@ -65,8 +65,8 @@ class PointBisector(Bisector):
     """The ruled bisector surface of a point and a space curve.
 
     ``singular`` are the parameters at which the generator vanishes (the tangent passes through the point, or the curve
-    does, or γ′ = 0), at a knot from one side at least; ``missing`` the intervals on which it vanishes throughout, each
-    with the reason.
+    does, or γ′ = 0), at a knot from one side at least, the seam of a closed curve at its start; ``missing`` the
+    intervals on which it vanishes throughout, each with the reason.
     """
 
     variant: PointVariant
@@ -121,7 +121,7 @@ def point_bisector(
         )
         for a, b, k in _merged(parts)
     ]
-    return PointBisector(chosen, tuple(pieces), _singular(generator, good), tuple(missing))
+    return PointBisector(chosen, tuple(pieces), _singular(generator, good, closed=curve.closed), tuple(missing))
 
 
 def refuse_point(curve: Nurbs) -> None:
@@ -136,12 +136,14 @@ def refuse_point(curve: Nurbs) -> None:
         )
 
 
-def _singular(generator: Vector[BSpline], segments: list[Interval]) -> tuple[Root, ...]:
+def _singular(generator: Vector[BSpline], segments: list[Interval], *, closed: bool) -> tuple[Root, ...]:
     """Where the generator vanishes on some of the segments, at a knot also where it does so from one side only: the
     surface of that side has a pole there.
     """
     roots = [root for a, b in segments for root in zeros(common_factor(Vector(*[x.restrict(a, b) for x in generator])))]
-    return tuple(root for i, root in enumerate(roots) if i == 0 or roots[i - 1] != root)
+    low, high = generator[0].domain
+    found = sorted(knot_root(low) if closed and root == high else root for root in roots)
+    return tuple(root for i, root in enumerate(found) if i == 0 or found[i - 1] != root)
 
 
 def _merged(parts: list[tuple[mpq, mpq, int]]) -> list[tuple[mpq, mpq, int]]:
