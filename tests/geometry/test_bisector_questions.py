@@ -43,7 +43,7 @@ def test_the_points_of_arcs_are_equally_far_from_their_feet():
                 values = found.values
                 if f"{end} x" in values:
                     point = values[f"{end} x"], values[f"{end} y"]
-                    feet = xs.at(first, values[end]), xs.at(second, values[f"other {end}"])
+                    feet = xs.evaluate(first, values[end]), xs.evaluate(second, values[f"other {end}"])
                     assert squared(point, feet[0]) == squared(point, feet[1])
                     checked += 1
     assert checked > 40
@@ -67,7 +67,7 @@ def test_a_seam_at_a_corner_is_two_places():
         assert len(ends) >= 8
         for values, end in ends:
             point = [values[f"{end} {axis}"] for axis in "xy"]
-            feet = xs.at(curve, values[end]), xs.at(other, values[f"other {end}"])
+            feet = xs.evaluate(curve, values[end]), xs.evaluate(other, values[f"other {end}"])
             assert squared(point, feet[0]) == squared(point, feet[1])
 
 
@@ -81,7 +81,7 @@ def test_beside_a_piece_on_which_a_curve_stands_still_points_are_those_of_the_ot
         for values, end in ends:
             point = [values[f"{end} {axis}"] for axis in "xy"]
             assert point[0] == 2
-            assert squared(point, (2, 0)) == squared(point, xs.at(other, values[f"other {end}"]))
+            assert squared(point, (2, 0)) == squared(point, xs.evaluate(other, values[f"other {end}"]))
 
 
 def test_in_the_plane_z_0_they_are_bisectors_in_the_plane():
