@@ -5,6 +5,8 @@ pages, is that of the front door.
 import ast
 import re
 from fractions import Fraction
+from importlib import import_module
+from importlib.util import find_spec
 from pathlib import Path
 
 import pytest
@@ -82,8 +84,9 @@ def test_every_other_name_leads_to_a_call_that_is_there():
 def named(dotted):
     """What a dotted name of the front door means; AttributeError where it means nothing."""
     found = xs
-    for part in dotted.split(".")[1:]:
-        found = getattr(found, part)
+    for i, part in enumerate(dotted.split(".")[1:], 2):
+        place = ".".join(dotted.split(".")[:i])
+        found = import_module(place) if not hasattr(found, part) and find_spec(place) else getattr(found, part)
     return found
 
 
@@ -173,3 +176,13 @@ def test_sums_and_multiples():
     for wrong in (lambda: arc + space(0), lambda: arc @ space, lambda: arc * line, lambda: arc * 0.5):
         with pytest.raises(xs.ExactSplineError):
             wrong()
+
+
+@pytest.mark.skipif(not (ROOT.parent / "notebooks").is_dir(), reason="the notebooks are in the checkout only")
+def test_twelve_tasks_take_three_lines_each():
+    """Sections of a notebook, which the tests of notebooks run; the cell after each looks at the result."""
+    nbformat = pytest.importorskip("nbformat")
+    cells = nbformat.read(ROOT.parent / "notebooks" / "23_first_steps.ipynb", as_version=4).cells
+    tasks = [cells[i + 1].source for i, cell in enumerate(cells) if re.match(r"## \d+\. ", cell.source)]
+    assert len(tasks) == 12
+    assert all(len(task.splitlines()) <= 3 for task in tasks)
