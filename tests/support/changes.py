@@ -11,6 +11,7 @@ from gmpy2 import mpq
 from exactspline import BSpline, Nurbs
 from exactspline.geometry.analysis.curves import analyse
 from exactspline.geometry.analysis.pairs import CurvePair
+from exactspline.geometry.bisectors.two_curves import CurveBisector
 from exactspline.questions.entry import Of
 from exactspline.splines.surface import NurbsSurface
 from tests.support.images import Image, Motion, Way
@@ -337,6 +338,23 @@ OF_PAIRS = {
 }
 
 
+# ---- bisectors of two space curves
+
+
+def of_bisector(change, bisector, random):
+    """The bisector of curves that are written otherwise."""
+    found = change(CurvePair(*bisector.curves), random)
+    return found and (CurveBisector(*found[0].curves), found[1])
+
+
+#: Knots divide the patches, and so does the seam: an equation is told on each patch that its zeros may not meet.
+OF_BISECTORS = {
+    name: partial(of_bisector, change)
+    for name, change in OF_PAIRS.items()
+    if "knot" not in name and name != "other seam"
+}
+
+
 # ---- surfaces
 
 
@@ -425,6 +443,7 @@ CHANGES = {
     Of.PLANE_CURVE: OF_CURVES,
     Of.SPACE_CURVE: OF_CURVES,
     Of.TWO_CURVES: OF_PAIRS,
+    Of.PAIR: OF_BISECTORS,
     Of.SURFACE: OF_SURFACES,
     Of.PLANAR_MAP: OF_SURFACES,
 }

@@ -10,6 +10,7 @@ from exactspline import Nurbs
 from exactspline.geometry.analysis.curves import analyse
 from exactspline.geometry.analysis.pairs import CurvePair
 from exactspline.geometry.analysis.surfaces import PatchKind
+from exactspline.geometry.bisectors.two_curves import CurveBisector
 from exactspline.interchange.examples import example
 from exactspline.questions.entry import Of
 from exactspline.splines.surface import NurbsSurface
@@ -208,11 +209,24 @@ def planar_map(random):
     return net(random, 2, random.choice([(1, 1), (1, 2), (2, 2)]))
 
 
+def light_bisector(random):
+    """The bisector of two space curves, now and then of two that meet, or of which one is the other one moved up."""
+    first, second = (light_curve(3, random) for _ in range(2))
+    kind = random.random()
+    if kind < 0.2:
+        step = [x - y for x, y in zip(second.control_points[0], first.control_points[0], strict=True)]
+        second = moved_curve(second, lambda p: tuple(x - d for x, d in zip(p, step, strict=True)))
+    elif kind < 0.3:
+        second = moved_curve(first, lambda p: (*p[:2], p[2] + 1))
+    return CurveBisector(first, second)
+
+
 #: What is drawn of each kind of object.
 DRAWN = {
     Of.PLANE_CURVE: partial(curve, 2),
     Of.SPACE_CURVE: partial(curve, 3),
     Of.TWO_CURVES: pair,
+    Of.PAIR: light_bisector,
     Of.SURFACE: surface,
     Of.PLANAR_MAP: planar_map,
 }

@@ -10,6 +10,7 @@ from gmpy2 import mpq
 from exactspline import Nurbs
 from exactspline.errors import OpenError, ReachError
 from exactspline.geometry.analysis.pairs import CurvePair
+from exactspline.geometry.bisectors.two_curves import CurveBisector
 from exactspline.reals.real import Real
 from exactspline.splines.surface import Along, NurbsSurface
 
@@ -199,7 +200,7 @@ def rings(thing):
     """The rings of the parameters of a curve, of two curves, of a surface."""
     if isinstance(thing, Nurbs):
         return (Ring(*thing.domain, thing.closed, tuple(thing.breakpoints)),) * 2
-    if isinstance(thing, CurvePair):
+    if isinstance(thing, CurvePair | CurveBisector):
         return tuple(rings(curve)[0] for curve in thing.curves)
     assert isinstance(thing, NurbsSurface)
     return tuple(

@@ -19,6 +19,7 @@ from exactspline.geometry.analysis.ask import asked_of
 from exactspline.geometry.analysis.curves import analyse
 from exactspline.geometry.analysis.pairs import CurvePair
 from exactspline.geometry.analysis.registry import REGISTRY
+from exactspline.geometry.bisectors.two_curves import CurveBisector
 from exactspline.questions import takes
 from exactspline.questions.answers import NamedNumbers
 from exactspline.questions.entry import Answered, Entry, Of
@@ -39,7 +40,7 @@ def kind_of(thing):
         return Of.PLANE_CURVE if thing.dimension == 2 else Of.SPACE_CURVE
     if isinstance(thing, NurbsSurface):
         return Of.PLANAR_MAP if thing.dimension == 2 else Of.SURFACE
-    return Of.TWO_CURVES
+    return Of.PAIR if isinstance(thing, CurveBisector) else Of.TWO_CURVES
 
 
 class Itself:
@@ -58,7 +59,7 @@ class Itself:
 @lru_cache(maxsize=64)
 def facts_of(itself):
     """What is known of a thing, kept between its questions."""
-    return itself.thing if isinstance(itself.thing, CurvePair) else analyse(itself.thing)
+    return itself.thing if isinstance(itself.thing, CurvePair | CurveBisector) else analyse(itself.thing)
 
 
 def ask(thing, name, given=()):
@@ -325,7 +326,7 @@ class Failure:
 
 def described(thing):
     """A thing as it can be written down again."""
-    if isinstance(thing, CurvePair):
+    if isinstance(thing, CurvePair | CurveBisector):
         return " and ".join(map(described, thing.curves))
     if isinstance(thing, Nurbs):
         data = [list(map(str, thing.knots)), [[*map(str, p)] for p in thing.control_points], [*map(str, thing.weights)]]
@@ -337,7 +338,7 @@ def described(thing):
 
 def dimension_of(thing):
     """The number of coordinates."""
-    return thing.curves[0].dimension if isinstance(thing, CurvePair) else thing.dimension
+    return thing.curves[0].dimension if isinstance(thing, CurvePair | CurveBisector) else thing.dimension
 
 
 def differing(thing, entry, given, letters, asking=ask):

@@ -18,10 +18,11 @@ from exactspline.errors import ReachError
 from exactspline.geometry.analysis.planar_maps import MapKind
 from exactspline.geometry.analysis.surfaces import PatchInspection
 from exactspline.geometry.bisectors.common import Bisector
+from exactspline.geometry.bisectors.components import LineComponent, PlaneComponent, PoleCurve, SinglePair
 from exactspline.geometry.bisectors.plane_curves import PlaneBisector
 from exactspline.geometry.bisectors.point_and_curve import PointBisector
 from exactspline.geometry.bisectors.trimmed import TrimmedBisector
-from exactspline.geometry.bisectors.two_curves import CurveBisector
+from exactspline.geometry.bisectors.two_curves import BisectorPatch, CurveBisector
 from exactspline.geometry.curves.joints import Joint
 from exactspline.geometry.curves.kinds import Feature, JointKind
 from exactspline.geometry.curves.planarity import Plane
@@ -529,8 +530,52 @@ def _(found: CurveBisector, to):
     """The rectangles of the surface, and of what is beside it the single pairs."""
     if found.left_out:
         return [(("left out",), ())]
-    surface = [(("surface",), box) for patch in found.patches for box in to.boxes(patch.sides)]
-    return [*surface, *[((str(x.solutions),), tuple(to.both(x.s, x.t))) for x in found.pairs]]
+    return [*rows(found.patches, to), *rows(found.pairs, to)]
+
+
+@rows.register
+def _(patch: BisectorPatch, to):
+    """A rectangle of the surface, its degree exchanged with the curves."""
+    return [(("surface", degrees(patch.value.degree, to)), box) for box in to.boxes(patch.sides)]
+
+
+@rows.register
+def _(pair: SinglePair, to):
+    return [((str(pair.solutions), cause_of(pair, to)), tuple(to.both(pair.s, pair.t)))]
+
+
+@rows.register
+def _(lines: LineComponent, to):
+    return of_pairs("lines", cause_of(lines, to), lines, to)
+
+
+@rows.register
+def _(planes: PlaneComponent, to):
+    return of_pairs("planes", cause_of(planes, to), planes, to)
+
+
+@rows.register
+def _(poles: PoleCurve, to):
+    return of_pairs("poles", "certain" if poles.certain else "", poles, to)
+
+
+def of_pairs(word, cause, found, to):
+    """A curve of pairs by the degree of its equation, on the rectangle of a patch."""
+    equation = found.equation
+    degree = equation and tuple(max(powers[k] for powers, _ in equation.terms) for k in (0, 1))
+    return [((word, cause, degrees(degree or (), to)), box) for box in to.boxes(found.sides)]
+
+
+def degrees(pair, to):
+    """A degree in both parameters."""
+    return " × ".join(map(str, pair[::-1] if to.image.exchanged else pair))
+
+
+def cause_of(found, to):
+    """A cause, which names the curves by their numbers."""
+    words = str(found.cause).split()
+    other = {"first": "second", "second": "first"} if to.image.exchanged else {}
+    return " ".join(other.get(each, each) for each in words)
 
 
 # ---- surfaces
