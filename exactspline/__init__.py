@@ -14,8 +14,7 @@ from sys import modules
 import lazy_loader
 
 from exactspline.hooks import set_functions, set_printers
-
-__version__ = "0.2.0"
+from exactspline.release import __version__ as __version__
 
 #: The names stand in ``__init__.pyi``, which type checkers read too.
 _loaded, __dir__, _names = lazy_loader.attach_stub(__name__, __file__)

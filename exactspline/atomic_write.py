@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import os
-import tempfile
 from collections.abc import Callable
 from pathlib import Path
 from typing import BinaryIO
+from uuid import uuid4
 
 from exactspline.errors import CurveFileError, ExactSplineError
 
@@ -15,7 +15,7 @@ def write_atomically(
     path: str | os.PathLike[str], write: Callable[[BinaryIO], object], error: type[ExactSplineError] = CurveFileError
 ) -> None:
     """Let `write` fill a temporary file next to the path, then move it there; a link is followed, and what it points
-    to replaced.
+    to replaced. An existing file keeps its mode, a new one has that which the system gives to new files.
 
     Raises `error` where nothing can be written, and where something that is not a regular file (a folder, a device, a
     pipe) has that name: it is left alone.
@@ -29,14 +29,17 @@ def write_atomically(
             raise error(
                 "is not a regular file", where=str(path), remedy="name a file; leave the name out for standard output"
             )
-        handle, temporary = tempfile.mkstemp(dir=place.parent, prefix=f".{place.name}.")
+        temporary = place.with_name(f".{place.name}.{uuid4().hex[:8]}")
         try:
-            with os.fdopen(handle, "wb") as stream:
+            with open(temporary, "xb") as stream:
                 write(stream)
-            os.chmod(temporary, 0o644)
+                stream.flush()
+                os.fsync(stream.fileno())
+            if place.exists():
+                os.chmod(temporary, place.stat().st_mode & 0o7777)
             os.replace(temporary, place)
         except BaseException:
-            os.unlink(temporary)
+            temporary.unlink(missing_ok=True)
             raise
     except (OSError, RuntimeError) as reason:
         problem = getattr(reason, "strerror", None) or "its links form a cycle"

@@ -1,7 +1,6 @@
-"""Where a sweep is computed: in this process, in processes of this machine, or on a Dask or Ray cluster.
+"""Where a sweep is computed: in this process, in processes of this machine, or on a Dask cluster.
 
-joblib runs all but the first and the last (its interface to Ray returns no result before all are complete); the number
-of pending tasks is bounded, and the results come in the order of the curves.
+joblib runs all but the first; the number of pending tasks is bounded, and the results come in the order of the curves.
 """
 
 from __future__ import annotations
@@ -10,7 +9,6 @@ import os
 import signal
 import threading
 import time
-from collections import deque
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import AbstractContextManager, ExitStack, contextmanager
 from importlib.util import find_spec
@@ -18,6 +16,7 @@ from itertools import chain
 from typing import TypeVar
 
 from exactspline.errors import ExactSplineError, as_text, nearest
+from exactspline.release import releases
 
 #: Seconds between two checks whether the process that started this one is still running.
 LOOK = 1
@@ -25,7 +24,7 @@ T = TypeVar("T")
 V = TypeVar("V")
 
 #: Name → the package that it needs besides joblib.
-BACKENDS = {"serial": "", "processes": "", "dask": "distributed", "ray": "ray"}
+BACKENDS = {"serial": "", "processes": "", "dask": "distributed"}
 #: How many curves are computed together: a few at first (`FIRST`), so that the first results come soon and all
 #: processes have work, then `GROWTH` times as many as each process has had before, at most `MOST` and of a total weight
 #: of about `HEAVY`.
@@ -88,9 +87,6 @@ def mapped(
             yield from call(group)
         return
     groups = _groups(given, weight, jobs, closed)
-    if backend == "ray":
-        yield from _through_ray(call, groups, jobs, scheduler)
-        return
     from joblib import Parallel, delayed
 
     with ExitStack() as stack:
@@ -194,7 +190,10 @@ def _configured(backend: str, jobs: int, scheduler: str) -> AbstractContextManag
 
 @contextmanager
 def _on_dask(jobs: int, scheduler: str) -> Iterator[None]:
-    """A running Dask cluster, or a local one for as long as the sweep lasts."""
+    """A running Dask cluster, or a local one for as long as the sweep lasts.
+
+    Raises `BackendError` where there is none, and where a worker has other releases: its answers may differ.
+    """
     from distributed import Client, LocalCluster
     from joblib import parallel_config
 
@@ -206,37 +205,11 @@ def _on_dask(jobs: int, scheduler: str) -> Iterator[None]:
             client = stack.enter_context(Client(at, set_as_default=False))
         except (OSError, ValueError) as error:
             raise BackendError(f"no Dask scheduler at {scheduler}: {error}", remedy="name a running one") from None
+        for worker, own in client.run(releases).items():
+            if own != releases():
+                raise BackendError(f"{worker} has {own}", remedy=f"install {releases()} there")
         stack.enter_context(parallel_config(backend="dask", client=client, n_jobs=jobs))
         yield
-
-
-def _through_ray(
-    call: Callable[[list[T]], Iterable[V]], groups: Iterator[list[T]], jobs: int, scheduler: str
-) -> Iterator[V]:
-    """The results of a running Ray cluster, or of a local one for as long as the sweep lasts."""
-    import ray
-
-    pending: deque[object] = deque()
-    with _interrupts_ignored():
-        try:
-            cpus = None if scheduler else jobs
-            ray.init(
-                address=scheduler or "local", num_cpus=cpus, include_dashboard=None if scheduler else False,
-                log_to_driver=False, logging_level="ERROR",
-            )  # fmt: skip
-        except (ConnectionError, ValueError) as error:
-            raise BackendError(f"no Ray cluster at {scheduler}: {error}", remedy="name a running one") from None
-    try:
-        task = ray.remote(_called)
-        function = ray.put(call)
-        for group in groups:
-            pending.append(task.remote(function, group))
-            if len(pending) >= PENDING * jobs:
-                yield from ray.get(pending.popleft())
-        while pending:
-            yield from ray.get(pending.popleft())
-    finally:
-        ray.shutdown()
 
 
 def _called(call: Callable[[list[T]], Iterable[V]], group: list[T]) -> list[V]:

@@ -21,6 +21,7 @@ from exactspline.batch.work import DIGITS, Work
 from exactspline.errors import ShapeError, as_integer, as_text, as_texts
 from exactspline.numbers.exact import Number
 from exactspline.one_line import OneLine
+from exactspline.release import releases
 from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.surface import NurbsSurface
 
@@ -93,6 +94,7 @@ def _settings(sources: Sequence[Source], work: Work | SurfaceWork, taken: Taken 
     return {
         "schema": "exactspline/sweep_line",
         "version": VERSION,
+        "releases": releases(),
         "corpus": [each.name if isinstance(each, (Nurbs, NurbsSurface)) else str(each) for each in sources],
         **work.settings(),
         **taken.settings(),

@@ -13,6 +13,7 @@ from exactspline.cli.commands import COMMANDS, DIFFERS, Entry
 from exactspline.cli.output import INTERRUPTED, guard_output, to_stderr
 from exactspline.errors import ExactSplineError, command_name
 from exactspline.hooks import named
+from exactspline.release import __version__
 
 #: This many new objects before Python looks for unused cycles among them: what a command makes mostly stays to its end.
 YOUNG = 100_000
@@ -113,9 +114,7 @@ def _with_option(error: click.NoSuchOption) -> list[str]:
 
 def _version(ctx: click.Context, parameter: click.Parameter, requested: bool) -> None:
     if requested:
-        from importlib.metadata import version
-
-        click.echo(f"exactspline {version('exactspline')}")
+        click.echo(f"exactspline {__version__}")
         ctx.exit()
 
 

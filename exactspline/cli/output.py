@@ -16,6 +16,7 @@ from typing import TYPE_CHECKING, Annotated, Any, get_type_hints
 from exactspline.cli.parameters import Exit, Option
 from exactspline.display.sheet import Sheet, csv_of, in_markdown
 from exactspline.errors import ExactSplineError, command_name
+from exactspline.release import releases
 
 if TYPE_CHECKING:
     from typing_extensions import Buffer
@@ -140,10 +141,10 @@ def unchecked() -> tuple[str, ...]:
 
 
 def document(schema: str, rows: Iterable[Mapping[str, object]]) -> dict[str, object]:
-    """Rows for programs, under the name of their schema (`exactspline schema NAME`) and its version; where formulas ran
-    unchecked their files are named.
+    """Rows for programs, under the name of their schema (`exactspline schema NAME`) and its version, with the
+    releases that made them; where formulas ran unchecked their files are named.
     """
-    head: dict[str, object] = {"schema": f"exactspline/{schema}", "version": VERSION}
+    head: dict[str, object] = {"schema": f"exactspline/{schema}", "version": VERSION, "releases": releases()}
     made = list(rows)
     return head | ({"unchecked": list(unchecked())} if unchecked() else {}) | {"rows": made}
 

@@ -118,11 +118,12 @@ def schema_of(name: str) -> dict[str, object]:
         "$schema": "https://json-schema.org/draft/2020-12/schema",
         "title": f"exactspline/{name}, version {VERSION}",
         "type": "object",
-        "required": ["schema", "version", "rows"],
+        "required": ["schema", "version", "releases", "rows"],
         "additionalProperties": False,
         "properties": {
             "schema": {"const": f"exactspline/{name}"},
             "version": {"const": VERSION},
+            "releases": {"type": "object", "additionalProperties": {"type": "string"}},
             "unchecked": {"type": "array", "items": {"type": "string"}},
             "rows": {"type": "array", "items": row},
         },

@@ -110,11 +110,9 @@ OutputFile = Annotated[
     ),
 ]
 Jobs = Annotated[int, Option("--jobs", "-j", metavar="N", min=1, max=4096, help="Processes.")]
-Backend = Annotated[
-    str, Option("--backend", metavar="NAME", help="serial, processes, dask or ray.", completion=_backends)
-]
+Backend = Annotated[str, Option("--backend", metavar="NAME", help="serial, processes or dask.", completion=_backends)]
 Scheduler = Annotated[
-    str, Option("--scheduler", metavar="ADDRESS", help="The Dask or Ray cluster to use. [default: one made here]")
+    str, Option("--scheduler", metavar="ADDRESS", help="The Dask cluster to use. [default: one made here]")
 ]
 
 

@@ -17,6 +17,7 @@ from click.testing import CliRunner
 
 import exactspline as xs
 from exactspline.batch import backends, parquet
+from exactspline.batch import sweep as sweeping
 from exactspline.batch.corpus import Problem, items
 from exactspline.batch.families import Family
 from exactspline.batch.inspections import asked_by_sweeps, enclosed, inspected
@@ -147,11 +148,29 @@ def test_serial_lines_are_in_order_and_a_bad_curve_is_one_of_them(serial):
     assert [line.index for line in serial if line.error] == [41]
 
 
-@pytest.mark.parametrize("backend", ["processes", "dask", "ray"])
+@pytest.mark.parametrize("backend", ["processes", "dask"])
 def test_all_backends_say_the_same(serial, backend, monkeypatch):
     monkeypatch.setattr(backends, "FEW", 0)
-    pytest.importorskip({"processes": "joblib", "dask": "distributed", "ray": "ray"}[backend])
+    pytest.importorskip({"processes": "joblib", "dask": "distributed"}[backend])
     assert list(xs.sweep(SOURCES, backend=backend, jobs=2)) == serial
+
+
+def test_another_release_does_not_go_on(tmp_path, monkeypatch):
+    """Passed before: lines of two releases in one file, whose answers may differ, and nothing said so."""
+    place = str(tmp_path / "lines.jsonl")
+    sweep_into_file(["circle"], Work.of(), Where("serial"), place, Summary())
+    monkeypatch.setattr(sweeping, "releases", lambda: {"exactspline": "0.0.1", "python-flint": "0.8.0"})
+    with pytest.raises(ResultsError, match="releases"):
+        sweep_into_file(["circle"], Work.of(), Where("serial"), place, Summary())
+
+
+def test_a_worker_with_another_release_is_refused(monkeypatch):
+    """Each process says that it has another release."""
+    pytest.importorskip("distributed")
+    monkeypatch.setattr(backends, "FEW", 0)
+    monkeypatch.setattr(backends, "releases", lambda: {"exactspline": str(os.getpid())})
+    with pytest.raises(backends.BackendError, match="install"):
+        list(xs.sweep(["circle"], backend="dask", jobs=1))
 
 
 @pytest.mark.parametrize(("count", "each", "pooled"), [(512, 1, False), (513, 1, True), (16, backends.ALONE, True)])
@@ -244,8 +263,8 @@ def test_what_is_not_there_is_told_before_anything_is_computed(monkeypatch):
     with pytest.raises(QuestionError, match="nearest are inflections"):
         xs.sweep("circle", find=["inflexions"])
     monkeypatch.setattr(backends, "find_spec", lambda name: None)
-    with pytest.raises(backends.BackendError, match="pip install ray"):
-        xs.sweep("circle", backend="ray")
+    with pytest.raises(backends.BackendError, match="pip install distributed"):
+        xs.sweep("circle", backend="dask")
 
 
 def test_a_defect_of_the_program_is_a_line_and_an_alarm(monkeypatch, tmp_path):

@@ -5,7 +5,7 @@ import stat
 
 import pytest
 
-from exactspline.atomic_write import write_atomically
+from exactspline.atomic_write import write_atomically, write_text
 from exactspline.errors import CurveFileError
 
 
@@ -51,3 +51,22 @@ def test_a_failure_leaves_the_old_file_and_nothing_else(tmp_path):
         write_atomically(place, write)
     assert place.read_bytes() == b"old"
     assert list(tmp_path.iterdir()) == [place]
+
+
+@pytest.mark.skipif(os.name == "nt", reason="modes of POSIX")
+def test_a_file_keeps_its_mode_and_a_new_one_has_that_of_the_system(tmp_path):
+    """Passed before: a private file was 0644 after it was written over, whatever the mask of new files."""
+    private, new, plain = tmp_path / "private", tmp_path / "new", tmp_path / "plain"
+    private.write_text("before")
+    private.chmod(0o600)
+    before = os.umask(0o027)
+    try:
+        write_text(private, "behind")
+        write_text(new, "new")
+        plain.write_text("made by Python alone")
+    finally:
+        os.umask(before)
+    assert private.read_text() == "behind"
+    assert [stat.S_IMODE(file.stat().st_mode) for file in (private, new)] == [0o600, 0o640]
+    assert new.stat().st_mode == plain.stat().st_mode
+    assert sorted(tmp_path.iterdir()) == [new, plain, private]

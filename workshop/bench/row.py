@@ -30,7 +30,6 @@ PEERS = {
     "geomdl": ("geomdl", "geomdl"),
     "scipy": ("scipy", "scipy"),
     "dask": ("distributed", "distributed"),
-    "ray": ("ray", "ray"),
     "numpy": ("numpy", "numpy"),
     "matplotlib": ("matplotlib", "matplotlib"),
 }

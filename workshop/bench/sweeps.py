@@ -52,8 +52,7 @@ def sweep_rows(options: Options) -> Iterator[Row]:
         what = f"contours of {len(fonts)} fonts of matplotlib"
         yield Row(SWEEP, f"{what}, 1 process", OURS, one.new / one.seconds, "1/s", note=note)
         yield from _killed(fonts, what, one, Path(folder))
-        for backend in ("dask", "ray"):
-            yield from _on(backend, fonts, serial)
+        yield from _on("dask", fonts, serial)
 
 
 def _fonts() -> list[Path]:
