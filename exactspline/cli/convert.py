@@ -18,6 +18,7 @@ from exactspline.cli.common import (
 )
 from exactspline.cli.output import OptionsError, Output, leave_out, printing, to_stderr
 from exactspline.cli.parameters import Argument, Exit, Option
+from exactspline.cli.progress import ticking
 from exactspline.cli.surfaces import surfaces_in
 from exactspline.display.data import picked
 from exactspline.display.sheet import Sheet
@@ -89,7 +90,8 @@ def convert(
     check_approximate(approximate)
     check_output(target, source.rpartition(":")[0] or source, source)
     own = knots.replace(",", " ").split() or None
-    reading = read(source, from_format or None, degree=degree, knots=own, approximate=approximate or None)
+    with ticking(f"reading {source}", 1):
+        reading = read(source, from_format or None, degree=degree, knots=own, approximate=approximate or None)
     what = "surface" if reading.surfaces and (surfaces or not reading.curves) else "curve"
     chosen = _chosen(reading, what, source, only or [])
     if snap and what == "surface":

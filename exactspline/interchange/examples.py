@@ -25,24 +25,10 @@ def example_names() -> tuple[str, ...]:
 
 #: The example surfaces, for type checkers: any other name is that of a curve.
 SurfaceName = Literal[
-    "bicubic",
-    "biquadratic",
-    "cone",
-    "cross_cap",
-    "cyclide",
-    "cylinder",
-    "developable",
-    "ellipsoid",
-    "enneper",
-    "folded_map",
-    "hyperbolic_paraboloid",
-    "monkey_saddle",
-    "paraboloid",
-    "planar_map",
-    "rational_biquadratic",
-    "sphere",
-    "torus",
-]
+    "bicubic", "biquadratic", "cone", "cross_cap", "cyclide", "cylinder", "developable", "ellipsoid", "enneper",
+    "folded_map", "hyperbolic_paraboloid", "monkey_saddle", "paraboloid", "planar_map", "rational_biquadratic",
+    "sphere", "torus",
+]  # fmt: skip
 
 
 def examples(of: str = "") -> tuple[str, ...]:

@@ -4,23 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from exactspline.extras.cad.names import NAMES
 from exactspline.extras.cad.step_records import Value
 from exactspline.interchange.numbers import NumberText, with_point
 from exactspline.numbers.exact import mpq
-
-_HEADER = """ISO-10303-21;
-HEADER;
-FILE_DESCRIPTION(('splines'),'2;1');
-FILE_NAME('','',(''),(''),'exactspline','exactspline','');
-FILE_SCHEMA(('AUTOMOTIVE_DESIGN { 1 0 10303 214 1 1 1 1 }'));
-ENDSEC;
-DATA;
-"""
-_UNITS = (
-    "LENGTH_UNIT() NAMED_UNIT(*) SI_UNIT(.MILLI.,.METRE.)",
-    "NAMED_UNIT(*) PLANE_ANGLE_UNIT() SI_UNIT($,.RADIAN.)",
-    "NAMED_UNIT(*) SI_UNIT($,.STERADIAN.) SOLID_ANGLE_UNIT()",
-)
 
 
 class StepText:
@@ -29,7 +16,7 @@ class StepText:
     def __init__(self, numbers: NumberText) -> None:
         self.numbers = numbers
         self._lines: list[str] = []
-        self._units = ",".join([self.add(f"({unit})") for unit in _UNITS])
+        self._units = ",".join([self.add(f"({unit})") for unit in NAMES["step units"]])
 
     def add(self, text: str) -> str:
         """Add an instance; returns the reference to it."""
@@ -69,7 +56,7 @@ class StepText:
 
     def encoded(self) -> bytes:
         """The whole file."""
-        return (_HEADER + "\n".join(self._lines) + "\nENDSEC;\nEND-ISO-10303-21;\n").encode()
+        return "\n".join([*NAMES["step header"], *self._lines, "ENDSEC;", "END-ISO-10303-21;", ""]).encode()
 
 
 def string(name: str) -> str:
