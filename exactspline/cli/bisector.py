@@ -112,7 +112,9 @@ def _of_two(c: Nurbs, other: Nurbs, variant: str, digits: int) -> Answer:
     from exactspline.errors import FormulaError
     from exactspline.geometry.bisectors.plane_curves import PlaneBisector
     from exactspline.geometry.bisectors.two_curves import SurfaceVariant, curve_bisector
+    from exactspline.geometry.curves.planarity import in_one_plane
 
+    c, other = (c, other) if variant else in_one_plane(c, other)
     head, title = {"curves": [c.name, other.name]}, f"bisector of {c.name} (s) and {other.name} (t)"
     if c.dimension == other.dimension == 2:
         if variant:
@@ -138,7 +140,9 @@ def _of_point(c: Nurbs, point: list[str], variant: str, digits: int) -> Answer:
     from exactspline.errors import FormulaError
     from exactspline.geometry.bisectors.point_and_curve import point_bisector
     from exactspline.geometry.bisectors.trimmed import trimmed_bisector
+    from exactspline.geometry.curves.planarity import in_the_plane
 
+    c = in_the_plane(c) if len(point) == 2 else c
     head: dict[str, object] = {"name": "bisector", "curve": c.name, "point": point}
     title = f"bisector of {c.name} and the point ({', '.join(point)})"
     if c.dimension != 2:

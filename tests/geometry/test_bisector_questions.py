@@ -90,6 +90,22 @@ def test_in_the_plane_z_0_they_are_bisectors_in_the_plane():
     assert xs.ask((flat, CIRCLE), "bisector").pieces == xs.ask((LINE, CIRCLE), "bisector").pieces
 
 
+def test_in_the_plane_z_0_all_doors_have_the_bisector_in_the_plane(tmp_path):
+    """The command and `bisector` had that in space: lines."""
+    pairs = [segment((0, 0), (2, 0)), segment((0, 1), (3, 4))]
+    flat = [xs.Nurbs(1, curve.knots, [(*p, 0) for p in curve.control_points]) for curve in pairs]
+    assert xs.bisector(*flat).pieces == xs.bisector(*pairs).pieces
+    found = []
+    for curves in (pairs, flat):
+        files = [str(tmp_path / f"{name}.json") for name in "ab"]
+        for curve, file in zip(curves, files, strict=True):
+            xs.write(curve, file)
+        for arguments in (["bisector", *files], ["bisector", files[0], "--point", "1,1"]):
+            row = json.loads(CliRunner().invoke(app, [*arguments, "--json"]).stdout)["rows"][0]
+            found.append(row["pieces"])
+    assert found[:2] == found[2:]
+
+
 def test_a_point_at_infinity_is_left_out():
     arc, *ends = items(LINE, "bisector:0,2")
     assert [arc.values[name].exact for name in ("start x", "start y", "end x", "end y")] == [-4, 5, 4, 5]

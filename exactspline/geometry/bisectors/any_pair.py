@@ -11,6 +11,7 @@ from exactspline.geometry.bisectors.plane_curves import PlaneBisector
 from exactspline.geometry.bisectors.point_and_curve import PointBisector, point_bisector, refuse_point
 from exactspline.geometry.bisectors.trimmed import TrimmedBisector, trimmed_bisector
 from exactspline.geometry.bisectors.two_curves import CurveBisector, curve_bisector
+from exactspline.geometry.curves.planarity import in_one_plane
 from exactspline.numbers.exact import Number
 from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.type_checks import curve_of
@@ -31,7 +32,7 @@ def bisector(first: Nurbs, second: Nurbs | Iterable[Number]) -> Bisector:
 
     Of two space curves a surface in patches, of equal *critical* distances, with lines, planes and single pairs; of a
     space curve and a point ruled surfaces; of a plane curve and a point the curves of equal distances; of two plane
-    curves the arcs of pairs of parameters, not trimmed.
+    curves, also in the plane z = 0 of space, the arcs of pairs of parameters, not trimmed.
 
     >>> from exactspline import example
     >>> bisector(example("twisted_cubic"), example("rational_space_cubic"))
@@ -46,6 +47,7 @@ def bisector(first: Nurbs, second: Nurbs | Iterable[Number]) -> Bisector:
     """
     first = curve_of(first)
     if isinstance(second, Nurbs):
+        first, second = in_one_plane(first, second)
         return PlaneBisector(first, second) if first.dimension == 2 else curve_bisector(first, second)
     if first.dimension == 3:
         return point_bisector(first, second)
