@@ -12,7 +12,7 @@ import exactspline as xs
 from exactspline.cli import app
 from exactspline.errors import CurveFileError, NumberError
 from exactspline.interchange import Limits, files, read
-from tests.support.interchange_seeds import G2, SVG, truetype
+from tests.support.interchange_seeds import G2, SVG, dxf, truetype
 
 
 def run(*arguments, **options):
@@ -134,3 +134,36 @@ def test_a_curve_that_cannot_be_repaired_is_named_and_the_others_are(tmp_path):
     assert "arc: [0, 1] replaced by a circle" in done.stderr
     assert xs.read(target).curves[0].curve == gap
     assert "no piece is near enough" in run(source, target, "--only", "arc", "--snap", "line").stderr
+
+
+ONE_PERIOD = (
+    "0 SPLINE 5 A 70 10 71 3 72 5 73 4"
+    + "".join(f" 40 {t}" for t in range(5))
+    + "".join(f" 10 {x} 20 {y}" for x, y in ((0, 0), (3, 1), (2, 4), (-1, 2)))
+)
+
+
+@pytest.mark.parametrize("suffix", ["json", "g2", "itd", "xml", "igs", "stp", "brep", "dxf"])
+def test_a_closed_spline_listed_by_one_period_there_and_back(tmp_path, suffix):
+    source, target, back = tmp_path / "a.dxf", tmp_path / f"b.{suffix}", tmp_path / "c.json"
+    source.write_bytes(dxf(ONE_PERIOD))
+    assert run(source, target).exit_code == 0
+    assert run(target, back).exit_code == 0
+    first, last = read(source).curve, read(back).curve
+    assert last.closed
+    assert last.knots == first.knots
+    assert [p[:2] for p in last.control_points] == list(first.control_points)
+
+
+def test_a_lost_arc_has_a_line_and_a_status_and_the_option_reads_it(tmp_path):
+    source, target = tmp_path / "a.dxf", tmp_path / "b.json"
+    source.write_bytes(dxf("0 ARC 10 0 20 0 40 1 50 10 51 50 0 LINE 10 0 20 0 11 1 21 1"))
+    done = run(source, target)
+    assert done.exit_code == 2
+    assert re.search(r"^skipped: .*ARC at line 5.*an angle that is not a multiple of 90°", done.stderr, re.M)
+    assert "--approximate E takes one within E" in done.stderr
+    assert len(read(target).curves) == 1
+    done = run(source, target, "--approximate", "1e-9")
+    assert done.exit_code == 0
+    assert "its ends are moved along the curve by at most 1/1000000000" in done.stderr
+    assert len(read(target).curves) == 2
