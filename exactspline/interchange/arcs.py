@@ -91,7 +91,8 @@ class Round:
         self.frame, self.within = frame, within
         #: The note where the axes are irrational, and the map is only near to the one that is meant.
         self.notes = [f"its axes are irrational: it is read within {text(within)} of it"] if within and near else []
-        self.moved = False
+        #: By what angle an end may have been turned.
+        self.turned = ZERO
         #: By what angle an end may be turned.
         self.error = None if within is None else within / (2 * frame.stretch)
 
@@ -104,12 +105,12 @@ class Round:
             return RIGHT[turns % 4]
         if self.error is None:
             raise ShapeError("an angle that is not a multiple of 90°", remedy=f"its ends are irrational; {APPROXIMATE}")
-        self.moved = True
+        self.turned = max(self.turned, self.error)
         self.notes.append(f"its ends are moved along the curve by at most {text(self.within or mpq(0))}")
         return turn_near(angle, right, self.error)
 
-    def at_point(self, point: Sequence[mpq]) -> Point:
-        """The point of the unit circle whose image is a point, or is near to it."""
+    def at_point(self, point: Sequence[mpq], reach: mpq | None = None) -> Point:
+        """The point of the unit circle whose image is a point, or is near to it: by default, within the error."""
         *columns, centre = zip(*self.frame.rows, strict=True)
         away = [a - b for a, b in zip(point, centre, strict=True)]
         x, y = (dot(away, column) / dot(column, column) for column in columns)
@@ -118,14 +119,14 @@ class Round:
         if self.error is None:
             raise ShapeError("an end that is not exactly on the curve", remedy=f"correct it; {APPROXIMATE}")
         found = on_circle(x, y, self.error / 2**16) if x or y else RIGHT[0]
-        self.notes.append(moved(self.frame(found), point, self.within))
-        self.moved = True
+        self.notes.append(moved(self.frame(found), point, reach or self.within))
+        self.turned = max(self.turned, (reach or self.within or ZERO) / (2 * self.frame.stretch))
         return found
 
     def arc(self, start: Point, end: Point) -> list[Segment]:
         """The arc counter-clockwise between two points of the unit circle, the whole curve where they are the same."""
         gap = [a - b for a, b in zip(start, end, strict=True)]
-        if self.moved and self.error is not None and dot(gap, gap) < 16 * self.error**2:
+        if dot(gap, gap) < 16 * self.turned**2:
             raise ShapeError("the ends are nearer to each other than E", remedy="give a smaller --approximate E")
         return mapped(arc_around_origin(start, end), self.frame)
 

@@ -32,6 +32,7 @@ PARAMETERS = "DEFINITIONAL_REPRESENTATION"
 PART = "edges may use only a part of it, or reverse it"
 _TEXT = re.compile(r"'[^']*'")
 _REFERENCE = re.compile(r"#\d{1,12}", re.ASCII)
+_UNCERTAINTY = re.compile(r"UNCERTAINTY_MEASURE_WITH_UNIT\s*\(\s*LENGTH_MEASURE\s*\(\s*(\d[.\dE+-]{0,40})\s*\)")
 Point: TypeAlias = "list[mpq]"
 
 
@@ -48,6 +49,8 @@ class Edges:
 
     def __init__(self, file: StepFile) -> None:
         self.file, self.within = file, file.collector.source.within
+        #: How far a vertex may be from its curve, if an error is allowed: the file says how uncertain its lengths are.
+        self.reach = self.within
         self.used: set[str] = set()
         self.in_parameters: set[str] = set()
         #: What a right angle is in the unit of angles of the file.
@@ -61,6 +64,8 @@ class Edges:
                 place = BOUNDED[kind.strip()][1] - 1
                 for curve in _REFERENCE.findall(_TEXT.sub("", rest))[place : place + 1]:
                     self.used.add(self._followed(curve))
+            elif self.reach is not None and (found := _UNCERTAINTY.search(text)):
+                self.reach = max(self.reach, decimal(found[1], file.limits))
             elif "PLANE_ANGLE_UNIT" in text and "'DEGREE'" in text.upper():
                 self.right = DEGREES
 
@@ -181,8 +186,8 @@ class Edges:
             gap = [a - b for a, b in zip(foot, point, strict=True)]
             if not any(gap):
                 return t
-            if self.within is not None and dot(gap, gap) <= self.within**2:
-                notes.append(moved(foot, point, self.within))
+            if self.reach is not None and dot(gap, gap) <= self.reach**2:
+                notes.append(moved(foot, point, self.reach))
                 return t
         return None
 
@@ -201,7 +206,7 @@ class Edges:
                 t, step = dot(away, direction) / dot(direction, direction), direction
             place = [a + t * b for a, b in zip(start, step, strict=True)]
             if end.point is not None and place != end.point:
-                notes.append(moved(place, end.point, self.within))
+                notes.append(moved(place, end.point, self.reach))
             found.append(place)
         return found
 
@@ -211,7 +216,7 @@ class Edges:
             angle, digit = self._number(end), last_digit(end.parameter)
             if end.point is None or quarter_turns(angle, self.right, digit) is not None:
                 return curve.at_angle(angle, self.right, digit)
-        return curve.at_point(end.point or [])
+        return curve.at_point(end.point or [], self.reach)
 
     def _round(self, keyword: str, reference: str) -> Round:
         """A circle or an ellipse, in the plane or in space."""

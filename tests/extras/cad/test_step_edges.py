@@ -65,6 +65,22 @@ def test_an_edge_on_a_line_is_read_where_its_vertices_are_on_it():
     assert "#21" not in skipped
 
 
+def test_a_vertex_is_moved_onto_its_curve_within_what_the_file_says():
+    """Under --approximate; the circle stays exact, and the note says by how much."""
+    off = "#40=CARTESIAN_POINT('',(5.00000001,0.,2.));#41=VERTEX_POINT('',#40);#42=EDGE_CURVE('',#41,#7,#17,.T.);"
+    measure = "#43=UNCERTAINTY_MEASURE_WITH_UNIT(LENGTH_MEASURE(1.E-07),#99,'a','');"
+    texts = [(HEAD + each + "\nENDSEC;\nEND-ISO-10303-21;\n").encode() for each in (off, off + measure)]
+    refused = [*read(texts[0], "step", approximate="1e-12").skipped, *read(texts[1], "step").skipped]
+    why = [skipped.why for skipped in refused if skipped.where == "#42"]
+    assert "away from its curve" in why[0]
+    assert "not exactly on the curve" in why[1]
+    found = {named.name: named for named in read(texts[1], "step", approximate="1e-12").curves}["#42"]
+    x, y, z = found.curve(found.curve.domain[0])
+    assert (x * x + y * y, z) == (25, 2)
+    assert abs(x - 5) < mpq(1, 10**11)
+    assert "an end is moved by 1.00E-8 onto the curve" in found.notes
+
+
 def test_an_edge_on_a_surface_curve_is_followed():
     found, skipped = curves("#40=SURFACE_CURVE('',#21,(#99),.CURVE_3D.);#41=EDGE_CURVE('',#8,#9,#40,.T.);")
     assert found["#41"](1) == (2, 4, 6)
