@@ -23,7 +23,7 @@ from exactspline.interchange.numbers import NumberText
 from exactspline.interchange.periods import whole
 from exactspline.interchange.records import Reading, Source
 from exactspline.interchange.writing import Spline
-from exactspline.numbers.exact import rational
+from exactspline.splines.knots import KnotVector
 from exactspline.splines.surface import NurbsSurface
 
 #: The fields of a curve that are long.
@@ -96,7 +96,7 @@ def _whole(entry: dict[str, Any], limits: Limits) -> tuple[dict[str, Any], Seque
     knots, points = listed.get("knots", []), listed.get("control_points", [])
     if not isinstance(degree, str) or not degree.isdecimal() or len(knots) == len(points) + int(degree) + 1:
         return entry, ()
-    full = whole(int(degree), [rational(t) for t in numbers_of(knots, "knots", limits)], len(points))
+    full = whole(int(degree), [*KnotVector(numbers_of(knots, "knots", limits))], len(points))
     more = {key: full.continued(values) for key, values in listed.items()} | {"knots": list(map(str, full.knots))}
     return (entry | more, full.notes) if full.notes else (entry, ())
 

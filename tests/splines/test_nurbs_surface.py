@@ -182,7 +182,7 @@ BASE = {"degree": [1, 1], "knots": [UNIT, UNIT], "control_points": [[[0, 0, 0], 
 @pytest.mark.parametrize(
     ("change", "error", "told"),
     [
-        ({"degree": 1}, NumberError, "control_points\\[0\\]\\[0\\]"),
+        ({"degree": 1}, NumberError, "knots\\[0\\]"),
         ({"degree": [1, 1, 1]}, CurveFileError, "degree: has 3 entries"),
         ({"degree": [1, 1.5]}, ShapeError, "degrees\\[1\\]"),
         ({"knots": [UNIT]}, CurveFileError, "knots: has 1 entry"),
