@@ -314,12 +314,9 @@ def _parameters(given: Iterable[Number], points: Sequence[Point]) -> tuple[mpq, 
 
 def _hermite_pieces(p: Sequence[Point], m: Sequence[Sequence[mpq]], t: Sequence[mpq]) -> list[list[Point]]:
     """The Bézier points of the cubic pieces through points with these slopes."""
-    return [
-        [
-            p[i],
-            tuple(x + h / 3 * y for x, y in zip(p[i], m[i], strict=True)),
-            tuple(x - h / 3 * y for x, y in zip(p[i + 1], m[i + 1], strict=True)),
-            p[i + 1],
-        ]
-        for i, h in enumerate(b - a for a, b in pairwise(t))
-    ]
+
+    def moved(i: int, step: mpq) -> Point:
+        return tuple(x + step * y for x, y in zip(p[i], m[i], strict=True))
+
+    steps = enumerate((b - a) / 3 for a, b in pairwise(t))
+    return [[p[i], moved(i, h), moved(i + 1, -h), p[i + 1]] for i, h in steps]

@@ -50,13 +50,14 @@ def set_printers(printers: Printers) -> None:
 
 @cache
 def first_guesses() -> dict[str, list[str]]:
-    """What users type first, by the call that works (``guesses.txt``).
+    """What users type first, by the call that works (``guesses.txt``), where x is the object: functions of the front
+    door that are methods, too, questions about one curve or surface, and other names.
 
     >>> first_guesses()["x.closed"][:2]
     ['is_closed', 'isclosed']
     """
     with open(join(dirname(__file__), "guesses.txt"), encoding="utf-8") as stream:
-        rows = [line.rpartition(": ") for line in stream if line[0] != "#"]
+        rows = [line.rpartition(": ") for line in stream]
     return {call: guesses.split() for call, _, guesses in rows}
 
 

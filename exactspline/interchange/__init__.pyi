@@ -1,7 +1,6 @@
 from .bridges.geomdl import from_geomdl as from_geomdl
 from .bridges.geomdl import to_geomdl as to_geomdl
 from .bridges.mpmath import to_mpmath as to_mpmath
-from .bridges.numpy import to_arrays as to_arrays
 from .bridges.scipy import from_scipy as from_scipy
 from .bridges.scipy import read_scipy as read_scipy
 from .bridges.scipy import to_scipy as to_scipy

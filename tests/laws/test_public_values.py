@@ -154,7 +154,7 @@ COVERED = {
     *("derived_data", "inspection_data", "to_dict", "to_records"),
     *("example", "examples"),
     *("write", "from_geomdl", "from_scipy", "to_geomdl", "to_scipy"),
-    *("from_splinepy", "to_splinepy", "to_sympy", "to_mpmath", "to_arrays", "Limits", "NamedCurve"),
+    *("from_splinepy", "to_splinepy", "to_sympy", "to_mpmath", "Limits", "NamedCurve"),
     *("Reading", "Skipped"),
     *("measurable", "mathematics", "measured", "printed_numbers", "reduction_table"),
     *("symbolic_table", "verdicts", "winding_number", "contains", "as_tensor_product", "is_developable"),

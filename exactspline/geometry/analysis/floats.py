@@ -169,11 +169,14 @@ def _values(
     """The doubles at parameters, as an array of their shape, with one more axis where they are vectors."""
     import numpy as np
 
+    count = 2 if isinstance(given, NurbsSurface | TensorSpline) else 1
+    if len(parameters) != count:
+        remedy = f"write .floats({'us, vs' if count == 2 else 'ts'})"
+        raise ShapeError(f"{counted(len(parameters), 'row')} of parameters", remedy=remedy)
     grids = np.broadcast_arrays(*[np.asarray(_listed(ts), dtype=object) for ts in parameters])
     if isinstance(given, NurbsSurface | TensorSpline):
         rows = _of_surface(given, grids, of, order, rounding)
     else:
-        _expected(len(grids), 1, "ts")
         places = [place_of(t, given.domain) for t in grids[0].flat]
         rows = _of_curve(given, places, of, checked_order(cast(int, order)), rounding, side)
     vectors = isinstance(given, Nurbs | NurbsSurface) and of not in SCALARS
@@ -184,12 +187,6 @@ def _values(
 def _listed(ts: object) -> object:
     """Parameters as numpy reads them: a set of zeros, and others that are no lists, as a list."""
     return list(ts) if isinstance(ts, Iterable) and not isinstance(ts, str) and not hasattr(ts, "dtype") else ts
-
-
-def _expected(found: int, count: int, written: str) -> None:
-    """See that there are as many rows of parameters as there are parameters."""
-    if found != count:
-        raise ShapeError(f"{counted(found, 'row')} of parameters", remedy=f"write .floats({written})")
 
 
 def _of_curve(
@@ -246,7 +243,6 @@ def _of_surface(
     given: NurbsSurface | TensorSpline, grids: Sequence[Any], of: Quantity, order: Orders, rounding: Rounding
 ) -> list[list[float]]:
     """The doubles of one quantity of a surface, or of a function of two parameters."""
-    _expected(len(grids), 2, "us, vs")
     places = [
         tuple(rational(cast(mpq, place_of(t, side))) for t, side in zip(place, given.domain, strict=True))
         for place in zip(*[grid.flat for grid in grids], strict=True)
@@ -265,11 +261,7 @@ def _of_surface(
     if of not in SCALARS_OF_SURFACES:
         raise ShapeError(f"the {of} of a surface", remedy=f"there are point, normal, {', '.join(SCALARS_OF_SURFACES)}")
     forms, which = SurfaceForms(given), SCALARS_OF_SURFACES.index(of)
-
-    def curvatures(u: mpq, v: mpq) -> list[Real]:
-        return [forms.curvatures(u, v)[which]]
-
-    return [_defined(partial(curvatures, u, v), 1, rounding) for u, v in places]
+    return [[_defined(partial(forms.curvatures, u, v), 2, rounding)[which]] for u, v in places]
 
 
 def _rounded(x: mpq | Real, rounding: str) -> float:
