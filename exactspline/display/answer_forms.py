@@ -6,6 +6,7 @@ from collections.abc import Callable, Iterable, Iterator
 from dataclasses import asdict, replace
 from enum import StrEnum
 from functools import cache
+from itertools import chain
 from operator import itemgetter
 from types import NoneType, SimpleNamespace
 from typing import Any, get_args, get_type_hints
@@ -101,7 +102,11 @@ FORMS: dict[Any, Form] = {
     BSpline | Rational[BSpline]: SPLINE.of(Net.of),
     Derived: DERIVED,
     Bisector: Form(
-        {"type": "object"}, bisector_answer, elements=lambda found: (("", NAMED_NUMBERS, item) for item in found.items)
+        {"type": "object"},
+        bisector_answer,
+        elements=lambda found: chain(
+            (("", NAMED_NUMBERS, item) for item in found.items), (("missing", TEXT, why) for why in found.missing)
+        ),
     ),
     Plane: TEXT,
     Feature: FEATURE,

@@ -105,3 +105,11 @@ def test_a_cell_with_two_numbers_is_broken_between_them():
     assert [line.split() for line in lines] == [
         ["what", "value"], ["limits", "1.23456789012", "|"], ["-1.23456789012"],
     ]  # fmt: skip
+
+
+def test_what_is_missing_is_in_every_form():
+    """Left out of tables and records before: where the curve is straight and its line passes through the point."""
+    found = asked_of(xs.example("straight_between_arcs"), "bisector:1/2,2")
+    (why,) = answer_data(found, 12)["missing"]
+    assert ("missing", "", why, "") in answer_sheet("", records(found), 12).rows
+    assert {"what": "missing", "value": why} in xs.tables.to_records(found.facts, "bisector:1/2,2")
