@@ -130,7 +130,7 @@ def test_the_sign_of_curvature_is_the_turning_direction(name):
 def curvature_at(curve, i, t):
     """κ at a real parameter of one segment, from mpmath's own derivatives of the point: no formula of the library."""
     a, b = curve.breakpoints[i : i + 2]
-    rows = [s.segments[i] for s in (*curve.p, curve.w)]
+    rows = [s.bezier_points[i] for s in (*curve.p, curve.w)]
 
     def bernstein(row, u):
         n = len(row) - 1
