@@ -13,6 +13,7 @@ from gmpy2 import mpq
 
 pytest.importorskip("matplotlib")
 
+import exactspline as xs
 from exactspline import BSpline, Nurbs
 from exactspline.display import plot
 from exactspline.display.plot import canvas, curves
@@ -349,3 +350,17 @@ def test_importing_loads_no_matplotlib_and_drawing_no_pyplot():
         "in sys.modules"
     )
     subprocess.run([sys.executable, "-c", code], check=True)
+
+
+@pytest.mark.parametrize("name", ["twisted_cubic", "torus", "circle"])
+def test_the_front_door_draws_in_the_plane_and_in_space(name):
+    """Passed before: whatever lies in space was drawn, and then refused, *axes that do not fit R2*."""
+    thing = xs.example(name)
+    in_space = thing.dimension == 3
+    assert (xs.plot(thing).name == "3d") is in_space
+    assert (xs.plot([thing, thing]).name == "3d") is in_space
+    if name == "twisted_cubic":
+        ruled = xs.ruled_surface("tangent_developable", thing)
+        assert xs.plot(thing, ruled).name == "3d"
+        assert xs.plot(xs.derive("focal_curve", thing)).name == "3d"
+        assert xs.plot(xs.bisector(thing, (5, 5, 5))).name == "3d"

@@ -45,7 +45,7 @@ def plot(*things: object, ax: Axes | None = None, **how: object) -> Axes:
     """
     for thing in _listed(things):
         ax = _drawn(of_file(thing), ax, how)
-    return axes_for(ax)
+    return axes_for(None) if ax is None else ax
 
 
 def _listed(things: Iterable[object]) -> list[object]:
@@ -66,7 +66,7 @@ def _drawn(thing: object, ax: Axes | None, how: dict[str, object]) -> Axes:
     if isinstance(thing, PointBisector | Derived):
         for piece in thing.pieces:
             ax = _drawn(piece.surface if isinstance(piece, RuledPiece) else piece.value, ax, how)
-        return axes_for(ax)
+        return axes_for(None) if ax is None else ax
     draw, shown = _way_to_draw(thing)
     check_names(draw, how)
     if isinstance(thing, ZeroSet):
