@@ -19,7 +19,7 @@ from exactspline.hooks import LENT, QUESTIONS, first_guesses
 #: Rooms with public names of their own.
 ROOMS = ("interchange", "constructors", "display", "language", "readings", "tables", "teaching")
 #: Calls that an object finds by another name: an attribute or a method, a function that takes it first.
-OWN, FUNCTION = re.compile(r"x\.(\w+)"), re.compile(r"exactspline\.(\w+)\(x(, \w+)*\)")
+OWN, FUNCTION = re.compile(r"x\.(\w+)(\(\w*\))?"), re.compile(r"exactspline\.(\w+)\(x(, \w+)*\)")
 
 
 def of_object(front: ModuleType, name: str, thing: object) -> object:
@@ -37,7 +37,7 @@ def of_object(front: ModuleType, name: str, thing: object) -> object:
     if name in guesses[LENT]:
         return partial(getattr(front, name), thing)
     for call in _calls(name):
-        if (own := OWN.match(call)) and hasattr(thing, own[1]):
+        if (own := OWN.fullmatch(call)) and hasattr(thing, own[1]):
             return getattr(thing, own[1])
         if function := FUNCTION.fullmatch(call):
             return partial(getattr(front, function[1]), thing)

@@ -6,13 +6,12 @@ from collections.abc import Callable, Iterable, Iterator
 from dataclasses import asdict, replace
 from enum import StrEnum
 from functools import cache
-from itertools import chain
 from operator import itemgetter
 from types import NoneType, SimpleNamespace
 from typing import Any, get_args, get_type_hints
 
 from exactspline.bivariate.answers import SurfacePlaces
-from exactspline.display import bisector_data, surface_data
+from exactspline.display import bisector_data, bisector_sheet, surface_data
 from exactspline.display.bisector_data import FORMS_OF_POINT, MISSING, PAIRS, PARAMETER, SIDES_MISSING
 from exactspline.display.data import Data, picked, plain
 from exactspline.display.forms import (
@@ -29,7 +28,7 @@ from exactspline.display.forms import (
     record,
 )
 from exactspline.display.pair_data import DISTANCE, INTERSECTIONS
-from exactspline.display.reals import REAL
+from exactspline.display.reals import DIGITS, REAL
 from exactspline.display.serialize import (
     CURVE,
     DERIVED,
@@ -52,6 +51,7 @@ from exactspline.geometry.analysis.inspection import Approach, Report, inspect_c
 from exactspline.geometry.analysis.planar_maps import MapInspection
 from exactspline.geometry.analysis.surfaces import SurfaceInspection
 from exactspline.geometry.bisectors.common import Bisector
+from exactspline.geometry.bisectors.point_and_curve import PointBisector
 from exactspline.geometry.bisectors.two_curves import CurveBisector
 from exactspline.geometry.curves.joints import Joint
 from exactspline.geometry.curves.kinds import Feature, FeatureKind
@@ -90,6 +90,23 @@ def bisector_answer(found: Bisector, digits: int) -> Data:
     return bisector_data.WRITTEN[type(found)](found, digits)
 
 
+#: A part of a bisector in space, as in the table of ``bisector``.
+PART = record(kind=(TEXT, "piece"), parameters=TEXT, degree=TEXT, remark=TEXT)
+
+
+def _parts_of(found: Bisector) -> Iterator[tuple[str, Form, Any]]:
+    """What a bisector consists of: in the plane its ends, in space its parts; and what is not there, or undecided."""
+    if isinstance(found, CurveBisector):
+        yield from (("", PART, row) for row in bisector_sheet.of_two_curves(found, DIGITS)[0])
+    elif isinstance(found, PointBisector):
+        yield from (("", PART, row) for row in bisector_sheet.of_point_in_space(found, DIGITS)[0])
+    else:
+        yield from (("", NAMED_NUMBERS, item) for item in found.items)
+    for name in ("missing", "left_out"):
+        for why in getattr(found, name, ()):
+            yield name, TEXT, why if isinstance(why, str) else ": ".join(map(str, why))
+
+
 #: The form of an answer, or of one of its elements, by its type.
 FORMS: dict[Any, Form] = {
     **surface_data.FORMS,
@@ -101,13 +118,7 @@ FORMS: dict[Any, Form] = {
     Nurbs: CURVE,
     BSpline | Rational[BSpline]: SPLINE.of(Net.of),
     Derived: DERIVED,
-    Bisector: Form(
-        {"type": "object"},
-        bisector_answer,
-        elements=lambda found: chain(
-            (("", NAMED_NUMBERS, item) for item in found.items), (("missing", TEXT, why) for why in found.missing)
-        ),
-    ),
+    Bisector: Form({"type": "object"}, bisector_answer, elements=_parts_of),
     Plane: TEXT,
     Feature: FEATURE,
     Joint: JOINT,
@@ -134,6 +145,7 @@ FORMS_BESIDE: dict[str, dict[str, Form]] = {
         "singular": list_of(PARAMETER),
         "missing": list_of(_any_of(TEXT, MISSING, SIDES_MISSING)),
         "pieces": list_of(_any_of(*FORMS_OF_POINT.values(), PAIRS)),
+        "ends": list_of(NAMED_NUMBERS),
         **dict.fromkeys(("true_feet", "undecided"), list_of(pair_of(INTERVAL))),
     },
     "between": {"meetings": list_of(FORMS[NearbyMeeting])},

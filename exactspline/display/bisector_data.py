@@ -24,7 +24,7 @@ from exactspline.display.forms import (
     record,
 )
 from exactspline.display.reals import REAL, real_data
-from exactspline.display.serialize import NET, PIECE, piece_data
+from exactspline.display.serialize import NAMED_NUMBERS, NET, PIECE, piece_data
 from exactspline.errors import ReachError
 from exactspline.geometry.bisectors.components import (
     Branch,
@@ -255,6 +255,8 @@ def pairs_of(bisector: PlaneBisector) -> list[Pairs]:
     return found + [Pairs(PairsKind.RECTANGLE, sides=(part.sides[0], part.sides[1])) for part in pairs.everywhere]
 
 
+#: The points of the ends of the pieces of a bisector in the plane, then their parameters.
+ENDS = (list_of(NAMED_NUMBERS), "items")
 SIDES_MISSING = record(sides=pair_of(INTERVAL), reason=TEXT)
 _END = or_null(pair_of(REAL))
 PAIRS = record(piece=one_of(PairsKind), start=_END, end=_END, sides=or_null(pair_of(pair_of(REAL))))
@@ -262,7 +264,7 @@ PAIRS = record(piece=one_of(PairsKind), start=_END, end=_END, sides=or_null(pair
 
 def plane_bisector_data(bisector: PlaneBisector, digits: int) -> Data:
     """The pairs of the bisector of two plane curves."""
-    data: Data = record(pieces=(list_of(PAIRS), pairs_of)).write(bisector, digits)
+    data: Data = record(pieces=(list_of(PAIRS), pairs_of), ends=ENDS).write(bisector, digits)
     missing = [{"sides": plain(sides), "reason": "the pairs are not decided"} for sides in bisector.missing]
     return {"kind": "bisector of two plane curves"} | data | {"missing": missing, "complete": not bisector.missing}
 
@@ -316,7 +318,8 @@ def point_bisector_data(bisector: PointBisector, digits: int) -> Data:
 
 def trimmed_data(bisector: TrimmedBisector, digits: int) -> Data:
     """The pieces of the true bisector of a point and a plane curve."""
-    form = record(pieces=list_of(FORMS_OF_POINT[TrimmedPiece]), missing=_TEXTS, left_out=_TEXTS)
+    pieces = list_of(FORMS_OF_POINT[TrimmedPiece])
+    form = record(pieces=pieces, ends=ENDS, missing=_TEXTS, left_out=_TEXTS)
     data: Data = form.write(bisector, digits)
     return {"kind": "trimmed bisector"} | data | {"complete": not bisector.left_out}
 

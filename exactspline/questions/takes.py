@@ -128,7 +128,7 @@ def _places(given: Any, facts: Any) -> tuple[OnCurve, ...]:
 
 def _named(place: Any, facts: Any) -> list[OnCurve]:
     """A parameter; or those of the knots or of the features of a curve; each with the side that is named, where the
-    domain is on both sides.
+    domain is on both sides. The sides of the seam of a closed curve are its two ends.
     """
     side = SIDES.get(place.strip()[-1:]) if isinstance(place, str) else None
     name = place.strip()[:-1] if side else place
@@ -136,9 +136,12 @@ def _named(place: Any, facts: Any) -> list[OnCurve]:
     outside = facts.curve.domain[side is Side.RIGHT] if side else None
     if found is None:
         found = (name if isinstance(name, Real) else rational(name),)
-        if found[0] == outside:
+        if found[0] == outside and not facts.curve.closed:
             remedy = "the limit from inside is asked for without a side"
             raise QuestionError(f"the limit {place} from outside of the domain", remedy=remedy)
+    if side and facts.curve.closed:
+        around = facts.curve.domain[side is Side.LEFT]
+        found, outside = tuple(dict.fromkeys(around if t == outside else t for t in found)), None
     return [OnCurve(t, None if t == outside else side) for t in found]
 
 

@@ -55,8 +55,8 @@ ONE, NONE = mpq(1), mpq(0)
 
 
 def exact_points(rows: Iterable[Iterable[Number]], least: int = 2) -> tuple[Point, ...]:
-    """Points and directions of one dimension, with at least this many coordinates each; `ShapeError` names the invalid
-    one.
+    """Points and directions of the same dimension, with at least this many coordinates each; `ShapeError` names the
+    invalid one.
     """
     points: list[Point] = []
     for i, row in enumerate(as_items(rows, "control points")):

@@ -50,8 +50,8 @@ def normalized(v: tuple[mpq, ...], problem: str) -> tuple[Real, ...]:
 class Nurbs(Immutable, Curve[BSpline], FunctionsOutside):
     """A polynomial or rational B-spline curve with exact data.
 
-    `control_points` are Cartesian, all of one dimension, or a `Direction`; `weights` are optional. The curve is ``Σ wᵢ
-    Pᵢ Nᵢ / Σ wᵢ Nᵢ``: a point of weight 0 adds nothing, a direction v adds ``v Nᵢ`` to the numerator only. Equal
+    `control_points` are Cartesian, all of the same dimension, or a `Direction`; `weights` are optional. The curve is
+    ``Σ wᵢ Pᵢ Nᵢ / Σ wᵢ Nᵢ``: a point of weight 0 adds nothing, a direction v adds ``v Nᵢ`` to the numerator only. Equal
     weights mean that the curve is polynomial: then ``w`` is the constant 1 of degree 0 and ``gamma`` the vector ``p``,
     and `polynomial` is true. Otherwise ``gamma`` is the `Rational` ``p/w``.
 

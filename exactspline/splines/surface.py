@@ -130,9 +130,10 @@ class Along(StrEnum):
 class NurbsSurface(Immutable, Surface[TensorSpline], FunctionsOutside):
     """A polynomial or rational tensor-product B-spline surface with exact data.
 
-    ``control_points[i][j]`` with i along u and j along v: Cartesian, all of one dimension, or a `Direction`; `weights`
-    are a net of the same shape, or None. The surface is ``Σ w_ij P_ij N_i(u) N_j(v) / Σ w_ij N_i(u) N_j(v)``. Equal
-    weights mean that it is polynomial: then ``w`` is the constant 1, and `polynomial` is true.
+    ``control_points[i][j]`` with i along u and j along v: Cartesian, all of the same dimension, or a `Direction`;
+    `weights` are a net of the same shape, or None. The surface is
+    ``Σ w_ij P_ij N_i(u) N_j(v) / Σ w_ij N_i(u) N_j(v)``. Equal weights mean that it is polynomial: then ``w`` is the
+    constant 1, and `polynomial` is true.
 
     >>> saddle = NurbsSurface((1, 1), [0, 0, 1, 1], [0, 0, 1, 1], [[(0, 0, 0), (0, 1, 0)], [(1, 0, 0), (1, 1, 1)]])
     >>> saddle("1/2", "1/3"), saddle.partial(1, 1, 0, 0)
@@ -395,7 +396,7 @@ class NurbsSurface(Immutable, Surface[TensorSpline], FunctionsOutside):
 
 
 def _checked_net(given: object, counts: tuple[int, int]) -> Net:
-    """A net of points of one dimension as given by a user."""
+    """A net of points of the same dimension as given by a user."""
 
     def row_of(row: Iterable[Iterable[Number]], place: str) -> tuple[Point, ...]:
         try:

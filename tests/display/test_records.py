@@ -10,6 +10,7 @@ from exactspline.display.sheet import Sheet
 from exactspline.geometry.analysis.ask import asked_of, facts_about, kind_of
 from exactspline.geometry.analysis.registry import REGISTRY
 from exactspline.questions.entry import Of
+from tests.support.command import run
 
 OBJECTS = {
     Of.PLANE_CURVE: "cubic_s",
@@ -113,3 +114,24 @@ def test_what_is_missing_is_in_every_form():
     (why,) = answer_data(found, 12)["missing"]
     assert ("missing", "", why, "") in answer_sheet("", records(found), 12).rows
     assert {"what": "missing", "value": why} in xs.tables.to_records(found.facts, "bisector:1/2,2")
+
+
+@pytest.mark.parametrize(
+    "arguments",
+    [
+        ["inspect", "twisted_cubic", "--ask", "bisector:1/2,2,1"],
+        ["between", "twisted_cubic", "helix_like", "--ask", "bisector"],
+        ["inspect", "cusp", "--ask", "bisector:1/2,2"],
+        ["inspect", "straight_between_arcs", "--ask", "bisector:1/2,2"],
+    ],
+)
+def test_a_bisector_has_one_status_and_its_points_in_every_form(arguments):
+    """Before: a surface was answered as JSON and refused as a table; points of the table were not in the JSON."""
+    data, table = run(*arguments, "--json"), run(*arguments, "--csv")
+    assert data.returncode == table.returncode == 0
+    (row,) = json.loads(data.stdout)["rows"]
+    listed = table.stdout.splitlines()[1:]
+    assert listed
+    assert not any("no answer" in line for line in listed)
+    shown = {line.rsplit(",", 1)[1] for line in listed} - {""}
+    assert shown <= {repr(x) for x in numbers(row["answer"]["ends"])} if shown else "surface" in table.stdout

@@ -15,7 +15,7 @@ from gmpy2 import mpq
 from mpmath import libmp, mp
 
 import exactspline as xs
-from exactspline.errors import ExactSplineError, FormulaError, NumberError
+from exactspline.errors import ExactSplineError, FormulaError, NumberError, ShapeError
 from exactspline.interchange.examples import example
 from exactspline.numbers.exact import Rounding, double, is_float
 from exactspline.reals.real import square_root
@@ -348,3 +348,13 @@ def test_surfaces_functions_and_what_is_undefined():
 def test_what_floats_does_not_take(call, says):
     with pytest.raises(xs.ExactSplineError, match=says):
         call(xs.example("cubic_s"))
+
+
+def test_what_is_asked_of_a_surface_is_used_or_refused():
+    """Passed before: the side was not used, and K of a function was its value."""
+    function = xs.TensorSpline((1, 1), [0, 0, 1, 1], [0, 0, 1, 1], [[0, 1], [2, 3]])
+    with pytest.raises(ShapeError, match="of a function"):
+        function.floats([0.5], [0.5], of="gaussian_curvature")
+    for given in (function, xs.example("torus")):
+        with pytest.raises(ShapeError, match="left side"):
+            given.floats([0.5], [0.5], side="left")

@@ -124,3 +124,14 @@ def test_the_other_classes():
     assert surface.p[0] == scalar
     line = xs.from_scipy(si.NdBSpline(knots[:1], net[:, 0], (2,)))
     assert line.control_points == tuple(tuple(map(int, row)) for row in net[:, 0])
+
+
+def test_equal_coefficients_at_both_ends_do_not_make_a_spline_periodic():
+    """Refused before: the knots are not periodic, so that this is a spline like any other."""
+    knots = [0, 0.5, 1.25, 2, 3, 3.5, 4.75, 5, 6.5, 7, 8, 9, 9.5]
+    interpolate = pytest.importorskip("scipy.interpolate")
+    spline = interpolate.BSpline(knots, [1.0, 2, -1, 5, 3, 7, 1, 2, -1], 3)
+    read = read_scipy(spline)
+    assert [float(x) for x in read.curve.control_points] == list(spline.c)
+    assert read.notes
+    assert read.curve(4) == xs.from_scipy(spline, literal=True)(4)

@@ -37,3 +37,17 @@ def test_a_side_of_knots_or_features():
 def test_a_side_that_is_outside_or_has_no_meaning_is_refused(asked):
     with pytest.raises(QuestionError, match=r"outside of the domain|one rational parameter"):
         xs.ask(JUMP, asked)
+
+
+def test_the_sides_of_a_seam_are_the_ends_of_the_domain():
+    """Refused before, though the seam of a closed curve is a knot like any other: here a corner."""
+    loop = xs.Nurbs.bezier([(0, 0), (3, 3), (-2, 3), (0, 0)])
+    first, last = xs.ask(loop, "frame@0"), xs.ask(loop, "frame@1")
+    for seam in ("0", "1"):
+        before, behind = (xs.ask(loop, f"frame@{seam}{sign}")[0].values for sign in "-+")
+        assert before == last[0].values != first[0].values == behind
+    assert [found.values["parameter"] for found in xs.ask(loop, "value@knots-")] == [1]
+    moved = xs.constructors.joined(loop.split("1/3")[::-1])
+    seam = [t for t in moved.breakpoints[1:-1] if moved(t) == (0, 0)]
+    there = xs.ask(moved, f"frame@{seam[0]}-")[0].values
+    assert [there[name] for name in ("Tx", "Ty")] == [last[0].values[name] for name in ("Tx", "Ty")]

@@ -17,6 +17,7 @@ from exactspline.geometry.analysis.curve_values import axes, coordinates
 from exactspline.geometry.analysis.curves import analyse
 from exactspline.geometry.analysis.pairs import CurvePair
 from exactspline.geometry.bisectors.common import Bisector
+from exactspline.geometry.bisectors.plane_curves import PlaneBisector
 from exactspline.geometry.curves import balls
 from exactspline.geometry.curves import values as values_along
 from exactspline.geometry.curves.joints import Joint
@@ -68,6 +69,8 @@ def _items(curve: Nurbs, asked: Asked) -> Iterator[NamedNumbers]:
     elif isinstance(answer, Real):
         yield NamedNumbers(asked.entry.name, {asked.entry.name: answer})
     elif isinstance(answer, Bisector):
+        open_parts = answer.missing if isinstance(answer, PlaneBisector) else getattr(answer, "left_out", ())
+        _check_decided(map(str, open_parts))
         yield from answer.items
     elif isinstance(answer, Derived):
         yield from _derived(curve, answer)
@@ -148,8 +151,8 @@ def _item(
     return NamedNumbers("planar piece" if piece else "plane", ends, {"plane": str(plane)})
 
 
-def _check_decided(left_out: Iterable[str]) -> None:
-    if left_out:
+def _check_decided(given: Iterable[str]) -> None:
+    if left_out := list(given):
         raise QuestionError(f"not decided: {'; '.join(left_out)}", remedy="ask for the segments one by one")
 
 

@@ -175,6 +175,8 @@ def _values(
         raise ShapeError(f"{counted(len(parameters), 'row')} of parameters", remedy=remedy)
     grids = np.broadcast_arrays(*[np.asarray(_listed(ts), dtype=object) for ts in parameters])
     if isinstance(given, NurbsSurface | TensorSpline):
+        if side is Side.LEFT:
+            raise ShapeError("a left side of a surface", remedy="on knot lines limits are those from inside u+, v+")
         rows = _of_surface(given, grids, of, order, rounding)
     else:
         places = [place_of(t, given.domain) for t in grids[0].flat]
@@ -252,6 +254,8 @@ def _of_surface(
         raise ShapeError(f"the order {shown(order)} of a derivative by u and v", remedy="write order=(1, 0)")
     i, j = map(checked_order, pair)
     if isinstance(given, TensorSpline):
+        if of is not Quantity.POINT:
+            raise ShapeError(f"the {of} of a function", remedy="a surface is exactspline.NurbsSurface(…)")
         derived = given.partial(i, j)
         return [[_rounded(derived(u, v), rounding)] for u, v in places]
     if of is Quantity.POINT:

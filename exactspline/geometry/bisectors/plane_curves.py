@@ -107,11 +107,7 @@ class PlaneBisector(Bisector):
     def items(self) -> Iterator[NamedNumbers]:
         """The arcs of pairs and the single ones: the points of their ends but those at infinity, then the parameters;
         lines and rectangles of pairs by their sides.
-
-        Raises `ReachError` where pairs are not decided.
         """
-        if self.missing:
-            raise ReachError(f"the pairs in {self.missing[0]}", remedy="ask for the segments one by one")
         for arc in self.pairs.arcs:
             places = [] if arc.start is None or arc.end is None else [("start", arc.start), ("end", arc.end)]
             yield NamedNumbers("arc of pairs" if places else "loop of pairs", self._by_name(places))

@@ -111,7 +111,12 @@ def read_scipy(spline: Piecewise | InTwo, *, literal: bool = False) -> ReadSplin
     parts = [made] if isinstance(made, BSpline) else list(made.p)
     rows = [zip(*row, strict=True) for row in zip(*[part.bezier_points for part in parts], strict=True)]
     counts = [min(len([*same]), degree) for t, same in groupby(knots) if t in parts[0].breakpoints[:-1]]
-    return _joined(list(parts[0].breakpoints), [*map(list, rows)], counts, periodic=True)
+    try:
+        return _joined(list(parts[0].breakpoints), [*map(list, rows)], counts, periodic=True)
+    except ShapeError:
+        if given.extrapolate == "periodic":
+            raise
+        return ReadSpline(made, ("the first coefficients are the last ones, but not so the knots: read as it is",))
 
 
 def _is_tck(t: object, k: object) -> bool:
