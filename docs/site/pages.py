@@ -17,8 +17,7 @@ import exactspline as xs
 from docs.site.narrow import beside, narrowed, png, saved
 from exactspline.cli import app
 from exactspline.display.evidence import worded
-from exactspline.display.figures import FIGURES, make
-from exactspline.display.figures.plane import Drawn
+from exactspline.display.figures import Drawn, figures, make
 from exactspline.display.glossary import glossary
 from exactspline.display.ledger import summary
 from exactspline.display.numbers import Numbers
@@ -196,7 +195,7 @@ def _without_bars(tex: str) -> str:
 @cache
 def figure(number: int) -> Drawn:
     """A figure of the paper: drawn once for all pages."""
-    return FIGURES[number]()
+    return figures()[number]()
 
 
 def picture(file: str, alt: str) -> str:
@@ -209,8 +208,8 @@ def picture(file: str, alt: str) -> str:
 def draw_gallery(folder: Path, page: Path) -> None:
     """The figures with their captions, and the page that shows them."""
     folder.mkdir(parents=True, exist_ok=True)
-    made = {f"figure{number}": make(number, folder, figure(number), ("svg",)) for number in FIGURES}
-    for number in FIGURES:
+    made = {f"figure{number}": make(number, folder, figure(number), ("svg",)) for number in figures()}
+    for number in figures():
         beside(folder / f"figure{number}.svg").write_bytes(png(narrowed(figure(number).figure)))
     for name, command in DRAWN.items():
         small = beside(folder / f"{name}.svg")

@@ -39,14 +39,14 @@ def figures(
     """Draw the figures of the paper (SVG and PNG, surfaces also as interactive HTML); counts in captions are computed
     from the objects.
     """
-    from exactspline.display.figures import FIGURES, make
-    from exactspline.display.figures import folder as made_folder
+    from exactspline.display import figures as drawing
 
-    place = made_folder(folder)
-    made = tracked([partial(make, number, place) for number in figure or FIGURES], "drawing")
+    numbers = figure or list(drawing.figures())
+    place = drawing.folder(folder)
+    made = tracked([partial(drawing.make, number, place) for number in numbers], "drawing")
     if any(file.endswith(".html") for m in made for file in m.files):
         tell_how_surfaces_are_drawn()
-    numbered = list(zip(figure or FIGURES, made, strict=True))
+    numbered = list(zip(numbers, made, strict=True))
     rows = [{"key": str(n)} | vars(m) for n, m in numbered]
     cells = [(n, m.caption, ", ".join(map(str, m.files))) for n, m in numbered]
     out.give("figures", rows, [Sheet("figure", "caption", "files", rows=cells, prose=["caption", "files"])])

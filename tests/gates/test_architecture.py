@@ -33,6 +33,14 @@ def test_nothing_imports_the_front_door():
     assert [name for name, targets in import_graph.module_graph().items() if "" in targets and name not in FRONT] == []
 
 
+def test_nothing_imports_what_draws_the_figures_of_a_paper():
+    """They lie in the folder of their paper, and above all rooms."""
+    graph = import_graph.module_graph()
+    figures = {name for name in graph if import_graph.OF_FIGURES.fullmatch(name)}
+    assert "extras" in {target.split(".")[0] for name in figures for target in graph[name]}
+    assert {name for name, targets in graph.items() if figures & targets} <= figures
+
+
 PLANTED = {
     "at the top": "from exactspline.cli import prove",
     "lazily": "def f():\n    from exactspline.cli.prove import prove",
@@ -102,7 +110,11 @@ OF_FORMULAS = re.compile(r"papers\.\w+\.\w+|formulas\.\w+(\.\w+)*")
 
 def formulas():
     """The modules of formulas with their syntax trees."""
-    return {name: tree for name, tree in import_graph.trees().items() if OF_FORMULAS.fullmatch(name)}
+    return {
+        name: tree
+        for name, tree in import_graph.trees().items()
+        if OF_FORMULAS.fullmatch(name) and not import_graph.OF_FIGURES.fullmatch(name)
+    }
 
 
 def test_formulas_import_the_language_and_formulas_alone():
@@ -152,7 +164,8 @@ PROPOSED_FLOATS = "geometry.rounded.stability", "polynomials.newton"
 
 def test_rooms_are_without_floats():
     for name, tree in import_graph.trees().items():
-        if not name.startswith(ROOMS_WITH_FLOATS) and name not in (*PROVED_FLOATS, *PROPOSED_FLOATS):
+        draws = name.startswith(ROOMS_WITH_FLOATS) or import_graph.OF_FIGURES.fullmatch(name)
+        if not draws and name not in (*PROVED_FLOATS, *PROPOSED_FLOATS):
             constants = [n.value for n in import_graph.nodes(tree) if isinstance(n, ast.Constant)]
             assert not any(isinstance(value, float) for value in constants), name
 

@@ -338,8 +338,13 @@ ROUNDS = {
 }
 
 
+#: What draws the figures of a paper lies in its folder.
+DRAWS = "/figures/"
+
+
 def test_exact_rooms_round_nothing():
-    assert gates.found_in(gates.trees(), gates.rounding, gates.EXACT) == ROUNDED.keys()
+    exact = {name: tree for name, tree in gates.trees().items() if DRAWS not in name}
+    assert gates.found_in(exact, gates.rounding, gates.EXACT) == ROUNDED.keys()
 
 
 @pytest.mark.parametrize("code", ROUNDS.values(), ids=ROUNDS)

@@ -14,7 +14,7 @@ pytest.importorskip("matplotlib")
 from click.testing import CliRunner
 
 from exactspline.cli import app
-from exactspline.display.figures import FIGURES, folder, make
+from exactspline.display.figures import figures, folder, make
 from exactspline.display.plot.canvas import PlotError
 from exactspline.display.plot.comparisons import inspect_figure
 from exactspline.geometry.analysis.curves import analyse
@@ -36,7 +36,7 @@ def place(tmp_path_factory):
 @cache
 def drawn(number):
     """A figure, its caption and its scenes."""
-    return FIGURES[number]()
+    return figures()[number]()
 
 
 def counts_of(number):
@@ -52,7 +52,7 @@ def counts_of(number):
     ]
 
 
-@pytest.mark.parametrize("number", FIGURES)
+@pytest.mark.parametrize("number", figures())
 def test_a_caption_says_what_was_counted_words_can_be_read_and_files_are_whole(number, place):
     # to draw a surface takes long: as PNG one in the plane and one in space
     suffixes = ("svg", "png") if number in (1, 4) else ("svg",)

@@ -37,6 +37,8 @@ TABLES = {
 }
 #: The rooms that they may name.
 EXTRA = "extras"
+#: What draws a paper's figures lies above all rooms, and is imported by nothing.
+OF_FIGURES = re.compile(r"papers\.\w+\.figures\b.*")
 #: What looks up a formula by its name: with a name in the code it is an import of its paper.
 LOOK_UPS = {"find", "paper", "resolve"}
 
@@ -133,7 +135,7 @@ def package_graph(modules: dict[str, set[str]]) -> dict[str, set[str]]:
     found: dict[str, set[str]] = defaultdict(set)
     for name, targets in modules.items():
         package = name.split(".")[0]
-        if package in FLOOR:
+        if package in FLOOR and not OF_FIGURES.fullmatch(name):
             found[package] |= {t.split(".")[0] for t in targets} & FLOOR.keys() - {package}
     return dict(found)
 

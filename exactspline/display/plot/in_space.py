@@ -17,9 +17,6 @@ HOMES = {
     "bisector of curves": "exactspline.extras.pictures3d.bisectors:plot_curve_bisector",
     "bisector of a point": "exactspline.extras.pictures3d.bisectors:plot_point_bisector",
     "trimmed bisector": "exactspline.extras.pictures3d.bisectors:plot_trimmed_bisector",
-    "figure 4": "exactspline.extras.pictures3d.figures:figure_4",
-    "figure 5": "exactspline.extras.pictures3d.figures:figure_5",
-    "figure 6": "exactspline.extras.pictures3d.figures:figure_6",
     "remark": "exactspline.extras.pictures3d.depth:remark",
 }
 

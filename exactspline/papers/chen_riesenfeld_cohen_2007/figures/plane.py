@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, NamedTuple, cast
+from typing import TYPE_CHECKING, Any, cast
 
+from exactspline.display.figures import Drawn
 from exactspline.display.plot.canvas import GREEN, ORANGE, PAGE, SILVER, VERMILLION, legend_below, new_figure
 from exactspline.display.plot.curves import plot_curve, plot_evolute, plot_features, plot_quotient
 from exactspline.display.plot.functions import draw_roots, plot_function
@@ -31,14 +32,6 @@ if TYPE_CHECKING:
 TRIMMED = 8
 #: The forms that squaring and the direct approach solve, of the construction ``critical_curvature``.
 SQUARING = "squaring"
-
-
-class Drawn(NamedTuple):
-    """A figure, its caption, and its interactive scenes (none for plane figures)."""
-
-    figure: Any
-    caption: str
-    scenes: tuple[object, ...] = ()
 
 
 def captioned(figure: Figure, number: int, caption: str, scenes: tuple[object, ...] = ()) -> Drawn:

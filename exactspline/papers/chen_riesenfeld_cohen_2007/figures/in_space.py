@@ -8,7 +8,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from exactspline.display.figures.plane import Drawn, captioned
+from exactspline.display.figures import Drawn
 from exactspline.display.plot.canvas import BLACK, GREEN, PAGE, VERMILLION, PlotError, Point, Run, new_figure, sampled
 from exactspline.display.plot.curves import plot_curve, plot_quotient
 from exactspline.display.plot.frames import three_ticks
@@ -18,6 +18,7 @@ from exactspline.extras.pictures3d.surfaces import mark_points, plot_mesh
 from exactspline.interchange.examples import example
 from exactspline.numbers.exact import mpq
 from exactspline.papers import find
+from exactspline.papers.chen_riesenfeld_cohen_2007.figures.plane import captioned
 from exactspline.splines.lowest_terms import RationalSurface, control_point_count
 
 if TYPE_CHECKING:

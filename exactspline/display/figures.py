@@ -1,22 +1,37 @@
-"""The figures of the paper, in its layout; every number in a caption is counted on the drawn objects."""
+"""The figures of a paper: drawn by the modules in the folder ``figures`` of the paper, written to files here."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
-from functools import partial
+from functools import cache
 from pathlib import Path
+from typing import Any, NamedTuple
 
 from exactspline.atomic_write import write_text
-from exactspline.display.figures.plane import Drawn, figure_1, figure_2, figure_3
 from exactspline.display.plot.canvas import PlotError, save
 from exactspline.display.plot.in_space import picture
+from exactspline.hooks import named
+from exactspline.papers import default_papers
 
-#: The figures by number.
-FIGURES: dict[int, Callable[[], Drawn]] = {
-    **{1: figure_1, 2: figure_2, 3: figure_3},
-    **{n: partial(picture, f"figure {n}") for n in (4, 5, 6)},
-}
+
+class Drawn(NamedTuple):
+    """A figure, its caption, and its interactive scenes (none for plane figures)."""
+
+    figure: Any
+    caption: str
+    scenes: tuple[object, ...] = ()
+
+
+@cache
+def figures() -> dict[int, Callable[[], Drawn]]:
+    """The figures of the default papers by number.
+
+    >>> list(figures())
+    [1, 2, 3, 4, 5, 6]
+    """
+    drawing = [source for source in default_papers() if source.folder.joinpath("figures").is_dir()]
+    return {n: draw for source in drawing for n, draw in named(f"{source.package}.figures:FIGURES").items()}
 
 
 @dataclass
@@ -47,11 +62,10 @@ def make(number: int, folder: str | Path, drawn: Drawn | None = None, suffixes: 
     Raises `PlotError` for a number that is not a figure of the paper, without matplotlib, and where the files cannot be
     written.
     """
-    if number not in FIGURES:
-        raise PlotError(
-            f"the paper has no Figure {number}", where="figure", remedy=f"figures are {', '.join(map(str, FIGURES))}"
-        )
-    figure, caption, scenes = drawn or FIGURES[number]()
+    if number not in figures():
+        remedy = f"figures are {', '.join(map(str, figures()))}"
+        raise PlotError(f"the paper has no Figure {number}", where="figure", remedy=remedy)
+    figure, caption, scenes = drawn or figures()[number]()
     made = Made(number, caption)
     for suffix in suffixes:
         place = Path(folder) / f"figure{number}.{suffix}"
