@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 from exactspline.cli.common import Read, distinguish
 from exactspline.cli.output import OptionsError, Output
 from exactspline.cli.parameters import Exit
+from exactspline.errors import counted
 
 if TYPE_CHECKING:
     from exactspline.display.sheet import Sheet
@@ -29,14 +30,20 @@ def refuse_with_ask(options: Mapping[str, object]) -> None:
 
 
 def answer_about_curves(
-    out: Output, found: tuple[list[Read], bool], asked: list[str], digits: int, *, certificates: bool
+    out: Output, found: tuple[list[Read], bool], asked: list[str], digits: int, *, certificates: bool, region: str
 ) -> None:
-    """Answer questions about curves, which were read, and whether all could be."""
-    from exactspline.questions.entry import ALL_CURVES
+    """Answer questions about curves, which were read, and whether all could be; with the rule of a `region` about that
+    which they bound together.
+    """
+    from exactspline.geometry.pairs.regions import Region
+    from exactspline.questions.entry import ALL_CURVES, Of
 
     read, good = found
-    given = [({"curve": x.curve.name} | x.data(), x.curve) for x in read]
-    _answer(out, given, asked, digits, ALL_CURVES, certificates=certificates, good=good)
+    given: _Asked = [({"curve": x.curve.name} | x.data(), x.curve) for x in read]
+    if region and given:
+        bounded = Region([x.curve for x in read], region)
+        given = [({"curve": f"region of {counted(len(given), 'curve')}, {region}"}, bounded)]
+    _answer(out, given, asked, digits, (Of.REGION,) if region else ALL_CURVES, certificates=certificates, good=good)
 
 
 def answer_about_pair(out: Output, pair: CurvePair, asked: list[str], digits: int) -> None:

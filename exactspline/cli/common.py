@@ -24,7 +24,10 @@ G = TypeVar("G")
 V = TypeVar("V")
 C = TypeVar("C", "Nurbs", "NurbsSurface")
 
-CURVE_HELP = "A file of curves (JSON, SVG, DXF, STEP, font.ttf:glyph, …), an example curve by its name, or -."
+CURVE_HELP = (
+    "A file of curves (JSON, SVG, STEP, …), a part of one (font.ttf:glyph, drawing.svg:id, drawing.dxf:layer), an "
+    "example curve by its name, or -."
+)
 #: How the arguments that name places of a paper are given by other commands.
 PLACES = {"--section": "5.4", "--claim": "C4.2b"}
 CurveFiles = Annotated[list[str] | None, Option("--curve", metavar="CURVE", help=f"{CURVE_HELP} May be repeated.")]

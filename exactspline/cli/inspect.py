@@ -89,6 +89,15 @@ Coordinates = Annotated[
     bool, Option("--coordinates", help="Also list where a coordinate is largest or smallest (for type design).")
 ]
 All = Annotated[bool, Option("--all", help="List also what only rounded numbers add to a circle or a sphere.")]
+InRegion = Annotated[
+    str,
+    Option(
+        "--region",
+        metavar="RULE",
+        help="With --ask: all curves together as one region with holes, nonzero or even-odd: area, moments, "
+        "contains:1,2, winding_number:1,2.",
+    ),
+]
 Certificates = Annotated[
     bool, Option("--certificates", help="With --ask: put the certificates of the zero sets into the JSON.")
 ]
@@ -125,6 +134,7 @@ def inspect(
     approximate: Approximate = "",
     coordinates: Coordinates = False,
     with_all: All = False,
+    region: InRegion = "",
     certificates: Certificates = False,
     certificate: CertificateFile = "",
     emit_coq: CoqFile = "",
@@ -152,14 +162,16 @@ def inspect(
         ask = near
     elif certificates:
         raise OptionsError("--certificates without --ask", remedy="add --ask QUESTION, or write --certificate FILE")
+    elif region:
+        raise OptionsError("--region without --ask", remedy="add --ask area, moments or contains:1,2")
     read, good = each_read(curve, lambda name: (name, reading_of(name, approximate)))
     if with_surfaces := surfaces_among(read, requested=surfaces):
         if len(with_surfaces) < len(read):
             raise OptionsError("surfaces and curves", remedy="inspect them one after the other")
-        for_curves |= {"--approximate": approximate, "--certificates": certificates}
+        for_curves |= {"--approximate": approximate, "--certificates": certificates, "--region": region}
         _inspect_surfaces(out, with_surfaces, ask, for_curves, digits, plot, epsilon, good, with_all)
     elif ask:
-        answer_about_curves(out, read_curves(read, good), ask, digits, certificates=certificates)
+        answer_about_curves(out, read_curves(read, good), ask, digits, certificates=certificates, region=region)
     else:
         from exactspline.geometry.curves.planarity import in_the_plane
 

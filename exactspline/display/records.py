@@ -41,8 +41,9 @@ def records(asked: Asked) -> list[Record]:
     >>> [(each.what, dict(each.values)) for each in records(asked_of(example("circle"), "bounding_box"))]
     [('x', {'low': <Real -1>, 'high': <Real 1>}), ('y', {'low': <Real -1>, 'high': <Real 1>})]
     """
-    what = asked.entry.name.removesuffix("_within").removesuffix("s")
-    return [*_records(form_of(asked.entry), placed(asked.facts, asked.answer), what)]
+    form, what = form_of(asked.entry), asked.entry.name.removesuffix("_within")
+    what = what if form.elements is None else what.removesuffix("s")
+    return [*_records(form, placed(asked.facts, asked.answer), what)]
 
 
 def _records(form: Form, value: object, what: str) -> Iterator[Record]:

@@ -6,7 +6,7 @@ from collections.abc import Collection, Iterator, Sequence
 from contextlib import contextmanager
 from typing import Any, TypeVar
 
-from exactspline.errors import ExactSplineError, ShapeError, counted
+from exactspline.errors import CurveFileError, ExactSplineError, ShapeError, counted, nearest
 from exactspline.interchange.arcs import distance_text
 from exactspline.interchange.limits import work
 from exactspline.interchange.numbers import decimal
@@ -69,6 +69,12 @@ class Collector:
             if not damaged:
                 raise
             self.skip(what, where, f"{damaged} ({type(error).__name__})", curve=curve)
+
+    def see_that_part_exists(self, names: Collection[str]) -> None:
+        """Raise `CurveFileError` where the part that is asked for has none of these names."""
+        if (part := self.source.part) and part not in names:
+            remedy = nearest(part, filter(None, names))
+            raise CurveFileError(f"{self.format}: there is no part {part[:40]!r}", remedy=remedy)
 
     def note(self, text: str) -> None:
         """Record a note that applies to all curves of the file; repetitions are dropped."""

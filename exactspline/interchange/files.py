@@ -50,8 +50,8 @@ def read(
     limits: Limits | None = None,
     approximate: Number | None = None,
 ) -> Reading:
-    """The curves of a file, and the surfaces of our JSON (``-`` for standard input, ``font.ttf:ampersand`` for a part),
-    or of bytes.
+    """The curves of a file, and the surfaces of our JSON (``-`` for standard input; for a part
+    ``font.ttf:glyph``, ``drawing.svg:id``, ``drawing.dxf:layer``), or of bytes.
 
     The format is recognized by the content, then by the suffix, unless it is named. `degree` and `knots` are for
     formats that hold only control points. With `approximate`, a distance above 0, an arc that has no rational control
@@ -117,7 +117,8 @@ def _format(source: Source, named: str | None) -> Format:
         raise CurveFileError("is empty", remedy="name a file of curves")
     chosen = _recognized(source.data, source.name) if named is None else _named_format(named)
     if source.part and not chosen.parts:
-        raise CurveFileError(f"{chosen.title}: there is no part {source.part!r}", remedy="only fonts have parts")
+        remedy = "parts are glyphs of fonts, ids of SVG, layers of DXF"
+        raise CurveFileError(f"{chosen.title}: there is no part {source.part!r}", remedy=remedy)
     return chosen
 
 

@@ -79,6 +79,7 @@ class Of(StrEnum):
     CURVE = "curve of another dimension"
     PAIR = "pair of space curves"
     TWO_CURVES = "two curves"
+    REGION = "region of several curves"
 
 
 #: A question about curves in the plane and in space, and about curves of any dimension.

@@ -22,7 +22,8 @@ from tests.support.paths import again
 
 SEED = 2028
 #: Of a hundred words, how many are about which kind of object.
-SHARES = {Of.PLANE_CURVE: 48, Of.SPACE_CURVE: 28, Of.TWO_CURVES: 4, Of.PAIR: 4, Of.SURFACE: 6, Of.PLANAR_MAP: 10}
+SHARES = {Of.PLANE_CURVE: 48, Of.SPACE_CURVE: 28, Of.TWO_CURVES: 4, Of.PAIR: 4, Of.SURFACE: 6, Of.PLANAR_MAP: 8}
+SHARES |= {Of.REGION: 2}
 KINDS = [of for of, share in SHARES.items() for _ in range(share)]
 #: What takes long is asked once in this many hundreds of words: ridges take about a minute.
 DEAR = {Of.SURFACE: 33, Of.TWO_CURVES: 1}

@@ -420,7 +420,6 @@ def test_no_exception_is_caught_whole():
 # ---- law 7: what only developers run is not in the wheel
 
 BY_NAME = {
-    "geometry.pairs.regions": "imported by those who use it",
     "testing": "imported by those who test programs",
     "testing.families": "the same",
     "testing.reported": "the same",

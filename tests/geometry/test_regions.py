@@ -31,7 +31,7 @@ def test_moments_are_sums_over_the_cells_of_a_grid(seed, rule):
         for y in range(-1, 42):
             if region.contains((x + half, y + half)) is Position.INSIDE:
                 cells.append((x, y))
-    moments = region.moments(2)
+    moments = {(x.facts["x"], x.facts["y"]): x.values["moment"] for x in region.moments(2)}
     assert moments[0, 0] == region.area == len(cells)
     assert moments[1, 0] == sum((x + half for x, _ in cells), mpq(0))
     assert moments[1, 1] == sum(((x + half) * (y + half) for x, y in cells), mpq(0))
@@ -43,7 +43,7 @@ def test_the_area_of_a_path_with_a_hole():
     path = '<path d="M0 0L4 0L4 4Q2 6 0 4ZM1 1L1 2L2 2L2 1Z"/>'
     curves = [named.curve for named in read(f'<svg xmlns="http://www.w3.org/2000/svg">{path}</svg>'.encode()).curves]
     # the parabola adds two thirds of the chord times the height 1
-    assert {Region(curves, rule).area for rule in ("nonzero", "even-odd")} == {16 + mpq(8, 3) - 1}
+    assert all(Region(curves, rule).area == 16 + mpq(8, 3) - 1 for rule in ("nonzero", "even-odd"))
 
 
 def test_winding_numbers_of_a_region():
@@ -55,7 +55,7 @@ def test_winding_numbers_of_a_region():
 @pytest.mark.parametrize(("curves", "why"), [
     ([square(0, 0, 4), square(2, 2, 4)], "meet each other"),
     ([square(0, 0, 4), square(4, 0, 4)], "meet each other"),
-    ([Nurbs(1, [0, 0, 1, 2, 3, 4, 4], [(0, 0), (2, 2), (2, 0), (0, 2), (0, 0)])], "themselves"),
+    ([Nurbs(1, [0, 0, 1, 2, 3, 4, 4], [(0, 0), (2, 2), (2, 0), (0, 2), (0, 0)])], "meets itself"),
     ([example("circle")], "polynomial"),
 ])  # fmt: skip
 def test_what_has_no_area_says_why(curves, why):

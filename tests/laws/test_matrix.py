@@ -311,7 +311,7 @@ def test_surfaces_by_python_and_by_the_command(of, tmp_path):
         assert same_by_command(surface, entry, given_to(entry, surface, Random(SEED)), tmp_path), (SEED, entry.name)
 
 
-@pytest.mark.parametrize("of", [Of.TWO_CURVES, Of.SURFACE, Of.PLANAR_MAP], ids=str)
+@pytest.mark.parametrize("of", [Of.TWO_CURVES, Of.SURFACE, Of.PLANAR_MAP, Of.REGION], ids=str)
 def test_pairs_and_surfaces_before_and_after_other_questions(of):
     """Pairs of curves also without the extension."""
     for i in range(3):

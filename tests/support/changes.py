@@ -12,6 +12,7 @@ from exactspline import BSpline, Nurbs
 from exactspline.geometry.analysis.curves import analyse
 from exactspline.geometry.analysis.pairs import CurvePair
 from exactspline.geometry.bisectors.two_curves import CurveBisector
+from exactspline.geometry.pairs.regions import Region
 from exactspline.questions.entry import Of
 from exactspline.splines.surface import NurbsSurface
 from tests.support.images import Image, Motion, Way
@@ -355,6 +356,34 @@ OF_BISECTORS = {
 }
 
 
+# ---- regions
+
+
+def of_contours(change, region, random):
+    """Every contour written otherwise, all in the same direction as before or all in the other one."""
+    found = [change(curve, random) or (curve, Image()) for curve in region.curves]
+    ways = {image.ways[0].backwards: image.ways for _, image in found}
+    return (Region([curve for curve, _ in found], region.rule), Image(*ways.values())) if len(ways) == 1 else None
+
+
+def move_region(kind, region, random):
+    """All contours moved by one motion."""
+    motion = kind(2, random)
+    return Region([moved_curve(curve, motion) for curve in region.curves], region.rule), Image(motion=motion)
+
+
+def other_order(region, random):
+    """The contours in another order."""
+    return Region(random.sample(region.curves, len(region.curves)), region.rule), Image()
+
+
+OF_REGIONS = {
+    **{name: partial(of_contours, change) for name, change in OF_CURVES.items() if name not in MOTIONS},
+    **{name: partial(move_region, kind) for name, kind in MOTIONS.items()},
+    "other order": other_order,
+}
+
+
 # ---- surfaces
 
 
@@ -444,6 +473,7 @@ CHANGES = {
     Of.SPACE_CURVE: OF_CURVES,
     Of.TWO_CURVES: OF_PAIRS,
     Of.PAIR: OF_BISECTORS,
+    Of.REGION: OF_REGIONS,
     Of.SURFACE: OF_SURFACES,
     Of.PLANAR_MAP: OF_SURFACES,
 }

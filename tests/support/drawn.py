@@ -11,6 +11,7 @@ from exactspline.geometry.analysis.curves import analyse
 from exactspline.geometry.analysis.pairs import CurvePair
 from exactspline.geometry.analysis.surfaces import PatchKind
 from exactspline.geometry.bisectors.two_curves import CurveBisector
+from exactspline.geometry.pairs.regions import Region
 from exactspline.interchange.examples import example
 from exactspline.questions.entry import Of
 from exactspline.splines.surface import NurbsSurface
@@ -221,12 +222,31 @@ def light_bisector(random):
     return CurveBisector(first, second)
 
 
+def region(random):
+    """Convex contours with corners or smooth, a few of them circles, most of them nested or apart."""
+    curves = []
+    for _ in range(random.randint(1, 4)):
+        size, x, y = random.choice([1, 3, 5, 8]), *(random.choice([0, 0, 0, 20, mpq(1, 3)]) for _ in range(2))
+        corners = [(x + size * u, y + size * v) for u, v in [(1, 1), (-1, 1), (-1, -1), (1, -1)]]
+        corners = corners[:: random.choice([1, -1])]
+        kinds = [
+            Nurbs(1, [0, *range(5), 4], [*corners, corners[0]]),
+            Nurbs(2, list(range(9)), [*corners, *corners[:2]]),
+            Nurbs(3, list(range(11)), [*corners, *corners[:3]]),
+        ]
+        if random.random() < 0.1:
+            kinds = [moved_curve(example("circle"), lambda p, r=size, x=x, y=y: (r * p[0] + x, r * p[1] + y))]
+        curves.append(random.choice(kinds))
+    return Region(curves, random.choice(["nonzero", "even-odd"]))
+
+
 #: What is drawn of each kind of object.
 DRAWN = {
     Of.PLANE_CURVE: partial(curve, 2),
     Of.SPACE_CURVE: partial(curve, 3),
     Of.TWO_CURVES: pair,
     Of.PAIR: light_bisector,
+    Of.REGION: region,
     Of.SURFACE: surface,
     Of.PLANAR_MAP: planar_map,
 }

@@ -3,6 +3,7 @@
 from exactspline.questions.entry import Of
 
 CURVES = (Of.PLANE_CURVE, Of.SPACE_CURVE)
+IN_THE_PLANE = (Of.PLANE_CURVE, Of.REGION)
 SINGULAR = "knot on a singular point"
 KNOTS = ("knot far away", "knot on what was found", SINGULAR, "knot near what was found")
 OF_SURFACES = ("knot far away", "knot on what was found", "knot near what was found")
@@ -31,8 +32,8 @@ EXEMPTIONS = [
     ((Of.SPACE_CURVE,), ("torsion_zeros", "planar_pieces"), (SINGULAR,), "a cusp inside a segment cuts no piece"),
     ((Of.SPACE_CURVE,), ("torsion_zeros",), ("split",), "a part of a planar piece may be straight"),
     (CURVES, ("turning_points", "bounding_box"), ("rotated",), "a turned coordinate is none"),
-    ((Of.PLANE_CURVE,), ("moments",), ("rotated",), "a turned coordinate is none"),
-    ((Of.PLANE_CURVE,), ("area", "moments"), ("common factor", "moebius"), "of curves with equal weights alone"),
+    (IN_THE_PLANE, ("moments",), ("rotated",), "a turned coordinate is none"),
+    (IN_THE_PLANE, ("area", "moments"), ("common factor", "moebius"), "of curves with equal weights alone"),
     ((Of.SPACE_CURVE,), ("plane",), ("rotated",), "of straight curves only planes of constant coordinates are told"),
     ((Of.SURFACE,), ("patches",), OF_SURFACES, "a part of a patch may be of one kind"),
     ((Of.SURFACE,), ("shapes",), OF_SURFACES, "a small part may be nearer to a shape than the whole"),

@@ -11,6 +11,7 @@ from exactspline import Nurbs
 from exactspline.errors import OpenError, ReachError
 from exactspline.geometry.analysis.pairs import CurvePair
 from exactspline.geometry.bisectors.two_curves import CurveBisector
+from exactspline.geometry.pairs.regions import Region
 from exactspline.reals.real import Real
 from exactspline.splines.surface import Along, NurbsSurface
 
@@ -200,7 +201,7 @@ def rings(thing):
     """The rings of the parameters of a curve, of two curves, of a surface."""
     if isinstance(thing, Nurbs):
         return (Ring(*thing.domain, thing.closed, tuple(thing.breakpoints)),) * 2
-    if isinstance(thing, CurvePair | CurveBisector):
+    if isinstance(thing, CurvePair | CurveBisector | Region):
         return tuple(rings(curve)[0] for curve in thing.curves)
     assert isinstance(thing, NurbsSurface)
     return tuple(

@@ -20,6 +20,7 @@ from exactspline.geometry.analysis.curves import analyse
 from exactspline.geometry.analysis.pairs import CurvePair
 from exactspline.geometry.analysis.registry import REGISTRY
 from exactspline.geometry.bisectors.two_curves import CurveBisector
+from exactspline.geometry.pairs.regions import Region
 from exactspline.questions import takes
 from exactspline.questions.answers import NamedNumbers
 from exactspline.questions.entry import Answered, Entry, Of
@@ -31,6 +32,9 @@ from tests.support.exemptions import DEAR, EXEMPTIONS, NOT_TRANSPORTED, WHERE_DE
 from tests.support.images import Image, rings
 from tests.support.transport import NUMBERS, POWERS, Refused, To, rows, same, shown
 
+#: Several curves that are asked together.
+WITH_CURVES = (CurvePair, CurveBisector, Region)
+
 # ---- asking
 
 
@@ -40,7 +44,7 @@ def kind_of(thing):
         return Of.PLANE_CURVE if thing.dimension == 2 else Of.SPACE_CURVE
     if isinstance(thing, NurbsSurface):
         return Of.PLANAR_MAP if thing.dimension == 2 else Of.SURFACE
-    return Of.PAIR if isinstance(thing, CurveBisector) else Of.TWO_CURVES
+    return {CurveBisector: Of.PAIR, Region: Of.REGION, CurvePair: Of.TWO_CURVES}[type(thing)]
 
 
 class Itself:
@@ -59,7 +63,7 @@ class Itself:
 @lru_cache(maxsize=64)
 def facts_of(itself):
     """What is known of a thing, kept between its questions."""
-    return itself.thing if isinstance(itself.thing, CurvePair | CurveBisector) else analyse(itself.thing)
+    return itself.thing if isinstance(itself.thing, WITH_CURVES) else analyse(itself.thing)
 
 
 def ask(thing, name, given=()):
@@ -93,6 +97,8 @@ def exact(text):
 
 def some_point(thing, random):
     """A point near a curve, on it, or at the centre of a circle that it has."""
+    if isinstance(thing, Region):
+        return some_point(random.choice(thing.curves), random)
     where = random.random()
     if where < 0.2:
         a, b = thing.domain
@@ -326,7 +332,7 @@ class Failure:
 
 def described(thing):
     """A thing as it can be written down again."""
-    if isinstance(thing, CurvePair | CurveBisector):
+    if isinstance(thing, WITH_CURVES):
         return " and ".join(map(described, thing.curves))
     if isinstance(thing, Nurbs):
         data = [list(map(str, thing.knots)), [[*map(str, p)] for p in thing.control_points], [*map(str, thing.weights)]]
@@ -338,7 +344,7 @@ def described(thing):
 
 def dimension_of(thing):
     """The number of coordinates."""
-    return thing.curves[0].dimension if isinstance(thing, CurvePair | CurveBisector) else thing.dimension
+    return thing.curves[0].dimension if isinstance(thing, WITH_CURVES) else thing.dimension
 
 
 def differing(thing, entry, given, letters, asking=ask):

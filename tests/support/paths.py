@@ -17,6 +17,7 @@ from exactspline.geometry.analysis.ask import asked_of
 from exactspline.geometry.analysis.many_curves import features_of_curves
 from exactspline.geometry.analysis.pairs import CurvePair
 from exactspline.geometry.analysis.registry import REGISTRY
+from exactspline.geometry.pairs.regions import Region
 from exactspline.interchange.files import write
 from exactspline.programs import accelerator, certain_pairs
 from exactspline.questions.entry import Of
@@ -34,6 +35,8 @@ def again(thing):
     """The same curve, pair of curves, or surface, of which nothing is known."""
     if isinstance(thing, CurvePair):
         return CurvePair(*map(again, thing.curves))
+    if isinstance(thing, Region):
+        return Region(map(again, thing.curves), thing.rule)
     if isinstance(thing, NurbsSurface):
         return NurbsSurface(thing.degree, *map(list, thing.knots), thing.control_points, thing.weights)
     curve = thing

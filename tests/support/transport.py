@@ -29,6 +29,8 @@ from exactspline.geometry.curves.planarity import Plane
 from exactspline.geometry.pairs.distance import ClosestPair, Distance
 from exactspline.geometry.pairs.intersections import Intersection, Intersections, Overlap
 from exactspline.geometry.pairs.nearest import Nearest, NearestPoint
+from exactspline.geometry.pairs.regions import Region
+from exactspline.geometry.pairs.winding import Position
 from exactspline.geometry.recognition.patches import RecognizedPart
 from exactspline.geometry.recognition.pieces import RecognizedPiece
 from exactspline.geometry.surfaces.degenerate import Pole
@@ -98,7 +100,9 @@ class To:
 
     @property
     def turn(self):
-        """The sign of what is signed by left and right in the plane."""
+        """The sign of what is signed by left and right in the plane; the area of a region is not."""
+        if isinstance(self.asked, Region) and self.name != "winding_number":
+            return 1
         return -1 if self.dimension == 2 and self.image.turns else 1
 
 
@@ -123,6 +127,11 @@ def _(answer: Refused, to):
 @rows.register
 def _(answer: NoneType, to):
     return [(("none",), ())]
+
+
+@rows.register
+def _(answer: Position, to):
+    return [((str(answer),), ())]
 
 
 @rows.register

@@ -58,8 +58,11 @@ def read(source: Source) -> Reading:
     """The curves of a file."""
     if source.data.startswith(b"AutoCAD Binary DXF"):
         raise CurveFileError("is binary DXF", remedy="save it as DXF text (ASCII)")
-    collector = Collector("dxf", source)
+    collector, layers = Collector("dxf", source), dict[str, None]()
     for entity in _entities(source, collector):
+        layers |= dict.fromkeys(own := entity.texts(8))
+        if source.part and source.part not in own:
+            continue
         where = f"{entity.kind} at line {entity.line}" + (f" in block {entity.block}" if entity.block else "")
         reader = _READERS.get(entity.kind)
         if reader is None:
@@ -69,6 +72,7 @@ def read(source: Source) -> Reading:
             continue
         with collector.skipping(entity.kind, where):
             reader(_Values(collector, entity, where))
+    collector.see_that_part_exists(layers)
     return collector.reading()
 
 
@@ -292,4 +296,4 @@ def write(splines: Sequence[Spline], numbers: NumberText) -> bytes:
     return "".join(f"{code:>3}\n{value}\n" for code, value in pairs).encode()
 
 
-FORMAT = Format("dxf", "DXF text", (".dxf",), looks_like, read, write)
+FORMAT = Format("dxf", "DXF text", (".dxf",), looks_like, read, write, parts=True)

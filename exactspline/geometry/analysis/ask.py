@@ -13,6 +13,7 @@ from exactspline.geometry.analysis.registry import REGISTRY
 from exactspline.geometry.analysis.surfaces import SurfaceInspection
 from exactspline.geometry.bisectors.two_curves import CurveBisector
 from exactspline.geometry.curves.planarity import in_common_plane
+from exactspline.geometry.pairs.regions import Region
 from exactspline.interchange.files import read
 from exactspline.one_line import OneLine
 from exactspline.questions.entry import ALL_CURVES, CURVES, Entry, Of, Remembers
@@ -29,6 +30,7 @@ KINDS: dict[type, Of] = {
     MapInspection: Of.PLANAR_MAP,
     CurvePair: Of.TWO_CURVES,
     CurveBisector: Of.PAIR,
+    Region: Of.REGION,
 }
 
 
@@ -166,7 +168,8 @@ def _not_asked(name: str, *of: Of) -> QuestionError:
     kinds = [kind for kind, entries in REGISTRY.items() if name in entries]
     if not kinds:
         return unknown(name, [each for entries in REGISTRY.values() for each in entries])
-    return QuestionError(f"{name} of {_either(of)}", remedy=f"it is asked of {_either(kinds)}")
+    how = " (--region even-odd, in Python Region(curves))" if Of.REGION in kinds else ""
+    return QuestionError(f"{name} of {_either(of)}", remedy=f"it is asked of {_either(kinds)}{how}")
 
 
 def _either(kinds: Sequence[Of]) -> str:

@@ -5,11 +5,12 @@ registry.
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import partial
 from typing import TypeAlias
 
 from exactspline.geometry.curves import balls, values
 from exactspline.geometry.curves.extent import coordinate_range, slope_zeros
-from exactspline.geometry.curves.moments import moment, moments_up_to
+from exactspline.geometry.curves.moments import moment, named_moments
 from exactspline.geometry.curves.space_features import SpaceFacts
 from exactspline.geometry.derived.derive import Derived, derive
 from exactspline.language.rational import Rational
@@ -223,10 +224,7 @@ class CurveValues(SpaceFacts):
 
         Raises `ShapeError` for another curve, and `QuestionError` for an order above 8.
         """
-        if order > 8:
-            raise QuestionError(f"moments of the order {order}", remedy="at most 8")
-        found = moments_up_to(self, order)
-        return tuple(NamedNumbers("moment", {"moment": Real(x)}, {"x": i, "y": j}) for (i, j), x in found.items())
+        return named_moments(partial(moment, self), order)
 
     @question(*ALL_CURVES, answered=Answered.VALUE, on_request=True)
     def length(self) -> Real:

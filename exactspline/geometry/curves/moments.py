@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from itertools import pairwise
 
 from exactspline.errors import ShapeError
 from exactspline.geometry.curves.facts import Facts
 from exactspline.geometry.curves.kinds import JointKind
 from exactspline.numbers.exact import mpq
+from exactspline.questions.answers import NamedNumbers
+from exactspline.questions.takes import QuestionError
+from exactspline.reals.real import Real
 from exactspline.splines.bspline import BSpline
 
 
@@ -24,10 +28,12 @@ def moment(facts: Facts, i: int, j: int) -> mpq:
     return _integral(integrand) / (i + 1)
 
 
-def moments_up_to(facts: Facts, order: int) -> dict[tuple[int, int], mpq]:
-    """The moments with i + j up to an order; raises `ShapeError` as `moment` does."""
+def named_moments(moment_of: Callable[[int, int], mpq], order: int) -> tuple[NamedNumbers, ...]:
+    """The moments with i + j up to an order; raises `QuestionError` for an order above 8."""
+    if order > 8:
+        raise QuestionError(f"moments of the order {order}", remedy="at most 8")
     pairs = [(i, total - i) for total in range(order + 1) for i in range(total, -1, -1)]
-    return {(i, j): moment(facts, i, j) for i, j in pairs}
+    return tuple(NamedNumbers("moment", {"moment": Real(moment_of(i, j))}, {"x": i, "y": j}) for i, j in pairs)
 
 
 def _check_closed(facts: Facts) -> None:
@@ -35,10 +41,11 @@ def _check_closed(facts: Facts) -> None:
     if curve.dimension != 2 or not curve.polynomial or not curve.closed:
         raise ShapeError(
             "the area of a curve that is not closed, polynomial and in the plane",
+            where=curve.name,
             remedy="the area of a rational curve is not a rational number in general",
         )
     if any(joint.kind is JointKind.GAP for joint in facts.joints):
-        raise ShapeError("the area of a curve with a gap", remedy="close the gap")
+        raise ShapeError("the area of a curve with a gap", where=curve.name, remedy="close the gap")
 
 
 def _integral(f: BSpline) -> mpq:

@@ -95,10 +95,19 @@ class _Drawing:
                 collector.note("animations are not applied: curves are read in their initial state")
             if element.tag == "script":
                 collector.note("scripts are not run: they may change any curve")
+        if part := collector.source.part:
+            collector.see_that_part_exists(self.by_id)
+            self._leave_out_all_but(self.by_id[part])
         if self.sheet.imports:
             collector.note("a style sheet in another file is not read: it may move, shape or hide curves")
         if "viewBox" in root.attributes:
             collector.note("coordinates are those of the viewBox: its placement on the page is not applied")
+
+    def _leave_out_all_but(self, part: Element) -> None:
+        """Leave out the elements that are neither in an element nor around it; its copies are still found."""
+        for element in [*self.root.walk()]:
+            towards = [child for child in element.children if any(below is part for below in child.walk())]
+            element.children = towards or element.children
 
     def draw(self) -> None:
         """Collect the curves."""
@@ -326,4 +335,4 @@ def _pair(numbers: NumberText, point: Sequence[mpq]) -> str:
     return ",".join(map(numbers, point))
 
 
-FORMAT = Format("svg", "SVG paths and shapes", (".svg",), looks_like, read, write, LOSES)
+FORMAT = Format("svg", "SVG paths and shapes", (".svg",), looks_like, read, write, LOSES, parts=True)
