@@ -103,8 +103,9 @@ def of_open_cascade(random, suffix):
         )
         start = random.uniform(0, 3)
         end = start + random.uniform(0.2, 3)
-        whole = random.random() < 0.3 or suffix == "brep"
+        whole = random.random() < 0.3
         edge = BRepBuilderAPI_MakeEdge(curve) if whole else BRepBuilderAPI_MakeEdge(curve, start, end)
+        edge = trimmed(curve, start, end) if suffix == "brep" and not whole else edge.Edge()
         ends = None if whole else [curve.Value(start), curve.Value(end)]
 
         def check(ours):
@@ -117,7 +118,7 @@ def of_open_cascade(random, suffix):
                 off.append(missed(places[0], places[1:], points))
             return max(off) / radius
 
-        return edge.Edge(), check
+        return edge, check
     degree, breaks, times, points, weights = drawn(random)
     periodic = random.random() < 0.3
     if periodic:
@@ -134,15 +135,32 @@ def of_open_cascade(random, suffix):
         Geom_BSplineCurve(poles, array(Array1_double, weights), *rest) if weights else Geom_BSplineCurve(poles, *rest)
     )
     low, high = 0.0, 1.0
-    if suffix != "brep" and random.random() < 0.5:
+    if random.random() < 0.5:
         low, high = random.randint(0, 20) / 64, random.randint(40, 64) / 64
-    edge = BRepBuilderAPI_MakeEdge(curve) if high - low == 1 else BRepBuilderAPI_MakeEdge(curve, low, high)
+        if suffix == "brep" and periodic and random.random() < 0.5:
+            low, high = high, 1 + low
+    if suffix == "brep" and high - low < 1:
+        made = trimmed(curve, low, high)
+    else:
+        edge = BRepBuilderAPI_MakeEdge(curve) if high - low == 1 else BRepBuilderAPI_MakeEdge(curve, low, high)
+        made = edge.Edge() if edge.IsDone() else None
 
     def check(ours):
         theirs = [curve.Value(t) for t in parameters(low, high)]
         return max(gp_Pnt(*p).Distance(q) for p, q in zip(values(ours, low, high), theirs, strict=True)) / 100
 
-    return (edge.Edge(), check) if edge.IsDone() else None
+    return (made, check) if made else None
+
+
+def trimmed(curve, low, high):
+    """An edge on a trimmed curve, as BREP files keep it."""
+    from OCP.BRep import BRep_Builder
+    from OCP.Geom import Geom_TrimmedCurve
+    from OCP.TopoDS import TopoDS_Edge
+
+    edge = TopoDS_Edge()
+    BRep_Builder().MakeEdge(edge, Geom_TrimmedCurve(curve, low, high), 1e-7)
+    return edge
 
 
 def open_cascade(random, folder, suffix):

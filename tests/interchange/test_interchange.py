@@ -205,14 +205,16 @@ def test_a_periodic_brep_curve_with_knots_that_are_none_is_named(knots):
     assert reading.skipped[0].where == "Curve2ds 1"
 
 
-def test_brep_circles_are_circles_and_trimmed_curves_are_named():
+def test_brep_circles_are_circles_and_trimmed_curves_are_parts():
     reading = read(BREP)
     circle = reading.curves[1]
     assert "full circle" in circle.notes[0]
     for t in ("1/7", 1, "5/3", 3, "39/10"):
         x, y = circle.curve(t)
         assert (x - 1) ** 2 + (y - 2) ** 2 == mpq(25, 4)
-    assert ("trimmed curve", "Curves 2") in [(skipped.what, skipped.where) for skipped in reading.skipped]
+    trimmed = next(named for named in reading.curves if "Curves 2" in named.curve.source)
+    assert trimmed.curve.domain == (mpq(1, 4), mpq(3, 4))
+    assert "from 1/4 to 3/4" in trimmed.notes[0]
 
 
 def test_step_knots_of_the_standard():

@@ -1,9 +1,11 @@
 """Open CASCADE BRep text: the sections ``Curve2ds`` and ``Curves``.
 
 B-spline and Bézier curves are read. Circles and ellipses are read as full curves, exact for the axes as written. Lines,
-parabolas and hyperbolas are unbounded in this section (edges bound them) and are skipped, as are trimmed and offset
-curves. For a periodic curve the first poles are repeated and the knots extended by the period. Edges, which may use a
-part of a curve, and placements are ignored; a note states this.
+parabolas and hyperbolas are unbounded in this section (edges bound them) and are skipped. A trimmed curve is the part
+of its basis between its parameters: of splines, lines and parabolas exactly, of circles and ellipses where these are
+multiples of a right angle, or where an error is allowed. Of an offset curve the basis alone is read. For a periodic
+curve the first poles are repeated and the knots extended by the period. Edges, which may use a part of a curve, and
+placements are ignored; a note states this.
 """
 
 from __future__ import annotations
@@ -13,18 +15,28 @@ from collections.abc import Sequence
 
 from exactspline.errors import CurveFileError
 from exactspline.interchange.affine import Affine
+from exactspline.interchange.arcs import RADIANS, RIGHT, Round
 from exactspline.interchange.collector import Collector
 from exactspline.interchange.format import Format
 from exactspline.interchange.numbers import NumberText, finite_double
+from exactspline.interchange.periods import domain, used
 from exactspline.interchange.records import Reading, Source
-from exactspline.interchange.segments import bezier_knots, ellipse
+from exactspline.interchange.segments import Segment, bezier_knots, polynomial
 from exactspline.interchange.tokens import Tokens
 from exactspline.interchange.writing import Spline
 from exactspline.numbers.exact import mpq
 from exactspline.splines.nurbs import Nurbs
 
 LINE, CIRCLE, ELLIPSE, PARABOLA, HYPERBOLA, BEZIER, BSPLINE, TRIMMED, OFFSET = range(1, 10)
-NAMES = {LINE: "line", PARABOLA: "parabola", HYPERBOLA: "hyperbola", TRIMMED: "trimmed curve", OFFSET: "offset curve"}
+#: What has no control points: its name, its axes, and its sizes.
+SHAPES = {
+    LINE: ("line", 1, 0),
+    CIRCLE: ("circle", 2, 1),
+    ELLIPSE: ("ellipse", 2, 2),
+    PARABOLA: ("parabola", 2, 1),
+    HYPERBOLA: ("hyperbola", 2, 2),
+}
+EXACT, BASIS = "exact for the axes as written", " (basis)"
 _EDGE = re.compile(r"^Ed[ \t]*\r?$", re.M)
 _SECTION = re.compile(r"^(Curve2ds|Curves) (\d{1,9})[ \t]*\r?$", re.M)
 
@@ -46,29 +58,55 @@ def read(source: Source) -> Reading:
         words = Tokens(source.text, source.limits, match.end())
         dimension = 2 if match[1] == "Curve2ds" else 3
         for number in range(1, int(match[2]) + 1):
-            where = f"{match[1]} {number}"
-            while _curve(collector, words, dimension, where):
-                where = f"{match[1]} {number} (basis)"
+            _curve(collector, words, dimension, f"{match[1]} {number}")
     return collector.reading()
 
 
-def _curve(collector: Collector, words: Tokens, dimension: int, where: str) -> bool:
-    """Read one curve; return whether its basis curve follows."""
-    kind = words.whole()
+def _curve(collector: Collector, words: Tokens, dimension: int, where: str) -> None:
+    """Read one curve, or the part of it that a trimmed curve uses; of an offset its basis, over the same parameters."""
+    trim: list[mpq] = []
+    while (kind := words.whole()) in (TRIMMED, OFFSET):
+        numbers = words.numbers(2 if kind == TRIMMED else 1 + (dimension == 3) * 3)
+        if kind == OFFSET:
+            collector.skip("offset curve", where, "only its basis curve is read; write it as a spline")
+        else:
+            trim = trim or numbers
+        where = where.removesuffix(BASIS) + BASIS * (kind == OFFSET)
     if kind in (BEZIER, BSPLINE):
-        (_bezier if kind == BEZIER else _spline)(collector, words, dimension, where)
-    elif kind in (CIRCLE, ELLIPSE):
-        _ellipse(collector, words, dimension, where, kind)
-    elif kind in (TRIMMED, OFFSET):
-        words.numbers(2 if kind == TRIMMED else 1 + (dimension == 3) * 3)
-        collector.skip(NAMES[kind], where, "only its basis curve is read; write it as a spline")
-    elif kind in NAMES:
-        frame = {LINE: 2, PARABOLA: 3, HYPERBOLA: 3}[kind] + (dimension == 3 and kind != LINE)
-        words.numbers(frame * dimension + {LINE: 0, PARABOLA: 1, HYPERBOLA: 2}[kind])
-        collector.skip(NAMES[kind], where, "it is unbounded; write its part as a spline", curve=kind != LINE)
-    else:
+        (_bezier if kind == BEZIER else _spline)(collector, words, dimension, where, trim)
+    elif kind not in SHAPES:
         raise CurveFileError(f"a curve of kind {kind}", where=where, remedy="kinds 1 to 9 are known")
-    return kind in (TRIMMED, OFFSET)
+    else:
+        name, axes, sizes = SHAPES[kind]
+        vectors = words.rows(1 + axes + (dimension == 3 and axes > 1), dimension)
+        # of a conic in space the second vector is its normal
+        frame = [vectors[0], *vectors[-axes:]]
+        numbers = words.numbers(sizes)
+        if not trim and kind not in (CIRCLE, ELLIPSE):
+            collector.skip(name, where, "it is unbounded; write its part as a spline", curve=kind != LINE)
+            return
+        with collector.skipping(name, where):
+            segments, notes = _part(kind, frame, numbers, trim, collector.source.within)
+            collector.add_segments(name, where, segments, notes=notes)
+
+
+def _part(
+    kind: int, frame: Sequence[Sequence[mpq]], sizes: Sequence[mpq], trim: Sequence[mpq], within: mpq | None
+) -> tuple[list[Segment], list[str]]:
+    """The part of a line or a conic between two parameters, or a full ellipse, and notes on it."""
+    columns = list(zip(*frame, strict=True))
+    if kind == LINE:
+        return [polynomial(*([p + t * x for p, x in columns] for t in trim))], []
+    if kind == PARABOLA and sizes[0] > 0:
+        u, v = trim
+        pairs = ((u * u, u), (u * v, (u + v) / 2), (v * v, v))
+        return [polynomial(*([p + a * x / (4 * sizes[0]) + b * y for p, x, y in columns] for a, b in pairs))], []
+    if kind not in (CIRCLE, ELLIPSE):
+        raise CurveFileError("a part whose points are irrational", remedy="write it as a spline")
+    curve = Round(Affine([[x * sizes[0], y * sizes[-1], p] for p, x, y in columns]), within)
+    ends = [curve.at_angle(t, RADIANS) for t in trim] or [RIGHT[0]] * 2
+    whole = [] if trim else [f"the full {SHAPES[kind][0]}, {EXACT}; edges may use only a part of it"]
+    return curve.arc(*ends), [*whole, *curve.notes]
 
 
 def _poles(words: Tokens, count: int, dimension: int, rational: bool) -> tuple[list[list[mpq]], list[mpq] | None]:
@@ -76,13 +114,14 @@ def _poles(words: Tokens, count: int, dimension: int, rational: bool) -> tuple[l
     return [row[:dimension] for row in rows], [row[-1] for row in rows] if rational else None
 
 
-def _bezier(collector: Collector, words: Tokens, dimension: int, where: str) -> None:
+def _bezier(collector: Collector, words: Tokens, dimension: int, where: str, trim: Sequence[mpq]) -> None:
     rational, degree = words.whole() != 0, words.count()
     points, weights = _poles(words, degree + 1, dimension, rational)
-    collector.add("Bézier curve", where, degree, bezier_knots(degree), points, weights)
+    within, notes = used((mpq(0), mpq(1)), *(trim or (0, 1)))
+    collector.add("Bézier curve", where, degree, bezier_knots(degree), points, weights, notes=notes, within=within)
 
 
-def _spline(collector: Collector, words: Tokens, dimension: int, where: str) -> None:
+def _spline(collector: Collector, words: Tokens, dimension: int, where: str, trim: Sequence[mpq]) -> None:
     rational, periodic = words.whole() != 0, words.whole() != 0
     degree, count, distinct = words.count(), words.count(), words.count()
     points, weights = _poles(words, count, dimension, rational)
@@ -90,20 +129,14 @@ def _spline(collector: Collector, words: Tokens, dimension: int, where: str) -> 
     pairs = [(words.number(), words.count()) for _ in range(distinct)]
     collector.count(sum(times for _, times in pairs))
     knots = [knot for knot, times in pairs for _ in range(times)]
-    collector.add("B-spline curve", where, degree, knots, points, weights, flagged=["periodic"] * periodic)
-
-
-def _ellipse(collector: Collector, words: Tokens, dimension: int, where: str, kind: int) -> None:
-    centre = words.numbers(dimension)
-    if dimension == 3:
-        words.numbers(3)
-    across, up = words.numbers(dimension), words.numbers(dimension)
-    major = words.number()
-    minor = words.number() if kind == ELLIPSE else major
-    frame = Affine([[x * major, y * minor, c] for x, y, c in zip(across, up, centre, strict=True)])
-    name = "circle" if kind == CIRCLE else "ellipse"
-    note = f"the full {name}, exact for the axes as written; edges may use only a part of it"
-    collector.add_segments(name, where, ellipse(frame), notes=[note])
+    ends = (knots[0], knots[-1]) if periodic and knots else domain(degree, knots)
+    if periodic and trim and ends[0] < ends[1] < trim[1]:
+        # it runs over the seam: two periods
+        knots += [t + ends[1] - ends[0] for t in knots[pairs[0][1] :]]
+        points, weights, ends = points * 2, weights and weights * 2, (ends[0], 2 * ends[1] - ends[0])
+    within, notes = used(ends, *(trim or ends))
+    flagged = ["periodic"] * periodic
+    collector.add("B-spline curve", where, degree, knots, points, weights, flagged=flagged, notes=notes, within=within)
 
 
 def write(splines: Sequence[Spline], numbers: NumberText) -> bytes:
