@@ -23,13 +23,7 @@ from nbformat.v4 import new_output
 
 from docs.site.kept import kept
 
-LIBRARIES = [
-    "IPython.core.interactiveshell",
-    "matplotlib.pyplot",
-    "pyvista",
-    "exactspline.display.notebook",
-    "exactspline.tables",
-]
+LIBRARIES = ["IPython.core.interactiveshell", "matplotlib.pyplot", "exactspline.display.notebook", "exactspline.tables"]
 
 
 @dataclass(frozen=True)

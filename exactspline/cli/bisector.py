@@ -5,15 +5,7 @@ from __future__ import annotations
 from functools import partial
 from typing import TYPE_CHECKING, Annotated, Any, NamedTuple
 
-from exactspline.cli.common import (
-    CURVE_HELP,
-    Drawing,
-    Places,
-    check_output,
-    load_curve,
-    tell_how_surfaces_are_drawn,
-    tell_written,
-)
+from exactspline.cli.common import CURVE_HELP, Drawing, Places, check_output, load_curve, tell_written
 from exactspline.cli.output import Output, printing
 from exactspline.cli.parameters import Argument, Option
 
@@ -81,11 +73,8 @@ def bisector(
     if plot:
         from exactspline.display.plot.canvas import save
 
-        drawn = answer.draw()
-        save(drawn, plot)
+        save(answer.draw(), plot)
         tell_written(plot)
-        if drawn.name == "3d":
-            tell_how_surfaces_are_drawn()
     if out.for_people and (output or plot):
         return
     key = f"{c.name} and {other or point}"

@@ -237,14 +237,6 @@ def tell_written(path: str) -> None:
         to_stderr(f"written: {path}")
 
 
-def tell_how_surfaces_are_drawn() -> None:
-    """A note on standard error where no renderer with depth is installed."""
-    from exactspline.display.plot.in_space import picture
-
-    if (remark := picture("remark")) and not is_quiet():
-        to_stderr(remark)
-
-
 def also_in_their_planes(curves: list[Nurbs]) -> list[Nurbs]:
     """The curves, each space curve in a coordinate plane followed by itself as a plane curve."""
     if all(c.dimension != 3 for c in curves):

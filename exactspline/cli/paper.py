@@ -5,7 +5,6 @@ from __future__ import annotations
 from functools import partial
 from typing import Annotated
 
-from exactspline.cli.common import tell_how_surfaces_are_drawn
 from exactspline.cli.output import Output, printing
 from exactspline.cli.parameters import Argument, Option
 from exactspline.cli.progress import tracked
@@ -44,8 +43,6 @@ def figures(
     numbers = figure or list(drawing.figures())
     place = drawing.folder(folder)
     made = tracked([partial(drawing.make, number, place) for number in numbers], "drawing")
-    if any(file.endswith(".html") for m in made for file in m.files):
-        tell_how_surfaces_are_drawn()
     numbered = list(zip(numbers, made, strict=True))
     rows = [{"key": str(n)} | vars(m) for n, m in numbered]
     cells = [(n, m.caption, ", ".join(map(str, m.files))) for n, m in numbered]

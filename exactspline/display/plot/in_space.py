@@ -17,7 +17,6 @@ HOMES = {
     "bisector of curves": "exactspline.extras.pictures3d.bisectors:plot_curve_bisector",
     "bisector of a point": "exactspline.extras.pictures3d.bisectors:plot_point_bisector",
     "trimmed bisector": "exactspline.extras.pictures3d.bisectors:plot_trimmed_bisector",
-    "remark": "exactspline.extras.pictures3d.depth:remark",
 }
 
 

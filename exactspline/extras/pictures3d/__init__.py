@@ -1,5 +1,5 @@
-"""Pictures in space: surfaces and bisectors, shaded with their control nets, drawn by depth where pyvista is installed,
-and as interactive pages. Needs matplotlib (the extra ``plot``).
+"""Pictures in space: surfaces and bisectors, shaded with their control nets, and as interactive pages. Needs matplotlib
+(the extra ``plot``).
 """
 
 import lazy_loader

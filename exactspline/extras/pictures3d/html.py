@@ -19,8 +19,8 @@ from exactspline.display.plot.frames import Box, box_around, grown, three_ticks
 from exactspline.extras.pictures3d.meshes import SurfaceMesh
 from exactspline.numbers.exact import mpq
 
-#: The number of isolines along and across a surface, and their colour.
-ISOLINES, DARK = (7, 24), "#24556F"
+#: The colour of isolines.
+DARK = "#24556F"
 #: The margin around a scene, as a fraction of its longest side.
 ROOM = mpq(1, 20)
 #: The text of a page around its scenes.
@@ -100,7 +100,7 @@ class Scene:
         """
         points, faces = self.mesh.indexed
         net = self.mesh.net
-        lines = [line_of("isolines", DARK, 0.7, self.mesh.isolines(*ISOLINES))]
+        lines = [line_of("isolines", DARK, 0.7, self.mesh.isolines())]
         lines += [line_of("control net", GREEN, 1, net)] if net else []
         lines += [
             line_of(name.replace("_", " "), color, 3, runs)

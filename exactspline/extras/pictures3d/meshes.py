@@ -88,8 +88,8 @@ class SurfaceMesh:
         points += known
         return points, faces
 
-    def isolines(self, along: int, across: int) -> list[Run]:
-        """This many lines along each patch (including its edges) and across all patches together, where there are
+    def isolines(self, along: int = 7, across: int = 24) -> list[Run]:
+        """About this many lines along each patch (including its edges) and across all patches together, where there are
         points.
 
         >>> rows = [[(mpq(i), mpq(j), mpq(0)) for j in range(5)] for i in range(9)]

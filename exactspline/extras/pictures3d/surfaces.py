@@ -41,6 +41,8 @@ if TYPE_CHECKING:
 
 #: The direction of the light (a unit vector), and the brightness of a face turned away from it.
 LIGHT, SHADOW = (0.48, -0.6, 0.64), 0.45
+#: The opacity of a surface.
+OPACITY = 0.7
 
 
 def plot_mesh(
@@ -52,7 +54,8 @@ def plot_mesh(
     control_net: bool = True,
     net_color: str = GREY,
 ) -> Axes:
-    """A surface given by its points: shaded faces, and its control net with the number of points in the legend.
+    """A surface given by its points: translucent shaded faces, through which everything else is seen, lines of constant
+    parameters, and its control net with the number of points in the legend.
 
     Raises `PlotError` without matplotlib, for axes in the plane, where nothing can be drawn, and for numbers beyond
     1e100.
@@ -69,14 +72,18 @@ def plot_mesh(
         raise PlotError("a number beyond 1e100", remedy="scale the data")
     rgb = library("matplotlib.colors").to_rgb(color)
     shades = [shaded([tuple(float(x) for x in p) for p in face], rgb) for face in faces]
-    from exactspline.extras.pictures3d.depth import DepthCollection
-
-    made = DepthCollection(mesh, color, shades, zorder=1)
-    made.set_label("_surface")
+    corners = [[tuple(float(x) for x in p) for p in face] for face in faces]
+    made = library("mpl_toolkits.mplot3d.art3d").Poly3DCollection(
+        corners, facecolors=shades, alpha=OPACITY, linewidths=0, zorder=1, label="_surface"
+    )
+    # thousands of faces are a picture inside an SVG, not as many paths
+    made.set_rasterized(True)
     space.plot([], [], [], "s", color=color, markersize=9, label=label)
     space.add_collection3d(made)
-    # curves, nets and points stay visible through the surface
+    # curves, nets and points are seen through the surface
     space.computed_zorder = False
+    for run in mesh.isolines():
+        draw(ax, run, color=[0.4 * c for c in rgb], linewidth=0.4, alpha=0.5, label="_isoline", zorder=1.5)
     space.set_proj_type("ortho")
     if control_net and mesh.net:
         for run in mesh.net:

@@ -8,7 +8,7 @@ from gmpy2 import mpq
 pytest.importorskip("matplotlib")
 
 from exactspline import BSpline
-from exactspline.display.plot.canvas import PlotError, new_figure
+from exactspline.display.plot.canvas import PlotError, new_figure, save
 from exactspline.display.plot.comparisons import plot_approaches
 from exactspline.display.plot.curves import plot_curve, plot_quotient
 from exactspline.display.plot.frames import homogeneous, inside
@@ -105,6 +105,25 @@ def test_a_tensor_surface_is_drawn_through_its_exact_points_with_its_net():
     ax = plot_surface(SADDLE)
     assert legend(ax)[-1] == "control net (4 points)"
     assert legend(plot_surface(SADDLE, control_net=False)) == ["surface"]
+
+
+def test_of_surfaces_that_cross_both_are_seen_and_their_faces_are_one_picture_in_a_file(tmp_path):
+    from matplotlib.image import imread
+
+    ax = new_figure(4, 4).add_subplot(projection="3d")
+    for height, color in ((SADDLE[0], "#ff0000"), (1 - SADDLE[0], "#0000ff")):
+        plot_mesh(tensor_mesh(Vector(SADDLE[0], SADDLE[1], height)), ax, color=color, control_net=False)
+    ax.set_axis_off()
+    pixels, vector = tmp_path / "a.png", tmp_path / "a.svg"
+    save(ax, pixels)
+    save(ax, vector)
+    colours = imread(pixels)[..., :3].reshape(-1, 3)
+    red, blue = colours[:, 0], colours[:, 2]
+    assert min((red > blue + 0.2).sum(), (blue > red + 0.2).sum()) > 100
+    # where one lies behind the other it is seen through it
+    assert ((red < 0.9) & (blue < 0.9) & (red > 0.2) & (blue > 0.2)).mean() > 0.03
+    written = vector.read_text(encoding="utf-8")
+    assert (written.count("<image "), written.count("<path ") < 500) == (1, True)
 
 
 @pytest.mark.parametrize(
