@@ -24,7 +24,7 @@ from exactspline.display.forms import (
     record,
 )
 from exactspline.display.reals import REAL, real_data
-from exactspline.display.serialize import NAMED_NUMBERS, NET, PIECE, piece_data
+from exactspline.display.serialize import NAMED_NUMBERS, SPLINE, Net
 from exactspline.errors import ReachError
 from exactspline.geometry.bisectors.components import (
     Branch,
@@ -73,6 +73,11 @@ def _parameter_data(t: Parameter, digits: int) -> Data:
 _TEXTS, _NETS = list_of(TEXT), list_of(list_of(TEXT))
 _SIDES = pair_of(INTERVAL)
 PARAMETER = Form(record(REAL, record(polynomial=optional(_TEXTS))).schema, _parameter_data)
+#: The degree and the knots of a net of control points.
+_NET = {
+    "degree": Form({"type": ["integer", "array"], "items": INTEGER.schema}),
+    "knots": Form({"type": "array", "items": {"type": ["string", "array"], "items": TEXT.schema}}),
+}
 _LETTER = Form({"enum": [*NAMES]}, lambda of, digits: NAMES[of])
 
 
@@ -118,9 +123,10 @@ def _root_net(part: tuple[Coordinate, ...], field: str) -> Data:
 
 
 def _other_data(other: Parameter | Rational[BSpline], digits: int) -> Data:
-    return (
-        piece_data(other.denominator.domain, other) if isinstance(other, Rational) else _parameter_data(other, digits)
-    )
+    if not isinstance(other, Rational):
+        return _parameter_data(other, digits)
+    data: Data = SPLINE.write(Net.of(other, other.denominator.domain), digits)
+    return data
 
 
 def _flat_of_branch(found: tuple[LineComponent, Branch], digits: int) -> Data:
@@ -162,9 +168,9 @@ _LINE_PIECE = record(
     parameter=(_LETTER, "of"),
     low=PARAMETER,
     high=PARAMETER,
-    other=or_null(Form({"anyOf": [PIECE.schema, PARAMETER.schema]}, _other_data)),
-    directrix=(PIECE, lambda one: (one.surface.directrix.denominator.domain, one.surface.directrix)),
-    generator=(PIECE, lambda one: (one.surface.directrix.denominator.domain, one.surface.generator.vector)),
+    other=or_null(Form({"anyOf": [SPLINE.schema, PARAMETER.schema]}, _other_data)),
+    directrix=(SPLINE, lambda one: Net.of(one.surface.directrix, one.surface.directrix.denominator.domain)),
+    generator=(SPLINE, lambda one: Net.of(one.surface.generator.vector, one.surface.directrix.denominator.domain)),
     poles=list_of(PARAMETER),
 )
 _OVER_ROOT = record(
@@ -172,11 +178,11 @@ _OVER_ROOT = record(
     low=(PARAMETER, "interval.low"),
     high=(PARAMETER, "interval.high"),
     directrix=Form(
-        record(**NET, homogeneous_control_points=list_of(_NETS)).schema,
+        record(**_NET, homogeneous_control_points=list_of(_NETS)).schema,
         lambda part, digits: _root_net(part, "homogeneous_control_points"),
     ),
     generator=Form(
-        record(**NET, control_points=list_of(_NETS)).schema, lambda part, digits: _root_net(part, "control_points")
+        record(**_NET, control_points=list_of(_NETS)).schema, lambda part, digits: _root_net(part, "control_points")
     ),
     poles=or_null(list_of(PARAMETER)),
 )
@@ -186,7 +192,7 @@ _BRANCH_WITH_LINE = record(
 #: The form of a part of the bisector by its type.
 FORMS: dict[type, Form] = {
     BisectorPatch: record(
-        record(sides=_SIDES), Form(record(**NET, homogeneous_control_net=list_of(_NETS)).schema, _patch_net)
+        record(sides=_SIDES), Form(record(**_NET, homogeneous_control_net=list_of(_NETS)).schema, _patch_net)
     ),
     LineComponent: record(
         record(
@@ -279,13 +285,11 @@ def feet_data(bisector: PlaneBisector, digits: int) -> Data:
 # ---- a point and a curve
 
 
-def _trimmed_net(piece: TrimmedPiece, digits: int) -> Data:
-    """A piece by its control points: over [low, high] where both are rational. Otherwise over the whole segment, and
-    ``cut`` means that the piece is only the part from low to high.
-    """
+def _trimmed(piece: TrimmedPiece) -> Net:
+    """A piece over [low, high] where both are rational, otherwise over the whole segment."""
     exact = piece.restricted()
     value = piece.value if exact is None else exact
-    return ({"cut": True} if exact is None else {}) | piece_data(value.denominator.domain, value)
+    return Net.of(value, value.denominator.domain)
 
 
 #: The form of a piece of the bisector of a point and a curve, by its type.
@@ -293,12 +297,14 @@ FORMS_OF_POINT: dict[type, Form] = {
     RuledPiece: record(
         interval=INTERVAL,
         moved=TEXT,
-        directrix=(PIECE, lambda piece: (piece.interval, piece.surface.directrix)),
-        generator=(PIECE, lambda piece: (piece.interval, piece.surface.generator)),
+        directrix=(SPLINE, lambda piece: Net.of(piece.surface.directrix, piece.interval)),
+        generator=(SPLINE, lambda piece: Net.of(piece.surface.generator, piece.interval)),
     ),
     TrimmedPiece: record(
         record(piece=(one_of(PieceKind), "kind"), foot=optional(TEXT), low=PARAMETER, high=PARAMETER),
-        Form(record(PIECE, cut=optional(FLAG)).schema, _trimmed_net),
+        SPLINE.of(_trimmed),
+        # with this the piece is only the part from low to high
+        cut=(optional(FLAG), lambda piece: piece.restricted() is None or None),
     ),
 }
 #: Where there is no bisector, and why.

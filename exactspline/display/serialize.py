@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import replace
 from enum import StrEnum
 from operator import itemgetter
 from typing import Any, NamedTuple
 
+from exactspline.display.data import Data
 from exactspline.display.forms import (
     FLAG,
     INTEGER,
@@ -24,7 +25,7 @@ from exactspline.display.forms import (
     pair_of,
     record,
 )
-from exactspline.display.reals import REAL, real_data
+from exactspline.display.reals import REAL
 from exactspline.errors import ExactSplineError, as_instance
 from exactspline.geometry.analysis.curve_values import axes
 from exactspline.geometry.analysis.curves import analyse
@@ -33,6 +34,7 @@ from exactspline.geometry.curves import values as values_along
 from exactspline.geometry.curves.joints import Joint
 from exactspline.geometry.curves.kinds import Feature, FeatureKind, JointKind
 from exactspline.geometry.derived.derive import Derived
+from exactspline.interchange.curve_files import curve_data
 from exactspline.language.rational import Rational
 from exactspline.language.vector import Vector
 from exactspline.numbers.exact import mpq
@@ -172,25 +174,38 @@ def described_form(kinds: type[StrEnum], *facts: str) -> Form:
 
 
 class Net(NamedTuple):
-    """The knots and the control points of functions over common knots: with a denominator ``w`` these are homogeneous,
-    ``(w x, w y, w)``; the interval where they are a piece of something.
+    """The knots and the control points of functions over common knots, those of a quotient homogeneous: ``(w x, w y, …,
+    w)``, of a scalar one ``(w f, w)``; the interval where they are a piece of something.
     """
 
+    kind: str
     degree: int
     knots: KnotVector
-    control_points: list[tuple[mpq, ...]]
-    homogeneous: bool
+    points: list[tuple[mpq, ...]]
     interval: Interval | None = None
 
     @classmethod
     def of(cls, value: SplineVector | Rational[BSpline] | BSpline, interval: Interval | None = None) -> Net:
         """The net of a function, a vector of functions, or a quotient."""
-        homogeneous = isinstance(value, Rational)
+        rational = isinstance(value, Rational)
         parts = [*value.elevated()] if isinstance(value, Rational) else [value]
         flat = [f for part in parts for f in (part if isinstance(part, Vector) else [part])]
         raised = with_common_knots(flat)
+        kind = "rational" if rational else "polynomial" if isinstance(value, Vector) else "function"
         points = zip(*[f.control_points for f in raised], strict=True)
-        return cls(raised[0].degree, raised[0].knots, [*points], homogeneous, interval)
+        return cls(kind, raised[0].degree, raised[0].knots, [*points], interval)
+
+    @property
+    def homogeneous_control_points(self) -> list[tuple[mpq, ...]] | None:
+        """The control points of a quotient, None for polynomials."""
+        return self.points if self.kind == "rational" else None
+
+    @property
+    def control_points(self) -> Sequence[object] | None:
+        """The control points of polynomials, of a function numbers; None for a quotient."""
+        if self.kind == "rational":
+            return None
+        return [x for (x,) in self.points] if self.kind == "function" else self.points
 
 
 class ControlPoint(NamedTuple):
@@ -201,22 +216,43 @@ class ControlPoint(NamedTuple):
     weight: mpq
 
 
-_KNOTS = list_of(REAL)
-#: Functions by their control points.
-SPLINE = lists(
-    interval=optional(INTERVAL), degree=INTEGER, homogeneous=FLAG, knots=_KNOTS, control_points=list_of(list_of(REAL))
-)
-#: A curve by its control points.
-CURVE = lists(
-    degree=INTEGER,
-    knots=_KNOTS,
-    control_points=(
-        list_of(record(kind=TEXT, point=POINT, weight=REAL)),
-        lambda curve: [
-            ControlPoint("direction" if isinstance(point, Direction) else "control point", tuple(point), weight)
-            for point, weight in zip(curve.control_points, curve.weights, strict=True)
-        ],
+_KNOTS = list_of(TEXT)
+_ROWS = list_of(_KNOTS)
+_EITHER = Form({"type": "array", "items": {"type": ["string", "array"], "items": TEXT.schema}})
+#: Functions by their control points, as a file of curves may have them, too.
+SPLINE = replace(
+    record(
+        interval=optional(INTERVAL),
+        kind=Form({"enum": ["rational", "polynomial", "function"]}),
+        degree=INTEGER,
+        knots=_KNOTS,
+        homogeneous_control_points=optional(_ROWS),
+        control_points=optional(_EITHER),
     ),
+    elements=lists(degree=INTEGER, knots=_KNOTS, control_points=(_ROWS, "points")).elements,
+    divided=True,
+)
+#: A curve by its control points, as in a file of curves.
+CURVE = replace(
+    lists(
+        degree=INTEGER,
+        knots=_KNOTS,
+        control_points=(
+            list_of(record(kind=TEXT, point=POINT, weight=REAL)),
+            lambda curve: [
+                ControlPoint("direction" if isinstance(point, Direction) else "control point", tuple(point), weight)
+                for point, weight in zip(curve.control_points, curve.weights, strict=True)
+            ],
+        ),
+    ),
+    schema=record(
+        degree=INTEGER,
+        knots=_KNOTS,
+        control_points=Form({"type": "array", "items": {"anyOf": [_KNOTS.schema, record(vector=_KNOTS).schema]}}),
+        **dict.fromkeys(("name", "source", "note"), optional(TEXT)),
+        weights=optional(_KNOTS),
+    ).schema,
+    write=lambda curve, digits: curve_data(curve),
 )
 #: A derived curve piece by piece; where it is missing; its poles.
 DERIVED = lists(
@@ -226,53 +262,14 @@ DERIVED = lists(
 )
 
 
-def derived_data(derived: Derived, curve: str) -> dict[str, object]:
+def derived_data(derived: Derived, curve: str) -> Data:
     """A derived object as JSON data: control points as exact text, piece by piece.
 
     A quotient is given by homogeneous control points ``(w x, w y, …, w)``, a scalar one by ``(w f, w)``; it has no
     value at its poles.
     """
     derived = as_instance(derived, Derived, "a derived object", "give the result of exactspline.derive")
-    return {
-        "name": derived.name,
-        "variant": derived.variant,
-        "curve": curve,
-        "layout": "directrix, generator" if derived.ruled else "",
-        "pieces": [piece_data(piece.interval, piece.value) for piece in derived.pieces],
-        "missing": [{"interval": [str(a), str(b)], "reason": reason.words} for (a, b), reason in derived.missing],
-        "poles": [real_data(pole, 20) for pole in derived.poles],
-    }
-
-
-def piece_data(interval: Interval, value: BSpline | SplineVector) -> dict[str, object]:
-    """A spline, a vector of them or a `Rational` over an interval, by its control points."""
-    net = Net.of(value)
-    kind = "rational" if net.homogeneous else "polynomial" if isinstance(value, Vector) else "function"
-    points = [[str(x) for x in row] for row in net.control_points]
-    return {
-        "interval": [str(t) for t in interval],
-        "kind": kind,
-        "degree": net.degree,
-        "knots": [str(t) for t in net.knots],
-        "homogeneous_control_points" if net.homogeneous else "control_points": (
-            [x for row in points for x in row] if kind == "function" else points
-        ),
-    }
-
-
-#: The degree and the knots of a net of control points.
-NET = {
-    "degree": Form({"type": ["integer", "array"], "items": INTEGER.schema}),
-    "knots": Form({"type": "array", "items": {"type": ["string", "array"], "items": TEXT.schema}}),
-}
-#: A spline over an interval.
-PIECE = Form(
-    record(
-        interval=INTERVAL,
-        kind=Form({"enum": ["rational", "polynomial", "function"]}),
-        **NET,
-        homogeneous_control_points=optional(list_of(list_of(TEXT))),
-        control_points=optional(Form({"type": "array", "items": {"type": ["string", "array"], "items": TEXT.schema}})),
-    ).schema,
-    lambda piece, digits: piece_data(*piece),
-)
+    layout = "directrix, generator" if derived.ruled else ""
+    head = {"name": derived.name, "variant": derived.variant, "curve": curve, "layout": layout}
+    data: Data = head | DERIVED.write(derived, 20)
+    return data
