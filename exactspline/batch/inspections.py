@@ -138,8 +138,8 @@ def _listed(answer: Any, digits: int, curve: Nurbs | None) -> Iterator[Found]:
 
 def _pairs(answer: Intersections, digits: int, curve: Nurbs | None) -> Iterator[Found]:
     """Pairs of parameters of one curve, and of the arcs that it runs over again."""
-    if answer.left_out:
-        raise ReachError(f"self-intersections: not decided: {'; '.join(answer.left_out)}", remedy="divide the curve")
+    if answer.undecided:
+        raise ReachError(f"self-intersections: not decided: {'; '.join(answer.undecided)}", remedy="divide the curve")
     for each in answer:
         (low, high), other = (enclosed(x, digits) for x in (each.first, each.second))
         found = Found(str(each.kind), low if low == high else None, low, high, other_low=other[0], other_high=other[1])
@@ -156,7 +156,7 @@ def _pairs(answer: Intersections, digits: int, curve: Nurbs | None) -> Iterator[
 
 def _found(each: Feature | Joint | CurvePiece | Described, digits: int) -> Found:
     if isinstance(each, Described):
-        possible = each.facts.get("certain") is False
+        possible = each.facts.get("robust") is False
         found = _piece(each.piece, f"possible {each.kind}" if possible else str(each.kind))
         other = [str(x) for x in each.values.get("second", ())]
         return replace(found, other_low=other[0], other_high=other[1]) if other else found

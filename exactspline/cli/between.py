@@ -94,7 +94,7 @@ def between(
     def people() -> None:
         shown = console.console()
         console.below_each_other(shown, sheets)
-        for what in pair.intersections.left_out or pair.distance.left_out:
+        for what in pair.intersections.undecided or pair.distance.undecided:
             console.lines(shown, f"not decided: {what}")
 
     def rows() -> Iterator[dict[str, object]]:

@@ -34,7 +34,7 @@ class _State:
 
     quiet = False
     #: Whether something was left out: what was read but is not a curve, or what an answer does not decide.
-    left_out = False
+    lacking = False
 
 
 #: The exit status after Ctrl-C, as shells have it: 128 and the number of the signal.
@@ -57,22 +57,22 @@ def is_quiet() -> bool:
 
 def leave_out() -> None:
     """Remember that something is left out: with --strict the command ends with exit status 2."""
-    _State.left_out = True
+    _State.lacking = True
 
 
 #: The fields of rows that say what an answer lacks.
-LEFT_OUT = ("left_out", "missing", "undecided", "skipped")
+LACKING = ("missing", "undecided", "skipped")
 
 
 def _lacks(value: object) -> bool:
     """Whether data say, at any depth, that something is lacking.
 
-    >>> _lacks({"points": [], "left_out": []}), _lacks([{"curvature": {"undecided": ["[0, 1] × [0, 1]"]}}])
+    >>> _lacks({"points": [], "undecided": []}), _lacks([{"curvature": {"undecided": ["[0, 1] × [0, 1]"]}}])
     (False, True)
     """
     if isinstance(value, Mapping):
         return value.get("complete") is False or any(
-            bool(part) if name in LEFT_OUT else _lacks(part) for name, part in value.items()
+            bool(part) if name in LACKING else _lacks(part) for name, part in value.items()
         )
     return isinstance(value, (list, tuple)) and any(map(_lacks, value))
 
@@ -103,7 +103,7 @@ class Output:
         """
         if self.strict:
             rows = list(rows)
-            _State.left_out |= _lacks(rows)
+            _State.lacking |= _lacks(rows)
         remark = f"{RAN}: {', '.join(unchecked())}" if unchecked() else ""
         if self.format == "json":
             print_json(document(schema, rows))
@@ -171,12 +171,12 @@ def printing(command: Callable[..., None]) -> Callable[..., None]:
         chosen = [name for name in ("json", "csv", "markdown") if values.pop(f"as_{name}")]
         if len(chosen) > 1:
             raise OptionsError(f"--{chosen[0]} and --{chosen[1]}", remedy="choose one of them")
-        _State.quiet, _State.left_out, strict = values.pop("quiet"), False, values.pop("strict")
+        _State.quiet, _State.lacking, strict = values.pop("quiet"), False, values.pop("strict")
         if loading := sys.modules.get("exactspline.papers.loading"):
             loading.forget_what_ran()
         try:
             command(out=Output(chosen[0] if chosen else "text", _State.quiet, strict), **values)
-            if strict and _State.left_out:
+            if strict and _State.lacking:
                 raise Exit(2)
         finally:
             _State.quiet = False

@@ -102,7 +102,7 @@ def _parts_of(found: Bisector) -> Iterator[tuple[str, Form, Any]]:
         yield from (("", PART, row) for row in bisector_sheet.of_point_in_space(found, DIGITS)[0])
     else:
         yield from (("", NAMED_NUMBERS, item) for item in found.items)
-    for name in ("missing", "left_out"):
+    for name in ("missing", "undecided"):
         for why in getattr(found, name, ()):
             yield name, TEXT, why if isinstance(why, str) else ": ".join(map(str, why))
 
@@ -125,10 +125,10 @@ FORMS: dict[Any, Form] = {
     CurvePiece: INTERVALS,
     tuple[CurvePiece, Plane]: PLANAR_PIECE,
     RecognizedPiece: described_form(ShapeKind, "whole"),
-    NearbyFeature: described_form(FeatureKind, "certain", "single"),
+    NearbyFeature: described_form(FeatureKind, "robust", "single"),
     NearbyMeeting: replace(
-        described_form(IntersectionKind, "certain"),
-        leaves=lambda one: [("kind", one.kind), ("first", one.first), ("second", one.second), ("certain", one.certain)],
+        described_form(IntersectionKind, "robust"),
+        leaves=lambda one: [("kind", one.kind), ("first", one.first), ("second", one.second), ("robust", one.robust)],
     ),
     StableFeature: described_form(FeatureKind),
     NearestPoint: NEAREST_POINT,
@@ -141,12 +141,12 @@ FORMS_BESIDE: dict[str, dict[str, Form]] = {
     "bisector": {
         "curves": TEXTS,
         "point": TEXTS,
-        "left_out": TEXTS,
+        "undecided": TEXTS,
         "singular": list_of(PARAMETER),
         "missing": list_of(_any_of(TEXT, MISSING, SIDES_MISSING)),
         "pieces": list_of(_any_of(*FORMS_OF_POINT.values(), PAIRS)),
         "ends": list_of(NAMED_NUMBERS),
-        **dict.fromkeys(("true_feet", "undecided"), list_of(pair_of(INTERVAL))),
+        **dict.fromkeys(("true_feet", "undecided_feet"), list_of(pair_of(INTERVAL))),
     },
     "between": {"meetings": list_of(FORMS[NearbyMeeting])},
     "inspect surface": {"umbilics_within": list_of(FORMS[NearbyUmbilic])},

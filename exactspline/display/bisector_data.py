@@ -90,8 +90,8 @@ def curve_bisector_data(bisector: CurveBisector) -> Data:
         "kind": "bisector of two curves",
         "variant": str(bisector.variant),
         "missing": [{"sides": plain(sides), "reason": reason} for sides, reason in bisector.missing],
-        "left_out": list(bisector.left_out),
-        "complete": not bisector.left_out,
+        "undecided": list(bisector.undecided),
+        "complete": not bisector.undecided,
     }
 
 
@@ -277,7 +277,7 @@ def plane_bisector_data(bisector: PlaneBisector, digits: int) -> Data:
 
 def feet_data(bisector: PlaneBisector, digits: int) -> Data:
     """The boxes of pairs in which no point of either curve is nearer."""
-    form = record(true_feet=(list_of(_SIDES), "trimmed.kept"), undecided=(list_of(_SIDES), "trimmed.undecided"))
+    form = record(true_feet=(list_of(_SIDES), "trimmed.kept"), undecided_feet=(list_of(_SIDES), "trimmed.undecided"))
     data: Data = form.write(bisector, digits)
     return data
 
@@ -325,9 +325,9 @@ def point_bisector_data(bisector: PointBisector, digits: int) -> Data:
 def trimmed_data(bisector: TrimmedBisector, digits: int) -> Data:
     """The pieces of the true bisector of a point and a plane curve."""
     pieces = list_of(FORMS_OF_POINT[TrimmedPiece])
-    form = record(pieces=pieces, ends=ENDS, missing=_TEXTS, left_out=_TEXTS)
+    form = record(pieces=pieces, ends=ENDS, missing=_TEXTS, undecided=_TEXTS)
     data: Data = form.write(bisector, digits)
-    return {"kind": "trimmed bisector"} | data | {"complete": not bisector.left_out}
+    return {"kind": "trimmed bisector"} | data | {"complete": not bisector.undecided}
 
 
 #: How bisectors in one part are written, by their types.

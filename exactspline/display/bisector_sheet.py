@@ -57,7 +57,7 @@ def of_two_curves(found: CurveBisector, digits: int) -> tuple[list[Row], list[st
     ]
     rows += _grouped(_pole_row(pole) for pole in found.poles)
     notes = [f"no surface: {sides.shortly}: {reason}" for sides, reason in found.missing]
-    return rows, notes + ([f"left out: {what}" for what in found.left_out] or [_closing(found)])
+    return rows, notes + ([f"undecided: {what}" for what in found.undecided] or [_closing(found)])
 
 
 def of_plane_curves(bisector: PlaneBisector, digits: int) -> tuple[list[Row], list[str]]:
@@ -100,7 +100,7 @@ def of_point_in_plane(found: TrimmedBisector, digits: int) -> tuple[list[Row], l
         ends = _interval(piece.low, piece.high, digits)
         foot = "" if piece.foot is None else f"foot at {short_text(piece.foot)}"
         rows.append(Row(str(piece.kind), ends, str(piece.value.degree), foot))
-    return rows, [f"missing: {reason}" for reason in found.missing] + [f"left out: {what}" for what in found.left_out]
+    return rows, [f"missing: {reason}" for reason in found.missing] + [f"undecided: {what}" for what in found.undecided]
 
 
 def of_point_in_space(found: PointBisector, digits: int) -> tuple[list[Row], list[str]]:
@@ -124,7 +124,7 @@ def _grouped(rows: Iterable[Row]) -> list[Row]:
 
 def _closing(found: CurveBisector) -> str:
     nothing = not (found.patches or found.lines or found.planes or found.pairs)
-    return "complete: there is no bisector" if nothing else "complete: nothing is left out"
+    return "complete: there is no bisector" if nothing else "complete: nothing is undecided"
 
 
 def _surface_row(patch: BisectorPatch) -> Row:

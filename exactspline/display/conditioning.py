@@ -37,8 +37,8 @@ def print_comparisons(found: Sequence[tuple[Nurbs, Conditioning]], *, quiet: boo
             console.lines(shown, f"{form}: {verdict}")
         for form, roots in each.extraneous.items():
             console.lines(shown, f"{form} has extraneous zeros at {', '.join(map(_place, roots))} (not compared)")
-        for what in each.left_out:
-            console.lines(shown, f"left out: {what}")
+        for what in each.skipped:
+            console.lines(shown, f"skipped: {what}")
         shown.print()
     if found and not quiet:
         console.legend(shown, ["zero of a form", *NUMBERS])
@@ -63,7 +63,7 @@ def comparison_data(each: Conditioning) -> dict[str, object]:
         "zeros": [picked(r.root, "low", "high") | {"forms": [_form_data(f) for f in r.forms]} for r in each.roots],
         "verdicts": each.verdicts,
         "extraneous": {form: [plain(r.refine(20)) for r in roots] for form, roots in each.extraneous.items()},
-        "left_out": list(each.left_out),
+        "skipped": list(each.skipped),
     }
 
 

@@ -127,7 +127,7 @@ def _own_intersections(found: Intersections, digits: int) -> Iterator[_Row]:
     for point in found:
         both = " and ".join(real_text(x, digits) for x in (point.first, point.second))
         yield "self-intersection", both, [], str(point.kind)
-    for what in found.left_out:
+    for what in found.undecided:
         yield "not decided", "", [], f"self-intersections: {what}"
     for arc in found.everywhere:
         ends = (", ".join(real_text(x, digits) for x in side) for side in (arc.first, arc.second))
@@ -213,7 +213,7 @@ def _nearby_sheet(report: Report) -> Sheet:
     title = f"All curves within {readable(report.epsilon)} of {report.curve.name}"
     made = Sheet("what", "each has", "between", "and", title=title, heads=2)
     for found in sorted(report.nearby, key=_order):
-        number = ("exactly one" if found.single else "at least one") if found.certain else "perhaps some"
+        number = ("exactly one" if found.single else "at least one") if found.robust else "possibly some"
         made.add_row(kind_name(found.kind), number, *ends_text(found.place))
     return made
 
@@ -228,7 +228,7 @@ def common_points_sheet(meetings: Iterable[NearbyMeeting], title: str) -> Sheet:
     """The points that all curves near two curves have in common, and those that some of them may have."""
     made = Sheet("common points", "s between", "and", "t between", "and", title=title, heads=1)
     for found in meetings:
-        number = "exactly one" if found.certain else "perhaps some"
+        number = "exactly one" if found.robust else "possibly some"
         made.add_row(number, *ends_text(found.first), *ends_text(found.second))
     return made
 

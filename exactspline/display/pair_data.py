@@ -34,12 +34,12 @@ _INTERSECTION = record(
     point=POINT,
 )
 #: The points and arcs that two curves have in common.
-INTERSECTIONS = lists(points=list_of(_INTERSECTION), everywhere=list_of(_OVERLAP), left_out=list_of(TEXT))
+INTERSECTIONS = lists(points=list_of(_INTERSECTION), everywhere=list_of(_OVERLAP), undecided=list_of(TEXT))
 DISTANCE = lists(
     points=(list_of(record(first=REAL, second=REAL)), "pairs"),
     everywhere=list_of(_OVERLAP),
     lower=or_null(TEXT),
-    left_out=list_of(TEXT),
+    undecided=list_of(TEXT),
     squared=REAL,
     value=REAL,
 )

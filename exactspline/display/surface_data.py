@@ -156,7 +156,7 @@ FORMS: dict[type, Form] = {
     RecognizedPart: record(
         record(kind=one_of(ShapeKind)), _PATCHES, whole=FLAG, once=FLAG, numbers=(NUMBERS, "values")
     ),
-    NearbyUmbilic: record(_SIDES, certain=FLAG),
+    NearbyUmbilic: record(_SIDES, robust=FLAG),
     ZeroLine: _LINE,
     ZeroComponent: _CURVE,
     Pole: record(along=one_of(Along), value=TEXT, interval=INTERVAL, point=or_null(list_of(TEXT)), gap=one_of(Gap)),
@@ -244,7 +244,7 @@ def nearby_umbilics_sheet(found: Sequence[NearbyUmbilic], title: str) -> Sheet:
     made = Sheet("umbilics", "u between", "and", "v between", "and", title=title, heads=1)
     for umbilic in found:
         ends = [x for side in umbilic.sides for x in ends_text(side)]
-        made.add_row("exactly one" if umbilic.certain else "perhaps some", *ends)
+        made.add_row("exactly one" if umbilic.robust else "possibly some", *ends)
     return made
 
 

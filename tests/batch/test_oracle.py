@@ -443,7 +443,7 @@ def test_two_curves_a_curve_and_a_point():
     assert [item.what for item in items(circle, "intersections:ellipse")] == ["touching", "touching"]
     assert value(circle, "distance:ellipse", "distance") == 0
     (near,) = items(xs.example("ellipse"), "intersections_within:cubic_s,1/1000")
-    assert near.facts == {"certain": True}
+    assert near.facts == {"robust": True}
     (near,) = items(circle, "nearest:0,3")
     assert (near.values["parameter"], near.values["distance"], near.values["y"]) == (1, 2, 1)
     assert [item.what for item in items(circle, "nearest:0,0")] == ["everywhere"]

@@ -180,7 +180,7 @@ def differences(found, first, second, random):
                 bad.append(f"not a point of the bisector at {s}, {t}")
             true, said = of_slice(ends, s, other), said_of(found, (one, other), s)
             # a pair at a knot is listed on one of the patches on both sides of it
-            if found.left_out or true is None or true == said == "all" or part in (0, 1):
+            if found.undecided or true is None or true == said == "all" or part in (0, 1):
                 continue
             if "all" in (true, said):
                 bad.append(f"all of s = {s} on one side alone")
@@ -238,7 +238,7 @@ def nothing_inside(c, q, centre):
 def trimming_differences(found, c, q, random):
     """Random parameters are kept exactly where the circle around B through Q is empty."""
     bad = []
-    if found.left_out:
+    if found.undecided:
         return bad
     for k, (a, b) in spans(c):
         for _ in range(4):
@@ -276,7 +276,7 @@ def measured(compute, compare):
     start = time.process_time()
     try:
         found = compute()
-        left_out = list(found.left_out)
+        left_out = list(found.undecided)
     except ExactSplineError as error:
         return {"seconds": time.process_time() - start, "refused": str(error)[:200]}
     seconds = time.process_time() - start

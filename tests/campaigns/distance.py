@@ -171,7 +171,7 @@ WEIGHTS = {"points": 5, "ties": 2, "parallels": 2, "circles": 1, "ellipses": 1, 
 def difference(curves, known, random):
     """What is wrong with the answer for two curves, "" if nothing is."""
     found = distance(*curves)
-    if found.left_out:
+    if found.undecided:
         return LEFT_OUT
     back = distance(*curves[::-1])
     if not same(back.squared, found.squared) or len(back.pairs) != len(found.pairs):

@@ -377,7 +377,7 @@ def difference(first, second, known):
     alone = "itself" in known
     curves = curve(first), curve(second)
     found = self_intersections(curves[0]) if alone else intersections(*curves)
-    if found.left_out:
+    if found.undecided:
         return LEFT_OUT, 0
     expected, shared = expected_points(segments_of(first), segments_of(second), alone=alone)
     expected = at_knots_once(expected, found, curves, alone=alone)

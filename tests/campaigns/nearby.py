@@ -178,7 +178,7 @@ def changes(curve: Nurbs, found: NearbyFeature) -> bool:
 def wrong(near: Nurbs, said: Sequence[NearbyFeature], *, complete: bool = True) -> str:
     """What a curve near another lacks, or has that was not said where that is complete; "" for nothing."""
     for found in said:
-        if found.certain and found.kind is not FeatureKind.CORNER and not changes(near, found):
+        if found.robust and found.kind is not FeatureKind.CORNER and not changes(near, found):
             return f"no {found.kind} in {found.place}"
     facts = analyse(near)
     answers = [
@@ -197,7 +197,7 @@ def wrong(near: Nurbs, said: Sequence[NearbyFeature], *, complete: bool = True) 
             return f"{kinds[0]} from {low} to {high} is in no interval"
     for found in said:
         count = sum(kind is found.kind and found.place.low <= t <= found.place.high for kind, t in there)
-        if found.certain and (count != 1 if found.single else not count):
+        if found.robust and (count != 1 if found.single else not count):
             return f"{count} of kind {found.kind} in {found.place}"
     return ""
 
@@ -210,8 +210,8 @@ def answered(tally: Counter[str], of: str, what: str, ask: Callable[[], Sequence
         tally["refused: weights may vanish"] += 1
         return None
     tally[of] += 1
-    tally[f"certain {what}"] += sum(found.certain for found in said)
-    tally[f"possible {what}"] += sum(not found.certain for found in said)
+    tally[f"robust {what}"] += sum(found.robust for found in said)
+    tally[f"possible {what}"] += sum(not found.robust for found in said)
     return said
 
 
@@ -235,7 +235,7 @@ def above_ceiling(tally: Mapping[str, int]) -> list[str]:
     """What there is more of than may be."""
     refused, possible = tally.get("refused: weights may vanish", 0), tally["possible features"]
     above = ["refused"] if 1000 * refused > REFUSED * (refused + tally["curves"]) else []
-    return above + (["possible"] if 100 * possible > POSSIBLE * (possible + tally["certain features"]) else [])
+    return above + (["possible"] if 100 * possible > POSSIBLE * (possible + tally["robust features"]) else [])
 
 
 def crosses_in(first: Nurbs, second: Nurbs, box: tuple[Sequence[mpq], Sequence[mpq]]) -> bool:
@@ -276,9 +276,9 @@ def meetings(count: int, seed: int = SEED) -> Counter[str]:
             if not all(inside):
                 tally[f"WRONG: a common point in no box, {a!r}, {b!r}"] += 1
             for meet in said:
-                if meet.certain and not crosses_in(a, b, (meet.first, meet.second)):
+                if meet.robust and not crosses_in(a, b, (meet.first, meet.second)):
                     tally[f"WRONG: no common point in {meet}, {a!r}, {b!r}"] += 1
-                if meet.certain and sum(meet in own for own in inside) != 1 and not found.left_out:
+                if meet.robust and sum(meet in own for own in inside) != 1 and not found.undecided:
                     tally[f"WRONG: not one common point in {meet}, {a!r}, {b!r}"] += 1
     return tally
 

@@ -175,7 +175,7 @@ def test_coaxial_circles_at_80_columns(tmp_path):
     assert "one point: (0, 0, 1/2)" in words(shown)
     assert "s - t = 0: s in" in shown
     assert "s - t = 0: s in [0, 1]; s in [1, 2]" in shown_at(200, *files(tmp_path, "coaxial circles of one radius"))
-    assert shown.endswith("complete: nothing is left out\n")
+    assert shown.endswith("complete: nothing is undecided\n")
 
 
 @pytest.mark.parametrize("name", sample(list(FAMILIES), 12))
@@ -189,7 +189,7 @@ def test_the_table_at_80_columns_loses_nothing(name, tmp_path):
 def test_json_has_all_components(tmp_path):
     data = json.loads(run("bisector", *files(tmp_path, "a cusp and a curve through it"), "--json").stdout)["rows"][0]
     assert data["complete"]
-    assert data["left_out"] == []
+    assert data["undecided"] == []
     (line,) = [x for x in data["lines"] if x["cause"] == "the first curve has no tangent"]
     assert line["equation"]["text"] == "s = 0"
     assert line["pieces"][0]["parameter"] == "t"

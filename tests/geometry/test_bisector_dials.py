@@ -41,7 +41,7 @@ def test_a_segment_and_its_mirror_image(number):
             continue  # both on one line: no lines
         first = bezier(*points)
         found = curve_bisector(first, mapped(first, lambda x, y, z: (x, y, -z)))
-        assert found.left_out == ()
+        assert found.undecided == ()
         assert any(line.equation is None or line.equation(0, 0) == line.equation(1, 1) == 0 for line in found.lines)
 
 
@@ -101,8 +101,8 @@ def test_plane_curves_in_space_have_their_cylinder(number):
     found = curve_bisector(first, second)
     ((i, one),), ((j, other),) = spans(first), spans(second)
     ends = bisector_campaign.polynomials_of(first, i, second, j)
-    if found.left_out:
-        assert all(len(text) < 300 for text in found.left_out)
+    if found.undecided:
+        assert all(len(text) < 300 for text in found.undecided)
     else:
         s = one[0] + (one[1] - one[0]) / 7
         true, said = of_slice(ends, s, other), said_of(found, (one, other), s)
@@ -113,7 +113,7 @@ def test_plane_curves_in_space_have_their_cylinder(number):
 def test_plane_curves_of_degrees_five_and_six_are_complete(degree):
     found = curve_bisector(*plane_curves(degree, lambda random: random.randint(-9, 9), seed=2))
     assert found.lines
-    assert found.left_out == ()
+    assert found.undecided == ()
 
 
 def test_all_parts_of_an_answer_draw_from_one_bound():
@@ -122,7 +122,9 @@ def test_all_parts_of_an_answer_draw_from_one_bound():
     """
     start = time.process_time()
     found = curve_bisector(*plane_curves(7, lambda random: random.randint(-9, 9)))
-    assert found.left_out == ("isolated real pairs of equation of degree 20 × 20 on [0, 1] × [0, 1], if there are any",)
+    assert found.undecided == (
+        "isolated real pairs of equation of degree 20 × 20 on [0, 1] × [0, 1], if there are any",
+    )
     assert len(found.lines) == 1  # the branches come first
     assert found.budget.remaining < found.budget.total
     assert time.process_time() - start < 20
@@ -132,7 +134,7 @@ def test_what_a_spent_bound_leaves_out_is_named_once():
     first, second = (Nurbs(2, [0, 0, 0, 1, 2, 3, 3, 3], [(k, k * k % 5, k * z) for k in range(5)]) for z in (1, 2))
     found = special_pairs(first, second, Budget(10**9, 0))
     assert found == SpecialPairs(
-        left_out=(
+        undecided=(
             "the parts other than the surface on [0, 1] × [0, 1] and 8 rectangles more: the bound on the whole answer "
             "was reached before",
         )
@@ -147,18 +149,18 @@ def test_lowest_terms_out_of_reach_are_named(monkeypatch):
     monkeypatch.setattr(two_curves, "QUESTION", 0)
     found = curve_bisector(first, second)
     assert found.unreduced[0].startswith("lowest terms of the surface on [0, 1] × [0, 1]: ")
-    assert found.unreduced[0] in found.left_out
+    assert found.unreduced[0] in found.undecided
     assert found(mpq(1, 3), mpq(1, 5)) == whole(mpq(1, 3), mpq(1, 5))
 
 
 def test_plane_curves_of_degree_ten_end_and_what_is_left_out_is_named():
     """Before: more than 150 seconds inside one discriminant that could not be interrupted, and 8,300 characters of an
-    equation in `left_out`.
+    equation in `undecided`.
     """
     start = time.process_time()
     found = curve_bisector(*plane_curves(10, lambda random: random.randint(-9, 9)))
-    assert any("equation of degree 29 × 29" in text for text in found.left_out)
-    assert all(len(text) < 300 for text in found.left_out)
+    assert any("equation of degree 29 × 29" in text for text in found.undecided)
+    assert all(len(text) < 300 for text in found.undecided)
     assert time.process_time() - start < 20
 
 
@@ -167,8 +169,8 @@ def test_a_knot_close_to_the_beginning_ends():
     start = time.process_time()
     first = Nurbs(3, [0] * 4 + ["1e-60"] + [1] * 4, [(0, 0, 0), (1, 2, 0), (3, 1, 0), (4, 0, 0), (5, 5, 0)])
     found = curve_bisector(first, Nurbs(3, [0] * 4 + [1] * 4, [(0, 3, 0), (2, 5, 0), (5, 4, 0), (6, 6, 0)]))
-    assert found.lines or found.left_out
-    assert all(len(text) < 400 for text in found.left_out)
+    assert found.lines or found.undecided
+    assert all(len(text) < 400 for text in found.undecided)
     assert time.process_time() - start < 7
 
 
@@ -184,7 +186,7 @@ def test_an_irrational_cusp_of_degree_three():
     second = bezier(*[[number(random) for _ in range(3)] for _ in range(6)])
     found = curve_bisector(curve_of(*coordinates), second)
     assert [line.over_root.other.minimal_polynomial() for line in found.lines] == [[-1, 0, 0, 2]]
-    assert found.left_out == ()
+    assert found.undecided == ()
     assert time.process_time() - start < 20
 
 

@@ -89,7 +89,7 @@ def test_lines_over_an_irrational_cusp_lie_in_both_planes_exactly(name, swap):
     """In the field of r: as far from both feet, and perpendicular to the tangent of the second curve."""
     other = OTHERS[name]
     found = curve_bisector(other, CUSP) if swap else curve_bisector(CUSP, other)
-    assert found.left_out == ()
+    assert found.undecided == ()
     line = component(found)
     lines = line.over_root
     assert (lines.of, line.fixed.minimal_polynomial()) == (0 if swap else 1, [-1, 0, 2])
@@ -133,7 +133,7 @@ def test_poles_out_of_reach_are_named_and_the_rest_is_there(monkeypatch):
             patch.setattr(root_lines, name, instead)
             found = curve_bisector(CUSP_IN_ORIGIN, other)
             assert component(found).over_root.poles is None
-            assert found.left_out == ("the poles of the lines over (√2/2) of one curve",)
+            assert found.undecided == ("the poles of the lines over (√2/2) of one curve",)
             data = bisector_answer(found, 20)
         assert not data["complete"]
         (line,) = [x for x in data["lines"] if x["over_root"]]

@@ -197,7 +197,7 @@ def test_a_pair_that_was_built_to_have_a_line_is_found(p, a, bend, q, twist, oth
     rows = planes(point_and_tangent(first, 3, t), point_and_tangent(second, 3, t))
     assert dimension(rows) == 1
     said = claimed(found, sides, t, t, rows)
-    assert said or any("rank" in x or "singular" in x or "isolated" in x for x in found.left_out)
+    assert said or any("rank" in x or "singular" in x or "isolated" in x for x in found.undecided)
     assert set(said) <= {1}
 
 
@@ -229,7 +229,7 @@ def test_pairs_that_gauss_newton_finds_are_among_the_single_pairs(seed):
 
     first, second = curve(), curve()
     found = curve_bisector(first, second)
-    assert found.left_out == ()
+    assert found.undecided == ()
     places = [[float(sum(x.refine(20)) / 2 if isinstance(x, Root) else x) for x in pair.place] for pair in found.pairs]
     met = set()
     for start in product([mpq(k, 5) for k in range(6)], repeat=2):
@@ -284,7 +284,7 @@ EXCHANGED |= {f"{name} {seed}": (seed, number) for name, number in ALWAYS.items(
 @pytest.mark.parametrize(("seed", "number"), EXCHANGED.values(), ids=EXCHANGED)
 def test_exchanging_the_curves_exchanges_the_parameters(seed, number):
     one, other = of_random_pair(seed, number), of_random_pair(seed, number, exchanged=True)
-    assert len(one.left_out) == len(other.left_out)
+    assert len(one.undecided) == len(other.undecided)
     assert sorted(x.equation.text if x.equation else "" for x in one.lines) == sorted(
         x.equation.transposed().text if x.equation else "" for x in other.lines
     )

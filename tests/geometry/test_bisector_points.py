@@ -204,7 +204,7 @@ def at(pair, s, t):
 def unexplained(answer, first, second, seed, tries):
     """How many points were found, and those of which the answer says nothing."""
     random = Random(seed)
-    assert answer.left_out == ()
+    assert answer.undecided == ()
     number_found, left = 0, []
     for (i, one), (j, other) in product(spans(first), spans(second)):
         curves = power_basis(first, i), power_basis(second, j)

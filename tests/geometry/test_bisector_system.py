@@ -26,7 +26,7 @@ def test_cusps_have_all_of_space_only_where_they_certainly_meet(monkeypatch, mee
     first, second = FAMILIES["two cusps in one point"]
     found = cusps.over_both_cusps(System(piece(first, 0), piece(second, 0)))
     assert [pair.solutions for pair in found.pairs] == ([] if expected is None else [expected])
-    assert len(found.left_out) == (expected is None)
+    assert len(found.undecided) == (expected is None)
 
 
 @pytest.mark.parametrize("touch", [True, False, None])
@@ -39,7 +39,7 @@ def test_curves_cross_only_where_they_certainly_do_not_touch(monkeypatch, touch)
     found = single_pairs.singles(system, [], [(mpq(0), mpq(0))])
     kinds = [pair.solutions for pair in found.pairs]
     assert kinds == {True: [Solutions.PLANE], False: [Solutions.LINE], None: []}[touch]
-    assert bool(found.left_out) == (touch is None)
+    assert bool(found.undecided) == (touch is None)
 
 
 def test_a_piece_has_no_factor_in_common():

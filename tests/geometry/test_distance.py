@@ -23,7 +23,7 @@ def test_no_pair_of_samples_is_nearer(seed):
         for shift in (0, random.choice([6, 12]))
     )
     found = distance(first, second)
-    assert not found.left_out
+    assert not found.undecided
     samples = [[c(mpq(k, 40)) for k in range(41)] for c in (first, second)]
     least = min(sum((x - y) ** 2 for x, y in zip(p, q, strict=True)) for p in samples[0] for q in samples[1])
     assert found.squared <= least
@@ -79,7 +79,7 @@ def test_arcs_of_nearest_points_are_named(first, second, value, arcs):
     found = distance(first, second)
     assert found.value == value
     assert arcs_of(found) == arcs
-    assert not found.left_out
+    assert not found.undecided
     assert len({(p.first, p.second) for p in found.pairs}) == len(found.pairs)
 
 
@@ -90,7 +90,7 @@ def test_what_intersections_leave_out_is_left_out_of_the_distance():
     more = [*twice.control_points, (1, 0), (2, 0), (3, 2), (0, 1)]  # over an arc of y = x² to and fro, then across it
     found = distance(Nurbs(4, [0] * 5 + [1] * 4 + [2] * 5, more), again)
     assert (found.value, found.lower) == (0, 0)
-    assert found.left_out
+    assert found.undecided
 
 
 # ---- arcs of pairs at one distance
@@ -150,7 +150,7 @@ def test_curves_that_run_beside_each_other(first, second, squared, arcs):
     where one derivative vanishes throughout, "these five pairs" and no arc.
     """
     found = distance(first, second)
-    assert (found.squared, found.left_out, found.lower) == (squared, (), None)
+    assert (found.squared, found.undecided, found.lower) == (squared, (), None)
     assert sorted(arcs_of(found)) == sorted(arcs)
     ends = [pair for arc in found.everywhere for pair in zip(arc.first, arc.second, strict=True)]
     pairs = {(str(p.first), str(p.second)) for p in found.pairs}
@@ -164,7 +164,7 @@ def test_circles_whose_radii_have_an_irrational_ratio():
     assert found.value == square_root(2) - 1
     assert len(found.everywhere) == len(found.pairs) == 8
     assert found.everywhere[0].first[0].minimal_polynomial() == [-1, 2, 1]
-    assert not found.left_out
+    assert not found.undecided
 
 
 def test_the_map_along_an_arc():
@@ -192,7 +192,7 @@ def test_ties_of_critical_pairs_are_decided(by, count):
     cup = bezier((-3, 3), (0, -3), (3, 3)).transform([[1, 0, by], [0, 1, 0]])
     found = distance(bezier((-3, 1), (0, -5), (3, 1)), cup)
     assert len(found.pairs) == count
-    assert not found.left_out
+    assert not found.undecided
 
 
 @pytest.mark.parametrize("digits", [10, 250, 300])
@@ -236,7 +236,7 @@ def test_knots_on_an_arc_are_no_pairs():
 def test_what_takes_too_long_is_named_and_bounded():
     with drawing_on(Budget(10)):
         found = distance(bezier((-1, 0), (0, 2), (1, 0)), bezier((-1, 3), (0, 2), (1, 3)))
-    assert found.left_out
+    assert found.undecided
     assert 0 < found.lower <= found.squared
 
 

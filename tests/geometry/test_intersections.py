@@ -183,7 +183,7 @@ def test_a_doubled_control_point_is_met_by_nothing_that_was_not_met_before(point
     for k in range(len(points)):
         for times in (2, 3):
             found = self_intersections(polyline([*points[:k], *[points[k]] * times, *points[k + 1 :]]))
-            assert (len(found), found.everywhere, found.left_out) == (meetings, (), ())
+            assert (len(found), found.everywhere, found.undecided) == (meetings, (), ())
 
 
 def test_a_curve_meets_itself_where_it_passes_a_point_at_which_it_stood():
@@ -202,7 +202,7 @@ def test_what_is_out_of_reach_is_named():
     found = intersections(there_and_back, there_and_back)
     assert found
     assert not found.points
-    assert "run over one arc several times" in found.left_out[0]
+    assert "run over one arc several times" in found.undecided[0]
 
 
 # ---- a curve and itself
@@ -298,7 +298,7 @@ def test_curves_in_a_plane_of_space_meet_as_in_the_plane(first, second, number):
         assert [(arc.first, arc.second) for arc in found.everywhere] == [
             (arc.first, arc.second) for arc in flat.everywhere
         ]
-        assert found.left_out == flat.left_out == ()
+        assert found.undecided == flat.undecided == ()
 
 
 @pytest.mark.parametrize("along", [(-7, 4, 1), (0, 0, 1), (3, -5, 1)])
@@ -313,7 +313,7 @@ def test_segments_that_turn_back_in_a_plane_along_a_projection(along):
         flat, found = intersections(TURNING, other), intersections(placed(TURNING), placed(other))
         assert repr(found.everywhere) == repr(flat.everywhere)
         assert pairs(found) == pairs(flat)
-        assert found.left_out == flat.left_out == ()
+        assert found.undecided == flat.undecided == ()
 
 
 def test_a_point_on_a_curve_in_space():

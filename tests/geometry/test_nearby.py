@@ -17,11 +17,11 @@ def test_curves_near_a_curve_have_what_is_certain_and_no_more_than_is_possible()
     """Signs taken at the middles of balls, or a form that is not cut off at its degree, would pass at epsilon 10⁻¹⁴."""
     for found in (campaign.campaign(20, seed=3), campaign.campaign(6, seed=4, dimension=3)):
         assert not [what for what in found if what.startswith("WRONG")]
-        assert found["certain features"] > 20
+        assert found["robust features"] > 20
         assert found["possible features"] > 5
         assert campaign.above_ceiling(found) == []
     # passed before: two thirds of all features possible only, or every tenth curve refused
-    assert campaign.above_ceiling({**found, "possible features": 2 * found["certain features"]}) == ["possible"]
+    assert campaign.above_ceiling({**found, "possible features": 2 * found["robust features"]}) == ["possible"]
     assert campaign.above_ceiling({**found, "refused: weights may vanish": 1}) == ["refused"]
 
 
@@ -31,13 +31,13 @@ def test_pairs_of_curves_near_two_curves_meet_where_it_is_certain_and_nowhere_el
     """
     found = campaign.meetings(14, seed=3)
     assert not [what for what in found if what.startswith("WRONG")]
-    assert found["certain common points"] > 10
+    assert found["robust common points"] > 10
 
 
 @pytest.mark.parametrize("k", [3, 10, 30, 60])
 def test_common_points_with_a_dial(k):
     """Two parabolas y = x² + c and −x², with c = −2⁻ᵏ: two common points, certain for ε a fraction of it, both
-    possible as one or none for a larger ε; for c = 2⁻ᵏ none, or perhaps some.
+    possible as one or none for a larger ε; for c = 2⁻ᵏ none, or possibly some.
     """
 
     def parabola(sign, c):
@@ -45,9 +45,9 @@ def test_common_points_with_a_dial(k):
 
     for c, certain in ((mpq(-1, 1 << k), 2), (mpq(1, 1 << k), 0)):
         pair = CurvePair(parabola(1, c), parabola(-1, 0))
-        assert [found.certain for found in pair.intersections_within(abs(c) / 64)] == [True] * certain
+        assert [found.robust for found in pair.intersections_within(abs(c) / 64)] == [True] * certain
         (one,) = pair.intersections_within(2 * abs(c))
-        assert not one.certain
+        assert not one.robust
         assert one.first.low < mpq(1, 2) < one.first.high
 
 
@@ -56,12 +56,12 @@ def test_where_curves_run_along_each_other_or_end_nothing_is_certain():
     point; space curves never certainly meet.
     """
     circle = xs.example("circle")
-    assert not any(found.certain for found in CurvePair(circle, circle).intersections_within("1e-9"))
+    assert not any(found.robust for found in CurvePair(circle, circle).intersections_within("1e-9"))
     (seam,) = xs.analyse(circle).self_intersections_within("1e-9")
-    assert (seam.first.low, seam.second.high, seam.certain) == (0, 4, False)
+    assert (seam.first.low, seam.second.high, seam.robust) == (0, 4, False)
     first, second = (Nurbs(1, [0, 0, 1, 1], p) for p in ([(0, 0, 0), (1, 1, 1)], [(0, 1, 0), (1, 0, 1)]))
     (found,) = CurvePair(first, second).intersections_within("1e-9")
-    assert not found.certain
+    assert not found.robust
     assert found.first.low < mpq(1, 2) < found.first.high
     with pytest.raises(ShapeError, match="R2 and R3"):
         CurvePair(circle, first).intersections_within(1)
@@ -71,11 +71,11 @@ def test_an_inflection_that_may_vanish_is_not_certain():
     """y = x³ + c x has its inflection always; y = x⁴ + c x² has two or none, by the sign of c."""
     always = xs.Nurbs(3, [0] * 4 + [1] * 4, [(0, -1), (mpq(1, 3), 1), (mpq(2, 3), -1), (1, 1)])
     (inflection,) = [f for f in features_nearby(always, "1e-3") if f.kind is FeatureKind.INFLECTION]
-    assert inflection.certain
+    assert inflection.robust
     assert inflection.single
     touching = xs.Nurbs(4, [0] * 5 + [1] * 5, [(mpq(k, 4), y) for k, y in enumerate((1, -1, 1, -1, 1))])
     found = [f for f in features_nearby(touching, "1e-6") if f.kind is FeatureKind.INFLECTION]
-    assert not any(f.certain for f in found)
+    assert not any(f.robust for f in found)
     assert any(mpq(1, 2) in f.piece for f in found)
 
 
@@ -84,18 +84,18 @@ def test_corners_by_the_multiplicity_of_knots():
     points = [(0, 0), (1, 0), (2, 0), (3, 0), (4, 0), (5, 1), (6, 3)]
     loose = xs.Nurbs(3, [0] * 4 + [1] * 3 + [2] * 4, points)
     (corner,) = [f for f in features_nearby(loose, "1e-9") if f.kind is FeatureKind.CORNER]
-    assert not corner.certain
+    assert not corner.robust
     bent = xs.Nurbs(3, [0] * 4 + [1] * 3 + [2] * 4, [*points[:4], (3, 1), *points[5:]])
     (corner,) = [f for f in features_nearby(bent, "1e-9") if f.kind is FeatureKind.CORNER]
-    assert corner.certain
+    assert corner.robust
     smooth = xs.example("six_segment_cubic")
     assert not [f for f in features_nearby(smooth, "1e-2") if f.kind is FeatureKind.CORNER]
 
 
 def test_a_cusp_is_possible_only():
     found = features_nearby(xs.example("cusp"), "1e-9")
-    assert [f.certain for f in found if f.kind is FeatureKind.STOP] == [False]
-    assert not any(f.certain for f in found if mpq(1, 2) in f.piece)
+    assert [f.robust for f in found if f.kind is FeatureKind.STOP] == [False]
+    assert not any(f.robust for f in found if mpq(1, 2) in f.piece)
 
 
 def test_questions_and_errors():
@@ -118,7 +118,7 @@ def test_cusps_within_of_curves_with_a_dial(k):
     for curve in curves:
         [found] = xs.analyse(curve).cusps_within(mpq(1, 1 << k))
         assert found.place.low < mpq(1, 2) < found.place.high
-        assert not found.certain
+        assert not found.robust
     assert xs.analyse(curves[0]).cusps_within(mpq(1, 1 << k + 6)) == ()
     for within in ("1/2", "1e-9"):
         stops = [one for one in features_nearby(curves[0], within) if one.kind is FeatureKind.STOP]
@@ -132,7 +132,7 @@ def test_a_zero_at_a_knot_where_the_form_jumps_is_possible():
     net = [(-2, 7), (-6, -7), (2, 2), (-6, 7), (0, -3), (3, -8), (0, 5)]
     found = features_nearby(xs.Nurbs(3, [0] * 4 + [1, 2, 2] + [3] * 4, net), "1e-11")
     (inflection,) = [f for f in found if f.kind is FeatureKind.INFLECTION and f.place.low <= 2 <= f.place.high]
-    assert not inflection.certain
+    assert not inflection.robust
 
 
 LOOP = Nurbs(3, [0] * 4 + [1] * 4, [(1, 4), (3, 3), (-4, 2), (1, 4)])
@@ -172,4 +172,4 @@ def test_where_a_curve_jumps_there_is_no_certain_corner():
     curve = Nurbs(2, [0, 0, 0, 1, 1, 1, 2, 2, 2], points)
     assert [found for found in features_nearby(curve, "1/100") if found.kind is FeatureKind.CORNER] == []
     (corner,) = [found for found in features_nearby(curve, "1/2") if found.kind is FeatureKind.CORNER]
-    assert not corner.certain
+    assert not corner.robust

@@ -47,7 +47,7 @@ def test_common_points_too():
     first, line = bezier(POINTS, (1, 2, 1, 3)), Nurbs(1, [0, 0, 1, 1], [(0, "1/2"), (4, "1/3")])
     negative = bezier(POINTS, (-1, -2, -1, -3))
     found = intersections_nearby(first, line, "1/1000")
-    assert [each.certain for each in found] == [True]
+    assert [each.robust for each in found] == [True]
     assert intersections_nearby(negative, line, "1/1000") == found
 
 
@@ -92,6 +92,6 @@ def test_a_direction_is_no_point_near_others():
         with pytest.raises(ShapeError, match="a direction among its control points; restrict it"):
             asked()
     curve = curve.restrict(3, 5).insert_knot(4, 2)
-    places = [found.place for found in features_nearby(curve, epsilon) if found.certain]
+    places = [found.place for found in features_nearby(curve, epsilon) if found.robust]
     extrema = [float(found.root) for found in xs.analyse(curve).curvature_extrema]
     assert [any(a <= t <= b for a, b in places) for t in extrema] == [True, True]

@@ -158,7 +158,7 @@ def test_offsets_meet_themselves_as_polygons_do(seed, dial):
     random = Random(seed)
     curve, distance = drawn(random, dial, 2 + seed % 2), random.choice([mpq(1, 2), mpq(-1), mpq(3, 2)])
     found = self_intersections(curve, offset=distance)
-    assert found.left_out == ()
+    assert found.undecided == ()
     assert len(found) == crossings(polygon(curve, float(distance), 230))
     for point in found:
         one, other = (point.point, _offset(curve, point.second, distance))
@@ -227,9 +227,9 @@ def test_without_an_offset_and_what_is_left_out():
     loop = bezier((0, 0), (3, 3), (-2, 3), (1, 0))
     assert self_intersections(loop) == self_intersections(loop, offset=0)
     circle = example("circle")
-    assert self_intersections(circle, offset="1/2").left_out == ()
-    assert "single point" in self_intersections(circle, offset=1).left_out[0]
-    assert "without a tangent" in self_intersections(example("cusp"), offset=1).left_out[0]
+    assert self_intersections(circle, offset="1/2").undecided == ()
+    assert "single point" in self_intersections(circle, offset=1).undecided[0]
+    assert "without a tangent" in self_intersections(example("cusp"), offset=1).undecided[0]
     assert len(analyse(loop).offset_cusps(1)) == 2  # cusps are another question
     with pytest.raises(ShapeError):
         self_intersections(example("twisted_cubic"), offset=1)
@@ -242,7 +242,7 @@ def test_offsets_of_two_curves_meet_as_polygons_do(distances, dial):
     random = Random(f"B {distances}")
     first, second = drawn(random, dial, 2), drawn(random, dial, 3)
     found = intersections(first, second, offset=distances)
-    assert found.left_out == ()
+    assert found.undecided == ()
     polygons = [polygon(curve, float(d), 200) for curve, d in zip((first, second), distances, strict=True)]
     assert len(found) == crossings_of(*polygons)
     for point in found:
@@ -270,8 +270,8 @@ def test_offsets_that_touch_on_a_common_normal_or_run_along_each_other():
     assert intersections(line, arch.reverse(), offset=1).points[0].point == (2, 1)
     assert intersections(line, arch, offset=("1/2", -1)).points == ()
     assert intersections(line, far, offset=1) == intersections(line, far, offset=(1, "1/2"))
-    assert "along each other" in intersections(line, far, offset=(1, -2)).left_out[0]
-    assert "along each other" in intersections(line, back, offset=(1, 2)).left_out[0]
+    assert "along each other" in intersections(line, far, offset=(1, -2)).undecided[0]
+    assert "along each other" in intersections(line, back, offset=(1, 2)).undecided[0]
     corner = intersections(polyline((0, 0), (4, 0), (4, 4)), polyline((0, 2), (9, 2)), offset=(1, 0))
     assert [(p.first, p.second, p.point) for p in corner] == [(mpq(3, 2), mpq(1, 3), (3, 2))]
     with pytest.raises(ShapeError, match="offsets need curves in the plane"):
@@ -288,9 +288,9 @@ def test_offsets_of_curves_with_an_arc_in_common():
         (parabola.restrict("1/4", 1), ("1/3", "1/3")),
         (parabola.restrict("1/4", 1).reverse(), (1, -1)),
     ):
-        assert "along each other" in intersections(parabola, other, offset=distances).left_out[0]
+        assert "along each other" in intersections(parabola, other, offset=distances).undecided[0]
     twice = Nurbs(3, [0] * 4 + [1] * 3 + [2] * 4, [(0, 0), (4, 0), (0, 4), (0, 0), (4, 0), (0, 4), (0, 0)])
-    assert "along each other" in self_intersections(twice, offset="1/5").left_out[0]
+    assert "along each other" in self_intersections(twice, offset="1/5").undecided[0]
 
 
 def test_offsets_on_both_sides_of_an_arc_in_common():
@@ -324,4 +324,4 @@ def test_offsets_of_arcs_of_one_circle():
         (circle.restrict(1, 2), (1, "1/2")),
         (circle.restrict(1, 2), (1, 1)),
     ):
-        assert intersections(circle.restrict(0, 1), other, offset=distances).left_out
+        assert intersections(circle.restrict(0, 1), other, offset=distances).undecided

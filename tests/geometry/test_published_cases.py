@@ -118,7 +118,7 @@ def test_the_cases_of_bezier():
     different = []
     for case, *pair in cases():
         found = intersections(*pair)
-        assert not found.left_out
+        assert not found.undecided
         ours = [(float(p.first), float(p.second)) for p in found]
         assert case["type"] == "coincident" or not found.everywhere
         for arc in found.everywhere:

@@ -270,7 +270,7 @@ def test_a_similar_curve_has_the_similar_bisector(number):
         weights = curve.weights
         similar = Nurbs(curve.degree, curve.knots, [moved(*p) for p in curve.control_points], weights)
         one, other = trimmed_bisector(curve, point), trimmed_bisector(similar, moved(*exact(point)))
-        assert one.left_out == other.left_out == ()
+        assert one.undecided == other.undecided == ()
         assert [(p.kind, p.foot, p.low, p.high) for p in one.pieces] == [
             (p.kind, p.foot, p.low, p.high) for p in other.pieces
         ]

@@ -17,19 +17,19 @@ def test_surfaces_near_a_surface_have_what_is_certain_and_no_more_than_is_possib
     """
     surface, epsilon = xs.example("biquadratic"), mpq(1, 10**6)
     said = umbilics_nearby(surface, epsilon)
-    assert any(found.certain for found in said)
+    assert any(found.robust for found in said)
     for seed in range(2):
         own = [one.place.box(20) for one in xs.analyse(moved_surface(surface, epsilon, Random(seed))).umbilics]
         assert all(any(found.sides.contains(box) for found in said) for box in own)
         for found in said:
-            assert not found.certain or sum(found.sides.contains(box) for box in own) == 1
+            assert not found.robust or sum(found.sides.contains(box) for box in own) == 1
 
 
 def test_where_every_point_is_one_none_is_certain():
     plane = xs.NurbsSurface((1, 1), [0, 0, 1, 1], [0, 0, 1, 1], [[(0, 0, 0), (0, 1, 0)], [(1, 0, 0), (1, 1, 0)]])
     for surface in (plane, xs.example("sphere")):  # the sphere took 20 s
         (found,) = umbilics_nearby(surface, "1e-6")
-        assert not found.certain
+        assert not found.robust
         assert found.sides == surface.domain
 
 

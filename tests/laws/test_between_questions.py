@@ -94,7 +94,7 @@ def test_what_is_certain_of_more_curves_is_listed_of_fewer(of):
         fine = within(found[0], "features_within") if found else None
         if coarse is None or fine is None:
             continue
-        for feature in [x for x in fine if x.certain]:
+        for feature in [x for x in fine if x.robust]:
             ((low, high),) = feature.piece.parts
             same = [x.piece for x in coarse if x.kind is feature.kind]
             assert any(a <= high and low <= b for piece in same for a, b in piece.parts), (SEED, feature)

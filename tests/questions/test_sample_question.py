@@ -72,7 +72,7 @@ ENTRY_OF_TWO = f'''
     def {NAME_OF_TWO}(self, x: Number) -> Intersections:
         """The common points whose first coordinate is larger than this."""
         found = self.intersections
-        return Intersections(tuple(each for each in found if each.point[0] > x), left_out=found.left_out)
+        return Intersections(tuple(each for each in found if each.point[0] > x), undecided=found.undecided)
 {PLACE_OF_TWO}'''
 ASKED_OF_TWO = '''
 import json

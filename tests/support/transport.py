@@ -407,7 +407,7 @@ def _(answer: Intersections, to):
     alone = isinstance(to.asked, Nurbs)
     points = [of_pair(x, to, alone) for x in answer]
     arcs, _ = whole_arcs(answer.everywhere, to, alone)
-    return [*points, *arcs, *[(("left out",), ())] * bool(answer.left_out)]
+    return [*points, *arcs, *[(("left out",), ())] * bool(answer.undecided)]
 
 
 def pair_at(first, second, to, alone):
@@ -471,7 +471,7 @@ def _(found: Distance, to):
     arcs, joined_at = whole_arcs(found.everywhere, to)
     pairs = [row for pair in found.pairs for row in rows(pair, to) if key_of(row[1]) not in joined_at]
     value = [(("squared",), (known(found.squared).times(to.scale**2),))] if found.pairs else []
-    return [*pairs, *value, *arcs, *[(("left out",), ())] * bool(found.left_out)]
+    return [*pairs, *value, *arcs, *[(("left out",), ())] * bool(found.undecided)]
 
 
 @rows.register
@@ -513,7 +513,7 @@ def at_pair(bisector, first, second, to):
 @rows.register
 def _(found: TrimmedBisector, to):
     """The ends of arcs, but those in which two of them meet, and those of straight pieces, by their points."""
-    if found.left_out:
+    if found.undecided:
         return [(("left out",), ())]
     arcs = [to.parameter(t) for piece in found.arcs for t in (piece.low, piece.high)]
     met = Counter(map(key_of, zip(arcs)))
@@ -537,7 +537,7 @@ def _(found: PointBisector, to):
 @rows.register
 def _(found: CurveBisector, to):
     """The rectangles of the surface, and of what is beside it the single pairs."""
-    if found.left_out:
+    if found.undecided:
         return [(("left out",), ())]
     return [*rows(found.patches, to), *rows(found.pairs, to)]
 

@@ -203,7 +203,7 @@ def test_no_form_exceeds_the_bound_of_the_theorem(name):
 
 def test_fig_2_has_no_better_condition():
     assert not compared("ellipse").roots
-    assert len(compared("ellipse").left_out) == 5
+    assert len(compared("ellipse").skipped) == 5
     for row in compared("ellipse_skew").roots:
         assert all(row.compare(form) == 1 for form in ("direct", "squaring", "paper"))
 
@@ -214,7 +214,7 @@ def test_invented_zeros_and_stretches_are_told_and_not_compared():
     assert list(found.extraneous) == ["squaring"]
     (inflection,) = zeros(example_inflections())
     assert found.extraneous["squaring"] == (inflection,)
-    assert compared("circle").left_out == ("[0, 4], where the form vanishes identically",)
+    assert compared("circle").skipped == ("[0, 4], where the form vanishes identically",)
     assert not compared("circle").verdicts
 
 

@@ -94,8 +94,8 @@ def _within(within: mpq, case: Case, question: str, verdict: Verdict, truth: Ans
         features = analyse(curve).features_within(within)
     except ExactSplineError:
         return verdict
-    certain = [each.place for each in features if each.certain and each.kind in kinds]
-    possible = [each.place for each in features if not each.certain and each.kind in (*kinds, FeatureKind.STOP)]
+    certain = [each.place for each in features if each.robust and each.kind in kinds]
+    possible = [each.place for each in features if not each.robust and each.kind in (*kinds, FeatureKind.STOP)]
     reach = PLACE * (curve.domain[1] - curve.domain[0])
     there = [mpq(root["low"]) for each in truth["certificates"] for root in _roots(each)]
     missed = [t for t in verdict.missed if _is_in(t, certain, reach) and not _bends_within(curve, t, within)]

@@ -196,7 +196,7 @@ def _squared(curve: Nurbs, point: Sequence[mpq]) -> Real:
 def _distance(case: Case) -> Answer | None:
     """The least distance from the partner, certified by a pair of parameters at it."""
     found = CurvePair(case.curve, case.partner).distance
-    if found.left_out:
+    if found.undecided:
         return None
     pair = [_interval(t) for t in (found.pairs[0].first, found.pairs[0].second)]
     return _numbers([found.value]) | {"certificates": [{"pair": pair}]}
@@ -204,7 +204,7 @@ def _distance(case: Case) -> Answer | None:
 
 def _meetings(case: Case) -> Answer | None:
     found = intersections(case.curve, case.partner)
-    if found.left_out or found.everywhere:
+    if found.undecided or found.everywhere:
         return None
     numbers = _numbers([t for pair in found for t in (pair.first, pair.second)])
     return numbers | {"certificates": [found.certificate()]}

@@ -61,7 +61,7 @@ def _items(curve: Nurbs, asked: Asked) -> Iterator[NamedNumbers]:
     """The items of an answer."""
     answer: Any = asked.answer
     if isinstance(answer, Intersections | Distance):
-        _check_decided(answer.left_out)
+        _check_decided(answer.undecided)
         yield from _meetings(answer) if isinstance(answer, Intersections) else _closest(answer)
         for arc in answer.everywhere:
             ends = zip(("start", "end", "other start", "other end"), (*arc.first, *arc.second), strict=True)
@@ -69,7 +69,7 @@ def _items(curve: Nurbs, asked: Asked) -> Iterator[NamedNumbers]:
     elif isinstance(answer, Real):
         yield NamedNumbers(asked.entry.name, {asked.entry.name: answer})
     elif isinstance(answer, Bisector):
-        open_parts = answer.missing if isinstance(answer, PlaneBisector) else getattr(answer, "left_out", ())
+        open_parts = answer.missing if isinstance(answer, PlaneBisector) else getattr(answer, "undecided", ())
         _check_decided(map(str, open_parts))
         yield from answer.items
     elif isinstance(answer, Derived):

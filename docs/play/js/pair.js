@@ -72,7 +72,7 @@ function show({ answer, milliseconds }) {
   const head = ["kind", "s", "t", "multiplicity"].map((name) => html("th", { scope: "col" }, name));
   element("points").replaceChildren(html("thead", {}, html("tr", {}, ...head)), html("tbody", {}, ...rows));
   if (milliseconds === undefined) return;
-  say([`${answer.points.length} common point${answer.points.length === 1 ? "" : "s"}, certified in ${milliseconds.toFixed(0)} ms`, ...answer.left_out].join(" · "));
+  say([`${answer.points.length} common point${answer.points.length === 1 ? "" : "s"}, certified in ${milliseconds.toFixed(0)} ms`, ...answer.undecided].join(" · "));
   document.body.dataset.points = JSON.stringify(answer.points.map((p) => [p.kind, p.s, p.t]));
 }
 

@@ -310,7 +310,7 @@ class Analysis(CurveValues, Displayed):
         """
         if not self.rounding or feature.kind.is_singular:
             return False
-        robust = [near for near in self.features_within(self.rounding) if near.certain]
+        robust = [near for near in self.features_within(self.rounding) if near.robust]
         return not any(near.kind is feature.kind and feature.root in near.piece for near in robust)
 
     @question_with(WITHIN, *CURVES, answered=Answered.DESCRIBED, nearby=True)
@@ -334,7 +334,7 @@ class Analysis(CurveValues, Displayed):
 
         >>> from exactspline import example
         >>> found = analyse(example("cubic_s")).features_within("1e-9")
-        >>> [(feature.kind.value, feature.certain, feature.single) for feature in found]
+        >>> [(feature.kind.value, feature.robust, feature.single) for feature in found]
         [('minimum', True, True), ('inflection', True, True), ('maximum', True, True)]
 
         Raises `ShapeError` for a curve that is neither in the plane nor in space, and for a distance that is not
@@ -351,7 +351,7 @@ class Analysis(CurveValues, Displayed):
 
         >>> from exactspline import Nurbs
         >>> loop = Nurbs(3, [0] * 4 + [1] * 4, [(0, 0), (3, 2), (-2, 2), (1, 0)])
-        >>> [found.certain for found in analyse(loop).self_intersections_within("1e-6")]
+        >>> [found.robust for found in analyse(loop).self_intersections_within("1e-6")]
         [True]
 
         Raises `ShapeError` like `features_within`.

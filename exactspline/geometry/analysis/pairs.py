@@ -68,7 +68,7 @@ class CurvePair(Inspected, Displayed):
         >>> from exactspline import Nurbs, example
         >>> from exactspline.geometry.analysis.pairs import CurvePair
         >>> pair = CurvePair(example("circle"), Nurbs(1, [0, 0, 1, 1], [(0, "1/7"), (2, "2/7")]))
-        >>> [found.certain for found in pair.intersections_within("1/1000")]
+        >>> [found.robust for found in pair.intersections_within("1/1000")]
         [True]
         """
         return intersections_nearby(*self.curves, epsilon)

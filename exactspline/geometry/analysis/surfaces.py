@@ -357,7 +357,7 @@ class SurfaceInspection(CurvatureValues, Displayed):
         """
         if not self.rounding:
             return ()
-        robust = [near.sides for near in self.umbilics_within(self.rounding) if near.certain]
+        robust = [near.sides for near in self.umbilics_within(self.rounding) if near.robust]
         return tuple(
             found
             for found in self.umbilics

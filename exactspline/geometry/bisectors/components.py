@@ -316,14 +316,14 @@ class PoleCurve(OneLine):
 class SpecialPairs(OneLine):
     """All pairs of parameters that have no single point: those with lines, planes or all of space, and the poles.
 
-    ``left_out`` names what could not be decided; where it is empty the answer is complete.
+    ``undecided`` names what could not be decided; where it is empty the answer is complete.
     """
 
     lines: tuple[LineComponent, ...] = ()
     planes: tuple[PlaneComponent, ...] = ()
     pairs: tuple[SinglePair, ...] = ()
     poles: tuple[PoleCurve, ...] = ()
-    left_out: tuple[str, ...] = ()
+    undecided: tuple[str, ...] = ()
 
     def transposed(self) -> SpecialPairs:
         """Those of the exchanged curves (without poles and branches)."""
@@ -332,7 +332,7 @@ class SpecialPairs(OneLine):
             tuple(x.transposed() for x in self.planes),
             tuple(x.transposed() for x in self.pairs),
             (),
-            self.left_out,
+            self.undecided,
         )
 
     def __add__(self, other: SpecialPairs) -> SpecialPairs:
@@ -341,7 +341,7 @@ class SpecialPairs(OneLine):
             self.planes + other.planes,
             self.pairs + other.pairs,
             self.poles + other.poles,
-            self.left_out + other.left_out,
+            self.undecided + other.undecided,
         )
 
 

@@ -83,10 +83,10 @@ def over_cusps(system: System) -> SpecialPairs:
 def _over_cusp(system: System, equation: fmpz_mpoly, s: Parameter) -> SpecialPairs:
     second = system.second
     found = lines_at(system, s, Cause.FIRST_CUSP, PairEquation.of(equation), WITHOUT_FIRST)
-    meetings, left_out = _meetings(system, equation, s)
+    meetings, undecided = _meetings(system, equation, s)
     cusps = cusps_of(second)
     pairs = [SinglePair(*x, Solutions.PLANE, Cause.FIRST_CUSP, system) for x in meetings if x[1] not in cusps]
-    return found + SpecialPairs(pairs=tuple(pairs), left_out=left_out)
+    return found + SpecialPairs(pairs=tuple(pairs), undecided=undecided)
 
 
 def lines_at(
@@ -98,8 +98,8 @@ def lines_at(
         over_root = lines_over_root(system, s, conditions)
         if over_root is None:
             return SpecialPairs()
-        left_out = () if over_root.poles is not None else (f"the poles of the lines over {brief((s,))} of one curve",)
-        return SpecialPairs((LineComponent(fixed, cause, system, equation, over_root=over_root),), left_out=left_out)
+        undecided = () if over_root.poles is not None else (f"the poles of the lines over {brief((s,))} of one curve",)
+        return SpecialPairs((LineComponent(fixed, cause, system, equation, over_root=over_root),), undecided=undecided)
     surface = lines_along(system, Path(constant(s), (PARAMETER, ONE)), second.interval, conditions)
     if surface is None:
         return SpecialPairs()
@@ -112,18 +112,18 @@ def _meetings(system: System, equation: fmpz_mpoly, s: Parameter) -> tuple[list[
     if not isinstance(s, Root):
         shared = common_divisor_along(at(f, 0, s) for f in system.chord)
         return [(s, exactly(t)) for t in roots_in(shared, *system.second.interval)], ()
-    places, left_out = zeros_of_vector(equation, list(system.chord), system.sides)
-    return [place for place in places if place[0] == s], left_out
+    places, undecided = zeros_of_vector(equation, list(system.chord), system.sides)
+    return [place for place in places if place[0] == s], undecided
 
 
 def over_both_cusps(system: System) -> SpecialPairs:
     """The pairs at which neither curve has a tangent: the plane between the points, or all of space."""
     pairs: list[SinglePair] = []
-    left_out: list[str] = []
+    undecided: list[str] = []
     for s, t in product(*[map(exactly, cusps_of(own)) for own in (system.first, system.second)]):
         meet = vanish_together(list(system.chord), s, t)
         if meet is None:
-            left_out.append(f"whether the cusps at {brief((s, t))} coincide")
+            undecided.append(f"whether the cusps at {brief((s, t))} coincide")
             continue
         pairs.append(SinglePair(s, t, Solutions.SPACE if meet else Solutions.PLANE, Cause.BOTH_CUSPS, system))
-    return SpecialPairs(pairs=tuple(pairs), left_out=tuple(left_out))
+    return SpecialPairs(pairs=tuple(pairs), undecided=tuple(undecided))

@@ -56,7 +56,7 @@ def crossings(system: System) -> Found:
 
 def touching(system: System, meetings: list[Place]) -> SpecialPairs:
     """The common points with a common tangent, except those at cusps; their solutions are the normal plane."""
-    pairs, left_out = [], []
+    pairs, undecided = [], []
     for place in meetings:
         if at_cusp(system, place):
             continue
@@ -64,8 +64,8 @@ def touching(system: System, meetings: list[Place]) -> SpecialPairs:
         if touches:
             pairs.append(SinglePair(*place, Solutions.PLANE, Cause.OVERLAP, system))
         elif touches is None:
-            left_out.append(f"whether the curves touch at {brief(place)}")
-    return SpecialPairs(pairs=tuple(pairs), left_out=tuple(left_out))
+            undecided.append(f"whether the curves touch at {brief(place)}")
+    return SpecialPairs(pairs=tuple(pairs), undecided=tuple(undecided))
 
 
 def _touches(system: System, place: Place) -> bool | None:
@@ -76,7 +76,7 @@ def _touches(system: System, place: Place) -> bool | None:
 def singles(system: System, factors: list[fmpz_mpoly], meetings: list[Place]) -> SpecialPairs:
     """The single pairs of a patch except those at cusps; `factors` are the equations whose pairs have lines."""
     tangencies = touching(system, meetings)
-    others, left_out = _dependent(system, [*factors, *system.cusps], meetings)
+    others, undecided = _dependent(system, [*factors, *system.cusps], meetings)
     lines = [(x, Cause.DEPENDENT) for x in others]
     # where the curves meet all minors vanish, and with them their common factor if that is one of them
     if not any(p and (p / system.factor).total_degree() == 0 for p in (system.determinant, *system.numerators)):
@@ -86,7 +86,7 @@ def singles(system: System, factors: list[fmpz_mpoly], meetings: list[Place]) ->
         for place, cause in lines
         if not at_cusp(system, place) and not any(_lies_on(g, place) for g in factors)
     ]
-    return tangencies + SpecialPairs(pairs=tuple(pairs), left_out=left_out)
+    return tangencies + SpecialPairs(pairs=tuple(pairs), undecided=undecided)
 
 
 def at_cusp(system: System, place: Place) -> bool:
@@ -116,7 +116,7 @@ def _dependent(system: System, factors: list[fmpz_mpoly], meetings: list[Place])
     combined = next((p for u in COMBINATIONS if _are_coprime(determinant, p := _combined(numerators, u))), None)
     pair = conditions if combined is None else [determinant, combined]
     singular, open_parts = _decided(pair, system.sides, conditions)
-    places, left_out = [], list(open_parts)
+    places, undecided = [], list(open_parts)
     for place in singular:
         # a pair on an equation has its line already
         if place in meetings or any(_lies_on(g, place) for g in factors):
@@ -125,8 +125,8 @@ def _dependent(system: System, factors: list[fmpz_mpoly], meetings: list[Place])
         if rank:
             places.append(place)
         elif rank is None:
-            left_out.append(f"the rank of the system at {brief(place)}")
-    return places, tuple(left_out)
+            undecided.append(f"the rank of the system at {brief(place)}")
+    return places, tuple(undecided)
 
 
 def _combined(components: Sequence[fmpz_mpoly], u: tuple[int, ...]) -> fmpz_mpoly:

@@ -52,7 +52,7 @@ from exactspline.splines.nurbs import Nurbs
 
 def special_pairs(first: Nurbs, second: Nurbs, budget: Budget | None = None) -> SpecialPairs:
     """All pairs of two space curves whose solutions are lines, planes or all of space, and the poles. What exceeds the
-    budget of work is named in ``left_out``.
+    budget of work is named in ``undecided``.
 
     >>> from exactspline import Nurbs
     >>> low, high = (Nurbs(1, [0, 0, 1, 1], [(0, 0, z), (2, 0, z)]) for z in (0, 1))
@@ -75,7 +75,7 @@ def special_pairs(first: Nurbs, second: Nurbs, budget: Budget | None = None) -> 
     if not_tried:
         more = f" and {counted(len(not_tried) - 1, 'rectangle')} more" if len(not_tried) > 1 else ""
         parts = f"the parts other than the surface on {not_tried[0]}{more}"
-        pairs += SpecialPairs(left_out=(f"{parts}: the bound on the whole answer was reached before",))
+        pairs += SpecialPairs(undecided=(f"{parts}: the bound on the whole answer was reached before",))
     return _without_repetition(pairs, first, second)
 
 
@@ -88,11 +88,11 @@ def _of_system(system: System) -> SpecialPairs:
 
 
 def _in_reach(what: str, compute: Callable[[], SpecialPairs]) -> SpecialPairs:
-    """The computed pairs or, where that would take too long, the name of this part in ``left_out``."""
+    """The computed pairs or, where that would take too long, the name of this part in ``undecided``."""
     try:
         return compute()
     except ReachError as error:
-        return SpecialPairs(left_out=(f"{what}: {error.problem}",))
+        return SpecialPairs(undecided=(f"{what}: {error.problem}",))
 
 
 def _with_tangents(system: System) -> SpecialPairs:
@@ -112,9 +112,9 @@ def _with_tangents(system: System) -> SpecialPairs:
 
 def _single(system: System, factors: list[fmpz_mpoly]) -> SpecialPairs:
     """The single pairs except those at cusps."""
-    meetings, left_out = crossings(system)
+    meetings, undecided = crossings(system)
     pairs = singles(system, factors, meetings) if system.factor else touching(system, meetings)
-    return pairs + SpecialPairs(left_out=left_out)
+    return pairs + SpecialPairs(undecided=undecided)
 
 
 def _everywhere(system: System) -> SpecialPairs:
@@ -206,13 +206,13 @@ def _along_algebraic(system: System, g: fmpz_mpoly) -> SpecialPairs:
         return SpecialPairs()
     # nearly all zeros are on branches: these draw on the budget of the whole answer first
     found_branches, borders = branches(g, sides), border_pairs(g, sides)
-    singular, left_out = list[Place](), tuple[str, ...]()
+    singular, undecided = list[Place](), tuple[str, ...]()
     try:
         singular = nodes(g, sides)
     except ReachError:
-        left_out = (f"isolated real pairs of {equation.short_text} on {sides.shortly}, if there are any",)
+        undecided = (f"isolated real pairs of {equation.short_text} on {sides.shortly}, if there are any",)
     real = RealZeros(tuple(found_branches), tuple(borders), tuple(singular))
-    pairs = SpecialPairs(left_out=left_out)
+    pairs = SpecialPairs(undecided=undecided)
     if not real:
         return pairs
     if kind == Solutions.PLANE:
@@ -295,7 +295,7 @@ def runs_on(curve: Nurbs, t: mpq) -> bool:
     i = curve.breakpoints.index(t)
     try:
         before, behind = piece(curve, i - 1), piece(curve, i)
-    except ReachError:  # the special pairs there are in `left_out`, so that none can be listed twice
+    except ReachError:  # the special pairs there are in `undecided`, so that none can be listed twice
         return False
     stops = [one.stands_still or t in cusps_of(one) for one in (before, behind)]
     if any(stops):

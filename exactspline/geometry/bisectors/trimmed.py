@@ -106,12 +106,12 @@ class TrimmedPiece:
 @dataclass(frozen=True, repr=False)
 class TrimmedBisector(Bisector):
     """The true bisector in pieces; ``missing`` lists segments without an arc and corners without a line, with the
-    reason. ``left_out`` names what would have taken too long; where it is empty the answer is complete.
+    reason. ``undecided`` names what would have taken too long; where it is empty the answer is complete.
     """
 
     pieces: tuple[TrimmedPiece, ...]
     missing: tuple[str, ...]
-    left_out: tuple[str, ...] = ()
+    undecided: tuple[str, ...] = ()
 
     @property
     def items(self) -> tuple[NamedNumbers, ...]:
@@ -150,7 +150,7 @@ def trimmed_bisector(curve: Nurbs, point: Iterable[Number]) -> TrimmedBisector:
 def _trimmed(curve: Nurbs, c: Curve[BSpline], q: tuple[mpq, ...]) -> TrimmedBisector:
     """The pieces of a curve; c is the curve with Q moved to the origin."""
     conditions = Conditions(c)
-    pieces, missing, left_out = list[TrimmedPiece](), list[str](), list[str]()
+    pieces, missing, undecided = list[TrimmedPiece](), list[str](), list[str]()
     for i, (a, b) in enumerate(pairwise(curve.breakpoints)):
         arc = _arc(c, i)
         if isinstance(arc, str):
@@ -161,15 +161,15 @@ def _trimmed(curve: Nurbs, c: Curve[BSpline], q: tuple[mpq, ...]) -> TrimmedBise
         try:
             kept = conditions.kept(*forms, (a, b), i)
         except ReachError as error:
-            left_out.append(f"the arcs with feet in [{short_text(a)}, {short_text(b)}]: {error.problem}")
+            undecided.append(f"the arcs with feet in [{short_text(a)}, {short_text(b)}]: {error.problem}")
             continue
         pieces += [TrimmedPiece(PieceKind.ARC, low, high, moved) for low, high in kept]
     for kind, t in _corners(curve, missing):
         try:
             pieces += _line_pieces(conditions, c, q, kind, t)
         except ReachError as error:
-            left_out.append(f"the line with its foot at {short_text(t)}: {error.problem}")
-    return TrimmedBisector(tuple(pieces), tuple(missing), tuple(left_out))
+            undecided.append(f"the line with its foot at {short_text(t)}: {error.problem}")
+    return TrimmedBisector(tuple(pieces), tuple(missing), tuple(undecided))
 
 
 def _around(curve: Nurbs, q: tuple[mpq, ...]) -> Curve[BSpline]:

@@ -70,7 +70,7 @@ class CurveBisector(Inspected, Bisector):
     a point. Its questions are entries of the registry (`exactspline.geometry.analysis.registry`).
 
     Together ``patches``, ``lines``, ``planes`` and ``pairs`` are all points with two equal critical distances, except
-    for the cases named in ``left_out``; along ``poles`` the surface is at infinity. ``unreduced`` names the patches
+    for the cases named in ``undecided``; along ``poles`` the surface is at infinity. ``unreduced`` names the patches
     whose lowest terms were out of reach; ``budget`` is what remains of the work on the whole answer.
     """
 
@@ -146,9 +146,9 @@ class CurveBisector(Inspected, Bisector):
         return self.special.poles
 
     @property
-    def left_out(self) -> tuple[str, ...]:
+    def undecided(self) -> tuple[str, ...]:
         """What could not be decided or reduced; empty where the answer is complete."""
-        return self.unreduced + self.special.left_out
+        return self.unreduced + self.special.undecided
 
     def __call__(self, s: Number, t: Number) -> tuple[mpq, ...]:
         """The point for two parameters; raises `ZeroDivisionError` at a pole, `ShapeError` where there is no
@@ -174,11 +174,11 @@ def curve_bisector(
 
     >>> from exactspline.interchange.examples import example
     >>> found = curve_bisector(example("rational_space_cubic"), example("twisted_cubic"))
-    >>> found.patches[0].value.degree, len(found.pairs), found.left_out
+    >>> found.patches[0].value.degree, len(found.pairs), found.undecided
     (Degrees(s=10, t=8), 3, ())
 
     The work on the whole answer, including what is computed when first needed, is limited to about ten seconds
-    (somewhat more for many pairs of segments); what exceeds this is named in ``left_out``.
+    (somewhat more for many pairs of segments); what exceeds this is named in ``undecided``.
 
     Raises `ShapeError` for curves that are not in space, `FormulaError` for an unknown variant.
     """

@@ -75,7 +75,7 @@ class Distance(OneNumber, Displayed):
     `everywhere` are the arcs all of whose points are at it, by their parameters on both curves: arcs in common, arcs
     that stay at this distance (of parallel segments, of circles about one point), arcs of a circle about a point of the
     other curve, and pieces that stand still (with an arc of a circle, all pairs of both). Their ends are among the
-    pairs, the points between are not listed. `left_out` names what would take too long to decide. Then the square of
+    pairs, the points between are not listed. `undecided` names what would take too long to decide. Then the square of
     the distance is at least `lower`, a rational number; otherwise `lower` is None.
 
     >>> from exactspline import distance, example
@@ -86,7 +86,7 @@ class Distance(OneNumber, Displayed):
     _number = "value"
     pairs: tuple[ClosestPair, ...]
     lower: mpq | None = None
-    left_out: tuple[str, ...] = ()
+    undecided: tuple[str, ...] = ()
     everywhere: tuple[Overlap, ...] = ()
 
     @property
@@ -102,7 +102,7 @@ class Distance(OneNumber, Displayed):
     @one_line
     def __repr__(self) -> str:
         arcs = f", everywhere on {list(self.everywhere)}" if self.everywhere else ""
-        doubt = f", undecided: {'; '.join(self.left_out)}" if self.left_out else ""
+        doubt = f", undecided: {'; '.join(self.undecided)}" if self.undecided else ""
         return f"<Distance {self.value.shortly()} between {list(self.pairs)}{arcs}{doubt}>"
 
 
@@ -134,10 +134,10 @@ def nearest_pairs(first: Nurbs, second: Nurbs, meeting: Intersections) -> Distan
         pairs = [ClosestPair(p.first, p.second, zero) for p in meeting]
         for arc in meeting.everywhere:
             pairs += _ends(arc, zero, (first, second))
-        left_out = list(meeting.left_out)
-        each = _each_once(pairs, left_out)
-        return Distance(each, mpq(0) if left_out else None, tuple(left_out), meeting.everywhere)
-    return _Search(first, second, meeting.left_out).answer()
+        undecided = list(meeting.undecided)
+        each = _each_once(pairs, undecided)
+        return Distance(each, mpq(0) if undecided else None, tuple(undecided), meeting.everywhere)
+    return _Search(first, second, meeting.undecided).answer()
 
 
 def _ends(arc: Overlap, squared: Real, curves: tuple[Nurbs, Nurbs]) -> list[ClosestPair]:
@@ -171,7 +171,7 @@ def _between(pair: ClosestPair, arc: Overlap) -> bool:
     return all(low <= t <= high for t, (low, high) in sides) and any(t not in ends for t, ends in sides)
 
 
-def _each_once(pairs: Sequence[ClosestPair], left_out: list[str]) -> tuple[ClosestPair, ...]:
+def _each_once(pairs: Sequence[ClosestPair], undecided: list[str]) -> tuple[ClosestPair, ...]:
     """Pairs without those that are there already; names what would take too long to compare."""
     each: list[ClosestPair] = []
     try:
@@ -179,7 +179,7 @@ def _each_once(pairs: Sequence[ClosestPair], left_out: list[str]) -> tuple[Close
             if not any(pair == other for other in each):
                 each.append(pair)
     except ReachError as error:
-        left_out.append(f"which of {counted(len(pairs), 'pair')} are the same: {error.problem}")
+        undecided.append(f"which of {counted(len(pairs), 'pair')} are the same: {error.problem}")
         return tuple(pairs)
     return tuple(each)
 
@@ -187,9 +187,9 @@ def _each_once(pairs: Sequence[ClosestPair], left_out: list[str]) -> tuple[Close
 class _Search:
     """The pairs of nearest points of curves that do not meet."""
 
-    def __init__(self, first: Nurbs, second: Nurbs, left_out: tuple[str, ...]) -> None:
-        self.curves, self.left_out = (first, second), list(left_out)
-        self.lower: mpq | None = mpq(0) if left_out else None
+    def __init__(self, first: Nurbs, second: Nurbs, undecided: tuple[str, ...]) -> None:
+        self.curves, self.undecided = (first, second), list(undecided)
+        self.lower: mpq | None = mpq(0) if undecided else None
         self.segments = [[segment_forms(curve, i) for i in range(curve.segments)] for curve in self.curves]
         self.arcs: list[tuple[Overlap, Real]] = []
         self.found = [pair for k in (0, 1) for pair in self._at_knots(k)]
@@ -260,7 +260,7 @@ class _Search:
         except ReachError:
             pass  # named below
         if undecided:
-            self.left_out.append(f"the points inside the segments over {first} and {second}")
+            self.undecided.append(f"the points inside the segments over {first} and {second}")
             least = forms.least(undecided, self.bound)
             self.lower = least if self.lower is None else min(self.lower, least)
 
@@ -294,13 +294,13 @@ class _Search:
             least = min(squared for squared, _ in found)
             found = [one for one in found if one[0] == least]
         except ReachError as error:
-            self.left_out.append(f"which of {counted(len(found), 'pair or arc')} are the nearest: {error.problem}")
+            self.undecided.append(f"which of {counted(len(found), 'pair or arc')} are the nearest: {error.problem}")
             self.lower = min(squared.enclosure(digits).low for squared, _ in found)
-        pairs = _each_once([one for _, one in found if isinstance(one, ClosestPair)], self.left_out)
+        pairs = _each_once([one for _, one in found if isinstance(one, ClosestPair)], self.undecided)
         arcs = tuple(one for _, one in found if isinstance(one, Overlap))
         if self.lower is not None and pairs[0].squared < self.lower:
             return Distance(pairs, everywhere=arcs)
-        return Distance(pairs, self.lower, tuple(self.left_out), arcs)
+        return Distance(pairs, self.lower, tuple(self.undecided), arcs)
 
 
 def _bound(values: Sequence[Real]) -> tuple[int, mpq]:

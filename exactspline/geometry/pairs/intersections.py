@@ -131,15 +131,15 @@ class Overlap:
 @dataclass(frozen=True, repr=False)
 class Intersections(Answer[Intersection, Overlap], Displayed):
     """All common points of two curves in the order of the parameter of the first, and `everywhere` the arcs that they
-    have in common, whose points are not listed one by one. `left_out` names the pairs of segments that were out of
+    have in common, whose points are not listed one by one. `undecided` names the pairs of segments that were out of
     reach; an answer with such a pair is not "nowhere".
     """
 
-    left_out: tuple[str, ...] = ()
+    undecided: tuple[str, ...] = ()
     curves: tuple[Nurbs, Nurbs] | None = field(default=None, compare=False)
 
     def __bool__(self) -> bool:
-        return super().__bool__() or bool(self.left_out)
+        return super().__bool__() or bool(self.undecided)
 
     def certificate(self) -> dict[str, object]:
         """A proof, as JSON data with exact strings, that these are all (see `exactspline.certificates`): of two plane
@@ -157,7 +157,7 @@ class Intersections(Answer[Intersection, Overlap], Displayed):
         return intersection_certificate(*self.curves)
 
     def _parts(self) -> list[str]:
-        return super()._parts() + [f"undecided: {what}" for what in self.left_out]
+        return super()._parts() + [f"undecided: {what}" for what in self.undecided]
 
 
 def intersections(first: Nurbs, second: Nurbs) -> Intersections:
@@ -230,7 +230,7 @@ class CollectedPoints:
         self.inner: list[tuple[tuple[int, int], Meeting]] = []
         self.at_knots: dict[tuple[object, object], list[list[_Found]]] = {}
         self.arcs: list[Overlap] = []
-        self.left_out: list[str] = []
+        self.undecided: list[str] = []
         self._cones: dict[int, Cone | None] = {}
         self._knots = [self._different_knots(k) for k in range(2)]
         pairs = self._pairs()
@@ -283,7 +283,7 @@ class CollectedPoints:
                 found = space_meetings(one, other) if self.in_space else meetings(one, other)
         except ReachError as error:
             sides = " and ".join(str(self._side(k, at)) for k, at in enumerate((i, j)))
-            self.left_out.append(f"the segments over {sides}: {error.problem}")
+            self.undecided.append(f"the segments over {sides}: {error.problem}")
             return
         self._add(found, i, j)
 
@@ -356,7 +356,7 @@ class CollectedPoints:
         ]
         count = len(at_knots) + len(self.inner) + sum(len(found) for _, found in self.certain)
         make, curves = partial(self._in_order, at_knots), None if self.alone else self.given
-        return Intersections.late(count, make, tuple(self.arcs), left_out=tuple(self.left_out), curves=curves)
+        return Intersections.late(count, make, tuple(self.arcs), undecided=tuple(self.undecided), curves=curves)
 
     def _in_order(self, at_knots: list[Intersection]) -> tuple[Intersection, ...]:
         """All common points, in the order of the first curve."""

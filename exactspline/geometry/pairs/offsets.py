@@ -94,7 +94,7 @@ def intersections(first: Nurbs, second: Nurbs, *, offset: Number | tuple[Number,
     [<knot at 0 and 23/32>, <knot at 2 and 9/32>]
 
     The work is limited to about ten seconds (somewhat more for many pairs of segments); what exceeds this is named in
-    ``left_out``; of offsets also segments with points without a tangent, and those whose offsets are one point or may
+    ``undecided``; of offsets also segments with points without a tangent, and those whose offsets are one point or may
     run along each other.
 
     Raises `ShapeError` for curves of different dimensions, outside plane and space, for offsets in space, and for more
@@ -128,7 +128,7 @@ def self_intersections(curve: Nurbs, *, offset: Number = 0) -> Intersections:
     (<crossing at (4 - √3)/8 and (4 + √3)/8>, [mpq(0,1), mpq(5,4)])
 
     The work is limited as for `intersections`; pairs of segments that exceed it, segments with points without a
-    tangent, and those whose offsets are one point or may run along each other are named in ``left_out``.
+    tangent, and those whose offsets are one point or may run along each other are named in ``undecided``.
 
     Raises `ShapeError` for a curve that is not in the plane.
     """
@@ -144,7 +144,7 @@ class _Search:
             if curve_of(curve).dimension != 2:
                 raise ShapeError(f"a curve in R{curve.dimension}", remedy="offsets need curves in the plane")
         self.curves, self.distances, self.alone = curves, distances, alone
-        self.left_out: list[str] = []
+        self.undecided: list[str] = []
         self.points: list[OffsetIntersection] = []
 
     @cached_property
@@ -161,11 +161,11 @@ class _Search:
                     found = list(_OfSegments(self, pair).points())
                 except ReachError as error:
                     where = " and ".join(str(side) for side in self.over(pair))
-                    self.left_out.append(f"the segments over {where}: {error.problem}")
+                    self.undecided.append(f"the segments over {where}: {error.problem}")
                     continue
                 self.points += map(self._from_seam, found)
         ordered = groupby(sorted(self.points, key=_where), _where)
-        return Intersections(tuple(_once(list(own)) for _, own in ordered), (), tuple(self.left_out))
+        return Intersections(tuple(_once(list(own)) for _, own in ordered), (), tuple(self.undecided))
 
     def _pairs(self) -> list[tuple[int, int]]:
         """The pairs of segments whose boxes, widened by the distances, meet."""
@@ -287,7 +287,7 @@ class _OfSegments:
         """Whether the offsets may run along each other since the curves do so."""
         met = self.search.met
         arcs = [arc for arc in met.everywhere if not self._between(-1 if arc.reversed else 1)]
-        return bool(met.left_out) or any(self._reached(arc.first, arc.second, inside=True) for arc in arcs)
+        return bool(met.undecided) or any(self._reached(arc.first, arc.second, inside=True) for arc in arcs)
 
     def _reached(self, one: tuple[Real, Real], other: tuple[Real, Real], *, inside: bool = False) -> bool:
         """Whether two ranges of parameters meet the segments, `inside`: in more than their ends."""

@@ -39,13 +39,13 @@ SHALLOW = 3
 class NearbyFeature(Described):
     """A feature of the curves near a curve, in an interval of the parameter.
 
-    ``certain``: every one of these curves has it there; ``single``: exactly once. Otherwise some of them may have it,
+    ``robust``: every one of these curves has it there; ``single``: exactly once. Otherwise some of them may have it,
     any number of times, and others may not.
     """
 
     kind: FeatureKind
     piece: CurvePiece
-    certain: bool
+    robust: bool
     single: bool = False
 
     @property
@@ -55,8 +55,8 @@ class NearbyFeature(Described):
 
     @property
     def facts(self) -> dict[str, bool]:
-        """Whether it is certain, and single."""
-        return {"certain": self.certain, "single": self.single}
+        """Whether it is robust, and single."""
+        return {"robust": self.robust, "single": self.single}
 
 
 @dataclass(frozen=True)
@@ -86,7 +86,7 @@ def features_nearby(curve: Nurbs, epsilon: Number) -> tuple[NearbyFeature, ...]:
 
     >>> from exactspline import example
     >>> for found in features_nearby(example("cubic_s"), "1/1000"):
-    ...     print(found.kind, found.certain, found.single, *(round(float(t), 2) for t in found.place))
+    ...     print(found.kind, found.robust, found.single, *(round(float(t), 2) for t in found.place))
     minimum True True 0.19 0.19
     inflection True True 0.5 0.5
     maximum True True 0.81 0.81
@@ -137,7 +137,7 @@ class _Features(CurvesNear):
         zeros = (CURVATURE, dict.fromkeys((1, -1), FeatureKind.INFLECTION), n)
         if self.curve.dimension == 3:
             flat = joined([*self._possible_zeros(BENDING), *map(Interval.point, self._reversals())])
-            yield from (_feature(FeatureKind.INFLECTION, place, certain=False) for place in flat)
+            yield from (_feature(FeatureKind.INFLECTION, place, robust=False) for place in flat)
             slow += flat
             zeros = (TORSION, dict.fromkeys((1, -1), FeatureKind.TORSION_ZERO), n - 1)
         for which, kinds, least in (zeros, (CRITICAL, extrema, n - 1)):
@@ -149,13 +149,13 @@ class _Features(CurvesNear):
             parts = self._parts(which)
             found, start = [*self._zeros(parts, kinds, jumps)], Interval.point(parts[0].low)
             at_seam = self._at_seam(parts, kinds) - {each.kind for each in found if each.place.low == start.low}
-            for feature in [*found, *(_feature(kind, start, certain=False) for kind in at_seam)]:
+            for feature in [*found, *(_feature(kind, start, robust=False) for kind in at_seam)]:
                 doubtful = _meets_one(feature.place, open_places)
-                yield replace(feature, certain=False, single=False) if doubtful else feature
+                yield replace(feature, robust=False, single=False) if doubtful else feature
 
     def singular_points(self) -> list[NearbyFeature]:
         """The parts of the domain in which some of the curves may stand still."""
-        return [_feature(FeatureKind.STOP, place, certain=False) for place in self._possible_zeros(SPEED)]
+        return [_feature(FeatureKind.STOP, place, robust=False) for place in self._possible_zeros(SPEED)]
 
     def _possible_zeros(self, which: int) -> list[Interval]:
         """The parts of the domain in which a form that is a sum of squares may be 0 for some of the curves."""
@@ -224,7 +224,7 @@ class _Features(CurvesNear):
                 for kind in dict.fromkeys(kinds[x] for x in ((-slope,) if slope else (-1, 1))):
                     yield _feature(kind, place, kind is certain, kind is certain and slope != 0)
             elif before is not None and before.sign == -part.sign:
-                yield _feature(kinds[before.sign], Interval(part.low, part.low), certain=True, single=True)
+                yield _feature(kinds[before.sign], Interval(part.low, part.low), robust=True, single=True)
 
     def _at_seam(self, parts: Sequence[_Part], kinds: dict[int, FeatureKind]) -> set[FeatureKind]:
         """The kinds that a closed curve among these may have at its seam."""
@@ -236,18 +236,18 @@ class _Features(CurvesNear):
         still, and the seam.
         """
         if self._may_close:
-            yield _feature(FeatureKind.CORNER, Interval.point(self.curve.domain[0]), certain=False)
+            yield _feature(FeatureKind.CORNER, Interval.point(self.curve.domain[0]), robust=False)
         for i, t in self._knots(1):
-            certain, place = False, Interval.point(t)
+            robust, place = False, Interval.point(t)
             (end, _), (start, _) = self.basis(i), self.basis(i + 1)
             last = end + self.curve.degree
             if last == start:
                 left, right = (_minus(self.points[k + 1], self.points[k]) for k in (last - 1, start))
                 turns = [left[k] * right[m] - left[m] * right[k] for k, m in combinations(range(len(left)), 2)]
-                certain = any(map(sign_of, turns)) or bool(dot(left, right) < 0)
+                robust = any(map(sign_of, turns)) or bool(dot(left, right) < 0)
             elif not (_meets_one(place, slow) if last > start else self._may_meet(i, i + 1)):
                 continue
-            yield _feature(FeatureKind.CORNER, place, certain, certain)
+            yield _feature(FeatureKind.CORNER, place, robust, robust)
 
 
 def _minus(a: Sequence[arb], b: Sequence[arb]) -> list[arb]:
@@ -260,8 +260,8 @@ def _meets_one(place: Interval, sorted_places: Sequence[Interval]) -> bool:
     return first < len(sorted_places) and sorted_places[first].low <= place.high
 
 
-def _feature(kind: FeatureKind, place: Interval, certain: bool, single: bool = False) -> NearbyFeature:
-    return NearbyFeature(kind, CurvePiece((place,)), certain, single)
+def _feature(kind: FeatureKind, place: Interval, robust: bool, single: bool = False) -> NearbyFeature:
+    return NearbyFeature(kind, CurvePiece((place,)), robust, single)
 
 
 def _signs(form: Family, ends: Interval, depth: int = 0) -> Iterator[_Part]:

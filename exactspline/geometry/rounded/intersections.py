@@ -47,13 +47,13 @@ class NearbyMeeting(Described):
     """Where curves near two curves meet: parameters of the first and of the second (of the same, for a curve and
     itself).
 
-    ``certain``: each pair of these curves has exactly one common point there. Otherwise some may have common points
+    ``robust``: each pair of these curves has exactly one common point there. Otherwise some may have common points
     there, any number of them, and others none.
     """
 
     first: Interval
     second: Interval
-    certain: bool
+    robust: bool
 
     kind = IntersectionKind.CROSSING
 
@@ -69,20 +69,20 @@ class NearbyMeeting(Described):
 
     @property
     def facts(self) -> dict[str, bool]:
-        """Whether it is certain."""
-        return {"certain": self.certain}
+        """Whether it is robust."""
+        return {"robust": self.robust}
 
 
 def intersections_nearby(first: Nurbs, second: Nurbs, epsilon: Number) -> tuple[NearbyMeeting, ...]:
     """The points that all curves near two curves have in common, and those that some may have: all pairs of curves
     whose coordinates and, for rational curves, weights differ from the given ones by at most epsilon.
 
-    A common point at an end of a curve is never certain, nor is one of space curves. In the order of the parameters.
+    A common point at an end of a curve is never robust, nor is one of space curves. In the order of the parameters.
 
     >>> from exactspline import Nurbs, example
     >>> line = Nurbs(1, [0, 0, 1, 1], [(0, 0), (2, 0)])
     >>> for found in intersections_nearby(example("circle"), line, "1/1000"):
-    ...     print(found.certain, *(f"{float(t):.4f}" for t in found.second))
+    ...     print(found.robust, *(f"{float(t):.4f}" for t in found.second))
     False 0.4961 0.5039
     False 0.4961 0.5039
 
@@ -103,7 +103,7 @@ def self_intersections_nearby(curve: Nurbs, epsilon: Number) -> tuple[NearbyMeet
     curve are such, since those of a curve near it need not meet.
 
     >>> loop = Nurbs(3, [0] * 4 + [1] * 4, [(0, 0), (3, 2), (-2, 2), (1, 0)])
-    >>> [found.certain for found in self_intersections_nearby(loop, "1/1000")]
+    >>> [found.robust for found in self_intersections_nearby(loop, "1/1000")]
     [True]
 
     Raises `ShapeError` like `intersections_nearby`.
@@ -215,10 +215,10 @@ class _Meetings:
         """All of them."""
         open_boxes = [box for box, _ in clusters(list(self._possible()))]
         both = [(box, True) for box in self.settled.places] + [(box, False) for box in open_boxes]
-        return tuple(NearbyMeeting(*box, certain) for box, certain in sorted(both))
+        return tuple(NearbyMeeting(*box, robust) for box, robust in sorted(both))
 
     def _possible(self) -> Iterator[Box]:
-        """Boxes of parameters outside which there is no common point but the certain ones."""
+        """Boxes of parameters outside which there is no common point but the robust ones."""
         level, done, first = self.pairs, 0, len(self.pairs)
         while level:
             after: list[tuple[_Part, _Part]] = []

@@ -50,17 +50,17 @@ NARROWEST = 60
 class NearbyUmbilic(OneLine):
     """An umbilic of the surfaces near a surface, in a rectangle of parameters.
 
-    ``certain``: every one of these surfaces has exactly one there. Otherwise some may have umbilics there, any number,
+    ``robust``: every one of these surfaces has exactly one there. Otherwise some may have umbilics there, any number,
     and others none.
     """
 
     sides: Box
-    certain: bool
+    robust: bool
 
 
 def umbilics_nearby(surface: NurbsSurface, epsilon: Number) -> tuple[NearbyUmbilic, ...]:
     """The umbilics that all surfaces near a surface have, and those that some of them may have: all whose control
-    points and, for a rational surface, weights differ by at most epsilon. One on a border of patches is never certain.
+    points and, for a rational surface, weights differ by at most epsilon. One on a border of patches is never robust.
 
     >>> from exactspline import example
     >>> umbilics_nearby(example("hyperbolic_paraboloid"), "1/1000000")
@@ -76,9 +76,9 @@ def umbilics_nearby(surface: NurbsSurface, epsilon: Number) -> tuple[NearbyUmbil
     with ctx.workprec(PRECISION):
         near = _SurfacesNear(given, distance(epsilon, given))
         found = [x for i in range(rows) for j in range(columns) for x in _Search(near, (i, j)).found()]
-    certain = [x for x in found if x.certain]
-    joined = [NearbyUmbilic(box, certain=False) for box, _ in clusters([x.sides for x in found if not x.certain])]
-    return tuple(sorted([*certain, *joined], key=lambda each: each.sides))
+    robust = [x for x in found if x.robust]
+    joined = [NearbyUmbilic(box, robust=False) for box, _ in clusters([x.sides for x in found if not x.robust])]
+    return tuple(sorted([*robust, *joined], key=lambda each: each.sides))
 
 
 class _Balls(DoubleSeries):
@@ -172,7 +172,7 @@ def _differences(n: int, order: int) -> arb_mat:
 class _State(Enum):
     """What is known of a rectangle of parameters."""
 
-    #: No surface has an umbilic there, or each has a single one, which is certain.
+    #: No surface has an umbilic there, or each has a single one, which is robust.
     SETTLED = auto()
     #: Smaller parts may be decided.
     OPEN = auto()
@@ -192,11 +192,11 @@ class _Search:
     def found(self) -> Iterator[NearbyUmbilic]:
         """All of them, in the parameters of the surface."""
         open_boxes = list(self._possible())
-        for boxes, certain in ((self.settled.places, True), (open_boxes, False)):
-            yield from (NearbyUmbilic(self.sides.part(box), certain) for box in boxes)
+        for boxes, robust in ((self.settled.places, True), (open_boxes, False)):
+            yield from (NearbyUmbilic(self.sides.part(box), robust) for box in boxes)
 
     def _possible(self) -> Iterator[Box]:
-        """Rectangles outside which there is no umbilic but the certain ones."""
+        """Rectangles outside which there is no umbilic but the robust ones."""
         unit = Interval(mpq(0), mpq(1))
         level, done = [(Box(unit, unit), 0)], 0
         while level:
@@ -213,7 +213,7 @@ class _Search:
             level = after
 
     def _decided(self, box: Box) -> _State:
-        """What is known of a rectangle; an umbilic that is found to be certain is put with those that are settled."""
+        """What is known of a rectangle; an umbilic that is found to be robust is put with those that are settled."""
         if not all(f.ball.contains(0) for f in self._forms(box, TERMS - 1)):
             return _State.SETTLED
         here, around = self._forms(_point(box)), self._forms(box)

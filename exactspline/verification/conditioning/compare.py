@@ -70,7 +70,7 @@ class Conditioning:
     construction: str
     roots: tuple[RootConditions, ...]
     extraneous: dict[str, tuple[Root, ...]]
-    left_out: tuple[str, ...]
+    skipped: tuple[str, ...]
 
     @property
     def verdicts(self) -> dict[str, str]:
@@ -88,7 +88,7 @@ class Conditioning:
 
 def conditioning(curve: Nurbs, name: str = "critical_curvature", *, doubles: bool = True) -> Conditioning:
     """The condition of every zero of a zero-set construction in every form. The zeros of the minimal form strictly
-    inside a segment are compared; a zero at a knot, a jump or an interval of zeros is listed in `left_out`. With
+    inside a segment are compared; a zero at a knot, a jump or an interval of zeros is listed in `skipped`. With
     `doubles` the error of double precision is measured too.
 
     >>> from exactspline.interchange.examples import example
@@ -121,13 +121,13 @@ def conditioning(curve: Nurbs, name: str = "critical_curvature", *, doubles: boo
     extraneous = {
         form: tuple(r for r in among if not r.at_knot and r not in inside) for form, among in zeros_by_form.items()
     }
-    left_out = [f"the zero at the knot {text(r.low)} (condition number 0 in every form)" for r in minimal if r.at_knot]
-    left_out += [f"the jump at the knot {text(j.parameter)}" for j in minimal.jumps]
-    left_out += [
+    skipped = [f"the zero at the knot {text(r.low)} (condition number 0 in every form)" for r in minimal if r.at_knot]
+    skipped += [f"the jump at the knot {text(j.parameter)}" for j in minimal.jumps]
+    skipped += [
         f"[{text(a)}, {text(b)}], where the form vanishes identically" for s in minimal.intervals for a, b in s.parts
     ]
     return Conditioning(
-        curve.name, made.name, tuple(rows), {form: rs for form, rs in extraneous.items() if rs}, tuple(left_out)
+        curve.name, made.name, tuple(rows), {form: rs for form, rs in extraneous.items() if rs}, tuple(skipped)
     )
 
 
