@@ -122,7 +122,7 @@ def pair(data: dict[str, Any]) -> dict[str, Any]:
     return {
         "points": [_common_point(point) for point in found],
         "arcs": [str(arc) for arc in found.everywhere],
-        "left_out": list(found.left_out),
+        "undecided": list(found.undecided),
         "across": _drawn(runs[0]),
         "up": _drawn(runs[1]),
         "bisector": _drawn(pairs),
