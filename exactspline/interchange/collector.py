@@ -170,6 +170,9 @@ class Collector:
     def take(self, made: NamedCurve, within: tuple[mpq, mpq] | None = None, *notes: str) -> None:
         """Add a curve that is built, or the part of it that the file uses."""
         curve = made.curve if within in (None, made.curve.domain) else made.curve.restrict(*within)
+        if (curve.name, curve.source) != (made.name, made.curve.source):
+            data = curve.degree, curve.knots, curve.control_points, curve.weights
+            curve = Nurbs(*data, name=made.name, source=made.curve.source)
         self.curves.append(NamedCurve(made.name, curve, tuple(dict.fromkeys([*made.notes, *notes]))))
 
     def add_surface(

@@ -302,11 +302,12 @@ def part(format):
         return
     edge = (
         "#20=CARTESIAN_POINT('',({}));#21=CARTESIAN_POINT('',(3.09375,1.125,0.));#22=VERTEX_POINT('',#20);"
-        "#23=VERTEX_POINT('',#21);#30=EDGE_CURVE('',#22,#23,#10,.T.);"
+        "#23=VERTEX_POINT('',#21);#30=EDGE_CURVE('seam',#22,#23,#10,.T.);"
     )
     named, _ = one(step(CUBIC + edge.format("0.90625,1.125,0.")))
     assert named.curve.domain == (mpq(1, 4), mpq(3, 4))
     assert not named.notes
+    assert (named.name, named.curve.name) == ("seam", "seam")
     # a vertex that is a little off the curve
     off = step(CUBIC + edge.format("0.906250001,1.125,0."))
     named, _ = one(off)

@@ -212,7 +212,8 @@ def test_brep_circles_are_circles_and_trimmed_curves_are_parts():
     for t in ("1/7", 1, "5/3", 3, "39/10"):
         x, y = circle.curve(t)
         assert (x - 1) ** 2 + (y - 2) ** 2 == mpq(25, 4)
-    trimmed = next(named for named in reading.curves if "Curves 2" in named.curve.source)
+    trimmed = next(named for named in reading.curves if named.curve.source == "Curves 2")
+    assert trimmed.curve.name == trimmed.name
     assert trimmed.curve.domain == (mpq(1, 4), mpq(3, 4))
     assert "from 1/4 to 3/4" in trimmed.notes[0]
 
