@@ -14,7 +14,7 @@ from exactspline.errors import ExactSplineError, nearest
 from exactspline.geometry.analysis.ask import facts_about, kind_of
 from exactspline.geometry.analysis.curves import Analysis, questions_about
 from exactspline.geometry.analysis.registry import REGISTRY
-from exactspline.hooks import LENT, QUESTIONS, first_guesses
+from exactspline.hooks import LENT, QUESTIONS, Written, first_guesses
 
 #: Rooms with public names of their own.
 ROOMS = ("interchange", "constructors", "display", "language", "readings", "tables", "teaching")
@@ -34,6 +34,8 @@ def of_object(front: ModuleType, name: str, thing: object) -> object:
     Raises `AttributeError`, which names the call that works.
     """
     guesses = first_guesses()
+    if isinstance(thing, Written):
+        return partial(getattr(front.tables, name), thing)
     if name in guesses[LENT]:
         return partial(getattr(front, name), thing)
     for call in _calls(name):

@@ -91,6 +91,22 @@ class Displayed:
         writer.text(_printers[0]("short", self) or repr(self))
 
 
+class Written(Displayed):
+    """An answer that is written as `exactspline.tables` writes it."""
+
+    __slots__ = ()
+
+    def to_dict(self, digits: int = 20) -> dict[str, object]:
+        """The answer as ``json.dumps`` takes it, irrational numbers to this many digits."""
+        return cast("Callable[..., dict[str, object]]", _outside[0]("to_dict", self))(digits=digits)
+
+    def to_records(self) -> list[dict[str, object]]:
+        """The things of which the answer consists, numbers as correctly rounded doubles: what ``pandas.DataFrame`` and
+        ``polars.DataFrame`` take.
+        """
+        return cast("Callable[..., list[dict[str, object]]]", _outside[0]("to_records", self))()
+
+
 class Worded(OneLine):
     """What a sentence is made of: `str` puts it into words, as `display` writes them: those given with a class, with
     fields between braces: ``{name?yes|no}`` is one of two such texts, as the field is true, ``{name:, }`` its parts

@@ -15,21 +15,24 @@ from exactspline.display.numbers import Numbers
 from exactspline.display.plot.canvas import in_words, settle
 from exactspline.display.quotations import quoted
 from exactspline.display.reading_along import ReadingAlong, along_html
+from exactspline.display.records import answer_table
 from exactspline.display.statement import fields
 from exactspline.display.svg import curve_picture, graph_picture
 from exactspline.display.tables import Grid, Verdicts, breakable
-from exactspline.errors import counted
+from exactspline.errors import ExactSplineError, counted
 from exactspline.geometry.analysis.ask import kind_of
 from exactspline.geometry.analysis.curves import Analysis
 from exactspline.geometry.analysis.planar_maps import MapInspection
 from exactspline.geometry.analysis.surfaces import SurfaceInspection
 from exactspline.geometry.derived.derive import Derived
-from exactspline.hooks import named
+from exactspline.hooks import Written, named
 from exactspline.language.rational import Rational
 from exactspline.language.ruled import RuledSurface
 from exactspline.language.vector import Vector
 from exactspline.numbers.exact import mpq
 from exactspline.questions.entry import questions_of
+from exactspline.reals.real import Real
+from exactspline.roots.answers import Answer
 from exactspline.roots.root import Root
 from exactspline.roots.zero_set import ZeroSet
 from exactspline.splines.bspline import BSpline
@@ -43,6 +46,8 @@ from exactspline.verification.statement import Side, Statement, sides
 #: How many numbers of a list are written out, and the number of control points above which a vector is described
 #: instead.
 SHOWN, LONG = 8, 6
+#: The most things of an answer in a table.
+LISTED = 100
 #: The fields of a statement that follow its formulas.
 SAID = ("claimed", "found", "factor", "witness", "verdict")
 #: What notebooks show of objects of rooms that are loaded when they are used, by the class:
@@ -159,6 +164,17 @@ def _(zero_set: ZeroSet) -> str:
 @html.register
 def _(g: Grid) -> str:
     return g.html()
+
+
+@html.register
+def _(answer: Written) -> str | None:
+    if isinstance(answer, Real) or (isinstance(answer, Answer) and len(answer) > LISTED):
+        return None
+    try:
+        sheet = answer_table(answer)
+    except ExactSplineError:
+        return None
+    return Grid(sheet.columns, sheet.rows, sheet.title).html()
 
 
 @html.register

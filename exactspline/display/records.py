@@ -4,19 +4,21 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
-from typing import NamedTuple
+from typing import NamedTuple, cast, overload
 
-from exactspline.display.answer_forms import form_of, placed
+from exactspline.display.answer_forms import FORMS, form_of, placed
 from exactspline.display.features import ends_text
 from exactspline.display.forms import Form, word
-from exactspline.display.reals import double_of, real_text
+from exactspline.display.reals import DIGITS, double_of, real_text
 from exactspline.display.sheet import Sheet
-from exactspline.errors import as_integer
+from exactspline.errors import ShapeError, as_integer
 from exactspline.geometry.analysis.ask import About, Asked, asked_of
+from exactspline.hooks import Written
 from exactspline.numbers.exact import mpq
 from exactspline.numbers.intervals import Interval
+from exactspline.questions.entry import Entry, Remembers
 from exactspline.reals.real import Real, real
-from exactspline.roots.answers import CurvePiece
+from exactspline.roots.answers import Answer, CurvePiece
 
 #: The types of exact numbers.
 NUMBER = Real | type(mpq())
@@ -41,9 +43,12 @@ def records(asked: Asked) -> list[Record]:
     >>> [(each.what, dict(each.values)) for each in records(asked_of(example("circle"), "bounding_box"))]
     [('x', {'low': <Real -1>, 'high': <Real 1>}), ('y', {'low': <Real -1>, 'high': <Real 1>})]
     """
-    form, what = form_of(asked.entry), asked.entry.name.removesuffix("_within")
-    what = what if form.elements is None else what.removesuffix("s")
-    return [*_records(form, placed(asked.facts, asked.answer), what)]
+    return _records_of(form_of(asked.entry), placed(asked.facts, asked.answer), asked.entry.name)
+
+
+def _records_of(form: Form, value: object, name: str) -> list[Record]:
+    what = name.removesuffix("_within")
+    return [*_records(form, value, what if form.elements is None else what.removesuffix("s"))]
 
 
 def _records(form: Form, value: object, what: str) -> Iterator[Record]:
@@ -86,27 +91,74 @@ def _outwards(value: object) -> str:
     return " ∪ ".join(f"[{', '.join(ends_text(part))}]" for part in parts)
 
 
+@overload
 def to_dict(about: About, question: str, digits: int = 20) -> dict[str, object]:
-    """The answer to a question (see `ask`) as ``json.dumps`` takes it, irrational numbers to this many digits.
+    """The answer to a question (see `ask`) about an object."""
+
+
+@overload
+def to_dict(about: Written, *, digits: int = 20) -> dict[str, object]:
+    """An answer."""
+
+
+def to_dict(about: About | Written, question: str = "", digits: int = 20) -> dict[str, object]:
+    """The answer to a question (see `ask`) as ``json.dumps`` takes it, irrational numbers to this many digits; also one
+    that is given: ``answer.to_dict()``.
 
     >>> from exactspline import example
     >>> to_dict(example("torus"), "umbilics")
     {'question': 'umbilics', 'answer': {'points': [], 'everywhere': [], 'undecided': []}}
     """
     digits = as_integer(digits, "a number of digits", 1)
+    if isinstance(about, Written):
+        form, value, _ = _form_of_answer(about)
+        data: dict[str, object] = form.write(value, digits)
+        return data
     return {"question": question, "answer": answer_data(asked_of(about, question), digits)}
 
 
+@overload
 def to_records(about: About, question: str) -> list[dict[str, object]]:
+    """The answer to a question about an object."""
+
+
+@overload
+def to_records(about: Written) -> list[dict[str, object]]:
+    """An answer."""
+
+
+def to_records(about: About | Written, question: str = "") -> list[dict[str, object]]:
     """The answer to a question (see `ask`) as a list of records, numbers as correctly rounded doubles: what
-    ``pandas.DataFrame`` and ``polars.DataFrame`` take.
+    ``pandas.DataFrame`` and ``polars.DataFrame`` take; also one that is given: ``answer.to_records()``.
 
     >>> from exactspline import example
     >>> to_records(example("cubic_s"), "inflections")[0]["parameter"]
     0.5
     """
-    found = records(asked_of(about, question))
+    found = _records_of(*_form_of_answer(about)) if isinstance(about, Written) else records(asked_of(about, question))
     return [{"what": each.what} | {name: _plain(x) for name, x in each.values.items()} for each in found]
+
+
+def answer_table(answer: Written) -> Sheet:
+    """An answer as a table.
+
+    >>> from exactspline import example
+    >>> answer_table(example("cubic_s").inflections).rows[0]
+    ('inflection', 'parameter', '1/2', '0.5')
+    """
+    form, value, name = _form_of_answer(answer)
+    return answer_sheet(name.replace("_", " "), _records_of(form, value, name), DIGITS)
+
+
+def _form_of_answer(answer: Written) -> tuple[Form, object, str]:
+    """The form of an answer, what is written of it, and its name."""
+    if isinstance(answer, Answer) and answer.asked is not None:
+        entry, facts = cast("tuple[Entry, Remembers]", answer.asked)  # as a question leaves them
+        return form_of(entry), placed(facts, answer), entry.name
+    for kind in type(answer).__mro__:
+        if kind in FORMS:
+            return FORMS[kind], answer, kind.__name__.lower()
+    raise ShapeError(f"an answer of unknown origin ({type(answer).__name__})", remedy="take it from exactspline.ask")
 
 
 def _plain(value: object) -> object:

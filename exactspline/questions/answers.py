@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from enum import StrEnum
 
+from exactspline.hooks import Written
 from exactspline.one_line import OneLine, one_line
 from exactspline.reals.real import Real
 from exactspline.roots.answers import CurvePiece
@@ -29,7 +30,7 @@ class Described(OneLine):
 
 
 @dataclass(frozen=True)
-class NamedNumbers:
+class NamedNumbers(Written):
     """Numbers by their names: what they are numbers of, and what else is known of it."""
 
     what: str

@@ -15,6 +15,7 @@ from typing import Any, Concatenate, Generic, ParamSpec, TypeVar, cast, overload
 
 from exactspline.numbers.once import Lock
 from exactspline.questions.takes import Takes
+from exactspline.roots.answers import Answer
 from exactspline.roots.zero_set import ZeroSet
 
 T = TypeVar("T")
@@ -217,6 +218,11 @@ class Fact(Generic[F, T]):
         return found
 
 
+def _remembering(entry: Entry, facts: Remembers, answer: T) -> T:
+    """An answer that knows what was asked, where it can."""
+    return answer.asked_with(entry, facts) if isinstance(answer, Answer) else answer
+
+
 class Question(Fact[F, T], Entry):
     """A fact that can be asked for by its name."""
 
@@ -227,7 +233,7 @@ class Question(Fact[F, T], Entry):
     def found(self, facts: F) -> T:
         """The answer, computed of the object as a kind that the question is asked of."""
         asked = facts.asked_as(self.about.of)
-        return self.compute(facts) if asked is facts else getattr(asked, self.name)
+        return _remembering(self, facts, self.compute(facts)) if asked is facts else getattr(asked, self.name)
 
     def answer(self, facts: Remembers, argument: str = "", place: str = "") -> object:
         """The exact answer."""
@@ -276,7 +282,7 @@ class QuestionWith(Entry, Generic[F, P, T]):
     def _of(self, facts: Remembers, arguments: dict[str, Any]) -> T:
         key = (self.name, *arguments.values())
         compute: Callable[..., T] = self.compute
-        return facts.once(key, lambda: compute(facts, **arguments))
+        return facts.once(key, lambda: _remembering(self, facts, compute(facts, **arguments)))
 
     def answer(self, facts: Remembers, argument: str = "", place: str = "") -> object:
         """The exact answer, what it is asked with given as text."""

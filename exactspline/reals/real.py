@@ -17,6 +17,7 @@ from typing import Any, Self, TypeAlias, TypeVar, cast
 from flint import arb, ctx, fmpq, fmpq_poly, fmpz_poly
 
 from exactspline.errors import NumberError
+from exactspline.hooks import Written
 from exactspline.numbers.exact import (
     Number,
     Rounding,
@@ -81,7 +82,7 @@ GUARD = 16
 LARGE, BIT = 100_000, 60
 
 
-class Real(Algebraic):
+class Real(Algebraic, Written):
     """An exact real number: ``Real(number)`` is a rational number; others are roots and values of curves, and the
     results of `+ − * /`, `abs` and `square_root`.
 

@@ -6,6 +6,7 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from typing import Generic, Self, TypeVar, overload
 
+from exactspline.hooks import Written
 from exactspline.numbers.exact import mpq
 from exactspline.numbers.intervals import Interval
 from exactspline.one_line import OneLine, one_line, short_text
@@ -66,9 +67,13 @@ class CurvePiece(OneLine):
 
 
 @dataclass(frozen=True, repr=False)
-class Answer(Sequence[T_co], Generic[T_co, W]):
+class Answer(Sequence[T_co], Written, Generic[T_co, W]):
     """Where something holds: at single points, and `everywhere` on these parts, whose points are not listed one by one.
     As a sequence it is that of its points; it is true unless the answer is "nowhere".
+
+    >>> from exactspline import example
+    >>> example("cubic_s").inflections.to_records()[0]["parameter"]
+    0.5
     """
 
     points: tuple[T_co, ...]
@@ -99,8 +104,7 @@ class Answer(Sequence[T_co], Generic[T_co, W]):
 
     def __getstate__(self) -> dict[str, object]:
         kept = {"points": self.points} | vars(self)
-        kept.pop("_late", None)
-        return kept
+        return {name: value for name, value in kept.items() if name not in ("_late", "_asked")}
 
     @overload
     def __getitem__(self, index: int) -> T_co: ...
@@ -121,7 +125,18 @@ class Answer(Sequence[T_co], Generic[T_co, W]):
 
     def where(self, holds: Callable[[T_co], bool]) -> Self:
         """The points with a property, on the same parts."""
-        return replace(self, points=tuple(filter(holds, self.points)))
+        found = replace(self, points=tuple(filter(holds, self.points)))
+        return found if self.asked is None else found.asked_with(*self.asked)
+
+    @property
+    def asked(self) -> tuple[object, object] | None:
+        """The question whose answer this is, and what is known of the object that was asked; None if it is unknown."""
+        return vars(self).get("_asked")
+
+    def asked_with(self, question: object, facts: object) -> Self:
+        """This answer, which remembers the first question that it answers."""
+        vars(self).setdefault("_asked", (question, facts))
+        return self
 
     @one_line
     def __repr__(self) -> str:

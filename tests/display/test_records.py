@@ -1,7 +1,9 @@
 """Answers as data, as records and as tables: made from the same answer, with nothing lost on the way."""
 
 import json
+import pickle
 
+import numpy as np
 import pytest
 
 import exactspline as xs
@@ -9,7 +11,9 @@ from exactspline.display.records import answer_data, answer_sheet, records
 from exactspline.display.sheet import Sheet
 from exactspline.geometry.analysis.ask import asked_of, facts_about, kind_of
 from exactspline.geometry.analysis.registry import REGISTRY
+from exactspline.hooks import Written
 from exactspline.questions.entry import Of
+from exactspline.reals.real import Real
 from tests.support.command import run
 
 OBJECTS = {
@@ -82,6 +86,35 @@ def test_records_make_a_data_frame_and_dictionaries_are_json():
     data = xs.tables.to_dict(xs.example("six_segment_cubic"), "curvature_extrema")
     assert [each["parameter"]["double"] for each in data["answer"]["points"]] == [each["parameter"] for each in found]
     assert json.loads(json.dumps(data)) == data
+
+
+@pytest.mark.parametrize("of", OBJECTS, ids=str)
+def test_an_answer_writes_itself_as_its_question_is_written(of):
+    """The numbers of the answer itself are those of the question, and it is a table in a notebook; not of a list that
+    is a tuple of several answers.
+    """
+    seen = 0
+    for entry, found in asked(of):
+        answer = found.answer
+        if isinstance(answer, Written):
+            assert json.dumps(answer.to_dict(12)) == json.dumps(answer_data(found, 12)), entry.name
+            own, rows = answer.to_records(), xs.tables.to_records(found.facts, entry.form)
+            assert [[*row.values()][1:] for row in own] == [[*row.values()][1:] for row in rows], entry.name
+            assert isinstance(answer, Real) or "<table" in answer._repr_html_()
+            seen += 1
+    assert seen > 1
+
+
+def test_what_is_chosen_of_an_answer_is_written_too_but_not_what_nobody_asked_for():
+    found = xs.example("six_segment_cubic").curvature_extrema
+    maxima = found.where(lambda feature: feature.kind == "maximum")
+    assert [row["parameter"] for row in maxima.to_records()] == np.array(maxima, float).tolist()
+    assert 0 < len(maxima) < len(found)
+    for again in (pickle.loads(pickle.dumps(found)), type(found)(found.points)):
+        assert again == found
+        with pytest.raises(xs.ExactSplineError, match=r"take it from exactspline\.ask"):
+            again.to_dict()
+        assert again._repr_html_() is None
 
 
 def test_every_kind_of_object_is_tried():

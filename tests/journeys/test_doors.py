@@ -209,6 +209,7 @@ OPTIONS = {
     "symbolic_table": (),
     "table_1_splines": (),
     "to_dict": (CUSP, "cusps"),
+    "to_records": (CUSP,),
     "torsion": (SPACE, "1/3"),
     "trace": (xs.find("f2"),),
     "verdicts": ("C4.1a",),

@@ -6,12 +6,12 @@ from collections.abc import Iterable
 from typing import Any
 
 from exactspline.errors import ShapeError, counted
-from exactspline.hooks import Displayed
+from exactspline.hooks import Written
 from exactspline.one_line import one_line
 from exactspline.questions.answers import NamedNumbers
 
 
-class Bisector(Displayed):
+class Bisector(Written):
     """The bisector of a curve and another curve or a point: its pieces, and what is missing, with the reason. Each of
     its classes says what its pieces are.
     """

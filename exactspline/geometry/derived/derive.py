@@ -12,7 +12,7 @@ from exactspline.errors import DomainError, FormulaError, ShapeError, counted, s
 from exactspline.formulas.lifted import binormal_lifted, inflections_lifted, tangent_lifted, torsion_zeros_lifted
 from exactspline.geometry.derived.constructions import Absence, Construction, Variant, all_constructions, construction
 from exactspline.geometry.derived.domain import intervals_where, part
-from exactspline.hooks import Displayed
+from exactspline.hooks import Written
 from exactspline.language.formula import Formula, expect_formula
 from exactspline.language.kinds import CURVE, PLANE, SPACE, kind_of
 from exactspline.language.parts import joined, numerator, split
@@ -46,7 +46,7 @@ class Piece:
 
 
 @dataclass(frozen=True)
-class Derived(Displayed):
+class Derived(Written):
     """A derived object in pieces, the intervals on which it does not exist, each with the reason, and its poles."""
 
     name: str

@@ -24,7 +24,7 @@ from exactspline.geometry.curves.planarity import in_one_plane
 from exactspline.geometry.pairs.box_tree import IntegerBox, box_of, shift_for
 from exactspline.geometry.pairs.intersections import Intersections, Overlap, intersections
 from exactspline.geometry.pairs.nearest import nearest
-from exactspline.hooks import Displayed
+from exactspline.hooks import Written
 from exactspline.numbers.exact import mpq, to_fmpq, to_fmpz
 from exactspline.numbers.intervals import UNIT, Box, Interval, ball_around, joined
 from exactspline.numbers.sides import Side
@@ -69,7 +69,7 @@ class ClosestPair:
 
 
 @dataclass(frozen=True, repr=False)
-class Distance(OneNumber, Displayed):
+class Distance(OneNumber, Written):
     """The least distance of two curves, and the pairs of points at it: exact numbers, and exactly equally near.
 
     `everywhere` are the arcs all of whose points are at it, by their parameters on both curves: arcs in common, arcs
