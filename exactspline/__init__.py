@@ -13,12 +13,17 @@ from sys import modules
 
 import lazy_loader
 
-from exactspline.hooks import set_functions, set_printers
+from exactspline import hooks
 from exactspline.release import __version__ as __version__
 
 #: The names stand in ``__init__.pyi``, which type checkers read too.
-_loaded, __dir__, _names = lazy_loader.attach_stub(__name__, __file__)
+_loaded, _, _names = lazy_loader.attach_stub(__name__, __file__)
 __all__ = [*_names, "__version__"]  # noqa: PLE0604
+
+
+def __dir__() -> list[str]:
+    """The names of the front door, and the questions."""
+    return sorted({*__all__, *hooks.first_guesses()[hooks.QUESTIONS]})
 
 
 def _printed(form: str, shown: object) -> str | None:
@@ -31,7 +36,7 @@ def _printed(form: str, shown: object) -> str | None:
     return found
 
 
-set_printers(_printed)
+hooks.set_printers(_printed)
 
 
 def _outside(name: str, thing: object) -> object:
@@ -46,4 +51,4 @@ def __getattr__(name: str) -> object:
     return import_module("exactspline.first_guesses").of_package(modules[__name__], name)
 
 
-set_functions((name for name in _names if name.islower()), _outside)
+hooks.set_functions((name for name in _names if name.islower()), _outside)

@@ -9,7 +9,7 @@ from itertools import accumulate, pairwise
 
 from flint import fmpq_mat
 
-from exactspline.errors import KnotError, NumberError, ShapeError, as_items, counted
+from exactspline.errors import KnotError, NumberError, ShapeError, as_flag, as_items, counted, shown
 from exactspline.interchange.affine import Affine
 from exactspline.interchange.arcs import DEGREES, turn_near
 from exactspline.interchange.segments import Segment, arc_around_origin, conic_arc, joined_segments, mapped
@@ -25,7 +25,29 @@ from exactspline.splines.type_checks import curve_of
 from exactspline.words import Word, choice
 
 __all__ = ["arc", "arc_through", "catmull_rom", "circle", "closed", "closed_spline", "conic", "ellipse"]
-__all__ += ["from_powers", "hermite", "interpolate", "joined", "rotate"]
+__all__ += ["from_powers", "hermite", "interpolate", "joined", "line", "polyline", "rotate"]
+
+
+def line(start: Iterable[Number], end: Iterable[Number]) -> Nurbs:
+    """The segment of a line, over [0, 1].
+
+    >>> line((0, 0), (4, 2))("1/2")
+    (mpq(2,1), mpq(1,1))
+    """
+    return polyline([start, end])
+
+
+def polyline(points: Iterable[Iterable[Number]], *, closed: bool = False) -> Nurbs:
+    """The polygon through points, over the parameters 0, 1, 2, …; with `closed` back to the first one.
+
+    >>> polyline([(0, 0), (1, 0), (1, 1)], closed=True)("5/2")
+    (mpq(1,2), mpq(1,2))
+
+    Raises `ShapeError` for fewer than two points.
+    """
+    p = [*exact_points(points)]
+    p += p[:1] * as_flag(closed, "whether the polygon is closed")
+    return Nurbs(1, [0, *_parameters(range(len(p)), p), len(p) - 1], p)
 
 
 def circle(centre: Iterable[Number] = (0, 0), radius: Number = 1) -> Nurbs:
@@ -148,7 +170,7 @@ def catmull_rom(points: Iterable[Iterable[Number]], *, closed: bool = False) -> 
     (mpq(1,1), mpq(0,1))
     """
     p = [*exact_points(points)]
-    p += p[:1] * closed
+    p += p[:1] * as_flag(closed, "whether the spline is closed")
     _parameters(range(len(p)), p)
     before, after = ([p[-2]], [p[1]]) if closed else ([], [])
     row = [*before, *p, *after]
@@ -237,24 +259,30 @@ def interpolate(
     points: Iterable[Iterable[Number]],
     parameters: Iterable[Number] | None = None,
     *,
+    degree: int = 3,
+    closed: bool = False,
     ends: Ends | str = Ends.NATURAL,
     slopes: Iterable[Iterable[Number]] = (),
     within: Number = "1e-6",
 ) -> Nurbs:
     """The cubic spline, of class C², through points at given parameters, by default those of the chord lengths, each
-    within a distance. `ends` are ``natural``, ``clamped`` (with two `slopes`) or ``periodic``: closed, where the last
+    within a distance. `ends` are ``natural``, ``clamped`` (with two `slopes`) or ``periodic``: `closed`, where the last
     point may repeat the first.
 
     >>> curve = interpolate([(0, 0), (1, 1), (2, 0)], [0, 1, 2])
     >>> curve(1), curve.derivative(2, 0), curve.p[1].continuity_at(1)
     ((mpq(1,1), mpq(1,1)), (mpq(0,1), mpq(0,1)), 2)
-    >>> interpolate([(0, 0), (3, 4), (6, 0)], ends="periodic").breakpoints
+    >>> interpolate([(0, 0), (3, 4), (6, 0)], closed=True).breakpoints
     (mpq(0,1), mpq(5,1), mpq(10,1), mpq(16,1))
 
-    Raises `ShapeError` for too few points or slopes, `KnotError` for parameters that do not increase.
+    Raises `ShapeError` for too few points or slopes and for another degree than 3, `KnotError` for parameters that do
+    not increase.
     """
+    if degree != 3:
+        remedy = "exactspline.from_scipy(scipy.interpolate.make_interp_spline(parameters, points, degree)) has others"
+        raise ShapeError(f"the degree {shown(degree)}; this spline is cubic", where="degree", remedy=remedy)
     how, p = choice(Ends, ends, "ends", raised=ShapeError), [*exact_points(points)]
-    around = how is Ends.PERIODIC
+    around = as_flag(closed, "whether the spline is closed") or how is Ends.PERIODIC
     p += p[:1] * (around and p[0] != p[-1])
     t = _parameters(_chord_lengths(p, rational(within)) if parameters is None else parameters, p)
     h, n = [b - a for a, b in pairwise(t)], len(p) - 1

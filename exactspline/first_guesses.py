@@ -7,7 +7,8 @@ from __future__ import annotations
 import re
 from functools import partial
 from importlib.util import find_spec
-from types import ModuleType
+from operator import attrgetter
+from types import MethodType, ModuleType
 from typing import Any
 
 from exactspline.errors import ExactSplineError, nearest
@@ -18,58 +19,92 @@ from exactspline.hooks import LENT, QUESTIONS, Written, first_guesses
 
 #: Rooms with public names of their own.
 ROOMS = ("interchange", "constructors", "display", "language", "readings", "tables", "teaching")
-#: Calls that an object finds by another name: an attribute or a method, a function that takes it first.
-OWN, FUNCTION = re.compile(r"x\.(\w+)(\(\w*\))?"), re.compile(r"exactspline\.(\w+)\(x(, \w+)*\)")
+#: Calls that are found by another name: an attribute or a method, and a function with what it takes.
+OWN = re.compile(r"x\.(\w+)(\(\w*\))?")
+FUNCTION = re.compile(r'exactspline\.([\w.]+)\((\w+)(?:, \w+)*(?:, (\w+)="(\w+)")?\)')
+
+
+class Found(tuple[Any, ...]):
+    """An answer of several parts, which may be written as a call: ``curve.corners()`` is ``curve.corners``."""
+
+    __slots__ = ()
+
+    def __call__(self) -> Found:
+        """Itself."""
+        return self
 
 
 def of_object(front: ModuleType, name: str, thing: object) -> object:
     """What an object has by a name that is not its own: a function of the front door, the answer to a question, or what
-    is meant by a name of other libraries.
+    is meant by a name of other libraries; of a class the function itself; by ``questions`` the names of those that are
+    asked of it.
 
     >>> from exactspline import example
     >>> circle = example("circle")
-    >>> circle.length, circle.plot.func.__name__, circle.is_closed
-    (<Real 6.2831853…>, 'plot', True)
+    >>> circle.length, circle.corners(), circle.plot.__name__, circle.is_closed
+    (<Real 6.2831853…>, (), 'plot', True)
 
     Raises `AttributeError`, which names the call that works.
     """
-    guesses = first_guesses()
+    guesses, thing = first_guesses(), getattr(thing, "given", thing)
+    if isinstance(thing, type):
+        if name in guesses[LENT] or (name in front.__all__ and name.startswith("from_")):
+            return getattr(front, name)
+        problem = f"type object {thing.__name__!r} has no attribute {name!r}"
+        raise AttributeError(f"{problem}; {_remedy(front, name, thing)}", name=name, obj=thing)
     if isinstance(thing, Written):
-        return partial(getattr(front.tables, name), thing)
+        return MethodType(getattr(front.tables, name), thing)
     if name in guesses[LENT]:
-        return partial(getattr(front, name), thing)
+        return MethodType(getattr(front, name), thing)
     for call in _calls(name):
         if (own := OWN.fullmatch(call)) and hasattr(thing, own[1]):
             return getattr(thing, own[1])
-        if function := FUNCTION.fullmatch(call):
-            return partial(getattr(front, function[1]), thing)
+        if (function := FUNCTION.fullmatch(call)) and function[2] == "x":
+            return MethodType(_called(front, function), thing)
     problem = f"{type(thing).__name__!r} object has no attribute {name!r}"
-    if name not in guesses[QUESTIONS]:
-        raise AttributeError(f"{problem}; {_remedy(front, name, dir(thing))}", name=name, obj=thing)
+    if name not in (QUESTIONS, *guesses[QUESTIONS]):
+        raise AttributeError(f"{problem}; {_remedy(front, name, thing)}", name=name, obj=thing)
     try:
         facts: Any = facts_about(thing)  # type: ignore[arg-type]  # which refuses what it does not take
         asked = questions_about(facts.given) if isinstance(facts, Analysis) else REGISTRY[kind_of(facts)]
     except ExactSplineError as error:
+        if name == QUESTIONS:
+            return ()
         raise AttributeError(f"{problem}: {error}", name=name, obj=thing) from None
+    if name == QUESTIONS:
+        return tuple(asked)
     if name not in asked:
         raise AttributeError(f"{problem}: it is not asked of a {kind_of(facts)}", name=name, obj=thing)
-    return getattr(facts, name)
+    answer = getattr(facts, name)
+    return Found(answer) if type(answer) is tuple else answer
+
+
+def _called(front: ModuleType, call: re.Match[str]) -> Any:
+    """The function of a call, with the last argument where that is written out."""
+    function = attrgetter(call[1])(front)
+    return partial(function, **{call[3]: call[4]}) if call[3] else function
 
 
 def of_package(front: ModuleType, name: str) -> object:
-    """The question of that name as a function: ``exactspline.length(curve)``.
+    """The question of that name as a function: ``exactspline.length(curve)``; what one of the rooms has by this name,
+    or what is meant by a name of other libraries.
 
     >>> import exactspline
-    >>> exactspline.length(exactspline.example("circle"))
-    <Real 6.2831853…>
+    >>> exactspline.length(exactspline.example("circle")), exactspline.intersect is exactspline.intersections
+    (<Real 6.2831853…>, True)
 
     Raises `AttributeError`, which names the call that works.
     """
     if name in first_guesses()[QUESTIONS]:
         return partial(_answered, front, name)
     problem = f"module 'exactspline' has no attribute {name!r}"
-    remedy = "" if find_spec(f"exactspline.{name}") else f"; {_remedy(front, name, dir(front))}"
-    raise AttributeError(problem + remedy, name=name)
+    if find_spec(f"exactspline.{name}"):
+        raise AttributeError(problem, name=name)
+    calls = [f"exactspline.{room}.{name}(x)" for room in ROOMS if name in getattr(front, room).__all__]
+    for call in (*calls, *_calls(name)):
+        if function := FUNCTION.fullmatch(call):
+            return _called(front, function)
+    raise AttributeError(f"{problem}; {_remedy(front, name, front)}", name=name)
 
 
 def _answered(front: ModuleType, name: str, about: object, *arguments: object) -> object:
@@ -83,11 +118,8 @@ def _calls(name: str) -> list[str]:
     return [call for call, guesses in first_guesses().items() if name in guesses and call not in (LENT, QUESTIONS)]
 
 
-def _remedy(front: ModuleType, name: str, known: list[str]) -> str:
-    """The call that works instead of a guess, or the nearest of the known names."""
-    calls = [f"exactspline.{name}"] * (name in dir(front)) or _calls(name)
-    if not calls:
-        homes = [room for room in ROOMS if name in getattr(front, room).__all__]
-        calls = [f"exactspline.{room}.{name}" for room in homes]
-    found = nearest(name, filter(str.isidentifier, known))
-    return "write " + re.sub(r"\bx\b", "curve", calls[0]) if calls else found
+def _remedy(front: ModuleType, name: str, thing: object) -> str:
+    """The call that works instead of a guess, or the nearest of the names of a thing."""
+    for call in (f"exactspline.{name}",) if name in front.__all__ else _calls(name):
+        return "write " + re.sub(r"\bx\b", "curve", call)
+    return nearest(name, filter(str.isidentifier, dir(thing)))

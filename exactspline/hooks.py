@@ -7,7 +7,6 @@ from dataclasses import dataclass
 from enum import Enum
 from functools import cache
 from importlib import import_module
-from itertools import chain
 from os.path import dirname, join
 from typing import TYPE_CHECKING, Any, ClassVar, Protocol, cast, dataclass_transform
 
@@ -63,10 +62,13 @@ def first_guesses() -> dict[str, list[str]]:
 
 def set_functions(names: Iterable[str], outside: Callable[[str, object], object]) -> None:
     """Let objects find by `outside` these functions of the front door, and what users type first, as attributes."""
+    guesses = first_guesses()
+    calls = {name: f"exactspline.{name}" for name in names}
+    calls |= {name: call for call, others in reversed(guesses.items()) for name in others}
+    for name in calls.keys() - set(dir(FunctionsOutside)):
+        found = _question(name) if calls[name] == QUESTIONS else _Outside(name, calls[name])
+        setattr(FunctionsOutside if calls[name] in (LENT, QUESTIONS) else OtherNames, name, found)
     _outside[:] = [outside]
-    for name in {*names, *chain(*first_guesses().values())}:
-        if not hasattr(FunctionsOutside, name):
-            setattr(FunctionsOutside, name, _Outside(name))
 
 
 class Writer(Protocol):
@@ -136,21 +138,32 @@ class WordedData(Worded):
 
 
 class _Outside:
-    """An attribute that the front door finds: a function that takes the object, the answer to a question, or an error
-    that names the call that works.
+    """An attribute that the front door finds: a function that takes the object, or an error that names the call that
+    works; of a class the function itself.
     """
 
-    def __init__(self, name: str) -> None:
-        self.name = name
+    def __init__(self, name: str, call: str) -> None:
+        self.name, self.__doc__ = name, call
 
     def __get__(self, instance: object, owner: type) -> object:
-        """What is found, of a class itself an error alone."""
-        if instance is None:
-            raise AttributeError(f"type object {owner.__name__!r} has no attribute {self.name!r}", name=self.name)
-        return _outside[0](self.name, instance)
+        """What is found."""
+        return _outside[0](self.name, owner if instance is None else instance)
 
 
-class FunctionsOutside:
+def _question(name: str) -> property:
+    """A question as an attribute; a property, so that completion does not ask it."""
+    return property(lambda thing: _outside[0](name, thing), doc=f"``exactspline.analyse(self).{name}``: see there.")
+
+
+class OtherNames:
+    """What other libraries call by another name, and what the front door does with other things: found, or named by an
+    error, but not listed.
+    """
+
+    __slots__ = ()
+
+
+class FunctionsOutside(OtherNames):
     """An object that functions of the front door take: ``curve.plot()`` is ``exactspline.plot(curve)``, and
     ``curve.length`` the answer to a question. The last of the bases, so that its attributes come after all others.
 
@@ -174,5 +187,7 @@ class FunctionsOutside:
         return evaluate(*parameters, of=of, order=order, rounding=rounding, side=side)
 
     def __dir__(self) -> list[str]:
-        own = {name for each in type(self).__mro__ if each is not FunctionsOutside for name in each.__dict__}
-        return sorted({*own, *getattr(self, "__dict__", ()), "floats"})
+        """Its own names, the functions that take it, and the questions that are asked of it."""
+        own = {name for each in type(self).__mro__ if each not in FunctionsOutside.__mro__[:2] for name in vars(each)}
+        asked = cast("Iterable[str]", _outside[0](QUESTIONS, self))
+        return sorted({*own, *getattr(self, "__dict__", ()), *first_guesses()[LENT], *asked})

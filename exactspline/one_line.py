@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from decimal import Context, Decimal
 from functools import wraps
 from typing import TYPE_CHECKING, Any
@@ -69,7 +69,7 @@ def _field(name: str, value: Any) -> str:
     """What is said of a field; empty for nothing."""
     if isinstance(value, bool):
         return name.replace("_", " ") * value
-    if value is None or callable(value):
+    if value is None or (callable(value) and not isinstance(value, Sequence)):
         return ""
     if isinstance(value, (list, dict)) or type(value) is tuple:
         parts = [_field("", each) for each in [*value][:FEW]] + ["…"] * (len(value) > FEW)

@@ -157,7 +157,7 @@ def test_zeros_of_g0_are_zeros_of_the_derivative_of_curvature(name):
     curve = example(name)
     g2 = find("g2")(curve)
     checked = 0
-    for i, c in enumerate(g2.polynomials):
+    for i, c in enumerate(g2.numerators):
         inside = zero_on_segment(c, g2.degree)
         if inside is None or inside[0] == inside[1]:
             continue

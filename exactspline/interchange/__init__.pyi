@@ -8,6 +8,7 @@ from .bridges.splinepy import from_splinepy as from_splinepy
 from .bridges.splinepy import to_splinepy as to_splinepy
 from .bridges.sympy import to_sympy as to_sympy
 from .files import read as read
+from .files import text as text
 from .files import write as write
 from .limits import Limits as Limits
 from .records import NamedCurve as NamedCurve

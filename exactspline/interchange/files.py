@@ -33,6 +33,7 @@ from exactspline.interchange.writing import Spline
 from exactspline.numbers.exact import Number, mpq, rational
 from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.surface import NurbsSurface
+from exactspline.splines.type_checks import curve_of
 
 #: How many bytes of a file are used to recognize its format.
 HEAD = 16_384
@@ -159,7 +160,10 @@ def encoded(
     """The bytes that `write` writes, and notes on what was lost."""
     chosen = _named_format(format)
     several: Any = [given] if isinstance(given, (Nurbs, NurbsSurface)) else as_items(given, "curves or surfaces")
-    named = [NamedCurve(c.name or f"curve {i}", c) if isinstance(c, Nurbs) else c for i, c in enumerate(several, 1)]
+    kinds = NamedCurve | NurbsSurface
+    named = [
+        c if isinstance(c, kinds) else NamedCurve(curve_of(c).name or f"curve {i}", c) for i, c in enumerate(several, 1)
+    ]
     surfaces = [each for each in named if isinstance(each, NurbsSurface)]
     if not named:
         raise CurveFileError("no curves to write", remedy="give at least one")
@@ -175,6 +179,15 @@ def encoded(
     data = chosen.write(list(map(Spline, named)), numbers)
     notes = [f"{numbers.rounded} numbers were rounded to doubles"] if numbers.rounded else []
     return data, (*notes, *([chosen.loses] if chosen.loses else []))
+
+
+def text(given: Nurbs | NurbsSurface | Iterable[Nurbs | NamedCurve | NurbsSurface], format: str = "json") -> str:
+    """The text that `write` writes in a format of text.
+
+    >>> text(Nurbs.bezier([(0, 0), (1, 2), (3, 0)]), "svg").count("<path")
+    1
+    """
+    return encoded(given, format)[0].decode()
 
 
 def _named_format(name: str) -> Format:

@@ -40,7 +40,10 @@ def arc_around_origin(u: Point, v: Point) -> list[Segment]:
     """
     radius2 = u[0] ** 2 + u[1] ** 2
     if radius2 != v[0] ** 2 + v[1] ** 2 or not radius2:
-        raise ShapeError("the end points are not exactly on one circle", remedy="their distances must be equal")
+        remedy = (
+            "their distances from it must be equal; exactspline.constructors.arc_through(start, middle, end) finds it"
+        )
+        raise ShapeError("the end points are not exactly on one circle about the centre", remedy=remedy)
     corners = [u]
     for _ in range(4):
         last = corners[-1]

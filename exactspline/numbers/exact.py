@@ -124,8 +124,8 @@ def rational(value: Number) -> mpq:
 
 _ONE = 'pass an int, a Fraction, an mpq, a Decimal or text such as "3/4" or "0.1"; √2 is exactspline.square_root(2)'
 _MANY = (
-    "pass an int, a Fraction or text; curve.floats(ts) evaluates at many parameters, exactspline.from_floats(rows) "
-    "takes doubles as data"
+    'pass an int, a Fraction or text; curve.floats(ts), curve.floats(ts, of="curvature") and so on evaluate at many '
+    "parameters, exactspline.from_floats(rows) takes doubles as data"
 )
 
 
@@ -154,35 +154,42 @@ def is_float(value: object) -> TypeGuard[float]:
 
 
 @overload
-def from_floats(values: float) -> mpq:
+def from_floats(values: float, *, snap: bool = ...) -> mpq:
     """The exact value of a float."""
 
 
 @overload
-def from_floats(values: Iterable[float]) -> list[mpq]:
+def from_floats(values: Iterable[float], *, snap: bool = ...) -> list[mpq]:
     """The exact values of floats in a sequence."""
 
 
 @overload
-def from_floats(values: Iterable[Iterable[float]]) -> list[list[mpq]]:
+def from_floats(values: Iterable[Iterable[float]], *, snap: bool = ...) -> list[list[mpq]]:
     """The exact values of rows of floats."""
 
 
-def from_floats(values: float | Iterable[float] | Iterable[Iterable[float]]) -> mpq | list[mpq] | list[list[mpq]]:
+def from_floats(
+    values: float | Iterable[float] | Iterable[Iterable[float]], *, snap: bool = False
+) -> mpq | list[mpq] | list[list[mpq]]:
     """The exact binary value of a float, or of those in a sequence, or in rows such as control points: the way to take
-    doubles as data. Integers among them stay what they are.
+    doubles as data; with `snap`, that of the shortest decimal that it prints as. Integers stay what they are.
 
-    >>> from_floats(0.1) == rational("0.1")
-    False
+    >>> from_floats(0.1) == rational("0.1"), from_floats(0.1, snap=True)
+    (False, mpq(1,10))
     >>> from_floats([(0.5, 1.0), (0.25, -2.0)])
     [[mpq(1,2), mpq(1,1)], [mpq(1,4), mpq(-2,1)]]
 
     Raises `NumberError`, with its position, for an element that is neither a float nor an integer.
     """
-    return from_float(values) if is_float(values) else _from_floats(values, DEEPEST)
+    return _from_float(values, snap) if is_float(values) else _from_floats(values, DEEPEST, snap)
 
 
-def _from_floats(values: Any, depth: int) -> list[Any]:
+def _from_float(value: float, snap: bool) -> mpq:
+    """The binary value of a float, or the decimal."""
+    return rational(str(value)) if snap and isfinite(value) else from_float(value)
+
+
+def _from_floats(values: Any, depth: int, snap: bool) -> list[Any]:
     """The values of floats in nested sequences, up to a depth."""
     if depth == 0:
         raise NumberError(
@@ -193,9 +200,9 @@ def _from_floats(values: Any, depth: int) -> list[Any]:
     for i, value in enumerate(given):
         try:
             if isinstance(value, Iterable) and not isinstance(value, str):
-                values_found.append(_from_floats(value, depth - 1))
+                values_found.append(_from_floats(value, depth - 1, snap))
             else:
-                values_found.append(rational(value) if isinstance(value, Integral) else from_float(value))
+                values_found.append(rational(value) if isinstance(value, Integral) else _from_float(value, snap))
         except NumberError as error:
             raise error.at(f"[{i}]") from None
     return values_found

@@ -108,7 +108,7 @@ def _functions(kind: Kind, dimension: int, polynomial: bool) -> int:
 
 
 def _is_one(w: BSpline) -> bool:
-    return w.degree == 0 and all(c.is_one() for c in w.polynomials) and all(m == 1 for m in w.denominators)
+    return w.degree == 0 and all(c.is_one() for c in w.numerators) and all(m == 1 for m in w.denominators)
 
 
 @lru_cache(None)

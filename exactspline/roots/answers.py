@@ -123,6 +123,10 @@ class Answer(Sequence[T_co], Written, Generic[T_co, W]):
     def __bool__(self) -> bool:
         return bool(len(self) or self.everywhere)
 
+    def __call__(self) -> Self:
+        """Itself: ``curve.inflections()`` is ``curve.inflections``."""
+        return self
+
     def where(self, holds: Callable[[T_co], bool]) -> Self:
         """The points with a property, on the same parts."""
         found = replace(self, points=tuple(filter(holds, self.points)))

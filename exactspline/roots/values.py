@@ -18,10 +18,10 @@ from exactspline.numbers.immutable import fill
 from exactspline.numbers.intervals import Interval, quotient, rounded_outwards
 from exactspline.numbers.sides import Side
 from exactspline.polynomials import annihilating
-from exactspline.polynomials.bernstein import in_parameter, over_common_denominator
+from exactspline.polynomials.bernstein import over_common_denominator
 from exactspline.polynomials.centred_form import bounds_over
 from exactspline.reals.real import UNASKED, Real, square_root
-from exactspline.splines.bspline import BSpline
+from exactspline.splines.bspline import BSpline, in_powers
 from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.type_checks import curve_of
 
@@ -179,7 +179,7 @@ def _values_between(f: BSpline, low: mpq, high: mpq) -> Interval | None:
         return None
     if f.degree < 0:
         return Interval(mpq(0), mpq(0))
-    form = f.polynomials[i], f.denominators[i]
+    form = f.numerators[i], f.denominators[i]
     return Interval(*bounds_over(form, f.degree, f.mesh.local(i, low), f.mesh.local(i, high)))
 
 
@@ -224,17 +224,6 @@ def sign_at(f: BSpline, t: mpq | Real, side: Side | str = Side.RIGHT) -> int:
             if zero:
                 return 0
         digits *= 2
-
-
-def in_powers(f: BSpline, i: int) -> fmpq_poly:
-    """The polynomial of a segment, in the parameter of the spline.
-
-    >>> from exactspline import BSpline
-    >>> in_powers(BSpline.bezier([0, 0, 1], 1, 3), 0)
-    1/4*x^2 + (-1/2)*x + 1/4
-    """
-    top, factor = in_parameter(f.polynomials[i], max(f.degree, 0), f.mesh.breaks[i : i + 2])
-    return fmpq_poly(top) / (factor * f.denominators[i])
 
 
 def segment_polynomials(splines: Sequence[BSpline], i: int) -> list[fmpz_poly]:

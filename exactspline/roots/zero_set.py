@@ -175,7 +175,7 @@ class ZeroSet(Immutable, Displayed):
             "breakpoints": [text(t) for t in f.mesh.breaks],
             "segments": [
                 _segment([str(c[k]) for k in range(f.degree + 1)], i)
-                for c, i in zip(f.polynomials, self.isolations, strict=True)
+                for c, i in zip(f.numerators, self.isolations, strict=True)
             ],
             "roots": [
                 {
@@ -210,7 +210,7 @@ class _Collected:
     """The roots and jumps of a spline, collected from left to right."""
 
     def __init__(self, spline: BSpline, periodic: bool, isolations: list[Isolation | None]) -> None:
-        if len(isolations) != len(spline.polynomials) or not all(x is None or type(x) is Isolation for x in isolations):
+        if len(isolations) != len(spline.numerators) or not all(x is None or type(x) is Isolation for x in isolations):
             raise ShapeError("isolations that do not belong to the segments", remedy="exactspline.zeros finds them")
         self.spline, self.periodic, self.isolations = spline, periodic, isolations
         self.roots: list[Root] = []
@@ -273,7 +273,7 @@ def zeros(f: BSpline, *, periodic: bool = False) -> ZeroSet:
     Raises `ShapeError` for anything but a `BSpline`.
     """
     f, periodic = spline_of(f), as_flag(periodic, "whether the ends of the domain are one knot")
-    return ZeroSet(f, periodic, [isolate(c, f.degree) if c else None for c in f.polynomials])
+    return ZeroSet(f, periodic, [isolate(c, f.degree) if c else None for c in f.numerators])
 
 
 def _zero_intervals(f: BSpline, isolations: list[Isolation | None], periodic: bool) -> list[ZeroInterval]:

@@ -13,7 +13,7 @@ from operator import mul as times
 from operator import sub as minus
 from typing import ClassVar
 
-from flint import fmpz, fmpz_poly
+from flint import fmpq_poly, fmpz, fmpz_poly
 
 from exactspline.errors import ShapeError, as_items, counted
 from exactspline.hooks import FunctionsOutside
@@ -31,13 +31,14 @@ from exactspline.polynomials.bernstein import (
     bezier,
     common_denominators,
     derivative,
+    in_parameter,
     raiser,
     true_degree,
     value,
 )
 from exactspline.polynomials.cost import LONGEST_LOOP, check_reach, height_bits
 from exactspline.splines import blossom, refinement
-from exactspline.splines.forms import Polynomials, segmentwise
+from exactspline.splines.forms import segmentwise
 from exactspline.splines.inputs import checked_degree, checked_side, exact_row
 from exactspline.splines.knots import SMOOTH, KnotVector, Mesh, clamped, mesh_of
 
@@ -75,8 +76,7 @@ class BSpline(Immutable, RingOperand, FunctionsOutside):
     degree: int
     mesh: Mesh
     continuity: tuple[int, ...]
-    #: The integer polynomials of the segments, over `denominators`: shared, so that nobody may change them (of which
-    #: `polynomials` are copies).
+    #: The integer polynomials of the forms, over `denominators`: shared, so that nobody may change them.
     numerators: tuple[fmpz_poly, ...]
     denominators: tuple[fmpz, ...]
     provenance: Provenance
@@ -153,14 +153,18 @@ class BSpline(Immutable, RingOperand, FunctionsOutside):
     # ---- representation
 
     @property
-    def polynomials(self) -> Polynomials:
-        """The polynomials of the forms, segment by segment: copies."""
-        return Polynomials(self.numerators)
+    def polynomials(self) -> tuple[fmpq_poly, ...]:
+        """The polynomial of every segment, in the parameter.
+
+        >>> BSpline(1, [0, 0, 1, 3, 3], [1, 2, 0]).polynomials
+        (x + 1, (-1)*x + 3)
+        """
+        return tuple(in_powers(self, i) for i in range(len(self.mesh)))
 
     @property
     def forms(self) -> tuple[Form, ...]:
         """The form of every segment: a polynomial (a copy) over its denominator."""
-        return tuple(zip(self.polynomials, self.denominators, strict=True))
+        return tuple(zip(map(fmpz_poly, self.numerators), self.denominators, strict=True))
 
     @property
     def knots(self) -> KnotVector:
@@ -330,6 +334,15 @@ class BSpline(Immutable, RingOperand, FunctionsOutside):
             reached = values[-1]
         return BSpline(degree, [t for t in self.breakpoints for _ in range(degree + 1)], points)
 
+    def integrate(self, a: Number, b: Number) -> mpq:
+        """The integral from `a` to `b`.
+
+        >>> BSpline(1, [0, 0, 1, 3, 3], [2, 0, 4]).integrate(1, 3)
+        mpq(4,1)
+        """
+        antiderivative = self.integral()
+        return antiderivative(b) - antiderivative(a)
+
     def elevated_to(self, other: BSpline) -> BSpline:
         """The same function, at least of the degree of `other`."""
         return self if self.degree >= other.degree else self.elevate_degree(other.degree - self.degree)
@@ -448,6 +461,16 @@ def from_parts(
     if knots is not None:
         fill(spline, _knots=knots, _points=points)
     return spline
+
+
+def in_powers(f: BSpline, i: int) -> fmpq_poly:
+    """The polynomial of a segment, in the parameter of the spline.
+
+    >>> in_powers(BSpline.bezier([0, 0, 1], 1, 3), 0)
+    1/4*x^2 + (-1/2)*x + 1/4
+    """
+    top, factor = in_parameter(f.numerators[i], max(f.degree, 0), f.mesh.breaks[i : i + 2])
+    return fmpq_poly(top) / (factor * f.denominators[i])
 
 
 def _restored(

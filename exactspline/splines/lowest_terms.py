@@ -95,7 +95,7 @@ def lowest_terms(value: Rational[BSpline]) -> list[tuple[list[fmpz_poly], int]]:
     As homogeneous forms of one degree, so that factors u (a zero at the right end), v and u + v (a degree too high) are
     common factors like any other. Raises `ReductionError` where the denominator vanishes on a whole segment.
     """
-    if (gap := next((i for i, c in enumerate(value.denominator.polynomials) if not c), None)) is not None:
+    if (gap := next((i for i, c in enumerate(value.denominator.numerators) if not c), None)) is not None:
         a, b = value.denominator.breakpoints[gap : gap + 2]
         raise ReductionError(
             f"the denominator vanishes on all of [{text(a)}, {text(b)}]",

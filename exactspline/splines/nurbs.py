@@ -6,15 +6,16 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
 from functools import partial
-from typing import Any, cast, overload
+from itertools import pairwise
+from typing import TYPE_CHECKING, Any, overload
 
-from exactspline.errors import DomainError, ShapeError, WeightError, as_instance, as_items, counted
+from exactspline.errors import DomainError, ShapeError, WeightError, as_instance, as_items, counted, shown
 from exactspline.formulas.derivatives import across
 from exactspline.hooks import FunctionsOutside
 from exactspline.language.arguments import Curve
 from exactspline.language.operand import Operand, checked_order
 from exactspline.language.vector import Vector, dot, norm2, perp
-from exactspline.numbers.exact import Number, from_float, is_float, mpq, rational, sign, text
+from exactspline.numbers.exact import Number, from_floats, mpq, rational, sign, text
 from exactspline.numbers.immutable import Immutable, fill
 from exactspline.numbers.intervals import Interval
 from exactspline.numbers.once import cached_property
@@ -32,6 +33,10 @@ from exactspline.splines.insertion import inserted
 from exactspline.splines.knots import KnotVector, Mesh, mesh_of
 from exactspline.splines.nurbs_operations import mapped, same_quotients
 from exactspline.splines.refinement import insertable
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
 
 
 def normalized(v: tuple[mpq, ...], problem: str) -> tuple[Real, ...]:
@@ -153,12 +158,9 @@ class Nurbs(Immutable, Curve[BSpline], FunctionsOutside):
 
         Raises `NumberError` for NaN and infinities, and what `Nurbs` raises.
         """
-
-        def row(values: Iterable[float]) -> list[mpq]:
-            return [_exact(x, snap) for x in values]
-
-        exact = None if weights is None else row(weights)
-        return cls(degree, row(knots), [row(point) for point in control_points], exact, name=name)
+        exact = None if weights is None else from_floats(weights, snap=snap)
+        points = from_floats(control_points, snap=snap)
+        return cls(degree, from_floats(knots, snap=snap), points, exact, name=name)
 
     @classmethod
     def from_splines(cls, p: Iterable[BSpline], w: BSpline | None = None, *, name: str = "") -> Nurbs:
@@ -474,6 +476,28 @@ class Nurbs(Immutable, Curve[BSpline], FunctionsOutside):
         a, b = self.domain
         return self.restrict(a, t), self.restrict(t, b)
 
+    def bezier_segments(self) -> list[Nurbs]:
+        """Every segment as a curve of its own.
+
+        >>> [str(part.domain) for part in Nurbs(1, [0, 0, 1, 3, 3], [(0, 0), (4, 2), (5, 0)]).bezier_segments()]
+        ['[0, 1]', '[1, 3]']
+        """
+        return [self.restrict(*ends) for ends in pairwise(self.breakpoints)]
+
+    def sample(self, count: int = 100) -> NDArray[np.float64]:
+        """The points at this many parameters in equal steps, from end to end of the domain, as correctly rounded
+        doubles.
+
+        >>> Nurbs(1, [0, 0, 1, 1], [(0, 0), (4, 2)]).sample(3).tolist()
+        [[0.0, 0.0], [2.0, 1.0], [4.0, 2.0]]
+
+        Raises `ShapeError` for fewer than two points.
+        """
+        if type(count) is not int or count < 2:
+            raise ShapeError(f"{shown(count)} points", where="count", remedy="give at least 2")
+        a, b = self.domain
+        return self.floats([a + (b - a) * i / (count - 1) for i in range(count)])
+
     def restrict(self, a: Number, b: Number) -> Nurbs:
         """The part over [a, b], over the same parameters.
 
@@ -553,13 +577,6 @@ def _fields(degree: int, knots: KnotVector, points: tuple[Point, ...], weights: 
     polynomial = weights.count(weights[0]) == len(weights) and weights[0] != 0
     data = {"degree": degree, "knots": knots, "control_points": points, "weights": weights}
     return data | {"polynomial": polynomial, "point": None}
-
-
-def _exact(value: float, snap: bool) -> mpq:
-    """The value of a float, or of the decimal that it prints as; an integer is one."""
-    if not is_float(value):
-        return rational(cast(int, value))
-    return rational(str(value)) if snap else from_float(value)
 
 
 def _check_weight(w: BSpline) -> None:

@@ -48,8 +48,8 @@ class Piecewise(Protocol):
         """The form of every segment."""
 
     @property
-    def polynomials(self) -> Sequence[fmpz_poly]:
-        """The polynomials of the forms, copies."""
+    def numerators(self) -> tuple[fmpz_poly, ...]:
+        """The polynomials of the forms, shared."""
 
     @property
     def domain(self) -> Interval:
@@ -90,7 +90,7 @@ def over(f: S, mesh: Mesh) -> S:
 def _parts(f: Piecewise, mesh: Mesh) -> Iterator[bernstein.Form]:
     for a, b in pairwise(mesh.breaks):
         i = f.mesh.locate(a)
-        form = f.polynomials[i], f.denominators[i]
+        form = f.numerators[i], f.denominators[i]
         yield bernstein.restrict(form, f.degree, f.mesh.local(i, a), f.mesh.local(i, b))
 
 

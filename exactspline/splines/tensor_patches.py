@@ -17,7 +17,6 @@ from exactspline.polynomials.bernstein import ONE, over_common_denominator, with
 from exactspline.polynomials.tensor_bernstein import columns, derivative, rows, without_powers
 from exactspline.splines import refinement
 from exactspline.splines.bspline import BSpline
-from exactspline.splines.forms import Polynomials
 from exactspline.splines.knots import SMOOTH, Mesh
 
 Profile = tuple[int, BSpline]
@@ -163,13 +162,8 @@ class TensorParts:
         return found
 
     @property
-    def polynomials(self) -> Polynomials:
-        """The packed polynomials at the current stride, as copies; zero where the spline is zero."""
-        return Polynomials(self.numerators)
-
-    @property
     def numerators(self) -> tuple[fmpz_poly, ...]:
-        """The packed polynomials at the current stride: shared, not to be changed (`polynomials` are copies)."""
+        """The packed polynomials at the current stride: shared, not to be changed; zero where the spline is zero."""
         return self.at_stride(self.stride)
 
     @property

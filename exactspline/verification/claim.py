@@ -503,7 +503,7 @@ class Claim(Immutable, Displayed):
         for name in self.named:
             value = self.find(name)(argument)
             parts = [value.directrix, value.generator] if isinstance(value, RuledSurface) else [value]
-            if any(isinstance(part, Rational) and not all(part.denominator.polynomials) for part in parts):
+            if any(isinstance(part, Rational) and not all(part.denominator.numerators) for part in parts):
                 return Undefined(name)
         return None
 

@@ -43,7 +43,7 @@ def _not_zero(f: BSpline) -> tuple[mpq, mpq]:
     """A parameter at which a nonzero spline does not vanish, and its value there."""
     return next(
         (t, value)
-        for p, (a, b) in zip(f.polynomials, pairwise(f.breakpoints), strict=True)
+        for p, (a, b) in zip(f.numerators, pairwise(f.breakpoints), strict=True)
         if p
         for t in (a + (b - a) * mpq(j, f.degree + 3) for j in range(1, f.degree + 3))
         if (value := f(t))
@@ -76,7 +76,7 @@ def extra_zero(a: BSpline, b: BSpline) -> Place | None:
     >>> extra_zero(t * (t - 1), t), extra_zero(t, t * t)
     (<at the parameter 1 (from the left)>, None)
     """
-    for i, (p, q) in enumerate(zip(a.polynomials, b.polynomials, strict=True)):
+    for i, (p, q) in enumerate(zip(a.numerators, b.numerators, strict=True)):
         if not p and not q:
             continue
         if not p:

@@ -331,4 +331,4 @@ def _vanish_together(components: list[Any]) -> bool:
     """Whether all components vanish identically, splines on one whole segment."""
     if not hasattr(components[0], "polynomials"):
         return all(x.is_zero for x in components)
-    return any(not any(pieces) for pieces in zip(*[x.polynomials for x in components], strict=True))
+    return any(not any(pieces) for pieces in zip(*[x.numerators for x in components], strict=True))

@@ -113,7 +113,7 @@ def _fails(each: Assumption, argument: object) -> Place | None:
     if isinstance(value, TensorSpline):
         return _fails_on_pair(each, value)
     if not each.everywhere:
-        return next((segment(value, i) for i, p in enumerate(value.polynomials) if not p), None)
+        return next((segment(value, i) for i, p in enumerate(value.numerators) if not p), None)
     return zero_of(value)
 
 
@@ -122,7 +122,7 @@ def _fails_on_pair(each: Assumption, value: TensorSpline) -> Place | None:
     other curve the same for all its parameters: one line decides.
     """
     if not each.everywhere:
-        return None if all(value.polynomials) else OnWholePatch()
+        return None if all(value.numerators) else OnWholePatch()
     other = PARAMETERS[0 if each.second else 1]
     if not value.d(1, by=other).is_zero:
         return fails_on_surface(each, value)
@@ -158,7 +158,7 @@ def zero_of(f: BSpline) -> Place | None:
     >>> str(zero_of(BSpline.identity(0, 1))), zero_of(BSpline.identity(0, 1) + 1)
     ('at the parameter 0', None)
     """
-    for i, p in enumerate(f.polynomials):
+    for i, p in enumerate(f.numerators):
         if not p:
             return segment(f, i)
         a, b = f.breakpoints[i : i + 2]

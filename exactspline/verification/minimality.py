@@ -83,7 +83,7 @@ def _segments(made: Construction, piece: Piece, curve: Nurbs) -> list[tuple[tupl
             simple, at_end = square_free(c), c.degree() < value.degree
             lowest, _ = divide_u_plus_v(simple, simple.degree())
             n, weight = lowest.degree() + at_end, curve.w.restrict(a, b)
-            w, _ = divide_u_plus_v(weight.polynomials[0], weight.degree)
+            w, _ = divide_u_plus_v(weight.numerators[0], weight.degree)
             irreducible = {"irreducible modulo": _irreducible(lowest, n)}
             segments.append(((a, b), _segment([lowest], n, w) | irreducible))
     return segments

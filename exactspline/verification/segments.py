@@ -19,8 +19,7 @@ from exactspline.language.kinds import PairKind
 from exactspline.numbers.exact import mpq, to_fmpq
 from exactspline.readings.jet import JetRing
 from exactspline.readings.rational_jet import JetFraction
-from exactspline.roots.values import in_powers
-from exactspline.splines.bspline import BSpline
+from exactspline.splines.bspline import BSpline, in_powers
 from exactspline.splines.nurbs import Nurbs
 from exactspline.verification.evidence import At, On
 

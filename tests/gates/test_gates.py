@@ -289,6 +289,7 @@ ROUNDED = {
     "numbers/exact.py: _rounded": "rounds to a double, on request",
     "numbers/exact.py: _unrounded": "rounds to a double, on request",
     "numbers/exact.py: double_between": "rounds to a double, on request",
+    "numbers/exact.py: _from_float": "the door for floats",
     "numbers/exact.py: from_float": "the door for floats",
     "geometry/curves/balls.py: degrees": "digits that are shown",
     "geometry/analysis/floats.py: _doubles": "rounds to a double, on request",

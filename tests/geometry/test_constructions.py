@@ -74,7 +74,7 @@ def test_the_minimal_form_is_the_naive_one_in_lowest_terms(name):
         assert true_degree(minimal) == max(n for _, n in lowest_terms(naive))
         return
     assert minimal.degree == minimal.true_degree == in_lowest_terms(lowest.numerator).degree
-    for i, (p, q) in enumerate(zip(minimal.polynomials, in_lowest_terms(lowest.numerator).polynomials, strict=True)):
+    for i, (p, q) in enumerate(zip(minimal.numerators, in_lowest_terms(lowest.numerator).numerators, strict=True)):
         assert p * q.leading_coefficient() == q * p.leading_coefficient(), i
         assert p.leading_coefficient() * q.leading_coefficient() > 0
 

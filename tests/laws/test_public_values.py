@@ -153,7 +153,7 @@ COVERED = {
     *("from_floats", "floats", "features_of_curves", "check_certificate"),
     *("derived_data", "inspection_data", "to_dict", "to_records"),
     *("example", "examples"),
-    *("write", "from_geomdl", "from_scipy", "to_geomdl", "to_scipy"),
+    *("write", "text", "from_geomdl", "from_scipy", "to_geomdl", "to_scipy"),
     *("from_splinepy", "to_splinepy", "to_sympy", "to_mpmath", "Limits", "NamedCurve"),
     *("Reading", "Skipped"),
     *("measurable", "mathematics", "measured", "printed_numbers", "reduction_table"),

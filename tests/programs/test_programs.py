@@ -41,7 +41,7 @@ def scalars(value):
 
 
 def bits(f):
-    return f.degree, f.mesh.breaks, f.continuity, f.polynomials, f.denominators
+    return f.degree, f.mesh.breaks, f.continuity, f.numerators, f.denominators
 
 
 def same_bits(value, other):
@@ -151,7 +151,7 @@ def pairs_of_curves():
 
 
 def bits_of_patches(f):
-    return f.degree, f.continuity, f.stride, f.meshes, f.polynomials, f.denominators
+    return f.degree, f.continuity, f.stride, f.meshes, f.numerators, f.denominators
 
 
 @pytest.mark.parametrize("f", [f for f in FORMULAS if f.kind is PAIR], ids=lambda f: f.name)

@@ -97,7 +97,7 @@ def test_no_parameter_lies_outside_the_domain_and_the_stretches_are_all_that_is_
     told += [mpq(t) for stretch in found.certificate()["intervals"] for t in stretch]
     assert all(low <= t <= high for t in told)
     covered = {a for a, b in itertools.pairwise(f.breakpoints) if any(c <= a and b <= d for c, d in parts)}
-    assert covered == {a for a, p in zip(f.breakpoints, f.polynomials, strict=False) if not p}
+    assert covered == {a for a, p in zip(f.breakpoints, f.numerators, strict=False) if not p}
     assert all((stretch.high < stretch.low) == (len(stretch.parts) == 2) for stretch in found.intervals)
     check_certificate(found.certificate())
 

@@ -1,10 +1,14 @@
 """B-splines at the edge: jumps, zero forms below degree 0, bad input."""
 
+from itertools import pairwise
+
 import pytest
+from flint import fmpq_poly
 from gmpy2 import mpq
 
 from exactspline import BSpline, KnotVector
 from exactspline.errors import DomainError, ExactSplineError, KnotError, NumberError
+from exactspline.numbers.exact import from_flint, to_fmpq
 from tests.support.strategies import JUMP, KINK, TINY
 
 
@@ -94,9 +98,19 @@ def test_arithmetic_with_strangers_is_refused(stranger):
             operation(stranger)
 
 
+def test_polynomials_are_those_of_the_parameter():
+    """Before: integers of the forms in the Bernstein basis, without their denominators."""
+    f = BSpline(3, [0, 0, 0, 0, "1/3", 2, 2, 2, 2], ["1/7", 2, -3, 0, "5/2"])
+    assert (f * f).polynomials == tuple(p**2 for p in f.polynomials)
+    for (a, b), p in zip(pairwise(f.breakpoints), f.polynomials, strict=True):
+        for t in (a, (a + b) / 2):
+            assert from_flint(p(to_fmpq(t))) == f(t)
+    assert BSpline(1, [0, 0, 1, 2, 2], [0, 0, 1]).polynomials == (0, fmpq_poly([-1, 1]))
+
+
 def test_polynomials_and_forms_are_equal_piece_by_piece():
     f, g = BSpline(1, [0, 0, 1, 2, 2], [1, 2, 5]), BSpline(1, [0, 0, 1, 2, 2], [1, 2, 4])
-    for own, same, other in ((f.polynomials, f.polynomials, g.polynomials), (f.forms, f.forms, g.forms)):
+    for own, same, other in ((f.numerators, f.numerators, g.numerators), (f.forms, f.forms, g.forms)):
         assert own == same
         assert own == tuple(same)
         assert own != other

@@ -169,7 +169,7 @@ def test_a_degree_too_high_is_caught(scale):
 
 
 def test_a_common_factor_has_no_certificate():
-    f, g = BSpline.bezier([1, 2, 5]).polynomials[0], BSpline.bezier([3, -1]).polynomials[0]
+    f, g = BSpline.bezier([1, 2, 5]).numerators[0], BSpline.bezier([3, -1]).numerators[0]
     with pytest.raises(ReductionError, match="common factor"):
         bezout_combination([f * g, g * g], [3, 2])
 

@@ -70,7 +70,7 @@ def test_pairs_are_made_of_first_segments():
     first = beginning(curve)
     assert first.w.breakpoints == curve.breakpoints[:2]
     pair = pair_with(example("helix_like"))
-    assert all(len(patch.polynomials) == 1 for patch in pair.first.p)
+    assert all(len(patch.numerators) == 1 for patch in pair.first.p)
 
 
 def test_where_splines_differ_they_differ_by_what_is_said():

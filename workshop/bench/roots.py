@@ -43,7 +43,7 @@ CASES: dict[str, Callable[[], BSpline]] = {
 def in_powers(case: str) -> fmpz_poly:
     """The polynomial of a case in powers of t."""
     f = CASES[case]()
-    p = substituted(f.polynomials[0], f.degree, fmpz_poly([1, -1]), fmpz_poly([0, 1]))
+    p = substituted(f.numerators[0], f.degree, fmpz_poly([1, -1]), fmpz_poly([0, 1]))
     return p // p.content()
 
 

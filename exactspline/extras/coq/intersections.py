@@ -22,7 +22,7 @@ from exactspline.numbers.intervals import Interval
 from exactspline.polynomials.bezout import determinant
 from exactspline.polynomials.cells import Cell, bernstein_signs, cells_of
 from exactspline.polynomials.cost import Budget, drawing_on
-from exactspline.roots.values import in_powers
+from exactspline.splines.bspline import in_powers
 from exactspline.splines.nurbs import Nurbs
 
 #: A polynomial in s whose coefficients are polynomials in t.

@@ -151,7 +151,7 @@ def ruled_mesh(
             "expected a ruled surface of splines in space", remedy="evaluate a formula of a ruled surface on a curve"
         )
     components, denominator = split(surface)
-    if denominator is not None and not all(denominator.polynomials):
+    if denominator is not None and not all(denominator.numerators):
         raise ShapeError("the denominator vanishes on a whole segment", remedy="derive the surface piece by piece")
 
     def row(s: mpq, side: Side | str) -> list[Point | None]:

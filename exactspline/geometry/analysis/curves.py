@@ -29,7 +29,7 @@ from exactspline.geometry.recognition.shapes import ShapeKind
 from exactspline.geometry.rounded.features import NearbyFeature, features_nearby, singular_points_nearby
 from exactspline.geometry.rounded.intersections import NearbyMeeting, self_intersections_nearby
 from exactspline.geometry.rounded.stability import StableFeature, stability
-from exactspline.hooks import Displayed
+from exactspline.hooks import Displayed, FunctionsOutside
 from exactspline.language.rational import Rational
 from exactspline.numbers.exact import Number, mpq, rational
 from exactspline.numbers.sides import Side
@@ -58,7 +58,7 @@ if TYPE_CHECKING:
     from exactspline.geometry.analysis.surfaces import SurfaceInspection
 
 
-class Analysis(CurveValues, Displayed):
+class Analysis(CurveValues, Displayed, FunctionsOutside):
     """Everything that can be computed of one curve in the plane or in space. Its questions are the entries of the
     registry (`exactspline.questions.entry.questions_of`).
 
@@ -271,12 +271,12 @@ class Analysis(CurveValues, Displayed):
     @question(Of.SPACE_CURVE, answered=Answered.PLANAR_PIECES, of_piece="planar, τ ≡ 0")
     def planar_pieces(self) -> tuple[tuple[CurvePiece, Plane], ...]:
         """The pieces of a space curve that lie in one plane without being straight, and their planes."""
-        return tuple(planar_pieces(self.curve)) if self.in_space and not all(self._twist.polynomials) else ()
+        return tuple(planar_pieces(self.curve)) if self.in_space and not all(self._twist.numerators) else ()
 
     @question(Of.SPACE_CURVE, answered=Answered.PLANE)
     def plane(self) -> Plane | None:
         """The plane of a space curve that has one."""
-        return plane_of(self.curve) if self.in_space and not any(self._twist.polynomials) else None
+        return plane_of(self.curve) if self.in_space and not any(self._twist.numerators) else None
 
     @question(*CURVES, answered=Answered.DESCRIBED)
     def shapes(self) -> tuple[RecognizedPiece, ...]:

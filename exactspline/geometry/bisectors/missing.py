@@ -14,4 +14,4 @@ AROUND = "the curve is an arc here of a circle through the point, and all its no
 
 def is_zero_on(v: Vector[BSpline], at: int) -> bool:
     """Whether a vector of splines vanishes on all of the segment or patch with this number."""
-    return not any(x.polynomials[at] for x in v)
+    return not any(x.numerators[at] for x in v)

@@ -205,5 +205,5 @@ def _cover(generator: Any, a: mpq, b: mpq) -> list[tuple[mpq, mpq, int]]:
 def _divided(f: BSpline, common: BSpline) -> BSpline:
     """A spline of one segment divided by a common factor."""
     return BSpline.from_forms(
-        f.degree - common.degree, f.mesh, (), [(f.polynomials[0] // common.polynomials[0], f.denominators[0])]
+        f.degree - common.degree, f.mesh, (), [(f.numerators[0] // common.numerators[0], f.denominators[0])]
     )

@@ -205,7 +205,7 @@ def _surface(
     parallel = cross(d1, other)
     sides = [list(starmap(Interval, pairwise(mesh.breaks))) for mesh in determinant.meshes]
     for at, rectangle in enumerate(starmap(Box, product(*sides))):
-        if determinant.polynomials[at]:
+        if determinant.numerators[at]:
             rectangles.append(rectangle)
         else:
             still = any(is_zero_on(v, at) for v in (d1, other))

@@ -197,7 +197,7 @@ def _exact_length(squared: BSpline) -> Real | None:
     total = Real(0)
     for a, b in pairwise(squared.breakpoints):
         root = polynomial_root(squared.restrict(a, b))
-        if root is None or zero_on_segment(root[0].polynomials[0], root[0].degree) is not None:
+        if root is None or zero_on_segment(root[0].numerators[0], root[0].degree) is not None:
             return None
         points = root[0].control_points
         total += square_root(root[1]) * abs(sum(points, start=mpq(0)) / len(points) * (b - a))

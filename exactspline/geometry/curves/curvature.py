@@ -63,7 +63,7 @@ def _curvature_on(c: Curve[BSpline], interval: Interval) -> CurvaturePiece:
             interval, 0, None, "‖γ′‖² is not a constant times a square: the curve is not a Pythagorean hodograph here"
         )
     (n, up), (m, down) = roots  # type: ignore[misc]  # None is excluded
-    if any(zero_on_segment(c, m.degree) is not None for c in m.polynomials):
+    if any(zero_on_segment(c, m.degree) is not None for c in m.numerators):
         return CurvaturePiece(interval, 0, None, "γ′ has a zero here: the curvature has a pole, and its sign may jump")
     t = next(t for j in range(1, n.degree + turning.degree + 3) if n(t := interval.at(mpq(1, j + 1))) and turning(t))
     coefficient, radicand = square_root_parts(up / down)

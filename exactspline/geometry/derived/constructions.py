@@ -148,7 +148,7 @@ class Construction:
         """
         power, form = self.power_of_w(Variant.MINIMAL), value_of(self.formula(Variant.MINIMAL))
         assert isinstance(form, BSpline)
-        if power % 2 and curve.w.polynomials[0][0] < 0:
+        if power % 2 and curve.w.numerators[0][0] < 0:
             form = -form
         return primitive(in_lowest_terms(without_factor(form, curve.w, power)))
 

@@ -6,7 +6,7 @@ Parameters and coordinates are unitless exact numbers.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, overload
 
 from exactspline.errors import DomainError, FormulaError, ShapeError, counted, shown
 from exactspline.formulas.lifted import binormal_lifted, inflections_lifted, tangent_lifted, torsion_zeros_lifted
@@ -104,10 +104,16 @@ class Derived(Written):
         gaps = [f"not on {interval}: {reason.words}" for interval, reason in self.missing]
         return "; ".join([f"on {there}", *gaps])
 
-    def __call__(self, t: Number) -> mpq | tuple[mpq, ...]:
+    @overload
+    def __call__(self) -> Derived: ...
+    @overload
+    def __call__(self, t: Number) -> mpq | tuple[mpq, ...]: ...
+    def __call__(self, t: Number | None = None) -> Derived | mpq | tuple[mpq, ...]:
         """Value at a parameter, by the first piece that contains it; raises `ShapeError` where there is none, and
-        `DomainError` at a pole.
+        `DomainError` at a pole. Without one itself: ``curve.evolute()`` is ``curve.evolute``.
         """
+        if t is None:
+            return self
         t = rational(t)
         for piece in self.pieces:
             if piece.interval[0] <= t <= piece.interval[1]:
@@ -199,10 +205,10 @@ def _exists(value: Any) -> list[bool]:
     """Segment by segment, whether a denominator, and the generator of a ruled surface, are not identically zero."""
     if isinstance(value, RuledSurface):
         ends = [_exists(part) for part in (value.directrix, value.generator)]
-        generator = zip(*[c.polynomials for c in numerator(value.generator)], strict=True)
+        generator = zip(*[c.numerators for c in numerator(value.generator)], strict=True)
         return [all(here) and any(parts) for *here, parts in zip(*ends, generator, strict=True)]
     if isinstance(value, Rational):
-        return [bool(c) for c in value.denominator.polynomials]
+        return [bool(c) for c in value.denominator.numerators]
     return [True] * len((value[0] if isinstance(value, Vector) else value).mesh)
 
 

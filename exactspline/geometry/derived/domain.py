@@ -35,7 +35,7 @@ def segments(curve: Curve[BSpline]) -> Iterator[tuple[Interval, Curve[BSpline]]]
     breaks = curve.w.breakpoints
 
     def only(f: BSpline, i: int, mesh: Mesh) -> BSpline:
-        return BSpline.from_forms(f.degree, mesh, (), [(f.polynomials[i], f.denominators[i])])
+        return BSpline.from_forms(f.degree, mesh, (), [(f.numerators[i], f.denominators[i])])
 
     for i, interval in enumerate(starmap(Interval, pairwise(breaks))):
         mesh = Mesh(interval)

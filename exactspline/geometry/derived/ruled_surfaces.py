@@ -136,7 +136,7 @@ def _check_is_ruled(surface: object) -> None:
 
 
 def _check_generator(surface: SplineSurface) -> None:
-    for i, parts in enumerate(zip(*[c.polynomials for c in split(surface.generator)[0]], strict=True)):
+    for i, parts in enumerate(zip(*[c.numerators for c in split(surface.generator)[0]], strict=True)):
         if not any(parts):
             a, b = split(surface.generator)[0][0].breakpoints[i : i + 2]
             raise ShapeError(

@@ -197,7 +197,7 @@ class SignClaim(Claim):
         value = value if below is None else value * below
         if p.is_zero:
             return vacuous(Fact.ZERO)
-        for i, c in enumerate(value.polynomials):
+        for i, c in enumerate(value.numerators):
             if not is_nonnegative(c, value.degree):
                 return Finding(REFUTED, Fact.OTHER_SIGN, witness=At(_negative(value, i)))
         zero = zero_of(p) if below is None else extra_zero(p, below)  # 0/0 is not a value
@@ -230,7 +230,7 @@ def _negative(f: BSpline, i: int) -> mpq:
     zeros, or an end of the segment and a zero.
     """
     a, b = f.breakpoints[i : i + 2]
-    places = [at(mpq(0)), *map(Place, isolate(f.polynomials[i], f.degree).inner), at(mpq(1))]
+    places = [at(mpq(0)), *map(Place, isolate(f.numerators[i], f.degree).inner), at(mpq(1))]
     inside = (a + (b - a) * rational_between(*pair) for pair in pairwise(places))
     return next(t for t in inside if f(t) < 0)
 
@@ -277,7 +277,7 @@ class SquareClass(Claim):
         left, right = (n if m is None else n * m), (p if q is None else p * q)
         pairs = {
             i: (is_square_class(a, left.degree), is_square_class(b, right.degree))
-            for i, (a, b) in enumerate(zip(left.polynomials, right.polynomials, strict=True))
+            for i, (a, b) in enumerate(zip(left.numerators, right.numerators, strict=True))
             if a and b
         }
         if not pairs:
@@ -285,5 +285,5 @@ class SquareClass(Claim):
         for i, (a, b) in pairs.items():
             if a != b:
                 return Finding(REFUTED, Fact.DIFFERENT, witness=SquareOnSegment(i))
-        squares, whole = sum(b for _, b in pairs.values()), len(left.polynomials)
+        squares, whole = sum(b for _, b in pairs.values()), len(left.numerators)
         return Finding(VERIFIED, Squares(self.right, squares, whole, whole - len(pairs)))

@@ -59,7 +59,7 @@ def cost(form, degree, segments, rounds=3):
         built = perf_counter()
         zero_set = zeros(f)
         build, solve = min(build, built - start), min(solve, perf_counter() - built)
-    bits = sum(int(x).bit_length() for p in f.polynomials for x in p.coeffs())
+    bits = sum(int(x).bit_length() for p in f.numerators for x in p.coeffs())
     return Cost(form, degree, segments, f.degree, len(f.control_points), bits, build, solve, len(list(zero_set)))
 
 

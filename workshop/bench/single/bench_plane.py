@@ -38,11 +38,11 @@ def test_pipeline(benchmark, what, degree, who):
     benchmark.group = f"{what}, rational Bézier curve of degree {degree}"
     formula, inline = (g2, inline_forms.g2) if what == "g2" else (curvature_squared_derivative, inline_squaring)
     c = curve(degree)
-    forms = [spline.polynomials[0] for spline in (*c.p, c.w)]
+    forms = [spline.numerators[0] for spline in (*c.p, c.w)]
     if who == "exactspline":
         value = benchmark.pedantic(formula, setup=lambda: fresh(c), rounds=100)
         numerator = value if what == "g2" else value.numerator
-        assert numerator.polynomials[0] == inline(*forms, degree, d)
+        assert numerator.numerators[0] == inline(*forms, degree, d)
     elif who == "python-flint inline":
         assert benchmark.pedantic(inline, args=(*forms, degree, d), rounds=100)
     else:

@@ -74,7 +74,7 @@ WHAT = {
 def size(value):
     """Degree, control points, and bits of all integers of numerators and denominator."""
     numerators, denominator = split(value)
-    bits = sum(abs(int(x)).bit_length() for s in (*numerators, denominator) for c in s.polynomials for x in c.coeffs())
+    bits = sum(abs(int(x)).bit_length() for s in (*numerators, denominator) for c in s.numerators for x in c.coeffs())
     return {"degree": value.degree, "control points": control_point_count(value), "bits": bits}
 
 
@@ -85,7 +85,7 @@ def test_space(benchmark, what, who, degree):
     benchmark.group = f"{what}, rational Bézier curve of degree {degree}"
     compute, inline = WHAT[what]
     c = curve(degree, dimension=3)
-    *p, w = [spline.polynomials[0] for spline in (*c.p, c.w)]
+    *p, w = [spline.numerators[0] for spline in (*c.p, c.w)]
     if who == "python-flint inline":
         assert benchmark.pedantic(inline, args=(p, w, degree), rounds=50)
         return
@@ -93,7 +93,5 @@ def test_space(benchmark, what, who, degree):
     numerators, denominator = split(value)
     top, bottom = inline(p, w, degree)
     tops = top if isinstance(top, list) else [top]
-    assert all(
-        x.polynomials[0] * bottom == y * denominator.polynomials[0] for x, y in zip(numerators, tops, strict=True)
-    )
+    assert all(x.numerators[0] * bottom == y * denominator.numerators[0] for x, y in zip(numerators, tops, strict=True))
     benchmark.extra_info |= size(value)

@@ -55,7 +55,7 @@ def case(name):
     """The spline and the same polynomial in powers of t."""
     made = CASES[name]()
     f = getattr(made, "numerator", made)
-    c = f.polynomials[0]
+    c = f.numerators[0]
     p = substituted(c, f.degree, fmpz_poly([1, -1]), fmpz_poly([0, 1]))
     return f, p // p.content()
 
