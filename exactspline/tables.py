@@ -23,7 +23,6 @@ from exactspline.display.tables import (
     symbolic_table,
     verdicts,
 )
-from exactspline.geometry.analysis.inspection import Approach
 from exactspline.geometry.curves.curvature import curvature_function
 from exactspline.geometry.derived.constructions import Variant, construction
 from exactspline.geometry.derived.ruled_surfaces import as_tensor_product, is_developable
@@ -37,7 +36,6 @@ from exactspline.verification.patch_degrees import patch_table, variants_table
 from exactspline.verification.statement import statements
 
 __all__ = [
-    "Approach",
     "Grid",
     "Variant",
     "approaches_table",

@@ -28,17 +28,11 @@ from exactspline.cli.common import (
 from exactspline.cli.output import OptionsError, Output, printing
 from exactspline.cli.parameters import Argument, Exit, Option
 from exactspline.cli.progress import ticking
-from exactspline.words import choice
 
 if TYPE_CHECKING:
-    from exactspline.geometry.analysis.inspection import Inspection, Report
+    from exactspline.geometry.analysis.inspection import Report
     from exactspline.interchange.records import Reading
     from exactspline.splines.nurbs import Nurbs
-
-#: The word for all approaches, side by side.
-ALL = "all"
-#: The approach where none is named.
-MINIMAL = "minimal"
 
 
 Curves = Annotated[list[str], Argument(metavar="CURVE", help=f"{CURVE_HELP} Or surfaces in the same ways.")]
@@ -49,14 +43,6 @@ Ask = Annotated[
         metavar="QUESTION",
         help="Answer this alone, exactly, with a certified interval and the correctly rounded double: value@1/2, "
         "derivative:2@0, length, … (see list questions). May be repeated.",
-    ),
-]
-ApproachName = Annotated[
-    str,
-    Option(
-        "--approach",
-        metavar="NAME",
-        help="Of curves: squaring, direct, reduced, lifted, minimal (without it), or all side by side.",
     ),
 ]
 Epsilon = Annotated[
@@ -126,7 +112,6 @@ def inspect(
     curve: Curves,
     ask: Ask = None,
     digits: Places = 12,
-    approach: ApproachName = "",
     epsilon: Epsilon = "",
     stability: Stability = False,
     plot: Plot = "",
@@ -147,7 +132,6 @@ def inspect(
 
     check_approximate(approximate)
     for_curves: dict[str, str | bool] = {
-        "--approach": approach,
         "--coordinates": coordinates,
         "--stability": stability,
         "--certificate": certificate,
@@ -176,11 +160,11 @@ def inspect(
         from exactspline.geometry.curves.planarity import in_the_plane
 
         found, good = read_curves(read, good)
-        _see_that_they_fit(found, approach, epsilon, emit_coq)
+        _see_that_they_fit(found, epsilon, emit_coq)
         if emit_coq and found:
             write_theorems(emit_coq, found[0].curve)
         inspected = [
-            _inspected(replace(each, curve=c), approach or MINIMAL, digits, coordinates, epsilon, stability, with_all)
+            _inspected(replace(each, curve=c), digits, coordinates, epsilon, stability, with_all)
             for each in found
             for c in also_in_their_planes([in_the_plane(each.curve)])
         ]
@@ -214,12 +198,8 @@ def _inspect_surfaces(
     inspect_surfaces(out, own, digits, plot, epsilon, good=good, with_all=with_all)
 
 
-def _see_that_they_fit(found: Sequence[Read], approach: str, epsilon: str, emit_coq: str) -> None:
+def _see_that_they_fit(found: Sequence[Read], epsilon: str, emit_coq: str) -> None:
     """See that the options for curves fit to each other."""
-    from exactspline.geometry.analysis.inspection import Approach
-
-    if approach and approach != ALL:
-        choice(Approach, approach, "approach", also=(ALL,))
     if emit_coq and len(found) > 1:
         raise OptionsError("--emit-coq and several curves", remedy="write one file per curve")
     if emit_coq:
@@ -234,7 +214,7 @@ def _give(out: Output, inspected: list[Inspected], given: list[Nurbs], certifica
     from exactspline.interchange.curve_files import write_json
 
     if certificate:
-        write_json(certificate, [proof for each in inspected for proof in _proofs(each.report.inspection)])
+        write_json(certificate, [proof for each in inspected for proof in _proofs(each.report.curve)])
         tell_written(certificate)
     if plot and inspected:
         _draw([each.report for each in inspected], given, plot, title)
@@ -296,27 +276,25 @@ class Inspected(NamedTuple):
         return sum(len(answer) for answer in self.report.answers.values() if isinstance(answer, Places))
 
 
-def _inspected(
-    read: Read, approach: str, digits: int, coordinates: bool, epsilon: str, stability: bool, with_all: bool
-) -> Inspected:
+def _inspected(read: Read, digits: int, coordinates: bool, epsilon: str, stability: bool, with_all: bool) -> Inspected:
     """A curve, and what is asked of it."""
     from exactspline.geometry.analysis.inspection import Report, inspect_curve
     from exactspline.numbers.exact import text
     from exactspline.splines.precision import WRITTEN, distance
 
-    found = inspect_curve(read.curve, MINIMAL if approach == ALL else approach)
+    found = inspect_curve(read.curve).curve
     within = distance(epsilon, read.curve) if epsilon else None
     written = text(within) if within is not None and epsilon == WRITTEN else epsilon
-    return Inspected(read, Report(found, written, within, stability, coordinates, approach == ALL, with_all), digits)
+    return Inspected(read, Report(found, written, within, stability, coordinates, with_all), digits)
 
 
-def _proofs(found: Inspection) -> list[dict[str, object]]:
+def _proofs(curve: Nurbs) -> list[dict[str, object]]:
     """The certificates of every form that was solved."""
     from exactspline.geometry.analysis.inspection import solved
 
     return [
-        {"curve": found.curve.name, "function": name, "certificate": zero_set.certificate()}
-        for name, _, _, zero_set in solved(found.curve, found.approach)
+        {"curve": curve.name, "function": name, "certificate": zero_set.certificate()}
+        for name, _, _, zero_set in solved(curve)
     ]
 
 
@@ -334,5 +312,5 @@ def _draw(reports: list[Report], given: list[Nurbs], path: str, title: str) -> N
         save(features_figure(flat if len(flat) == len(given) else given, title), path)
         return
     report = reports[0]
-    panels = [(title, f, zero_set) for _, title, f, zero_set in solved(report.curve, report.inspection.approach)[:2]]
+    panels = [(title, f, zero_set) for _, title, f, zero_set in solved(report.curve)[:2]]
     save(inspect_figure(report.curve, panels, stability=report.with_stability), path)

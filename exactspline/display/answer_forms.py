@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
-from dataclasses import asdict, replace
+from dataclasses import replace
 from enum import StrEnum
 from functools import cache
 from operator import itemgetter
@@ -47,7 +47,7 @@ from exactspline.display.serialize import (
 from exactspline.display.surface_data import places_on_surface
 from exactspline.errors import ShapeError, a_kind, as_integer
 from exactspline.geometry.analysis.curves import QUESTIONS, Analysis
-from exactspline.geometry.analysis.inspection import Approach, Report, inspect_curve
+from exactspline.geometry.analysis.inspection import Report, inspect_curve
 from exactspline.geometry.analysis.planar_maps import MapInspection
 from exactspline.geometry.analysis.surfaces import SurfaceInspection
 from exactspline.geometry.bisectors.common import Bisector
@@ -155,13 +155,6 @@ FORMS_BESIDE: dict[str, dict[str, Form]] = {
         "nearby": list_of(FORMS[NearbyFeature]),
         "meetings": list_of(FORMS[NearbyMeeting]),
         "stability": list_of(record(FORMS[StableFeature].of(itemgetter(0)), prominence=(or_null(REAL), itemgetter(1)))),
-        "approaches": list_of(
-            record(
-                name=TEXT,
-                **dict.fromkeys(("degree", "control_points", "roots", "extraneous", "missing"), INTEGER),
-                seconds=Form({"type": "number"}),
-            )
-        ),
     },
 }
 
@@ -224,25 +217,21 @@ def answers_data(facts: Remembers, digits: int) -> Data:
     return {name: form_of(entry).write(entry.answer(facts), digits) for name, entry in entries.items()}
 
 
-def inspection_data(
-    curve: Nurbs, approach: Approach | str = Approach.MINIMAL, digits: int = 20, tick: Callable[[], None] = lambda: None
-) -> Data:
-    """What a curve has as data, its critical points by an approach, each answer under the name of its question; `tick`
-    is called after every feature.
+def inspection_data(curve: Nurbs, digits: int = 20, tick: Callable[[], None] = lambda: None) -> Data:
+    """What a curve has as data, each answer under the name of its question; `tick` is called after every feature.
 
-    Raises `ExactSplineError` for what is neither a plane nor a space curve, and for an unknown approach.
+    Raises `ExactSplineError` for what is neither a plane nor a space curve.
     """
     digits = as_integer(digits, "a number of digits", 1)
     if not callable(tick):
         raise ShapeError(f"{a_kind(tick)}, where a function without arguments is expected", remedy="leave it out")
-    return report_data(Report(inspect_curve(curve_of(curve), approach)), digits, tick)
+    return report_data(inspect_curve(curve_of(curve)), digits, tick)
 
 
 def report_data(report: Report, digits: int, tick: Callable[[], None] = lambda: None) -> Data:
     """What is said of a curve as data; `tick` is called after every feature."""
-    curve, facts, beside = report.curve, report.inspection.analysis, FORMS_BESIDE["inspect"]
-    approach = report.inspection.approach
-    data: Data = {"curve": curve.name, "approach": approach, "closed": curve.closed, "digits": digits}
+    curve, facts, beside = report.curve, report.analysis, FORMS_BESIDE["inspect"]
+    data: Data = {"curve": curve.name, "closed": curve.closed, "digits": digits}
     for name, answer in report.answers.items():
         data[name] = form_of(QUESTIONS[name]).write(placed(facts, answer, tick), digits)
     if report.within is not None:
@@ -254,8 +243,6 @@ def report_data(report: Report, digits: int, tick: Callable[[], None] = lambda: 
         extrema = enumerate(report.coordinate_extrema)
         at = [located(curve, feature, axis) for axis, places in extrema for feature in places]
         data["coordinate_extrema"] = beside["coordinate_extrema"].write(at, digits)
-    if report.with_approaches:
-        data["approaches"] = [asdict(row) for row in report.approaches]
     return data
 
 

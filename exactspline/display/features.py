@@ -66,7 +66,7 @@ _Row = tuple[str, str, list[str], str]
 
 
 def _rows(report: Report, digits: int) -> Iterator[_Row]:
-    c, facts = report.curve, report.inspection.analysis
+    c, facts = report.curve, report.analysis
     found = [f for name in _asked(c, Answered.PLACES) for f in report.places(name)]
     shown = [f for f in found if report.with_all or not facts.below_rounding(f)]
     shapes: list[_Row] = [
@@ -95,7 +95,7 @@ def _rows(report: Report, digits: int) -> Iterator[_Row]:
         for piece in report.pieces(name):
             yield QUESTIONS[name].about.of_piece, _piece_text(piece, digits), [], ""
     yield from [] if below else shapes
-    for piece, plane in report.inspection.analysis.planar_pieces:
+    for piece, plane in report.analysis.planar_pieces:
         yield QUESTIONS["planar_pieces"].about.of_piece, _piece_text(piece, digits), [], f"in the plane {plane}"
 
 
@@ -164,8 +164,6 @@ def report_sheets(report: Report, digits: int = DIGITS) -> list[Sheet]:
         below = [_nearby_sheet(report), *[_meetings_sheet(report)] * bool(report.meetings)]
     if report.with_stability:
         below.append(_stability_sheet(report))
-    if report.with_approaches:
-        below.append(_approaches_sheet(report))
     return [feature_sheet(report, digits), *below]
 
 
@@ -274,12 +272,3 @@ def _continuity(joints: Iterable[Joint]) -> str:
     names = {-1: "with a gap", 0: "G0", 1: "G1", 2: "G2", 3: "G3 or higher", None: "singular, without an order"}
     counted = [f"{orders.count(order)} {name}" for order, name in names.items() if order in orders]
     return f"joints: {', '.join(counted)}"
-
-
-def _approaches_sheet(report: Report) -> Sheet:
-    numbers = ("degree", "control points", "roots", "extraneous", "missing", "seconds")
-    cells = [
-        (row.name, row.degree, row.control_points, row.roots, row.extraneous, row.missing, f"{row.seconds:.4f}")
-        for row in report.approaches
-    ]
-    return Sheet("approach", *numbers, rows=cells, title="Approaches to critical curvature", numbers=numbers)

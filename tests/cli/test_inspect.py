@@ -8,7 +8,6 @@ import re
 import pytest
 
 from exactspline.geometry.analysis.curves import analyse
-from exactspline.geometry.analysis.inspection import Approach
 from exactspline.geometry.curves.kinds import JointKind
 from exactspline.interchange.files import read
 from exactspline.numbers.exact import rational
@@ -149,13 +148,6 @@ def test_a_curve_that_is_skipped_is_named_with_its_file(tmp_path):
     assert f"skipped: {file}: curve 2 (second): the field" in invoke("inspect", str(file)).stderr
 
 
-def test_an_unknown_approach_is_told_all_that_there_are():
-    found = invoke("inspect", "circle", "--approach", "sqaring")
-    words = str(found.exception).rpartition("there are")[2].replace(",", " ").split()
-    assert words == [*Approach, "all"]
-    assert [invoke("inspect", "circle", "--approach", word).exit_code for word in words] == [0] * len(words)
-
-
 def test_what_holds_of_all_curves_near_one_by_the_oracle_and_in_sweeps():
     """`--ask inflections --epsilon E` ignored the distance and answered about the one curve; ends were rounded to the
     nearest decimals, so that an interval might lack what it was said to contain; sweeps gave what some curves may have
@@ -184,14 +176,7 @@ def test_what_holds_of_all_curves_near_one_by_the_oracle_and_in_sweeps():
 
 @pytest.mark.parametrize(
     "options",
-    [
-        ("--plot", "a.svg"),
-        ("--certificate", "a.json"),
-        ("--emit-coq", "a.v"),
-        ("--approach", "all"),
-        ("--stability",),
-        ("--coordinates",),
-    ],
+    [("--plot", "a.svg"), ("--certificate", "a.json"), ("--emit-coq", "a.v"), ("--stability",), ("--coordinates",)],
 )
 def test_an_option_without_effect_beside_a_question_is_refused(options):
     """Passed before: `inspect circle --ask length --plot FILE` drew nothing, and said nothing."""

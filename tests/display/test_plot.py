@@ -285,7 +285,7 @@ def test_jumps_are_marked_among_the_zeros_and_no_kind_is_left_out(tmp_path, poin
     behind the zeros in one list. At the seam of a closed curve a jump at 0 was taken for one without a parameter.
     """
     curve = Nurbs(2, [0, 0, 0, 1, 2, 2, 2], points)
-    panels = [(title, f, zero_set) for _, title, f, zero_set in solved(curve, "minimal")]
+    panels = [(title, f, zero_set) for _, title, f, zero_set in solved(curve)]
     labels = legend(inspect_figure(curve, panels).axes[0])
     assert [label for label in labels if "κ" in label] == expected
     write(curve, tmp_path / "curve.json")

@@ -123,12 +123,9 @@ NAMES_TAKEN_APART = {
 # ---- law 4: a question is an entry
 
 UNREGISTERED = {
-    "geometry/analysis/curves.py: Analysis.critical_points_by": "critical_points by another approach, compared",
-    "geometry/analysis/curves.py: Analysis.critical_points_by.compute": "the same",
     "geometry/filter/certain.py: Certain.critical_points": "the answer of critical_points, where it is certain",
     "geometry/filter/certain.py: Certain.inflections": "the answer of inflections, where it is certain",
     "geometry/curves/extent.py: turning_points": "the answer of turning_points, beside what it shares with boxes",
-    "geometry/analysis/inspection.py: Inspection.critical_points": "critical_points by the approach of a command",
     "geometry/analysis/inspection.py: Report.places": "the answer of an entry",
     "geometry/analysis/inspection.py: Report.coordinate_extrema": "the answers of turning_points",
 }

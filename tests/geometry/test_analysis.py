@@ -80,7 +80,7 @@ def test_everything_is_computed_once_and_in_linear_time(monkeypatch, dimension):
             # and of the few segments that seem to be near an arc, whether they are
             assert first["isolate"] <= FORMS[dimension] * segments + 1 + segments // 50
             inspect_curve(curve).answers  # noqa: B018
-            solved(curve, "minimal")
+            solved(curve)
             assert counted.calls == first
             compare_approaches(curve)
             assert counted.calls["form_on"] == 6

@@ -10,9 +10,9 @@ from hypothesis import strategies as st
 
 from exactspline import BSpline, Nurbs
 from exactspline.certificates import check_certificate
-from exactspline.errors import FormulaError, ShapeError
+from exactspline.errors import ShapeError
 from exactspline.geometry.analysis.curves import analyse
-from exactspline.geometry.analysis.inspection import Approach, compare_approaches, inspect_curve
+from exactspline.geometry.analysis.inspection import compare_approaches
 from exactspline.geometry.curves.angles import Angle
 from exactspline.geometry.curves.joints import curvature_of
 from exactspline.geometry.curves.values import curvature
@@ -131,8 +131,7 @@ def test_inspect_prints_what_it_found(monkeypatch):
     result = invoke("inspect", "ellipse_skew", "--digits", 50)
     assert result.exit_code == 0
     assert "0.5575365158350514101328250749125074194749956954805" in result.output
-    data = json.loads(invoke("inspect", "six_segment_cubic", "--json", "--approach", "all").output)["rows"][0]
-    assert [row["roots"] for row in data["approaches"]] == [8, 6, 6, 6, 6]
+    data = json.loads(invoke("inspect", "six_segment_cubic", "--json").output)["rows"][0]
     assert [f["kind"] for f in data["inflections"]["points"]] == ["inflection"] * 2
     assert "κ′ ≡ 0" in invoke("inspect", "circle").output
 
@@ -169,8 +168,6 @@ def test_what_cannot_be_inspected_says_why():
     for asked in ("inflections", "curvature_extrema", "straight_pieces", "constant_pieces", "corners"):
         with pytest.raises(ShapeError, match="in the plane or in space"):
             getattr(analyse(four), asked)
-    with pytest.raises(FormulaError, match="squaring, direct, reduced, lifted, minimal"):
-        inspect_curve(example("circle"), "best")
 
 
 @given(st.tuples(*[st.integers(-5, 5)] * 6), st.integers(1, 4), st.integers(-3, 3))
@@ -202,12 +199,9 @@ def test_right_angles_are_whole_numbers_of_degrees(k, digits):
 def test_a_negative_weight_function_changes_no_maximum_into_a_minimum():
     points, weights = [(0, 0), (1, 3), (3, -2), (4, 1)], [1, 2, 3, 1]
     plus, minus = bezier(*points, weights=weights), bezier(*points, weights=[-w for w in weights])
-    for approach in Approach:
-        found = [
-            [(f.kind, f.of_absolute, f.root) for f in inspect_curve(c, approach).critical_points] for c in (plus, minus)
-        ]
-        assert found[0] == found[1]
-        assert found[0]
+    found = [[(f.kind, f.of_absolute, f.root) for f in analyse(c).critical_points] for c in (plus, minus)]
+    assert found[0] == found[1]
+    assert found[0]
 
 
 def test_a_singular_seam_is_counted_once():
@@ -226,11 +220,11 @@ def test_squaring_keeps_an_extremum_where_the_curvature_vanishes():
     """y = x⁴: κ = κ′ = 0 at 0, a minimum; y = x³: κ = 0 there but κ′ is not."""
     quartic = bezier((-1, 1), ("-1/2", -1), (0, 1), ("1/2", -1), (1, 1))
     cubic = bezier((-1, -1), ("-1/3", 1), ("1/3", -1), (1, 1))
-    for approach in Approach:
-        assert ("minimum", mpq(1, 2)) in [
-            (f.kind, f.root.exact) for f in inspect_curve(quartic, approach).critical_points
-        ]
-        assert not [f for f in inspect_curve(cubic, approach).critical_points if f.root == mpq(1, 2)]
+    assert ("minimum", mpq(1, 2)) in [(f.kind, f.root.exact) for f in analyse(quartic).critical_points]
+    assert not [f for f in analyse(cubic).critical_points if f.root == mpq(1, 2)]
+    added = {row.name: row.extraneous for row in compare_approaches(cubic)}
+    assert (added["squaring"], added["direct"]) == (1, 0)
+    assert not any(row.extraneous or row.missing for row in compare_approaches(quartic))
 
 
 @pytest.mark.parametrize(

@@ -413,10 +413,10 @@ def test_a_sample_of_knots_that_are_inserted(monkeypatch):
 
 
 def test_options_that_surfaces_do_not_have_are_refused():
-    """Passed before: ``--approach`` was ignored without a word."""
-    result = CliRunner().invoke(app, ["inspect", "torus", "--approach", "direct"])
+    """Passed before: options for curves were ignored without a word."""
+    result = CliRunner().invoke(app, ["inspect", "torus", "--stability"])
     assert isinstance(result.exception, OptionsError)
-    assert "--approach" in str(result.exception)
+    assert "--stability" in str(result.exception)
 
 
 def test_a_kind_that_is_undecided_has_a_remark(tmp_path):

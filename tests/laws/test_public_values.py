@@ -44,7 +44,6 @@ def own_formula(c):
 
 #: What each name of the front door is or returns.
 RETURNED = {
-    "Approach": lambda: list(xs.tables.Approach),
     "BSpline": lambda: T,
     "DegreeReading": lambda: xs.readings.DegreeReading("d"),
     "Direction": lambda: xs.Direction(0, 1),

@@ -31,7 +31,7 @@ from exactspline.cli import app
 from exactspline.cli.schema import schema_of
 from exactspline.display.features import feature_sheet
 from exactspline.display.glossary import glossary
-from exactspline.geometry.analysis.inspection import Report, inspect_curve
+from exactspline.geometry.analysis.inspection import inspect_curve
 
 def told(*arguments):
     """What a command prints."""
@@ -44,7 +44,7 @@ def row(*arguments):
     return json.loads(told(*arguments, "--json"))["rows"][0]
 
 circle = xs.example("circle")
-sheet = feature_sheet(Report(inspect_curve(circle)))
+sheet = feature_sheet(inspect_curve(circle))
 fields = schema_of("inspect")["properties"]["rows"]["items"]["properties"]
 print(json.dumps({
     "attribute": len(getattr(xs.analyse(circle), NAME)),

@@ -146,16 +146,10 @@ class Analysis(CurveValues, Displayed, FunctionsOutside):
         >>> len(analyse(example("ellipse")).critical_points), analyse(example("circle")).critical_points
         (4, everywhere on [0, 4])
         """
-        return self.critical_points_by(Variant.MINIMAL) if self._certain is None else self._certain.critical_points
-
-    def critical_points_by(self, variant: Variant | str) -> Places[Feature]:
-        """The same from the form of a variant."""
-
-        def compute() -> Places[Feature]:
-            module = space_features if self.in_space else plane_features
-            return Places(tuple(module.critical_points(self, variant)), self.constant_pieces)
-
-        return self.once(("critical points", variant), compute)
+        if self._certain is not None:
+            return self._certain.critical_points
+        module = space_features if self.in_space else plane_features
+        return Places(tuple(module.critical_points(self)), self.constant_pieces)
 
     @question(*CURVES, part_of="critical_points", proof=lambda facts: (facts.zero_form(facts.critical_form).zeros,))
     def curvature_extrema(self) -> Places[Feature]:

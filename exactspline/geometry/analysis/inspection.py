@@ -1,5 +1,5 @@
-"""Everything that `inspect` shows of a curve, read from its analysis; and a comparison of the approaches to critical
-curvature.
+"""Everything that `inspect` shows of a curve, read from its analysis; and a comparison of the forms whose zeros are its
+critical points.
 """
 
 from __future__ import annotations
@@ -13,7 +13,7 @@ from exactspline.geometry.curves.facts import among, located
 from exactspline.geometry.curves.joints import Joint
 from exactspline.geometry.curves.kinds import Feature
 from exactspline.geometry.curves.planarity import in_the_plane
-from exactspline.geometry.derived.constructions import Variant
+from exactspline.geometry.derived.constructions import Variant, construction
 from exactspline.geometry.recognition.pieces import RecognizedPiece
 from exactspline.geometry.rounded.features import NearbyFeature
 from exactspline.geometry.rounded.intersections import NearbyMeeting
@@ -28,90 +28,33 @@ from exactspline.splines.bspline import BSpline
 from exactspline.splines.lowest_terms import control_point_count
 from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.type_checks import curve_of
-from exactspline.words import Word, choice
-
-
-class Approach(Word):
-    """The approaches to critical curvature, first the paper's, then two more."""
-
-    SQUARING = "squaring"
-    DIRECT = "direct"
-    REDUCED = "reduced"
-    LIFTED = "lifted"
-    MINIMAL = "minimal"
-
-    def variant(self, curve: Nurbs) -> Variant:
-        """The form that it solves on a curve; for space curves the paper has no reduced form."""
-        return Variant.PAPER if self is Approach.REDUCED and curve.dimension == 2 else Variant(self.value)
 
 
 @dataclass(frozen=True, repr=False)
-class Inspection(OneLine):
-    """The analysis of a curve, its critical points by one approach."""
+class Report(OneLine):
+    """What is said of a curve: the answers to all questions that belong into a report, and what else is asked for: all
+    that curves within a distance have (`epsilon` as it is written, `within` as a number), how stable features are, and
+    the extrema of coordinates.
+    """
 
-    approach: Approach
     curve: Nurbs
+    epsilon: str = ""
+    within: mpq | None = None
+    with_stability: bool = False
+    with_coordinates: bool = False
+    with_all: bool = False
 
     @property
     def analysis(self) -> Analysis:
         """The analysis stored with the curve."""
         return analyse(self.curve)
 
-    @property
-    def critical_points(self) -> Places[Feature]:
-        """The extrema of the curvature and the points where κ′ = 0 without an extremum."""
-        if self.approach is Approach.MINIMAL:
-            return self.analysis.critical_points
-        return self.analysis.critical_points_by(self.approach.variant(self.curve))
-
-    @property
-    def answers(self) -> dict[str, object]:
-        """The answers to all questions that belong into a report, by name."""
-        return {
-            name: self.critical_points if name == "critical_points" else entry.answer(self.analysis)
-            for name, entry in questions_about(self.curve).items()
-            if entry.about.reported
-        }
-
-
-def inspect_curve(curve: Nurbs, approach: Approach | str = Approach.MINIMAL) -> Inspection:
-    """The features of a curve in the plane or in space by one approach (`Approach`) to critical curvature.
-
-    >>> from exactspline.interchange.examples import example
-    >>> [len(inspect_curve(example(name)).critical_points) for name in ("ellipse", "rational_space_cubic")]
-    [4, 2]
-
-    Raises `ShapeError` for a curve that is neither in the plane nor in space, `FormulaError` for an unknown approach.
-    """
-    analyse(curve).check_dimension()
-    return Inspection(choice(Approach, approach, "approach"), in_the_plane(curve))
-
-
-@dataclass(frozen=True, repr=False)
-class Report(OneLine):
-    """What is said of a curve: its inspection, and what else is asked for: all that curves within a distance have
-    (`epsilon` as it is written, `within` as a number), how stable features are, the extrema of coordinates, and the
-    approaches side by side.
-    """
-
-    inspection: Inspection
-    epsilon: str = ""
-    within: mpq | None = None
-    with_stability: bool = False
-    with_coordinates: bool = False
-    with_approaches: bool = False
-    with_all: bool = False
-
-    @property
-    def curve(self) -> Nurbs:
-        """The curve."""
-        return self.inspection.curve
-
     @cached_property
     def answers(self) -> dict[str, object]:
         """The answers by the names of their questions; shapes within the distance where one is given."""
-        near = {} if self.within is None else {"shapes": self.inspection.analysis.shapes_within(self.within)}
-        return self.inspection.answers | near
+        entries = {name: entry for name, entry in questions_about(self.curve).items() if entry.about.reported}
+        near = {} if self.within is None else {"shapes": self.analysis.shapes_within(self.within)}
+        return {name: entry.answer(self.analysis) for name, entry in entries.items()} | near
 
     def places(self, name: str) -> Places[Feature]:
         """The answer to a question that is answered by places."""
@@ -129,17 +72,17 @@ class Report(OneLine):
     @property
     def joints(self) -> tuple[Joint, ...]:
         """The joints."""
-        return self.inspection.analysis.joints
+        return self.analysis.joints
 
     @property
     def nearby(self) -> tuple[NearbyFeature, ...]:
         """What all curves within the distance have, and what some of them may have."""
-        return () if self.within is None else self.inspection.analysis.features_within(self.within)
+        return () if self.within is None else self.analysis.features_within(self.within)
 
     @property
     def meetings(self) -> tuple[NearbyMeeting, ...]:
         """Where all curves within the distance meet themselves, and where some of them may."""
-        return () if self.within is None else self.inspection.analysis.self_intersections_within(self.within)
+        return () if self.within is None else self.analysis.self_intersections_within(self.within)
 
     @cached_property
     def stable(self) -> tuple[tuple[StableFeature, Real | None], ...]:
@@ -147,17 +90,25 @@ class Report(OneLine):
         if not self.with_stability:
             return ()
         least: dict[Real, Real | None] = {found.root: x for found, x in prominences(self.curve)}
-        return tuple((found, least.get(found.place)) for found in self.inspection.analysis.stability)
+        return tuple((found, least.get(found.place)) for found in self.analysis.stability)
 
     @property
     def coordinate_extrema(self) -> tuple[Places[Feature], ...]:
         """The extrema of each coordinate."""
-        return tuple(map(self.inspection.analysis.turning_points, range(self.curve.dimension * self.with_coordinates)))
+        return tuple(map(self.analysis.turning_points, range(self.curve.dimension * self.with_coordinates)))
 
-    @cached_property
-    def approaches(self) -> tuple[ApproachResult, ...]:
-        """The approaches to critical curvature, side by side."""
-        return tuple(compare_approaches(self.curve)) if self.with_approaches else ()
+
+def inspect_curve(curve: Nurbs) -> Report:
+    """The features of a curve in the plane or in space.
+
+    >>> from exactspline.interchange.examples import example
+    >>> [len(inspect_curve(example(name)).places("critical_points")) for name in ("ellipse", "rational_space_cubic")]
+    [4, 2]
+
+    Raises `ShapeError` for a curve that is neither in the plane nor in space.
+    """
+    analyse(curve).check_dimension()
+    return Report(in_the_plane(curve))
 
 
 #: What is solved, in the words of the table of features.
@@ -169,20 +120,17 @@ SOLVED = {
 }
 
 
-def solved(curve: Nurbs, approach: Approach | str) -> list[tuple[str, str, BSpline, ZeroSet]]:
+def solved(curve: Nurbs) -> list[tuple[str, str, BSpline, ZeroSet]]:
     """The functions that an inspection solves: names, titles, functions and their zeros.
 
     >>> from exactspline.interchange.examples import example
-    >>> [name for name, *_ in solved(example("twisted_cubic"), "minimal")]
+    >>> [name for name, *_ in solved(example("twisted_cubic"))]
     ['zero_torsion', 'space_critical_curvature', 'zero_curvature']
     """
     analysis = analyse(curve)
     first = ("zero_torsion", Variant.PAPER) if analysis.in_space else ("zero_curvature", Variant.MINIMAL)
     rows = []
-    for name, variant in (
-        first,
-        (analysis.critical_form, choice(Approach, approach, "approach").variant(analysis.curve)),
-    ):
+    for name, variant in (first, (analysis.critical_form, Variant.MINIMAL)):
         form = analysis.zero_form(name, variant)
         rows.append((name, SOLVED[name], form.form, form.zeros))
     if analysis.in_space:
@@ -192,13 +140,13 @@ def solved(curve: Nurbs, approach: Approach | str) -> list[tuple[str, str, BSpli
 
 @dataclass(frozen=True, repr=False)
 class ApproachResult(OneLine):
-    """The cost and the result of one approach to critical curvature.
+    """The cost and the result of one approach to critical curvature, by the name of its form.
 
     `extraneous` are roots at which κ′ neither vanishes nor changes its sign by a jump (those of κ that squaring
     adds for a plane curve, and singular points); `missing` are critical points that it does not find.
     """
 
-    name: Approach
+    name: Variant
     degree: int
     control_points: int
     roots: int
@@ -208,24 +156,25 @@ class ApproachResult(OneLine):
 
 
 def compare_approaches(curve: Nurbs) -> list[ApproachResult]:
-    """All approaches on one curve, their results compared exactly with the minimal form.
+    """All approaches to critical curvature on one curve: squaring, the direct one, the form that it is reduced to, and
+    two more. Their results are compared exactly with those of the minimal form.
 
     >>> from exactspline.interchange.examples import example
     >>> [(str(a.name), a.degree, a.roots, a.extraneous) for a in compare_approaches(example("six_segment_cubic"))]
-    [('squaring', 24, 8, 2), ('direct', 6, 6, 0), ('reduced', 6, 6, 0), ('lifted', 6, 6, 0), ('minimal', 5, 6, 0)]
+    [('direct', 6, 6, 0), ('squaring', 24, 8, 2), ('paper', 6, 6, 0), ('lifted', 6, 6, 0), ('minimal', 5, 6, 0)]
     """
     analysis = analyse(curve_of(curve))
     true = [root for root, _ in located(analysis.zero_form(analysis.critical_form).zeros)]
     expected = [f.root for f in analysis.critical_points]
     rows = []
-    for approach in Approach:
-        form = analysis.zero_form(analysis.critical_form, approach.variant(analysis.curve))
+    for variant in construction(analysis.critical_form).all_variants:
+        form = analysis.zero_form(analysis.critical_form, variant)
         own = form.zeros.roots
         extraneous = among(own, true).count(False)
         missing = among(expected, [root for root, _ in located(form.zeros)]).count(False)
         rows.append(
             ApproachResult(
-                approach, form.form.degree, control_point_count(form.form), len(own), extraneous, missing, form.seconds
+                variant, form.form.degree, control_point_count(form.form), len(own), extraneous, missing, form.seconds
             )
         )
     return rows

@@ -5,13 +5,10 @@ singular point and nothing else. On a closed curve the seam is a knot like any o
 
 from __future__ import annotations
 
-from exactspline.geometry.curves.facts import Facts, ZeroForm, among, located
+from exactspline.geometry.curves.facts import Facts, ZeroForm
 from exactspline.geometry.curves.kinds import Feature, FeatureKind
 from exactspline.geometry.derived.constructions import Variant
 from exactspline.roots.root import Root
-
-#: The form whose sign is that of κκ′; the sign of all others is that of κ′.
-SQUARING = "squaring"
 
 
 def flat_points(facts: Facts) -> list[Feature]:
@@ -32,32 +29,24 @@ def _flat(root: Root) -> FeatureKind:
     return FeatureKind.INFLECTION if root.sign_change else FeatureKind.UNDULATION
 
 
-def critical_points(facts: Facts, variant: Variant | str) -> list[Feature]:
+def critical_points(facts: Facts) -> list[Feature]:
     """The extrema of the curvature and the points where κ′ = 0 without an extremum (``stationary``)."""
-    zero_set = facts.zero_form("critical_curvature", variant).zeros
-    if variant == SQUARING:
-        # squaring adds the zeros of κ, and where κ = 0 it hides jumps of κ′: its zeros are classified by κ′ itself
-        true = located(facts.zero_form("critical_curvature").zeros)
-        solved = among([root for root, _ in true], [root for root, _ in located(zero_set)])
-        zeros = [one for one, there in zip(true, solved, strict=True) if there]
-    else:
-        zeros = located(zero_set)
     features, curvature = [], facts.zero_form("zero_curvature")
-    for root, by_jump in facts.regular_pairs(zeros):
+    for root, by_jump in facts.regular(facts.zero_form("critical_curvature").zeros):
         if root.at_knot and facts.has_corner(root.low):
             continue
         joint = facts.joint(root.low) if root.at_knot else None
         if joint is None or joint.same_curvature:
-            features.append(_extremum(curvature, root, variant, by_jump=by_jump))
+            features.append(_extremum(curvature, root, by_jump=by_jump))
     return features
 
 
-def _extremum(curvature: ZeroForm, root: Root, variant: Variant | str, *, by_jump: bool) -> Feature:
+def _extremum(curvature: ZeroForm, root: Root, *, by_jump: bool) -> Feature:
     """A zero of κ′, classified by the signs of κ′ on both sides and by that of κ there."""
     left, right = root.signs
     if not left or not right or left == right:
-        return Feature(FeatureKind.STATIONARY, root, variant)
+        return Feature(FeatureKind.STATIONARY, root, Variant.MINIMAL)
     kind = FeatureKind.MAXIMUM if left > 0 else FeatureKind.MINIMUM
     sign = curvature.sign_at(root)
     of_absolute = FeatureKind.MINIMUM if sign == 0 else kind if sign > 0 else kind.opposite
-    return Feature(kind, root, variant, by_jump, of_absolute)
+    return Feature(kind, root, Variant.MINIMAL, by_jump, of_absolute)

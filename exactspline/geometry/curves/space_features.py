@@ -143,19 +143,19 @@ def _torsion_at_knot(facts: SpaceFacts, root: Root, changes: bool) -> list[Featu
     return [Feature(FeatureKind.TORSION_ZERO, root, TORSION, by_jump=True)] if changes else []
 
 
-def critical_points(facts: SpaceFacts, variant: Variant | str) -> list[Feature]:
+def critical_points(facts: SpaceFacts) -> list[Feature]:
     """The extrema of the curvature and the points where κ′ = 0 without an extremum, except those where κ = 0."""
     features = []
-    for root, by_jump in facts.regular(facts.zero_form("space_critical_curvature", variant).zeros):
+    for root, by_jump in facts.regular(facts.zero_form("space_critical_curvature").zeros):
         joint = facts.joint(root.low) if root.at_knot else None
         if (joint is None or joint.same_curvature) and not facts.is_flat(root):
-            features.append(_extremum(root, variant, by_jump=by_jump))
+            features.append(_extremum(root, by_jump=by_jump))
     return features
 
 
-def _extremum(root: Root, variant: Variant | str, *, by_jump: bool) -> Feature:
+def _extremum(root: Root, *, by_jump: bool) -> Feature:
     left, right = root.signs
     if not left or not right or left == right:
-        return Feature(FeatureKind.STATIONARY, root, variant)
+        return Feature(FeatureKind.STATIONARY, root, Variant.MINIMAL)
     kind = FeatureKind.MAXIMUM if left > 0 else FeatureKind.MINIMUM
-    return Feature(kind, root, variant, by_jump, kind)
+    return Feature(kind, root, Variant.MINIMAL, by_jump, kind)

@@ -15,7 +15,6 @@ from flint import fmpz_poly
 from exactspline.geometry.curves.facts import Facts
 from exactspline.geometry.curves.kinds import Feature
 from exactspline.geometry.curves.plane_features import critical_points, flat_points
-from exactspline.geometry.derived.constructions import Variant
 from exactspline.geometry.filter.plane_programs import CRITICAL, CURVATURE, SPEED
 from exactspline.numbers.sides import Side
 from exactspline.polynomials.bernstein import raiser
@@ -98,7 +97,7 @@ def on_runs(curve: Nurbs, left: Set[int]) -> tuple[list[Feature], list[Feature]]
         if facts.closed or any(facts.standing[own]) or any(None in form.zeros.isolations[own] for form in forms):
             return None
         low, high = curve.breakpoints[start], curve.breakpoints[end + 1]
-        for features, exact in zip(found, (flat_points(facts), critical_points(facts, Variant.MINIMAL)), strict=True):
+        for features, exact in zip(found, (flat_points(facts), critical_points(facts)), strict=True):
             features += [feature for feature in exact if low <= feature.root <= high]
     return found
 

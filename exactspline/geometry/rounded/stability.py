@@ -135,9 +135,9 @@ def _facts(curve: Nurbs) -> Facts:
 def _features(facts: Facts) -> list[tuple[FeatureKind, Real]]:
     """The features with their parameters, in order."""
     if isinstance(facts, SpaceFacts):
-        points = [*space_features.torsion_zeros(facts), *space_features.critical_points(facts, Variant.MINIMAL)]
+        points = [*space_features.torsion_zeros(facts), *space_features.critical_points(facts)]
     else:
-        points = [*plane_features.flat_points(facts), *plane_features.critical_points(facts, Variant.MINIMAL)]
+        points = [*plane_features.flat_points(facts), *plane_features.critical_points(facts)]
     forms = FORMS[facts.curve.dimension]
     found: list[tuple[FeatureKind, Real]] = [(point.kind, point.root) for point in points if point.kind in forms]
     found += [(FeatureKind.CORNER, real(joint.parameter)) for joint in facts.corners]
