@@ -169,12 +169,12 @@ def through_ends(
     return [a, b, c, d, e, level], end
 
 
-def moved(to: Sequence[mpq], point: Sequence[mpq], within: mpq | None) -> str:
-    """A note on an end that is moved onto its curve; raises `ShapeError` where that is further than allowed."""
+def moved(to: Sequence[mpq], point: Sequence[mpq], within: mpq | None, onto: str = "the curve") -> str:
+    """A note on an end that is moved onto a curve; raises `ShapeError` where that is further than allowed."""
     gap = [a - b for a, b in zip(to, point, strict=True)]
     if within is None or dot(gap, gap) > within**2:
-        raise ShapeError(f"an end {distance_text(gap)} away from its curve", remedy=f"correct it; {APPROXIMATE}")
-    return f"an end is moved by {distance_text(gap)} onto the curve"
+        raise ShapeError(f"an end {distance_text(gap)} away from {onto}", remedy=f"correct it; {APPROXIMATE}")
+    return f"an end is moved by {distance_text(gap)} onto {onto}"
 
 
 def distance_text(gap: Sequence[mpq]) -> str:

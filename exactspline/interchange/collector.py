@@ -7,12 +7,13 @@ from contextlib import contextmanager
 from typing import Any, TypeVar
 
 from exactspline.errors import CurveFileError, ExactSplineError, ShapeError, counted, nearest
-from exactspline.interchange.arcs import distance_text
+from exactspline.interchange.arcs import distance_text, moved
 from exactspline.interchange.limits import work
 from exactspline.interchange.numbers import decimal
 from exactspline.interchange.periods import whole
 from exactspline.interchange.records import NamedCurve, Reading, Skipped, Source
-from exactspline.interchange.segments import Segment, joined_segments
+from exactspline.interchange.segments import Point, Segment, joined_segments
+from exactspline.interchange.writing import homogeneous
 from exactspline.numbers.exact import mpq
 from exactspline.splines.control_points import projected
 from exactspline.splines.nurbs import Nurbs
@@ -32,6 +33,24 @@ def _net(entries: Sequence[T], counts: tuple[int, int], u_fastest: bool) -> list
     return [[entries[i * steps[0] + j * steps[1]] for j in range(n)] for i in range(m)]
 
 
+def _chained(curves: Sequence[Nurbs], within: mpq | None, notes: list[str]) -> tuple[int, list[mpq], list[Point]]:
+    """Degree, knots and homogeneous control points of curves one after the other, each of which begins at the end of
+    the one before, or so near to it that it may be moved there.
+    """
+    degree, knots, points = max(curve.degree for curve in curves), list[mpq](), list[Point]()
+    for each in curves:
+        curve = each.restrict(*each.domain).elevate_degree(degree - each.degree)
+        rows = [homogeneous(*pair) for pair in zip(curve.control_points, curve.weights, strict=True)]
+        end, start = projected(points[-1] if points else rows[0]), projected(rows[0])
+        if end != start:
+            notes.append(moved(end, start, within, "the part before"))
+        factor = points[-1][-1] / rows[0][-1] if points else mpq(1)
+        shift = knots[-1] - curve.domain[0] if knots else mpq(0)
+        knots = [*knots[:-1], *(t + shift for t in list(curve.knots)[(degree + 1) * bool(knots) :])]
+        points += [tuple(x * factor for x in row) for row in rows[bool(points) :]]
+    return degree, knots, points
+
+
 class Collector:
     """The curves and the skipped entities of one file."""
 
@@ -42,10 +61,14 @@ class Collector:
         self.skipped: list[Skipped] = []
         self._notes: dict[str, None] = {}
         self._objects = 0
+        #: Curves by their source, and the sources of those that are parts of others.
+        self._read: dict[str, Nurbs] = {}
+        self._parts: set[str] = set()
 
     def reading(self) -> Reading:
         """Everything collected so far."""
-        return Reading(self.format, tuple(self.curves), tuple(self.skipped), tuple(self._notes), tuple(self.surfaces))
+        curves = tuple(each for each in self.curves if each.curve.source not in self._parts)
+        return Reading(self.format, curves, tuple(self.skipped), tuple(self._notes), tuple(self.surfaces))
 
     def taken(self) -> Reading:
         """Everything collected since the last call."""
@@ -105,7 +128,11 @@ class Collector:
         self, what: str, where: str, segments: Sequence[Segment], name: str = "", notes: Sequence[str] = ()
     ) -> None:
         """Build the curve made of segments, polynomial where all weights are 1."""
-        degree, knots, points = joined_segments(segments)
+        self._add_homogeneous(what, where, *joined_segments(segments), name, notes)
+
+    def _add_homogeneous(
+        self, what: str, where: str, degree: int, knots: list[mpq], points: Points, name: str, notes: Sequence[str]
+    ) -> None:
         rational = any(point[-1] != 1 for point in points)
         rows = points if rational else [point[:-1] for point in points]
         self.add(what, where, degree, knots, rows, homogeneous=rational, name=name, notes=notes)
@@ -173,7 +200,26 @@ class Collector:
         if (curve.name, curve.source) != (made.name, made.curve.source):
             data = curve.degree, curve.knots, curve.control_points, curve.weights
             curve = Nurbs(*data, name=made.name, source=made.curve.source)
+        self._read[curve.source] = curve
         self.curves.append(NamedCurve(made.name, curve, tuple(dict.fromkeys([*made.notes, *notes]))))
+
+    def join(self, what: str, where: str, parts: Sequence[tuple[str, bool]], name: str = "") -> None:
+        """Replace the curves that were read at these places, each as it is or reversed, by the one that runs through
+        them, over their parameters one after the other; where that cannot be, it is named, and they stay.
+        """
+        sources, count = [f"{self.source.name} {place}".strip() for place, _ in parts], len(self.curves)
+        found = [self._read[source] for source in sources if source in self._read]
+        notes = [f"made of {counted(len(parts), 'curve')}"]
+        try:
+            if len(found) < len(parts) or len({curve.dimension for curve in found}) != 1:
+                raise ShapeError("a part that is not read, or in another dimension", remedy="write it as a spline")
+            turned = [x if forwards else x.reverse() for x, (_, forwards) in zip(found, parts, strict=True)]
+            chain = _chained(turned, self.source.within, notes)
+        except ShapeError as error:
+            self.skip(what, where, f"its parts are read as curves of their own: {error}", curve=False)
+        else:
+            self._add_homogeneous(what, where, *chain, name, notes)
+            self._parts.update(sources if len(self.curves) > count else ())
 
     def add_surface(
         self,

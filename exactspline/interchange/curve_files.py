@@ -39,6 +39,9 @@ from exactspline.splines.knots import KnotVector
 from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.surface import NurbsSurface
 
+#: The fields of a curve that are long.
+SIZED = "knots", "control_points", "weights"
+
 
 def curve_from_data(given: Mapping[str, object], name: str = "", limits: Limits = USUAL) -> Nurbs:
     """The curve in JSON data, with numbers as text (`exactspline.interchange.json_files.parsed`), within the limits on
@@ -50,12 +53,9 @@ def curve_from_data(given: Mapping[str, object], name: str = "", limits: Limits 
     if "kind" in data:
         return _curve_of_piece(data, name, limits)
     check_fields(data, CURVE)
-    for field in ("knots", "control_points", "weights"):
-        if not isinstance(data.get(field, []), list) and not (field == "weights" and data[field] is None):
-            raise CurveFileError("is not a list", where=field, remedy="write a JSON list")
-    weights = data.get("weights")
-    own = None if weights is None else numbers_of(weights, "weights", limits)
-    knots, points = numbers_of(data["knots"], "knots", limits), points_of(data["control_points"], limits=limits)
+    listed = {field: _list(data[field], field) for field in SIZED if data.get(field) is not None or field != "weights"}
+    own = numbers_of(listed["weights"], "weights", limits) if "weights" in listed else None
+    knots, points = numbers_of(listed["knots"], "knots", limits), points_of(listed["control_points"], limits=limits)
     return Nurbs(whole_degree(data["degree"]), knots, points, own, **_labels(data, name))
 
 
@@ -91,15 +91,13 @@ def _curve_of_piece(piece: dict[str, Any], name: str, limits: Limits) -> Nurbs:
     for needed in ("degree", "knots", field):
         if needed not in piece:
             raise CurveFileError(f"the field {needed!r} is missing", remedy="copy the whole piece")
-    if not isinstance(piece["knots"], list):
-        raise CurveFileError("is not a list", where="knots", remedy="write a JSON list")
-    net = piece[field]
+    listed, net = _list(piece["knots"], "knots"), piece[field]
     if not isinstance(net, list) or not net or not all(isinstance(row, list) and row for row in net):
         remedy = f"write {'(w x, w y, …, w)' if rational_piece else '(x, y, …)'} for each"
         raise CurveFileError("is not a list of points", where=field, remedy=remedy)
     read = [numbers_of(row, f"{field}[{i}]", limits) for i, row in enumerate(net)]
     rows = exact_points(read, least=3 if rational_piece else 2)
-    degree, knots = whole_degree(piece["degree"]), KnotVector(numbers_of(piece["knots"], "knots", limits))
+    degree, knots = whole_degree(piece["degree"]), KnotVector(numbers_of(listed, "knots", limits))
     knots.check(checked_degree(degree))
     low, high = _ends(piece, knots.domain(degree), limits)
     *p, last = [BSpline(degree, knots, column).restrict(low, high) for column in zip(*rows, strict=True)]

@@ -15,7 +15,7 @@ from typing import Any
 
 from exactspline.errors import CurveFileError
 from exactspline.interchange.collector import Collector
-from exactspline.interchange.curve_files import curve_data, curve_from_data, surface_data, surface_from_data
+from exactspline.interchange.curve_files import SIZED, curve_data, curve_from_data, surface_data, surface_from_data
 from exactspline.interchange.format import Format
 from exactspline.interchange.json_files import numbers_of, parsed
 from exactspline.interchange.limits import Limits
@@ -26,8 +26,6 @@ from exactspline.interchange.writing import Spline
 from exactspline.splines.knots import KnotVector
 from exactspline.splines.surface import NurbsSurface
 
-#: The fields of a curve that are long.
-SIZED = "knots", "control_points", "weights"
 #: An object, or a list of them.
 _BEGINNING = re.compile(rb"(\xef\xbb\xbf)?\s*(\[\s*)?\{")
 

@@ -137,10 +137,8 @@ class _Entities:
         entities whose declaration it did not read. Raises `CurveFileError` otherwise, and if the expanded text would be
         too long.
         """
-        if self.data[:2] in (b"\xff\xfe", b"\xfe\xff"):
-            text = self.data.decode("utf-16", "replace")
-        else:
-            text = self.data.decode("utf-8", "replace")
+        wide = self.data[:2] in (b"\xff\xfe", b"\xfe\xff")
+        text = self.data.decode("utf-16" if wide else "utf-8", "replace")
         references = _REFERENCE.findall(_NOT_MARKUP.sub("", text))
         if unknown := [name for name in references if name not in self.names]:
             self._refuse(f"the entity {unknown[0][:40]!r} is not declared in the file")

@@ -379,6 +379,7 @@ SQUARES = {
     "step": lambda: step(
         POLES + "#8=POLYLINE('',(#1,#2,#3));#9=POLYLINE('',(#3,#1));#10=COMPOSITE_CURVE_SEGMENT(.CONTINUOUS.,.T.,#8);"
         "#11=COMPOSITE_CURVE_SEGMENT(.CONTINUOUS.,.T.,#9);#12=COMPOSITE_CURVE('',(#10,#11),.F.);"
+        "#13=POLYLINE('',(#2,#3,#1,#2));"
     ),
 }
 TWO = [[(0, 0), (4, 0), (0, 4)], [(1, 1), (2, 1), (1, 2)]]

@@ -3,12 +3,14 @@ taken from them by hand, and every real curve through every writer.
 """
 
 import os
+import re
 from pathlib import Path
 
 import pytest
 
 from exactspline.errors import NumberError
 from exactspline.interchange import read
+from exactspline.interchange.collector import Collector
 from exactspline.interchange.files import encoded
 from exactspline.interchange.formats import formats
 from tests.geometry.test_shared_curves import FILES, needs_curves
@@ -56,7 +58,9 @@ def opened(name, **options):
 
 @needs_files
 @pytest.mark.parametrize("name", COUNTS)
-def test_as_many_curves_as_others_found(name):
+def test_as_many_curves_as_others_found(name, monkeypatch):
+    """Before composite curves are joined of their parts."""
+    monkeypatch.setattr(Collector, "join", lambda *_: None)
     curves = [named.curve for named in opened(name).curves]
     count, degrees, rational = COUNTS[name]
     assert len(curves) == count
@@ -65,12 +69,29 @@ def test_as_many_curves_as_others_found(name):
 
 
 @needs_files
-def test_as_many_splines_and_arcs_in_a_mixed_file():
+def test_as_many_splines_and_arcs_in_a_mixed_file(monkeypatch):
+    monkeypatch.setattr(Collector, "join", lambda *_: None)
     curves = opened("igesio_single_rounded_cube.iges").curves
     assert sum("126" in named.curve.source for named in curves) == 30
     arcs = [named.curve for named in curves if "entity 100" in named.curve.source]
     assert len(arcs) == 4
     assert not any(arc.polynomial for arc in arcs)
+
+
+@needs_files
+@pytest.mark.parametrize(("name", "exactly", "nearly", "parts"), [
+    ("igesio_single_rounded_cube.iges", 11, 14, 5), ("igestoolbox_example.igs", 44, 46, 11),
+])  # fmt: skip
+def test_composite_curves_of_real_files(name, exactly, nearly, parts):
+    """Joined exactly or within an error, and otherwise said to be read in parts."""
+    for options, joined in (({}, exactly), ({"approximate": "1e-6"}, nearly)):
+        found = opened(name, **options)
+        made = [x for x in found.curves if "entity 102" in x.curve.source]
+        left = [x for x in found.skipped if x.what == "entity 102"]
+        assert (len(made), len(made) + len(left)) == (joined, nearly)
+        assert all("--approximate E" in x.why and not x.curve for x in left)
+        assert all(re.match(r"made of \d+ curve", x.notes[0]) for x in made)
+        assert any(f"made of {parts} curves" in x.notes for x in made)
 
 
 @needs_files

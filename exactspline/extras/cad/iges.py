@@ -11,6 +11,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
+from functools import partial
 from typing import Any
 
 from exactspline.errors import CurveFileError, counted
@@ -71,9 +72,10 @@ def read(source: Source) -> Reading:
     collector = Collector("iges", source)
     directory = {entry.number: entry for entry in entries(source.text, source.limits)}
     collector.unit(unit_of(source.text))
-    for entry in directory.values():
-        where = f"entity {entry.kind} (DE {entry.number})"
-        reader = _READERS.get(entry.kind)
+    # what is made of other curves comes last
+    for entry in sorted(directory.values(), key=lambda entry: entry.kind == COMPOSITE):
+        where = entry.place
+        reader = partial(_composite, directory) if entry.kind == COMPOSITE else _READERS.get(entry.kind)
         if entry.kind == MATRIX:
             continue
         if reader is None:
@@ -81,9 +83,20 @@ def read(source: Source) -> Reading:
             why = NAMES["iges reasons"].get(str(entry.kind), UNREAD)
             collector.skip(name, where, why, curve=entry.kind in CURVES)
             continue
-        with collector.skipping(f"entity {entry.kind}", where, curve=entry.kind != SURFACE):
+        with collector.skipping(f"entity {entry.kind}", where, curve=entry.kind not in (SURFACE, COMPOSITE)):
             reader(collector, entry, where, _placement(collector, directory, entry))
     return collector.reading()
+
+
+def _composite(
+    directory: dict[int, DirectoryEntry], collector: Collector, entry: DirectoryEntry, where: str, placed: Affine
+) -> None:
+    """Join the parts of a composite curve."""
+    values = _Values(entry, collector)
+    held = [directory.get(values.whole()) for _ in range(values.whole())]
+    if not placed.is_identity:
+        raise CurveFileError("moved as a whole", remedy="its parts are read where they are defined")
+    collector.join(f"entity {entry.kind}", where, [(each.place if each else "", True) for each in held], entry.name)
 
 
 def _placement(collector: Collector, directory: dict[int, DirectoryEntry], entry: DirectoryEntry) -> Affine:

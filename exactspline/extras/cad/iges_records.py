@@ -29,6 +29,11 @@ class DirectoryEntry:
     parameters: list[str]
 
     @property
+    def place(self) -> str:
+        """The type, and the number."""
+        return f"entity {self.kind} (DE {self.number})"
+
+    @property
     def name(self) -> str:
         """The label, or the type, and the number."""
         return f"{self.label or self.kind} {self.number}"
@@ -128,10 +133,6 @@ def _field(line: str, index: int) -> int:
 
 def formatted(entities: list[tuple[int, int, int, str, list[str]]], title: str) -> bytes:
     """An IGES file with these entities (type, form, use flag, label, parameters)."""
-    start = [title[:72]]
-    settings = ["1H,", "1H;", "11Hexactspline", "9Hcurve.igs", "11Hexactspline", "11Hexactspline", "32", "308", "15"]
-    settings += ["308", "15", "11Hexactspline", "1.", "2", "2HMM", "1", "1.", "13H000101.000000", "1.E-16", "1.E9"]
-    settings += ["", "", "11", "0", "13H000101.000000"]
     directory: list[str] = []
     data: list[str] = []
     for number, (kind, form, use, label, values) in enumerate(entities):
@@ -141,7 +142,8 @@ def formatted(entities: list[tuple[int, int, int, str, list[str]]], title: str) 
         directory.append(f"{kind:8}{len(data) + 1:8}" + f"{0:8}" * 6 + status)
         directory.append(f"{kind:8}{0:8}{0:8}{len(lines):8}{form:8}" + " " * 16 + f"{label[:8]:>8}{0:8}")
         data += [f"{line:<64} {pointer:7}" for line in lines]
-    sheets = {"S": start, "G": _wrapped(settings, 72, ",", ";"), "D": directory, "P": data}
+    settings = _wrapped(NAMES["iges settings"], 72, ",", ";")
+    sheets = {"S": [title[:72]], "G": settings, "D": directory, "P": data}
     sheets["T"] = ["".join(f"{letter}{len(lines):7}" for letter, lines in sheets.items())]
     return "".join(
         f"{line:<72}{letter}{i:7}\n" for letter, lines in sheets.items() for i, line in enumerate(lines, 1)

@@ -14,7 +14,7 @@ import re
 from collections.abc import Sequence
 
 from exactspline.extras.cad.names import NAMES
-from exactspline.extras.cad.step_edges import ANY_CURVE, BOUNDED, ELEMENTARY, Edges
+from exactspline.extras.cad.step_edges import ANY_CURVE, BOUNDED, COMPOSITE, ELEMENTARY, Edges
 from exactspline.extras.cad.step_records import StepFile, keywords, parts
 from exactspline.extras.cad.step_splines import ANY_SURFACE, CURVE, FACES, add_surface, written_spline
 from exactspline.extras.cad.step_text import StepText
@@ -29,10 +29,8 @@ WIREFRAME = "GEOMETRICALLY_BOUNDED_WIREFRAME_SHAPE_REPRESENTATION"
 BOUNDED_SURFACES = "GEOMETRICALLY_BOUNDED_SURFACE_SHAPE_REPRESENTATION"
 #: Keywords that are not read, with the reasons; that place parts; and of surfaces that are not splines.
 SKIPPED, PLACING, OTHERS = NAMES["step"], NAMES["step placing"], NAMES["step surfaces"]
-#: Skipped entities that are not curves.
-NO_CURVE = ("COMPOSITE_CURVE",)
 #: Every keyword of an entity that is not a spline and is read, named as skipped, or noted.
-KNOWN = frozenset((*ELEMENTARY, *BOUNDED, *SKIPPED, *PLACING, *FACES, *OTHERS))
+KNOWN = frozenset((*ELEMENTARY, *BOUNDED, COMPOSITE, *SKIPPED, *PLACING, *FACES, *OTHERS))
 _METRE = re.compile(r"\bSI_UNIT\s*\(\s*(\$|\.[A-Z]+\.)\s*,\s*\.METRE\.\s*\)")
 _CONVERSION = re.compile(r"\bCONVERSION_BASED_UNIT\s*\(\s*'([^']{1,40})'")
 _REFERENCE = re.compile(r"#(\d{1,12})", re.ASCII)
@@ -48,7 +46,7 @@ def read(source: Source) -> Reading:
     collector = Collector("step", source)
     file = StepFile(source.text, collector)
     edges = Edges(file)
-    trimmed, others = set[str](), set[str]()
+    trimmed, others, composite = set[str](), set[str](), list[int]()
     for number, text in file.instances.items():
         where = f"#{number}"
         named = keywords(text)
@@ -64,13 +62,17 @@ def read(source: Source) -> Reading:
             with collector.skipping(keyword, where):
                 edges.read(keyword, number, where)
         elif keyword in SKIPPED:
-            collector.skip(keyword, where, SKIPPED[keyword], curve=keyword not in NO_CURVE)
+            collector.skip(keyword, where, SKIPPED[keyword])
+        elif keyword == COMPOSITE:
+            composite.append(number)
         elif keyword in PLACING:
             collector.note("the file places parts: curves are read where they are defined")
         elif keyword in FACES:
             trimmed.add(keyword)
         elif keyword in OTHERS:
             others.add(keyword)
+    for number in composite:
+        edges.join(number)
     if collector.surfaces and trimmed:
         collector.note(f"trims are not read, surfaces are read as wholes: {', '.join(sorted(trimmed))}")
     if others:

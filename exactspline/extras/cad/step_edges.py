@@ -19,7 +19,7 @@ from exactspline.interchange.records import NamedCurve
 from exactspline.interchange.segments import Segment, ellipse, polynomial
 from exactspline.numbers.exact import mpq
 
-EDGE, TRIMMED, POLYLINE = "EDGE_CURVE", "TRIMMED_CURVE", "POLYLINE"
+EDGE, TRIMMED, POLYLINE, COMPOSITE = "EDGE_CURVE", "TRIMMED_CURVE", "POLYLINE", "COMPOSITE_CURVE"
 ELEMENTARY = ("LINE", "CIRCLE", "ELLIPSE")
 #: How many attributes an edge and a trimmed curve have, and the place of their curve among them.
 BOUNDED = {EDGE: (5, 3), TRIMMED: (6, 1)}
@@ -117,7 +117,7 @@ class Edges:
         # the direction of the curve: from the last end to the first where the sense is not that of the curve
         ends, notes = (ends, list[str]()) if sense == ".T." else (ends[::-1], ["reversed"])
         if kind == CURVE:
-            made, title = self._spline(curve), name_of([name], "")
+            made, title = self._spline(curve, reference), name_of([name], "")
             part, remarks = (None, []) if whole else self._part(made, ends)
             made = NamedCurve(title or made.name, made.curve, made.notes)
             self.file.collector.take(made, part, *remarks, *notes, *self._in_parameters(reference))
@@ -132,6 +132,15 @@ class Edges:
             raise ShapeError(f"a part of {kind or 'no curve'}", remedy="of lines, conics and splines parts are read")
         self.file.collector.add_segments(keyword, reference, segments, name_of([name], reference), notes)
 
+    def join(self, number: int) -> None:
+        """Join the parts of a composite curve."""
+        given, found = parts(self.file.instances[number], self.file.limits).get(COMPOSITE, []), list[tuple[str, bool]]()
+        with self.file.collector.skipping(COMPOSITE, f"#{number}", curve=False):
+            for segment in self.file.texts(given[-2] if len(given) > 1 else ""):
+                _, sense, curve = self.file.named(segment, f"{COMPOSITE}_SEGMENT", 3)
+                found.append((str(curve), sense == ".T."))
+            self.file.collector.join(COMPOSITE, f"#{number}", found, name_of(given, f"#{number}"))
+
     def _trim(self, values: Value) -> _End:
         """An end of a trimmed curve: a list of a point, a parameter, or both."""
         listed = values if isinstance(values, list) else []
@@ -144,15 +153,16 @@ class Edges:
             raise ShapeError("an end without a parameter or a point", remedy="write one")
         return decimal(end.parameter, self.file.limits)
 
-    def _spline(self, reference: str) -> NamedCurve:
-        """The curve with control points of an instance."""
+    def _spline(self, reference: str, where: str = "") -> NamedCurve:
+        """The curve with control points of an instance, used by one that is elsewhere."""
+        where = where or reference
         entity = parts(self.file.instances[int(reference[1:])], self.file.limits)
         if POLYLINE not in entity:
-            return built_curve(self.file, entity, reference)
+            return built_curve(self.file, entity, where)
         given = entity[POLYLINE]
         points = [self.file.point(each) for each in self.file.texts(given[-1] if given else "")]
         knots = [mpq(max(0, min(i - 1, len(points) - 1))) for i in range(len(points) + 2)]
-        return self.file.collector.built(reference, 1, knots, points, name=name_of(given, reference))
+        return self.file.collector.built(where, 1, knots, points, name=name_of(given, where))
 
     def _part(self, made: NamedCurve, ends: Sequence[_End]) -> tuple[tuple[mpq, mpq] | None, list[str]]:
         """The parameters between two ends, None for the whole curve, and notes."""

@@ -18,7 +18,7 @@ Value: TypeAlias = "str | list[Value]"
 # anything unclosed extends to the end of the text, so that matching takes linear time
 _NOISE = re.compile(r"/\*.*?(?:\*/|\Z)|'(?:[^']|'')*(?:'|\Z)|;", re.S)
 _INSTANCE = re.compile(r"\s*#\s*(\d{1,12})\s*=\s*(.*)", re.S)
-_TOKEN = re.compile(r"\s*('(?:[^']|'')*(?:'|\Z)|[(),]|[^\s(),']+)", re.S)
+_TOKEN = re.compile(r"'(?:[^']|'')*(?:'|\Z)|[(),]|[^\s(),']+", re.S)
 _REFERENCE = re.compile(r"#\d{1,12}", re.ASCII)
 _KEYWORD = re.compile(r"[A-Z_][A-Z0-9_]*", re.ASCII)
 _FIRST = re.compile(r"(?P<complex>\()|\s*(?P<keyword>[A-Z0-9_]+)", re.ASCII)
@@ -85,13 +85,7 @@ def parts(text: str, limits: Limits) -> dict[str, list[Value]]:
     """
     root: list[Value] = []
     lists: list[list[Value]] = [root]
-    position = 0
-    text = text.strip()
-    while position < len(text):
-        match = _TOKEN.match(text, position)
-        if not match:
-            raise CurveFileError(f"{text[position : position + 20]!r} is not STEP text", remedy="correct it")
-        token, position = match[1], match.end()
+    for token in _TOKEN.findall(text):
         if token == "(":
             if len(lists) > limits.depth:
                 raise CurveFileError("brackets are nested too deeply", remedy="read with a larger limit of depth")

@@ -40,19 +40,9 @@ class StepText:
             f"(GEOMETRIC_REPRESENTATION_CONTEXT({dimension}) GLOBAL_UNIT_ASSIGNED_CONTEXT(({self._units})) "
             "REPRESENTATION_CONTEXT('',''))"
         )
-        self._add_part(self.add(f"{representation}('',({collected}),{context})"))
-
-    def _add_part(self, shape: str) -> None:
-        add = self.add
-        application = add("APPLICATION_CONTEXT('automotive design')")
-        add(f"APPLICATION_PROTOCOL_DEFINITION('international standard','automotive_design',2000,{application})")
-        context = add(f"PRODUCT_CONTEXT('',{application},'mechanical')")
-        product = add(f"PRODUCT('splines','splines','',({context}))")
-        formation = add(f"PRODUCT_DEFINITION_FORMATION('','',{product})")
-        stage = add(f"PRODUCT_DEFINITION_CONTEXT('part definition',{application},'design')")
-        definition = add(f"PRODUCT_DEFINITION('design','',{formation},{stage})")
-        defined = add(f"PRODUCT_DEFINITION_SHAPE('','',{definition})")
-        add(f"SHAPE_DEFINITION_REPRESENTATION({defined},{shape})")
+        shape, made = self.add(f"{representation}('',({collected}),{context})"), list[str]()
+        for text in NAMES["step part"]:
+            made.append(self.add(text.format(*made, shape=shape)))
 
     def encoded(self) -> bytes:
         """The whole file."""
