@@ -26,7 +26,7 @@ SHARES = {Of.PLANE_CURVE: 48, Of.SPACE_CURVE: 28, Of.TWO_CURVES: 4, Of.PAIR: 4, 
 SHARES |= {Of.REGION: 2}
 KINDS = [of for of, share in SHARES.items() for _ in range(share)]
 #: What takes long is asked once in this many hundreds of words: ridges take about a minute.
-DEAR = {Of.SURFACE: 33, Of.TWO_CURVES: 1}
+DEAR = {Of.SURFACE: 33, Of.TWO_CURVES: 1, Of.PLANE_CURVE: 1}
 #: Knots that are inserted into each segment, and by which factor a segment may take longer then.
 INSERTED, MOST = 7, 3
 

@@ -28,7 +28,7 @@ from exactspline.questions.takes import Takes
 from exactspline.reals.real import Real
 from tests.support.changes import CHANGES
 from tests.support.dials import DIALS
-from tests.support.drawn import DRAWN, light_pair, light_surface, round_loop, smooth_loop
+from tests.support.drawn import DRAWN, light_curve, light_pair, light_surface, round_loop, smooth_loop
 from tests.support.exemptions import EXEMPTIONS
 from tests.support.images import TILTED
 from tests.support.matrix import (
@@ -157,6 +157,17 @@ def test_dear_questions_of_two_curves_after_every_change(change):
         pair, letters = drawn(Of.TWO_CURVES, random, change, light_pair)
         for name in ("bisector", "offset_intersections"):
             compared(pair, REGISTRY[Of.TWO_CURVES][name], letters, random, counts)
+    assert not counts.failures, report(counts.failures)
+
+
+@pytest.mark.parametrize("change", CHANGES[Of.PLANE_CURVE])
+def test_self_intersections_of_offsets_after_every_change(change):
+    """Of curves of few segments and small integers."""
+    counts = Counts()
+    for i in range(2):
+        random = Random(f"{SEED} offset {change} {i}")
+        curve, letters = drawn(Of.PLANE_CURVE, random, change, lambda random: light_curve(2, random))
+        compared(curve, REGISTRY[Of.PLANE_CURVE]["offset_self_intersections"], letters, random, counts)
     assert not counts.failures, report(counts.failures)
 
 

@@ -14,9 +14,14 @@ PIECES = ("inflections", "critical_points", "curvature_extrema", "straight_piece
 #: Answers about control points, or about all objects near by, depend on how the object is written.
 NOT_TRANSPORTED = {"stability": "it tells how far control points may move"}
 #: What is asked in campaigns alone.
-DEAR = {(Of.SURFACE, "ridges"), (Of.TWO_CURVES, "bisector"), (Of.TWO_CURVES, "offset_intersections")}
+DEAR = {
+    (Of.SURFACE, "ridges"),
+    (Of.PLANE_CURVE, "offset_self_intersections"),
+    (Of.TWO_CURVES, "bisector"),
+    (Of.TWO_CURVES, "offset_intersections"),
+}
 #: What is compared where it is decided: whether it is goes with boxes along the axes, and with the lengths of numbers.
-WHERE_DECIDED = {"bisector", "offset_intersections"}
+WHERE_DECIDED = {"bisector", "offset_intersections", "offset_self_intersections"}
 #: Of what, questions, changes, reason.
 EXEMPTIONS = [
     (CURVES, ("shapes",), KNOTS, "pieces begin and end at knots, and conics of degree 2 are told of one segment alone"),

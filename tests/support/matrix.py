@@ -373,7 +373,7 @@ def compared(thing, entry, letters, random, counts, asking=ask):
     of = kind_of(thing)
     letters = tuple(x for x in letters if not exempt(of, entry.name, x.name))
     if not letters:
-        counts.undecided += 1
+        counts.left_out += 1
         return
     counts.asked += 1
     given = given_to(entry, thing, random)

@@ -21,6 +21,7 @@ from exactspline.geometry.curves.kinds import Feature, FeatureKind
 from exactspline.geometry.curves.planarity import Plane, in_common_plane, in_the_plane, planar_pieces, plane_of
 from exactspline.geometry.derived.constructions import Variant, construction
 from exactspline.geometry.filter.certain import Certain, certain
+from exactspline.geometry.pairs import offsets
 from exactspline.geometry.pairs.intersections import Intersections, self_intersections
 from exactspline.geometry.pairs.nearest import Nearest, nearest
 from exactspline.geometry.pairs.winding import winding_number
@@ -395,6 +396,22 @@ class Analysis(CurveValues, Displayed, FunctionsOutside):
         Raises `ShapeError` for a coordinate that the curve does not have.
         """
         return turning_points(self.with_coordinate(axis), axis)
+
+    @question_with(DISTANCE, Of.PLANE_CURVE, answered=Answered.PAIRS)
+    def offset_self_intersections(self, distance: Number) -> Intersections:
+        """The points through which the offset curve at a signed distance (positive to the left) passes more than once,
+        by the parameters of the curve.
+
+        >>> from exactspline import Nurbs
+        >>> parabola = Nurbs(2, [0, 0, 0, 1, 1, 1], [(-2, 4), (0, -4), (2, 4)])  # y = x²
+        >>> analyse(parabola).offset_self_intersections(1)
+        [<crossing at (4 - √3)/8 and (4 + √3)/8>]
+
+        See `exactspline.self_intersections`, which is limited in the same way.
+
+        Raises `ShapeError` for a space curve.
+        """
+        return offsets.self_intersections(self.curve, offset=distance)
 
     @question_with(DISTANCE, Of.PLANE_CURVE, proof=lambda facts, distance: (facts.offset_form(distance).zeros,))
     def offset_cusps(self, distance: Number) -> Places[Feature]:
