@@ -113,24 +113,40 @@ def without_quadratic_zero(m: fmpz_poly, top: fmpq_poly, bottom: fmpq_poly) -> b
     >>> alpha = fmpz_poly([-2, 0, 0, 1])
     >>> [without_quadratic_zero(alpha, fmpq_poly(top), fmpq_poly([3])) for top in ([1, 1], [0, 0, 0, 1])]
     [True, False]
+    >>> without_quadratic_zero(alpha, fmpq_poly([0, 2]), fmpq_poly([0, 3]))
+    False
     """
     f, g = _integral(top, bottom)
-    return any(_no_quadratic_modulo(m, f, g, prime) for prime in PRIMES)
+    degrees = {1, 2}
+    for prime in PRIMES:
+        degrees &= _possible_degrees(m, f, g, prime)
+        if not degrees:
+            return True
+    return False
 
 
-def _no_quadratic_modulo(m: fmpz_poly, f: fmpz_poly, g: fmpz_poly, prime: int) -> bool:
-    """Whether the polynomial of which all quotients are zeros keeps its degree modulo a prime and has no factor of
-    degree 1 or 2 there.
+def _possible_degrees(m: fmpz_poly, f: fmpz_poly, g: fmpz_poly, prime: int) -> set[int]:
+    """Which of the degrees 1 and 2 a factor of the polynomial of which all quotients are zeros may have: those that a
+    factor modulo the prime has, if the polynomial keeps its degree there.
     """
     over, top, bottom = (nmod_poly(p, prime) for p in (m, f, g))
     common, inverse, _ = bottom.xgcd(over)
     if over.degree() < m.degree() or common.degree():
-        return False
-    n, row, entries = over.degree(), top * inverse % over, []
+        return {1, 2}
+    # an invertible quotient of linear functions has the degree of the zero itself
+    invertible = max(f.degree(), g.degree()) == 1 and f[0] * g[1] != f[1] * g[0]
+    image = over if invertible else _image(top * inverse % over, over).charpoly()
+    factors = [p.degree() for p, times in image.factor()[1] for _ in range(times)]
+    return {n for n, found in ((1, 1 in factors), (2, 2 in factors or factors.count(1) > 1)) if found}
+
+
+def _image(row: nmod_poly, over: nmod_poly) -> nmod_mat:
+    """The matrix of the multiplication by a polynomial modulo another one."""
+    n, entries = over.degree(), []
     for _ in range(n):
         entries += row.coeffs() + [0] * (n - len(row))
         row = row.left_shift(1) % over
-    return all(p.degree() > 2 for p, _ in nmod_mat(n, n, entries, prime).charpoly().factor()[1])
+    return nmod_mat(n, n, entries, over.modulus())
 
 
 def at_most_quadratic(
