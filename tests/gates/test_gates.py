@@ -367,7 +367,7 @@ UNBOUNDED = {
     "polynomials/factors.py: _by_flint": "the door",
     "polynomials/factors.py: _certainly_coprime_on_a_line": "modulo a prime, in one variable",
     "polynomials/factors.py: _certainly_primitive": "modulo a prime, in one variable",
-    "polynomials/annihilating.py: _no_quadratic_modulo": "modulo a small prime, in one variable",
+    "polynomials/annihilating.py: _possible_degrees": "modulo a small prime, in one variable",
     "polynomials/factors.py: _certainly_without": "modulo a prime, in one variable",
     "polynomials/factors.py: _divisor_in_many": "the door",
     "polynomials/factors.py: _divisor_of_two": "the door",
