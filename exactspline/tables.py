@@ -14,7 +14,6 @@ from exactspline.display.records import to_dict, to_records
 from exactspline.display.serialize import derived_data
 from exactspline.display.tables import (
     Grid,
-    approaches_table,
     degree_table,
     measured,
     numerical_claims,
@@ -38,7 +37,6 @@ from exactspline.verification.statement import statements
 __all__ = [
     "Grid",
     "Variant",
-    "approaches_table",
     "as_tensor_product",
     "construction",
     "control_point_count",

@@ -13,7 +13,6 @@ from exactspline.display.numbers import Numbers, decimal_milliseconds
 from exactspline.display.quotations import quoted
 from exactspline.display.sheet import Sheet
 from exactspline.errors import as_flag, as_items, as_text, as_texts, counted
-from exactspline.geometry.analysis.inspection import compare_approaches
 from exactspline.hooks import Displayed
 from exactspline.one_line import one_line
 from exactspline.papers import find
@@ -285,17 +284,3 @@ def _printed(s: Statement) -> tuple[str, ...]:
     claimed = str(getattr(claim, "claimed", claim.claims))
     printed = claimed if claim.status == Status.PRINTED else f"({claimed})"
     return claim.id, claim.source, claim.statement, printed, worded(finding.computed), finding.verdict
-
-
-def approaches_table(curve: Nurbs) -> Grid:
-    """The approaches to critical curvature side by side on one curve.
-
-    >>> from exactspline.interchange.examples import example
-    >>> approaches_table(example("six_segment_cubic"))["extraneous"]
-    ['2', '0', '0', '0', '0']
-    """
-    rows = [
-        (a.name, a.degree, a.control_points, a.roots, a.extraneous, a.missing, decimal_milliseconds(a.seconds))
-        for a in compare_approaches(curve)
-    ]
-    return Grid(["approach", "degree", "control points", "roots", "extraneous", "missing", "ms"], rows, curve.name)

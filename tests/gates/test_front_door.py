@@ -160,6 +160,7 @@ PUBLIC = {
     *(f"exactspline.{room}" for room in ("constructors", "display", "interchange", "language", "readings", "tables")),
     *("exactspline.display.plot", "exactspline.display.figures"),
     *("exactspline.extras.pictures3d", "exactspline.extras.teaching"),
+    "exactspline.papers.chen_riesenfeld_cohen_2007.figures",
 }
 IMPORT = re.compile(r"^\s*(?:from\s+(exactspline[\w.]*)\s+import|import\s+(exactspline[\w.]*))", re.MULTILINE)
 

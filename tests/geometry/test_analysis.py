@@ -13,12 +13,13 @@ from gmpy2 import mpq
 from exactspline import Nurbs
 from exactspline.errors import ShapeError
 from exactspline.geometry.analysis.curves import analyse
-from exactspline.geometry.analysis.inspection import compare_approaches, inspect_curve, solved
+from exactspline.geometry.analysis.inspection import inspect_curve, solved
 from exactspline.geometry.curves import facts as facts_module
 from exactspline.geometry.curves import space_features
 from exactspline.geometry.curves.joints import Ends
 from exactspline.geometry.derived.constructions import Construction
 from exactspline.interchange.examples import example, example_names
+from exactspline.papers.chen_riesenfeld_cohen_2007.figures import compare_approaches
 from exactspline.polynomials import isolation as isolation_module
 from exactspline.programs import accelerator
 from exactspline.roots import zero_set as zero_set_module

@@ -4,10 +4,10 @@ import pytest
 from gmpy2 import mpq
 
 from exactspline.geometry.analysis.curves import analyse
-from exactspline.geometry.analysis.inspection import compare_approaches
 from exactspline.interchange.examples import example, example_names
 from exactspline.interchange.files import read
 from exactspline.papers import find
+from exactspline.papers.chen_riesenfeld_cohen_2007.figures import compare_approaches
 from tests.geometry.test_shared_curves import FILES
 from tests.support.sampled import sample
 

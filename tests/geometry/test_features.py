@@ -12,11 +12,11 @@ from exactspline import BSpline, Nurbs
 from exactspline.certificates import check_certificate
 from exactspline.errors import ShapeError
 from exactspline.geometry.analysis.curves import analyse
-from exactspline.geometry.analysis.inspection import compare_approaches
 from exactspline.geometry.curves.angles import Angle
 from exactspline.geometry.curves.joints import curvature_of
 from exactspline.geometry.curves.values import curvature
 from exactspline.interchange.examples import example
+from exactspline.papers.chen_riesenfeld_cohen_2007.figures import compare_approaches
 from exactspline.verification.claims import select
 from exactspline.verification.ledger import audit
 from tests.support.bisector_oracle import bezier

@@ -8,11 +8,11 @@ from gmpy2 import mpq
 
 from exactspline import BSpline, Nurbs
 from exactspline.geometry.analysis.curves import analyse
-from exactspline.geometry.analysis.inspection import compare_approaches
 from exactspline.geometry.curves import values as values_along
 from exactspline.geometry.curves.curvature import curvature_function
 from exactspline.geometry.curves.kinds import JointKind
 from exactspline.geometry.curves.values import curvature, torsion
+from exactspline.papers.chen_riesenfeld_cohen_2007.figures import compare_approaches
 from tests.support.command import invoke
 from tests.support.space_curves import power_curve
 from tests.support.vectors import mpf_of

@@ -189,7 +189,6 @@ OPTIONS = {
     "paper": ("no such folder",),
     "new_figure": (),
     "plot": (CUSP,),
-    "plot_approaches": (CUSP,),
     "plot_bisector": (CUSP, (3, 1)),
     "plot_curve": (CUSP,),
     "plot_evolute": (CUSP,),

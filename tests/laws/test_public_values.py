@@ -67,7 +67,6 @@ RETURNED = {
     "Vector": lambda: SPLINE.p,
     "ZeroSet": lambda: xs.zeros(T * T - 2),
     "claims": lambda: [*xs.claims()[:40], *xs.claims(paper="lifted")[:40]],
-    "approaches_table": lambda: xs.tables.approaches_table(SPLINE),
     "bisector": lambda: [xs.bisector(SPACE, RATIONAL), xs.bisector(SPACE, (0, 1, 2)), xs.bisector(LINE, (0, 2))],
     "pieces of a bisector": lambda: [
         *xs.bisector(SPACE, (0, 1, 2)).pieces,

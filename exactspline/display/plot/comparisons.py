@@ -3,23 +3,20 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from itertools import compress, pairwise
+from itertools import compress
 from math import log10
 from typing import TYPE_CHECKING, cast
 
 from exactspline.display.numbers import rounded_down
 from exactspline.display.plot.canvas import (
     BLACK,
-    BLUE,
     GREEN,
     MARKS,
     ORANGE,
     PAGE,
-    PURPLE,
     SKY,
     VERMILLION,
     axes_for,
-    draw_runs,
     legend_below,
     legend_once,
     new_figure,
@@ -27,30 +24,21 @@ from exactspline.display.plot.canvas import (
 )
 from exactspline.display.plot.curves import plot_curve, plot_evolute, plot_features
 from exactspline.display.plot.functions import draw_roots, plot_function
-from exactspline.errors import as_items, counted
+from exactspline.errors import counted
 from exactspline.geometry.analysis.curves import QUESTIONS, analyse, questions_about
 from exactspline.geometry.curves.facts import among, located
 from exactspline.geometry.curves.joints import Joint
 from exactspline.geometry.curves.kinds import Feature, FeatureKind, kind_name
-from exactspline.geometry.derived.constructions import construction
-from exactspline.numbers.exact import iroot, mpq
-from exactspline.numbers.sides import Side
 from exactspline.questions.entry import Answered
 from exactspline.roots.root import Root, knot_root
 from exactspline.roots.zero_set import ZeroSet
 from exactspline.splines.bspline import BSpline
-from exactspline.splines.lowest_terms import control_point_count
 from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.type_checks import curve_of
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
-
-#: Colours and line styles of the forms, in order.
-LINES = ((BLACK, "-"), (VERMILLION, "--"), (BLUE, "-."), (GREEN, ":"), (PURPLE, (0, (5, 1, 1, 1, 1, 1))))
-#: Samples of every compared graph.
-SAMPLES = 400
 
 
 #: The marks in a picture of several curves: a question of the registry, and the marker with size and colour.
@@ -183,54 +171,3 @@ def features_figure(curves: Sequence[Nurbs], title: str = "") -> Figure:
     legend_once(ax)
     ax.set_title(title or shown_name(curves[0]))
     return figure
-
-
-def plot_approaches(
-    curve: Nurbs, ax: Axes | None = None, *, name: str = "critical_curvature", forms: Sequence[str] = ()
-) -> Axes:
-    """The forms in which a zero set can be computed, in one picture: each divided by its largest value and shown by its
-    signed cube root.
-
-    In this way their zeros and signs can be compared although their sizes differ by many powers of ten; the legend
-    shows the cost of each.
-
-    >>> from exactspline.interchange.examples import example
-    >>> ax = plot_approaches(example("ellipse"))
-    >>> [text.get_text() for text in ax.get_legend().get_texts()][1]
-    'squaring: degree 96, 388 control points'
-
-    Raises `FormulaError` for an unknown construction or form, `ShapeError` for a curve of the wrong dimension,
-    otherwise as `plot_function`.
-    """
-    made, curve = construction(name), curve_of(curve)
-    ax = axes_for(ax)
-    ax.axhline(0, color=BLACK, linewidth=0.8, zorder=1)
-    for i, variant in enumerate(list(as_items(forms, "names of forms")) or made.all_variants):
-        solved = analyse(curve).zero_form(name, variant)
-        f = solved.form
-        color, dashes = LINES[i % len(LINES)]
-        label = f"{variant}: degree {f.degree}, {control_point_count(f)} control points"
-        draw_runs(ax, _normalized(f), label, color=color, linestyle=dashes, linewidth=1.6, zorder=3 + i)
-    draw_roots(ax, solved.zeros, f.domain, *MARKS[0])
-    ax.set_xlabel("parameter")
-    ax.set_ylabel("∛(value / largest)")
-    legend_below(ax, columns=1)
-    return ax
-
-
-def _normalized(f: BSpline) -> list[list[tuple[mpq, mpq]]]:
-    """The graph segment by segment, values divided by the largest, and their cube roots (to twelve digits: a
-    picture).
-    """
-    runs = []
-    for a, b in pairwise(f.breakpoints):
-        count = max(8, SAMPLES // len(f.mesh))
-        ts = [a + (b - a) * mpq(k, count) for k in range(count + 1)]
-        runs.append([(t, f(t, Side.LEFT if t == b else Side.RIGHT)) for t in ts])
-    largest = max((abs(y) for run in runs for _, y in run), default=mpq(0)) or mpq(1)
-    return [[(t, _cube_root(y / largest)) for t, y in run] for run in runs]
-
-
-def _cube_root(y: mpq) -> mpq:
-    root = mpq(iroot(int(abs(y) * 10**36), 3)[0], 10**12)
-    return -root if y < 0 else root

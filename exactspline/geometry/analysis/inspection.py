@@ -1,6 +1,4 @@
-"""Everything that `inspect` shows of a curve, read from its analysis; and a comparison of the forms whose zeros are its
-critical points.
-"""
+"""Everything that `inspect` shows of a curve, read from its analysis."""
 
 from __future__ import annotations
 
@@ -9,11 +7,10 @@ from typing import cast
 
 from exactspline.geometry.analysis.curves import Analysis, analyse, questions_about
 from exactspline.geometry.analysis.prominence import prominences
-from exactspline.geometry.curves.facts import among, located
 from exactspline.geometry.curves.joints import Joint
 from exactspline.geometry.curves.kinds import Feature
 from exactspline.geometry.curves.planarity import in_the_plane
-from exactspline.geometry.derived.constructions import Variant, construction
+from exactspline.geometry.derived.constructions import Variant
 from exactspline.geometry.recognition.pieces import RecognizedPiece
 from exactspline.geometry.rounded.features import NearbyFeature
 from exactspline.geometry.rounded.intersections import NearbyMeeting
@@ -25,9 +22,7 @@ from exactspline.reals.real import Real
 from exactspline.roots.answers import CurvePiece, Places
 from exactspline.roots.zero_set import ZeroSet
 from exactspline.splines.bspline import BSpline
-from exactspline.splines.lowest_terms import control_point_count
 from exactspline.splines.nurbs import Nurbs
-from exactspline.splines.type_checks import curve_of
 
 
 @dataclass(frozen=True, repr=False)
@@ -135,46 +130,4 @@ def solved(curve: Nurbs) -> list[tuple[str, str, BSpline, ZeroSet]]:
         rows.append((name, SOLVED[name], form.form, form.zeros))
     if analysis.in_space:
         rows.append(("zero_curvature", "common factor of γ′ × γ″", analysis.bending.form, analysis.bending.zeros))
-    return rows
-
-
-@dataclass(frozen=True, repr=False)
-class ApproachResult(OneLine):
-    """The cost and the result of one approach to critical curvature, by the name of its form.
-
-    `extraneous` are roots at which κ′ neither vanishes nor changes its sign by a jump (those of κ that squaring
-    adds for a plane curve, and singular points); `missing` are critical points that it does not find.
-    """
-
-    name: Variant
-    degree: int
-    control_points: int
-    roots: int
-    extraneous: int
-    missing: int
-    seconds: float
-
-
-def compare_approaches(curve: Nurbs) -> list[ApproachResult]:
-    """All approaches to critical curvature on one curve: squaring, the direct one, the form that it is reduced to, and
-    two more. Their results are compared exactly with those of the minimal form.
-
-    >>> from exactspline.interchange.examples import example
-    >>> [(str(a.name), a.degree, a.roots, a.extraneous) for a in compare_approaches(example("six_segment_cubic"))]
-    [('direct', 6, 6, 0), ('squaring', 24, 8, 2), ('paper', 6, 6, 0), ('lifted', 6, 6, 0), ('minimal', 5, 6, 0)]
-    """
-    analysis = analyse(curve_of(curve))
-    true = [root for root, _ in located(analysis.zero_form(analysis.critical_form).zeros)]
-    expected = [f.root for f in analysis.critical_points]
-    rows = []
-    for variant in construction(analysis.critical_form).all_variants:
-        form = analysis.zero_form(analysis.critical_form, variant)
-        own = form.zeros.roots
-        extraneous = among(own, true).count(False)
-        missing = among(expected, [root for root, _ in located(form.zeros)]).count(False)
-        rows.append(
-            ApproachResult(
-                variant, form.form.degree, control_point_count(form.form), len(own), extraneous, missing, form.seconds
-            )
-        )
     return rows

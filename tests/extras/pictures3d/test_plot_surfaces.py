@@ -9,7 +9,6 @@ pytest.importorskip("matplotlib")
 
 from exactspline import BSpline
 from exactspline.display.plot.canvas import PlotError, new_figure, save
-from exactspline.display.plot.comparisons import plot_approaches
 from exactspline.display.plot.curves import plot_curve, plot_quotient
 from exactspline.display.plot.frames import homogeneous, inside
 from exactspline.display.plot.functions import plot_function, plot_roots
@@ -21,6 +20,7 @@ from exactspline.interchange.examples import example
 from exactspline.language import Rational, Vector, cross, dot
 from exactspline.language.ruled import RuledSurface
 from exactspline.papers import find
+from exactspline.papers.chen_riesenfeld_cohen_2007.figures import approaches_table, plot_approaches
 from exactspline.roots.zero_set import zeros
 from exactspline.splines.tensor import TensorSpline, surface_pair
 
@@ -191,6 +191,10 @@ def test_approaches_are_compared_by_what_they_cost():
     assert "paper: degree 12, 52 control points" in entries
     graphs = [line for line in ax.lines if not line.get_label().startswith(("_child", "4 roots"))]
     assert all(-1 <= y <= 1 for line in graphs for y in line.get_ydata())
+    table = approaches_table(example("ellipse"))
+    costs = zip(table["approach"], table["degree"], table["control points"], strict=True)
+    assert [f"{name}: degree {degree}, {points} control points" for name, degree, points in costs] == entries[:5]
+    assert table["roots"] == ["4"] * 5
     assert legend(plot_approaches(example("cubic_s"), name="zero_curvature", forms=["naive", "paper"]))[:2] == [
         "naive: degree 3, 4 control points",
         "paper: degree 3, 4 control points",
