@@ -67,7 +67,7 @@ Digits = Annotated[
 Places = Annotated[
     int, Option("--digits", metavar="N", min=1, max=100_000, help="Digits of irrational parameters and other numbers.")
 ]
-Drawing = Annotated[str, Option("--plot", metavar="FILE", help="Draw it into a file that ends in .svg or .png.")]
+Drawing = Annotated[str, Option("--plot", metavar="FILE", help="Draw it into a file that ends in .svg, .png or .pdf.")]
 Surfaces = Annotated[bool, Option("--surfaces", help="Of files with curves and surfaces: the surfaces.")]
 Exact = Annotated[bool, Option("--exact", help="Show long fractions in full instead of as decimals.")]
 

@@ -67,8 +67,8 @@ Plot = Annotated[
     Option(
         "--plot",
         metavar="FILE",
-        help="Draw the curve and the function that was solved, or the surface, into an SVG or PNG file; a surface also "
-        "into an interactive HTML page.",
+        help="Draw the curve and the function that was solved, or the surface, into an SVG, PNG or PDF file; a surface "
+        "also into an interactive HTML page.",
     ),
 ]
 Coordinates = Annotated[

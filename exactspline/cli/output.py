@@ -112,6 +112,8 @@ class Output:
         elif self.format == "markdown":
             remarks = [in_markdown(remark)] if remark else []
             sys.stdout.write("\n\n".join([*[sheet.markdown() for sheet in sheets], *remarks]) + "\n")
+        elif self.format == "latex":
+            sys.stdout.write("\n\n".join([sheet.latex() for sheet in sheets] + [f"% {remark}"] * bool(remark)) + "\n")
         else:
             people() if people else self.show(list(sheets))
             if remark:
@@ -168,7 +170,7 @@ def printing(command: Callable[..., None]) -> Callable[..., None]:
 
     @wraps(command)
     def run(**values: Any) -> None:
-        chosen = [name for name in ("json", "csv", "markdown") if values.pop(f"as_{name}")]
+        chosen = [name for name in ("json", "csv", "markdown", "latex") if values.pop(f"as_{name}", False)]
         if len(chosen) > 1:
             raise OptionsError(f"--{chosen[0]} and --{chosen[1]}", remedy="choose one of them")
         _State.quiet, _State.lacking, strict = values.pop("quiet"), False, values.pop("strict")

@@ -34,6 +34,8 @@ SIGNS = {
     "≤": r"\le ",
     "≠": r"\ne ",
     "≢": r"\not\equiv ",
+    "≡": r"\equiv ",
+    "⋀": r"\bigwedge ",
     "±": r"\pm ",
     "√": r"\surd ",
     "∗": "*",

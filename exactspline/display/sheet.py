@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING
 
 from rich.cells import cell_len
 
+from exactspline.display.latex_prose import prose
 from exactspline.display.wrapping import hanging, visible, words_in
 from exactspline.errors import written
 
@@ -221,6 +222,22 @@ class Sheet:
         rows = [self.columns, rules, *[[in_markdown(cell) for cell in row] for row in self.rows]]
         head = f"**{in_markdown(self.title)}**\n\n" if self.title else ""
         return head + "\n".join(f"| {' | '.join(row)} |" for row in rows)
+
+    def latex(self) -> str:
+        r"""A table of LaTeX.
+
+        >>> print(Sheet("form", "degree", rows=[("f2", "9d − 6")], title="Of a curve", numbers=["degree"]).latex())
+        % Of a curve
+        \begin{tabular}{lr}
+        form & degree \\
+        \hline
+        $f_{2}$ & $9d - 6$ \\
+        \end{tabular}
+        """
+        head, *rows = [" & ".join(map(prose, row)) + r" \\" for row in (self.columns, *self.rows)]
+        aligned = "".join("r" if name in self.numbers else "l" for name in self.columns)
+        begun = [f"% {self.title}"] * bool(self.title) + [rf"\begin{{tabular}}{{{aligned}}}", head, r"\hline"]
+        return "\n".join([*begun, *rows, r"\end{tabular}"])
 
 
 #: Characters with a meaning in a cell of Markdown: of HTML, of the end of a cell, of a link.

@@ -1,5 +1,7 @@
 from .bridges.geomdl import from_geomdl as from_geomdl
 from .bridges.geomdl import to_geomdl as to_geomdl
+from .bridges.matplotlib import from_matplotlib as from_matplotlib
+from .bridges.matplotlib import to_matplotlib as to_matplotlib
 from .bridges.mpmath import to_mpmath as to_mpmath
 from .bridges.scipy import from_scipy as from_scipy
 from .bridges.scipy import read_scipy as read_scipy

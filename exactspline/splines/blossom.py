@@ -97,7 +97,7 @@ def _over_one(values: Sequence[fmpq]) -> Row:
 def to_control_points(
     t: Sequence[mpq], n: int, breaks: Sequence[mpq], segments: Sequence[Sequence[mpq]]
 ) -> tuple[mpq, ...]:
-    """Control points over clamped knots t, each the blossom of a segment at the n knots that follow.
+    """Control points over knots t, each the blossom of a segment at the n knots that follow.
 
     Any segment inside the support is possible; the one with most of those knots at its ends is the cheapest.
     """
@@ -111,7 +111,7 @@ def to_control_points(
 
 
 def _cheapest(breaks: Sequence[mpq], low: mpq, high: mpq, inner: Sequence[mpq]) -> int:
-    first = bisect_right(breaks, low) - 1
+    first = min(max(bisect_right(breaks, low) - 1, 0), len(breaks) - 2)
     best, best_count = first, -1
     for segment in range(first, len(breaks) - 1):
         if breaks[segment] >= high:

@@ -399,10 +399,22 @@ class BSpline(Immutable, RingOperand, FunctionsOutside):
 
     # ---- other representations and parts
 
+    def insert_knot(self, t: Number, times: int = 1) -> BSpline:
+        """The same function with one more knot (or several) inside the domain, or at an end where it is not clamped.
+
+        >>> BSpline(1, [0, 1, 2, 3], [4, 6]).insert_knot(1).knots
+        KnotVector(0, 1, 1, 2, 3)
+
+        Raises the errors of `Nurbs.insert_knot`.
+        """
+        if not self.knots.has_room_at_end(self.degree, t := rational(t), times):
+            return refinement.insert_knot(self, t, times)
+        known = self.provenance, self.knots.insert(t, times)
+        return BSpline.from_forms(self.degree, self.mesh, self.continuity, self.forms, *known)
+
     continuity_at = refinement.continuity_at
     elevate_degree = refinement.elevate_degree
     reduce_degree = refinement.reduce_degree
-    insert_knot = refinement.insert_knot
     remove_knot = refinement.remove_knot
     split = refinement.split
     restrict = refinement.restrict

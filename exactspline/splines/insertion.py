@@ -16,8 +16,8 @@ from exactspline.splines.knots import KnotVector
 def inserted(
     knots: KnotVector, degree: int, points: Sequence[Point], weights: Sequence[mpq], t: mpq, times: int
 ) -> tuple[KnotVector, tuple[Point, ...], tuple[mpq, ...]]:
-    """Knots, control points and weights of a curve with a knot inserted inside the domain; its multiplicity is then at
-    most degree + 1.
+    """Knots, control points and weights of a curve with a knot inserted inside the domain, or at its end; its
+    multiplicity is then at most degree + 1.
 
     >>> line = (mpq(0), mpq(0)), (mpq(4), mpq(8))
     >>> _, points, weights = inserted(KnotVector([0, 0, 1, 1]), 1, line, (mpq(1), mpq(3)), mpq(1, 2), 1)

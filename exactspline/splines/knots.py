@@ -81,6 +81,16 @@ class KnotVector(Immutable):
         """How often t occurs."""
         return self.knots.count(rational(t))
 
+    def has_room_at_end(self, degree: int, t: mpq, times: int) -> bool:
+        """Whether this many knots can be inserted at an end of the domain, where it is not clamped.
+
+        >>> uniform = KnotVector(range(6))
+        >>> [uniform.has_room_at_end(2, mpq(t), 1) for t in (1, 2, 3)], uniform.has_room_at_end(2, mpq(3), 3)
+        ([False, True, True], False)
+        """
+        at_end = degree >= 0 and t in (self.knots[degree], self.knots[-1 - degree])
+        return at_end and type(times) is int and 1 <= times <= degree + 1 - self.multiplicity(t)
+
     @property
     def breakpoints(self) -> tuple[mpq, ...]:
         """The distinct knots."""

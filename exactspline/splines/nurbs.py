@@ -442,17 +442,18 @@ class Nurbs(Immutable, Curve[BSpline], FunctionsOutside):
     # ---- other representations, parts, images
 
     def insert_knot(self, t: Number, times: int = 1) -> Nurbs:
-        """The same curve with one more knot inside the domain.
+        """The same curve with one more knot (or several) inside the domain, or at an end where it is not clamped.
 
         >>> line = Nurbs(1, [0, 0, 1, 1], [(0, 0), (4, 2)])
         >>> line.insert_knot("1/4").control_points
         ((mpq(0,1), mpq(0,1)), (mpq(1,1), mpq(1,2)), (mpq(4,1), mpq(2,1)))
 
-        Raises `DomainError` outside the domain and at its ends, `KnotError` where the multiplicity would exceed
-        degree + 1.
+        Raises `DomainError` outside the domain and at ends without room, `KnotError` where the multiplicity would
+        exceed degree + 1.
         """
         mesh, continuity, _ = mesh_of(self.knots, self.degree)
-        t, _ = insertable(self.degree, mesh, continuity, t, times)
+        if not self.knots.has_room_at_end(self.degree, t := rational(t), times):
+            insertable(self.degree, mesh, continuity, t, times)
         knots, points, weights = inserted(self.knots, self.degree, self.control_points, self.weights, t, times)
         return Nurbs._unchanged(self.name, self.degree, knots, points, weights)
 

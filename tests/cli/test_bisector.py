@@ -269,4 +269,4 @@ def test_a_picture_is_written(arguments, tmp_path):
 def test_a_picture_of_another_kind_is_refused(tmp_path):
     done = run("bisector", "circle", "--point", "3,0", "--plot", tmp_path / "picture.gif")
     assert done.returncode == 2
-    assert "neither SVG nor PNG" in done.stderr
+    assert "neither SVG nor PNG nor PDF" in done.stderr

@@ -194,3 +194,20 @@ def test_a_reader_that_leaves_changes_no_verdict(arguments):
         process.stdout.close()
         complaint = process.stderr.read()
     assert (process.returncode, complaint) == (0, b"")
+
+
+@pytest.mark.parametrize("options", ["--generic", "--at 3 evolute", "--formulas", "--paper surfaces --patch 3,3"])
+def test_degrees_as_latex(options):
+    """There was no such option. LaTeX knows every sign, and every row has as many cells as columns."""
+    shown = CliRunner().invoke(app, ["formula", "degrees", *options.split(), "--latex", "-q"]).stdout
+    tables = [table.splitlines() for table in shown.rstrip().split("\n\n")]
+    plain = CliRunner().invoke(app, ["formula", "degrees", *options.split(), "--csv"]).stdout
+    assert sum(len(lines) - 5 for lines in tables) == len(plain.splitlines()) - 1
+    for title, begin, head, rule, *rows, end in tables:
+        assert (title[:2], rule, end) == ("% ", r"\hline", r"\end{tabular}")
+        columns = re.fullmatch(r"\\begin\{tabular\}\{([lr]+)\}", begin)[1]
+        for row in (head, *rows):
+            assert row.isascii()
+            assert row.endswith(r" \\")
+            assert len(re.findall(r"(?<!\\)&", row)) == len(columns) - 1
+            assert len(re.findall(r"(?<!\\)\$", row)) % 2 == 0

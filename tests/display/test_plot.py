@@ -315,6 +315,17 @@ def test_files_are_written_atomically_and_repeatably(tmp_path, monkeypatch):
     assert sorted(entry.name for entry in tmp_path.iterdir()) == ["again.svg", "circle.SVG"]
 
 
+def test_a_picture_as_pdf(tmp_path):
+    """PlotErrors before: neither SVG nor PNG."""
+    write(example("cubic_s"), tmp_path / "curve.json")
+    for name in ("first.pdf", "second.PDF"):
+        assert command.run("inspect", tmp_path / "curve.json", "--plot", tmp_path / name).returncode == 0
+    data = (tmp_path / "first.pdf").read_bytes()
+    assert data.startswith(b"%PDF-")
+    assert b"/Subject" in data
+    assert data == (tmp_path / "second.PDF").read_bytes()
+
+
 def test_errors_say_what_would_be_right(tmp_path, monkeypatch):
     ax = plot.plot_curve(example("circle"))
     for path in ("a.gif", "a", "a.svg.gz"):

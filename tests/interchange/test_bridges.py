@@ -10,6 +10,7 @@ from hypothesis import strategies as st
 from exactspline import BSpline, Nurbs, floats
 from exactspline.errors import DomainError, NumberError, ShapeError
 from exactspline.interchange.bridges.fonttools import ContourPen, draw
+from exactspline.interchange.bridges.matplotlib import from_matplotlib, to_matplotlib
 from exactspline.interchange.bridges.mpmath import to_mpmath
 from exactspline.interchange.bridges.sympy import to_sympy
 from exactspline.interchange.bridges.values import exact
@@ -198,3 +199,41 @@ def test_splinepy_both_ways():
     assert from_splinepy(rational).weights == (1, mpq(1, 2), 1)
     with pytest.raises(ShapeError, match="parameters"):
         from_splinepy(splinepy.Bezier([1, 1], [[0, 0], [1, 0], [0, 1], [1, 1]]))
+
+
+def test_paths_of_matplotlib_both_ways():
+    """Contours, lines beside curves, a part that goes on behind CLOSEPOLY, and doubles as they are."""
+    Path = pytest.importorskip("matplotlib.path").Path
+    text_path = pytest.importorskip("matplotlib.textpath").TextPath((0, 0), "B8", size=12)
+    for path in (text_path, Path.circle((0.1, -3.7), 1e-3), Path.unit_rectangle()):
+        found = from_matplotlib(path)
+        assert len(found) == list(path.codes).count(Path.MOVETO)
+        assert all(curve.closed for curve in found)
+        given = {
+            tuple(map(from_float, p)) for p, code in zip(path.vertices.tolist(), path.codes, strict=True) if code < 5
+        }
+        assert given <= {point for curve in found for point in _bezier_points(curve)}
+        for curve in found:
+            (again,) = from_matplotlib(to_matplotlib(curve))
+            assert floats(again.breakpoints) == floats(curve.breakpoints)
+            assert abs(again.floats(0.3) - curve.floats(0.3)).max() < 1e-15
+    first, behind = from_matplotlib(Path([(0, 0), (1, 0), (0, 1), (0, 0), (5, 5)], [1, 2, 2, 79, 2]))
+    assert first == Nurbs(1, [0, 0, 1, 2, 3, 3], [(0, 0), (1, 0), (0, 1), (0, 0)])
+    assert behind == Nurbs.bezier([(0, 0), (5, 5)])
+    assert from_matplotlib(Path([(0, 0), (1, 2), (3, "0.1")])) == [
+        Nurbs(1, [0, 0, 1, 2, 2], [(0, 0), (1, 2), (3, exact(0.1))])
+    ]
+    assert to_matplotlib(CUBIC).codes.tolist()[:2] == [Path.MOVETO, Path.CURVE4]
+    for wrong in (example("circle"), SPACE):
+        with pytest.raises(ShapeError):
+            to_matplotlib(wrong)
+    with pytest.raises(ShapeError, match=r"give a matplotlib\.path\.Path"):
+        from_matplotlib([(0, 0), (1, 1)])
+    with pytest.raises(NumberError, match="nan"):
+        from_matplotlib(Path([(0, 0), (1, float("nan"))]))
+
+
+def _bezier_points(curve):
+    """The Bézier points of all segments."""
+    for rows in zip(*[f.bezier_points for f in curve.p], strict=True):
+        yield from zip(*rows, strict=True)

@@ -7,11 +7,12 @@ from math import comb
 
 import pytest
 from gmpy2 import mpq
-from hypothesis import assume, given
+from hypothesis import assume, given, reject
 from hypothesis import strategies as st
 
-from exactspline import BSpline
+from exactspline import BSpline, Nurbs
 from exactspline.errors import DomainError, KnotError, ReductionError, ShapeError
+from exactspline.numbers.exact import from_float
 from exactspline.splines.blossom import forms_of
 from tests.support import oracles
 from tests.support.laws import check_ring_axioms
@@ -132,6 +133,29 @@ def test_representation_is_told_apart_from_the_function():
 
 
 # ---- other representations
+
+
+@given(st.integers(1, 4), st.data())
+def test_knots_are_inserted_at_ends_that_are_not_clamped(degree, data):
+    """DomainErrors before, of both ends of every domain."""
+    count = data.draw(st.integers(degree + 1, 8))
+    numbers = st.fractions(0, 4, max_denominator=3) | st.floats(0, 4).map(from_float)
+    knots = sorted(data.draw(st.lists(numbers, min_size=count + degree + 1, max_size=count + degree + 1)))
+    points = data.draw(st.lists(st.tuples(st.integers(-9, 9), st.integers(1, 9)), min_size=count, max_size=count))
+    try:
+        f, curve = BSpline(degree, knots, [x for x, _ in points]), Nurbs(degree, knots, points, [w for _, w in points])
+    except KnotError:
+        reject()
+    for t in f.domain:
+        room = degree + 1 - f.knots.multiplicity(t)
+        for times in range(1, room + 1):
+            g, other = f.insert_knot(t, times), curve.insert_knot(t, times)
+            assert g.knots == other.knots == f.knots.insert(t, times)
+            assert BSpline(degree, g.knots, g.control_points) == g == f
+            assert (other, other.domain, len(other.control_points)) == (curve, curve.domain, count + times)
+        for refused in (f, curve):
+            with pytest.raises((DomainError, KnotError)):
+                refused.insert_knot(t, room + 1)
 
 
 @given(

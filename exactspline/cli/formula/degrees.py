@@ -43,6 +43,7 @@ def degrees(
     paper: Papers = None,
     trust: Trust = False,
     limit: Limit = None,
+    as_latex: Annotated[bool, Option("--latex", help="Print tables of LaTeX.")] = False,
 ) -> None:
     """Nominal (in d), represented and true degree and the number of control points: naive, paper, minimal (or formula
     by formula).

@@ -40,7 +40,12 @@ PAGE = 9.2
 #: The width of an entry of a legend, in inches.
 ENTRY = 1.9
 
-SUFFIXES = (".svg", ".png")
+#: The suffixes of pictures: where their description goes, and what would differ from run to run.
+SUFFIXES = {
+    ".svg": ("Description", {"Date": None}),
+    ".png": ("Description", {}),
+    ".pdf": ("Subject", {"CreationDate": None}),
+}
 Point = tuple[mpq, ...]
 Run = list[Point]
 
@@ -226,7 +231,7 @@ def in_words(figure: Figure) -> str:
 
 
 def save(figure_or_ax: Figure | Axes, path: str | os.PathLike[str]) -> None:
-    """Write a figure, or the one that axes belong to, as SVG or PNG by the suffix of the path; the file is written
+    """Write a figure, or the one that axes belong to, as SVG, PNG or PDF by the suffix of the path; the file is written
     completely or not at all.
 
     The same picture gives the same bytes. Raises `PlotError` for another suffix and where nothing can be written.
@@ -235,10 +240,13 @@ def save(figure_or_ax: Figure | Axes, path: str | os.PathLike[str]) -> None:
     suffix = place.suffix.lower()
     if suffix not in SUFFIXES:
         raise PlotError(
-            "is neither SVG nor PNG", where=str(place), remedy=f"use a name that ends in {' or '.join(SUFFIXES)}"
+            "is neither SVG nor PNG nor PDF",
+            where=str(place),
+            remedy=f"use a name that ends in {' or '.join(SUFFIXES)}",
         )
     figure: Any = figure_or_ax if hasattr(figure_or_ax, "savefig") else figure_or_ax.figure
-    metadata = ({"Date": None} if suffix == ".svg" else {}) | {"Description": in_words(figure)}
+    description, dates = SUFFIXES[suffix]
+    metadata = dates | {description: in_words(figure)}
     settle(figure)
     with library("matplotlib").rc_context({"svg.hashsalt": "exactspline"}):
         write_atomically(
