@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Annotated, TypeVar
 
 from exactspline.cli.output import OptionsError, is_quiet, leave_out, to_stderr
 from exactspline.cli.parameters import Option
+from exactspline.cli.progress import ticking
 from exactspline.errors import ClaimError, CurveFileError, ExactSplineError, NumberError, command_name, counted
 from exactspline.hooks import named
 from exactspline.numbers.exact import rational
@@ -162,7 +163,8 @@ def reading_of(name: str, approximate: str = "") -> Reading:
         return Reading("json", (), surfaces=(made,))
     from exactspline.interchange.files import read
 
-    return read(name, approximate=approximate or None)
+    with ticking(f"reading {name}", 1):
+        return read(name, approximate=approximate or None)
 
 
 def _curves_in(name: str, reading: Reading) -> tuple[list[Nurbs], bool]:

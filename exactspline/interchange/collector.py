@@ -8,7 +8,7 @@ from typing import Any, TypeVar
 
 from exactspline.errors import CurveFileError, ExactSplineError, ShapeError, counted, nearest
 from exactspline.interchange.arcs import distance_text, moved
-from exactspline.interchange.limits import work
+from exactspline.interchange.limits import LARGER, work
 from exactspline.interchange.numbers import decimal
 from exactspline.interchange.periods import whole
 from exactspline.interchange.records import NamedCurve, Reading, Skipped, Source
@@ -117,7 +117,7 @@ class Collector:
         """Count objects; raises `ShapeError` when there are more than the limits allow."""
         self._objects += objects
         if objects < 0 or self._objects > self.limits.objects:
-            raise ShapeError(f"more than {self.limits.objects} objects", remedy="read with larger limits")
+            raise ShapeError(f"more than {self.limits.objects} objects", remedy=LARGER)
 
     def numbers(self, texts: Sequence[str]) -> list[mpq]:
         """Decimals, counted before they are read."""
@@ -312,4 +312,4 @@ class Collector:
         longest = max(x.numerator.bit_length() + x.denominator.bit_length() for x in numbers)
         if work(degree, knots, longest) > self.limits.work:
             problem = f"degree {degree}, {counted(len(points), 'control point')}, {longest} bits: too much work"
-            raise ShapeError(problem, remedy="read with a larger limit of work")
+            raise ShapeError(problem, remedy=LARGER)

@@ -9,6 +9,9 @@ from itertools import groupby
 from exactspline.numbers.exact import mpq
 from exactspline.one_line import OneLine
 
+#: What can be done about a file beyond them.
+LARGER = "divide the file, or read it in Python with limits=Limits(…)"
+
 
 @dataclass(frozen=True, repr=False)
 class Limits(OneLine):

@@ -10,7 +10,7 @@ from dataclasses import dataclass, field
 from xml.parsers import expat
 
 from exactspline.errors import CurveFileError
-from exactspline.interchange.limits import Limits
+from exactspline.interchange.limits import LARGER, Limits
 
 #: Characters that XML 1.0 does not allow, escaped or not (section 2.2).
 NOT_IN_XML = re.compile("[\x00-\x08\x0b\x0c\x0e-\x1f\ud800-\udfff\ufffe\uffff]")
@@ -75,7 +75,7 @@ def parse(data: bytes, limits: Limits) -> Element:
         counted += 1 + len(attributes)
         if counted > limits.objects or len(open_elements) >= limits.depth:
             place, problem = f"line {parser.CurrentLineNumber}", "is nested too deeply or has too many elements"
-            raise CurveFileError(problem, where=place, remedy="read with larger limits")
+            raise CurveFileError(problem, where=place, remedy=LARGER)
         own = {key.partition(":")[2]: value for key, value in attributes.items() if key.split(":")[0] == "xmlns"}
         declared.append({**declared[-1], **own} if own else declared[-1])
         prefix, _, tag = name.rpartition(":")

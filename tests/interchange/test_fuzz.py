@@ -4,12 +4,15 @@ little memory.
 
 import contextlib
 import random
+import subprocess
+import sys
 import time
 import tracemalloc
 
 import pytest
 
 from exactspline.errors import ExactSplineError
+from exactspline.extras.cad import rhino
 from exactspline.interchange import Limits, read
 from exactspline.interchange.files import encoded
 from tests.campaigns.readers import fuzz, originals
@@ -53,6 +56,28 @@ def test_a_damaged_archive_takes_no_longer_than_its_limit():
     data[43] = 250  # the length of the first chunk is negative now, which rhino3dm follows in a circle
     with pytest.raises(ExactSplineError, match="takes rhino3dm more than 1 second of processor time"):
         read(bytes(data), "3dm", limits=Limits(seconds=1))
+
+
+def test_what_a_process_used_before_is_not_counted():
+    """False before: where programs start slowly, a sound archive was refused."""
+    pytest.importorskip("rhino3dm")
+    text = (
+        "import sys, time\n"
+        "from exactspline.extras.cad.rhino_process import entries\n"
+        "while time.process_time() < 2.2: pass\n"
+        "print(len(entries(sys.stdin.buffer.read(), 1)))\n"
+    )
+    data = encoded(CURVES, "3dm", rounding=True)[0]
+    done = subprocess.run([sys.executable, "-c", text], input=data, capture_output=True, check=False)
+    assert (done.returncode, int(done.stdout)) == (0, 1 + len(CURVES))
+
+
+def test_time_by_the_clock_is_not_called_processor_time(monkeypatch):
+    """False before: ten seconds by the clock, on a busy machine, were two of processor time."""
+    pytest.importorskip("rhino3dm")
+    monkeypatch.setattr(rhino, "WAITING", 0.001)
+    with pytest.raises(ExactSplineError, match=r"or .* by the clock; repair the file"):
+        read(encoded(CURVES, "3dm", rounding=True)[0])
 
 
 @pytest.mark.parametrize("data", [

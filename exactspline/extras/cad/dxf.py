@@ -79,6 +79,7 @@ def read(source: Source) -> Reading:
 def _entities(source: Source, collector: Collector) -> Iterator[_Entity]:
     """The entities of the sections ENTITIES and BLOCKS."""
     lines = source.text.split("\n")
+    collector.room(len(lines) // 2)
     section, block, variable, value = "", "", "", ""
     entity: _Entity | None = None
     for i in range(0, len(lines) - 1, 2):

@@ -16,6 +16,7 @@ from typing import Any, TypeAlias
 from exactspline.errors import CurveFileError, counted
 from exactspline.interchange.collector import Collector
 from exactspline.interchange.format import Format
+from exactspline.interchange.limits import LARGER
 from exactspline.interchange.numbers import NumberText, decimal, is_decimal, whole
 from exactspline.interchange.records import Reading, Source
 from exactspline.interchange.segments import bezier_knots
@@ -70,7 +71,7 @@ def _tree(source: Source, collector: Collector) -> Node:
         if token == "[":
             collector.count(1)
             if len(nodes) > source.limits.depth:
-                raise CurveFileError("brackets are nested too deeply", remedy="read with a larger limit of depth")
+                raise CurveFileError("brackets are nested too deeply", remedy=LARGER)
             inner: Node = []
             nodes[-1].append(inner)
             nodes.append(inner)

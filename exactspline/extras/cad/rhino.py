@@ -26,6 +26,7 @@ from exactspline.interchange.affine import Affine
 from exactspline.interchange.arcs import RADIANS, RIGHT, Round
 from exactspline.interchange.collector import Collector
 from exactspline.interchange.format import Format
+from exactspline.interchange.limits import LARGER
 from exactspline.interchange.numbers import NumberText
 from exactspline.interchange.records import Reading, Source
 from exactspline.interchange.writing import Spline
@@ -33,6 +34,8 @@ from exactspline.numbers.exact import mpq, rational
 
 #: What a process returns that the system ended because of its processor time.
 OUT_OF_TIME = -getattr(signal, "SIGXCPU", 24)
+#: How many times that a process may take by the clock: many where it is ended before.
+WAITING = 60 if hasattr(signal, "SIGXCPU") else 5
 #: Objects that are curves or place curves.
 CURVES = ("InstanceReference", "Curve", "PolyCurve", "ArcCurve", "LineCurve", "PolylineCurve", "NurbsCurve")
 MISSING = "the first and last knots, which openNURBS omits, repeat their neighbours"
@@ -72,21 +75,22 @@ def read(source: Source) -> Reading:
 
 def _entries(source: Source) -> list[dict[str, Any]]:
     """The objects that rhino3dm reads from the archive, in a separate process: of a damaged one it may never end. Its
-    limit is one of processor time, so that it does not depend on what else runs; five times that also ends a process
-    that waits, or one on a system without such limits.
+    limit is one of processor time, so that it does not depend on what else runs. A process that waits ends after
+    `WAITING` times that, or one on a system without such limits.
     """
     seconds = source.limits.seconds * (1 + (len(source.data) >> 20))
     command = [sys.executable, "-m", "exactspline.extras.cad.rhino_process", str(seconds)]
     environment = os.environ | {"PYTHONPATH": os.pathsep.join(filter(None, sys.path))}
     try:
         done = subprocess.run(
-            command, input=source.data, capture_output=True, timeout=5 * seconds, check=True, env=environment
+            command, input=source.data, capture_output=True, timeout=WAITING * seconds, check=True, env=environment
         )
         entries: list[dict[str, Any]] = json.loads(done.stdout)
     except (subprocess.SubprocessError, ValueError) as error:
         if isinstance(error, subprocess.TimeoutExpired) or getattr(error, "returncode", 0) == OUT_OF_TIME:
-            problem = f"takes rhino3dm more than {counted(seconds, 'second')} of processor time"
-            raise CurveFileError(problem, remedy="repair the file, or read it with larger limits") from None
+            clock = f", or {WAITING * seconds} by the clock" * isinstance(error, subprocess.TimeoutExpired)
+            problem = f"takes rhino3dm more than {counted(seconds, 'second')} of processor time{clock}"
+            raise CurveFileError(problem, remedy=f"repair the file; {LARGER}") from None
         raise CurveFileError("is not an archive readable by rhino3dm", remedy="repair the file") from None
     return entries
 

@@ -8,6 +8,8 @@ from __future__ import annotations
 
 import json
 import sys
+from math import ceil
+from time import process_time
 from typing import Any
 
 #: Memory limit of the process in bytes.
@@ -59,10 +61,12 @@ def _held(degrees: list[int], knots: list[Any], points: list[Any], rational: boo
 
 
 def entries(data: bytes, seconds: int) -> list[dict[str, object]]:
-    """The contents of an archive; limits the memory of this process and its processor time first, so that it ends even
-    if the parent process was killed.
+    """The contents of an archive; limits the memory of this process and its processor time, from now on, first, so that
+    it ends even if the parent process was killed.
     """
     import rhino3dm
+
+    seconds += ceil(process_time())
 
     try:
         import resource

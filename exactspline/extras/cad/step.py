@@ -16,7 +16,7 @@ from collections.abc import Sequence
 from exactspline.extras.cad.names import NAMES
 from exactspline.extras.cad.step_edges import ANY_CURVE, BOUNDED, COMPOSITE, ELEMENTARY, Edges
 from exactspline.extras.cad.step_records import StepFile, keywords, parts
-from exactspline.extras.cad.step_splines import ANY_SURFACE, CURVE, FACES, add_surface, written_spline
+from exactspline.extras.cad.step_splines import ANY_SURFACE, CURVE, FACES, KEYWORDS, add_surface, written_spline
 from exactspline.extras.cad.step_text import StepText
 from exactspline.interchange.collector import Collector
 from exactspline.interchange.format import Format
@@ -45,11 +45,12 @@ def read(source: Source) -> Reading:
     """The curves and surfaces of a file, in the order of the file."""
     collector = Collector("step", source)
     file = StepFile(source.text, collector)
+    named_by = {number: keywords(text) for number, text in file.instances.items()}
+    _see_that_there_is_room(file, [file.instances[n] for n, named in named_by.items() if ANY_CURVE & {*named}])
     edges = Edges(file)
     trimmed, others, composite = set[str](), set[str](), list[int]()
     for number, text in file.instances.items():
-        where = f"#{number}"
-        named = keywords(text)
+        where, named = f"#{number}", named_by[number]
         # of a complex instance, whose keywords are in alphabetical order, the one that is known here
         keyword = next((each for each in named if each in KNOWN), named[0] if named else "")
         if not ANY_CURVE.isdisjoint(named):
@@ -80,6 +81,18 @@ def read(source: Source) -> Reading:
     for unit in sorted(_units(file)):
         collector.unit(unit)
     return collector.reading()
+
+
+def _see_that_there_is_room(file: StepFile, splines: Sequence[str]) -> None:
+    """Raise `ShapeError` where there are too many objects, before any is built: of every spline at least what stands
+    between its commas, its control points and knots, and of every point of one its coordinates.
+    """
+    points, least = set[str](), 0
+    for text in splines:
+        references = _REFERENCE.findall(text)
+        points.update(references)
+        least += text.count(",") + len(references) * (3 if KEYWORDS[CURVE].with_knots in text else 2)
+    file.collector.room(least + sum(file.instances.get(int(number), "").count(",") for number in points))
 
 
 def _units(file: StepFile) -> set[str]:

@@ -8,7 +8,7 @@ from typing import TypeAlias
 
 from exactspline.errors import CurveFileError, counted
 from exactspline.interchange.collector import Collector
-from exactspline.interchange.limits import Limits
+from exactspline.interchange.limits import LARGER, Limits
 from exactspline.interchange.numbers import decimal
 from exactspline.numbers.exact import mpq
 
@@ -43,7 +43,7 @@ def _instances(text: str, collector: Collector) -> dict[int, str]:
                 collector.skip("instance", f"#{match[1]}", "it is defined twice: the last one is read; remove one")
             texts[int(match[1])] = match[2]
             if len(texts) > collector.limits.objects:
-                raise CurveFileError(f"over {collector.limits.objects} instances", remedy="read with larger limits")
+                raise CurveFileError(f"over {collector.limits.objects} instances", remedy=LARGER)
     if rest := _BEGUN.match(text, end):
         collector.skip("instance", rest[1], "the file ends in it; complete the file")
     if END not in statement:
@@ -88,7 +88,7 @@ def parts(text: str, limits: Limits) -> dict[str, list[Value]]:
     for token in _TOKEN.findall(text):
         if token == "(":
             if len(lists) > limits.depth:
-                raise CurveFileError("brackets are nested too deeply", remedy="read with a larger limit of depth")
+                raise CurveFileError("brackets are nested too deeply", remedy=LARGER)
             inner: list[Value] = []
             lists[-1].append(inner)
             lists.append(inner)

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from exactspline.errors import ShapeError, counted
 from exactspline.interchange.bridges.values import exact
+from exactspline.interchange.limits import LARGER
 from exactspline.interchange.numbers import finite_double
 from exactspline.interchange.segments import joined_segments, polynomial
 from exactspline.interchange.writing import pen_segments
@@ -49,7 +50,7 @@ class ContourPen:
     def _point(self, point: Sequence[object]) -> Point:
         self._count += 1
         if self._count > self._most:
-            raise ShapeError(f"more than {self._most} points", remedy="read with larger limits")
+            raise ShapeError(f"more than {self._most} points", remedy=LARGER)
         x, y = map(exact, point)
         a, b, c, d, u, v = self.placed
         return (a * x + c * y + u, b * x + d * y + v)
