@@ -21,6 +21,7 @@ import flint
 from gmpy2 import gcd, iroot, is_square, isqrt, lcm, mpq, mpz
 
 from exactspline.errors import NumberError, as_items, counted, shown
+from exactspline.numbers.immutable import Immutable
 
 __all__ = [
     "DEEPEST",
@@ -150,7 +151,9 @@ def is_float(value: object) -> TypeGuard[float]:
     >>> is_float(0.5), is_float(1), is_float("0.5")
     (True, False, False)
     """
-    return isinstance(value, float) or (isinstance(value, Real) and not isinstance(value, Rational | Decimal))
+    return isinstance(value, float) or (
+        isinstance(value, Real) and not isinstance(value, Rational | Decimal | Immutable)
+    )
 
 
 @overload

@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+import numbers
+import re
 from contextlib import suppress
+from decimal import Decimal
 from functools import cache
 from typing import TYPE_CHECKING, overload
 
 from exactspline.errors import OpenError, ReachError, as_integer
-from exactspline.numbers.exact import Rounding, double_between, mpq, mpz
+from exactspline.numbers.exact import Rounding, decimal_unit, double_between, mpq, mpz
 from exactspline.numbers.immutable import Immutable
 from exactspline.numbers.intervals import Interval, shifted
 from exactspline.one_line import LONGEST_NUMBER
@@ -98,9 +101,41 @@ class Digits(Immutable):
         (-2, -1, mpq(141,100), 2)
         """
         unit = mpq(1, mpz(10) ** (0 if digits is None else as_integer(digits, "a number of digits")))
+        multiple = self._nearest_multiple(unit)
+        return multiple if digits is None else multiple * unit
+
+    def _nearest_multiple(self, unit: mpq) -> int:
+        """``x/unit``, rounded to the nearest integer, ties to even."""
         multiple = self._floor(unit / 2, unit)
-        tie = multiple % 2 == 1 and self._against_number((multiple - mpq(1, 2)) * unit) == 0
-        return multiple - tie if digits is None else (multiple - tie) * unit
+        return multiple - (multiple % 2 == 1 and self._against_number((multiple - mpq(1, 2)) * unit) == 0)
+
+    def __format__(self, form: str) -> str:
+        """The number as Python writes a `Decimal`, with all digits correct; without a type, as `str` writes it.
+
+        >>> from exactspline.reals.real import square_root
+        >>> f"{square_root(2):.20f}", f"{square_root(2) / 1000:.3e}", f"{square_root(2):>4}"
+        ('1.41421356237309504880', '1.414e-3', '  √2')
+        """
+        found = re.fullmatch(r".*?(?:\.(\d+))?([eEfFgG%])", form)
+        if found is None:
+            return format(str(self), form)
+        digits, kind = int(found[1] or 6), found[2].lower()
+        near = abs(self.rational_near(digits + 5))
+        if kind in "f%" or not near:
+            unit = mpq(1, mpz(10) ** (digits + 2 * (kind == "%")))
+        else:
+            unit = decimal_unit(near) / mpz(10) ** (digits - (kind == "g") if digits else 0)
+        rounded = self._nearest_multiple(unit)
+        written = str(rounded).rstrip("0")
+        exponent = len(str(unit.numerator)) - len(str(unit.denominator)) + len(str(rounded)) - len(written)
+        return format(Decimal(f"{written}E{exponent}" if written else 0), form)
+
+    def _mpmath_(self, bits: int, rounding: str) -> mpmath.mpf:
+        """What mpmath takes in place of the number, at its working precision."""
+        from mpmath import libmp, mp
+
+        value = self.rational_near(bits // 3 + 5)
+        return mp.make_mpf(libmp.from_rational(int(value.numerator), int(value.denominator), bits, rounding))
 
     def _floor(self, shift: mpq, unit: mpq = ONE) -> int:
         """``⌊(x + shift)/unit⌋``."""
@@ -208,3 +243,6 @@ class Digits(Immutable):
 
     def __repr__(self) -> str:
         return f"<Real {self.shortly(8)}>"
+
+
+numbers.Real.register(Digits)

@@ -10,9 +10,9 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable
 from functools import partial
-from math import prod
+from math import floor, prod
 from operator import add, methodcaller, mul, sub, truediv
-from typing import Any, Self, TypeAlias, TypeVar, cast
+from typing import TYPE_CHECKING, Any, Self, TypeAlias, TypeVar, cast
 
 from flint import arb, ctx, fmpq, fmpq_poly, fmpz_poly
 
@@ -38,6 +38,9 @@ from exactspline.polynomials import annihilating
 from exactspline.polynomials.annihilating import QuotientModulo, linear
 from exactspline.polynomials.cost import LONGEST_LOOP, check_reach
 from exactspline.reals.algebraic import EXACT, Algebraic
+
+if TYPE_CHECKING:
+    import sympy
 
 #: The primes whose squares are removed from a radicand.
 _PRIMES = [p for p in range(2, 1000) if all(p % q for q in range(2, int(isqrt(p)) + 1))]
@@ -173,6 +176,22 @@ class Real(Algebraic, Written):
         closed = self.in_closed_form()
         return None if closed is None else closed.closed_form
 
+    def _sympy_(self) -> sympy.Expr:
+        """What sympy takes in place of the number: a rational number, a + b√c, or an algebraic number.
+
+        >>> import sympy
+        >>> sympy.sympify(square_root("1/2")), sympy.sympify(square_root(2) + square_root(3))
+        (sqrt(2)/2, CRootOf(x**4 - 10*x**2 + 1, 3))
+
+        Raises `ReachError` or `OpenError` where its minimal polynomial is not known.
+        """
+        import sympy
+
+        p, below = self.minimal_polynomial(), self._isolated()[1]
+        polynomial = sympy.Poly(p[::-1], sympy.Symbol("x"))
+        k = polynomial.count_roots(sup=sympy.Rational(str(below))) if len(p) > 2 else 0
+        return polynomial.real_roots()[k] if len(p) < 4 else sympy.CRootOf(polynomial, k)
+
     def is_root_of(self, polynomial: fmpz_poly) -> bool:
         """Whether a polynomial with integer coefficients vanishes at this number, decided exactly."""
         place, top, bottom = self._in_terms()
@@ -225,6 +244,39 @@ class Real(Algebraic, Written):
         for digit in bin(abs(exponent))[2:]:
             power = power * power * base if digit == "1" else power * power
         return power
+
+    def __divmod__(self, other: object) -> tuple[int, Real]:
+        quotient = floor(self / other)
+        return quotient, self - real(cast(Number, other)) * quotient
+
+    def __rdivmod__(self, other: object) -> tuple[int, Real]:
+        return divmod(real(cast(Number, other)), self)
+
+    def __floordiv__(self, other: object) -> int:
+        return divmod(self, other)[0]
+
+    def __rfloordiv__(self, other: object) -> int:
+        return divmod(other, self)[0]
+
+    def __mod__(self, other: object) -> Real:
+        return divmod(self, other)[1]
+
+    def __rmod__(self, other: object) -> Real:
+        return divmod(other, self)[1]
+
+    @property
+    def real(self) -> Real:
+        """The number itself, as of other numbers the real part."""
+        return self
+
+    @property
+    def imag(self) -> int:
+        """The imaginary part."""
+        return 0
+
+    def conjugate(self) -> Real:
+        """The number itself, as of other numbers the conjugate."""
+        return self
 
     def __neg__(self) -> Real:
         return RationalNumber(0) - self

@@ -314,6 +314,7 @@ ROUNDED = {
     "polynomials/doubles.py: ordinates": "a guess, certified afterwards",
     "polynomials/newton.py: proposed": "a guess, certified afterwards",
     "reals/digits.py: Digits.__float__": "rounds to a double, on request",
+    "reals/digits.py: Digits.__format__": "writes a number that is rounded exactly",
     "reals/real.py: RationalNumber.double": "rounds to a double, on request",
     "roots/answers.py: OneNumber.__float__": "rounds to a double, on request",
     "verification/conditioning/compare.py: _at_root": "what is measured is the error of doubles",

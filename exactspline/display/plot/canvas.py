@@ -162,7 +162,7 @@ def sampled(f: Callable[..., V], breaks: Sequence[mpq]) -> Iterator[list[tuple[m
 def parameter(t: Number | Root | Feature, domain: tuple[mpq, mpq]) -> mpq:
     """An exact parameter: the number itself, or the middle of a root's interval, narrow compared with the domain."""
     place: Any = getattr(t, "parameter", getattr(t, "root", t))
-    if hasattr(place, "refine"):
+    if isinstance(place, Root):
         low, high = place.refine(20 + int(1 / (domain[1] - domain[0])).bit_length() // 3)
         middle: mpq = (low + high) / 2
         return middle

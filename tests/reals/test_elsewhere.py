@@ -1,0 +1,75 @@
+"""Numbers as other libraries and Python take them: without a float on the way."""
+
+import numbers
+from decimal import Context, Decimal
+from fractions import Fraction
+from random import Random
+
+import mpmath
+import numpy as np
+import pytest
+import sympy
+
+import exactspline as xs
+from exactspline.errors import OpenError
+from exactspline.reals.real import Real, square_root
+
+QUARTIC = xs.zeros(xs.BSpline.bezier([-1, 0, 1, 2, 5])).roots[0]
+LENGTH = xs.example("six_segment_cubic").length
+
+
+def test_formats_are_those_of_decimals_with_all_digits_correct():
+    """A negative number that is rounded to 0 has no sign."""
+    random = Random(2028)
+    for _ in range(1000):
+        top, bottom = (random.randint(1, 10 ** random.randint(1, 20)) for _ in range(2))
+        x = Fraction(random.choice([-1, 1]) * top, bottom)
+        digits, kind = random.randint(0, 12), random.choice("efgEFG%")
+        decimal = Context(prec=200).divide(Decimal(x.numerator), Decimal(x.denominator))
+        if kind in "gG":  # as of a float, without the zeros behind
+            decimal = Context(prec=max(digits, 1)).create_decimal(decimal).normalize()
+        expected = format(decimal, f".{digits}{kind}")
+        if not expected.strip("-0.%"):
+            expected = expected.removeprefix("-")
+        assert format(Real(str(x)), f".{digits}{kind}") == expected, x
+
+
+def test_a_tie_and_a_number_just_below_a_power_of_ten_are_rounded_exactly():
+    assert f"{Real('1/8'):.2f}" == "0.12"
+    assert f"{1 - Real(10) ** -40:.30e}" == f"1.{'0' * 30}e+0"
+    assert f"{1 - Real(10) ** -40:.39e}" == f"9.{'9' * 39}e-1"
+    assert f"{square_root(2):.60f}" == square_root(2).decimal(60)
+
+
+@pytest.mark.parametrize("x", [QUARTIC, square_root("2/3"), square_root(2) + square_root(3), Real("22/7"), QUARTIC**2])
+def test_sympy_takes_the_number_itself(x):
+    """By its minimal polynomial and its place among the zeros; a double before."""
+    taken = sympy.sympify(x)
+    assert taken.is_algebraic
+    assert not taken.has(sympy.Float)
+    assert abs(Fraction(str(sympy.N(taken, 60))) / Fraction(x.decimal(70)) - 1) < Fraction(1, 10**50)
+    assert (
+        sympy.minimal_polynomial(taken, polys=True).all_coeffs()[::-1] == x.minimal_polynomial() or x.exact is not None
+    )
+
+
+def test_what_is_not_known_to_be_algebraic_is_no_float_for_sympy():
+    with pytest.raises(OpenError, match="not known to be algebraic"):
+        sympy.sympify(LENGTH)
+
+
+def test_mpmath_takes_a_number_at_its_precision():
+    with mpmath.workdps(50):
+        assert abs(mpmath.mpf(1) + LENGTH - mpmath.mpf(LENGTH.decimal(60)) - 1) < mpmath.mpf(10) ** -47
+        assert abs(mpmath.sin(square_root(2)) - mpmath.sin(mpmath.sqrt(2))) < mpmath.mpf(10) ** -48
+
+
+def test_a_real_number_is_one_and_no_float():
+    assert isinstance(QUARTIC, numbers.Real)
+    assert (QUARTIC.real, QUARTIC.imag, QUARTIC.conjugate()) == (QUARTIC, 0, QUARTIC)
+    assert divmod(-square_root(2), Fraction(1, 2)) == (-3, Fraction(3, 2) - square_root(2))
+    assert (7 // square_root(2), 7 % square_root(2)) == (4, 7 - 4 * square_root(2))
+    assert np.array([QUARTIC, LENGTH], float).tolist() == [float(QUARTIC), float(LENGTH)]
+    with pytest.raises(xs.ExactSplineError, match="is a root, which need not be rational"):
+        xs.rational(QUARTIC)
+    assert xs.rational(sympy.Rational(1, 3)) == Fraction(1, 3)
