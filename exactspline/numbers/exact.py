@@ -184,6 +184,8 @@ def from_floats(
 
     Raises `NumberError`, with its position, for an element that is neither a float nor an integer.
     """
+    if type(values) is int:
+        return rational(values)
     return _from_float(values, snap) if is_float(values) else _from_floats(values, DEEPEST, snap)
 
 

@@ -306,6 +306,7 @@ ROUNDED = {
     "geometry/analysis/many_curves.py: scaled_operands": "the certified filter",
     "interchange/numbers.py: about": "digits that are shown",
     "interchange/bridges/scipy.py: _joined": "the unit in the last place of a double",
+    "interchange/bridges/values.py: periodic": "the unit in the last place of a double",
     "extras/cad/rhino.py: write": "writes a file of doubles, and names the numbers that are rounded",
     "extras/cad/rhino_process.py: _hex": "doubles of a file, bit by bit",
     "programs/certain_pairs.py: segment_in_doubles": "the certified filter",

@@ -1,5 +1,6 @@
 """Other libraries' objects: exact on the way in, correctly rounded on the way out."""
 
+import math
 from fractions import Fraction
 
 import pytest
@@ -179,6 +180,49 @@ def test_a_pen_refuses_components_and_floods():
     pen.moveTo((0, 0))
     with pytest.raises(ShapeError, match="more than 3 points"):
         pen.qCurveTo((0, 1), (1, 1), (2, 2))
+
+
+def wrapped(count):
+    """Control points of a closed cubic: the last three are the first ones, not on a grid of doubles of few bits."""
+    points = [[math.cos(2 * math.pi * i / count), math.sin(2 * math.pi * i / count)] for i in range(count)]
+    return points + points[:3]
+
+
+@pytest.mark.parametrize("count", range(4, 14))
+def test_closed_curves_of_geomdl_are_closed(count):
+    """9 of these 10 were not: geomdl maps the knots to [0, 1], which rounds them."""
+    pytest.importorskip("geomdl")
+    from geomdl import NURBS, BSpline
+
+    from exactspline.interchange.bridges.geomdl import from_geomdl
+
+    for make in (BSpline.Curve, NURBS.Curve):
+        given = make()
+        given.degree, given.ctrlpts = 3, wrapped(count)
+        given.knotvector = list(range(count + 7))
+        curve = from_geomdl(given)
+        a, b = curve.domain
+        assert curve.closed
+        assert [curve.derivative(k, a) for k in (1, 2)] == [curve.derivative(k, b, "left") for k in (1, 2)]
+        assert [exact(t) for t in given.knotvector[3:-3]] == list(curve.knots)[3:-3]
+        moved = max(abs(x - exact(y)) for x, y in zip(curve.knots, given.knotvector, strict=True))
+        assert moved <= 4 * mpq(1, 2**53)
+        assert bool(moved) == ("moved by at most" in curve.note)
+    given.knotvector = [t + 0.01 * (i == 1) for i, t in enumerate(given.knotvector)]  # a curve that is not closed
+    assert not from_geomdl(given).note
+
+
+def test_closed_curves_of_splinepy_are_closed():
+    splinepy = pytest.importorskip("splinepy")
+    from exactspline.interchange.bridges.splinepy import from_splinepy
+
+    np = pytest.importorskip("numpy")
+    for count in (5, 6, 7):
+        curve = from_splinepy(splinepy.BSpline([3], [np.linspace(0, 1, count + 7)], wrapped(count)))
+        assert curve.closed
+        assert "moved by at most" in curve.note
+    with pytest.raises(ShapeError, match="Multipatch"):
+        from_splinepy(splinepy.Multipatch([splinepy.Bezier([1, 1], [[0, 0], [1, 0], [0, 1], [1, 1]])]))
 
 
 def test_splinepy_both_ways():

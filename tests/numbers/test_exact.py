@@ -190,6 +190,7 @@ def test_floats_in_a_sequence():
     assert from_floats([0.5, -0.0, 5e-324]) == [mpq(1, 2), 0, mpq(1, 2**1074)]
     assert from_floats(((0.1, 2.0), (1e300, 3.5))) == [[Fraction(0.1), 2], [Fraction(1e300), mpq(7, 2)]]
     assert from_floats([]) == []
+    assert from_floats(7) == 7  # a ShapeError before
     assert from_floats([0, 2**70, 0.5]) == [0, 2**70, mpq(1, 2)]
     with pytest.raises(NumberError) as caught:
         from_floats([[0.5, 1.0], [0.5, float("inf")]])

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from exactspline.errors import ShapeError
-from exactspline.interchange.bridges.values import doubles, exact, exact_rows
+from exactspline.interchange.bridges.values import doubles, exact, exact_rows, periodic
 from exactspline.interchange.writing import homogeneous
 from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.type_checks import curve_of
@@ -16,7 +16,9 @@ if TYPE_CHECKING:
 
 def from_geomdl(curve: geomdl.abstract.Curve) -> Nurbs:
     """The curve defined by exactly the numbers that geomdl stores. By default geomdl maps the knots to [0, 1], which
-    rounds them. For a rational curve it stores homogeneous points (w x, w), and these are read.
+    rounds them: where the last control points are the first ones, the knots outside of the domain are moved so that
+    the curve is closed, by at most 8 units in the last place, as its note says. For a rational curve geomdl stores
+    homogeneous points (w x, w), and these are read.
 
     Raises `ShapeError` for a surface, a volume, and objects that are not from geomdl.
     """
@@ -26,10 +28,10 @@ def from_geomdl(curve: geomdl.abstract.Curve) -> Nurbs:
         raise ShapeError(
             f"a {type(curve).__name__}, where a geomdl curve is expected", remedy="give a BSpline.Curve or NURBS.Curve"
         )
-    knots = [exact(t) for t in curve.knotvector]
-    if curve.rational:
-        return Nurbs.from_homogeneous(int(curve.degree), knots, exact_rows(curve.ctrlptsw), name=str(curve.name))
-    return Nurbs(int(curve.degree), knots, exact_rows(curve.ctrlpts), name=str(curve.name))
+    degree, points = int(curve.degree), exact_rows(curve.ctrlptsw if curve.rational else curve.ctrlpts)
+    knots, note = periodic(degree, [exact(t) for t in curve.knotvector], points)
+    make = Nurbs.from_homogeneous if curve.rational else Nurbs
+    return make(degree, knots, points, name=str(curve.name), note=note)
 
 
 def to_geomdl(curve: Nurbs) -> geomdl.abstract.Curve:

@@ -9,7 +9,7 @@ from math import comb, ulp
 from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias
 
 from exactspline.errors import ShapeError, counted, shown
-from exactspline.interchange.bridges.values import doubles, exact, exact_rows
+from exactspline.interchange.bridges.values import MOST_ULPS, doubles, exact, exact_rows
 from exactspline.numbers.exact import double, mpq
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.nurbs import Nurbs
@@ -32,9 +32,6 @@ if TYPE_CHECKING:
     )
     #: Those in two.
     InTwo: TypeAlias = scipy.interpolate.NdBSpline | scipy.interpolate.BivariateSpline
-
-#: A coefficient may be moved by this many units in the last place of the largest one.
-MOST_ULPS = 8
 
 
 class ReadSpline(NamedTuple):

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from exactspline.errors import ShapeError, a_kind
-from exactspline.interchange.bridges.values import doubles, exact, exact_rows
+from exactspline.interchange.bridges.values import doubles, exact, exact_rows, periodic
 from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.type_checks import curve_of
 
@@ -15,11 +15,11 @@ if TYPE_CHECKING:
 
 def from_splinepy(curve: splinepy.spline.Spline) -> Nurbs:
     """The curve defined by exactly the numbers that splinepy stores, for any of its four spline classes; the domain of
-    a Bézier curve is [0, 1].
+    a Bézier curve is [0, 1]. Where the last control points are the first ones, the curve is closed as by `from_geomdl`.
 
     Raises `ShapeError` for a surface or a volume, and for what is not a spline of splinepy.
     """
-    if not isinstance(getattr(curve, "para_dim", None), int):
+    if not isinstance(getattr(curve, "para_dim", None), int) or not hasattr(curve, "degrees"):
         raise ShapeError(f"{a_kind(curve)}, where a spline of splinepy is expected", remedy="give a splinepy.BSpline")
     if curve.para_dim != 1:
         raise ShapeError(f"a spline in {curve.para_dim} parameters", remedy="a curve has one")
@@ -28,8 +28,10 @@ def from_splinepy(curve: splinepy.spline.Spline) -> Nurbs:
         knots = [exact(t) for t in curve.knot_vectors[0]]
     else:
         knots = [exact(int(i > degree)) for i in range(2 * degree + 2)]
-    weights = [exact(w) for row in curve.weights for w in row] if curve.is_rational else None
-    return Nurbs(degree, knots, exact_rows(curve.control_points), weights)
+    weights = [exact(w) for row in curve.weights for w in row] if curve.is_rational else [exact(1)] * len(curve.cps)
+    points = exact_rows(curve.control_points)
+    whole, note = periodic(degree, knots, [*zip(points, weights, strict=True)])
+    return Nurbs(degree, whole, points, weights, note=note)
 
 
 def to_splinepy(curve: Nurbs) -> splinepy.spline.Spline:
