@@ -54,12 +54,8 @@ def _terms_of(value: object, kind: type[T]) -> list[T]:
     )
 
 
-def rebuilt(value: object, splines: Iterator[Operand]) -> object:
-    """The value with splines in the place of its terms."""
-    return _rebuilt(value, splines)
-
-
 def _rebuilt(value: object, splines: Iterator[Any]) -> Any:
+    """The value with splines in the place of its terms."""
     if isinstance(value, RuledSurface):
         directrix = _rebuilt(value.directrix, splines)
         return RuledSurface(directrix, _rebuilt(value.generator, splines))
@@ -152,8 +148,7 @@ class Program:
         """The value from the splines of an argument."""
         leaves = tuple(zip(self.leaves, [f.provenance for f in given.splines], strict=True))
         splines = self._on_patches(given, leaves) if self._stages else self._on_segments(given, leaves)
-        made: Any = splines[0] if isinstance(self.value, Term) else rebuilt(self.value, iter(splines))
-        value: SplineValue = made
+        value: SplineValue = _rebuilt(self.value, iter(splines))
         return value
 
     def _on_segments(self, given: Given, leaves: Any) -> list[BSpline]:
