@@ -18,6 +18,8 @@ _CALL = re.compile(r"[\s,]*([A-Za-z]+)\s*\(([^()]*)\)")
 
 #: CSS pixels per unit of length (CSS Values and Units, absolute lengths).
 UNITS = {unit: mpq(pixels) for unit, pixels in NAMES["units"].items()}
+#: What can be done about a transform of which no number is rational.
+APPLY = "write it as matrix(…), whose decimals are read exactly, or apply it to the shape"
 _SIDES = {"left": "0", "top": "0"}
 _LENGTH = re.compile(r"(.*?)(px|in|cm|mm|q|pt|pc)?", re.ASCII | re.IGNORECASE | re.DOTALL)
 
@@ -93,7 +95,7 @@ def _one(name: str, n: list[mpq]) -> Affine:
     if name == "rotate" and len(n) in (1, 3):
         turns = quarter_turns(n[0], DEGREES)
         if turns is None:
-            raise NumberError("an angle that is not a multiple of 90°", remedy="its sine or cosine is irrational")
+            raise NumberError("an angle that is not a multiple of 90°", remedy=APPLY)
         cosine, sine = RIGHT[turns % 4]
         turn = Affine([[cosine, -sine, 0], [sine, cosine, 0]])
         there, back = (Affine([[1, 0, s * x], [0, 1, s * y]]) for s in (1, -1) for x, y in [n[1:] or (0, 0)])
@@ -109,5 +111,5 @@ def _tangent(degrees: mpq) -> int:
     """The tangent of a multiple of 45 degrees: of rational angles in degrees, only these have a rational tangent."""
     eighths = degrees / 45
     if eighths.denominator != 1 or eighths % 4 == 2:
-        raise NumberError("a skew whose tangent is not rational", remedy="multiples of 45 degrees are exact")
+        raise NumberError("a skew whose tangent is not rational", remedy=APPLY)
     return (0, 1, 0, -1)[int(eighths % 4)]

@@ -297,8 +297,9 @@ def trimmed(format):
 
 def part(format):
     if format == "brep":
-        named, _ = one(QUARTERS["brep"]())
-        assert any("edges may use only a part" in note for note in named.notes)
+        edge = "TShapes 1\nEd\n 1e-07 1 1 0\n1  1 0 0.25 0.75\n0\n\n0101000\n*\n"
+        named, _ = one(in_brep_text("7 0 0 3 4 2 0 0 0  1 2 0  3 2 0  4 0 0  0 4 1 4") + edge)
+        assert named.curve.domain == (mpq(1, 4), mpq(3, 4))
         return
     edge = (
         "#20=CARTESIAN_POINT('',({}));#21=CARTESIAN_POINT('',(3.09375,1.125,0.));#22=VERTEX_POINT('',#20);"

@@ -88,3 +88,57 @@ def test_what_is_not_read_has_a_reason_and_the_rest_goes_on():
     assert all("write it as a spline" in x.why or "write its part as a spline" in x.why for x in found.skipped)
     assert [x.curve.domain for x in found.curves] == [(mpq(1, 4), mpq(1, 2)), (0, 1)]
     assert not found.complete
+
+
+def with_edges(curves, *edges, **more):
+    """Curves, and edges by the number of their curve and two parameters as text."""
+    head = "DBRep_DrawableShape\n\nCASCADE Topology V1, (c) Matra-Datavision\nCurve2ds 0\n"
+    shapes = [f"Ed\n 1e-07 1 1 0\n1  {k} 0 {low} {high}\n0\n\n0101000\n+2 0 -1 0 *" for k, low, high in edges]
+    shapes.append("Ed\n 1e-07 1 1 1\n2  1 1 0 0 1\n0\n\n0101000\n*")  # degenerate: no curve in space
+    text = "\n".join([f"Curves {len(curves)}", *curves, f"TShapes {len(shapes)}", *shapes, ""])
+    return read((head + text).encode(), **more)
+
+
+CIRCLE, LINE = "2 0 0 0  0 0 1  1 0 0  0 1 0  5", "1 1 0 5  0 1 0"
+
+
+def test_edges_are_parts_of_their_curves():
+    """Before: every straight edge was missing, with exit status 0, and an arc was its full circle."""
+    half = "3.14159265358979"
+    found = with_edges([LINE, CIRCLE, CUBIC], (1, "-2", "3"), (2, "0", half), (2, half, "6.28318530717959"))
+    assert not found.skipped
+    line, upper, lower, whole = (named.curve for named in found.curves)
+    assert at_ends(line) == [(1, -2, 5), (1, 3, 5)]
+    assert [at_ends(upper), at_ends(lower)] == [[(5, 0, 0), (-5, 0, 0)], [(-5, 0, 0), (5, 0, 0)]]
+    assert (upper(1), lower(1)) == ((0, 5, 0), (0, -5, 0))
+    # what no edge uses is whole
+    assert whole.domain == (0, 1)
+    assert found.complete
+
+
+def test_an_edge_that_several_wires_use_is_one_curve():
+    assert len(with_edges([CUBIC], (1, "0", "1"), (1, "0", "1")).curves) == 1
+    two = with_edges([CUBIC], (1, "0", "0.5"), (1, "0.5", "1")).curves
+    assert [named.curve.domain for named in two] == [(0, mpq(1, 2)), (mpq(1, 2), 1)]
+
+
+def test_a_parameter_rounded_to_fewer_digits_than_the_knots_is_the_end():
+    longer = CUBIC.replace("0 4 1 4", "0 4 0.98765432109876543 4")
+    [named] = with_edges([longer], (1, "0", "0.987654321098765")).curves
+    assert named.curve.domain[1] == mpq("0.98765432109876543")
+    assert not named.notes
+    for shorter in ("0.9876543210987", "0.9876"):
+        [named] = with_edges([longer], (1, "0", shorter)).curves
+        assert named.curve.domain[1] == mpq(shorter)
+        assert "the entity uses the parameters" in named.notes[0]
+
+
+def test_the_whole_of_a_circle_by_its_edge_and_by_itself():
+    by_edge, alone = with_edges([CIRCLE], (1, "0", "6.28318530717959")).curve, of_brep(CIRCLE).curve
+    assert by_edge == alone
+    assert by_edge.closed
+
+
+def test_numbers_of_an_edge_that_are_none_are_named():
+    [skipped] = with_edges([CUBIC], (1, "0", "x")).skipped
+    assert "not a decimal number" in skipped.why

@@ -1,24 +1,25 @@
 """Open CASCADE BRep text: the sections ``Curve2ds`` and ``Curves``.
 
-B-spline and Bézier curves are read. Circles and ellipses are read as full curves, exact for the axes as written. Lines,
-parabolas and hyperbolas are unbounded in this section (edges bound them) and are skipped. A trimmed curve is the part
-of its basis between its parameters: of splines, lines and parabolas exactly, of circles and ellipses where these are
-multiples of a right angle, or where an error is allowed. Of an offset curve the basis alone is read. For a periodic
-curve the first poles are repeated and the knots extended by the period. Edges, which may use a part of a curve, and
-placements are ignored; a note states this.
+A curve in space is read in the parts that edges use, and a trimmed curve in the part between its parameters: splines,
+lines and parabolas exactly, circles and ellipses where these are multiples of a right angle, or where an error is
+allowed. What no edge uses is read whole: splines, and circles and ellipses, exact for the axes as written; lines and
+parabolas are unbounded. So are curves in the parameter planes of surfaces. Hyperbolas are skipped, and of an offset
+curve the basis alone is read. For a periodic curve the first poles are repeated and the knots extended by the period.
+Places of edges are ignored; a note states this.
 """
 
 from __future__ import annotations
 
 import re
 from collections.abc import Sequence
+from typing import Any, NamedTuple
 
 from exactspline.errors import CurveFileError
 from exactspline.interchange.affine import Affine
 from exactspline.interchange.arcs import RADIANS, RIGHT, Round
 from exactspline.interchange.collector import Collector
 from exactspline.interchange.format import Format
-from exactspline.interchange.numbers import NumberText, finite_double
+from exactspline.interchange.numbers import NumberText, finite_double, last_digit
 from exactspline.interchange.periods import domain, used
 from exactspline.interchange.records import Reading, Source
 from exactspline.interchange.segments import Segment, bezier_knots, polynomial
@@ -36,8 +37,15 @@ SHAPES = {
     PARABOLA: ("parabola", 2, 1),
     HYPERBOLA: ("hyperbola", 2, 2),
 }
-EXACT, BASIS = "exact for the axes as written", " (basis)"
-_EDGE = re.compile(r"^Ed[ \t]*\r?$", re.M)
+BASIS = " (basis)"
+#: A parameter that differs from an end by no more than this part is that end, written with fifteen digits.
+ROUNDED = 2**47
+#: The parameters of a part, as text.
+Ends = tuple[str, str]
+_EDGE = re.compile(
+    r"^Ed[ \t]*\r?\n[^\n]*\n(?:1[ \t]+(?P<curve>\d{1,9})[ \t]+\d+[ \t]+(?P<first>\S+)[ \t]+(?P<last>\S+)[ \t]*\r?$)?",
+    re.M,
+)
 _SECTION = re.compile(r"^(Curve2ds|Curves) (\d{1,9})[ \t]*\r?$", re.M)
 
 
@@ -47,10 +55,12 @@ def looks_like(head: bytes) -> bool:
 
 
 def read(source: Source) -> Reading:
-    """The curves of both sections."""
-    collector = Collector("brep", source)
-    if _EDGE.search(source.text):
-        collector.note("curves are read as defined: edges may use only a part of them, or be placed elsewhere")
+    """The curves of both sections, those in space as edges use them."""
+    collector, uses = Collector("brep", source), dict[str, dict[Ends, None]]()
+    for edge in _EDGE.finditer(source.text):
+        collector.note("edges are read where their curves are defined: they may be placed elsewhere")
+        if edge["curve"]:
+            uses.setdefault(f"Curves {edge['curve']}", {})[edge["first"], edge["last"]] = None
     sections = list(_SECTION.finditer(source.text))
     for title in sorted({"Curve2ds", "Curves"} - {match[1] for match in sections}):
         collector.note(f"there is no section {title}: the file may be cut off")
@@ -58,55 +68,62 @@ def read(source: Source) -> Reading:
         words = Tokens(source.text, source.limits, match.end())
         dimension = 2 if match[1] == "Curve2ds" else 3
         for number in range(1, int(match[2]) + 1):
-            _curve(collector, words, dimension, f"{match[1]} {number}")
+            where = f"{match[1]} {number}"
+            _curve(collector, words, dimension, where, list(uses.get(where, ())))
     return collector.reading()
 
 
-def _curve(collector: Collector, words: Tokens, dimension: int, where: str) -> None:
-    """Read one curve, or the part of it that a trimmed curve uses; of an offset its basis, over the same parameters."""
-    trim: list[mpq] = []
+def _curve(collector: Collector, words: Tokens, dimension: int, where: str, parts: Sequence[Ends]) -> None:
+    """Read one curve, or the parts of it that edges use, or a trimmed curve; of an offset its basis, over the same
+    parameters.
+    """
     while (kind := words.whole()) in (TRIMMED, OFFSET):
-        numbers = words.numbers(2 if kind == TRIMMED else 1 + (dimension == 3) * 3)
+        numbers = [words.word() for _ in range(2 if kind == TRIMMED else 1 + (dimension == 3) * 3)]
         if kind == OFFSET:
             collector.skip("offset curve", where, "only its basis curve is read; write it as a spline")
+            where = where.removesuffix(BASIS) + BASIS
         else:
-            trim = trim or numbers
-        where = where.removesuffix(BASIS) + BASIS * (kind == OFFSET)
+            parts = parts or [(numbers[0], numbers[1])]
+    wanted: Sequence[Ends | None] = parts or [None]
     if kind in (BEZIER, BSPLINE):
-        (_bezier if kind == BEZIER else _spline)(collector, words, dimension, where, trim)
-    elif kind not in SHAPES:
+        spline = (_bezier if kind == BEZIER else _spline)(collector, words, dimension)
+        for part in wanted:
+            with collector.skipping("spline", where):
+                _add_spline(collector, where, spline, part)
+        return
+    if kind not in SHAPES:
         raise CurveFileError(f"a curve of kind {kind}", where=where, remedy="kinds 1 to 9 are known")
-    else:
-        name, axes, sizes = SHAPES[kind]
-        vectors = words.rows(1 + axes + (dimension == 3 and axes > 1), dimension)
-        # of a conic in space the second vector is its normal
-        frame = [vectors[0], *vectors[-axes:]]
-        numbers = words.numbers(sizes)
-        if not trim and kind not in (CIRCLE, ELLIPSE):
-            collector.skip(name, where, "it is unbounded; write its part as a spline", curve=kind != LINE)
-            return
+    name, axes, sizes = SHAPES[kind]
+    vectors = words.rows(1 + axes + (dimension == 3 and axes > 1), dimension)
+    # of a conic in space the second vector is its normal
+    frame, numbers_of_it = [vectors[0], *vectors[-axes:]], words.numbers(sizes)
+    if not parts and kind not in (CIRCLE, ELLIPSE):
+        collector.skip(name, where, "it is unbounded; write its part as a spline", curve=kind != LINE)
+        return
+    for part in wanted:
         with collector.skipping(name, where):
-            segments, notes = _part(kind, frame, numbers, trim, collector.source.within)
+            segments, notes = _part(collector, kind, frame, numbers_of_it, part)
             collector.add_segments(name, where, segments, notes=notes)
 
 
 def _part(
-    kind: int, frame: Sequence[Sequence[mpq]], sizes: Sequence[mpq], trim: Sequence[mpq], within: mpq | None
+    collector: Collector, kind: int, frame: Sequence[Sequence[mpq]], sizes: Sequence[mpq], part: Ends | None
 ) -> tuple[list[Segment], list[str]]:
     """The part of a line or a conic between two parameters, or a full ellipse, and notes on it."""
-    columns = list(zip(*frame, strict=True))
+    columns, ends = list(zip(*frame, strict=True)), collector.numbers(part or ())
     if kind == LINE:
-        return [polynomial(*([p + t * x for p, x in columns] for t in trim))], []
+        return [polynomial(*([p + t * x for p, x in columns] for t in ends))], []
     if kind == PARABOLA and sizes[0] > 0:
-        u, v = trim
+        u, v = ends
         pairs = ((u * u, u), (u * v, (u + v) / 2), (v * v, v))
         return [polynomial(*([p + a * x / (4 * sizes[0]) + b * y for p, x, y in columns] for a, b in pairs))], []
     if kind not in (CIRCLE, ELLIPSE):
         raise CurveFileError("a part whose points are irrational", remedy="write it as a spline")
-    curve = Round(Affine([[x * sizes[0], y * sizes[-1], p] for p, x, y in columns]), within)
-    ends = [curve.at_angle(t, RADIANS) for t in trim] or [RIGHT[0]] * 2
-    whole = [] if trim else [f"the full {SHAPES[kind][0]}, {EXACT}; edges may use only a part of it"]
-    return curve.arc(*ends), [*whole, *curve.notes]
+    curve = Round(Affine([[x * sizes[0], y * sizes[-1], p] for p, x, y in columns]), collector.source.within)
+    if part is None:
+        return curve.arc(RIGHT[0], RIGHT[0]), [f"the full {SHAPES[kind][0]}, exact for the axes as written"]
+    digits = map(last_digit, part)
+    return curve.arc(*(curve.at_angle(t, RADIANS, d) for t, d in zip(ends, digits, strict=True))), curve.notes
 
 
 def _poles(words: Tokens, count: int, dimension: int, rational: bool) -> tuple[list[list[mpq]], list[mpq] | None]:
@@ -114,29 +131,44 @@ def _poles(words: Tokens, count: int, dimension: int, rational: bool) -> tuple[l
     return [row[:dimension] for row in rows], [row[-1] for row in rows] if rational else None
 
 
-def _bezier(collector: Collector, words: Tokens, dimension: int, where: str, trim: Sequence[mpq]) -> None:
+class _Spline(NamedTuple):
+    """A spline as it is listed."""
+
+    degree: int
+    knots: list[mpq]
+    points: list[list[mpq]]
+    weights: list[mpq] | None
+    periodic: bool = False
+
+
+def _bezier(collector: Collector, words: Tokens, dimension: int) -> _Spline:
     rational, degree = words.whole() != 0, words.count()
-    points, weights = _poles(words, degree + 1, dimension, rational)
-    within, notes = used((mpq(0), mpq(1)), *(trim or (0, 1)))
-    collector.add("Bézier curve", where, degree, bezier_knots(degree), points, weights, notes=notes, within=within)
+    return _Spline(degree, bezier_knots(degree), *_poles(words, degree + 1, dimension, rational))
 
 
-def _spline(collector: Collector, words: Tokens, dimension: int, where: str, trim: Sequence[mpq]) -> None:
+def _spline(collector: Collector, words: Tokens, dimension: int) -> _Spline:
     rational, periodic = words.whole() != 0, words.whole() != 0
     degree, count, distinct = words.count(), words.count(), words.count()
     points, weights = _poles(words, count, dimension, rational)
     collector.count(distinct)
     pairs = [(words.number(), words.count()) for _ in range(distinct)]
     collector.count(sum(times for _, times in pairs))
-    knots = [knot for knot, times in pairs for _ in range(times)]
+    return _Spline(degree, [knot for knot, times in pairs for _ in range(times)], points, weights, periodic)
+
+
+def _add_spline(collector: Collector, where: str, spline: _Spline, part: Ends | None) -> None:
+    """Add a spline, or the part of it between two parameters, which may run over the seam of a periodic one."""
+    degree, knots, points, weights, periodic = spline
     ends = (knots[0], knots[-1]) if periodic and knots else domain(degree, knots)
-    if periodic and trim and ends[0] < ends[1] < trim[1]:
-        # it runs over the seam: two periods
-        knots += [t + ends[1] - ends[0] for t in knots[pairs[0][1] :]]
+    given = collector.numbers(part or ())
+    trim = [next((end for end in ends if abs(end - t) * ROUNDED <= abs(end)), t) for t in given] or ends
+    if periodic and ends[0] < ends[1] < trim[1]:
+        # two periods
+        knots = knots + [t + ends[1] - ends[0] for t in knots[knots.count(knots[0]) :]]
         points, weights, ends = points * 2, weights and weights * 2, (ends[0], 2 * ends[1] - ends[0])
-    within, notes = used(ends, *(trim or ends))
-    flagged = ["periodic"] * periodic
-    collector.add("B-spline curve", where, degree, knots, points, weights, flagged=flagged, notes=notes, within=within)
+    within, notes = used(ends, *trim)
+    more: dict[str, Any] = {"flagged": ["periodic"] * periodic, "notes": notes, "within": within}
+    collector.add("spline", where, degree, knots, points, weights, **more)
 
 
 def write(splines: Sequence[Spline], numbers: NumberText) -> bytes:
