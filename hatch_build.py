@@ -11,6 +11,7 @@ import subprocess
 import sys
 import sysconfig
 from hashlib import sha256
+from itertools import pairwise
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
@@ -24,7 +25,23 @@ EXACT = (
     "-fno-reciprocal-math",
     "-fno-finite-math-only",
 )
-FLAGS = ("-std=c11", "-O2", "-shared", "-fPIC", *EXACT, "-Wall", "-Wextra")
+FLAGS = ("-std=c11", "-O2", "-shared", "-fPIC")
+WARNINGS = ("-Wall", "-Wextra")
+#: What a distribution asks of every compiler; what would change a result is taken back by `EXACT`, which comes later.
+ASKED = ("ARCHFLAGS", "CPPFLAGS", "CFLAGS", "LDFLAGS")
+
+
+def tag() -> str:
+    """The tag of a wheel with the extension: of the platform for which it was compiled, which on macOS goes with the
+    architectures in ARCHFLAGS; for every version of Python 3, since the extension knows nothing of Python.
+    """
+    platform = sysconfig.get_platform().replace("-", "_").replace(".", "_")
+    words = shlex.split(os.environ.get("ARCHFLAGS", ""))
+    architectures = {word for flag, word in pairwise(words) if flag == "-arch"}
+    if platform.startswith("macosx_") and architectures:
+        _, major, minor, *_ = platform.split("_")
+        platform = f"macosx_{major}_{minor}_{'universal2' if len(architectures) > 1 else min(architectures)}"
+    return f"py3-none-{platform}"
 
 
 def digest_of(library: Path) -> Path:
@@ -35,10 +52,11 @@ def digest_of(library: Path) -> Path:
 def compiled(target: Path = LIBRARY, *more: str) -> bool:
     """Compile the extension; False, and the reason on standard error, where that is not possible."""
     compiler = shlex.split(os.environ.get("CC") or sysconfig.get_config_var("CC") or "cc")
+    asked = [flag for name in ASKED for flag in shlex.split(os.environ.get(name, ""))]
     # in a room of its own: nobody may load half a library, and who has loaded the former one keeps it
     with TemporaryDirectory(dir=target.parent) as room:
         made = Path(room) / target.name
-        command = [*compiler, *FLAGS, *more, SOURCE.name, "-o", str(made), "-lm"]
+        command = [*compiler, *FLAGS, *asked, *EXACT, *WARNINGS, *more, SOURCE.name, "-o", str(made), "-lm"]
         try:
             done = subprocess.run(command, cwd=SOURCE.parent, capture_output=True, text=True, check=False)
         except OSError as error:
@@ -70,8 +88,11 @@ else:
                 files = (LIBRARY, digest_of(LIBRARY))
                 build_data["artifacts"] += [file.relative_to(self.root).as_posix() for file in files]
                 if version != "editable":
-                    platform = sysconfig.get_platform().replace("-", "_").replace(".", "_")
-                    build_data["pure_python"], build_data["tag"] = False, f"py3-none-{platform}"
+                    build_data["pure_python"], build_data["tag"] = False, tag()
+            else:
+                self.app.display_warning(
+                    "no compiler: without the extension answers are the same, and many curves take longer"
+                )
 
 
 if __name__ == "__main__":

@@ -13,7 +13,7 @@ from exactspline.cli.commands import COMMANDS, DIFFERS, Entry
 from exactspline.cli.output import INTERRUPTED, guard_output, to_stderr
 from exactspline.errors import ExactSplineError, command_name
 from exactspline.hooks import named
-from exactspline.release import __version__
+from exactspline.release import __version__, all_releases
 
 #: This many new objects before Python looks for unused cycles among them: what a command makes mostly stays to its end.
 YOUNG = 100_000
@@ -118,6 +118,16 @@ def _version(ctx: click.Context, parameter: click.Parameter, requested: bool) ->
         ctx.exit()
 
 
+def _versions(ctx: click.Context, parameter: click.Parameter, requested: bool) -> None:
+    if requested:
+        from exactspline.programs.accelerator import filter_curve
+
+        for name, found in all_releases().items():
+            click.echo(f"{name} {found}")
+        click.echo(f"compiled filter: {'none, answers are the same' if filter_curve is None else 'runs'}")
+        ctx.exit()
+
+
 def _completion(ctx: click.Context, parameter: click.Parameter, shell: str | None) -> None:
     if shell:
         from click.shell_completion import get_completion_class
@@ -136,6 +146,14 @@ app = Commands(
     params=[
         click.Option(
             ["--version"], is_flag=True, is_eager=True, expose_value=False, callback=_version, help="Show the version."
+        ),
+        click.Option(
+            ["--versions"],
+            is_flag=True,
+            is_eager=True,
+            expose_value=False,
+            callback=_versions,
+            help="Show those of Python and of the libraries, too.",
         ),
         click.Option(
             ["--completion"],

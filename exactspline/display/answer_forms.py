@@ -46,13 +46,14 @@ from exactspline.display.serialize import (
 )
 from exactspline.display.surface_data import places_on_surface
 from exactspline.errors import ShapeError, a_kind, as_integer
-from exactspline.geometry.analysis.curves import QUESTIONS, Analysis
+from exactspline.geometry.analysis.curves import QUESTIONS
 from exactspline.geometry.analysis.inspection import Report, inspect_curve
 from exactspline.geometry.analysis.planar_maps import MapInspection
 from exactspline.geometry.analysis.surfaces import SurfaceInspection
 from exactspline.geometry.bisectors.common import Bisector
 from exactspline.geometry.bisectors.point_and_curve import PointBisector
 from exactspline.geometry.bisectors.two_curves import CurveBisector
+from exactspline.geometry.curves.facts import Facts
 from exactspline.geometry.curves.joints import Joint
 from exactspline.geometry.curves.kinds import Feature, FeatureKind
 from exactspline.geometry.curves.planarity import Plane
@@ -189,7 +190,7 @@ def placed(facts: Remembers, answer: object, tick: Callable[[], None] = lambda: 
     """An answer as it is written: of a curve the features and joints with the curve; `tick` is called after every
     feature.
     """
-    if not isinstance(facts, Analysis):
+    if not isinstance(facts, Facts):
         return answer
     if isinstance(answer, Places):
         return SimpleNamespace(points=_ticking(facts.curve, answer, tick), everywhere=answer.everywhere)

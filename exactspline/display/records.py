@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import replace
 from typing import NamedTuple, cast, overload
 
@@ -153,8 +153,8 @@ def answer_table(answer: Written) -> Sheet:
 def _form_of_answer(answer: Written) -> tuple[Form, object, str]:
     """The form of an answer, what is written of it, and its name."""
     if isinstance(answer, Answer) and answer.asked is not None:
-        entry, facts = cast("tuple[Entry, Remembers]", answer.asked)  # as a question leaves them
-        return form_of(entry), placed(facts, answer), entry.name
+        entry, again = cast("tuple[Entry, Callable[[], Remembers]]", answer.asked)  # as a question leaves them
+        return form_of(entry), placed(again(), answer), entry.name
     for kind in type(answer).__mro__:
         if kind in FORMS:
             return FORMS[kind], answer, kind.__name__.lower()

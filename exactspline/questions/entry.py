@@ -10,6 +10,7 @@ from abc import ABC, abstractmethod
 from collections.abc import Callable, Hashable, Iterable
 from dataclasses import dataclass
 from enum import StrEnum
+from functools import partial
 from inspect import Parameter, cleandoc, signature
 from typing import Any, Concatenate, Generic, ParamSpec, TypeVar, cast, overload
 
@@ -39,6 +40,11 @@ class Remembers:
         found: T = self._known[key]
         return found
 
+    @property
+    def again(self) -> Callable[[], Remembers]:
+        """What makes the same of the same object, and holds neither this object nor what it knows."""
+        raise NotImplementedError
+
     def asked_as(self, of: tuple[Of, ...]) -> Remembers:
         """What is known of the object as one of these kinds, where it is of several."""
         return self
@@ -50,6 +56,11 @@ class Inspected(Remembers):
     def __init__(self, *of: Hashable) -> None:
         super().__init__()
         self.of = of
+
+    @property
+    def again(self) -> Callable[[], Remembers]:
+        """What makes the same."""
+        return partial(type(self), *self.of)
 
     def __eq__(self, other: object) -> bool:
         return type(self) is type(other) and isinstance(other, Inspected) and self.of == other.of
@@ -220,7 +231,7 @@ class Fact(Generic[F, T]):
 
 def _remembering(entry: Entry, facts: Remembers, answer: T) -> T:
     """An answer that knows what was asked, where it can."""
-    return answer.asked_with(entry, facts) if isinstance(answer, Answer) else answer
+    return answer.asked_with(entry, facts.again) if isinstance(answer, Answer) else answer
 
 
 class Question(Fact[F, T], Entry):

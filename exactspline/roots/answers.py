@@ -133,13 +133,13 @@ class Answer(Sequence[T_co], Written, Generic[T_co, W]):
         return found if self.asked is None else found.asked_with(*self.asked)
 
     @property
-    def asked(self) -> tuple[object, object] | None:
-        """The question whose answer this is, and what is known of the object that was asked; None if it is unknown."""
+    def asked(self) -> tuple[object, Callable[[], object]] | None:
+        """The question whose answer this is, and what makes the object again that was asked; None if it is unknown."""
         return vars(self).get("_asked")
 
-    def asked_with(self, question: object, facts: object) -> Self:
-        """This answer, which remembers the first question that it answers."""
-        vars(self).setdefault("_asked", (question, facts))
+    def asked_with(self, question: object, again: Callable[[], object]) -> Self:
+        """This answer, which remembers the first question that it answers, but holds no object that keeps it."""
+        vars(self).setdefault("_asked", (question, again))
         return self
 
     @one_line

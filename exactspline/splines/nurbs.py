@@ -191,7 +191,7 @@ class Nurbs(Immutable, Curve[BSpline], FunctionsOutside):
             super().__setattr__(name, value)
         vars(self).setdefault(name, value)
 
-    def __reduce__(self) -> tuple[object, ...]:
+    def __reduce__(self) -> tuple[Callable[..., Nurbs], tuple[object, ...]]:
         named = partial(Nurbs, name=self.name, source=self.source, note=self.note)
         return named, (self.degree, self.knots, self.control_points, self.weights)
 

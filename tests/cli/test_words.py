@@ -31,6 +31,7 @@ from exactspline.geometry.surfaces.joints import SurfaceJointKind
 from exactspline.interchange.curve_files import curve_data
 from exactspline.interchange.examples import example
 from exactspline.numbers.exact import mpq
+from exactspline.programs import accelerator
 from exactspline.verification.claims import select
 from exactspline.verification.evidence import Between
 from exactspline.verification.ledger import audit
@@ -182,6 +183,14 @@ def test_help_shows_examples_and_exit_statuses():
 
 def test_version():
     assert invoke("--version").stdout == f"exactspline {version('exactspline')}\n"
+
+
+def test_all_versions_are_those_of_what_is_installed_and_no_library_of_developers():
+    shown = dict(line.rsplit(" ", 1) for line in invoke("--versions").stdout.splitlines()[:-1])
+    assert shown.items() >= {name: version(name) for name in ("exactspline", "python-flint", "gmpy2", "sympy")}.items()
+    assert shown.keys() & {"mypy", "ruff", "pytest", "hypothesis"} == set()
+    last = "runs" if accelerator.filter_curve is not None else "none, answers are the same"
+    assert invoke("--versions").stdout.endswith(f"compiled filter: {last}\n")
 
 
 def test_a_curve_on_standard_input():

@@ -423,7 +423,7 @@ BY_NAME = {
     "testing": "imported by those who test programs",
     "testing.families": "the same",
     "testing.reported": "the same",
-    "testing.fixtures": "a plugin of pytest",
+    "testing.plugin": "a plugin of pytest",
     "testing.strategies": "imported by those who test programs",
 }
 

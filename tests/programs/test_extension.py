@@ -194,6 +194,33 @@ def test_operations_in_another_order_are_refused_by_source_and_by_builder(tmp_pa
     assert builder.compiled(tmp_path / "filter.lib", "-O0")
 
 
+@in_a_checkout
+def test_what_a_distribution_asks_of_the_compiler_is_asked_but_for_what_changes_results(
+    tmp_path, builder, monkeypatch, capsys
+):
+    """CFLAGS were ignored; those that let sums be taken in another order are taken back."""
+    monkeypatch.setenv("CFLAGS", "-O3 -fassociative-math -fno-such-option")
+    assert not builder.compiled(tmp_path / "filter.lib")
+    assert "fno-such-option" in capsys.readouterr().err
+    monkeypatch.setenv("CFLAGS", "-O3 -fassociative-math -fno-signed-zeros -fno-trapping-math")
+    assert builder.compiled(tmp_path / "filter.lib")
+
+
+@pytest.mark.parametrize(
+    ("platform", "flags", "tag"),
+    [
+        ("linux-x86_64", "", "py3-none-linux_x86_64"),
+        ("macosx-11.0-arm64", "", "py3-none-macosx_11_0_arm64"),
+        ("macosx-11.0-arm64", "-arch x86_64", "py3-none-macosx_11_0_x86_64"),
+        ("macosx-10.13-x86_64", "-arch arm64 -arch x86_64", "py3-none-macosx_10_13_universal2"),
+    ],
+)
+def test_the_tag_is_that_of_what_was_compiled(builder, monkeypatch, platform, flags, tag):
+    monkeypatch.setattr(builder.sysconfig, "get_platform", lambda: platform)
+    monkeypatch.setenv("ARCHFLAGS", flags)
+    assert builder.tag() == tag
+
+
 #: Asked of a library: whether it is used, and an answer to 30 digits.
 ASKED = """
 from exactspline import Nurbs, analyse

@@ -179,6 +179,12 @@ class Facts(Remembers):
         super().__init__(known)
         self.curve = curve
 
+    @property
+    def again(self) -> Callable[[], Facts]:
+        """What makes those of an equal curve, and holds neither this curve nor what is known of it."""
+        make, data = self.curve.__reduce__()
+        return lambda: facts_of(make(*data))
+
     @Fact
     def operands(self) -> Curve[BSpline]:
         """The curve as operands of formulas, with a positive weight function: forms of odd degree in (p, w) would

@@ -1,6 +1,6 @@
-"""A plugin of pytest with a fixture of nasty curves: ``pytest_plugins = ["exactspline.testing.fixtures"]`` in
-``conftest.py``. A test with the argument ``nasty_case`` runs once for every case; ``--nasty N`` takes N of each family
-(by default 20), ``--nasty all`` every one.
+"""A plugin of pytest with a fixture of nasty curves: ``pytest -p exactspline.testing.plugin``, or ``pytest_plugins =
+["exactspline.testing.plugin"]`` in ``conftest.py``. A test with the argument ``nasty_case`` runs once for every case;
+``--nasty N`` takes N of each family (by default 20), ``--nasty all`` every one.
 """
 
 from __future__ import annotations
