@@ -71,8 +71,8 @@ def plot_mesh(
     if any(abs(x) > LARGEST for face in faces for p in face for x in p):
         raise PlotError("a number beyond 1e100", remedy="scale the data")
     rgb = library("matplotlib.colors").to_rgb(color)
-    shades = [shaded([tuple(float(x) for x in p) for p in face], rgb) for face in faces]
     corners = [[tuple(float(x) for x in p) for p in face] for face in faces]
+    shades = [shaded(face, rgb) for face in corners]
     made = library("mpl_toolkits.mplot3d.art3d").Poly3DCollection(
         corners, facecolors=shades, alpha=OPACITY, linewidths=0, zorder=1, label="_surface"
     )
