@@ -21,7 +21,7 @@ from exactspline.language.formula import Formula
 from exactspline.papers import papers
 from exactspline.verification.claim import Claim
 from exactspline.verification.claims import claims_of
-from exactspline.verification.ledger import proved, tasks
+from exactspline.verification.ledger import decide, tasks
 from exactspline.verification.vocabulary import Verdict
 
 PAGE = Path(__file__).parent / "ten-claims.md"
@@ -82,7 +82,7 @@ def _section(claim: Claim, theorem: Stated, kernel: str) -> str:
     statement = theorem.text[: theorem.text.index("Proof.")].strip()
     lines += ["```coq", "\n".join([*definitions, statement]), "```\n"]
     lines += ["| for all curves | on example curves | Coq |", "|---|---|---|"]
-    lines.append(f"| {proved(claim).verdict} | {', '.join(_on_curves(claim)) or '–'} | {kernel} |\n")
+    lines.append(f"| {decide(claim).verdict} | {', '.join(_on_curves(claim)) or '–'} | {kernel} |\n")
     return "\n".join(lines)
 
 

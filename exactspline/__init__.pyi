@@ -16,7 +16,6 @@ from .splines.surface import NurbsSurface as NurbsSurface
 from .splines.tensor import TensorSpline as TensorSpline
 from .splines.knots import KnotVector as KnotVector
 from .splines.control_points import Direction as Direction
-from .splines.control_points import greville_abscissae as greville_abscissae
 from .constructors import circle as circle
 from .constructors import interpolate as interpolate
 from .numbers.exact import rational as rational
@@ -54,7 +53,6 @@ from .batch.families import Family as Family
 
 # derived curves and surfaces
 from .geometry.derived.derive import derive as derive
-from .geometry.derived.ruled_surfaces import ruled_surface as ruled_surface
 from .geometry.bisectors.any_pair import bisector as bisector
 
 # points in common, distances, inside and outside
@@ -72,7 +70,7 @@ from .display.plot.anything import plot as plot
 from .display.latex import latex as latex
 
 # formulas and papers
-from .papers import find as find
+from .papers import formula_of as formula_of
 from .papers import paper as paper
 from .verification.questions import degree as degree
 from .verification.questions import prove as prove
@@ -81,8 +79,7 @@ from .verification.questions import verify as verify
 
 # claims and their verdicts
 from .verification.claims import claims as claims
-from .verification.ledger import proved as proved
-from .verification.errata import errata as errata
+from .verification.ledger import decide as decide
 from .verification.vocabulary import Verdict as Verdict
 
 # errors

@@ -15,7 +15,7 @@ from exactspline.errors import ExactSplineError, nearest
 from exactspline.geometry.analysis.ask import facts_about, kind_of
 from exactspline.geometry.analysis.curves import Analysis, questions_about
 from exactspline.geometry.analysis.registry import REGISTRY
-from exactspline.hooks import LENT, QUESTIONS, Written, first_guesses
+from exactspline.hooks import DERIVED, LENT, QUESTIONS, Written, first_guesses
 
 #: Rooms with public names of their own.
 ROOMS = ("interchange", "constructors", "display", "language", "readings", "tables", "teaching")
@@ -56,6 +56,8 @@ def of_object(front: ModuleType, name: str, thing: object) -> object:
         return MethodType(getattr(front.tables, name), thing)
     if name in guesses[LENT]:
         return MethodType(getattr(front, name), thing)
+    if name in guesses[DERIVED]:
+        return partial(front.derive, name, thing)
     for call in _calls(name):
         if (own := OWN.fullmatch(call)) and hasattr(thing, own[1]):
             return getattr(thing, own[1])
@@ -97,6 +99,8 @@ def of_package(front: ModuleType, name: str) -> object:
     """
     if name in first_guesses()[QUESTIONS]:
         return partial(_answered, front, name)
+    if name in first_guesses()[DERIVED]:
+        return partial(front.derive, name)
     problem = f"module 'exactspline' has no attribute {name!r}"
     if find_spec(f"exactspline.{name}"):
         raise AttributeError(problem, name=name)
@@ -115,7 +119,7 @@ def _answered(front: ModuleType, name: str, about: object, *arguments: object) -
 
 def _calls(name: str) -> list[str]:
     """The calls of which a name is another name."""
-    return [call for call, guesses in first_guesses().items() if name in guesses and call not in (LENT, QUESTIONS)]
+    return [call for call, guesses in first_guesses().items() if name in guesses and not call.isalpha()]
 
 
 def _remedy(front: ModuleType, name: str, thing: object) -> str:

@@ -38,8 +38,8 @@ def _plain(form: str, shown: object) -> str | None:
 _printers: list[Printers] = [_plain]
 #: What the front door knows of a name and an object that has no attribute of that name.
 _outside: list[Callable[[str, object], object]] = []
-#: The first two rows of what users type first: functions that are methods, too, and questions.
-LENT, QUESTIONS = "lent", "questions"
+#: The first rows of what users type first: functions that are methods, too, questions, and what `derive` makes.
+LENT, QUESTIONS, DERIVED = "lent", "questions", "derived"
 
 
 def set_printers(printers: Printers) -> None:
@@ -50,7 +50,7 @@ def set_printers(printers: Printers) -> None:
 @cache
 def first_guesses() -> dict[str, list[str]]:
     """What users type first, by the call that works (``guesses.txt``), where x is the object: functions of the front
-    door that are methods, too, questions about one curve or surface, and other names.
+    door that are methods, too, questions about one curve or surface, derived curves and surfaces, and other names.
 
     >>> first_guesses()["x.closed"][:2]
     ['is_closed', 'isclosed']

@@ -24,12 +24,14 @@ from exactspline.display.tables import (
 )
 from exactspline.geometry.curves.curvature import curvature_function
 from exactspline.geometry.derived.constructions import Variant, construction
-from exactspline.geometry.derived.ruled_surfaces import as_tensor_product, is_developable
+from exactspline.geometry.derived.ruled_surfaces import as_tensor_product, is_developable, ruled_surface
+from exactspline.splines.control_points import greville_abscissae
 from exactspline.splines.lowest_terms import control_point_count
 from exactspline.splines.tensor import surface_pair
 from exactspline.symbolic.factorization import jets_for
 from exactspline.verification.curve_check import table_1_splines
 from exactspline.verification.degree_tables import measurable, measure
+from exactspline.verification.errata import errata
 from exactspline.verification.generic_proof import factor_of, table_1_degrees
 from exactspline.verification.patch_degrees import patch_table, variants_table
 from exactspline.verification.statement import statements
@@ -43,7 +45,9 @@ __all__ = [
     "curvature_function",
     "degree_table",
     "derived_data",
+    "errata",
     "factor_of",
+    "greville_abscissae",
     "inspection_data",
     "is_developable",
     "jets_for",
@@ -56,6 +60,7 @@ __all__ = [
     "printed_numbers",
     "reading_along",
     "reduction_table",
+    "ruled_surface",
     "statements",
     "surface_pair",
     "symbolic_table",

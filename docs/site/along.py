@@ -58,9 +58,9 @@ def write_reading(folder: Path, drawn: Path) -> list[str]:
     drawn.mkdir(parents=True, exist_ok=True)
     copyfile(Path(__file__).parents[1] / "pictures" / "approximated.png", drawn / "approximated.png")
     for section, (formula, curve, _) in DRAWN.items():
-        _save(xs.plot(xs.find(formula)(xs.example(curve))), drawn / f"{_name(section)}.svg")
+        _save(xs.plot(xs.formula_of(formula)(xs.example(curve))), drawn / f"{_name(section)}.svg")
     own = [xs.Nurbs(1, [-2, -2, 2, 2], ends) for ends in (((-2, 0, -1), (2, 0, -1)), ((0, -2, 1), (0, 2, 1)))]
-    _save(xs.plot(xs.find("bisector_symmetric")(xs.tables.surface_pair(*own))), drawn / f"{_name('6.1')}.svg")
+    _save(xs.plot(xs.formula_of("bisector_symmetric")(xs.tables.surface_pair(*own))), drawn / f"{_name('6.1')}.svg")
     read = [reading_along(number) for number in sections_of(default_papers()[0])]
     names = [_name(each.section) for each in read]
     for i, each in enumerate(read):

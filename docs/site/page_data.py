@@ -144,19 +144,19 @@ def surfaces() -> list[dict[str, Any]]:
         drawn = figure(number)
         made.append(_turned(f"figure-{number}", title, drawn.caption, drawn.scenes))
     cubic, rational = xs.example("twisted_cubic"), xs.example("rational_space_cubic")
-    tangents = ruled_mesh(xs.find("tangent_developable_reduced")(rational), (0, "1/4"))
-    binormals = ruled_mesh(xs.find("binormal_scroll_reduced")(rational), ("-1/150", "1/150"))
+    tangents = ruled_mesh(xs.formula_of("tangent_developable_reduced")(rational), (0, "1/4"))
+    binormals = ruled_mesh(xs.formula_of("binormal_scroll_reduced")(rational), ("-1/150", "1/150"))
     scenes = [Scene(title, m, [_runs(rational)]) for title, m in (("tangents", tangents), ("binormals", binormals))]
     caption = "The ruled surfaces of the tangents and of the binormals of a rational cubic, with their control nets."
     made.append(_turned("ruled", "Tangents and binormals of a space curve", caption, scenes))
-    focal = ruled_mesh(xs.find("focal_surface_reduced")(cubic), (-1, 1), ((-3, -4, -2), (4, 4, 5)))
+    focal = ruled_mesh(xs.formula_of("focal_surface_reduced")(cubic), (-1, 1), ((-3, -4, -2), (4, 4, 5)))
     caption = "Through every centre of curvature of the twisted cubic a line along the binormal: its focal surface."
     made.append(_turned("focal", "The focal surface of the twisted cubic", caption, [Scene("", focal, [_runs(cubic)])]))
     lines = [
         xs.Nurbs(1, [-2, -2, 2, 2], [(-2, 0, -1), (2, 0, -1)], name="one line"),
         xs.Nurbs(1, [-2, -2, 2, 2], [(0, -2, 1), (0, 2, 1)], name="the other"),
     ]
-    saddle = tensor_mesh(xs.find("bisector_symmetric")(xs.tables.surface_pair(*lines)))
+    saddle = tensor_mesh(xs.formula_of("bisector_symmetric")(xs.tables.surface_pair(*lines)))
     caption = "All points as far from one line as from the other: a hyperbolic paraboloid."
     made.append(_turned("lines", "The bisector of two lines", caption, [Scene("", saddle, list(map(_runs, lines)))]))
     for name, title in TITLES.items():

@@ -97,8 +97,8 @@ def row_data(row: Row) -> dict[str, object]:
     """A row as data.
 
     >>> from exactspline.verification.claims import select
-    >>> from exactspline.verification.ledger import proved
-    >>> data = row_data(proved(select(["C4.1a"])[0]))
+    >>> from exactspline.verification.ledger import decide
+    >>> data = row_data(decide(select(["C4.1a"])[0]))
     >>> [str(data[name]) for name in ("verdict", "claimed", "computed", "witness", "expected")]
     ['PROVED', 'w', 'w', '', 'PROVED']
     """

@@ -25,7 +25,7 @@ from exactspline.verification.claims import select
 from exactspline.verification.degree_tables import construction_table, generic_table, measurable, measure
 from exactspline.verification.kinds.degree import DegreeClaim
 from exactspline.verification.kinds.examples import Count
-from exactspline.verification.ledger import audit, proved
+from exactspline.verification.ledger import audit, decide
 from exactspline.verification.rows import Row
 from exactspline.verification.statement import Statement, statement
 from exactspline.verification.verdict import CONTRADICTION, PROVED, REFUTED, VERIFIED
@@ -165,7 +165,7 @@ class Verdicts(Decided):
 def _remark(row: Row) -> str:
     """Factor or witness of a row, shortened where it is too long to read.
 
-    >>> _remark(proved(select(["C4.1a"])[0]))
+    >>> _remark(decide(select(["C4.1a"])[0]))
     'w'
     """
     return _cut(worded(row.witness or row.factor, Numbers()))
@@ -186,7 +186,7 @@ def verdicts(*ids: str, curves: Iterable[Nurbs] = (), without: Sequence[str] = (
     curves = [curve_of(curve) for curve in as_items(curves, "curves")]
     left_out = as_texts(without, "kinds of claims", "the kind of a claim")
     claims = [claim for claim in select(ids) if claim.kind not in left_out]
-    return Verdicts(audit(claims, curves) if curves else map(proved, claims))
+    return Verdicts(audit(claims, curves) if curves else map(decide, claims))
 
 
 def degree_table(curve: Nurbs) -> Grid:

@@ -78,7 +78,7 @@ def expect_formula(given: object) -> Formula:
     if isinstance(given, Formula):
         return given
     raise FormulaError(
-        f"{a_kind(given)}, where a formula is expected", remedy='give one, such as exactspline.find("f2")'
+        f"{a_kind(given)}, where a formula is expected", remedy='give one, such as exactspline.formula_of("f2")'
     )
 
 

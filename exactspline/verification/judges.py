@@ -122,9 +122,9 @@ def second_opinion(judge: Judge, own: Row, limit: int | None = None) -> Row:
     takes more than `limit` seconds of processor time is undecided.
 
     >>> from exactspline.verification.claims import select
-    >>> from exactspline.verification.ledger import proved
+    >>> from exactspline.verification.ledger import decide
     >>> claim = select(["C4.1a"])[0]
-    >>> str(second_opinion(Sympy(), proved(claim)).second.verdict)
+    >>> str(second_opinion(Sympy(), decide(claim)).second.verdict)
     'PROVED'
     """
     if own.curve:

@@ -68,7 +68,7 @@ def tasks(
     chosen, proofs = list(claims), proofs_of_this_run()
     calls: list[Task] = []
     if curves is None:
-        calls += [partial(proved, claim, proofs, limit) for claim in chosen]
+        calls += [partial(decide, claim, proofs, limit) for claim in chosen]
         if of_table := [claim for claim in chosen if claim.curve == ArgumentKind.TABLE]:
             table = Evaluation(table_1_splines())
             calls += [partial(checked, claim, table, TABLE, proofs, limit) for claim in of_table]
@@ -107,7 +107,7 @@ def _on_curves(
     return calls
 
 
-def proved(claim: Claim, proofs: Proofs | None = None, limit: int | None = None) -> Row:
+def decide(claim: Claim, proofs: Proofs | None = None, limit: int | None = None) -> Row:
     """A claim decided for all curves; undecided where that takes more than `limit` seconds of processor time."""
     start = perf_counter()
     made = as_instance(proofs_of_this_run() if proofs is None else proofs, Proofs, "proofs", "leave them out")

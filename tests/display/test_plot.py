@@ -371,7 +371,7 @@ def test_the_front_door_draws_in_the_plane_and_in_space(name):
     assert (xs.plot(thing).name == "3d") is in_space
     assert (xs.plot([thing, thing]).name == "3d") is in_space
     if name == "twisted_cubic":
-        ruled = xs.ruled_surface("tangent_developable", thing)
+        ruled = xs.tables.ruled_surface("tangent_developable", thing)
         assert xs.plot(thing, ruled).name == "3d"
         assert xs.plot(xs.derive("focal_curve", thing)).name == "3d"
         assert xs.plot(xs.bisector(thing, (5, 5, 5))).name == "3d"

@@ -26,7 +26,7 @@ from exactspline.verification.claims import claims_in, select
 from exactspline.verification.evidence import Evidence, ExactQuotient, JudgesDisagree, WrongDegree
 from exactspline.verification.judges import Sympy, agreed, second_opinion
 from exactspline.verification.kinds.equality import Identity
-from exactspline.verification.ledger import audit, proved
+from exactspline.verification.ledger import audit, decide
 from exactspline.verification.questions import Proof
 from exactspline.verification.rows import Row
 from exactspline.verification.verdict import CONTRADICTION, PROVED, REFUTED, UNDECIDED, VERIFIED, Finding
@@ -114,7 +114,7 @@ def has_words(kind):
 
 def test_what_a_row_says_already_is_not_said_again():
     one = select(["C4.1a"])[0]
-    false = proved(replace(one, factor="w^2"))
+    false = decide(replace(one, factor="w^2"))
     assert false.witness == ExactQuotient(false.factor)
     assert (found(false), witness(false)) == ("f1 = w · f2", "")
     degree = next(c for c in select(["C4.1c"]) if c.kind == "degree" and c.measure == "nominal")
@@ -149,7 +149,7 @@ class Liar:
 def test_a_judge_that_lies_is_a_contradiction():
     right = select(["C4.1a"])[0]
     wrong = replace(right, factor="w^2", expected="REFUTED", status="ours", error="")
-    rows = [second_opinion(Liar(), proved(claim)) for claim in (right, wrong)]
+    rows = [second_opinion(Liar(), decide(claim)) for claim in (right, wrong)]
     assert [row.verdict for row in rows] == [CONTRADICTION] * 2
     assert all(row.differs for row in rows)
     assert [(row.witness.proved, row.witness.refuted) for row in rows] == [("jet", "liar"), ("liar", "jet")]
@@ -165,11 +165,11 @@ def test_judges_that_agree_or_do_not_decide_change_nothing():
         for other in (own, UNDECIDED):
             assert agreed(Finding(own), one, Finding(other), two).verdict == own
     chosen = [claim for claim in select(["C4.1a", "C3c"]) if isinstance(claim, Identity)]
-    rows = [second_opinion(Sympy(), proved(claim)) for claim in chosen]
+    rows = [second_opinion(Sympy(), decide(claim)) for claim in chosen]
     assert [(row.verdict, row.second.verdict) for row in rows] == [(claim.expected,) * 2 for claim in chosen]
     # where the first judge decides nothing, the second one is still held against the record
     wrong = replace(chosen[0], factor="w^5")
-    open_row = replace(proved(wrong), finding=Finding(UNDECIDED, reason=Reason.COST))
+    open_row = replace(decide(wrong), finding=Finding(UNDECIDED, reason=Reason.COST))
     assert (open_row.differs, second_opinion(Sympy(), open_row).differs) == (False, True)
 
 

@@ -19,7 +19,7 @@ ROOT = Path(xs.__file__).parent
 
 def test_the_front_door_fits_on_a_screen():
     assert {*xs.__all__, *hooks.first_guesses()[hooks.QUESTIONS]} == set(dir(xs))
-    assert len(xs.__all__) <= 66
+    assert len(xs.__all__) <= 63
 
 
 def test_every_name_is_used_in_a_page():
@@ -120,7 +120,7 @@ def test_a_notebook_shows_what_the_printers_write():
     curve.w._repr_pretty_(SimpleNamespace(text=told.append), False)
     assert "B-spline function" in curve.w._repr_html_()
     assert told == [repr(curve.w)]
-    assert xs.find("D1")._repr_latex_() == "$$D_1 = p'\\,w - p\\,w'$$"
+    assert xs.formula_of("D1")._repr_latex_() == "$$D_1 = p'\\,w - p\\,w'$$"
 
 
 def test_without_printers_a_notebook_shows_the_text(monkeypatch):

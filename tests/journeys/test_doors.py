@@ -61,7 +61,7 @@ VALUES = {
     "evolute": xs.derive("evolute", CUSP),
     "piece": xs.derive("evolute", CUSP).pieces[0],
     "feature": xs.analyse(CUSP).singular_points[0],
-    "formula": xs.find("f2"),
+    "formula": xs.formula_of("f2"),
     "class": xs.Nurbs,
     "nan": float("nan"),
     "true": True,
@@ -157,7 +157,7 @@ def curve_file():
 
 
 SPACE = VALUES["space curve"]
-SCROLL = xs.find("tangent_developable_reduced")(xs.example("rational_space_cubic"))
+SCROLL = xs.formula_of("tangent_developable_reduced")(xs.example("rational_space_cubic"))
 CUBIC_OF_SCIPY = pytest.importorskip("scipy.interpolate").CubicSpline([0, 1, 2], [0, 1, 0])
 #: For every function with arguments that have defaults, what it is given in the other places.
 OPTIONS = {
@@ -199,7 +199,7 @@ OPTIONS = {
     "plot_ruled_surface": (SCROLL,),
     "plot_surface": (VALUES["surface"].S,),
     "prove": ("f2", "f2"),
-    "proved": (VALUES["claim"],),
+    "decide": (VALUES["claim"],),
     "plot_stability": (CUSP,),
     "read": curve_file,
     "reading_along": ("4.3",),
@@ -213,7 +213,7 @@ OPTIONS = {
     "to_dict": (CUSP, "cusps"),
     "to_records": (CUSP,),
     "torsion": (SPACE, "1/3"),
-    "trace": (xs.find("f2"),),
+    "trace": (xs.formula_of("f2"),),
     "verdicts": ("C4.1a",),
     "verify": ("f2", "f2", CUSP),
     "write": ([CUSP], "written.json"),
@@ -278,8 +278,11 @@ def test_what_an_error_says():
     """Each was a bare TypeError or AttributeError before, or did not end."""
     for call, told in (
         (lambda: xs.Side("middle"), "the side 'middle' is unknown; there are left, right"),
-        (lambda: xs.find(None), "a NoneType, where the name of a formula is expected; give a text"),
-        (lambda: xs.prove(3, "f2"), 'an int, where a formula is expected; give one, such as exactspline.find("f2")'),
+        (lambda: xs.formula_of(None), "a NoneType, where a formula is expected; give one, such as"),
+        (
+            lambda: xs.prove(3, "f2"),
+            'an int, where a formula is expected; give one, such as exactspline.formula_of("f2")',
+        ),
         (lambda: xs.claims(3), "an int, where the id of a claim is expected"),
         (lambda: xs.degree("f2", dimension="3"), "'3', where a dimension is expected; give an integer from 1 to"),
         (

@@ -15,7 +15,8 @@ import pytest
 
 import exactspline as xs
 from exactspline.geometry.analysis.registry import REGISTRY
-from exactspline.hooks import LENT, QUESTIONS, first_guesses
+from exactspline.geometry.derived.constructions import all_constructions
+from exactspline.hooks import DERIVED, LENT, QUESTIONS, first_guesses
 from exactspline.questions.entry import Of
 
 np = pytest.importorskip("numpy")
@@ -81,6 +82,18 @@ def test_the_questions_are_those_of_the_registry():
     assert set(first_guesses()[LENT]) <= set(dir(xs))
 
 
+def test_what_is_derived_is_found_by_its_name():
+    """AttributeErrors before: a user looks for the focal curve, not for `derive`."""
+    assert (
+        {*first_guesses()[DERIVED], *first_guesses()[QUESTIONS]} >= {*all_constructions()} > {*first_guesses()[DERIVED]}
+    )
+    space = xs.example("rational_space_cubic")
+    assert xs.focal_curve(space).pieces == space.focal_curve().pieces == xs.derive("focal_curve", space).pieces
+    assert space.tangent_developable("naive").variant == "naive"
+    with pytest.raises(xs.ExactSplineError):
+        xs.example("circle").focal_curve()
+
+
 def test_every_other_name_leads_to_a_call_that_is_there():
     curve, spline, surface = xs.example("circle"), xs.BSpline.identity(0, 1), xs.example("torus")
     for call in first_guesses():
@@ -90,7 +103,7 @@ def test_every_other_name_leads_to_a_call_that_is_there():
             assert any(hasattr(thing, attribute.split()[0]) for thing in (curve, spline, surface)), call
         elif room.startswith("exactspline"):
             assert callable(named(name)), call
-        elif call not in (LENT, QUESTIONS):
+        elif not call.isalpha():
             assert eval(call, {"x": curve, "exactspline": xs, "pandas": pytest.importorskip("pandas")}) is not None
 
 

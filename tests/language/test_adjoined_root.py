@@ -21,7 +21,7 @@ from exactspline.readings.sympy_expression import SympyReading
 from exactspline.verification.claims import all_claims
 from exactspline.verification.judges import Sympy
 from exactspline.verification.kinds.degree import DegreeClaim
-from exactspline.verification.ledger import proved
+from exactspline.verification.ledger import decide
 from tests.support.numeric_reading import numeric_curve
 from tests.support.sampled import sample
 
@@ -134,7 +134,7 @@ EQUATIONS = [claim for claim in FRAMES if claim.kind not in ("type", "applies")]
 @pytest.mark.parametrize("claim", sample(EQUATIONS, 20), ids=lambda claim: claim.key)
 def test_the_claims_over_roots_are_as_recorded_also_by_sympy(claim):
     """By two algebras; on single curves nothing is said: splines have no roots."""
-    assert proved(claim).verdict == claim.expected
+    assert decide(claim).verdict == claim.expected
     assert Sympy().decide(claim).verdict == claim.expected
     assert not any(claim.applies_to(n, polynomial) for n in (2, 3) for polynomial in (False, True))
 

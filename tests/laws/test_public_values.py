@@ -88,7 +88,7 @@ RETURNED = {
     "degree_table": lambda: xs.tables.degree_table(LINE),
     "derive": lambda: xs.derive("evolute", PLANE_CURVE),
     "elevation_triangles": lambda: xs.teaching.elevation_triangles(LINE),
-    "errata": lambda: xs.errata()[0],
+    "errata": lambda: xs.tables.errata()[0],
     "exercise": lambda: [
         xs.teaching.exercise("evaluation", 1),
         xs.teaching.exercise("evaluation", 1).answer.check("0, 0"),
@@ -102,11 +102,11 @@ RETURNED = {
         xs.analyse(xs.example("sphere")),
         xs.analyse(xs.example("planar_map")),
     ],
-    "find": lambda: xs.find("f2"),
+    "formula_of": lambda: xs.formula_of("f2"),
     "formula": lambda: own_formula,
     "insertion_triangle": lambda: xs.teaching.insertion_triangle(SPLINE, "1/3"),
     "jets_for": lambda: xs.tables.jets_for(("f2",), 2),
-    "measure": lambda: xs.tables.measure(xs.find("f2"), SPLINE),
+    "measure": lambda: xs.tables.measure(xs.formula_of("f2"), SPLINE),
     "numerical_claims": lambda: xs.tables.numerical_claims("C4.2"),
     "ask": lambda: [xs.ask(SPLINE, "inflections"), xs.ask(SPLINE, "value@1/3"), xs.ask(SPLINE, "bounding_box")],
     "ask box": lambda: xs.ask(xs.example("circle"), "bounding_box"),
@@ -115,11 +115,11 @@ RETURNED = {
     "product_tables": lambda: xs.teaching.product_tables(T, T),
     "patch_table": lambda: [row() for row in xs.tables.patch_table([xs.paper("surfaces").find("parabolic")], (2, 2))],
     "prove": lambda: xs.prove("f1", "f2", "w"),
-    "proved": lambda: xs.proved(xs.claims("C4.1a")[0]),
+    "decide": lambda: xs.decide(xs.claims("C4.1a")[0]),
     "read": lambda: xs.read(POINTS),
     "reduction": lambda: xs.reduction("g0"),
     "ruled": lambda: xs.language.ruled(xs.language.Vector(1, 2, 3), xs.language.Vector(1, 0, 0)),
-    "ruled_surface": lambda: xs.ruled_surface("tangent_developable", RATIONAL),
+    "ruled_surface": lambda: xs.tables.ruled_surface("tangent_developable", RATIONAL),
     "series_curve": lambda: xs.readings.series_curve(SPLINE, "1/2", 3),
     "statements": lambda: list(xs.tables.statements("C4.1a")),
     "common_zeros": lambda: xs.common_zeros(PATCH, PATCH.partial(1, 0)),
@@ -135,7 +135,7 @@ RETURNED = {
     "table_1_splines": xs.tables.table_1_splines,
     "square_root": lambda: xs.square_root(2) + xs.square_root(3),
     "torsion": lambda: xs.torsion(RATIONAL, "1/3"),
-    "trace": lambda: xs.readings.trace(xs.find("f2")),
+    "trace": lambda: xs.readings.trace(xs.formula_of("f2")),
     "verify": lambda: xs.verify("f1", "f2", SPLINE, "w"),
     "variants_table": lambda: xs.tables.variants_table(xs.paper("lifted")),
     # values of a formula in each reading
@@ -336,7 +336,7 @@ def test_directions_are_coprime_integers(scale):
 
 
 def test_errata_and_claims_are_sequences():
-    for found in (xs.errata(), xs.claims()):
+    for found in (xs.tables.errata(), xs.claims()):
         assert isinstance(found, Sequence)
         assert found[0] == found[:2][0] == next(iter(found))
         assert found[-1] == found[len(found) - 1]

@@ -40,7 +40,7 @@ EXTRA = "extras"
 #: What draws a paper's figures lies above all rooms, and is imported by nothing.
 OF_FIGURES = re.compile(r"papers\.\w+\.figures\b.*")
 #: What looks up a formula by its name: with a name in the code it is an import of its paper.
-LOOK_UPS = {"find", "paper", "resolve"}
+LOOK_UPS = {"find", "formula_of", "paper", "resolve"}
 
 
 def module_name(path: Path) -> str:

@@ -11,7 +11,7 @@ from exactspline.symbolic.factorization import jets_for
 from exactspline.verification import generic_proof
 from exactspline.verification.claims import all_claims
 from exactspline.verification.kinds.zeros import ZeroSet
-from exactspline.verification.ledger import proved
+from exactspline.verification.ledger import decide
 from tests.support.sampled import sample
 
 #: Kinds whose proofs ask for factors; degrees only where a reduction decides.
@@ -56,7 +56,7 @@ def disguised():
 @pytest.fixture(scope="module")
 def honest():
     forget()
-    return [proved(claim).verdict for claim in CLAIMS]
+    return [decide(claim).verdict for claim in CLAIMS]
 
 
 @pytest.mark.parametrize("symbols", [empty, alike, permuted, disguised])
@@ -65,7 +65,7 @@ def test_no_verdict_changes_with_the_symbols(symbols, honest, monkeypatch):
         monkeypatch.setattr(all_formulas()[name], "symbol", symbol)
     forget()
     try:
-        assert [proved(claim).verdict for claim in CLAIMS] == honest
+        assert [decide(claim).verdict for claim in CLAIMS] == honest
     finally:
         forget()
 

@@ -25,7 +25,7 @@ from exactspline.verification.combined import combined
 from exactspline.verification.errata import errata
 from exactspline.verification.judges import Sympy
 from exactspline.verification.kinds.equality import Vanishing
-from exactspline.verification.ledger import audit, proved
+from exactspline.verification.ledger import audit, decide
 from exactspline.verification.verdict import PROVED, REFUTED, UNDECIDED
 from tests.support.command import invoke
 from tests.support.decided import errors_in_print
@@ -269,11 +269,11 @@ def test_a_broken_formula_elsewhere_changes_no_verdict(tmp_path):
     broken = plane_formulas(a="c.w / (c.w - c.w)", b="c.p[7]", d="dot(c.p, join(c.p, c.w))")
     claims = [FALSE, FALSE | {"id": "2", "left": "h"}]
     formulas = broken + FORMULAS + plane_formulas(h="(c.w + c.p[0]) * det(c.p, c.p.d(1))")
-    found = [proved(claim) for claim in claims_of(load_paper(written(tmp_path / "p", formulas, claims)))]
+    found = [decide(claim) for claim in claims_of(load_paper(written(tmp_path / "p", formulas, claims)))]
     assert [row.verdict for row in found] == [REFUTED, REFUTED]
     assert worded(found[0].factor) == "1/2"
     right = [FALSE | {"factor": "1/2"}]
-    assert proved(claims_of(load_paper(written(tmp_path / "p", formulas, right)))[0]).verdict == PROVED
+    assert decide(claims_of(load_paper(written(tmp_path / "p", formulas, right)))[0]).verdict == PROVED
 
 
 def test_a_denominator_that_vanishes_where_w_is_1_does_not_hide_a_refutation(tmp_path):
@@ -284,7 +284,7 @@ def test_a_denominator_that_vanishes_where_w_is_1_does_not_hide_a_refutation(tmp
     claim = {"id": "1", "kind": "identity", "statement": "a = b", "curve": "plane", "left": "a", "right": "b"}
     same = claim | {"id": "2", "right": "h"}
     claims = claims_of(load_paper(written(tmp_path / "p", formulas, [claim, same])))
-    assert [proved(each).verdict for each in claims] == [REFUTED, UNDECIDED]
+    assert [decide(each).verdict for each in claims] == [REFUTED, UNDECIDED]
     assert Sympy().decide(claims[0]).verdict == REFUTED
 
 

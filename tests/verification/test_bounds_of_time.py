@@ -13,7 +13,7 @@ from exactspline.readings.sympy_expression import vanishes
 from exactspline.verification import combined
 from exactspline.verification.claims import select
 from exactspline.verification.judges import Sympy, second_opinion
-from exactspline.verification.ledger import Proofs, audit, proved, tasks
+from exactspline.verification.ledger import Proofs, audit, decide, tasks
 from tests.support.command import run
 
 FORMULAS = """from exactspline.language import formula, norm2
@@ -70,19 +70,19 @@ def test_the_time_allowed_changes_no_verdict_and_is_not_remembered():
     without a limit.
     """
     claims, curves = select(["C4.1", "C4.2"]), [xs.example("rational_cubic"), xs.example("cusp")]
-    free = [row.verdict for row in audit(claims, curves)] + [row.verdict for row in map(proved, claims)]
+    free = [row.verdict for row in audit(claims, curves)] + [row.verdict for row in map(decide, claims)]
     for limit in (0, 0.001, 0.01):
         proofs = Proofs()
-        timed = [task() for task in tasks(claims, curves, limit)] + [proved(each, proofs, limit) for each in claims]
+        timed = [task() for task in tasks(claims, curves, limit)] + [decide(each, proofs, limit) for each in claims]
         for row, verdict in zip(timed, free, strict=True):
             assert row.verdict == verdict or (row.verdict == "UNDECIDED" and "not decided within" in str(row.witness))
         assert limit or any(row.verdict == "UNDECIDED" for row in timed)
-        assert [proved(each, proofs).verdict for each in claims] == free[-len(claims) :]
+        assert [decide(each, proofs).verdict for each in claims] == free[-len(claims) :]
 
 
 def test_the_second_judge_ends_within_the_time_too():
     """Before: nothing that sympy computes was bounded."""
-    row = proved(select(["C4.1a"])[0])
+    row = decide(select(["C4.1a"])[0])
     vanishes.cache_clear()
     assert "not decided within 0 s" in str(second_opinion(Sympy(), row, 0).second.witness)
     assert second_opinion(Sympy(), row).second.verdict == "PROVED"

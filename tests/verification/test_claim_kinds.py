@@ -18,7 +18,7 @@ from exactspline.verification.errata import check
 from exactspline.verification.evaluation import Evaluation
 from exactspline.verification.evidence import DegreeFound
 from exactspline.verification.kinds.degree import held_against
-from exactspline.verification.ledger import audit, proved
+from exactspline.verification.ledger import audit, decide
 from exactspline.verification.statement import degree_of_cubic, dimension_of, sides
 from exactspline.verification.verdict import INAPPLICABLE, PROVED, REFUTED, UNDECIDED, VACUOUS, VERIFIED
 from tests.support.claims import claim
@@ -104,7 +104,7 @@ def test_the_first_coefficient_that_vanishes_is_named():
     ],
 )
 def test_numbers_are_told_with_what_they_count(key, computed):
-    row = proved(claim(key))
+    row = decide(claim(key))
     assert worded(row.computed) == computed
     assert (worded(row.witness) == "") == (row.verdict == VERIFIED)
 
@@ -226,10 +226,10 @@ def test_rows_tell_what_was_asked_of_whom():
     assert flat.verdict == VACUOUS
     assert flat.as_recorded
     meant = next(c for c in all_claims() if c.status == "meant")
-    assert proved(meant).statement == f"{meant.statement} (as it must read)"
+    assert decide(meant).statement == f"{meant.statement} (as it must read)"
     printed = claim("C41a-f1-f2")
-    assert proved(printed).statement == printed.statement
-    assert proved(printed).expected == ("PROVED",)
+    assert decide(printed).statement == printed.statement
+    assert decide(printed).expected == ("PROVED",)
     refuted = claim("N3-f2-speed_squared")
     (row,) = audit([refuted], [PARABOLA])
     assert row.expected == (REFUTED, VERIFIED)

@@ -36,7 +36,7 @@ from exactspline.verification.kinds.examples import Count
 from exactspline.verification.kinds.invariance import times_unit
 from exactspline.verification.kinds.types import Existence
 from exactspline.verification.kinds.zeros import SquareClass, ZeroSet
-from exactspline.verification.ledger import Proofs, checked, proved
+from exactspline.verification.ledger import Proofs, checked, decide
 from exactspline.verification.questions import proof_of
 from exactspline.verification.statement import telling_tree
 from exactspline.verification.verdict import PROVED, REFUTED, UNDECIDED, VACUOUS, VERIFIED
@@ -228,8 +228,8 @@ def test_the_time_of_a_row_is_what_it_took():
     one = claim("C41a-f1-f2")
     start = perf_counter()
     rows = [
-        proved(one),
-        judges.second_opinion(judges.Sympy(), proved(one)),
+        decide(one),
+        judges.second_opinion(judges.Sympy(), decide(one)),
         checked(one, Evaluation(example("circle")), "circle", Proofs()),
     ]
     assert all(0 < each.seconds < perf_counter() - start for each in rows)

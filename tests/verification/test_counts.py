@@ -13,7 +13,7 @@ from exactspline.papers import default_papers, load_paper, paper, papers
 from exactspline.papers.new import write_new_paper
 from exactspline.verification.claims import all_claims, claims_in, claims_of
 from exactspline.verification.errata import errata, remarks
-from exactspline.verification.ledger import proved
+from exactspline.verification.ledger import decide
 from exactspline.verification.rows import Counts, count_statements, recorded_counts
 from exactspline.verification.verdict import PROVED, REFUTED, UNDECIDED
 from exactspline.verification.vocabulary import Status
@@ -42,7 +42,7 @@ def test_two_refuted_statements_of_one_error_are_one_error_and_unrecorded_ones_a
 
 
 def test_the_ledger_the_errata_and_the_record_count_alike():
-    rows = [proved(claim, proofs()) for claim in all_claims()]
+    rows = [decide(claim, proofs()) for claim in all_claims()]
     decided = count_statements((row.claim, row.verdict) for row in rows)
     assert decided == recorded_counts(all_claims())
     printed = decided[Status.PRINTED]
@@ -82,7 +82,7 @@ def test_what_fails_unrecorded_is_an_error_each_and_a_remark_where_no_source_say
         for number, place in enumerate(('place = "eq. (7)"\n', 'place = "eq. (8)"\n', "")):
             file.write(OWN.format(id=f"8{number}", place=place))
     source = load_paper(folder)
-    rows = [proved(claim) for claim in claims_of(source)]
+    rows = [decide(claim) for claim in claims_of(source)]
     assert (
         headline(rows)
         == "2 statements of the paper refuted (2 errors, 2 rows); 4 hold; none is undecided for all curves"

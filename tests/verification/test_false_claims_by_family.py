@@ -14,7 +14,7 @@ from exactspline.splines.nurbs import Nurbs
 from exactspline.verification.check_arguments import CONSTANTS, point_beside
 from exactspline.verification.claims import claims_of
 from exactspline.verification.kinds import KINDS
-from exactspline.verification.ledger import audit, proved
+from exactspline.verification.ledger import audit, decide
 from exactspline.verification.paper_curves import one_patch_surfaces
 from exactspline.verification.verdict import PROVED, VERIFIED
 from tests.verification.test_own_paper import written
@@ -415,7 +415,7 @@ def family(name, folder):
     assert len(claims) == len(entries)
     curves = GENERAL.get(name, CURVES)
     surfaces = one_patch_surfaces() if name in ("wrong_letters",) else ()
-    return claims, [*map(proved, claims), *audit(claims, [*curves, *surfaces])]
+    return claims, [*map(decide, claims), *audit(claims, [*curves, *surfaces])]
 
 
 @pytest.fixture(scope="module")

@@ -30,7 +30,7 @@ from exactspline.verification.kinds.contact import partial_derivative, rank_of
 from exactspline.verification.kinds.degree import agreed_degree
 from exactspline.verification.kinds.examples import count_of_extrema
 from exactspline.verification.kinds.invariance import MAPS, image_of_point
-from exactspline.verification.ledger import proved
+from exactspline.verification.ledger import decide
 from exactspline.verification.verdict import REFUTED, UNDECIDED, VACUOUS, VERIFIED, Finding, sampled
 from exactspline.verification.vocabulary import Reason
 
@@ -83,7 +83,7 @@ def test_the_witness_of_an_identity_is_what_differs():
 )
 def test_ruling_parameters_differ_by_a_shift_where_directrices_do(key, begins):
     (claim,) = select([key])
-    factor = str(proved(claim).factor)
+    factor = str(decide(claim).factor)
     assert factor.startswith(begins)
     assert (")⁻¹ + (" in factor) == (begins[-1] == "(")
 

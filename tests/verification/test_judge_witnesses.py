@@ -45,7 +45,7 @@ from exactspline.verification.kinds.degree import held_against
 from exactspline.verification.kinds.equality import IsoCurve
 from exactspline.verification.kinds.invariance import with_article
 from exactspline.verification.kinds.types import on_cubics
-from exactspline.verification.ledger import proved
+from exactspline.verification.ledger import decide
 from exactspline.verification.patch_degrees import patch_table
 from exactspline.verification.questions import verify
 from exactspline.verification.rows import Counts
@@ -299,9 +299,9 @@ def test_a_point_has_as_many_components_as_the_space(claimed, nature, formula):
     were a KeyError.
     """
     claim = claimed(kind="invariance", formula=formula, under="translation", nature=nature)
-    for decide in (claim.prove, lambda: claim.check(PARABOLA)):
+    for verdict_of in (claim.prove, lambda: claim.check(PARABOLA)):
         with pytest.raises(ClaimError, match=f"component.*, a {nature} has 2"):
-            decide()
+            verdict_of()
 
 
 # ---- degrees, counts, types
@@ -310,9 +310,9 @@ def test_a_point_has_as_many_components_as_the_space(claimed, nature, formula):
 def test_a_quotient_has_no_true_degree_on_any_curve(claimed):
     """Before, "the true degree of x/w is 3" was refused for all curves and VERIFIED on a rational cubic."""
     claim = claimed(kind="degree", formula="abscissa", claimed="d", measure="true")
-    for decide in (claim.prove, lambda: claim.check(example("rational_cubic_s")), lambda: claim.check(PARABOLA)):
+    for verdict_of in (claim.prove, lambda: claim.check(example("rational_cubic_s")), lambda: claim.check(PARABOLA)):
         with pytest.raises(FormulaError, match="abscissa is a quotient"):
-            decide()
+            verdict_of()
 
 
 def test_a_lower_degree_than_the_bound_is_within_it():
@@ -380,9 +380,9 @@ def test_numbers_are_no_divisors():
 def test_what_is_not_homogeneous_has_no_height_that_is_known(claimed, height):
     """Passed before: x + x′ has the height −1, as if it were zero; any other one was refuted, "identically zero"."""
     claim = claimed(kind="degree", formula="mixed", measure="height", claimed=height)
-    assert proved(claim).verdict == UNDECIDED
+    assert decide(claim).verdict == UNDECIDED
     own = claimed(kind="degree", formula="f", measure="height", claimed=height)
-    assert proved(own).verdict == (PROVED if height == "0" else REFUTED)
+    assert decide(own).verdict == (PROVED if height == "0" else REFUTED)
 
 
 @pytest.mark.parametrize(("formula", "sign"), [("below", "≤ 0"), ("square", "≥ 0")])
@@ -390,7 +390,7 @@ def test_a_sign_is_that_of_the_squares(claimed, formula, sign):
     """A mutant passed: any polynomial less than or equal to 0, as 0 times it is not negative."""
     for said in ("≤ 0", "≥ 0", "< 0", "> 0"):
         claim = claimed(kind="sign", formula=formula, sign=said, squares=["abscissa"], factor="w^2")
-        assert (proved(claim).verdict == PROVED) == (said == sign)
+        assert (decide(claim).verdict == PROVED) == (said == sign)
         assert (claim.examine(PARABOLA, Evaluation(PARABOLA)).verdict == VERIFIED) == (said == sign)
 
 

@@ -13,7 +13,7 @@ from exactspline.papers import find, papers
 from exactspline.symbolic.factorization import jets_for
 from exactspline.verification import one_function
 from exactspline.verification.claims import claims_of
-from exactspline.verification.ledger import audit, proved
+from exactspline.verification.ledger import audit, decide
 from exactspline.verification.questions import degree
 from exactspline.verification.verdict import PROVED, UNDECIDED
 
@@ -89,7 +89,7 @@ def test_files_that_are_trusted_are_evaluated_again(tmp_path):
         '[[claim]]\nid = "{0}"\nkind = "identity"\ncurve = "plane"\nstatement = "equal"\nleft = "{1}"\nright = "good"\n'
     )
     (tmp_path / "claims.toml").write_text(entry.format(1, "same") + entry.format(2, "drawn"), encoding="utf-8")
-    rows = [proved(each) for each in claims_of(xs.paper(tmp_path, trust=True))]
+    rows = [decide(each) for each in claims_of(xs.paper(tmp_path, trust=True))]
     assert [row.verdict for row in rows] == [PROVED, UNDECIDED]
 
 

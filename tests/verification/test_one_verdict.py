@@ -15,7 +15,7 @@ from exactspline.splines.nurbs import Nurbs
 from exactspline.tables import verdicts
 from exactspline.verification.claims import all_claims, claims_in, claims_of, select
 from exactspline.verification.kinds.equality import Identity
-from exactspline.verification.ledger import audit, proved
+from exactspline.verification.ledger import audit, decide
 from exactspline.verification.questions import verify
 from exactspline.verification.verdict import PROVED, VERIFIED
 from exactspline.verification.vocabulary import Verdict
@@ -81,7 +81,7 @@ def test_a_zero_of_the_numerator_alone_still_refutes_a_sign(tmp_path):
     )
     for claim in claims_of(load_paper(folder)):
         assert claim.check(example("cubic_s")).verdict == "REFUTED"
-    assert proved(claims_of(load_paper(folder))[0]).verdict == "REFUTED"
+    assert decide(claims_of(load_paper(folder))[0]).verdict == "REFUTED"
 
 
 def test_a_contradiction_is_a_row_and_the_others_stand(monkeypatch, tmp_path):
@@ -101,7 +101,7 @@ def test_a_contradiction_is_a_row_and_the_others_stand(monkeypatch, tmp_path):
         return replace(found, verdict=PROVED) if self.factor == "w^-2" else found
 
     monkeypatch.setattr(Identity, "decide", fooled)
-    assert proved(right).verdict == PROVED
+    assert decide(right).verdict == PROVED
     done = invoke("prove", "--paper", folder, "--json", "--rows")
     assert done.exit_code == 1
     rows = json.loads(done.output)["rows"]

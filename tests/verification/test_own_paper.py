@@ -22,7 +22,7 @@ from exactspline.papers.new import write_new_paper
 from exactspline.symbolic.assumptions import Assumption
 from exactspline.verification.claims import claim_of, claims_of
 from exactspline.verification.evaluation import Evaluation
-from exactspline.verification.ledger import audit, proved
+from exactspline.verification.ledger import audit, decide
 from exactspline.verification.verdict import PROVED, REFUTED, VERIFIED
 from tests.support.command import invoke
 
@@ -139,7 +139,7 @@ def test_a_copy_of_a_built_in_paper_is_decided_alike(tmp_path):
     copied = claims_of(load_paper(tmp_path / "copy"))
     assert [claim.key for claim in copied] == [claim.key for claim in claims_of(source)]
     for mine, original in list(zip(copied, claims_of(source), strict=True))[:12]:
-        assert proved(mine).verdict == proved(original).verdict
+        assert decide(mine).verdict == decide(original).verdict
 
 
 def test_two_papers_may_have_formulas_of_one_name(tmp_path):
@@ -153,10 +153,10 @@ def test_two_papers_may_have_formulas_of_one_name(tmp_path):
     again = written(tmp_path / "deep" / "one", body.format("c.w", "c.w * 3"), [claim])
     sources = named_papers([str(one), str(two), str(again)])
     assert [source.name for source in sources] == ["one", "two", "one′"]
-    assert [proved(claims_of(source)[0]).verdict for source in sources] == [PROVED, REFUTED, REFUTED]
+    assert [decide(claims_of(source)[0]).verdict for source in sources] == [PROVED, REFUTED, REFUTED]
     assert resolve(f"{one}:f").name == "f"
     (one / "formulas.py").write_text(LANGUAGE + body.format("c.w", "c.w * 5"))
-    assert proved(claims_of(load_paper(one))[0]).verdict == REFUTED
+    assert decide(claims_of(load_paper(one))[0]).verdict == REFUTED
 
 
 def test_a_paper_has_curves_of_its_own(tmp_path):
@@ -207,7 +207,7 @@ def test_what_goes_wrong_in_a_formula_names_file_and_line(body, tmp_path):
     folder = written(
         tmp_path / "p", f"@formula('e', on='plane')\ndef f(c):\n    return {body.removeprefix('return ')}\n", [CLAIM]
     )
-    told = worded(proved(claims_of(load_paper(folder))[0]).witness)
+    told = worded(decide(claims_of(load_paper(folder))[0]).witness)
     assert problem in told
     assert f"formulas.py, {line}" in told
     assert invoke("prove", "--paper", folder, "--strict").exit_code in (1, 2)
@@ -218,7 +218,7 @@ def test_a_trusted_formula_that_branches_names_file_and_line(tmp_path):
     folder = written(tmp_path / "p", formulas, [CLAIM])
     with pytest.raises(FormulaError, match=r"line 4: a formula branches"):
         load_paper(folder)
-    told = worded(proved(claims_of(load_paper(folder, trust=True))[0]).witness)
+    told = worded(decide(claims_of(load_paper(folder, trust=True))[0]).witness)
     assert "formulas.py, line 4" in told
     assert "must not branch" in told
 
@@ -250,7 +250,7 @@ def test_claims_that_do_not_fit_their_formulas_are_told(tmp_path):
         folder = written(tmp_path / claim["id"], formulas, [claim])
         with suppress(ExactSplineError):
             (own,) = claims_of(load_paper(folder))
-            rows = [proved(own), *audit([own], [example("cubic_s"), example("rational_cubic")])]
+            rows = [decide(own), *audit([own], [example("cubic_s"), example("rational_cubic")])]
             assert not any(row.verdict in (PROVED, VERIFIED) for row in rows), claim
 
 
@@ -260,7 +260,7 @@ def test_a_derivative_that_the_kind_does_not_have(tmp_path):
         "@formula('e', on='implicit')\ndef f(c):\n    return c.fxx.d(2)\n",
         [CLAIM | {"curve": "implicit"}],
     )
-    told = worded(proved(claims_of(load_paper(folder))[0]).witness)
+    told = worded(decide(claims_of(load_paper(folder))[0]).witness)
     assert "formulas.py, line 4" in told
     assert (
         "partial derivatives up to order 3" in told.replace("those up", "partial derivatives up") or "order 3" in told
@@ -351,10 +351,10 @@ def test_an_assumption_of_the_author_is_checked_on_every_curve(tmp_path):
     claim = {"id": "1", "kind": "zero set", "statement": "one", "curve": "plane", "formulas": ["f", "g"]}
     folder = written(tmp_path / "p", formulas, [claim | {"assumes": ["w", "x ≠ 0"]}, claim | {"id": "2"}])
     assumed, plain = claims_of(load_paper(folder))
-    row = proved(assumed)
+    row = decide(assumed)
     assert row.verdict == PROVED
     assert row.finding.assumptions == ("x ≠ 0",)
-    assert proved(plain).verdict == REFUTED
+    assert decide(plain).verdict == REFUTED
     finding = assumed.check(Evaluation(example("circle")))
     assert worded(finding.witness).startswith("x vanishes")
 

@@ -12,7 +12,7 @@ from exactspline.verification import combined
 from exactspline.verification.claims import all_claims, claims_of, select
 from exactspline.verification.combined import Proofs
 from exactspline.verification.evaluation import Evaluation
-from exactspline.verification.ledger import audit, proved
+from exactspline.verification.ledger import audit, decide
 from exactspline.verification.verdict import PROVED, REFUTED, UNDECIDED
 from tests.verification.test_own_paper import plane_formulas, written
 
@@ -60,7 +60,7 @@ def test_a_claim_near_the_bound_does_not_depend_on_what_was_asked_before(tmp_pat
     def verdict_within(claim, proofs, bound):
         budget = Budget(bound)
         monkeypatch.setattr(combined, "Budget", lambda: budget)
-        found = proved(claim, proofs).verdict
+        found = decide(claim, proofs).verdict
         spent.append(budget.total - budget.remaining)
         return found
 

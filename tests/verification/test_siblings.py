@@ -19,7 +19,7 @@ from exactspline.verification import combined, generic_proof
 from exactspline.verification.claims import all_claims, claims_of
 from exactspline.verification.degree_tables import construction_table, formula_degrees
 from exactspline.verification.kinds.degree import DegreeClaim
-from exactspline.verification.ledger import audit, proved
+from exactspline.verification.ledger import audit, decide
 from exactspline.verification.verdict import REFUTED, UNDECIDED
 from tests.support.command import run
 from tests.support.squares import parameters
@@ -92,7 +92,7 @@ def test_a_claim_out_of_reach_is_undecided_and_says_why(monkeypatch):
     monkeypatch.setattr(factors, "DIVISOR_TERM", 10**13)
     monkeypatch.setattr(factors, "_certainly_coprime_on_a_line", lambda p, q: False)
     (claim,) = xs.claims("C1a-tangent_developable_by_unit_tangent")
-    row = proved(claim)
+    row = decide(claim)
     assert row.verdict == UNDECIDED
     assert "the greatest common divisor of polynomials" in worded(row.witness)
 

@@ -13,7 +13,7 @@ from exactspline.papers import load_paper, paper
 from exactspline.papers.folder import Table
 from exactspline.readings.jet import JetReading
 from exactspline.verification.claims import all_claims, claim_of, claims_of
-from exactspline.verification.ledger import proved
+from exactspline.verification.ledger import decide
 from exactspline.verification.segments import on_segments
 from exactspline.verification.verdict import REFUTED, VACUOUS, VERIFIED
 from tests.verification.test_own_paper import plane_formulas, written
@@ -57,7 +57,7 @@ def test_a_form_that_vanishes_has_no_number_of_roots(tmp_path):
     told = {"kind": "count", "curve": "plane", "example": "six_segment_cubic", "statement": "s"}
     counted = [("nothing", "0 roots"), ("one", "2 roots"), ("one", "0 roots"), ("speed", "8 extrema")]
     entries = [told | {"id": f"{i}", "formula": f, "claimed": n} for i, (f, n) in enumerate(counted)]
-    rows = [proved(each) for each in claims_of(load_paper(written(tmp_path / "counts", formulas, entries)))]
+    rows = [decide(each) for each in claims_of(load_paper(written(tmp_path / "counts", formulas, entries)))]
     assert [row.verdict for row in rows] == [VACUOUS, REFUTED, VERIFIED, REFUTED]
     assert worded(rows[3].computed) == "not a form whose sign is that of κ′"
 

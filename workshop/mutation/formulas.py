@@ -29,7 +29,7 @@ from exactspline.readings.taylor_surface import DoubleSeries
 from exactspline.verification.claim import Claim
 from exactspline.verification.claims import claims_in
 from exactspline.verification.kinds.equality import Identity
-from exactspline.verification.ledger import proved, tasks
+from exactspline.verification.ledger import decide, tasks
 from exactspline.verification.notation import WEIGHTS, factor_of_text, factor_parts
 from exactspline.verification.paper_curves import own_curves
 from exactspline.verification.rows import Row
@@ -120,7 +120,7 @@ def speaking(places: Iterable[Place]) -> list[Claim]:
 def quick(claim: Claim) -> Iterator[Row]:
     """The claim on a few curves; before that, a degree for all curves, which is only counted."""
     if claim.kind == "degree":
-        yield proved(claim)
+        yield decide(claim)
     for task in tasks([claim], list(own_curves(claim.source_paper).values()) or [example(name) for name in CURVES]):
         yield task()
 
@@ -128,7 +128,7 @@ def quick(claim: Claim) -> Iterator[Row]:
 def slow(claim: Claim) -> Iterator[Row]:
     """The claim for all curves: where a mutant removes a cancellation, this may not end."""
     if claim.kind != "degree":
-        yield proved(claim)
+        yield decide(claim)
 
 
 def wrong_at_a_point(claim: Claim) -> str:

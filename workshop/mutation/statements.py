@@ -34,7 +34,7 @@ from exactspline.readings.differential_order import order_of
 from exactspline.readings.rational_jet import RationalJetReading
 from exactspline.verification.claim import Claim
 from exactspline.verification.claims import claim_of, claims_of
-from exactspline.verification.ledger import proved, tasks
+from exactspline.verification.ledger import decide, tasks
 from exactspline.verification.notation import factor_parts
 from exactspline.verification.rows import Row
 from exactspline.verification.vocabulary import Status, ValueType, Verdict
@@ -311,7 +311,7 @@ def verdict(claim: Claim, curves: Iterable[str] = CURVES) -> Verdict:
     for row in _on_curves(claim, curves):
         if row.verdict == Verdict.REFUTED:
             return Verdict.REFUTED
-    return proved(claim).verdict
+    return decide(claim).verdict
 
 
 def _on_curves(claim: Claim, curves: Iterable[str]) -> Iterator[Row]:

@@ -76,7 +76,7 @@ def forms(data: dict[str, Any]) -> list[dict[str, Any]]:
                 "degree": form.degree,
                 "controls": len(form.control_points),
                 "knots": [float(u) for u in form.knots],
-                "abscissae": [float(u) for u in xs.greville_abscissae(form)],
+                "abscissae": [float(u) for u in xs.tables.greville_abscissae(form)],
                 "ordinates": [float(c / largest) for c in form.control_points],
                 "zeros": [float(root) for root in found.roots],
             }
