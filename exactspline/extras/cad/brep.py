@@ -84,10 +84,10 @@ def _curve(collector: Collector, words: Tokens, dimension: int, where: str, part
             where = where.removesuffix(BASIS) + BASIS
         else:
             parts = parts or [(numbers[0], numbers[1])]
-    wanted: Sequence[Ends | None] = parts or [None]
+    requested: Sequence[Ends | None] = parts or [None]
     if kind in (BEZIER, BSPLINE):
         spline = (_bezier if kind == BEZIER else _spline)(collector, words, dimension)
-        for part in wanted:
+        for part in requested:
             with collector.skipping("spline", where):
                 _add_spline(collector, where, spline, part)
         return
@@ -100,7 +100,7 @@ def _curve(collector: Collector, words: Tokens, dimension: int, where: str, part
     if not parts and kind not in (CIRCLE, ELLIPSE):
         collector.skip(name, where, "it is unbounded; write its part as a spline", curve=kind != LINE)
         return
-    for part in wanted:
+    for part in requested:
         with collector.skipping(name, where):
             segments, notes = _part(collector, kind, frame, numbers_of_it, part)
             collector.add_segments(name, where, segments, notes=notes)
