@@ -132,8 +132,9 @@ def _chosen(reading: Reading, what: str, source: str, only: Sequence[str]) -> li
         tell_notes(reading)
     chosen = [named for named in known if not only or named.name in only]
     if not chosen:
-        names = ", ".join(named.name for named in known[:10]) or "none"
-        raise CurveFileError(f"no {what}s to convert", where=source, remedy=f"the {what}s that are read: {names}")
+        names = ", ".join(named.name for named in known[:10])
+        remedy = f"the {what}s that are read: {names}" if names else "give a file of which some are read"
+        raise CurveFileError(f"no {what}s to convert", where=source, remedy=remedy)
     return chosen
 
 

@@ -77,7 +77,9 @@ def _tree(source: Source, collector: Collector) -> Node:
             nodes.append(inner)
         elif token == "]":
             if len(nodes) == 1:
-                collector.skip("closing bracket", f"character {match.start()}", "it closes nothing", curve=False)
+                collector.skip(
+                    "closing bracket", f"character {match.start()}", "it closes nothing; remove it", curve=False
+                )
             else:
                 nodes.pop()
         else:

@@ -24,7 +24,7 @@ from typing import Any
 from exactspline.errors import CurveFileError, counted
 from exactspline.interchange.affine import Affine
 from exactspline.interchange.arcs import RADIANS, RIGHT, Round
-from exactspline.interchange.collector import Collector
+from exactspline.interchange.collector import UNREAD, Collector
 from exactspline.interchange.format import Format
 from exactspline.interchange.limits import LARGER
 from exactspline.interchange.numbers import NumberText
@@ -69,7 +69,9 @@ def read(source: Source) -> Reading:
             elif "plane" in entry:
                 _arc(collector, entry)
             else:
-                collector.skip(kind, where, curve=kind in CURVES)
+                collector.skip(
+                    kind, where, UNREAD if kind in (*CURVES, "Brep") else "not a curve", curve=kind in CURVES
+                )
     return collector.reading()
 
 

@@ -43,7 +43,8 @@ def complete(
     """Add the curve with these control points and with the degree and knots that the caller gave."""
     degree, given = collector.source.degree, collector.source.knots
     if degree is None or (given is None and len(points) != degree + 1):
-        collector.skip(counted(len(points), "control point"), where, "the file holds no degree and no knots; give both")
+        why = "the file holds no degree and no knots; give both, as `convert` takes them: --degree 3 --knots 0,0,0,0,…"
+        collector.skip(counted(len(points), "control point"), where, why)
         return
     knots = bezier_knots(degree) if given is None else [rational(knot) for knot in given]
     notes = ["degree and knots were given by the caller"]
