@@ -235,7 +235,7 @@ class Nurbs(Immutable, Curve[BSpline], FunctionsOutside):
         return self * -1
 
     def __sub__(self, other: Nurbs | Sequence[Number]) -> Nurbs:
-        return self + (-other if isinstance(other, Nurbs) else [-x for x in exact_row(other, "vector")])
+        return -(-self + other)
 
     def __rsub__(self, other: Sequence[Number]) -> Nurbs:
         return -self + other
@@ -254,6 +254,7 @@ class Nurbs(Immutable, Curve[BSpline], FunctionsOutside):
 
     def __matmul__(self, other: Nurbs) -> Operand:
         """The dot product with a curve over the same domain, a function."""
+        other = as_instance(other, Nurbs, "a curve", "curve @ curve is a dot product")
         as_dimension(other.dimension, self.dimension, "curve")
         product = dot(self.p, other.p)
         return product if self.polynomial and other.polynomial else product / (self.w * other.w)

@@ -6,6 +6,7 @@ import ast
 import inspect
 import pydoc
 import re
+from contextlib import suppress
 from fractions import Fraction
 from importlib import import_module
 from importlib.util import find_spec
@@ -185,6 +186,73 @@ def test_every_call_that_a_text_names_is_there():
         assert callable(named(f"exactspline{name}")), (place, name)
 
 
+#: A call in a text, and one with nothing but texts and numbers between its parentheses.
+ANY_CALL = re.compile(r"(?<![\w.])([A-Za-z_]\w*(?:\.\w+)*)\(")
+WHOLE = re.compile(r"""exactspline(?:\.\w+)+\((?:"[^"]*"|[\d. ,()\[\]]+)\)(?:\[0\])?""")
+#: Calls in remedies that are no names of Python here: of a file's format, of a text of a degree, of another library.
+FOREIGN = {"NAME", "translate", "max", "scipy.interpolate.make_interp_spline"}
+
+
+def remedies():
+    """The texts of all remedies in the code, and of those that are put together their parts."""
+    for path in sorted(ROOT.rglob("*.py")):
+        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+            named = isinstance(node, ast.keyword) and node.arg == "remedy"
+            if named or (isinstance(node, ast.Assign) and getattr(node.targets[0], "id", "") == "remedy"):
+                parts = [each.value for each in ast.walk(node.value) if isinstance(each, ast.Constant)]
+                yield from ((path.name, part) for part in parts if isinstance(part, str))
+
+
+def test_every_call_in_a_remedy_is_there():
+    """Of the front door, or of a curve, a function or their classes, also where ``exactspline.`` is not written."""
+    things = {"curve": xs.example("circle"), "exactspline": xs, **{name: getattr(xs, name) for name in xs.__all__}}
+    found = [(place, call) for place, text in remedies() for call in ANY_CALL.findall(text) if call not in FOREIGN]
+    assert len(found) > 15
+    for place, call in found:
+        first, *rest = call.split(".")
+        owner = things.get(first, getattr(xs.BSpline, first, None))  # ``d(1, by=…)`` is said of functions
+        for name in rest:
+            owner = getattr(owner, name, None)
+        assert callable(owner), (place, call)
+
+
+def test_every_whole_call_in_a_text_is_executed():
+    texts = [
+        (path.name, node.value)
+        for path in sorted(ROOT.rglob("*.py"))
+        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8")))
+        if isinstance(node, ast.Constant) and isinstance(node.value, str)
+    ]
+    found = {(place, call) for place, text in texts for call in WHOLE.findall(text)}
+    assert len(found) >= 8
+    for place, call in found:
+        assert eval(call, {"exactspline": xs}) is not None, (place, call)
+
+
+def test_every_call_of_the_table_is_executed(names, tmp_path, monkeypatch):
+    """Of a curve or of a function, with what its placeholders mean."""
+    monkeypatch.chdir(tmp_path)
+    knots, net = [0, 0, 1, 1], [[(0, 0, 0), (0, 1, 0)], [(1, 0, 0), (1, 1, 1)]]
+    given = names | {
+        "exactspline": xs, "numpy": np, "pandas": names["pd"], "other": names["d"], "point": (1, 1), "place": "a.json",
+        "t": "1/2", "ts": [0, 0.5], "rows": [[0.5, 1.0]], "vector": (1, 2), "factor": 2, "question": "inflections",
+        "degrees": (1, 1), "knots_u": knots, "knots_v": knots, "net": net, "start": (1, 0), "middle": (0, 1),
+        "end": (-1, 0),
+    }  # fmt: skip
+    for call in first_guesses():
+        if not call.isalpha() and not ("splinepy" in call and not find_spec("splinepy")):
+            expression = call.partition(", of a function")[0].partition(", and for")[0]
+            assert any(works(expression, given | {"x": names[x]}) for x in ("c", "f")), call
+
+
+def works(expression, names):
+    """Whether it is evaluated without an error of the package or an AttributeError."""
+    with suppress(xs.ExactSplineError, AttributeError):
+        eval(expression, names)
+        return True
+    return False
+
+
 @pytest.mark.parametrize("given", [0.1, np.float32(0.1), np.float64(0.5)], ids=repr)
 def test_what_the_error_of_a_float_names_is_executed(given):
     curve = xs.example("circle")
@@ -223,7 +291,15 @@ def test_sums_and_multiples():
     assert arc.derivative(2)("1/3") == arc.derivative(2, "1/3")
     assert line.derivative(2)(0) == (0, 0)
     space = xs.example("twisted_cubic")
-    for wrong in (lambda: arc + space(0), lambda: arc @ space, lambda: arc * line, lambda: arc * 0.5):
+    assert (arc - vector)(0) == (arc(0)[0] - 1, arc(0)[1] - 2)
+    for wrong in (
+        lambda: arc - 1,
+        lambda: arc @ 1,
+        lambda: arc + space(0),
+        lambda: arc @ space,
+        lambda: arc * line,
+        lambda: arc * 0.5,
+    ):
         with pytest.raises(xs.ExactSplineError):
             wrong()
 
