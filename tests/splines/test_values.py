@@ -18,6 +18,7 @@ from hypothesis import strategies as st
 
 import exactspline as xs
 from exactspline.errors import ExactSplineError
+from exactspline.hooks import LENT, QUESTIONS, first_guesses
 from exactspline.numbers.once import cached_property
 from exactspline.papers import find
 from exactspline.reals.real import Real, square_root
@@ -303,8 +304,9 @@ def test_a_curve_that_is_wrong_is_not_unpickled():
         make(degree, knots, points, [-w if i else w for i, w in enumerate(weights)], *rest)
 
 
-#: What the engines of the package share without a copy; its documentation says so.
-SHARED = {"numerators"}
+#: What the engines of the package share without a copy; its documentation says so. What is found elsewhere of a value
+#: is no part of it.
+SHARED = {"numerators", "kept_analysis", *first_guesses()[LENT], *first_guesses()[QUESTIONS]} - {"floats"}
 
 
 def polynomials_within(value, depth=7):
