@@ -3,14 +3,37 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Callable, Iterable, Iterator
+from typing import Any
 
-from exactspline.errors import CurveFileError, ShapeError
-from exactspline.interchange.limits import Limits
+from exactspline.errors import CurveFileError, ShapeError, counted
+from exactspline.interchange.limits import LARGER, Limits
 from exactspline.interchange.numbers import decimal, whole
 from exactspline.numbers.exact import mpq
 
 _WORD = re.compile(r"\S+")
+
+
+def nested(tokens: Iterable[str], brackets: str, limits: Limits, extra: Callable[[], object]) -> list[Any]:
+    """Words in brackets as lists of lists; `extra` is called for a bracket that closes nothing.
+
+    >>> nested(["a", "(", "b", ")"], "()", Limits(), list)
+    ['a', ['b']]
+    """
+    opened: list[list[Any]] = [[]]
+    for token in tokens:
+        if token not in (brackets[0], brackets[1]):
+            opened[-1].append(token)
+        elif token == brackets[1]:
+            opened.pop() if len(opened) > 1 else extra()
+        elif len(opened) > limits.depth:
+            raise CurveFileError("brackets are nested too deeply", remedy=LARGER)
+        else:
+            opened[-1].append([])
+            opened.append(opened[-1][-1])
+    if len(opened) > 1:
+        raise CurveFileError(f"{counted(len(opened) - 1, 'bracket')} not closed", remedy="balance the brackets")
+    return opened[0]
 
 
 class Tokens:

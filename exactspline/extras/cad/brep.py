@@ -12,7 +12,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
-from typing import Any, NamedTuple
+from typing import Any
 
 from exactspline.errors import CurveFileError
 from exactspline.interchange.affine import Affine
@@ -40,6 +40,8 @@ SHAPES = {
 BASIS = " (basis)"
 #: A parameter that differs from an end by no more than this part is that end, written with fifteen digits.
 ROUNDED = 2**47
+#: A spline by its degree, its knots, its control points and weights, and whether it is periodic.
+_Spline = tuple[int, list[mpq], list[list[mpq]], list[mpq] | None, bool]
 #: The parameters of a part, as text.
 Ends = tuple[str, str]
 _EDGE = re.compile(
@@ -86,7 +88,7 @@ def _curve(collector: Collector, words: Tokens, dimension: int, where: str, part
             parts = parts or [(numbers[0], numbers[1])]
     requested: Sequence[Ends | None] = parts or [None]
     if kind in (BEZIER, BSPLINE):
-        spline = (_bezier if kind == BEZIER else _spline)(collector, words, dimension)
+        spline = _listed(collector, words, dimension, kind == BEZIER)
         for part in requested:
             with collector.skipping("spline", where):
                 _add_spline(collector, where, spline, part)
@@ -126,34 +128,17 @@ def _part(
     return curve.arc(*(curve.at_angle(t, RADIANS, d) for t, d in zip(ends, digits, strict=True))), curve.notes
 
 
-def _poles(words: Tokens, count: int, dimension: int, rational: bool) -> tuple[list[list[mpq]], list[mpq] | None]:
+def _listed(collector: Collector, words: Tokens, dimension: int, bezier: bool) -> _Spline:
+    rational, periodic = words.whole() != 0, not bezier and words.whole() != 0
+    degree = words.count()
+    count, distinct = (degree + 1, 0) if bezier else (words.count(), words.count())
     rows = words.rows(count, dimension + rational)
-    return [row[:dimension] for row in rows], [row[-1] for row in rows] if rational else None
-
-
-class _Spline(NamedTuple):
-    """A spline as it is listed."""
-
-    degree: int
-    knots: list[mpq]
-    points: list[list[mpq]]
-    weights: list[mpq] | None
-    periodic: bool = False
-
-
-def _bezier(collector: Collector, words: Tokens, dimension: int) -> _Spline:
-    rational, degree = words.whole() != 0, words.count()
-    return _Spline(degree, bezier_knots(degree), *_poles(words, degree + 1, dimension, rational))
-
-
-def _spline(collector: Collector, words: Tokens, dimension: int) -> _Spline:
-    rational, periodic = words.whole() != 0, words.whole() != 0
-    degree, count, distinct = words.count(), words.count(), words.count()
-    points, weights = _poles(words, count, dimension, rational)
+    points, weights = [row[:dimension] for row in rows], [row[-1] for row in rows] if rational else None
     collector.count(distinct)
     pairs = [(words.number(), words.count()) for _ in range(distinct)]
     collector.count(sum(times for _, times in pairs))
-    return _Spline(degree, [knot for knot, times in pairs for _ in range(times)], points, weights, periodic)
+    knots = [knot for knot, times in pairs for _ in range(times)]
+    return degree, bezier_knots(degree) if bezier else knots, points, weights, periodic
 
 
 def _add_spline(collector: Collector, where: str, spline: _Spline, part: Ends | None) -> None:

@@ -179,11 +179,6 @@ def _line(collector: Collector, entry: DirectoryEntry, where: str, placed: Affin
     _add(collector, entry, where, [polynomial(*(placed(point) for point in _Values(entry, collector).rows(2)))])
 
 
-def _at_height(placed: Affine, z: mpq) -> Affine:
-    """The map from the plane of an arc into space."""
-    return placed @ Affine([[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, z]])
-
-
 def _arc(collector: Collector, entry: DirectoryEntry, where: str, placed: Affine) -> None:
     z, *numbers = _Values(entry, collector).numbers(7)
     centre, start, end = numbers[:2], numbers[2:4], numbers[4:]
@@ -192,18 +187,19 @@ def _arc(collector: Collector, entry: DirectoryEntry, where: str, placed: Affine
     within = collector.source.within
     curve = Round(Affine([[x, -y, centre[0]], [y, x, centre[1]]]), within and within / placed.stretch)
     arc = curve.arc(RIGHT[0], curve.at_point(end))
-    _add(collector, entry, where, _lifted(arc, _at_height(placed, z)), curve.notes)
+    _add(collector, entry, where, _lifted(arc, placed, z), curve.notes)
 
 
 def _conic(collector: Collector, entry: DirectoryEntry, where: str, placed: Affine) -> None:
     *numbers, z, x1, y1, x2, y2 = _Values(entry, collector).numbers(11)
     start, notes, within = (x1, y1), list[str](), collector.source.within
     form, end = through_ends(numbers, start, (x2, y2), within and within / placed.stretch, notes)
-    _add(collector, entry, where, _lifted(conic_arc(form, start, end), _at_height(placed, z)), notes)
+    _add(collector, entry, where, _lifted(conic_arc(form, start, end), placed, z), notes)
 
 
-def _lifted(segments: Sequence[Segment], placed: Affine) -> list[Segment]:
-    return mapped([tuple((x, y, mpq(0), w) for x, y, w in segment) for segment in segments], placed)
+def _lifted(segments: Sequence[Segment], placed: Affine, z: mpq) -> list[Segment]:
+    """Segments of a plane at this height, placed in space."""
+    return mapped([tuple((x, y, z * w, w) for x, y, w in segment) for segment in segments], placed)
 
 
 _READERS = {SPLINE: _spline, SURFACE: _surface, LINE: _line, ARC: _arc, CONIC: _conic}

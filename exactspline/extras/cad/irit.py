@@ -16,10 +16,10 @@ from typing import Any, TypeAlias
 from exactspline.errors import CurveFileError, counted
 from exactspline.interchange.collector import Collector
 from exactspline.interchange.format import Format
-from exactspline.interchange.limits import LARGER
 from exactspline.interchange.numbers import NumberText, decimal, is_decimal, whole
 from exactspline.interchange.records import Reading, Source
 from exactspline.interchange.segments import bezier_knots
+from exactspline.interchange.tokens import nested
 from exactspline.interchange.writing import Spline
 from exactspline.numbers.exact import mpq
 
@@ -64,29 +64,9 @@ def read(source: Source) -> Reading:
 
 def _tree(source: Source, collector: Collector) -> Node:
     """The bracketed text as nested lists."""
-    root: Node = []
-    nodes = [root]
-    for match in _TOKEN.finditer(source.text):
-        token = match[0]
-        if token == "[":
-            collector.count(1)
-            if len(nodes) > source.limits.depth:
-                raise CurveFileError("brackets are nested too deeply", remedy=LARGER)
-            inner: Node = []
-            nodes[-1].append(inner)
-            nodes.append(inner)
-        elif token == "]":
-            if len(nodes) == 1:
-                collector.skip(
-                    "closing bracket", f"character {match.start()}", "it closes nothing; remove it", curve=False
-                )
-            else:
-                nodes.pop()
-        else:
-            nodes[-1].append(token)
-    if len(nodes) > 1:
-        raise CurveFileError(f"{len(nodes) - 1} brackets are not closed", remedy="balance the brackets")
-    return root
+    tokens = _TOKEN.findall(source.text)
+    collector.count(tokens.count("["))
+    return nested(tokens, "[]", source.limits, lambda: collector.note("a bracket closes nothing: remove it"))
 
 
 def _spline(collector: Collector, node: Node, where: str, name: str, parameters: int) -> None:

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from typing import TypeAlias
+from typing import NoReturn, TypeAlias
 
 from exactspline.errors import CurveFileError, counted
 from exactspline.interchange.collector import Collector
 from exactspline.interchange.limits import LARGER, Limits
 from exactspline.interchange.numbers import decimal
+from exactspline.interchange.tokens import nested
 from exactspline.numbers.exact import mpq
 
 #: A value: the text of a number, a reference, an enumeration value or a string (with its quotes), or a list of values.
@@ -77,29 +78,17 @@ def keywords(text: str) -> list[str]:
     return _CALLED.findall(_STRING.sub("", text)) if first["complex"] else [first["keyword"]]
 
 
+def _refuse() -> NoReturn:
+    raise CurveFileError("one closing bracket too many", remedy="balance the brackets")
+
+
 def parts(text: str, limits: Limits) -> dict[str, list[Value]]:
     """The arguments of an instance by keyword; a complex instance has several keywords.
 
     >>> parts("(A(1.,$) B((#2,#3)))", Limits())
     {'A': ['1.', '$'], 'B': [['#2', '#3']]}
     """
-    root: list[Value] = []
-    lists: list[list[Value]] = [root]
-    for token in _TOKEN.findall(text):
-        if token == "(":
-            if len(lists) > limits.depth:
-                raise CurveFileError("brackets are nested too deeply", remedy=LARGER)
-            inner: list[Value] = []
-            lists[-1].append(inner)
-            lists.append(inner)
-        elif token == ")":
-            if len(lists) == 1:
-                raise CurveFileError("one closing bracket too many", remedy="balance the brackets")
-            lists.pop()
-        elif token != ",":
-            lists[-1].append(token)
-    if len(lists) > 1:
-        raise CurveFileError("a bracket is not closed", remedy="balance the brackets")
+    root = nested((token for token in _TOKEN.findall(text) if token != ","), "()", limits, _refuse)
     if len(root) == 1 and isinstance(root[0], list):
         root = root[0]
     by_keyword: dict[str, list[Value]] = {}
