@@ -4,23 +4,25 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterable, Iterator
-from typing import Any
+from typing import TypeAlias
 
 from exactspline.errors import CurveFileError, ShapeError, counted
 from exactspline.interchange.limits import LARGER, Limits
 from exactspline.interchange.numbers import decimal, whole
 from exactspline.numbers.exact import mpq
 
+#: A word, or what is in a pair of brackets.
+Nested: TypeAlias = "str | list[Nested]"
 _WORD = re.compile(r"\S+")
 
 
-def nested(tokens: Iterable[str], brackets: str, limits: Limits, extra: Callable[[], object]) -> list[Any]:
+def nested(tokens: Iterable[str], brackets: str, limits: Limits, extra: Callable[[], object]) -> list[Nested]:
     """Words in brackets as lists of lists; `extra` is called for a bracket that closes nothing.
 
     >>> nested(["a", "(", "b", ")"], "()", Limits(), list)
     ['a', ['b']]
     """
-    opened: list[list[Any]] = [[]]
+    opened: list[list[Nested]] = [[]]
     for token in tokens:
         if token not in (brackets[0], brackets[1]):
             opened[-1].append(token)
@@ -29,8 +31,9 @@ def nested(tokens: Iterable[str], brackets: str, limits: Limits, extra: Callable
         elif len(opened) > limits.depth:
             raise CurveFileError("brackets are nested too deeply", remedy=LARGER)
         else:
-            opened[-1].append([])
-            opened.append(opened[-1][-1])
+            inner: list[Nested] = []
+            opened[-1].append(inner)
+            opened.append(inner)
     if len(opened) > 1:
         raise CurveFileError(f"{counted(len(opened) - 1, 'bracket')} not closed", remedy="balance the brackets")
     return opened[0]

@@ -11,7 +11,7 @@ import re
 from collections import Counter
 from collections.abc import Sequence
 from math import prod
-from typing import Any, TypeAlias
+from typing import Any
 
 from exactspline.errors import CurveFileError, counted
 from exactspline.interchange.collector import Collector
@@ -19,11 +19,11 @@ from exactspline.interchange.format import Format
 from exactspline.interchange.numbers import NumberText, decimal, is_decimal, whole
 from exactspline.interchange.records import Reading, Source
 from exactspline.interchange.segments import bezier_knots
-from exactspline.interchange.tokens import nested
+from exactspline.interchange.tokens import Nested, nested
 from exactspline.interchange.writing import Spline
 from exactspline.numbers.exact import mpq
 
-Node: TypeAlias = "list[str | Node]"
+Node = list[Nested]
 
 # an unclosed string extends to the end of the text, so that matching takes linear time
 _TOKEN = re.compile(r'"(?:[^"\\]|\\[\s\S])*+\\?(?:"|\Z)|[][]|[^][\s"]+|"')

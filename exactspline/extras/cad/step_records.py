@@ -4,17 +4,17 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from typing import NoReturn, TypeAlias
+from typing import NoReturn
 
 from exactspline.errors import CurveFileError, counted
 from exactspline.interchange.collector import Collector
 from exactspline.interchange.limits import LARGER, Limits
 from exactspline.interchange.numbers import decimal
-from exactspline.interchange.tokens import nested
+from exactspline.interchange.tokens import Nested, nested
 from exactspline.numbers.exact import mpq
 
 #: A value: the text of a number, a reference, an enumeration value or a string (with its quotes), or a list of values.
-Value: TypeAlias = "str | list[Value]"
+Value = Nested
 
 # anything unclosed extends to the end of the text, so that matching takes linear time
 _NOISE = re.compile(r"/\*.*?(?:\*/|\Z)|'(?:[^']|'')*(?:'|\Z)|;", re.S)
