@@ -83,6 +83,12 @@ def test_the_questions_are_those_of_the_registry():
     assert set(first_guesses()[LENT]) <= set(dir(xs))
 
 
+def test_a_name_that_moved_is_told_and_does_not_work():
+    for name, call in (("find", 'exactspline.formula_of("f2")'), ("proved", "exactspline.decide(")):
+        with pytest.raises(AttributeError, match=re.escape(f"; write {call}")):
+            getattr(xs, name)
+
+
 def test_what_is_derived_is_found_by_its_name():
     """AttributeErrors before: a user looks for the focal curve, not for `derive`."""
     assert (
