@@ -40,12 +40,8 @@ PAGE = 9.2
 #: The width of an entry of a legend, in inches.
 ENTRY = 1.9
 
-#: The suffixes of pictures: where their description goes, and what would differ from run to run.
-SUFFIXES = {
-    ".svg": ("Description", {"Date": None}),
-    ".png": ("Description", {}),
-    ".pdf": ("Subject", {"CreationDate": None}),
-}
+#: The suffixes of pictures, and what would differ in them from run to run.
+SUFFIXES = {".svg": ["Date"], ".png": [], ".pdf": ["CreationDate"]}
 Point = tuple[mpq, ...]
 Run = list[Point]
 
@@ -245,8 +241,8 @@ def save(figure_or_ax: Figure | Axes, path: str | os.PathLike[str]) -> None:
             remedy=f"use a name that ends in {' or '.join(SUFFIXES)}",
         )
     figure: Any = figure_or_ax if hasattr(figure_or_ax, "savefig") else figure_or_ax.figure
-    description, dates = SUFFIXES[suffix]
-    metadata = dates | {description: in_words(figure)}
+    description = "Subject" if suffix == ".pdf" else "Description"
+    metadata = dict.fromkeys(SUFFIXES[suffix]) | {description: in_words(figure)}
     settle(figure)
     with library("matplotlib").rc_context({"svg.hashsalt": "exactspline"}):
         write_atomically(

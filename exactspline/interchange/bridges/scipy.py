@@ -4,12 +4,13 @@ rounding.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from itertools import groupby, pairwise
 from math import comb, ulp
 from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias
 
 from exactspline.errors import ShapeError, counted, shown
-from exactspline.interchange.bridges.values import MOST_ULPS, doubles, exact, exact_rows
+from exactspline.interchange.bridges.values import MOST_ULPS, doubles, exact, exact_rows, periodic
 from exactspline.numbers.exact import double, mpq
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.nurbs import Nurbs
@@ -101,19 +102,14 @@ def read_scipy(spline: Piecewise | InTwo, *, literal: bool = False) -> ReadSplin
     degree, knots = int(given.k), [exact(t) for t in given.t]
     # scipy allows more coefficients than the knots require
     c = given.c[: len(knots) - degree - 1]
-    made = _made(degree, knots, c)
-    wrapped = knots[0] < knots[degree] and np.array_equal(c[:degree], c[len(c) - degree :])
-    if literal or not (wrapped or given.extrapolate == "periodic"):
-        return ReadSpline(made)
+    whole, note = (knots, "") if literal else periodic(degree, knots, c.tolist())
+    made = _made(degree, whole, c)
+    if literal or note or given.extrapolate != "periodic":
+        return ReadSpline(made, (note,) * bool(note))
     parts = [made] if isinstance(made, BSpline) else list(made.p)
     rows = [zip(*row, strict=True) for row in zip(*[part.bezier_points for part in parts], strict=True)]
     counts = [min(len([*same]), degree) for t, same in groupby(knots) if t in parts[0].breakpoints[:-1]]
-    try:
-        return _joined(list(parts[0].breakpoints), [*map(list, rows)], counts, periodic=True)
-    except ShapeError:
-        if given.extrapolate == "periodic":
-            raise
-        return ReadSpline(made, ("the first coefficients are the last ones, but not so the knots: read as it is",))
+    return _joined(list(parts[0].breakpoints), [*map(list, rows)], counts, periodic=True)
 
 
 def _is_tck(t: object, k: object) -> bool:
@@ -122,7 +118,7 @@ def _is_tck(t: object, k: object) -> bool:
     return isinstance(t, (np.ndarray, list, tuple)) and isinstance(k, (int, np.integer))
 
 
-def _made(degree: int, knots: list[mpq], coefficients: np.ndarray) -> Nurbs | BSpline:
+def _made(degree: int, knots: Sequence[mpq], coefficients: np.ndarray) -> Nurbs | BSpline:
     if coefficients.ndim == 1:
         return BSpline(degree, knots, [exact(c) for c in coefficients])
     if coefficients.ndim != 2:
