@@ -122,8 +122,20 @@ def _rotation(x: Vector, y: Vector, z: Vector, error: mpq) -> tuple[Vector, Vect
     return first, second, third
 
 
+def minus(u: Sequence[mpq], v: Sequence[mpq]) -> Vector:
+    """The difference; raises `ShapeError` for vectors of different dimensions."""
+    _see_that_they_agree(u, v)
+    return [a - b for a, b in zip(u, v, strict=True)]
+
+
+def _see_that_they_agree(u: Sequence[mpq], v: Sequence[mpq]) -> None:
+    if len(u) != len(v):
+        raise ShapeError(f"points with {len(u)} and {len(v)} coordinates", remedy="write as many for each")
+
+
 def dot(u: Sequence[mpq], v: Sequence[mpq]) -> mpq:
-    """The scalar product."""
+    """The scalar product; raises `ShapeError` as `minus` does."""
+    _see_that_they_agree(u, v)
     return sum((a * b for a, b in zip(u, v, strict=True)), start=mpq(0))
 
 

@@ -11,7 +11,7 @@ from collections.abc import Sequence
 from flint import arb, ctx
 
 from exactspline.errors import ShapeError
-from exactspline.interchange.affine import APPROXIMATE, Affine, dot
+from exactspline.interchange.affine import APPROXIMATE, Affine, dot, minus
 from exactspline.interchange.numbers import about, dyadic, root_below, square_root
 from exactspline.interchange.segments import Point, Segment, arc_around_origin, mapped
 from exactspline.numbers.exact import mpq, rational, text, to_fmpq
@@ -112,7 +112,7 @@ class Round:
     def at_point(self, point: Sequence[mpq], reach: mpq | None = None) -> Point:
         """The point of the unit circle whose image is a point, or is near to it: by default, within the error."""
         *columns, centre = zip(*self.frame.rows, strict=True)
-        away = [a - b for a, b in zip(point, centre, strict=True)]
+        away = minus(point, centre)
         x, y = (dot(away, column) / dot(column, column) for column in columns)
         if x * x + y * y == 1 and self.frame((x, y)) == tuple(point):
             return x, y
@@ -125,7 +125,7 @@ class Round:
 
     def arc(self, start: Point, end: Point) -> list[Segment]:
         """The arc counter-clockwise between two points of the unit circle, the whole curve where they are the same."""
-        gap = [a - b for a, b in zip(start, end, strict=True)]
+        gap = minus(start, end)
         if dot(gap, gap) < 16 * self.turned**2:
             raise ShapeError("the ends are nearer to each other than E", remedy="give a smaller --approximate E")
         return mapped(arc_around_origin(start, end), self.frame)
@@ -171,7 +171,7 @@ def through_ends(
 
 def moved(to: Sequence[mpq], point: Sequence[mpq], within: mpq | None, onto: str = "the curve") -> str:
     """A note on an end that is moved onto a curve; raises `ShapeError` where that is further than allowed."""
-    gap = [a - b for a, b in zip(to, point, strict=True)]
+    gap = minus(to, point)
     if within is None or dot(gap, gap) > within**2:
         raise ShapeError(f"an end {distance_text(gap)} away from {onto}", remedy=f"correct it; {APPROXIMATE}")
     return f"an end is moved by {distance_text(gap)} onto {onto}"

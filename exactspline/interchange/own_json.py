@@ -92,9 +92,11 @@ def _whole(entry: dict[str, Any], limits: Limits) -> tuple[dict[str, Any], Seque
     """The data of a curve of which one period is listed, continued, and notes; other data as they are."""
     degree, listed = entry.get("degree"), {key: entry[key] for key in SIZED if isinstance(entry.get(key), list)}
     knots, points = listed.get("knots", []), listed.get("control_points", [])
-    if not isinstance(degree, str) or not degree.isdecimal() or len(knots) == len(points) + int(degree) + 1:
+    # a degree beyond the limits is refused later
+    n = int(degree) if isinstance(degree, str) and degree.isdecimal() and len(degree) < 9 else limits.degree + 1
+    if n > limits.degree or len(knots) == len(points) + n + 1:
         return entry, ()
-    full = whole(int(degree), [*KnotVector(numbers_of(knots, "knots", limits))], len(points))
+    full = whole(n, [*KnotVector(numbers_of(knots, "knots", limits))], len(points))
     more = {key: full.continued(values) for key, values in listed.items()} | {"knots": list(map(str, full.knots))}
     return (entry | more, full.notes) if full.notes else (entry, ())
 

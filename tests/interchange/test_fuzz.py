@@ -99,6 +99,8 @@ def test_time_by_the_clock_is_not_called_processor_time(monkeypatch):
     pytest.param(b"[" * 300_000, id="json"),
     pytest.param(b"[" + b"1," * 300_000, id="json"),
     pytest.param(b'{"degree": 2, "knots": [0, "0x1p99999999"], "control_points": []}', id="json"),
+    pytest.param(b'{"degree": 99999999, "knots": [0, 1], "control_points": [[0, 0]]}', id="json"),
+    pytest.param(b'{"degree": ' + b"9" * 9000 + b', "knots": [0, 1], "control_points": [[0, 0]]}', id="json"),
     pytest.param(b"<a>" * 300_000, id="gismo"),
     pytest.param(b"<svg><path d='" + b"M0 0" + b"L1e300 1e-300" * 1_000 + b"'/></svg>", id="svg"),
     pytest.param(b"<svg><path d='" + b"M" * 300_000 + b"'/></svg>", id="svg"),

@@ -380,6 +380,20 @@ def test_step_names_what_it_does_not_read_of_complex_instances():
     assert "the file places parts: curves are read where they are defined" in reading.notes
 
 
+@pytest.mark.parametrize("text", [
+    "#40=CARTESIAN_POINT('',(0.,0.));#41=VERTEX_POINT('',#40);#42=DIRECTION('',(1.,0.,0.));#43=VECTOR('',#42,1.);"
+    "#44=LINE('',#1,#43);#45=EDGE_CURVE('',#41,#41,#44,.T.);",
+    "#42=DIRECTION('',(1.,0.));#43=VECTOR('',#42,1.);#44=LINE('',#1,#43);"
+    "#45=TRIMMED_CURVE('',#44,(PARAMETER_VALUE(0.)),(PARAMETER_VALUE(1.)),.T.,.PARAMETER.);",
+    "#40=CARTESIAN_POINT('',(0.,0.));#41=AXIS2_PLACEMENT_3D('',#40,$,$);#45=CIRCLE('',#41,2.);",
+])  # fmt: skip
+def test_points_in_the_plane_and_in_space_together_are_named(text):
+    """A traceback before."""
+    found = read(STEP.replace(b"ENDSEC;\nEND-ISO", f"{text}ENDSEC;\nEND-ISO".encode()))
+    [why] = [skipped.why for skipped in found.skipped if skipped.where == "#45"]
+    assert "coordinates; write as many for each" in why
+
+
 def test_a_file_that_is_cut_off_says_so():
     """Passed before: files that end within an instance, or without their last line, held all of their curves."""
     whole = read(STEP)

@@ -11,7 +11,7 @@ from exactspline.errors import ShapeError
 from exactspline.extras.cad.step_records import StepFile, Value, keywords, parts
 from exactspline.extras.cad.step_splines import CURVE, KEYWORDS, built_curve
 from exactspline.extras.cad.step_text import name_of
-from exactspline.interchange.affine import Affine, axes, dot, unit
+from exactspline.interchange.affine import Affine, axes, dot, minus, unit
 from exactspline.interchange.arcs import DEGREES, RADIANS, RIGHT, Round, moved, quarter_turns
 from exactspline.interchange.numbers import decimal, last_digit
 from exactspline.interchange.periods import used
@@ -193,7 +193,7 @@ class Edges:
             places += [min(max(place.parameter.enclosure(40).low, low), high) if exact is None else exact]
         for t in places:
             foot = curve(t, "left" if t == high else "right")
-            gap = [a - b for a, b in zip(foot, point, strict=True)]
+            gap = minus(foot, point)
             if not any(gap):
                 return t
             if self.reach is not None and dot(gap, gap) <= self.reach**2:
@@ -212,9 +212,9 @@ class Edges:
                 [length] = self.file.numbers([size])
                 t, step = self._number(end) * length, unit(direction)
             else:
-                away = [a - b for a, b in zip(end.point, start, strict=True)]
+                away = minus(end.point, start)
                 t, step = dot(away, direction) / dot(direction, direction), direction
-            place = [a + t * b for a, b in zip(start, step, strict=True)]
+            place = minus(start, [-t * b for b in step])
             if end.point is not None and place != end.point:
                 notes.append(moved(place, end.point, self.reach))
             found.append(place)
@@ -243,7 +243,9 @@ class Edges:
         else:
             _, centre, axis, along = self.file.named(placement, "AXIS2_PLACEMENT_3D", 4)
             (x, y, _), near = axes(self._direction(along, (1, 0, 0)), self._direction(axis, (0, 0, 1)), error)
-        rows = [[p * a, q * b, c] for p, q, c in zip(x, y, self.file.point(centre), strict=True)]
+        # the centre, which may have another number of coordinates than the axes
+        middle = minus(self.file.point(centre), [mpq(0)] * len(x))
+        rows = [[p * a, q * b, c] for p, q, c in zip(x, y, middle, strict=True)]
         return Round(Affine(rows), self.within, near)
 
     def _direction(self, reference: Value, usual: Sequence[int]) -> list[mpq]:
