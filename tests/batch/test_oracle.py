@@ -158,7 +158,7 @@ def test_the_box_of_two_equal_irrational_extrema():
     bent = xs.Nurbs.from_splines([t, height - (t * t).scaled("1/3")])
     [low, high] = coordinate_range(bent, 1)
     # s = t² has its maximum 11/6, at t = ±√(11/6): the height is rational there, at an irrational parameter
-    assert high.double() == float(mpq(121, 36))
+    assert high.double() == 121 / 36
     assert high == mpq(121, 36)
     assert high.closed_form == "121/36"
     assert low.exact == mpq(-4, 3)
