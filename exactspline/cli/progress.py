@@ -1,11 +1,13 @@
-"""Progress bars: on a terminal only, and only for what takes longer than half a second."""
+"""Progress: on a terminal a bar, for what takes longer than half a second; elsewhere a line every ten seconds."""
 
 from __future__ import annotations
 
 import sys
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
+from itertools import count
 from threading import Timer
+from time import monotonic
 from typing import TYPE_CHECKING, TypeVar
 
 from exactspline.cli.output import is_quiet
@@ -13,11 +15,11 @@ from exactspline.cli.output import is_quiet
 if TYPE_CHECKING:
     from rich.progress import Progress
 
-__all__ = ["bar", "ticking", "tracked"]
+__all__ = ["bar", "seldom", "ticking", "tracked"]
 
 V = TypeVar("V")
-#: Seconds before a bar is shown.
-DELAY = 1 / 2
+#: Seconds before a bar is shown, and between two lines where there is no terminal.
+DELAY, BETWEEN = 1 / 2, 10
 
 
 @contextmanager
@@ -46,7 +48,8 @@ def ticking(label: str, total: int) -> Iterator[Callable[[], None]]:
     """A function whose every call advances a bar by one of `total` steps."""
     with bar() as shown:
         if shown is None:
-            yield lambda: None
+            write, done = seldom(), count(1)
+            yield lambda: write(f"{label}: {next(done)} of {total}")
             return
         from rich.markup import escape
 
@@ -54,6 +57,19 @@ def ticking(label: str, total: int) -> Iterator[Callable[[], None]]:
 
         task = shown.add_task(escape(visible(label)), total=total)
         yield lambda: shown.advance(task)
+
+
+def seldom() -> Callable[[str], None]:
+    """What writes a line on standard error, at most one every ten seconds; none with ``--quiet``."""
+    last = monotonic()
+
+    def write(line: str) -> None:
+        nonlocal last
+        if monotonic() - last >= BETWEEN and not is_quiet():
+            last = monotonic()
+            print(line, file=sys.stderr, flush=True)
+
+    return write
 
 
 def tracked(calls: Sequence[Callable[[], V]], label: str) -> list[V]:

@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Annotated
 from exactspline.cli.common import Approximate, check_approximate, with_distance
 from exactspline.cli.output import INTERRUPTED, OptionsError, Output, leave_out, printing, to_stderr
 from exactspline.cli.parameters import Argument, Exit, Option
-from exactspline.cli.progress import bar
+from exactspline.cli.progress import bar, seldom
 from exactspline.display.sheet import Sheet
 from exactspline.errors import CurveFileError, counted
 
@@ -237,7 +237,7 @@ def _interruptible(several: bool) -> Iterator[Callable[[], bool]]:
 
 @contextmanager
 def _progress() -> Iterator[Tick]:
-    """A bar on a terminal with the curves, their rate and the time left; nothing in a pipe."""
+    """A bar on a terminal with the curves, their rate and the time left; elsewhere a line every ten seconds."""
     from rich.progress import BarColumn, TextColumn, TimeRemainingColumn
 
     columns = (
@@ -249,7 +249,8 @@ def _progress() -> Iterator[Tick]:
     )
     with bar(*columns) as shown:
         if shown is None:
-            yield lambda *_: None
+            write = seldom()
+            yield lambda share, line, known: write(f"{line.index + 1} curves, {share:.0%}")
             return
         task = shown.add_task("", total=1, curves=0, rate="–")
         start, computed, known_share, last = monotonic(), 0, None, monotonic()
