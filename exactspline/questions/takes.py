@@ -92,8 +92,21 @@ INTEGER = Takes("2", _integer)
 COORDINATE = Takes("0", _integer)
 #: A distance, and one within which control points and weights may differ.
 DISTANCE, WITHIN = Takes("1/10", _distance), Takes("1/1000000", _distance)
+#: An arc length from the start of a curve.
+LENGTH = Takes("1", _distance)
 #: The coordinates of a point.
 POINT = Takes("1/2,2", _parts)
+
+
+def _coordinate_value(given: Any, facts: object) -> tuple[int, mpq]:
+    parts = _parts(given)
+    if len(parts) != 2:
+        raise QuestionError(f"{given!r}, where a coordinate and a value are needed", remedy="0,1/2 is x = 1/2")
+    return _integer(parts[0], facts), rational(parts[1])
+
+
+#: A coordinate by its number, and a value of it.
+COORDINATE_VALUE = Takes("0,1/2", _coordinate_value)
 
 
 def _two_coordinates(given: Any, facts: Any) -> tuple[int, int]:
@@ -157,6 +170,17 @@ def _place(given: Any, facts: Any) -> mpq:
 PLACES = Takes("1/2", _places, placed=True)
 #: One rational parameter.
 PLACE = Takes("1/2", _place, placed=True)
+
+
+def _two_places(given: Any, facts: Any) -> tuple[mpq | Real, ...]:
+    places = _places(given, facts)
+    if len(places) != 2 or any(place.side for place in places):
+        raise QuestionError(f"{given!r}, where two parameters are needed", remedy="such as 0,1/2")
+    return tuple(place.parameter for place in places)
+
+
+#: Two parameters between which something is asked.
+TWO_PLACES = Takes("0,1/2", _two_places, placed=True)
 
 
 def _two(expected: str, remedy: str) -> Callable[[Any, Any], tuple[mpq, mpq]]:

@@ -11,8 +11,8 @@ from exactspline.errors import OpenError
 from exactspline.numbers.exact import mpq
 from exactspline.numbers.immutable import fill
 from exactspline.numbers.intervals import Interval, ball_ends
-from exactspline.reals.algebraic import OPEN
-from exactspline.reals.real import UNASKED, Real
+from exactspline.reals.algebraic import OPEN, Algebraic
+from exactspline.reals.real import UNASKED, RationalNumber, Real
 
 
 class InBalls(Real):
@@ -62,3 +62,51 @@ class InBalls(Real):
 
     def _decided(self) -> mpq | None:
         return super()._decided() if self.exactly is None else self.exactly().exact
+
+
+class WithAngles(InBalls):
+    """``a + b π + Σ cᵢ arctan tᵢ`` with rational and quadratic numbers, proved to be transcendental. Two such numbers
+    without arctangents are equal if and only if a and b are: π is transcendental.
+    """
+
+    __slots__ = ("arcs", "constant", "of_pi")
+    constant: Real
+    of_pi: Real
+    arcs: tuple[tuple[Real, Real], ...]
+
+    def __init__(
+        self, ball: Callable[[int], arb], constant: Real, of_pi: Real, arcs: tuple[tuple[Real, Real], ...]
+    ) -> None:
+        super().__init__(ball, transcendental=True)
+        fill(self, constant=constant, of_pi=of_pi, arcs=arcs)
+
+    def __reduce__(self) -> tuple[object, ...]:
+        return WithAngles, (self.ball, self.constant, self.of_pi, self.arcs)
+
+    @property
+    def closed_form(self) -> str:
+        """``a + bπ + c arctan(t)``, without what is 0."""
+        parts = [self.constant.closed_form or ""] if self.constant else []
+        parts += [_multiple(self.of_pi, "π")] if self.of_pi else []
+        parts += [_multiple(factor, f" arctan({tangent.closed_form})") for factor, tangent in self.arcs]
+        return " + ".join(parts).replace("+ -", "- ")
+
+    def _equals(self, other: Algebraic | mpq) -> bool:
+        if isinstance(other, WithAngles):
+            same = self.constant == other.constant and self.of_pi == other.of_pi and self.arcs == other.arcs
+            if same or not (self.arcs or other.arcs):
+                return same
+        return super()._equals(other)
+
+
+def _multiple(factor: Real, unit: str) -> str:
+    """A multiple of π or of an angle, as text.
+
+    >>> _multiple(RationalNumber("-3/2"), "π"), _multiple(RationalNumber(1), " arctan(2)")
+    ('-3π/2', 'arctan(2)')
+    """
+    if not isinstance(factor, RationalNumber):
+        return f"({factor.closed_form}){unit}"
+    top, bottom = factor.value.numerator, factor.value.denominator
+    times = {1: "", -1: "-"}.get(int(top), str(top))
+    return f"{times}{unit}".lstrip().replace("- ", "-") + (f"/{bottom}" if bottom > 1 else "")

@@ -137,8 +137,12 @@ def test_what_does_not_fit_says_what_would(command, told):
 
 def test_contours_that_have_no_area_are_named(drawing):
     status, shown, _ = asked(drawing, "area", "nonzero")
+    assert status == 0
+    assert "133/3 + π" in shown
+    drawing.write_text(SVG.replace('<circle id="round" r="1" cx="20"/>', '<path id="q" d="M3 3L9 3L9 9"/>'))
+    status, shown, _ = asked(drawing, "area", "nonzero")
     assert status == 2
-    assert "round: the area of a curve that is not closed, polynomial and in the plane" in " ".join(shown.split())
+    assert "q: the area of a curve that is not closed and in the plane" in " ".join(shown.split())
     drawing.write_text(SVG.replace('<circle id="round" r="1" cx="20"/>', '<path id="q" d="M3 3L9 3L9 9Z"/>'))
     shown = " ".join(asked(f"{drawing}:both", "area", "nonzero")[1].split())
     assert "framed.1 and q: contours that meet each other; remove overlaps first" in shown

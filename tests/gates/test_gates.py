@@ -126,6 +126,7 @@ UNREGISTERED = {
     "geometry/filter/certain.py: Certain.critical_points": "the answer of critical_points, where it is certain",
     "geometry/filter/certain.py: Certain.inflections": "the answer of inflections, where it is certain",
     "geometry/curves/extent.py: turning_points": "the answer of turning_points, beside what it shares with boxes",
+    "geometry/curves/extent.py: at_coordinate": "the answer of at_coordinate, beside what it shares with boxes",
     "geometry/analysis/inspection.py: Report.places": "the answer of an entry",
     "geometry/analysis/inspection.py: Report.coordinate_extrema": "the answers of turning_points",
 }
@@ -357,7 +358,10 @@ def test_what_rounds_is_found(code):
 
 #: Where FLINT's own functions may be called: the doors, and what costs nothing.
 UNBOUNDED = {
-    "geometry/curves/balls.py: _rooted": "paid for, by degree and bits, where the zeros are apart",
+    "geometry/measures/lengths.py: _rooted": "paid for, by degree and bits, where the zeros are apart",
+    "geometry/measures/integrals.py: Logarithmic.ball": "where the zeros are apart",
+    "geometry/measures/integrals.py: _reduced": "after the bound was checked",
+    "geometry/measures/integrals.py: integral": "the same",
     "geometry/bisectors/polynomials.py: common_divisor_along": "over the field of a root: Euclid's algorithm, bounded",
     "bivariate/zero_curve_certificate.py: _part_at": "over the field of a root: a door with an estimated cost",
     "numbers/exact.py: common_divisor": "integers",

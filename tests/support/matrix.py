@@ -171,6 +171,32 @@ def moved_distances(text, image, _):
     return listed(moved[::-1] if image.exchanged else moved)
 
 
+def two_parameters(curve, random):
+    """Two parameters, neither of them a knot."""
+    return listed(inside(*curve.domain, random) for _ in range(2))
+
+
+def some_length(curve, random):
+    """A length that the curve has."""
+    return str(analyse(curve).length.rational_near(6) * mpq(random.randint(1, 96), 97))
+
+
+def some_coordinate(curve, random):
+    """A coordinate, and a value that it has somewhere, or may have."""
+    axis = random.randrange(curve.dimension)
+    a, b = curve.domain
+    value = curve(a + (b - a) * mpq(random.randint(0, 8), 8))[axis] if random.random() < 0.7 else random.randint(-2, 2)
+    return listed((axis, value))
+
+
+def moved_coordinate(text, image, dimension):
+    """The coordinate that a coordinate becomes, and its value."""
+    axis, value = text.split(",")
+    point = [mpq(value) if i == int(axis) else mpq(0) for i in range(dimension)]
+    moved = axis_of(axis, image, dimension)
+    return listed((moved, image.motion(point)[int(moved)]))
+
+
 #: What questions take.
 TAKEN = {
     takes.POINT: Drawn(some_point, lambda text, image, _: listed(image.motion(exact(text)))),
@@ -189,6 +215,9 @@ TAKEN = {
         lambda text, image, _: ",".join(text.split(",")[:: -1 if image.exchanged else 1]),
     ),
     takes.PLACES: Drawn(some_parameter, moved_parameter),
+    takes.TWO_PLACES: Drawn(two_parameters, lambda text, image, _: listed(image.ways[0].to(t) for t in exact(text))),
+    takes.LENGTH: Drawn(some_length, lambda text, image, _: str(exact(text)[0] * image.motion.scale)),
+    takes.COORDINATE_VALUE: Drawn(some_coordinate, moved_coordinate),
     takes.PLACE_ON_SURFACE: Drawn(some_place, moved_place),
 }
 #: The questions whose answer exchanges with another one where a map changes its orientation.

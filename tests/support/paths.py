@@ -238,6 +238,8 @@ IN_ANY_PLANE = (
     "straight_pieces",
     "nearest",
     "length",
+    "length_between",
+    "at_length",
     "value",
 )
 

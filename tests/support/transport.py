@@ -298,12 +298,14 @@ def _(number: int, to):
 # ---- numbers by their names
 
 #: The power of the scale with which a number goes, and whether it has a sign by left and right.
-POWERS = {"length": (1, False), "area": (2, True)}
+POWERS = {"length": (1, False), "length_between": (1, False), "at_length": (0, False), "area": (2, True)}
 
 
 @rows.register
 def _(number: Real, to):
-    """A number of the whole curve."""
+    """A number of the whole curve, or a parameter."""
+    if to.name == "at_length":
+        return [((), (to.parameter(number),))]
     power, signed = POWERS[to.name]
     return [((), (known(number).times(to.scale**power * (to.turn if signed else 1)),))]
 
@@ -387,6 +389,11 @@ def as_moment(found, values, to):
     return tuple(map(str, powers)), [values["moment"].times(factor)]
 
 
+def as_parameter(found, values, to):
+    """A parameter alone."""
+    return (), ()
+
+
 #: How the numbers go that answer a question.
 NUMBERS = {
     "value": as_point,
@@ -396,6 +403,8 @@ NUMBERS = {
     "frame": as_frame,
     "bounding_box": as_box,
     "moments": as_moment,
+    "centroid": as_point,
+    "equally_spaced": as_parameter,
 }
 
 

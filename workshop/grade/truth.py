@@ -14,10 +14,10 @@ from operator import add
 from exactspline.errors import ExactSplineError
 from exactspline.geometry.analysis.curves import analyse
 from exactspline.geometry.analysis.pairs import CurvePair
-from exactspline.geometry.curves import balls
 from exactspline.geometry.curves.extent import coordinate_range, slope
 from exactspline.geometry.curves.facts import facts_of
 from exactspline.geometry.curves.values import curvature, point_at, torsion, unit
+from exactspline.geometry.measures.lengths import length
 from exactspline.geometry.pairs.intersections import intersections
 from exactspline.geometry.pairs.nearest import nearest
 from exactspline.language.vector import Vector, triple
@@ -167,7 +167,7 @@ def _extrema(case: Case) -> Answer | None:
 
 
 def _length(case: Case) -> Answer:
-    return _numbers([balls.length(case.curve)])
+    return _numbers([length(case.curve)])
 
 
 def _area(case: Case) -> Answer | None:

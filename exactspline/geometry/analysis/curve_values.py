@@ -8,18 +8,29 @@ from collections.abc import Callable
 from functools import partial
 from typing import TypeAlias
 
-from exactspline.geometry.curves import balls, values
+from exactspline.geometry.curves import values
 from exactspline.geometry.curves.extent import coordinate_range, slope_zeros
-from exactspline.geometry.curves.moments import moment, named_moments
 from exactspline.geometry.curves.space_features import SpaceFacts
 from exactspline.geometry.derived.derive import Derived, derive
+from exactspline.geometry.measures import lengths
+from exactspline.geometry.measures.integrals import number
+from exactspline.geometry.measures.moments import centroid, moment, named_moments
 from exactspline.language.rational import Rational
 from exactspline.language.vector import Vector, cross
 from exactspline.numbers.exact import mpq
 from exactspline.numbers.sides import Side
 from exactspline.questions.answers import NamedNumbers
 from exactspline.questions.entry import ALL_CURVES, CURVES, Answered, Of, question, question_with, questions_of
-from exactspline.questions.takes import INTEGER, PLACE, PLACES, TWO_COORDINATES, OnCurve, QuestionError
+from exactspline.questions.takes import (
+    INTEGER,
+    LENGTH,
+    PLACE,
+    PLACES,
+    TWO_COORDINATES,
+    TWO_PLACES,
+    OnCurve,
+    QuestionError,
+)
 from exactspline.reals.real import Real, real
 from exactspline.roots.answers import Places
 from exactspline.roots.values import exact_place
@@ -203,38 +214,92 @@ class CurveValues(SpaceFacts):
 
     @question(Of.PLANE_CURVE, answered=Answered.VALUE, on_request=True)
     def area(self) -> Real:
-        """The signed area inside a closed polynomial curve: positive where it runs counterclockwise.
+        """The signed area inside a closed curve: positive where it runs counterclockwise.
 
-        >>> from exactspline import Nurbs, analyse
+        In closed form for polynomial curves and for arcs of circles and ellipses.
+
+        >>> from exactspline import Nurbs, analyse, example
         >>> analyse(Nurbs(1, [0, 0, 1, 2, 3, 3], [(0, 0), (1, 0), (0, 1), (0, 0)])).area
         <Real 1/2>
+        >>> analyse(example("circle")).area, analyse(example("ellipse")).area
+        (<Real π>, <Real 2π>)
 
-        Raises `ShapeError` for another curve.
+        Raises `ShapeError` for a curve that is not closed.
         """
-        return Real(moment(self, 0, 0))
+        return number(moment(self, 0, 0))
 
     @question_with(INTEGER, Of.PLANE_CURVE, answered=Answered.NUMBERS)
     def moments(self, order: int = 2) -> tuple[NamedNumbers, ...]:
-        """The moments ∬ xⁱ yʲ inside a closed polynomial curve with i + j up to an order, by default 2.
+        """The moments ∬ xⁱ yʲ inside a closed curve with i + j up to an order, by default 2.
 
         >>> from exactspline import Nurbs, analyse
         >>> triangle = Nurbs(1, [0, 0, 1, 2, 3, 3], [(0, 0), (1, 0), (0, 1), (0, 0)])
         >>> [found.values["moment"] for found in analyse(triangle).moments(1)]
         [<Real 1/2>, <Real 1/6>, <Real 1/6>]
 
-        Raises `ShapeError` for another curve, and `QuestionError` for an order above 8.
+        Raises `ShapeError` for a curve that is not closed, and `QuestionError` for an order above 8.
         """
         return named_moments(partial(moment, self), order)
+
+    @question(Of.PLANE_CURVE, answered=Answered.NUMBERS, on_request=True)
+    def centroid(self) -> tuple[NamedNumbers, ...]:
+        """The centroid of what is inside a closed curve.
+
+        >>> from exactspline import Nurbs, analyse
+        >>> analyse(Nurbs(1, [0, 0, 1, 2, 3, 3], [(0, 0), (1, 0), (0, 1), (0, 0)])).centroid
+        (<centroid: x 1/3, y 1/3>,)
+
+        Raises `ShapeError` for a curve that is not closed, and `DomainError` where the area is 0.
+        """
+        return centroid(partial(moment, self))
 
     @question(*ALL_CURVES, answered=Answered.VALUE, on_request=True)
     def length(self) -> Real:
         """The arc length.
 
-        >>> from exactspline import Nurbs, analyse
-        >>> analyse(Nurbs(1, [0, 0, 1, 1], [(0, 0), (3, 4)])).length
-        <Real 5>
+        In closed form where the speed is a polynomial, and for circular arcs.
+
+        >>> from exactspline import Nurbs, analyse, example
+        >>> analyse(Nurbs(1, [0, 0, 1, 1], [(0, 0), (3, 4)])).length, analyse(example("circle")).length
+        (<Real 5>, <Real 2π>)
         """
-        return balls.length(self.curve)
+        return lengths.length(self.curve)
+
+    @question_with(TWO_PLACES, *ALL_CURVES, answered=Answered.VALUE)
+    def length_between(self, ends: tuple[mpq | Real, mpq | Real]) -> Real:
+        """The arc length between two parameters.
+
+        >>> from exactspline import analyse, example
+        >>> analyse(example("circle")).length_between((0, 1))
+        <Real π/2>
+
+        Raises `DomainError` outside the domain.
+        """
+        return lengths.length_between(self.curve, *ends)
+
+    @question_with(LENGTH, *ALL_CURVES, answered=Answered.VALUE)
+    def at_length(self, distance: mpq) -> Real:
+        """The parameter at an arc length from the start.
+
+        >>> from exactspline import Nurbs, analyse
+        >>> analyse(Nurbs(1, [0, 0, 1, 1], [(0, 0), (3, 4)])).at_length(2)
+        <Real 2/5>
+
+        Raises `DomainError` for a negative length and for one longer than the curve.
+        """
+        return lengths.at_length(self.curve, distance)
+
+    @question_with(INTEGER, *ALL_CURVES, answered=Answered.NUMBERS)
+    def equally_spaced(self, parts: int) -> tuple[NamedNumbers, ...]:
+        """The parameters that divide it into parts of the same arc length, both ends included.
+
+        >>> from exactspline import Nurbs, analyse
+        >>> [found.values["parameter"] for found in analyse(Nurbs(1, [0, 0, 1, 1], [(0, 0), (3, 4)])).equally_spaced(2)]
+        [<Real 0>, <Real 1/2>, <Real 1>]
+
+        Raises `QuestionError` for 0 parts.
+        """
+        return tuple(NamedNumbers("end", {"parameter": t}) for t in lengths.equally_spaced(self.curve, parts))
 
 
 def axes(n: int) -> list[str]:

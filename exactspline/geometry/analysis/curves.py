@@ -14,7 +14,7 @@ from exactspline.geometry.analysis.curve_values import CurveValues
 from exactspline.geometry.bisectors.any_pair import bisector
 from exactspline.geometry.bisectors.common import Bisector
 from exactspline.geometry.curves import plane_features, space_features
-from exactspline.geometry.curves.extent import slope_zeros, turning_points
+from exactspline.geometry.curves.extent import at_coordinate, slope_zeros, turning_points, value_zeros
 from exactspline.geometry.curves.facts import ZeroForm, kept_by
 from exactspline.geometry.curves.joints import curvature_of
 from exactspline.geometry.curves.kinds import Feature, FeatureKind
@@ -46,7 +46,7 @@ from exactspline.questions.entry import (
     question_with,
     questions_of,
 )
-from exactspline.questions.takes import COORDINATE, DISTANCE, POINT, WITHIN
+from exactspline.questions.takes import COORDINATE, COORDINATE_VALUE, DISTANCE, POINT, WITHIN
 from exactspline.roots.answers import CurvePiece, Places
 from exactspline.roots.root import knot_root
 from exactspline.splines.bspline import BSpline
@@ -396,6 +396,20 @@ class Analysis(CurveValues, Displayed, FunctionsOutside):
         Raises `ShapeError` for a coordinate that the curve does not have.
         """
         return turning_points(self.with_coordinate(axis), axis)
+
+    @question_with(COORDINATE_VALUE, *CURVES, proof=lambda facts, at: (value_zeros(facts.with_coordinate(at[0]), *at),))
+    def at_coordinate(self, at: tuple[int, mpq]) -> Places[Feature]:
+        """Where a coordinate (0 is x) has a value: it crosses it or touches it.
+
+        Everywhere where it is constant.
+
+        >>> from exactspline import analyse, example
+        >>> [(f.kind.value, f.root.shortly()) for f in analyse(example("circle")).at_coordinate((0, "1/2"))]
+        [('crossing', '√3/3'), ('crossing', '(12 - √3)/3')]
+
+        Raises `ShapeError` for a coordinate that the curve does not have.
+        """
+        return at_coordinate(self.with_coordinate(at[0]), *at)
 
     @question_with(DISTANCE, Of.PLANE_CURVE, answered=Answered.PAIRS)
     def offset_self_intersections(self, distance: Number) -> Intersections:

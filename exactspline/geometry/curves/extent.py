@@ -9,6 +9,7 @@ from exactspline.geometry.curves.facts import located
 from exactspline.geometry.curves.kinds import Feature, FeatureKind
 from exactspline.language.vector import Vector
 from exactspline.language.wronskians import wronskians
+from exactspline.numbers.exact import mpq
 from exactspline.reals.real import Extreme, RationalNumber, Real
 from exactspline.roots.answers import CurvePiece, Places
 from exactspline.roots.values import exact_place, value_at
@@ -24,10 +25,32 @@ def slope(curve: Nurbs, axis: int) -> BSpline:
 
 def slope_zeros(curve: Nurbs, axis: int | str) -> ZeroSet:
     """The zeros of that derivative; raises `ShapeError` for a coordinate that the curve does not have."""
+    return zeros(slope(curve, _number_of(curve, axis)), periodic=curve.closed)
+
+
+def _number_of(curve: Nurbs, axis: int | str) -> int:
     number = next((i for i in range(curve.dimension) if str(i) == str(axis)), None)
     if number is None:
         raise ShapeError(f"the coordinate {axis} of a curve in R{curve.dimension}", remedy="0 is x, 1 is y, 2 is z")
-    return zeros(slope(curve, number), periodic=curve.closed)
+    return number
+
+
+def value_zeros(curve: Nurbs, axis: int | str, value: mpq) -> ZeroSet:
+    """Where a coordinate has a value; raises `ShapeError` for a coordinate that the curve does not have."""
+    return zeros(curve.p[_number_of(curve, axis)] - curve.w.scaled(value), periodic=curve.closed)
+
+
+def at_coordinate(curve: Nurbs, axis: int | str, value: mpq) -> Places[Feature]:
+    """Where a coordinate crosses a value, also by a jump (``crossing``), or has it without crossing it (``touch``); and
+    the pieces on which it has it.
+
+    Raises `ShapeError` for a coordinate that the curve does not have.
+    """
+    solved, features = value_zeros(curve, axis, value), []
+    for root, by_jump in located(solved):
+        kind = FeatureKind.CROSSING if root.sign_change else FeatureKind.TOUCH
+        features.append(Feature(kind, root, f"coordinate {axis}", by_jump))
+    return Places(tuple(features), tuple(CurvePiece(each.parts) for each in solved.intervals))
 
 
 def turning_points(curve: Nurbs, axis: int | str) -> Places[Feature]:

@@ -34,6 +34,9 @@ class FeatureKind(StrEnum):
     TORSION_ZERO = "torsion zero"
     TORSION_TOUCH = "torsion touch"
     TORSION_END = "torsion end"
+    #: A coordinate has a value: its difference from it changes its sign, or keeps it, or the domain ends there.
+    CROSSING = "crossing"
+    TOUCH = "touch"
 
     @property
     def is_singular(self) -> bool:

@@ -9,8 +9,9 @@ from itertools import combinations
 
 from exactspline.errors import ShapeError, as_items
 from exactspline.geometry.curves.facts import facts_of
-from exactspline.geometry.curves.moments import moment, named_moments
 from exactspline.geometry.curves.planarity import in_the_plane
+from exactspline.geometry.measures.integrals import Terms, number
+from exactspline.geometry.measures.moments import centroid, moment, named_moments
 from exactspline.geometry.pairs.intersections import intersections, self_intersections
 from exactspline.geometry.pairs.winding import FillRule, Position, contains, winding_number
 from exactspline.hooks import Displayed
@@ -85,7 +86,7 @@ class Region(Inspected, Displayed):
 
         Raises `ShapeError` as `moments` does.
         """
-        return Real(self._moment(0, 0))
+        return number(self._moment(0, 0))
 
     @question_with(INTEGER, Of.REGION, answered=Answered.NUMBERS)
     def moments(self, order: int = 2) -> tuple[NamedNumbers, ...]:
@@ -97,18 +98,32 @@ class Region(Inspected, Displayed):
         >>> [found.values["moment"] for found in Region([square]).moments(1)]
         [<Real 16>, <Real 32>, <Real 32>]
 
-        Raises `ShapeError` for a curve that is not closed, polynomial and in the plane, and where curves meet each
-        other or themselves, and `QuestionError` for an order above 8.
+        Raises `ShapeError` for a curve that is not closed and in the plane, and where curves meet each other or
+        themselves, and `QuestionError` for an order above 8.
         """
         return named_moments(self._moment, order)
 
-    def _moment(self, i: int, j: int) -> mpq:
-        signs = self.once("signs", self._signs)
-        return sum((sign * moment(facts_of(x), i, j) for x, sign in zip(self.curves, signs, strict=True)), mpq(0))
+    @question(Of.REGION, answered=Answered.NUMBERS, on_request=True)
+    def centroid(self) -> tuple[NamedNumbers, ...]:
+        """The centroid of the region.
+
+        >>> from exactspline import Nurbs
+        >>> from exactspline.geometry.pairs.regions import Region
+        >>> square = Nurbs(1, [0, 0, 1, 2, 3, 4, 4], [(0, 0), (4, 0), (4, 4), (0, 4), (0, 0)])
+        >>> Region([square]).centroid
+        (<centroid: x 2, y 2>,)
+
+        Raises `ShapeError` as `moments` does, and `DomainError` where the area is 0.
+        """
+        return centroid(self._moment)
+
+    def _moment(self, i: int, j: int) -> Terms:
+        signs = zip(self.curves, self.once("signs", self._signs), strict=True)
+        return tuple(term.times(mpq(sign)) for x, sign in signs if sign for term in moment(facts_of(x), i, j))
 
     def _signs(self) -> list[int]:
         """Whether the moments inside each curve are added (1), subtracted (−1) or left out (0)."""
-        areas = [moment(facts_of(curve), 0, 0) for curve in self.curves]
+        areas = [number(moment(facts_of(curve), 0, 0)) for curve in self.curves]
         for met in (x.name for x in self.curves if self_intersections(x)):
             raise ShapeError("a contour that meets itself", where=met, remedy=OVERLAPS)
         for met in (f"{a.name} and {b.name}" for a, b in combinations(self.curves, 2) if intersections(a, b)):

@@ -1,0 +1,330 @@
+"""Arc lengths of curves, and the parameters at them: exactly where the speed is a polynomial, or rational with an
+integral in closed form, otherwise enclosed by FLINT's integration.
+"""
+
+from __future__ import annotations
+
+from bisect import bisect_left, bisect_right
+from collections.abc import Callable, Iterator
+from functools import partial, reduce
+from itertools import accumulate, pairwise
+from math import comb
+from typing import TypeAlias
+
+from flint import acb, acb_poly, arb, arb_poly, ctx, fmpq, fmpq_poly
+from flint.utils.flint_exceptions import DomainError as NoRoot
+
+from exactspline.errors import DomainError, OpenError, ReachError
+from exactspline.geometry.curves.facts import facts_of
+from exactspline.geometry.measures.integrals import Term, in_local_powers, integral, number, separate, too_much
+from exactspline.numbers.exact import mpq, rational, text, to_fmpq
+from exactspline.numbers.intervals import Interval, ball_around, ball_ends
+from exactspline.polynomials.factors import greatest_common_divisor
+from exactspline.questions.takes import QuestionError
+from exactspline.reals.ball import InBalls
+from exactspline.reals.real import Real, real, square_root_parts
+from exactspline.roots.values import exact_place
+from exactspline.roots.zero_set import zeros
+from exactspline.splines.bspline import BSpline
+from exactspline.splines.nurbs import Nurbs
+
+WHAT = "the arc length"
+#: The work allowed for one enclosure of an arc length, as `Budget` counts it: a few seconds.
+MOST_WORK = 4_000_000
+#: The bits from which a parameter is found with half of them first, and how many of them the result lacks.
+FIRST_BITS, MARGIN = 200, 35
+#: A segment: the common factor g of the components of γ′, h, and w, with ``‖γ′‖ = |g| √h / w²`` and h > 0.
+Speed: TypeAlias = tuple[fmpq_poly, fmpq_poly, fmpq_poly]
+
+
+class Budget:
+    """The remaining work for one enclosure: every evaluation of the integrand is counted before it is made, inside
+    FLINT's integration loop, which ends when an evaluation fails.
+    """
+
+    def __init__(self, bits: int) -> None:
+        self.remaining, self._words = MOST_WORK, 1 + bits // 100
+
+    def take(self, terms: int) -> None:
+        """Count an evaluation of this many terms; raises `OpenError` when the budget is exhausted."""
+        self.remaining -= terms * self._words
+        if self.remaining < 0:
+            raise too_much(WHAT)
+
+
+def length(curve: Nurbs) -> Real:
+    """The arc length; exact where ‖γ′‖ is, on every segment, the square root of a rational number times a polynomial or
+    a rational function with an integral in closed form, as on circular arcs. A curve of many segments, a high degree or
+    many digits may need too much work: operations on the number then raise `OpenError`.
+
+    >>> from exactspline import Nurbs, example
+    >>> length(Nurbs(1, [0, 0, 1, 1], [(0, 0), (3, 4)])), length(example("circle"))
+    (<Real 5>, <Real 2π>)
+    >>> length(Nurbs(2, [0, 0, 0, 1, 1, 1], [(0, 0), (1, 1), (2, 0)])).double()
+    2.295587149392638
+    """
+    try:
+        terms = [term for i in range(len(_speeds(curve))) for term in _exactly(curve, i)]
+    except (ReachError, OpenError):
+        return InBalls(partial(_length_ball, curve, *curve.domain))
+    return number(terms)
+
+
+def length_between(curve: Nurbs, first: mpq | Real, second: mpq | Real) -> Real:
+    """The arc length between two parameters, whichever of them is the smaller one.
+
+    >>> from exactspline import example
+    >>> length_between(example("circle"), mpq(1, 2), mpq(0)).double()
+    0.9272952180016122
+
+    Raises `DomainError` outside the domain.
+    """
+    low, high = sorted((exact_place(first), exact_place(second)), key=real)
+    a, b = curve.domain
+    if not a <= low <= high <= b:
+        raise DomainError(f"a parameter outside the domain [{text(a)}, {text(b)}]", remedy="stay inside")
+    if not isinstance(low, Real) and not isinstance(high, Real):
+        return length(curve.restrict(low, high)) if low < high else Real(0)
+    return InBalls(partial(_length_ball, curve, low, high)) if low != high else Real(0)
+
+
+def at_length(curve: Nurbs, distance: mpq) -> Real:
+    """The parameter at an arc length from the start of the curve.
+
+    >>> from exactspline import Nurbs, example
+    >>> at_length(Nurbs(1, [0, 0, 1, 1], [(0, 0), (3, 4)]), mpq(2)), at_length(example("circle"), mpq(1)).double()
+    (<Real 2/5>, 0.5463024898437905)
+
+    Raises `DomainError` for a negative length and for one longer than the curve.
+    """
+    total = length(curve)
+    if not 0 <= distance <= total:
+        raise DomainError(f"the length {text(distance)} on a curve of the length {total}", remedy="stay on the curve")
+    known = _travelled(curve)
+    if known is None:
+        return InBalls(partial(_place_ball, curve, real(distance))) if distance else Real(curve.domain[0])
+    root, radicand = square_root_parts(known[1])
+    travelled = known[0].scaled(root)
+    return _zero_of(travelled - distance if radicand == 1 else travelled * travelled * radicand - distance**2)
+
+
+def equally_spaced(curve: Nurbs, parts: int) -> list[Real]:
+    """The parameters that divide a curve into parts of the same arc length, both ends of the domain included.
+
+    >>> from exactspline import Nurbs
+    >>> equally_spaced(Nurbs(1, [0, 0, 1, 1], [(0, 0), (3, 4)]), 3)
+    [<Real 0>, <Real 1/3>, <Real 2/3>, <Real 1>]
+
+    Raises `QuestionError` for 0 parts.
+    """
+    if parts < 1:
+        raise QuestionError("a curve in 0 parts", remedy="ask for one part or more")
+    (start, end), total, known = curve.domain, length(curve), _travelled(curve)
+    shares = [mpq(k, parts) for k in range(1, parts)]
+    if known is None:
+        return [Real(start), *(InBalls(partial(_place_ball, curve, total * share)) for share in shares), Real(end)]
+    return [Real(start), *(_zero_of(known[0] - known[0](end) * share) for share in shares), Real(end)]
+
+
+def _zero_of(increasing: BSpline) -> Real:
+    """The first zero of an increasing spline that has one."""
+    found = zeros(increasing)
+    return Real(found.intervals[0].low) if found.intervals else real(exact_place(found.roots[0]))
+
+
+# ---- exactly
+
+
+def _rational_speed(curve: Nurbs, i: int) -> tuple[fmpq_poly, mpq]:
+    """f and k with ``‖γ′‖ = √k f / w²`` on a segment, where f ≥ 0; raises `OpenError` where there are none."""
+    common, squared, _ = _speeds(curve)[i]
+    a, b = curve.breakpoints[i : i + 2]
+    if not common:
+        return common, mpq(1)
+    factor = squared.leading_coefficient()
+    try:
+        speed = common * (squared / factor).sqrt()
+    except (NoRoot, ValueError) as error:  # FLINT's wrapper raises both
+        raise too_much(WHAT) from error
+    if any(a < stop < b for stop in facts_of(curve).speed.zeros):
+        raise too_much(WHAT)
+    return speed if speed(fmpq(1, 2)) > 0 else -speed, rational(factor)
+
+
+def _exactly(curve: Nurbs, i: int) -> Iterator[Term]:
+    """The length of a segment."""
+    speed, square = _rational_speed(curve, i)
+    factor, radicand = square_root_parts(square)
+    a, b = curve.breakpoints[i : i + 2]
+    return (term.times(factor * (b - a), radicand) for term in integral(speed, _speeds(curve)[i][2] ** 2))
+
+
+def _travelled(curve: Nurbs) -> tuple[BSpline, mpq] | None:
+    """A spline f and a number k such that ``√k f`` is the arc length from the start on; None where there are none."""
+    try:
+        speeds = [_rational_speed(curve, i) for i in range(len(_speeds(curve)))]
+    except (ReachError, OpenError):
+        return None
+    square = next((k for f, k in speeds if f), mpq(1))
+    roots = [square_root_parts(k / square) if f else (mpq(1), 1) for f, k in speeds]
+    if not curve.polynomial or any(radicand != 1 for _, radicand in roots):
+        return None
+    n = max(0, *(f.degree() for f, _ in speeds))
+    points = [
+        factor * sum((mpq(comb(j, i), comb(n, i)) * rational(f[i]) for i in range(j + 1)), start=mpq(0))
+        for (f, _), (factor, _) in zip(speeds, roots, strict=True)
+        for j in range(n + 1)
+    ]
+    return BSpline(n, [t for t in curve.breakpoints for _ in range(n + 1)], points).integral(), square
+
+
+# ---- in balls
+
+
+def _speeds(curve: Nurbs) -> list[Speed]:
+    """The segments, computed once; raises `OpenError` where that is out of reach."""
+
+    def speeds() -> list[Speed]:
+        columns = map(in_local_powers, (curve.w, *facts_of(curve).velocity))
+        return [_speed(*each) for each in zip(*columns, strict=True)]
+
+    found: list[Speed] = facts_of(curve).once("speeds", speeds)
+    return found
+
+
+def _speed(weight: fmpq_poly, *velocity: fmpq_poly) -> Speed:
+    try:
+        common = greatest_common_divisor(velocity)
+    except ReachError as error:
+        raise too_much(WHAT) from error
+    return common, sum(((p // common) ** 2 for p in velocity), start=fmpq_poly()) if common else common, weight
+
+
+def _lengths(curve: Nurbs, low: mpq | Real, high: mpq | Real, bits: int) -> list[arb]:
+    """Enclosures of the arc lengths between two parameters, segment by segment."""
+    budget = Budget(bits)
+    return [_on_segment(curve, i, low, high, budget) for i in range(len(_speeds(curve)))]
+
+
+def _length_ball(curve: Nurbs, low: mpq | Real, high: mpq | Real, bits: int) -> arb:
+    return sum(_lengths(curve, low, high, bits), start=arb(0))
+
+
+def _on_segment(curve: Nurbs, i: int, low: mpq | Real, high: mpq | Real, budget: Budget) -> arb:
+    """The arc length on a segment between two parameters, which may be outside of it, to the present precision."""
+    common, squared, weight = _speeds(curve)[i]
+    a, b = curve.breakpoints[i : i + 2]
+    start, end = low if low > a else a, high if high < b else b
+    if not common or not start < end:
+        return arb(0)
+    stops = [stop for stop in facts_of(curve).speed.zeros if start < stop < end]
+    local = [_ball_of((real(t) - a) / (b - a)) for t in (start, *stops, end)]
+    parts = (abs(_integral(common, squared, weight, u, v, budget)) for u, v in pairwise(local))
+    return sum(parts, start=arb(0)) * to_fmpq(b - a)
+
+
+def _ball_of(x: Real) -> arb:
+    return ball_around(*x.enclosure(ctx.prec * 3 // 10 + ctx.prec // 500 + 5))
+
+
+def _marks(curve: Nurbs, bits: int) -> list[arb]:
+    """The arc lengths from the start to each of the distinct knots."""
+    parts: list[arb] = facts_of(curve).once(("arc lengths", bits), lambda: _lengths(curve, *curve.domain, bits))
+    return list(accumulate(parts, initial=arb(0)))
+
+
+def _place_ball(curve: Nurbs, distance: Real, bits: int) -> arb:
+    """The parameter at an arc length, by Newton's method for intervals: the mean value theorem holds also across knots,
+    with the hull of the speeds on all segments between the ends.
+    """
+    marks, goal, budget, breaks = _marks(curve, bits), _ball_of(distance), Budget(bits), curve.breakpoints
+    if bits > FIRST_BITS:
+        # each step doubles the bits: the last one costs as much as all before
+        with ctx.workprec(bits // 2 + MARGIN):
+            low, high = ball_ends(_place_ball(curve, distance, bits // 2 + MARGIN))
+        low, high = max(low, breaks[0]), min(high, breaks[-1])
+    else:
+        low = max(t for t, mark in zip(breaks, marks, strict=True) if t == breaks[0] or mark < goal)
+        high = min(t for t, mark in zip(breaks, marks, strict=True) if t == breaks[-1] or mark > goal)
+    first = bisect_right(breaks, low) - 1
+    start, segments = breaks[first], range(first, bisect_left(breaks, high))
+
+    def narrowed(share: mpq) -> tuple[mpq, mpq]:
+        at = low + (high - low) * share
+        reached = sum((_on_segment(curve, i, start, at, budget) for i in segments), start=marks[first])
+        beyond, speed = reached - goal, reduce(arb.union, (_speed_on(curve, i, low, high) for i in segments))
+        ends = Interval(at if beyond < 0 else low, at if beyond > 0 else high)
+        step = ball_ends(arb(to_fmpq(at)) - beyond / speed) if speed > 0 else ends
+        return max(ends.low, step.low), min(ends.high, step.high)
+
+    while (width := high - low) > mpq(1, 1 << (bits - MARGIN)):
+        # at the second one where the sign at the first is not decided
+        tried = (narrowed(share) for share in (mpq(1, 2), mpq(1, 3)))
+        found = next((ends for ends in tried if ends[1] - ends[0] < width * 3 / 4), None)
+        if found is None:
+            break
+        low, high = found
+    return ball_around(low, high)
+
+
+def _speed_on(curve: Nurbs, i: int, low: mpq, high: mpq) -> arb:
+    """The speeds on the part of an interval that is on a segment."""
+    a, b = curve.breakpoints[i : i + 2]
+    local = ball_around((max(low, a) - a) / (b - a), (min(high, b) - a) / (b - a))
+    common, squared, weight = (arb_poly(p)(local) for p in _speeds(curve)[i])
+    return abs(common) * squared.sqrt() / weight**2
+
+
+def _integral(common: fmpq_poly, squared: fmpq_poly, weight: fmpq_poly, low: arb, high: arb, budget: Budget) -> arb:
+    """``∫ common √squared / weight²``, where ``squared`` has no real zeros."""
+    integers = squared.numer()
+    far = separate(integers)
+    root = _rooted(squared, budget) if far else _expanded(squared, budget)
+    factor, bottom = acb_poly(arb_poly(common)), acb_poly(arb_poly(weight))
+
+    def speed(z: acb, analytic: bool) -> acb:
+        # the fixed cost of an evaluation
+        budget.take(6)
+        return factor(z) / bottom(z) ** 2 * root(z, analytic)
+
+    bits = ctx.prec
+    with ctx.workprec(bits + (0 if far else integers.height_bits())):
+        return acb.integral(speed, acb(low), acb(high), rel_tol=arb((1, -bits)), eval_limit=20_000).real
+
+
+#: A square root as a function of a complex ball, analytic where this is asked for.
+Root: TypeAlias = Callable[[acb, bool], acb]
+
+
+def _rooted(squared: fmpq_poly, budget: Budget) -> Root:
+    """The faster one: ``√squared`` as a constant times roots of factors (z − a)² + b², each of which FLINT encloses
+    narrowly.
+    """
+    integers = squared.numer()
+    # measured, of Bézier curves: 80 to 400 nanoseconds for the cube of the degree, and more for long integers
+    degree, bits = integers.degree(), integers.height_bits()
+    budget.take(degree**3 * (1 + degree * bits // 100_000) // 2)
+    constant = arb(integers.leading_coefficient() / fmpq(squared.denom())).sqrt()
+    roots: list[tuple[acb, int]] = integers.complex_roots()  # type: ignore[assignment]  # flint says a single one
+    pairs = [(root.real, root.imag**2, times) for root, times in roots if root.imag > 0]
+
+    def root(z: acb, analytic: bool) -> acb:
+        budget.take(len(pairs))
+        value = acb(constant)
+        for a, b, times in pairs:
+            value *= ((z - a) ** 2 + b).sqrt(analytic=analytic) ** times
+        return value
+
+    return root
+
+
+def _expanded(squared: fmpq_poly, budget: Budget) -> Root:
+    """The one whose cost does not depend on the zeros: ``√squared`` by the Taylor expansion at the centre of a ball."""
+    degree = squared.degree()
+
+    def root(z: acb, analytic: bool) -> acb:
+        budget.take(degree**2)
+        centre = acb(z.real.mid(), z.imag.mid())
+        return acb_poly(arb_poly(squared))(acb_poly([centre, 1]))(z - centre).sqrt(analytic=analytic)
+
+    return root
