@@ -98,17 +98,6 @@ LENGTH = Takes("1", _distance)
 POINT = Takes("1/2,2", _parts)
 
 
-def _coordinate_value(given: Any, facts: object) -> tuple[int, mpq]:
-    parts = _parts(given)
-    if len(parts) != 2:
-        raise QuestionError(f"{given!r}, where a coordinate and a value are needed", remedy="0,1/2 is x = 1/2")
-    return _integer(parts[0], facts), rational(parts[1])
-
-
-#: A coordinate by its number, and a value of it.
-COORDINATE_VALUE = Takes("0,1/2", _coordinate_value)
-
-
 def _two_coordinates(given: Any, facts: Any) -> tuple[int, int]:
     written, dimension = "".join(map(str, given)), facts.curve.dimension
     if len(written) != 2 or not written.isascii() or not written.isdecimal() or max(map(int, written)) >= dimension:
@@ -200,6 +189,8 @@ def _two_orders(given: Any, facts: object) -> tuple[int, int]:
     return int(parts[0]), int(parts[1])
 
 
+#: A coordinate by its number, and a value of it.
+COORDINATE_VALUE = Takes("0,1/2", _two("a coordinate and a value", "0,1/2 is x = 1/2"))
 #: A signed distance for each of two curves.
 OFFSETS = Takes("1/10,0", _two("two distances", "give one for each curve, such as 1/10,0"))
 #: The parameters u and v of a point on a surface.

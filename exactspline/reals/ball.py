@@ -26,8 +26,6 @@ class InBalls(Real):
     exactly: Callable[[], Real] | None
     #: Whether the number is proved to be transcendental.
     transcendental: bool
-    #: As for expressions: more digits cost less than a polynomial.
-    _suspicious = 320
 
     def __init__(
         self, ball: Callable[[int], arb], exactly: Callable[[], Real] | None = None, *, transcendental: bool = False
@@ -44,7 +42,8 @@ class InBalls(Real):
                 ball = self.ball(bits)
             if ball.is_finite() and (ends := ball_ends(ball)).width <= width:
                 return ends
-            bits *= 2
+            # the bits that are missing: large numbers need many before the point
+            bits += int(ends.width / width).bit_length() + 10 if ball.is_finite() else bits
         raise OpenError(f"undecided at {digits} digits", remedy="use an enclosure")
 
     def _found(self) -> Real | None:

@@ -88,7 +88,7 @@ class Analysis(CurveValues, Displayed, FunctionsOutside):
     def __repr__(self) -> str:
         return f"<Analysis of {self.curve!r}>"
 
-    def with_coordinate(self, axis: int) -> Nurbs:
+    def with_coordinate(self, axis: int | mpq) -> Nurbs:
         """The curve, as it is given where it has this coordinate in space alone."""
         return self.curve if axis < self.curve.dimension else self.given
 
@@ -398,7 +398,7 @@ class Analysis(CurveValues, Displayed, FunctionsOutside):
         return turning_points(self.with_coordinate(axis), axis)
 
     @question_with(COORDINATE_VALUE, *CURVES, proof=lambda facts, at: (value_zeros(facts.with_coordinate(at[0]), *at),))
-    def at_coordinate(self, at: tuple[int, mpq]) -> Places[Feature]:
+    def at_coordinate(self, at: tuple[mpq, mpq]) -> Places[Feature]:
         """Where a coordinate (0 is x) has a value: it crosses it or touches it.
 
         Everywhere where it is constant.

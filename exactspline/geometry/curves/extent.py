@@ -28,29 +28,27 @@ def slope_zeros(curve: Nurbs, axis: int | str) -> ZeroSet:
     return zeros(slope(curve, _number_of(curve, axis)), periodic=curve.closed)
 
 
-def _number_of(curve: Nurbs, axis: int | str) -> int:
+def _number_of(curve: Nurbs, axis: int | mpq | str) -> int:
     number = next((i for i in range(curve.dimension) if str(i) == str(axis)), None)
     if number is None:
         raise ShapeError(f"the coordinate {axis} of a curve in R{curve.dimension}", remedy="0 is x, 1 is y, 2 is z")
     return number
 
 
-def value_zeros(curve: Nurbs, axis: int | str, value: mpq) -> ZeroSet:
+def value_zeros(curve: Nurbs, axis: int | mpq, value: mpq) -> ZeroSet:
     """Where a coordinate has a value; raises `ShapeError` for a coordinate that the curve does not have."""
     return zeros(curve.p[_number_of(curve, axis)] - curve.w.scaled(value), periodic=curve.closed)
 
 
-def at_coordinate(curve: Nurbs, axis: int | str, value: mpq) -> Places[Feature]:
+def at_coordinate(curve: Nurbs, axis: int | mpq, value: mpq) -> Places[Feature]:
     """Where a coordinate crosses a value, also by a jump (``crossing``), or has it without crossing it (``touch``); and
     the pieces on which it has it.
 
     Raises `ShapeError` for a coordinate that the curve does not have.
     """
-    solved, features = value_zeros(curve, axis, value), []
-    for root, by_jump in located(solved):
-        kind = FeatureKind.CROSSING if root.sign_change else FeatureKind.TOUCH
-        features.append(Feature(kind, root, f"coordinate {axis}", by_jump))
-    return Places(tuple(features), tuple(CurvePiece(each.parts) for each in solved.intervals))
+    solved, kinds = value_zeros(curve, axis, value), (FeatureKind.TOUCH, FeatureKind.CROSSING)
+    found = (Feature(kinds[root.sign_change], root, f"coordinate {axis}", jump) for root, jump in located(solved))
+    return Places(tuple(found), tuple(CurvePiece(each.parts) for each in solved.intervals))
 
 
 def turning_points(curve: Nurbs, axis: int | str) -> Places[Feature]:

@@ -8,7 +8,7 @@ Sources: Bronstein, Symbolic Integration I, §2.2 (Hermite's reduction); Baker, 
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import partial
 from typing import TypeAlias
@@ -32,8 +32,10 @@ MOST_ANGLES = 1000
 #: interrupted, and zeros near to each other take long (measured for degree 4: 7 ms for 270 bits, 3 s for 806, minutes
 #: for 1337).
 NEAR, SEPARATING = 2000, 2048
-#: Nanoseconds for a bit of a denominator, for each of its degrees (measured: 0.2 to 3).
-REDUCED = 5
+#: Nanoseconds for the square of the degree of a denominator and a bit of its coefficients: with one irreducible factor
+#: (measured: up to 60), with several, and for how many bits times the degree one more (measured, for 64 to 400 bits of
+#: the factors: 0.1 to 120 s, at most 1.5 times as much).
+ONE_FACTOR, SEVERAL, LONG = 60, 90, 800
 
 
 def separate(p: fmpz_poly) -> bool:
@@ -117,24 +119,25 @@ def in_local_powers(f: BSpline) -> list[fmpq_poly]:
     return [fmpq_poly(in_parameter(c, n, (mpq(0), mpq(1)))[0]) / m for c, m in forms]
 
 
-def integral(top: fmpq_poly, bottom: fmpq_poly) -> Terms:
-    """``∫ top/bottom`` over [0, 1], where the denominator has no zero.
+def integral(top: fmpq_poly, base: fmpq_poly, n: int) -> Terms:
+    """``∫ top/baseⁿ`` over [0, 1], where the denominator has no zero.
 
-    >>> [term.of.angle() for term in integral(fmpq_poly([4]), fmpq_poly([1, 0, 1]))]
+    >>> [term.of.angle() for term in integral(fmpq_poly([4]), fmpq_poly([1, 0, 1]), 1)]
     [(mpq(4,1), mpq(1,1), mpq(1,1), 1)]
+
+    Raises `ReachError` if that may take too long.
     """
-    cost = REDUCED * bottom.degree() ** 2 * bottom.numer().height_bits()
+    bottom, powers = base**n, list(factorize(base.numer()).powers)
+    size = bottom.degree() * bottom.numer().height_bits()
+    cost = size * bottom.degree() * (ONE_FACTOR if len(powers) < 2 else SEVERAL + size // LONG)
     check_reach(cost, lambda: f"the integral of a function of degree {bottom.degree()}")
-    antiderivative = (top // bottom).integral()
-    terms = [Term(rational(antiderivative(1) - antiderivative(0)), 1)]
-    for base, times in factorize(bottom.numer()).powers:
-        p = fmpq_poly(base)
-        rest = bottom // p**times
-        value, left = _reduced(top * rest.xgcd(p**times)[1] % p**times, p, times)
+    terms = [Term(rational((top // bottom).integral()(1)), 1)]
+    for factor, times in powers:
+        p, m = fmpq_poly(factor), times * n
+        value, left = _reduced(top * (bottom // p**m).xgcd(p**m)[1] % p**m, p, m)
         terms.append(Term(value, 1))
         if left:
-            coefficients = (tuple(rational(c) for c in each.coeffs()) for each in (left, p))
-            terms.append(Term(mpq(1), 1, Logarithmic(*coefficients)))
+            terms.append(Term(mpq(1), 1, Logarithmic(*(tuple(map(rational, f.coeffs())) for f in (left, p)))))
     return tuple(term for term in terms if term.factor)
 
 
@@ -156,17 +159,15 @@ def _reduced(part: fmpq_poly, p: fmpq_poly, times: int) -> tuple[mpq, fmpq_poly]
 # ---- sums
 
 
-def number(terms: Iterable[Term]) -> Real:
+def number(terms: Terms) -> Real:
     """The sum as a number: in closed form where only finitely many angles are in it, otherwise by enclosures.
 
-    >>> number(integral(fmpq_poly([4]), fmpq_poly([1, 0, 1])))
+    >>> number(integral(fmpq_poly([4]), fmpq_poly([1, 0, 1]), 1))
     <Real π>
     """
-    given = tuple(terms)
-    by_balls = partial(sum_in_balls, given)
-    constants, of_pi, arcs = defaultdict[int, mpq](mpq), defaultdict[int, mpq](mpq), list[tuple[Real, Real]]()
-    angles = defaultdict[tuple[mpq, int, int], list[tuple[mpq, mpq]]](list)
-    for term in given:
+    by_balls, angles = partial(sum_in_balls, terms), defaultdict[tuple[mpq, int, int], list[tuple[mpq, mpq]]](list)
+    constant, of_pi, arcs = Real(0), Real(0), list[tuple[Real, Real]]()
+    for term in terms:
         angle = term.of and term.of.angle()
         if angle and len(angles) < MOST_ANGLES:
             own, x, y, c = angle
@@ -175,24 +176,20 @@ def number(terms: Iterable[Term]) -> Real:
         elif term.of:
             return InBalls(by_balls)
         else:
-            constants[term.radicand] += term.factor
-    for (factor, radicand, c), numbers in angles.items():
+            constant += square_root(term.radicand) * term.factor
+    for (times, radicand, c), numbers in angles.items():
         turns, tangent = _together(numbers, c)
-        of_pi[radicand] += factor * turns
-        arcs += [] if tangent is None else [(square_root(radicand) * factor, tangent)]
-    constant, half = (_sum(each) for each in (constants, of_pi))
-    if not arcs and half == 0 and not isinstance(constant, Expression):
+        factor = square_root(radicand) * times
+        of_pi += factor * turns
+        arcs += [] if tangent is None else [(factor, tangent)]
+    if isinstance(constant, Expression) or isinstance(of_pi, Expression):
+        return InBalls(by_balls)
+    if not arcs and of_pi == 0:
         return constant
     with ctx.workprec(200):
         # what is not 0 is transcendental
-        may_vanish = sum_in_balls(tuple(term for term in given if term.of), 200).contains(0)
-    if may_vanish or isinstance(constant, Expression) or isinstance(half, Expression):
-        return InBalls(by_balls)
-    return WithAngles(by_balls, constant, half, tuple(arcs))
-
-
-def _sum(multiples: dict[int, mpq]) -> Real:
-    return sum((square_root(radicand) * factor for radicand, factor in multiples.items() if factor), start=Real(0))
+        may_vanish = sum_in_balls(tuple(term for term in terms if term.of), 200).contains(0)
+    return InBalls(by_balls) if may_vanish else WithAngles(by_balls, constant, of_pi, tuple(arcs))
 
 
 def _together(numbers: Sequence[tuple[mpq, mpq]], c: int) -> tuple[mpq, Real | None]:
@@ -206,14 +203,10 @@ def _together(numbers: Sequence[tuple[mpq, mpq]], c: int) -> tuple[mpq, Real | N
         total += arb.atan2(arb(to_fmpq(b)) * root, arb(to_fmpq(a)))
     real, imaginary = x * (x * x - 3 * c * y * y), y * (3 * x * x - c * y * y)
     if real * imaginary * (real * real - c * imaginary * imaginary) == 0:
-        return _integer(12 * total / arb.pi()) / 12, None
+        return rational((12 * total / arb.pi()).unique_fmpz() or 0) / 12, None
     tangent = square_root(c) * (y / x)
     rest = total - ball_around(*tangent.enclosure(30)).atan()
-    return _integer(rest / arb.pi()), tangent
-
-
-def _integer(ball: arb) -> mpq:
-    return rational(ball.unique_fmpz() or 0)
+    return rational((rest / arb.pi()).unique_fmpz() or 0), tangent
 
 
 def sum_in_balls(terms: Terms, bits: int) -> arb:

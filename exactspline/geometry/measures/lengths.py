@@ -5,7 +5,7 @@ integral in closed form, otherwise enclosed by FLINT's integration.
 from __future__ import annotations
 
 from bisect import bisect_left, bisect_right
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from functools import partial, reduce
 from itertools import accumulate, pairwise
 from math import comb
@@ -23,7 +23,7 @@ from exactspline.polynomials.factors import greatest_common_divisor
 from exactspline.questions.takes import QuestionError
 from exactspline.reals.ball import InBalls
 from exactspline.reals.real import Real, real, square_root_parts
-from exactspline.roots.values import exact_place
+from exactspline.roots.values import evaluate, exact_place
 from exactspline.roots.zero_set import zeros
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.nurbs import Nurbs
@@ -63,11 +63,13 @@ def length(curve: Nurbs) -> Real:
     >>> length(Nurbs(2, [0, 0, 0, 1, 1, 1], [(0, 0), (1, 1), (2, 0)])).double()
     2.295587149392638
     """
-    try:
-        terms = [term for i in range(len(_speeds(curve))) for term in _exactly(curve, i)]
-    except (ReachError, OpenError):
+    speeds, terms = _rational_speeds(curve), list[Term]()
+    if speeds is None:
         return InBalls(partial(_length_ball, curve, *curve.domain))
-    return number(terms)
+    for width, weight, speed, square in speeds:
+        factor, radicand = square_root_parts(square)
+        terms += [term.times(factor * width, radicand) for term in integral(speed, weight, 2)]
+    return number(tuple(terms))
 
 
 def length_between(curve: Nurbs, first: mpq | Real, second: mpq | Real) -> Real:
@@ -80,12 +82,13 @@ def length_between(curve: Nurbs, first: mpq | Real, second: mpq | Real) -> Real:
     Raises `DomainError` outside the domain.
     """
     low, high = sorted((exact_place(first), exact_place(second)), key=real)
-    a, b = curve.domain
-    if not a <= low <= high <= b:
-        raise DomainError(f"a parameter outside the domain [{text(a)}, {text(b)}]", remedy="stay inside")
-    if not isinstance(low, Real) and not isinstance(high, Real):
-        return length(curve.restrict(low, high)) if low < high else Real(0)
-    return InBalls(partial(_length_ball, curve, low, high)) if low != high else Real(0)
+    for t in (low, high):
+        evaluate(curve, t)  # it is in the domain
+    if low == high:
+        return Real(0)
+    if isinstance(low, Real) or isinstance(high, Real):
+        return InBalls(partial(_length_ball, curve, low, high))
+    return length(curve.restrict(low, high))
 
 
 def at_length(curve: Nurbs, distance: mpq) -> Real:
@@ -100,12 +103,7 @@ def at_length(curve: Nurbs, distance: mpq) -> Real:
     total = length(curve)
     if not 0 <= distance <= total:
         raise DomainError(f"the length {text(distance)} on a curve of the length {total}", remedy="stay on the curve")
-    known = _travelled(curve)
-    if known is None:
-        return InBalls(partial(_place_ball, curve, real(distance))) if distance else Real(curve.domain[0])
-    root, radicand = square_root_parts(known[1])
-    travelled = known[0].scaled(root)
-    return _zero_of(travelled - distance if radicand == 1 else travelled * travelled * radicand - distance**2)
+    return _places(curve, [(distance, mpq(0))])[0] if distance else Real(curve.domain[0])
 
 
 def equally_spaced(curve: Nurbs, parts: int) -> list[Real]:
@@ -119,11 +117,22 @@ def equally_spaced(curve: Nurbs, parts: int) -> list[Real]:
     """
     if parts < 1:
         raise QuestionError("a curve in 0 parts", remedy="ask for one part or more")
-    (start, end), total, known = curve.domain, length(curve), _travelled(curve)
-    shares = [mpq(k, parts) for k in range(1, parts)]
+    (start, end), inner = curve.domain, _places(curve, [(mpq(0), mpq(k, parts)) for k in range(1, parts)])
+    return [Real(start), *inner, Real(end)]
+
+
+def _places(curve: Nurbs, at: list[tuple[mpq, mpq]]) -> list[Real]:
+    """The parameters at arc lengths: each a number and a share of the whole one, one of which is 0."""
+    known = _travelled(curve)
     if known is None:
-        return [Real(start), *(InBalls(partial(_place_ball, curve, total * share)) for share in shares), Real(end)]
-    return [Real(start), *(_zero_of(known[0] - known[0](end) * share) for share in shares), Real(end)]
+        return [InBalls(partial(_place_ball, curve, *each)) for each in at]
+    root, radicand = square_root_parts(known[1])
+    travelled = known[0].scaled(root)
+    squared, total = travelled * travelled * radicand, travelled(curve.domain[1])
+    return [
+        _zero_of(squared - distance**2 if distance and radicand != 1 else travelled - distance - total * share)
+        for distance, share in at
+    ]
 
 
 def _zero_of(increasing: BSpline) -> Real:
@@ -135,39 +144,27 @@ def _zero_of(increasing: BSpline) -> Real:
 # ---- exactly
 
 
-def _rational_speed(curve: Nurbs, i: int) -> tuple[fmpq_poly, mpq]:
-    """f and k with ``‖γ′‖ = √k f / w²`` on a segment, where f ≥ 0; raises `OpenError` where there are none."""
-    common, squared, _ = _speeds(curve)[i]
-    a, b = curve.breakpoints[i : i + 2]
-    if not common:
-        return common, mpq(1)
-    factor = squared.leading_coefficient()
+def _rational_speeds(curve: Nurbs) -> list[tuple[mpq, fmpq_poly, fmpq_poly, mpq]] | None:
+    """Width, w, f and k of each segment with ``‖γ′‖ = √k f / w²``, where f ≥ 0; None where there are none."""
+    found = []
     try:
-        speed = common * (squared / factor).sqrt()
-    except (NoRoot, ValueError) as error:  # FLINT's wrapper raises both
-        raise too_much(WHAT) from error
-    if any(a < stop < b for stop in facts_of(curve).speed.zeros):
-        raise too_much(WHAT)
-    return speed if speed(fmpq(1, 2)) > 0 else -speed, rational(factor)
-
-
-def _exactly(curve: Nurbs, i: int) -> Iterator[Term]:
-    """The length of a segment."""
-    speed, square = _rational_speed(curve, i)
-    factor, radicand = square_root_parts(square)
-    a, b = curve.breakpoints[i : i + 2]
-    return (term.times(factor * (b - a), radicand) for term in integral(speed, _speeds(curve)[i][2] ** 2))
+        for (a, b), (common, squared, weight) in zip(pairwise(curve.breakpoints), _speeds(curve), strict=True):
+            factor = squared.leading_coefficient() if squared else fmpq(1)
+            speed = common * (squared / factor).sqrt()
+            if any(a < stop < b for stop in facts_of(curve).speed.zeros):
+                return None
+            found.append((b - a, weight, speed if speed(fmpq(1, 2)) > 0 else -speed, rational(factor)))
+    except (NoRoot, ValueError, OpenError):  # no square, by FLINT's wrapper either error; or out of reach
+        return None
+    return found
 
 
 def _travelled(curve: Nurbs) -> tuple[BSpline, mpq] | None:
     """A spline f and a number k such that ``√k f`` is the arc length from the start on; None where there are none."""
-    try:
-        speeds = [_rational_speed(curve, i) for i in range(len(_speeds(curve)))]
-    except (ReachError, OpenError):
-        return None
+    speeds = [each[2:] for each in (_rational_speeds(curve) if curve.polynomial else None) or ()]
     square = next((k for f, k in speeds if f), mpq(1))
     roots = [square_root_parts(k / square) if f else (mpq(1), 1) for f, k in speeds]
-    if not curve.polynomial or any(radicand != 1 for _, radicand in roots):
+    if not speeds or any(radicand != 1 for _, radicand in roots):
         return None
     n = max(0, *(f.degree() for f, _ in speeds))
     points = [
@@ -183,13 +180,13 @@ def _travelled(curve: Nurbs) -> tuple[BSpline, mpq] | None:
 
 def _speeds(curve: Nurbs) -> list[Speed]:
     """The segments, computed once; raises `OpenError` where that is out of reach."""
-
-    def speeds() -> list[Speed]:
-        columns = map(in_local_powers, (curve.w, *facts_of(curve).velocity))
-        return [_speed(*each) for each in zip(*columns, strict=True)]
-
-    found: list[Speed] = facts_of(curve).once("speeds", speeds)
+    found: list[Speed] = facts_of(curve).once("speeds", partial(_computed_speeds, curve))
     return found
+
+
+def _computed_speeds(curve: Nurbs) -> list[Speed]:
+    columns = map(in_local_powers, (curve.w, *facts_of(curve).velocity))
+    return [_speed(*each) for each in zip(*columns, strict=True)]
 
 
 def _speed(weight: fmpq_poly, *velocity: fmpq_poly) -> Speed:
@@ -233,33 +230,30 @@ def _marks(curve: Nurbs, bits: int) -> list[arb]:
     return list(accumulate(parts, initial=arb(0)))
 
 
-def _place_ball(curve: Nurbs, distance: Real, bits: int) -> arb:
-    """The parameter at an arc length, by Newton's method for intervals: the mean value theorem holds also across knots,
-    with the hull of the speeds on all segments between the ends.
+def _place_ball(curve: Nurbs, distance: mpq, share: mpq, bits: int) -> arb:
+    """The parameter at an arc length plus a share of the whole one, by Newton's method for intervals: the mean value
+    theorem holds also across knots, with the hull of the speeds on all segments between the ends.
     """
-    marks, goal, budget, breaks = _marks(curve, bits), _ball_of(distance), Budget(bits), curve.breakpoints
+    marks, budget, breaks, (low, high) = _marks(curve, bits), Budget(bits), curve.breakpoints, curve.domain
+    goal = marks[-1] * to_fmpq(share) + to_fmpq(distance)
     if bits > FIRST_BITS:
         # each step doubles the bits: the last one costs as much as all before
         with ctx.workprec(bits // 2 + MARGIN):
-            low, high = ball_ends(_place_ball(curve, distance, bits // 2 + MARGIN))
-        low, high = max(low, breaks[0]), min(high, breaks[-1])
-    else:
-        low = max(t for t, mark in zip(breaks, marks, strict=True) if t == breaks[0] or mark < goal)
-        high = min(t for t, mark in zip(breaks, marks, strict=True) if t == breaks[-1] or mark > goal)
-    first = bisect_right(breaks, low) - 1
-    start, segments = breaks[first], range(first, bisect_left(breaks, high))
+            ends = ball_ends(_place_ball(curve, distance, share, bits // 2 + MARGIN))
+        low, high = max(low, ends.low), min(high, ends.high)
 
-    def narrowed(share: mpq) -> tuple[mpq, mpq]:
-        at = low + (high - low) * share
-        reached = sum((_on_segment(curve, i, start, at, budget) for i in segments), start=marks[first])
-        beyond, speed = reached - goal, reduce(arb.union, (_speed_on(curve, i, low, high) for i in segments))
+    def narrowed(cut: mpq) -> tuple[mpq, mpq]:
+        at = low + (high - low) * cut
+        i, segments = bisect_right(breaks, at) - 1, range(bisect_right(breaks, low) - 1, bisect_left(breaks, high))
+        beyond = marks[i] + _on_segment(curve, i, breaks[i], at, budget) - goal
+        speed = reduce(arb.union, (_speed_on(curve, i, low, high) for i in segments))
         ends = Interval(at if beyond < 0 else low, at if beyond > 0 else high)
         step = ball_ends(arb(to_fmpq(at)) - beyond / speed) if speed > 0 else ends
         return max(ends.low, step.low), min(ends.high, step.high)
 
     while (width := high - low) > mpq(1, 1 << (bits - MARGIN)):
         # at the second one where the sign at the first is not decided
-        tried = (narrowed(share) for share in (mpq(1, 2), mpq(1, 3)))
+        tried = (narrowed(cut) for cut in (mpq(1, 2), mpq(1, 3)))
         found = next((ends for ends in tried if ends[1] - ends[0] < width * 3 / 4), None)
         if found is None:
             break
@@ -320,10 +314,9 @@ def _rooted(squared: fmpq_poly, budget: Budget) -> Root:
 
 def _expanded(squared: fmpq_poly, budget: Budget) -> Root:
     """The one whose cost does not depend on the zeros: ``√squared`` by the Taylor expansion at the centre of a ball."""
-    degree = squared.degree()
 
     def root(z: acb, analytic: bool) -> acb:
-        budget.take(degree**2)
+        budget.take(squared.degree() ** 2)
         centre = acb(z.real.mid(), z.imag.mid())
         return acb_poly(arb_poly(squared))(acb_poly([centre, 1]))(z - centre).sqrt(analytic=analytic)
 

@@ -25,7 +25,7 @@ def moment(facts: Facts, i: int, j: int) -> Terms:
     for parts in zip(*map(in_local_powers, (*facts.curve.p, facts.curve.w)), strict=True):
         common = greatest_common_divisor(parts)
         x, y, w = (p // common for p in parts)
-        terms += integral(x**i * y**j * (x * y.derivative() - y * x.derivative()) / n, w**n)
+        terms += integral(x**i * y**j * (x * y.derivative() - y * x.derivative()) / n, w, n)
     return tuple(terms)
 
 
@@ -42,8 +42,7 @@ def centroid(moment_of: Callable[[int, int], Terms]) -> tuple[NamedNumbers, ...]
     area, *first = (number(moment_of(*powers)) for powers in ((0, 0), (1, 0), (0, 1)))
     if area.sign == 0:
         raise DomainError("the centroid of the area 0", remedy="an area that is not 0 has one")
-    values = {axis: _quotient(x, area) for axis, x in zip("xy", first, strict=True)}
-    return (NamedNumbers("centroid", values),)
+    return (NamedNumbers("centroid", {axis: _quotient(x, area) for axis, x in zip("xy", first, strict=True)}),)
 
 
 def _quotient(top: Real, bottom: Real) -> Real:
@@ -58,8 +57,6 @@ def _quotient(top: Real, bottom: Real) -> Real:
 def _check_closed(facts: Facts) -> None:
     curve = facts.curve
     if curve.dimension != 2 or not curve.closed:
-        raise ShapeError(
-            "the area of a curve that is not closed and in the plane", where=curve.name, remedy="join its ends"
-        )
+        raise ShapeError("the area of a curve that is not closed and in the plane", where=curve.name, remedy="close it")
     if any(joint.kind is JointKind.GAP for joint in facts.joints):
         raise ShapeError("the area of a curve with a gap", where=curve.name, remedy="close the gap")
