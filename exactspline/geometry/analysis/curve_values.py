@@ -299,7 +299,7 @@ class CurveValues(SpaceFacts):
 
         Raises `QuestionError` for 0 parts.
         """
-        return tuple(NamedNumbers("end", {"parameter": t}) for t in lengths.equally_spaced(self.curve, parts))
+        return tuple(NamedNumbers("point", {"parameter": t}) for t in lengths.equally_spaced(self.curve, parts))
 
 
 def axes(n: int) -> list[str]:

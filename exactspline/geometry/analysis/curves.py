@@ -399,13 +399,14 @@ class Analysis(CurveValues, Displayed, FunctionsOutside):
 
     @question_with(COORDINATE_VALUE, *CURVES, proof=lambda facts, at: (value_zeros(facts.with_coordinate(at[0]), *at),))
     def at_coordinate(self, at: tuple[mpq, mpq]) -> Places[Feature]:
-        """Where a coordinate (0 is x) has a value: it crosses it or touches it.
+        """Where a coordinate (0 is x) has a value.
 
+        ``level crossing``: it crosses it, also by a jump; ``level touch``: it does not, or the domain ends there.
         Everywhere where it is constant.
 
         >>> from exactspline import analyse, example
         >>> [(f.kind.value, f.root.shortly()) for f in analyse(example("circle")).at_coordinate((0, "1/2"))]
-        [('crossing', '√3/3'), ('crossing', '(12 - √3)/3')]
+        [('level crossing', '√3/3'), ('level crossing', '(12 - √3)/3')]
 
         Raises `ShapeError` for a coordinate that the curve does not have.
         """

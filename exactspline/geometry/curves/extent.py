@@ -41,8 +41,8 @@ def value_zeros(curve: Nurbs, axis: int | mpq, value: mpq) -> ZeroSet:
 
 
 def at_coordinate(curve: Nurbs, axis: int | mpq, value: mpq) -> Places[Feature]:
-    """Where a coordinate crosses a value, also by a jump (``crossing``), or has it without crossing it (``touch``); and
-    the pieces on which it has it.
+    """Where a coordinate crosses a value, also by a jump (``level crossing``), or has it without crossing it (``level
+    touch``); and the pieces on which it has it.
 
     Raises `ShapeError` for a coordinate that the curve does not have.
     """

@@ -35,8 +35,8 @@ class FeatureKind(StrEnum):
     TORSION_TOUCH = "torsion touch"
     TORSION_END = "torsion end"
     #: A coordinate has a value: its difference from it changes its sign, or keeps it, or the domain ends there.
-    CROSSING = "crossing"
-    TOUCH = "touch"
+    CROSSING = "level crossing"
+    TOUCH = "level touch"
 
     @property
     def is_singular(self) -> bool:
