@@ -172,6 +172,7 @@ def test_area_and_moments():
     assert value(SQUARE.reverse(), "area", "area").exact == -2
     moved = SQUARE.transform([["3/5", "-4/5", 7], ["4/5", "3/5", 1]])
     assert value(moved, "area", "area").exact == 2
+    assert [x.exact for x in items(moved, "centroid")[0].values.values()] == [mpq(36, 5), mpq(21, 10)]
     centre = [items(moved, "moments:1")[k].values["moment"].exact / 2 for k in (1, 2)]
     assert tuple(centre) == (mpq(3, 5) - mpq(2, 5) + 7, mpq(4, 5) + mpq(3, 10) + 1)
     for curve in (xs.example("cubic_s"), xs.example("twisted_cubic")):
@@ -293,7 +294,8 @@ def test_random_enclosures_hold_their_doubles():
     for _ in range(20):
         points = [(chance.randint(-9, 9), chance.randint(-9, 9)) for _ in range(4)]
         curve = xs.Nurbs(3, [0] * 4 + [1] * 4, points)
-        for asked in ("inflections", "turning_points:0", "bounding_box"):
+        for asked in ("inflections", "turning_points:0", "bounding_box", "at_coordinate:0,1/2", "length_between@0,1/3",
+                      "at_length:1/3", "equally_spaced:2"):  # fmt: skip
             found = [*numbers(xs.tables.to_dict(curve, asked, 30))]
             assert found or asked != "bounding_box"
             for number in found:
