@@ -94,6 +94,8 @@ COORDINATE = Takes("0", _integer)
 DISTANCE, WITHIN = Takes("1/10", _distance), Takes("1/1000000", _distance)
 #: An arc length from the start of a curve.
 LENGTH = Takes("1", _distance)
+#: A number that something is to be at most.
+BOUND = Takes("2", _distance)
 #: The coordinates of a point.
 POINT = Takes("1/2,2", _parts)
 

@@ -192,6 +192,7 @@ WAYS = {
     "geometry/curves/facts.py: Facts.same_curvature": "a comparison",
     "geometry/curves/joints.py: Joint.same_curvature": "a comparison",
     "geometry/curves/joints.py: curvature_of": "curvature of one side of a knot, from its derivatives",
+    "geometry/curves/joints.py: curvature_vector": "curvature of one side of a knot, from its derivatives",
     "geometry/curves/space_features.py: SpaceFacts.reduced_torsion": "what torsion(curve, t) evaluates",
     "geometry/curves/space_features.py: SpaceFacts.torsion_numerator": "a form, whose zeros are asked for",
     "geometry/curves/space_features.py: torsion_zeros": "the answer of the question torsion_zeros",

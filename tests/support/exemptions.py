@@ -21,7 +21,13 @@ DEAR = {
     (Of.TWO_CURVES, "offset_intersections"),
 }
 #: What is compared where it is decided: whether it is goes with boxes along the axes, and with the lengths of numbers.
-WHERE_DECIDED = {"bisector", "offset_intersections", "offset_self_intersections"}
+WHERE_DECIDED = {
+    "bisector",
+    "offset_intersections",
+    "offset_self_intersections",
+    "largest_curvature_derivative",
+    "largest_torsion",
+}
 #: Of what, questions, changes, reason.
 EXEMPTIONS = [
     (CURVES, ("shapes",), KNOTS, "pieces begin and end at knots, and conics of degree 2 are told of one segment alone"),
@@ -40,6 +46,8 @@ EXEMPTIONS = [
     (CURVES, ("equally_spaced",), ("other seam",), "the first point is the start"),
     (CURVES, ("length_between",), ("other seam",), "what is between two parameters goes with the seam"),
     (CURVES, ("turning_points", "bounding_box", "at_coordinate"), ("rotated",), "a turned coordinate is none"),
+    (CURVES, ("largest_speed",), ("moebius",), "the speed goes with the parameter"),
+    ((Of.TWO_CURVES,), ("junctions_within",), ("scaled",), "one number bounds lengths, angles and curvatures"),
     (IN_THE_PLANE, ("moments",), ("rotated",), "a turned coordinate is none"),
     ((Of.SPACE_CURVE,), ("plane",), ("rotated",), "of straight curves only planes of constant coordinates are told"),
     ((Of.SURFACE,), ("patches",), OF_SURFACES, "a part of a patch may be of one kind"),

@@ -209,6 +209,11 @@ TAKEN = {
         lambda pair, random: listed(mpq(random.randint(-4, 4), random.choice([4, 20])) for _ in range(2)),
         moved_distances,
     ),
+    takes.BOUND: Drawn(
+        lambda curve, random: str(mpq(random.randint(1, 9), random.choice([1, 4, 20]))),
+        lambda text, image, _: str(exact(text)[0] / image.motion.scale),
+    ),
+    takes.WITHIN: Drawn(lambda pair, random: str(mpq(random.randint(1, 40), random.choice([4, 20])))),
     takes.INTEGER: Drawn(lambda curve, random: str(random.randint(1, 2))),
     takes.TWO_ORDERS: Drawn(
         lambda surface, random: random.choice(["1,0", "0,1", "1,1"]),
@@ -393,8 +398,8 @@ def differing(thing, entry, given, letters, asking=ask):
 
 
 def undecided(told):
-    """Whether something is left out of an answer."""
-    return any(word in ("left out", "undecided") for words, _ in told for word in words)
+    """Whether something is left out of an answer, or all of it as out of reach."""
+    return any(word in ("left out", "undecided", "ReachError") for words, _ in told for word in words)
 
 
 def compared(thing, entry, letters, random, counts, asking=ask):

@@ -394,8 +394,63 @@ def as_parameter(found, values, to):
     return (), ()
 
 
+def side_of(found, to):
+    """The side of a knot, which is the other one of a curve that is reversed."""
+    side, other = found.facts.get("side", ""), {"left": "right", "right": "left"}
+    return other.get(side, "") if to.image.ways[0].backwards else side
+
+
+def as_piece(values, to):
+    """The ends of a piece, in order; of a whole closed curve none."""
+    ends = [to.parameter(values[name]) for name in ("start", "end")]
+    if to.rings[0].closed and ends[0].agrees(ends[1]):
+        return ["all around"], []
+    return [], ends[::-1] if to.image.ways[0].backwards else ends
+
+
+def as_largest(power, name):
+    """The largest value of what goes with a power of the scale."""
+
+    def moved(found, values, to):
+        slope = abs(to.image.ways[0].slopes(mpq(0))[0]) if name == "speed" else 1
+        value = [values[name].times(to.scale**power / slope)] if name in values else []
+        words, ends = as_piece(values, to) if "start" in values else ([], [])
+        return (found.what, side_of(found, to), *words), [*value, *ends]
+
+    return moved
+
+
+def as_bounded(found, values, to):
+    """Whether the curvature is at most a number, and where it is not."""
+    if found.what == "curvature bound":
+        return ("bound", found.facts["holds"]), [values["bound"].times(1 / to.scale)]
+    words, ends = as_piece(values, to)
+    return ("above", *words), ends
+
+
+def as_curvature_derivative(found, values, to):
+    """dκ/ds: in the plane a mirror changes its sign, and the direction twice; in space the direction does."""
+    turn = (-1 if to.image.motion.turns else 1) if to.dimension == 2 else -1 if to.image.ways[0].backwards else 1
+    return (), [values["curvature derivative"].times(turn / to.scale**2)]
+
+
+def as_junction(found, values, to):
+    """Two ends; the parametric order goes with the parameters."""
+    powers = {"gap": to.scale, "angle": 1, "curvature jump": 1 / to.scale}
+    numbers = [values[name].times(power) for name, power in powers.items() if name in values]
+    return ("ends", str(found.facts["geometric"])), [*to.both(values["first"], values["second"]), *numbers]
+
+
 #: How the numbers go that answer a question.
 NUMBERS = {
+    "curvature_derivative": as_curvature_derivative,
+    "largest_speed": as_largest(1, "speed"),
+    "largest_curvature": as_largest(-1, "curvature"),
+    "largest_curvature_derivative": as_largest(-2, "curvature derivative"),
+    "largest_torsion": as_largest(-1, "torsion"),
+    "curvature_at_most": as_bounded,
+    "junctions": as_junction,
+    "junctions_within": as_junction,
     "value": as_point,
     "derivative": as_derivative,
     "curvature": as_curvature,

@@ -8,7 +8,7 @@ from collections.abc import Callable
 from functools import partial
 from typing import TypeAlias
 
-from exactspline.geometry.curves import values
+from exactspline.geometry.curves import bounds, values
 from exactspline.geometry.curves.extent import coordinate_range, slope_zeros
 from exactspline.geometry.curves.space_features import SpaceFacts
 from exactspline.geometry.derived.derive import Derived, derive
@@ -17,11 +17,12 @@ from exactspline.geometry.measures.integrals import number
 from exactspline.geometry.measures.moments import centroid, moment, named_moments
 from exactspline.language.rational import Rational
 from exactspline.language.vector import Vector, cross
-from exactspline.numbers.exact import mpq
+from exactspline.numbers.exact import Number, mpq, rational
 from exactspline.numbers.sides import Side
 from exactspline.questions.answers import NamedNumbers
 from exactspline.questions.entry import ALL_CURVES, CURVES, Answered, Of, question, question_with, questions_of
 from exactspline.questions.takes import (
+    BOUND,
     INTEGER,
     LENGTH,
     PLACE,
@@ -98,6 +99,19 @@ class CurveValues(SpaceFacts):
         <Real 1>
         """
         return _at("curvature", places, lambda t, side: {"curvature": values.curvature(self.curve, t, side)})
+
+    @question_with(PLACES, *CURVES, answered=Answered.NUMBERS)
+    def curvature_derivative(self, places: Parameters) -> tuple[NamedNumbers, ...]:
+        """The derivative of the curvature by arc length at a parameter, in the plane of the signed one.
+
+        In space, where κ = 0, it is the limit from the side.
+
+        >>> from exactspline import analyse, example
+        >>> analyse(example("cubic_s")).curvature_derivative("1/2")[0].values["curvature derivative"]
+        <Real 2/3>
+        """
+        name = "curvature derivative"
+        return _at(name, places, lambda t, side: {name: bounds.derivative_by_arc_length(self, t, side)})
 
     @question_with(PLACES, Of.SPACE_CURVE, answered=Answered.NUMBERS)
     def torsion(self, places: Parameters) -> tuple[NamedNumbers, ...]:
@@ -211,6 +225,66 @@ class CurveValues(SpaceFacts):
         """
         ranges = [(axis, *coordinate_range(self.curve, i)) for i, axis in enumerate(axes(self.curve.dimension))]
         return tuple(NamedNumbers(axis, {"low": low, "high": high}) for axis, low, high in ranges)
+
+    @question(*CURVES, answered=Answered.NUMBERS, on_request=True)
+    def largest_speed(self) -> tuple[NamedNumbers, ...]:
+        """The largest ‖γ′‖, and where it is attained.
+
+        >>> from exactspline import Nurbs, analyse
+        >>> analyse(Nurbs(2, [0, 0, 0, 1, 1, 1], [(0, 0), (1, 1), (2, 0)])).largest_speed
+        (<largest speed: parameter 0, speed 2√2>, <largest speed: parameter 1, speed 2√2>)
+        """
+        return bounds.largest(self, bounds.SPEED)
+
+    @question(*CURVES, answered=Answered.NUMBERS, on_request=True)
+    def largest_curvature(self) -> tuple[NamedNumbers, ...]:
+        """The largest |κ|, and where it is attained; or the parameters near which it is not bounded.
+
+        Limits at a knot count from each side, and so do those at points with γ′ = 0 where they exist.
+
+        >>> from exactspline import analyse, example
+        >>> [(str(x.values["curvature"]), x.values["parameter"]) for x in analyse(example("ellipse")).largest_curvature]
+        [('2', <Real 0>), ('2', <Real 2>)]
+        >>> analyse(example("cusp")).largest_curvature
+        (<unbounded near: parameter 1/2>,)
+        """
+        return bounds.largest(self, bounds.CURVATURE)
+
+    @question(*CURVES, answered=Answered.NUMBERS, on_request=True)
+    def largest_curvature_derivative(self) -> tuple[NamedNumbers, ...]:
+        """The largest |dκ/ds| by arc length between jumps of κ, and where it is attained, or not bounded.
+
+        >>> from exactspline import analyse, example
+        >>> analyse(example("circle")).largest_curvature_derivative
+        (<largest curvature derivative on a piece: curvature derivative 0, start 0, end 4>,)
+        """
+        return bounds.largest(self, bounds.CURVATURE_DERIVATIVE)
+
+    @question(Of.SPACE_CURVE, answered=Answered.NUMBERS, on_request=True)
+    def largest_torsion(self) -> tuple[NamedNumbers, ...]:
+        """The largest |τ| of what is not straight, and where it is attained, or not bounded.
+
+        >>> from exactspline import analyse, example
+        >>> analyse(example("twisted_cubic")).largest_torsion
+        (<largest torsion: parameter 0, torsion 3>,)
+        """
+        return bounds.largest(self, bounds.TORSION)
+
+    @question_with(BOUND, *CURVES, answered=Answered.NUMBERS)
+    def curvature_at_most(self, bound: Number) -> tuple[NamedNumbers, ...]:
+        """Whether |κ| is at most a number on the whole curve, and the parts on which it is above.
+
+        A part that runs across the seam of a closed curve ends below its start.
+
+        >>> from exactspline import analyse, example
+        >>> [x.facts for x in analyse(example("ellipse")).curvature_at_most(2)]
+        [{'holds': 'yes'}]
+        >>> analyse(example("ellipse")).curvature_at_most("1/4")
+        (<curvature bound: bound 1/4>, <above: start 1, end 3>, <above: start 3, end 1>)
+
+        Raises `ShapeError` for a negative number.
+        """
+        return bounds.parts_above(self, rational(bound))
 
     @question(Of.PLANE_CURVE, answered=Answered.VALUE, on_request=True)
     def area(self) -> Real:

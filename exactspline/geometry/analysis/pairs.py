@@ -4,14 +4,17 @@ from __future__ import annotations
 
 from exactspline.geometry.bisectors.any_pair import bisector
 from exactspline.geometry.bisectors.common import Bisector
+from exactspline.geometry.curves.facts import facts_of
 from exactspline.geometry.curves.planarity import in_one_plane
 from exactspline.geometry.pairs import offsets
 from exactspline.geometry.pairs.distance import Distance, nearest_pairs
 from exactspline.geometry.pairs.intersections import Intersections, intersections
+from exactspline.geometry.pairs.junctions import junctions, junctions_within
 from exactspline.geometry.rounded.intersections import NearbyMeeting, intersections_nearby
 from exactspline.hooks import Displayed
-from exactspline.numbers.exact import Number
+from exactspline.numbers.exact import Number, rational
 from exactspline.one_line import one_line
+from exactspline.questions.answers import NamedNumbers
 from exactspline.questions.entry import Answered, Inspected, Of, question, question_with
 from exactspline.questions.takes import OFFSETS, WITHIN
 from exactspline.splines.nurbs import Nurbs
@@ -83,6 +86,40 @@ class CurvePair(Inspected, Displayed):
         <Real 1>
         """
         return nearest_pairs(*self.curves, self.intersections)
+
+    @question(Of.TWO_CURVES, answered=Answered.NUMBERS, on_request=True)
+    def junctions(self) -> tuple[NamedNumbers, ...]:
+        """How the ends of two curves meet: gap, angle of the tangents, jump of the curvature, orders of continuity.
+
+        Each end of one with each of the other, the nearest first; a closed curve has no ends. The first curve is run
+        through towards its end, then the second one away from its own. Orders are at most 3.
+
+        >>> from exactspline import Nurbs
+        >>> from exactspline.geometry.analysis.pairs import CurvePair
+        >>> lines = (Nurbs(1, [0, 0, 1, 1], points) for points in ([(0, 0), (1, 0)], [(1, 0), (2, 1)]))
+        >>> CurvePair(*lines).junctions[0]
+        <ends: first 1, second 0, gap 0, angle 45, curvature jump 0>
+        """
+        self._check_dimension()
+        return junctions(*self.curves)
+
+    @question_with(WITHIN, Of.TWO_CURVES, answered=Answered.NUMBERS)
+    def junctions_within(self, epsilon: Number) -> tuple[NamedNumbers, ...]:
+        """The largest order, −1 to 2, to which the ends of two curves meet within a number: their points (0), unit
+        tangents (1) and curvature vectors κN (2) differ by vectors of at most that length.
+
+        >>> from exactspline import Nurbs
+        >>> from exactspline.geometry.analysis.pairs import CurvePair
+        >>> lines = (Nurbs(1, [0, 0, 1, 1], points) for points in ([(0, 0), (1, 0)], [(1, 0), (2, "1/500")]))
+        >>> CurvePair(*lines).junctions_within("1/100")[0].facts
+        {'geometric': 2}
+        """
+        self._check_dimension()
+        return junctions_within(*self.curves, rational(epsilon))
+
+    def _check_dimension(self) -> None:
+        for curve in self.curves:
+            facts_of(curve).check_dimension()
 
     @question(Of.TWO_CURVES, answered=Answered.SOLUTIONS, on_request=True)
     def bisector(self) -> Bisector:

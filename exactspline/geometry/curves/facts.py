@@ -36,6 +36,7 @@ from exactspline.geometry.curves.joints import (
     end_direction,
     geometric_order,
     limit_direction,
+    order_of,
     same_direction,
     turned,
 )
@@ -339,7 +340,7 @@ class Facts(Remembers):
             return Joint(t, JointKind.STILL, None, seam)
         if not any(left[1]) or not any(right[1]):
             angle = turned(*self._directions(self.velocity, t))
-            return Joint(t, JointKind.SINGULAR, None if angle is None else 0, seam, angle)
+            return Joint(t, JointKind.SINGULAR, order_of(left, right, angle), seam, angle)
         order = geometric_order(left, right)
         if order == 0:
             return Joint(t, JointKind.CORNER, 0, seam, turned(left[1], right[1]))

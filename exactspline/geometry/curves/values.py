@@ -96,7 +96,7 @@ def curvature(curve: Nurbs, t: Number | Real, side: Side | str = Side.RIGHT) -> 
             raise DomainError(f"γ′ = 0 {_named(place)}", remedy="choose another parameter")
         return signed_root(sign, Real(mpq(top, bottom)))
     i = segment_at(curve, place, side)
-    _refuse_singular(curve, i, place, side)
+    refuse_singular(curve, i, place, side)
     squared, turning = facts_of(curve).once(("curvature on a segment", i), lambda: _curvature_forms(curve, i))
     sign = 1 if turning is None else sign_at(turning, place, side)
     return signed_root(sign, _value(squared, place, side))
@@ -152,7 +152,7 @@ def torsion(curve: Nurbs, t: Number | Real, side: Side | str = Side.RIGHT) -> Re
     """
     curve, place = curve_of(curve), exact_place(t)
     i = segment_at(space(curve), place, side)
-    _refuse_singular(curve, i, place, side)
+    refuse_singular(curve, i, place, side)
     tau = facts_of(curve).once(("torsion on a segment", i), lambda: _torsion_form(curve, i))
     if sign_at(tau.denominator, place, side) == 0:
         raise DomainError(f"the torsion has a pole {_named(place)}", remedy="choose another parameter")
@@ -188,7 +188,8 @@ def _value(value: Rational[BSpline], place: mpq | Real, side: Side | str) -> Rea
     return value_at(value.scalar, value.denominator, place)
 
 
-def _refuse_singular(curve: Nurbs, i: int, place: mpq | Real, side: Side | str) -> None:
+def refuse_singular(curve: Nurbs, i: int, place: mpq | Real, side: Side | str) -> None:
+    """Raise `DomainError` where γ′ = 0 at a parameter on a segment."""
     if is_singular(curve, i, place, side):
         raise DomainError(f"γ′ = 0 {_named(place)}", remedy="choose another parameter")
 
