@@ -280,6 +280,18 @@ def test_a_question_at_features():
     assert len(items(xs.example("six_segment_cubic"), "value@knots")) == 7
 
 
+def test_bounds_of_a_parabola():
+    """y = x² for x from −2 to 2 at the speed 4√(1 + 4x²): dκ/ds is −24x/(1 + 4x²)³."""
+    parabola = xs.Nurbs(2, [0, 0, 0, 1, 1, 1], [(-2, 4), (0, -4), (2, 4)])
+    assert value(parabola, "largest_speed", "speed") == 4 * xs.square_root(17)
+    assert [i.values["curvature"].exact for i in items(parabola, "largest_curvature")] == [2]
+    steepest = [i.values["curvature derivative"] for i in items(parabola, "largest_curvature_derivative")]
+    assert steepest == [24 * xs.square_root("1/20") / mpq(6, 5) ** 3] * 2
+    assert value(parabola, "curvature_derivative@1/4", "curvature derivative") == mpq(24, 125)
+    assert [i.what for i in items(parabola, "curvature_at_most:1")] == ["curvature bound", "above"]
+    assert value(xs.example("twisted_cubic"), "largest_torsion", "torsion") == 3
+
+
 @pytest.mark.parametrize("asked", [
     "", "nothing", "value", "value@", "value@x", "derivative:-1@0", "derivative:x@0", "insert@0,1",
     "turning_points:2", "torsion@0", "moments:99", "value@1/0", "elevate:99999", "split@7",
