@@ -318,15 +318,15 @@ def differs_junction(number, random, dimension):
 def measured(first, second, end, start):
     """Gap, angle in degrees, and the jump of the curvature vector with the size of what is subtracted."""
     signs = 1 if end else -1, -1 if start else 1
+    bends = []
+    for _, a, b, _ in (first, second):
+        along = dot(a, b) / dot(a, a)
+        bends.append([number_of((y - along * x) / dot(a, a)) for x, y in zip(a, b, strict=True)])
     first, second = ([[number_of(x) for x in row] for row in rows] for rows in (first, second))
     tangents = [[s * x / mp.sqrt(dot(r[1], r[1])) for x in r[1]] for s, r in zip(signs, (first, second), strict=True)]
     difference = [x - y for x, y in zip(*tangents, strict=True)]
     total = [x + y for x, y in zip(*tangents, strict=True)]
     angle = mp.degrees(2 * mp.atan2(mp.sqrt(dot(difference, difference)), mp.sqrt(dot(total, total))))
-    bends = []
-    for row, t in zip((first, second), tangents, strict=True):
-        along = dot(row[2], t)
-        bends.append([(x - along * y) / dot(row[1], row[1]) for x, y in zip(row[2], t, strict=True)])
     jump = [x - y for x, y in zip(*bends, strict=True)]
     gap = [x - y for x, y in zip(first[0], second[0], strict=True)]
     sizes = sum(mp.sqrt(dot(b, b)) for b in bends)
