@@ -11,8 +11,11 @@ OF_SURFACES = ("knot far away", "knot on what was found", "knot near what was fo
 FORMS = ("degree", "common factor", "moebius")
 #: What tells pieces.
 PIECES = ("inflections", "critical_points", "curvature_extrema", "straight_pieces", "constant_pieces")
-#: Answers about control points, or about all objects near by, depend on how the object is written.
-NOT_TRANSPORTED = {"stability": "it tells how far control points may move"}
+#: Answers about control points, speeds, or all objects near by depend on how the object is written.
+NOT_TRANSPORTED = {
+    "stability": "it tells how far control points may move",
+    "largest_speed": "the speed goes with the parameter",
+}
 #: What is asked in campaigns alone.
 DEAR = {
     (Of.SURFACE, "ridges"),
@@ -46,7 +49,6 @@ EXEMPTIONS = [
     (CURVES, ("equally_spaced",), ("other seam",), "the first point is the start"),
     (CURVES, ("length_between",), ("other seam",), "what is between two parameters goes with the seam"),
     (CURVES, ("turning_points", "bounding_box", "at_coordinate"), ("rotated",), "a turned coordinate is none"),
-    (CURVES, ("largest_speed",), ("moebius",), "the speed goes with the parameter"),
     ((Of.TWO_CURVES,), ("junctions_within",), ("scaled",), "one number bounds lengths, angles and curvatures"),
     (IN_THE_PLANE, ("moments",), ("rotated",), "a turned coordinate is none"),
     ((Of.SPACE_CURVE,), ("plane",), ("rotated",), "of straight curves only planes of constant coordinates are told"),

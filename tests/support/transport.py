@@ -412,8 +412,7 @@ def as_largest(power, name):
     """The largest value of what goes with a power of the scale."""
 
     def moved(found, values, to):
-        slope = abs(to.image.ways[0].slopes(mpq(0))[0]) if name == "speed" else 1
-        value = [values[name].times(to.scale**power / slope)] if name in values else []
+        value = [values[name].times(to.scale**power)] if name in values else []
         words, ends = as_piece(values, to) if "start" in values else ([], [])
         return (found.what, side_of(found, to), *words), [*value, *ends]
 
@@ -444,7 +443,6 @@ def as_junction(found, values, to):
 #: How the numbers go that answer a question.
 NUMBERS = {
     "curvature_derivative": as_curvature_derivative,
-    "largest_speed": as_largest(1, "speed"),
     "largest_curvature": as_largest(-1, "curvature"),
     "largest_curvature_derivative": as_largest(-2, "curvature derivative"),
     "largest_torsion": as_largest(-1, "torsion"),
