@@ -16,9 +16,9 @@ DIGITS = 12
 
 
 def real_data(x: Real | mpq, digits: int) -> Data:
-    """A number: exactly if it is rational or of the form ``a + b√c`` (null if it is proved to be neither; with ``open``
-    if that is not decided), between two rational bounds, and as the correctly rounded double (null where it is too
-    large, or where its enclosures do not determine it).
+    """A number: exactly if it is rational or of the form ``a + b√c``, or known with π and angles (null if it is proved
+    to be neither rational nor of that form; with ``open`` if that is not decided), between two rational bounds, and as
+    the correctly rounded double (null where it is too large, or where its enclosures do not determine it).
 
     >>> real_data(mpq(1, 3), 20)
     {'exact': '1/3', 'low': '1/3', 'high': '1/3', 'double': 0.3333333333333333}

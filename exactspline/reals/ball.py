@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from functools import partial
+from typing import Any
 
 from flint import arb, ctx, fmpz_poly
 
@@ -89,6 +90,19 @@ class WithAngles(InBalls):
         parts += [_multiple(self.of_pi, "π")] if self.of_pi else []
         parts += [_multiple(factor, f" arctan({tangent.closed_form})") for factor, tangent in self.arcs]
         return " + ".join(parts).replace("+ -", "- ")
+
+    def _sympy_(self) -> Any:
+        """What sympy takes in place of the number.
+
+        >>> import sympy
+        >>> from exactspline import example
+        >>> sympy.sympify(example("circle").area), sympy.sympify(example("circle").length_between((0, "1/2")))
+        (pi, 2*atan(1/2))
+        """
+        import sympy
+
+        pairs = [(self.constant, 1), (self.of_pi, sympy.pi), *((f, sympy.atan(sympy.sympify(t))) for f, t in self.arcs)]
+        return sympy.Add(*(sympy.sympify(factor) * unit for factor, unit in pairs))
 
     def _equals(self, other: Algebraic | mpq) -> bool:
         if isinstance(other, WithAngles):

@@ -84,11 +84,9 @@ def length_between(curve: Nurbs, first: mpq | Real, second: mpq | Real) -> Real:
     low, high = sorted((exact_place(first), exact_place(second)), key=real)
     for t in (low, high):
         evaluate(curve, t)  # it is in the domain
-    if low == high:
-        return Real(0)
     if isinstance(low, Real) or isinstance(high, Real):
         return InBalls(partial(_length_ball, curve, low, high))
-    return length(curve.restrict(low, high))
+    return length(curve.restrict(low, high)) if low < high else Real(0)
 
 
 def at_length(curve: Nurbs, distance: mpq) -> Real:
