@@ -129,7 +129,8 @@ class Oracle:
     def slope(self, t, left=False):
         """dκ/ds by a difference quotient inside the segment."""
         h = Fraction(1, 10**15)
-        beside = [x for x in self.breaks if abs(x - t) < 2 * h]
+        # in space |κ| has two derivatives where it vanishes
+        beside = [x for x in self.breaks if abs(x - t) < 2 * h] or not self.sizes(t)[1]
         steps = (-2 * h, -h, 0) if beside and left else (0, h, 2 * h) if beside else (-h, 0, h)
         values = [self.sizes(t + s, left=s < 0 or (left and not s))[1] for s in steps]
         if None in values:

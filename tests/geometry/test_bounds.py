@@ -9,6 +9,7 @@ from tests.campaigns import bounds as campaign
 from tests.support.dials import ALWAYS
 
 LINE = Nurbs(1, [0, 0, 1, 1], [(0, 0), (1, 0)])
+FOUR = Nurbs(1, [0, 0, 1, 1], [(0, 0, 0, 0), (1, 2, 3, 4)])
 
 
 def listed(answer):
@@ -80,7 +81,7 @@ def test_what_stands_still_or_is_straight_has_no_largest_torsion_or_curvature():
     with pytest.raises(ShapeError, match="torsion of a curve in R2"):
         _ = analyse(LINE).largest_torsion
     with pytest.raises(ShapeError, match="R4"):
-        analyse(Nurbs(1, [0, 0, 1, 1], [(0, 0, 0, 0), (1, 2, 3, 4)])).curvature_at_most(1)
+        analyse(FOUR).curvature_at_most(1)
 
 
 def test_in_space_the_derivative_of_the_curvature_has_two_limits_where_it_vanishes():
@@ -123,6 +124,11 @@ def test_all_four_pairs_of_ends_the_nearest_first():
     assert CurvePair(LINE, example("circle")).junctions == ()
     with pytest.raises(ShapeError, match="positive"):
         CurvePair(LINE, other).junctions_within(0)
+    for curves, message in (((LINE, example("twisted_cubic")), "R2 and one in R3"), ((FOUR, FOUR), "a curve in R4")):
+        with pytest.raises(ShapeError, match=message):
+            _ = CurvePair(*curves).junctions
+        with pytest.raises(ShapeError, match=message):
+            CurvePair(*curves).junctions_within(1)
 
 
 def test_ends_without_a_tangent():

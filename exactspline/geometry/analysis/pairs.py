@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from exactspline.geometry.bisectors.any_pair import bisector
 from exactspline.geometry.bisectors.common import Bisector
-from exactspline.geometry.curves.facts import facts_of
 from exactspline.geometry.curves.planarity import in_one_plane
 from exactspline.geometry.pairs import offsets
 from exactspline.geometry.pairs.distance import Distance, nearest_pairs
@@ -100,7 +99,6 @@ class CurvePair(Inspected, Displayed):
         >>> CurvePair(*lines).junctions[0]
         <ends: first 1, second 0, gap 0, angle 45, curvature jump 0>
         """
-        self._check_dimension()
         return junctions(*self.curves)
 
     @question_with(WITHIN, Of.TWO_CURVES, answered=Answered.NUMBERS)
@@ -114,12 +112,7 @@ class CurvePair(Inspected, Displayed):
         >>> CurvePair(*lines).junctions_within("1/100")[0].facts
         {'geometric': 2}
         """
-        self._check_dimension()
         return junctions_within(*self.curves, rational(epsilon))
-
-    def _check_dimension(self) -> None:
-        for curve in self.curves:
-            facts_of(curve).check_dimension()
 
     @question(Of.TWO_CURVES, answered=Answered.SOLUTIONS, on_request=True)
     def bisector(self) -> Bisector:

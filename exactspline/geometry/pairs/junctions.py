@@ -86,7 +86,14 @@ class Sides(NamedTuple):
 
 
 def pairs_of_ends(first: Nurbs, second: Nurbs) -> list[Sides]:
-    """The pairs of an end of each curve, the nearest first; none where one of them is closed."""
+    """The pairs of an end of each curve, the nearest first; none where one of them is closed.
+
+    Raises `ShapeError` for curves of different dimensions, and outside plane and space.
+    """
+    facts_of(first).check_dimension()
+    if first.dimension != second.dimension:
+        different = f"a curve in R{first.dimension} and one in R{second.dimension}"
+        raise ShapeError(different, remedy="give curves of the same dimension")
     if first.closed or second.closed:
         return []
     pairs = []
