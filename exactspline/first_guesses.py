@@ -74,7 +74,7 @@ def of_object(front: ModuleType, name: str, thing: object) -> object:
             return ()
         raise AttributeError(f"{problem}: {error}", name=name, obj=thing) from None
     if name == QUESTIONS:
-        return tuple(asked)
+        return tuple(each for each in asked if each in guesses[QUESTIONS])
     if name not in asked:
         raise AttributeError(f"{problem}: it is not asked of a {kind_of(facts)}", name=name, obj=thing)
     answer = getattr(facts, name)

@@ -143,11 +143,18 @@ def each_read(names: Iterable[G], read: Callable[[G], V]) -> tuple[list[V], bool
 
 
 def distinguish(rows: list[dict[str, object]]) -> None:
-    """See that keys of rows differ: where several curves have one name, their keys tell where they were read."""
+    """See that keys of rows differ: where several curves have one name, their keys tell where they were read, and what
+    was asked or read several times is counted.
+    """
     times = Counter(row["key"] for row in rows)
     for row in rows:
-        if times[row["key"]] > 1:
+        if times[row["key"]] > 1 and "source" in row:
             row["key"] = f"{row['key']} ({row['source']}, curve {row['index']})"
+    seen = Counter[object]()
+    for row in rows:
+        seen[row["key"]] += 1
+        if (time := seen[row["key"]]) > 1:
+            row["key"] = f"{row['key']}, {time}"
 
 
 def reading_of(name: str, approximate: str = "") -> Reading:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from typing import NamedTuple, cast, overload
 
@@ -13,10 +13,12 @@ from exactspline.display.reals import DIGITS, double_of, real_text
 from exactspline.display.sheet import Sheet
 from exactspline.errors import ShapeError, as_integer
 from exactspline.geometry.analysis.ask import About, Asked, asked_of
+from exactspline.geometry.analysis.curves import QUESTIONS
+from exactspline.geometry.curves.facts import Facts
 from exactspline.hooks import Written
 from exactspline.numbers.exact import mpq
 from exactspline.numbers.intervals import Interval
-from exactspline.questions.entry import Entry, Remembers
+from exactspline.questions.entry import Remembers, questions_of
 from exactspline.reals.real import Real, real
 from exactspline.roots.answers import Answer, CurvePiece
 
@@ -153,8 +155,10 @@ def answer_table(answer: Written) -> Sheet:
 def _form_of_answer(answer: Written) -> tuple[Form, object, str]:
     """The form of an answer, what is written of it, and its name."""
     if isinstance(answer, Answer) and answer.asked is not None:
-        entry, again = cast("tuple[Entry, Callable[[], Remembers]]", answer.asked)  # as a question leaves them
-        return form_of(entry), placed(again(), answer), entry.name
+        name, again = answer.asked
+        facts = cast(Remembers, again())  # as a question leaves it
+        entry = (QUESTIONS if isinstance(facts, Facts) else questions_of(type(facts)))[name]
+        return form_of(entry), placed(facts, answer), name
     for kind in type(answer).__mro__:
         if kind in FORMS:
             return FORMS[kind], answer, kind.__name__.lower()

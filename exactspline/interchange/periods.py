@@ -76,6 +76,8 @@ def used(ends: tuple[mpq, mpq], start: mpq, end: mpq) -> tuple[tuple[mpq, mpq] |
     if (start, end) == ends or not ends[0] < ends[1]:
         return None, []
     asked = f"the entity uses the parameters from {start} to {end}"
+    if not start < end:
+        return None, [f"{asked}, which run backwards: the whole spline is read"]
     if not low < high:
         return None, [f"{asked}, which are not in the domain: the whole spline is read"]
     beyond = "" if (low, high) == (start, end) else f", of which only {ends[0]} to {ends[1]} is in the domain"

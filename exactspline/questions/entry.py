@@ -231,7 +231,7 @@ class Fact(Generic[F, T]):
 
 def _remembering(entry: Entry, facts: Remembers, answer: T) -> T:
     """An answer that knows what was asked, where it can."""
-    return answer.asked_with(entry, facts.again) if isinstance(answer, Answer) else answer
+    return answer.asked_with(entry.name, facts.again) if isinstance(answer, Answer) else answer
 
 
 class Question(Fact[F, T], Entry):

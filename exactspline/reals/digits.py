@@ -5,9 +5,9 @@ from __future__ import annotations
 import numbers
 import re
 from contextlib import suppress
-from decimal import Decimal
+from decimal import Context, Decimal
 from functools import cache
-from typing import TYPE_CHECKING, overload
+from typing import TYPE_CHECKING, cast, overload
 
 from exactspline.errors import OpenError, ReachError, as_integer
 from exactspline.numbers.exact import Rounding, decimal_unit, double_between, mpq, mpz
@@ -110,25 +110,32 @@ class Digits(Immutable):
         return multiple - (multiple % 2 == 1 and self._against_number((multiple - mpq(1, 2)) * unit) == 0)
 
     def __format__(self, form: str) -> str:
-        """The number as Python writes a `Decimal`, with all digits correct; without a type, as `str` writes it.
+        """The number as Python writes a `Decimal` (with ``g`` as a float), all digits correct; without a type and a
+        precision as `str` writes it.
 
-        >>> from exactspline.reals.real import square_root
-        >>> f"{square_root(2):.20f}", f"{square_root(2) / 1000:.3e}", f"{square_root(2):>4}"
-        ('1.41421356237309504880', '1.414e-3', '  √2')
+        >>> from exactspline.reals.real import Real, square_root
+        >>> f"{square_root(2):.20f}", f"{square_root(2) / 1000:.3e}", f"{square_root(2):>4}", f"{Real(1500):g}"
+        ('1.41421356237309504880', '1.414e-3', '  √2', '1500')
         """
-        found = re.fullmatch(r".*?(?:\.(\d+))?([eEfFgG%])", form)
-        if found is None:
+        found = re.fullmatch(r"(.*?)(?:\.(\d+))?([eEfFgG%]?)", form)
+        before, precision, kind = found.groups() if found else ("", None, "")
+        if not kind and precision is None:
             return format(str(self), form)
-        digits, kind = int(found[1] or 6), found[2].lower()
+        kind = kind or "g"
+        digits = max(int(precision or 6), int(kind in "gG"))
         near = abs(self.rational_near(digits + 5))
-        if kind in "f%" or not near:
+        if kind in "fF%" or not near:
             unit = mpq(1, mpz(10) ** (digits + 2 * (kind == "%")))
         else:
-            unit = decimal_unit(near) / mpz(10) ** (digits - (kind == "g") if digits else 0)
-        rounded = self._nearest_multiple(unit)
-        written = str(rounded).rstrip("0")
-        exponent = len(str(unit.numerator)) - len(str(unit.denominator)) + len(str(rounded)) - len(written)
-        return format(Decimal(f"{written}E{exponent}" if written else 0), form)
+            unit = decimal_unit(near) / mpz(10) ** (digits - (kind in "gG"))
+        exponent = len(str(unit.numerator)) - len(str(unit.denominator))
+        number = Decimal(f"{self._nearest_multiple(unit)}E{exponent}")
+        if kind in "gG":
+            shown = Context(prec=digits).create_decimal(number).normalize()
+            behind = -cast(int, shown.as_tuple().exponent)
+            as_it_is = -5 < shown.adjusted() < digits
+            digits, kind = (max(behind, 0), "f") if as_it_is else (behind + shown.adjusted(), "eE"[kind == "G"])
+        return format(number, f"{before}.{digits}{kind}")
 
     def _mpmath_(self, bits: int, rounding: str) -> mpmath.mpf:
         """What mpmath takes in place of the number, at its working precision."""

@@ -104,7 +104,8 @@ class Answer(Sequence[T_co], Written, Generic[T_co, W]):
 
     def __getstate__(self) -> dict[str, object]:
         kept = {"points": self.points} | vars(self)
-        return {name: value for name, value in kept.items() if name not in ("_late", "_asked")}
+        kept.pop("_late", None)
+        return kept
 
     @overload
     def __getitem__(self, index: int) -> T_co: ...
@@ -133,11 +134,11 @@ class Answer(Sequence[T_co], Written, Generic[T_co, W]):
         return found if self.asked is None else found.asked_with(*self.asked)
 
     @property
-    def asked(self) -> tuple[object, Callable[[], object]] | None:
+    def asked(self) -> tuple[str, Callable[[], object]] | None:
         """The question whose answer this is, and what makes the object again that was asked; None if it is unknown."""
         return vars(self).get("_asked")
 
-    def asked_with(self, question: object, again: Callable[[], object]) -> Self:
+    def asked_with(self, question: str, again: Callable[[], object]) -> Self:
         """This answer, which remembers the first question that it answers, but holds no object that keeps it."""
         vars(self).setdefault("_asked", (question, again))
         return self

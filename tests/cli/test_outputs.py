@@ -79,3 +79,18 @@ def test_what_is_no_curve_is_not_read_as_one(tmp_path):
         done = run("inspect", file)
         assert done.returncode == 2
         assert done.stderr.count("\n") == 1
+
+
+@pytest.mark.parametrize(
+    "arguments",
+    [
+        ("inspect", "torus", "torus", "--ask", "umbilics"),
+        ("inspect", "folded_map", "--ask", "kind", "--ask", "kind"),
+        ("inspect", "circle", "--ask", "area", "--ask", "area"),
+        ("between", "circle", "ellipse", "--ask", "distance", "--ask", "distance"),
+    ],
+)
+def test_what_is_asked_twice_has_two_rows_with_keys_of_their_own(arguments):
+    """Of surfaces, pairs and regions a KeyError."""
+    keys = [row["key"] for row in json.loads(run(*arguments, "--json").stdout)["rows"]]
+    assert len({*keys}) == len(keys) == 2

@@ -1,5 +1,6 @@
 """Answers as data, as records and as tables: made from the same answer, with nothing lost on the way."""
 
+import copy
 import json
 import pickle
 
@@ -110,11 +111,13 @@ def test_what_is_chosen_of_an_answer_is_written_too_but_not_what_nobody_asked_fo
     maxima = found.where(lambda feature: feature.kind == "maximum")
     assert [row["parameter"] for row in maxima.to_records()] == np.array(maxima, float).tolist()
     assert 0 < len(maxima) < len(found)
-    for again in (pickle.loads(pickle.dumps(found)), type(found)(found.points)):
-        assert again == found
-        with pytest.raises(xs.ExactSplineError, match=r"take it from exactspline\.ask"):
-            again.to_dict()
-        assert again._repr_html_() is None
+    for again in (pickle.loads(pickle.dumps(found)), copy.deepcopy(found)):
+        assert (again, again.to_dict()) == (found, found.to_dict())
+    unasked = type(found)(found.points)
+    assert unasked == found
+    with pytest.raises(xs.ExactSplineError, match=r"take it from exactspline\.ask"):
+        unasked.to_dict()
+    assert unasked._repr_html_() is None
 
 
 def test_every_kind_of_object_is_tried():

@@ -36,7 +36,9 @@ def test_a_part_beyond_the_domain_has_a_note():
     assert "only 0 to 1 is in the domain" in named.notes[0]
 
 
-@pytest.mark.parametrize(("low", "high"), [(0, 4), ("0.5", "2.25"), ("3.5", "5.25"), ("1", "5"), (3, 4)])
+@pytest.mark.parametrize(
+    ("low", "high"), [(0, 4), ("0.5", "2.25"), ("3.5", "5.25"), ("1", "5"), (3, 4), (-1, 1), ("40.5", 42), (-8, -4)]
+)
 def test_a_part_of_a_periodic_spline_may_run_over_its_seam(low, high):
     curve = of_brep(f"8 {low} {high}\n{PERIODIC}").curve
     twice = Nurbs(2, range(-2, 11), [*SQUARE, *SQUARE, *SQUARE[:2]])
@@ -45,7 +47,14 @@ def test_a_part_of_a_periodic_spline_may_run_over_its_seam(low, high):
     for k in range(9):
         t = mpq(low) + (mpq(high) - mpq(low)) * mpq(k, 8)
         side = "left" if k == 8 else "right"
-        assert curve(t, side) == twice(t - moved, side)
+        # in the first period of `twice`, or in the second where the part runs over the seam
+        within = t - mpq(low) + (mpq(low) - moved) % 4
+        assert curve(t, side) == twice(within, side)
+
+
+def test_a_part_that_runs_backwards_is_named_as_such():
+    [named] = of_brep(f"8 0.75 0.25\n{CUBIC}").curves
+    assert (named.curve.domain, "run backwards" in named.notes[0]) == ((0, 1), True)
 
 
 def test_parts_of_lines_and_parabolas_are_exact():

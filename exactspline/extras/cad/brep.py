@@ -147,7 +147,12 @@ def _add_spline(collector: Collector, where: str, spline: _Spline, part: Ends | 
     ends = (knots[0], knots[-1]) if periodic and knots else domain(degree, knots)
     given = collector.numbers(part or ())
     trim = [next((end for end in ends if abs(end - t) * ROUNDED <= abs(end)), t) for t in given] or ends
-    if periodic and ends[0] < ends[1] < trim[1]:
+    period = ends[1] - ends[0]
+    if periodic and period > 0:
+        # an edge may begin in any period
+        turns = (trim[0] - ends[0]) // period * period
+        knots, ends = [t + turns for t in knots], (ends[0] + turns, ends[1] + turns)
+    if periodic and 0 < period < trim[1] - ends[0] <= 2 * period:
         # two periods
         knots = knots + [t + ends[1] - ends[0] for t in knots[knots.count(knots[0]) :]]
         points, weights, ends = points * 2, weights and weights * 2, (ends[0], 2 * ends[1] - ends[0])

@@ -10,6 +10,7 @@ from __future__ import annotations
 from bisect import bisect_left, bisect_right
 from collections.abc import Callable, Sequence, Set
 from dataclasses import dataclass
+from functools import partial
 from time import perf_counter
 from typing import TypeVar, cast
 from weakref import ref
@@ -184,7 +185,7 @@ class Facts(Remembers):
     def again(self) -> Callable[[], Facts]:
         """What makes those of an equal curve, and holds neither this curve nor what is known of it."""
         make, data = self.curve.__reduce__()
-        return lambda: facts_of(make(*data))
+        return partial(_facts_again, make, *data)
 
     @Fact
     def operands(self) -> Curve[BSpline]:
@@ -532,6 +533,11 @@ class Facts(Remembers):
         """Raise `ShapeError` for a curve that is neither in the plane nor in space."""
         if self.curve.dimension not in (2, 3):
             raise ShapeError(f"a curve in R{self.curve.dimension}", remedy="give a curve in the plane or in space")
+
+
+def _facts_again(make: Callable[..., Nurbs], *data: object) -> Facts:
+    """The facts of a curve that is made again."""
+    return facts_of(make(*data))
 
 
 def facts_of(curve: Nurbs) -> Facts:
