@@ -6,6 +6,7 @@ Enclosures are tried first. Polynomials are used only if enclosures cannot decid
 
 from __future__ import annotations
 
+from decimal import Decimal
 from fractions import Fraction
 from functools import total_ordering
 from typing import Any, cast
@@ -22,7 +23,7 @@ from exactspline.reals.digits import SUSPICIOUS, Digits
 
 _RATIONAL = type(mpq())
 #: The types with which a real number can be compared and combined.
-EXACT = (int, Fraction, type(mpz()), _RATIONAL, fmpz, type(to_fmpq(mpq())))
+EXACT = (int, Fraction, Decimal, type(mpz()), _RATIONAL, fmpz, type(to_fmpq(mpq())))
 #: The number of digits after which it remains undecided whether two numbers are equal.
 OPEN = 1500
 
@@ -151,6 +152,8 @@ class Algebraic(Digits):
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, (Algebraic, *EXACT)):
             return NotImplemented
+        if isinstance(other, Decimal) and not other.is_finite():
+            return False
         return self._against(other) == 0
 
     def __lt__(self, other: object) -> bool:

@@ -76,6 +76,15 @@ def test_mpmath_takes_a_number_at_its_precision():
         assert abs(mpmath.sin(square_root(2)) - mpmath.sin(mpmath.sqrt(2))) < mpmath.mpf(10) ** -48
 
 
+def test_decimals_are_exact_numbers_and_what_is_none_is_not_compared():
+    half = square_root("1/4")
+    assert (half == Decimal("0.5"), half < Decimal("0.6"), half + Decimal("0.1") == Fraction(3, 5)) == (True,) * 3
+    assert square_root(2) != Decimal("1.41421356237309504880168872420969807856967")
+    assert half != Decimal("NaN")
+    with pytest.raises(xs.ExactSplineError, match="is not a number"):
+        half < Decimal("inf")  # noqa: B015
+
+
 def test_a_real_number_is_one_and_no_float():
     assert isinstance(QUARTIC, numbers.Real)
     assert (QUARTIC.real, QUARTIC.imag, QUARTIC.conjugate()) == (QUARTIC, 0, QUARTIC)
