@@ -42,7 +42,7 @@ def of_object(front: ModuleType, name: str, thing: object) -> object:
     >>> from exactspline import example
     >>> circle = example("circle")
     >>> circle.length, circle.corners(), circle.plot.__name__, circle.is_closed
-    (<Real 6.2831853…>, (), 'plot', True)
+    (<Real 2π>, (), 'plot', True)
 
     Raises `AttributeError`, which names the call that works.
     """
@@ -93,7 +93,7 @@ def of_package(front: ModuleType, name: str) -> object:
 
     >>> import exactspline
     >>> exactspline.length(exactspline.example("circle")), exactspline.intersect is exactspline.intersections
-    (<Real 6.2831853…>, True)
+    (<Real 2π>, True)
 
     Raises `AttributeError`, which names the call that works.
     """

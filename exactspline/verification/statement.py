@@ -248,7 +248,6 @@ def telling_tree(formula: Formula, dimension: int) -> Node:
     """The tree of a formula; where it would only repeat the symbol (as for the derivative of a named formula) the names
     in it are expanded.
 
-    >>> from exactspline import find
     >>> telling_tree(find("curvature_squared_derivative"), 2)
     ([γ′ γ″]²/(‖γ′‖²)³)′
     """

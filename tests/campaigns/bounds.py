@@ -24,9 +24,9 @@ from exactspline import Nurbs, ask
 from exactspline.errors import ReachError, WeightError
 from tests.support.dials import DIALS
 
-mp.dps = 60
 #: Relative errors that are left by 60 digits, and by difference quotients of this width.
-CLOSE, WIDTH = mpf(10) ** -22, mpf(10) ** -15
+with mp.workdps(60):
+    CLOSE, WIDTH = mpf(10) ** -22, mpf(10) ** -15
 SAMPLES = 16
 LARGEST = ("largest_speed", "largest_curvature", "largest_curvature_derivative", "largest_torsion")
 
@@ -337,6 +337,7 @@ def measured(first, second, end, start):
 # ---- campaigns
 
 
+@mp.workdps(60)
 def differs(family, dial, seed):
     """What is wrong with one case, "" where nothing is."""
     random, number = Random(f"{family} {dial} {seed}"), DIALS[dial]
