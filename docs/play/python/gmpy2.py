@@ -91,10 +91,3 @@ def iroot(x, n):
 def is_square(x) -> bool:
     """Whether x is the square of an integer."""
     return x >= 0 and isqrt(x) ** 2 == x
-
-
-class mpfr:  # noqa: N801
-    """Floating-point numbers of gmpy2, by which shapes of surfaces are proposed: the page has none."""
-
-    def __init__(self, *given) -> None:
-        raise NotImplementedError("floating-point numbers of gmpy2 are not in the page")

@@ -8,6 +8,7 @@ import flint  # noqa: F401  # every answer needs it: loaded before the first que
 from mpmath import mp, nstr
 
 import exactspline as xs
+from exactspline.splines.control_points import greville_abscissae
 
 DIGITS = 15
 
@@ -76,7 +77,7 @@ def forms(data: dict[str, Any]) -> list[dict[str, Any]]:
                 "degree": form.degree,
                 "controls": len(form.control_points),
                 "knots": [float(u) for u in form.knots],
-                "abscissae": [float(u) for u in xs.tables.greville_abscissae(form)],
+                "abscissae": [float(u) for u in greville_abscissae(form)],
                 "ordinates": [float(c / largest) for c in form.control_points],
                 "zeros": [float(root) for root in found.roots],
             }
