@@ -13,6 +13,7 @@ from collections.abc import Callable, Iterable, Iterator
 from contextlib import AbstractContextManager, ExitStack, contextmanager
 from importlib.util import find_spec
 from itertools import chain
+from multiprocessing import resource_tracker
 from typing import TypeVar
 
 from exactspline.errors import ExactSplineError, as_text, nearest
@@ -94,9 +95,8 @@ def mapped(
             stack.enter_context(_configured(backend, jobs, scheduler))
             sent = f"{PENDING}*{jobs}"
             parallel = stack.enter_context(Parallel(return_as="generator", batch_size=1, pre_dispatch=sent))
-            started = parallel(delayed(int)() for _ in range(jobs))
-        for _ in started:
-            pass
+            for _ in parallel(delayed(int)() for _ in range(jobs)):
+                pass
         for first in groups:
             window = _window(first, groups, WINDOW * jobs)
             yield from _taken(parallel(delayed(_called)(call, group) for group in window), closed)
@@ -157,6 +157,8 @@ def _interrupts_ignored() -> Iterator[None]:
     if threading.current_thread() is not threading.main_thread() or not hasattr(signal, "pthread_sigmask"):
         yield
         return
+    # Python's tracker of resources unblocks the signal when it starts: it has to be there before
+    resource_tracker.ensure_running()
     before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
     try:
         yield
