@@ -112,11 +112,11 @@ def to_dict(about: About | Written, question: str = "", digits: int = 20) -> dic
     {'question': 'umbilics', 'answer': {'points': [], 'everywhere': [], 'undecided': []}}
     """
     digits = as_integer(digits, "a number of digits", 1)
-    if isinstance(about, Written):
+    if isinstance(about, Written) and not question:
         form, value, _ = _form_of_answer(about)
         data: dict[str, object] = form.write(value, digits)
         return data
-    return {"question": question, "answer": answer_data(asked_of(about, question), digits)}
+    return {"question": question, "answer": answer_data(asked_of(cast(About, about), question), digits)}
 
 
 @overload
@@ -137,7 +137,10 @@ def to_records(about: About | Written, question: str = "") -> list[dict[str, obj
     >>> to_records(example("cubic_s"), "inflections")[0]["parameter"]
     0.5
     """
-    found = _records_of(*_form_of_answer(about)) if isinstance(about, Written) else records(asked_of(about, question))
+    if isinstance(about, Written) and not question:
+        found = _records_of(*_form_of_answer(about))
+    else:
+        found = records(asked_of(cast(About, about), question))
     return [{"what": each.what} | {name: _plain(x) for name, x in each.values.items()} for each in found]
 
 

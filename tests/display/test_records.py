@@ -120,6 +120,19 @@ def test_what_is_chosen_of_an_answer_is_written_too_but_not_what_nobody_asked_fo
     assert unasked._repr_html_() is None
 
 
+def test_a_question_about_an_answer_is_asked_and_not_forgotten():
+    """The bisector of two space curves is an answer, of which questions are asked."""
+    curves = [xs.Nurbs(1, [0, 0, 1, 1], points) for points in ([(0, 0, 0), (1, 0, 0)], [(0, 1, 0), (0, 1, 1)])]
+    found = xs.bisector(*curves)
+    assert isinstance(found, Written)
+    questions = [name for name in REGISTRY[Of.PAIR] if xs.tables.to_dict(found, name)["question"] == name]
+    assert questions == [*REGISTRY[Of.PAIR]]
+    assert xs.tables.to_dict(found)["kind"] == "bisector of two curves"
+    for call in (xs.tables.to_dict, xs.tables.to_records):
+        with pytest.raises(xs.ExactSplineError):
+            call(xs.square_root(2), "length")
+
+
 def test_every_kind_of_object_is_tried():
     assert {kind_of(facts_about(xs.example(name))) for name in OBJECTS.values()} == {*OBJECTS}
 
