@@ -98,6 +98,7 @@ def prove(
     from exactspline.display.numbers import Numbers
     from exactspline.verification.judges import judge_named, second_opinion
     from exactspline.verification.ledger import settled, tasks
+    from exactspline.verification.verdict import NOT_ASKED
 
     requested = [_word(each, WORDS) for each in verdict or []]
     known = claims_of_papers(paper or (["surfaces"] if surface and not curve else None), trust)
@@ -131,9 +132,9 @@ def prove(
         lambda: run.print(listed=listed, everything=rows, quiet=out.quiet),
         by="curve",
     )
-    if not (good and all_read):
+    if not (good and all_read) or any(row.refused for row in found):
         raise Exit(2)
-    if any(row.out_of_reach for row in found):
+    if any(row.out_of_reach or row.verdict == NOT_ASKED for row in found):
         leave_out()
     if any(row.differs for row in found):
         raise Exit(1)

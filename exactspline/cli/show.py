@@ -43,6 +43,7 @@ def show(
     from exactspline.display.statement import fields, statement_data
     from exactspline.verification.claims import located
     from exactspline.verification.statement import statement
+    from exactspline.verification.verdict import NOT_ASKED
 
     claims = claims_of_papers(paper, trust)
     if not claim:
@@ -60,6 +61,8 @@ def show(
         leave_out()
     if any(s.differs for s in found):
         raise Exit(1)
+    if any(s.finding.verdict == NOT_ASKED and not s.as_recorded for s in found):
+        raise Exit(2)
 
 
 def _list(out: Output, claims: Sequence[Claim]) -> None:

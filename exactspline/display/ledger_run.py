@@ -27,7 +27,7 @@ from exactspline.display.ledger import (
 )
 from exactspline.display.numbers import Numbers
 from exactspline.display.sheet import Sheet
-from exactspline.errors import command_name
+from exactspline.errors import command_name, counted
 from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.surface import NurbsSurface
 from exactspline.verification.check_arguments import is_tried_whole
@@ -123,9 +123,14 @@ class Run:
             self._not_as_recorded(shown)
 
     def _not_as_recorded(self, shown: Console) -> None:
-        if differing := [row for row in self.rows if not row.as_recorded]:
+        differing = [row for row in self.rows if not (row.as_recorded or row.refused)]
+        once: dict[tuple[str, str], Row] = {}
+        for row in sorted(differing, key=lambda row: not row.curve):  # a single curve tells where it fails
+            once.setdefault((row.paper, row.key), row)
+        if once:
             shown.print()
-            shown.print(ledger(differing, "Not as recorded", self.numbers))
+            more = f" (once per claim; {counted(len(differing), 'row')} with --rows)" * (len(differing) > len(once))
+            shown.print(ledger([*once.values()], f"Not as recorded{more}", self.numbers))
 
     def _on_curves(self, shown: Console, listed: bool) -> None:
         for i, c in enumerate(self.curves or []):

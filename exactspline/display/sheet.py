@@ -37,6 +37,7 @@ COLOURS = {
     "REFUTED": "bold magenta",
     "UNDECIDED": "yellow",
     "CONTRADICTION": "bold red",
+    "NOT": "bold yellow",
 }
 
 

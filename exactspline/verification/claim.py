@@ -45,6 +45,7 @@ from exactspline.verification.paper_curves import check_curve_name, curve_named,
 from exactspline.verification.segments import on_segments
 from exactspline.verification.verdict import (
     CONTRADICTION,
+    NOT_ASKED,
     PROVED,
     REFUTED,
     UNDECIDED,
@@ -75,8 +76,12 @@ def one_of(kind: type[E]) -> Callable[[Claim, str, object], E]:
 
 
 def _recorded(claim: Claim, name: str, value: object) -> Verdict:
-    """A verdict that can be recorded: a contradiction between two routes is an error of this library."""
+    """A verdict that can be recorded: a contradiction between two routes is an error of this library, and what is not
+    asked has a kind of its own.
+    """
     verdict = word(Verdict, value, name)
+    if verdict == NOT_ASKED:
+        raise ClaimError("what is not asked has no verdict", where=name, remedy='write kind = "not asked", and why')
     if verdict == CONTRADICTION:
         raise ClaimError(
             "a contradiction as the recorded verdict", where=name, remedy="one of two routes is wrong: report this"

@@ -30,6 +30,8 @@ from exactspline.symbolic.assumptions import Assumption
 from exactspline.verification.claim import Claim
 from exactspline.verification.claim_fields import declared
 from exactspline.verification.kinds import KINDS
+from exactspline.verification.kinds.not_asked import NotAsked
+from exactspline.verification.vocabulary import Verdict
 
 #: The largest length of a text of a claim.
 LONGEST = 2000
@@ -147,9 +149,10 @@ def _words_of(text: str) -> tuple[str, ...]:
 
 
 def claims_of(source: Paper | str) -> tuple[Claim, ...]:
-    """The claims of one paper, in its order.
+    """The claims of one paper, in its order. In a user's folder an entry that is refused, and a key that occurs twice,
+    hide no other claim: in its place stands one of the kind ``not asked``, whose verdict is NOT ASKED, with the reason.
 
-    Raises `ClaimError` for an invalid entry, and for a key that occurs twice.
+    Raises `ClaimError` for such an entry of a paper of the library, and for a file that is not a table of claims.
     """
     given = paper(source) if isinstance(source, str) else source
     return _claims(as_instance(given, Paper, "a paper", "give its name, or the result of exactspline.paper"))
@@ -157,16 +160,35 @@ def claims_of(source: Paper | str) -> tuple[Claim, ...]:
 
 @cache
 def _claims(source: Paper) -> tuple[Claim, ...]:
-    claims, places = [], dict[str, str]()
+    claims, places = list[Claim](), dict[str, str]()
     for table in source.claim_tables():
-        claim = claim_of(table, source)
-        if claim.key in places:
-            raise ClaimError(
-                f"the key {claim.key!r} is taken by {places[claim.key]}", where=table.place, remedy="choose another one"
-            )
+        try:
+            claim = claim_of(table, source)
+            if claim.key in places:
+                taken = f"the key {claim.key!r} is taken by {places[claim.key]}"
+                raise ClaimError(taken, where=table.place, remedy="choose another one")
+        except ClaimError as error:
+            if source.package:
+                raise
+            claim = _refused(table.entry, source, f"{len(claims) + 1}", error)
         places[claim.key] = table.place
         claims.append(claim)
     return tuple(claims)
+
+
+def _refused(entry: dict[str, Any], source: Paper, number: str, error: ClaimError) -> NotAsked:
+    """What stands for an entry of a user's folder that was refused: its texts, as far as they can be printed."""
+    given = {name: entry.get(name) for name in ("id", "statement", "place", "words", "section")}
+    texts = {name: text for name, text in given.items() if isinstance(text, str) and _printable(text) == text}
+    texts = {"id": number, "statement": "an entry without a statement"} | texts
+    texts["key"] = f"{re.sub(r'[ .]+', '', texts['id'])}-not-asked-{number}"
+    why = _printable(str(error))
+    return NotAsked(paper=source.name, **_completed(texts, source), why=why, expected=Verdict.PROVED)
+
+
+def _printable(text: str) -> str:
+    """A text in one line, as long as one of a claim may be."""
+    return " ".join("".join(letter if letter.isprintable() else " " for letter in text[:LONGEST]).split())
 
 
 @cache

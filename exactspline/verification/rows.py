@@ -11,7 +11,16 @@ from exactspline.hooks import Displayed
 from exactspline.one_line import one_line
 from exactspline.verification.claim import Claim
 from exactspline.verification.evidence import DegreeHere, Evidence, Found, ZeroHere
-from exactspline.verification.verdict import INAPPLICABLE, PROVED, REFUTED, UNDECIDED, VACUOUS, VERIFIED, Finding
+from exactspline.verification.verdict import (
+    INAPPLICABLE,
+    NOT_ASKED,
+    PROVED,
+    REFUTED,
+    UNDECIDED,
+    VACUOUS,
+    VERIFIED,
+    Finding,
+)
 from exactspline.verification.vocabulary import Name, Reason, Status, Verdict
 
 #: The name shown in place of a curve's where all curves are meant.
@@ -104,11 +113,16 @@ class Row(Displayed):
     @property
     def differs(self) -> bool:
         """Whether it contradicts the record, by its own verdict or that of the second judge: undecided because of its
-        cost is not another verdict.
+        cost, or not asked, is not another verdict.
         """
         second = self.second.verdict if self.second else UNDECIDED
         opposed = second in (PROVED, REFUTED) and (second == REFUTED) != (REFUTED in self.expected)
-        return opposed or not (self.as_recorded or self.finding.reason == Reason.COST)
+        return opposed or not (self.as_recorded or self.refused or self.finding.reason == Reason.COST)
+
+    @property
+    def refused(self) -> bool:
+        """Whether the claim could not be asked, though its author meant it to be."""
+        return self.verdict == NOT_ASKED and not self.as_recorded
 
 
 def row(

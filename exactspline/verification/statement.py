@@ -31,7 +31,7 @@ from exactspline.verification.combined import combined
 from exactspline.verification.generic_proof import degree_in_table_1
 from exactspline.verification.kinds.degree import DegreeClaim
 from exactspline.verification.kinds.equality import Identity
-from exactspline.verification.verdict import Finding
+from exactspline.verification.verdict import NOT_ASKED, Finding
 from exactspline.verification.vocabulary import Name, Reason, Scope
 
 NAIVE, REDUCED = "naive", "reduced"
@@ -97,8 +97,8 @@ class Statement(Displayed):
 
     @property
     def differs(self) -> bool:
-        """Whether it is another one: undecided because of its cost is not."""
-        return not self.as_recorded and self.finding.reason != Reason.COST
+        """Whether it is another one: undecided because of its cost, or not asked, is not."""
+        return not (self.as_recorded or self.finding.reason == Reason.COST or self.finding.verdict == NOT_ASKED)
 
 
 def statements(claim_id: str) -> Iterator[Statement]:

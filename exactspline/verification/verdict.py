@@ -15,6 +15,7 @@ from exactspline.verification.vocabulary import Name, Reason, Relation, Verdict
 
 PROVED, VERIFIED, REFUTED, UNDECIDED = Verdict.PROVED, Verdict.VERIFIED, Verdict.REFUTED, Verdict.UNDECIDED
 VACUOUS, INAPPLICABLE, CONTRADICTION = Verdict.VACUOUS, Verdict.INAPPLICABLE, Verdict.CONTRADICTION
+NOT_ASKED = Verdict.NOT_ASKED
 
 
 class ContradictionError(ExactSplineError):

@@ -15,7 +15,8 @@ Name = NewType("Name", str)
 
 class Verdict(Word):
     """The result of a check: proved for all curves, verified on one, refuted, not decided; nothing to decide (0 = 0,
-    0/0); a claim that does not apply to this curve; two routes that contradict each other.
+    0/0); a claim that does not apply to this curve; two routes that contradict each other; a statement that could not
+    be asked, or is said not to be.
     """
 
     PROVED = "PROVED"
@@ -25,6 +26,7 @@ class Verdict(Word):
     VACUOUS = "VACUOUS"
     INAPPLICABLE = "INAPPLICABLE"
     CONTRADICTION = "CONTRADICTION"
+    NOT_ASKED = "NOT ASKED"
 
 
 class Reason(StrEnum):

@@ -9,6 +9,7 @@ from exactspline.verification.kinds.degree import DegreeClaim
 from exactspline.verification.kinds.equality import Identity, IsoCurve, SameSurface, Vanishing
 from exactspline.verification.kinds.examples import Condition, Count
 from exactspline.verification.kinds.invariance import Invariance
+from exactspline.verification.kinds.not_asked import NotAsked
 from exactspline.verification.kinds.types import Applies, Existence, TypeClaim
 from exactspline.verification.kinds.zeros import SignClaim, SquareClass, ZeroSet
 
@@ -32,5 +33,6 @@ KINDS: dict[str, type[Claim]] = {
         SignClaim,
         TypeClaim,
         Applies,
+        NotAsked,
     )
 }

@@ -1,0 +1,111 @@
+"""One refused claim never hides the paper: all other rows are printed, the refused one with its reason, and the exit
+status is 2.
+"""
+
+import csv
+import io
+import json
+import re
+
+import pytest
+
+from exactspline.display.evidence import worded
+from exactspline.errors import ClaimError
+from exactspline.papers import Table, load_paper, paper
+from exactspline.verification.claims import claim_of, claims_of
+from exactspline.verification.ledger import audit
+from exactspline.verification.verdict import NOT_ASKED, PROVED, REFUTED
+from tests.support.command import invoke
+from tests.verification.test_own_paper import plane_formulas, written
+
+FORMULAS = plane_formulas(f="det(c.p, c.p.d(1))", g="2 * det(c.p, c.p.d(1))", v="c.p")
+GOOD = {"id": "1", "kind": "identity", "statement": "g is 2 f", "curve": "plane", "left": "g", "right": "f"}
+GOOD |= {"factor": "2"}
+FALSE = GOOD | {"id": "2", "statement": "g is 3 f", "factor": "3"}
+REFUSED = [
+    {"id": "3", "kind": "implication", "statement": "where f = 0, g = 0"},
+    {"id": "4", "kind": "vanishing", "statement": "no formula", "curve": "plane"},
+    {"id": "5", "kind": "vanishing", "statement": "a misspelled formula", "curve": "plane", "left": "h"},
+    {"id": "6", "kind": "vanishing", "statement": "other arguments", "curve": "space", "left": "f"},
+    {"id": "\\u001b[2J", "kind": "vanishing", "statement": "\\u001b[2J", "curve": "plane", "left": "f"},
+    {"id": 8, "kind": 8, "statement": 8},
+    {"kind": "vanishing", "statement": "without an id", "curve": "plane", "left": "f"},
+    GOOD | {"statement": "the same id and kind again"},
+    GOOD | {"id": "9", "expected": "NOT ASKED"},
+]
+
+
+def folder_with(tmp_path, *claims):
+    folder = written(tmp_path / "p", FORMULAS, claims)
+    file = folder / "claims.toml"
+    file.write_text(file.read_text().replace("\\\\u", "\\u"))
+    return folder
+
+
+def rows_of(*arguments):
+    return json.loads(invoke("prove", *arguments, "--json").output)["rows"]
+
+
+@pytest.mark.parametrize("refused", REFUSED)
+def test_one_refused_claim_hides_no_other(refused, tmp_path):
+    """Before, the first refused entry ended the command, and no verdict was printed."""
+    folder = folder_with(tmp_path, GOOD, refused, FALSE)
+    general = [row for row in rows_of("--paper", folder) if not row["curve"]]
+    assert [row["verdict"] for row in general] == ["PROVED", "NOT ASKED", "REFUTED"]
+    assert "claims.toml, claim 2" in general[1]["witness"]
+    done = invoke("prove", "--paper", folder)
+    assert done.exit_code == 2
+    assert "NOT ASKED" in done.output
+    assert re.search(r"; 1 could not be asked; \d+ DIFFER from the record", " ".join(done.output.split()))
+    assert "\x1b[2J" not in done.output
+    table = list(csv.DictReader(io.StringIO(invoke("prove", "--paper", folder, "--csv").output)))
+    assert [row["verdict"][:9] for row in table[:3]] == ["PROVED", "NOT ASKED", "REFUTED (recorded: PROVED)"[:9]]
+
+
+def test_all_of_them_together_and_every_command(tmp_path):
+    folder = folder_with(tmp_path, GOOD, *REFUSED)
+    own = claims_of(load_paper(folder))
+    assert len(own) == len(REFUSED) + 1 == len({claim.key for claim in own})
+    found = [row.verdict for row in audit(own) if not row.curve]
+    assert found == [PROVED, *[NOT_ASKED] * len(REFUSED)]
+    for command in (["show"], ["show", "1"], ["errata"], ["prove", "--rows"], ["prove", "--claim", "1"]):
+        done = invoke(*command, "--paper", folder)
+        assert done.exit_code in (0, 2), done.exception
+        assert done.output
+    for option in ("--report", "--html"):
+        invoke("prove", "--paper", folder, option, tmp_path / "page.html")
+        assert (tmp_path / "page.html").read_text().count("NOT ASKED") >= len(REFUSED)
+
+
+def test_what_is_said_not_to_be_asked_is_as_recorded(tmp_path):
+    said = {"id": "3", "kind": "not asked", "statement": "∫κ ds is the angle", "why": "an integral"}
+    folder = folder_with(tmp_path, GOOD, said)
+    done = invoke("prove", "--paper", folder)
+    assert done.exit_code == 0
+    assert "an integral" in done.output
+    assert invoke("prove", "--paper", folder, "--strict").exit_code == 2
+    (row,) = [row for row in audit(claims_of(load_paper(folder))) if row.verdict == NOT_ASKED]
+    assert worded(row.witness) == "an integral"
+    assert row.as_recorded
+
+
+def test_what_is_not_asked_never_counts_as_holding(tmp_path):
+    """A refused entry that its author expects to be REFUTED is not so."""
+    folder = folder_with(tmp_path, REFUSED[0] | {"expected": "REFUTED", "place": "eq. (3)", "words": "so"})
+    (row,) = audit(claims_of(load_paper(folder)))
+    assert row.verdict not in (PROVED, REFUTED)
+    assert not row.as_recorded
+    assert row.refused
+
+
+def test_papers_of_the_library_are_refused_whole():
+    with pytest.raises(ClaimError, match="the field 'why' is missing"):
+        claim_of(Table("here", {"id": "1", "kind": "not asked", "statement": "s"}), paper("lifted"))
+
+
+def test_a_claim_that_differs_is_printed_once(tmp_path):
+    """Before, "Not as recorded" repeated a claim for every curve on which it fails."""
+    folder = folder_with(tmp_path, GOOD, FALSE)
+    told = invoke("prove", "--paper", folder).output
+    _, below = re.split(r"Not as recorded \(once per claim; \d\d rows with --rows\)", told)
+    assert below.count("REFUTED (recorded") == 1
