@@ -6,10 +6,12 @@ Beside it goes the digest of its source and of its bytes, by which it is known a
 """
 
 import os
+import re
 import shlex
 import subprocess
 import sys
 import sysconfig
+import tomllib
 from hashlib import sha256
 from itertools import pairwise
 from pathlib import Path
@@ -44,6 +46,17 @@ def tag() -> str:
     return f"py3-none-{platform}"
 
 
+def page_for_an_index(text: str, repository: str) -> str:
+    """The README with addresses that work elsewhere: those of the repository; without one, pictures are left out and
+    links are their words.
+    """
+    if not repository:
+        text = re.sub(r"!\[[^]]*\]\((?!https?:)[^)]*\)\n*", "", text)
+        return re.sub(r"\[([^]]*)\]\((?!https?:)[^)]*\)", r"\1", text)
+    text = re.sub(r"(!\[[^]]*\]\()(?!https?:)", rf"\1{repository}/raw/main/", text)
+    return re.sub(r"((?<!!)\[[^]]*\]\()(?!https?:)(?=[^)]*\))", rf"\1{repository}/blob/main/", text)
+
+
 def digest_of(library: Path) -> Path:
     """Where the digest of a library is."""
     return library.with_name(f"{library.name}.sha256")
@@ -74,9 +87,34 @@ def compiled(target: Path = LIBRARY, *more: str) -> bool:
 
 try:
     from hatchling.builders.hooks.plugin.interface import BuildHookInterface
+    from hatchling.metadata.plugin.interface import MetadataHookInterface
 except ImportError:  # run as a program
     BuildHookInterface = None
 else:
+
+    class Addresses(MetadataHookInterface):
+        """The metadata hook: the README for an index page, and where the project is to be found."""
+
+        def update(self, metadata):
+            """Set what the table `project` names as dynamic."""
+            root = Path(self.root)
+            address = tomllib.loads((root / "pyproject.toml").read_text(encoding="utf-8"))["tool"]["exactspline"]
+            repository = address["repository"].rstrip("/")
+            text = page_for_an_index((root / "README.md").read_text(encoding="utf-8"), repository)
+            metadata["readme"] = {"content-type": "text/markdown", "text": text}
+            metadata["urls"] = (
+                repository
+                and {
+                    "Repository": repository,
+                    "Documentation": f"{repository}/tree/main/docs",
+                    "Changelog": f"{repository}/blob/main/CHANGELOG.md",
+                    "Issues": f"{repository}/issues",
+                }
+            ) or {}
+
+        def get_known_classifiers(self):
+            """None of our own."""
+            return []
 
     class Extension(BuildHookInterface):
         """The build hook: a wheel with the extension is one for a platform, but for every version of Python 3."""

@@ -1,6 +1,6 @@
 """Which release this is, and which ones of the libraries compute."""
 
-__version__ = "0.2.0"
+__version__ = "0.3.0"
 #: The extras that are not for developers alone, and what is installed without any.
 USERS = ("", "plot", "formats", "sweep")
 

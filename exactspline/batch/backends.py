@@ -6,21 +6,21 @@ joblib runs all but the first; the number of pending tasks is bounded, and the r
 from __future__ import annotations
 
 import os
-import signal
 import threading
-import time
 from collections.abc import Callable, Iterable, Iterator
-from contextlib import AbstractContextManager, ExitStack, contextmanager
+from concurrent.futures import BrokenExecutor
+from contextlib import AbstractContextManager, ExitStack, contextmanager, suppress
 from importlib.util import find_spec
 from itertools import chain
-from multiprocessing import resource_tracker
-from typing import TypeVar
+from typing import TYPE_CHECKING, TypeVar
 
 from exactspline.errors import ExactSplineError, as_text, nearest
 from exactspline.release import releases
+from exactspline.system import end_with, interrupts_ignored
 
-#: Seconds between two checks whether the process that started this one is still running.
-LOOK = 1
+if TYPE_CHECKING:
+    from distributed import Client
+
 T = TypeVar("T")
 V = TypeVar("V")
 
@@ -91,7 +91,7 @@ def mapped(
     from joblib import Parallel, delayed
 
     with ExitStack() as stack:
-        with _interrupts_ignored():
+        with interrupts_ignored():
             stack.enter_context(_configured(backend, jobs, scheduler))
             sent = f"{PENDING}*{jobs}"
             parallel = stack.enter_context(Parallel(return_as="generator", batch_size=1, pre_dispatch=sent))
@@ -149,23 +149,6 @@ def _window(first: list[T], groups: Iterator[list[T]], most: int) -> Iterator[li
         yield group
 
 
-@contextmanager
-def _interrupts_ignored() -> Iterator[None]:
-    """Start processes that ignore Ctrl-C, which the terminal sends to all: this process ends the sweep in an orderly
-    way. Child processes inherit that the signal is blocked; here it is served afterwards.
-    """
-    if threading.current_thread() is not threading.main_thread() or not hasattr(signal, "pthread_sigmask"):
-        yield
-        return
-    # Python's tracker of resources unblocks the signal when it starts: it has to be there before
-    resource_tracker.ensure_running()
-    before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
-    try:
-        yield
-    finally:
-        signal.pthread_sigmask(signal.SIG_SETMASK, before)
-
-
 def _taken(results: Iterator[list[V]], closed: threading.Event) -> Iterator[V]:
     """The results of groups. When the consumer stops, groups in progress are awaited, since killed processes print
     errors.
@@ -181,51 +164,61 @@ def _taken(results: Iterator[list[V]], closed: threading.Event) -> Iterator[V]:
 
 
 def _configured(backend: str, jobs: int, scheduler: str) -> AbstractContextManager[object]:
-    from joblib import parallel_config
-
     if backend == "dask":
         return _on_dask(jobs, scheduler)
-    ended = {"initializer": _end_with, "initargs": (os.getpid(),)}
-    config: AbstractContextManager[object] = parallel_config(backend="loky", n_jobs=jobs, **ended)
-    return config
+    return _in_processes(jobs)
+
+
+@contextmanager
+def _in_processes(jobs: int) -> Iterator[None]:
+    from joblib import parallel_config
+
+    ended = {"initializer": end_with, "initargs": (os.getpid(),)}
+    try:
+        with parallel_config(backend="loky", n_jobs=jobs, **ended):
+            yield
+    except BrokenExecutor:
+        raise BackendError(
+            "a process was ended from outside, for its memory as a rule", remedy="repeat it with fewer jobs"
+        ) from None
 
 
 @contextmanager
 def _on_dask(jobs: int, scheduler: str) -> Iterator[None]:
-    """A running Dask cluster, or a local one for as long as the sweep lasts.
+    """The cluster of this scheduler, else that of the current Dask client, else a local one; what was made here ends
+    with the sweep.
 
     Raises `BackendError` where there is none, and where a worker has other releases: its answers may differ.
     """
-    from distributed import Client, LocalCluster
+    from distributed import KilledWorker
     from joblib import parallel_config
 
     with ExitStack() as stack:
         try:
-            at = scheduler or stack.enter_context(
-                LocalCluster(n_workers=jobs, threads_per_worker=1, dashboard_address=":0")
-            )
-            client = stack.enter_context(Client(at, set_as_default=False))
+            client = _client(stack, jobs, scheduler)
         except (OSError, ValueError) as error:
             raise BackendError(f"no Dask scheduler at {scheduler}: {error}", remedy="name a running one") from None
         for worker, own in client.run(releases).items():
             if own != releases():
                 raise BackendError(f"{worker} has {own}", remedy=f"install {releases()} there")
         stack.enter_context(parallel_config(backend="dask", client=client, n_jobs=jobs))
-        yield
+        try:
+            yield
+        except KilledWorker as error:
+            raise BackendError(f"workers ended again and again: {error}", remedy="give each more memory") from None
+
+
+def _client(stack: ExitStack, jobs: int, scheduler: str) -> Client:
+    from distributed import Client, LocalCluster
+
+    if not scheduler:
+        with suppress(ValueError):
+            return Client.current()
+    local = None if scheduler else LocalCluster(n_workers=jobs, threads_per_worker=1, dashboard_address=":0")
+    if local is not None:
+        stack.enter_context(local)
+    return stack.enter_context(Client(scheduler or local, set_as_default=False))
 
 
 def _called(call: Callable[[list[T]], Iterable[V]], group: list[T]) -> list[V]:
     return list(call(group))
-
-
-def _end_with(parent: int) -> None:
-    """End this process soon after the process that started it was killed, also before there was any work: nothing else
-    would. Where the system does not give orphans a new parent (Windows), nothing is done.
-    """
-
-    def watch() -> None:
-        while os.getppid() == parent:
-            time.sleep(LOOK)
-        os._exit(1)
-
-    threading.Thread(target=watch, name="parent", daemon=True).start()

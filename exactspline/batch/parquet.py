@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 from exactspline.atomic_write import write_atomically
 from exactspline.batch.lines import Line, line_schema
 from exactspline.batch.results import Results, ResultsError, Settings, locked
+from exactspline.system import open_folder
 
 if TYPE_CHECKING:
     import pyarrow
@@ -39,7 +40,7 @@ class Parquet(Results):
         self._last = monotonic()
         try:
             place.mkdir(exist_ok=True)
-            self._handle = os.open(place, os.O_RDONLY)
+            self._handle = open_folder(place)
         except OSError as error:
             raise ResultsError(
                 f"no folder can be made there ({error.strerror})", where=str(place), remedy="name another folder"
@@ -50,7 +51,7 @@ class Parquet(Results):
             for torn in place.glob(".part-*"):
                 torn.unlink()
         except BaseException:
-            os.close(self._handle)
+            self._unlock()
             raise
 
     def existing(self) -> Iterator[Line]:
@@ -93,6 +94,10 @@ class Parquet(Results):
         try:
             self._write()
         finally:
+            self._unlock()
+
+    def _unlock(self) -> None:
+        if self._handle is not None:
             os.close(self._handle)
 
     def _write(self) -> None:

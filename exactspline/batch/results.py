@@ -17,6 +17,7 @@ from typing import IO, Self, TypeVar
 from exactspline.atomic_write import write_text
 from exactspline.batch.lines import Line
 from exactspline.errors import ExactSplineError
+from exactspline.system import lock
 
 Settings = Mapping[str, object]
 V = TypeVar("V")
@@ -138,22 +139,16 @@ def _repair(stream: IO[bytes]) -> None:
         stream.truncate(keep)
 
 
-def locked(handle: int, place: Path) -> None:
+def locked(handle: int | None, place: Path) -> None:
     """Keep others from writing to the same results until the file is closed or the process ends, where the system
     supports it.
 
     Raises `ResultsError` where another process writes.
     """
-    try:
-        import fcntl
-    except ImportError:
-        return
-    try:
-        fcntl.flock(handle, fcntl.LOCK_EX | fcntl.LOCK_NB)
-    except BlockingIOError:
+    if not lock(handle):
         raise ResultsError(
             "is being written by another sweep", where=str(place), remedy="wait for it, or write to another file"
-        ) from None
+        )
 
 
 def _reporting(place: Path, call: Callable[[], V]) -> V:

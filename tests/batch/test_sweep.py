@@ -531,3 +531,69 @@ def test_self_intersections_are_pairs_of_parameters():
     )
     assert (node.x, node.y) == (0.5, 0.5625)
     assert (arc.kind, arc.low, arc.high, arc.other_low, arc.other_high) == ("everywhere", "0", "1/2", "1/2", "1")
+
+
+# ---- processes that die
+
+
+CURVES = Family.parsed("degree=3 count=400 seed=1")
+
+
+def test_a_worker_of_the_current_client_that_dies_loses_no_line_and_the_client_stays(monkeypatch):
+    """Before, a cluster was made beside the client that was there."""
+    distributed = pytest.importorskip("distributed")
+    monkeypatch.setattr(backends, "FEW", 0)
+    how = {"n_workers": 2, "threads_per_worker": 1, "dashboard_address": ":0", "silence_logs": "CRITICAL"}
+    with distributed.LocalCluster(**how) as cluster, distributed.Client(cluster) as client:
+        workers = set(client.run(os.getpid).values())
+        found = []
+        for line in xs.sweep(CURVES, backend="dask", jobs=2):
+            found.append(line)
+            if len(found) == 5:
+                os.kill(min(workers), signal.SIGKILL)
+        assert client.status == "running"
+        assert set(client.run(os.getpid).values()) != workers
+    assert found == list(xs.sweep(CURVES, backend="serial"))
+
+
+def test_a_process_that_was_killed_is_said_in_a_sentence(monkeypatch):
+    """Before, a traceback of joblib."""
+    pytest.importorskip("joblib")
+    monkeypatch.setattr(backends, "FEW", 0)
+    with pytest.raises(backends.BackendError, match="fewer jobs"):
+        list(backends.mapped(_killed_at_40, range(60), "processes", 2))
+
+
+def _killed_at_40(group):
+    if 40 in group:
+        os.kill(os.getpid(), signal.SIGKILL)
+    return group
+
+
+# ---- a system that lacks what this one has
+
+
+def test_without_locks_limits_and_signals_all_is_answered(tmp_path):
+    """A folder cannot be opened on Windows: results in Parquet could not be written there."""
+    program = f"""
+import sys, signal, os
+sys.modules["fcntl"] = sys.modules["resource"] = None
+del signal.pthread_sigmask, signal.SIGXCPU
+import exactspline.system
+exactspline.system.sys = type("Windows", (), {{"platform": "win32"}})
+import exactspline as xs
+from exactspline.batch import backends
+from exactspline.cli import main
+backends.FEW = 0
+for name in ("lines.jsonl", "table.parquet"):
+    place = os.path.join({str(tmp_path)!r}, name)
+    try:
+        sys.argv = ["exactspline", "sweep", "circle", "cusp", "--jobs", "2", "-o", place, "--quiet"]
+        main()
+    except SystemExit as end:
+        assert not end.code, end.code
+    assert os.path.exists(place)
+"""
+    pytest.importorskip("pyarrow")
+    done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=False, timeout=120)
+    assert done.returncode == 0, done.stderr

@@ -81,8 +81,8 @@ def test_the_picture_of_a_curve_is_that_of_the_command(tmp_path):
 
 
 @in_the_checkout
-def test_the_two_commands_of_the_readme_run(tmp_path, monkeypatch):
-    """As printed; the second, which takes long, is run by CI."""
+def test_the_commands_of_the_readme_run(tmp_path, monkeypatch):
+    """As printed; the others, which take long, are run by CI."""
     (block,) = blocks_of(README, "sh")
     monkeypatch.chdir(tmp_path)
     command, *arguments = shlex.split(block.splitlines()[0], comments=True)
@@ -90,7 +90,7 @@ def test_the_two_commands_of_the_readme_run(tmp_path, monkeypatch):
     assert run(*arguments).returncode == 0
     assert (tmp_path / "cubic_s.svg").read_text(encoding="utf-8").startswith("<?xml")
     named = [line.split()[1] for line in block.splitlines()]
-    assert named == ["inspect", "prove"]
+    assert named == ["inspect", "prove", "test"]
     assert set(named) <= {*leaves(), *re.findall(r"^    (\w+)\)", (README.parent / "run").read_text(), re.MULTILINE)}
 
 

@@ -13,7 +13,6 @@ from __future__ import annotations
 
 import json
 import os
-import signal
 import subprocess
 import sys
 import tempfile
@@ -31,11 +30,10 @@ from exactspline.interchange.numbers import NumberText
 from exactspline.interchange.records import Reading, Source
 from exactspline.interchange.writing import Spline
 from exactspline.numbers.exact import mpq, rational
+from exactspline.system import LIMITS, OUT_OF_TIME
 
-#: What a process returns that the system ended because of its processor time.
-OUT_OF_TIME = -getattr(signal, "SIGXCPU", 24)
 #: How many times that a process may take by the clock: many where it is ended before.
-WAITING = 60 if hasattr(signal, "SIGXCPU") else 5
+WAITING = 60 if LIMITS else 5
 #: Objects that are curves or place curves.
 CURVES = ("InstanceReference", "Curve", "PolyCurve", "ArcCurve", "LineCurve", "PolylineCurve", "NurbsCurve")
 MISSING = "the first and last knots, which openNURBS omits, repeat their neighbours"

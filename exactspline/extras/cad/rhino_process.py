@@ -12,6 +12,8 @@ from math import ceil
 from time import process_time
 from typing import Any
 
+from exactspline.system import limit
+
 #: Memory limit of the process in bytes.
 MEMORY = 2 << 30
 
@@ -66,16 +68,7 @@ def entries(data: bytes, seconds: int) -> list[dict[str, object]]:
     """
     import rhino3dm
 
-    seconds += ceil(process_time())
-
-    try:
-        import resource
-
-        resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
-        resource.setrlimit(resource.RLIMIT_CPU, (seconds, seconds + 1))  # killed without a reason at the second
-    except (ImportError, ValueError, OSError):
-        # this system has no such limits; the time is still bounded
-        pass
+    limit(MEMORY, seconds + ceil(process_time()))
     model = rhino3dm.File3dm.FromByteArray(data)
     rows: list[dict[str, object]] = [{"unit": str(model.Settings.ModelUnitSystem).rpartition(".")[2].lower()}]
     for number, entry in enumerate(model.Objects, 1):
