@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from exactspline.release import __version__
+import exactspline
 
 ROOT = Path(__file__).resolve().parents[2]
 pytestmark = pytest.mark.skipif(not (ROOT / "README.md").exists(), reason="in the checkout only")
@@ -44,9 +44,9 @@ def test_a_release_has_one_number():
     cited = (ROOT / "CITATION.cff").read_text(encoding="utf-8")
     recipe = (ROOT / ".github" / "conda" / "recipe.yaml").read_text(encoding="utf-8")
     newest = re.search(r"^## (\S+) \((\d{4}-\d\d-\d\d)\)$", (ROOT / "CHANGELOG.md").read_text(encoding="utf-8"), re.M)
-    assert newest[1] == __version__
-    assert f"\nversion: {__version__}\ndate-released: {newest[2]}\n" in cited
-    assert f'version: "{__version__}"' in recipe
+    assert newest[1] == exactspline.__version__
+    assert f"\nversion: {exactspline.__version__}\ndate-released: {newest[2]}\n" in cited
+    assert f'version: "{exactspline.__version__}"' in recipe
 
 
 def test_the_recipe_needs_what_the_project_needs():
