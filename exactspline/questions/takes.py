@@ -92,6 +92,8 @@ INTEGER = Takes("2", _integer)
 COORDINATE = Takes("0", _integer)
 #: A distance, and one within which control points and weights may differ.
 DISTANCE, WITHIN = Takes("1/10", _distance), Takes("1/1000000", _distance)
+#: A distance that may not be exceeded.
+TOLERANCE = Takes("1/1000", _distance)
 #: An arc length from the start of a curve.
 LENGTH = Takes("1", _distance)
 #: A number that something is to be at most.

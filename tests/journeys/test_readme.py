@@ -29,6 +29,7 @@ RUN = [
         "docs/library.md",
         "docs/concepts.md",
         "docs/two-parameters.md",
+        "docs/deviation.md",
         "docs/as-meant.md",
     )
 ]

@@ -213,6 +213,10 @@ TAKEN = {
         lambda curve, random: str(mpq(random.randint(1, 9), random.choice([1, 4, 20]))),
         lambda text, image, _: str(exact(text)[0] / image.motion.scale),
     ),
+    takes.TOLERANCE: Drawn(
+        lambda pair, random: str(mpq(random.randint(1, 40), random.choice([4, 20]))),
+        lambda text, image, _: str(exact(text)[0] * image.motion.scale),
+    ),
     takes.WITHIN: Drawn(lambda pair, random: str(mpq(random.randint(1, 40), random.choice([4, 20])))),
     takes.INTEGER: Drawn(lambda curve, random: str(random.randint(1, 2))),
     takes.TWO_ORDERS: Drawn(

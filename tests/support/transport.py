@@ -440,8 +440,19 @@ def as_junction(found, values, to):
     return ("ends", str(found.facts["geometric"])), [*to.both(values["first"], values["second"]), *numbers]
 
 
+def as_deviation(found, values, to):
+    """Bounds of a distance, which meet those of the same one; whether it is at most a number."""
+    words = found.what.split()
+    what = " ".join(words[::-1] if to.image.exchanged else words)
+    if "bound" in values:
+        return (what, found.facts["holds"]), [values["bound"].times(to.scale)]
+    return (what,), [Known(None, values["low"].low, values["high"].high).times(to.scale)]
+
+
 #: How the numbers go that answer a question.
 NUMBERS = {
+    "deviation": as_deviation,
+    "deviation_within": as_deviation,
     "curvature_derivative": as_curvature_derivative,
     "largest_curvature": as_largest(-1, "curvature"),
     "largest_curvature_derivative": as_largest(-2, "curvature derivative"),

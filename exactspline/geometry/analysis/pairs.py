@@ -6,6 +6,7 @@ from exactspline.geometry.bisectors.any_pair import bisector
 from exactspline.geometry.bisectors.common import Bisector
 from exactspline.geometry.curves.planarity import in_one_plane
 from exactspline.geometry.pairs import offsets
+from exactspline.geometry.pairs.deviation import deviation, deviation_within
 from exactspline.geometry.pairs.distance import Distance, nearest_pairs
 from exactspline.geometry.pairs.intersections import Intersections, intersections
 from exactspline.geometry.pairs.junctions import junctions, junctions_within
@@ -15,7 +16,7 @@ from exactspline.numbers.exact import Number, rational
 from exactspline.one_line import one_line
 from exactspline.questions.answers import NamedNumbers
 from exactspline.questions.entry import Answered, Inspected, Of, question, question_with
-from exactspline.questions.takes import OFFSETS, WITHIN
+from exactspline.questions.takes import OFFSETS, TOLERANCE, WITHIN
 from exactspline.splines.nurbs import Nurbs
 
 
@@ -85,6 +86,36 @@ class CurvePair(Inspected, Displayed):
         <Real 1>
         """
         return nearest_pairs(*self.curves, self.intersections)
+
+    @question(Of.TWO_CURVES, answered=Answered.NUMBERS, on_request=True)
+    def deviation(self) -> tuple[NamedNumbers, ...]:
+        """How far the points of each of two curves are from the other one at most (Hausdorff distance), in bounds.
+
+        The upper bound is at most a hundredth above the lower one, the distance of the two parameters.
+
+        >>> from exactspline import Nurbs
+        >>> from exactspline.geometry.analysis.pairs import CurvePair
+        >>> lines = (Nurbs(1, [0, 0, 1, 1], points) for points in ([(0, 0), (1, 0)], [(0, 0), (3, 0)]))
+        >>> CurvePair(*lines).deviation[1]
+        <second from first: low 2, high 10099/5000, first 1, second 1>
+
+        Raises `ReachError` where it is out of reach whether the curves have arcs in common.
+        """
+        return deviation(*self.curves)
+
+    @question_with(TOLERANCE, Of.TWO_CURVES, answered=Answered.NUMBERS)
+    def deviation_within(self, tolerance: Number) -> tuple[NamedNumbers, ...]:
+        """Whether all points of each of two curves are within a distance from the other one; otherwise one that is not.
+
+        >>> from exactspline import Nurbs
+        >>> from exactspline.geometry.analysis.pairs import CurvePair
+        >>> lines = (Nurbs(1, [0, 0, 1, 1], points) for points in ([(0, 0), (1, 0)], [(0, 0), (3, 0)]))
+        >>> [found.facts["holds"] for found in CurvePair(*lines).deviation_within(1)]
+        ['yes', 'no']
+
+        Raises `ShapeError` for a negative distance, and `ReachError` where it is out of reach.
+        """
+        return deviation_within(*self.curves, rational(tolerance))
 
     @question(Of.TWO_CURVES, answered=Answered.NUMBERS, on_request=True)
     def junctions(self) -> tuple[NamedNumbers, ...]:

@@ -14,6 +14,7 @@ from typing import TypeVar
 
 from flint import fmpz, fmpz_mat
 
+from exactspline.errors import ShapeError
 from exactspline.geometry.curves.facts import facts_of
 from exactspline.geometry.derived.domain import space
 from exactspline.numbers.exact import common_divisor, mpq, primitive, ratio, text
@@ -22,6 +23,7 @@ from exactspline.polynomials.bernstein import Form, over_common_denominator
 from exactspline.roots.answers import CurvePiece
 from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.runs import intervals_of
+from exactspline.splines.type_checks import curve_of
 
 AXES = "xyz"
 T = TypeVar("T")
@@ -258,6 +260,21 @@ def in_one_plane(first: Nurbs, second: Nurbs) -> tuple[Nurbs, Nurbs]:
     """
     flat = in_the_plane(first), in_the_plane(second)
     return flat if flat[0].dimension == flat[1].dimension else (first, second)
+
+
+def check_in_one_space(first: Nurbs, second: Nurbs) -> None:
+    """Raise `ShapeError` for two curves of different dimensions, or outside plane and space.
+
+    >>> from exactspline.interchange.examples import example
+    >>> check_in_one_space(example("circle"), example("twisted_cubic"))
+    Traceback (most recent call last):
+    exactspline.errors.ShapeError: a curve in R2 and one in R3; give curves of the same dimension
+    """
+    for curve in (first, second):
+        facts_of(curve_of(curve)).check_dimension()
+    if first.dimension != second.dimension:
+        different = f"a curve in R{first.dimension} and one in R{second.dimension}"
+        raise ShapeError(different, remedy="give curves of the same dimension")
 
 
 def with_plane_curves(curves: Iterable[Nurbs]) -> list[Nurbs]:

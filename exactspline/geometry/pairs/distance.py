@@ -19,8 +19,8 @@ from flint import arb, fmpq_poly, fmpz_mpoly, fmpz_poly
 
 from exactspline.bivariate.common_zeros import CommonZero, projected, zeros_of
 from exactspline.bivariate.monotone_arcs import monotone_arcs
-from exactspline.errors import ReachError, ShapeError, counted
-from exactspline.geometry.curves.planarity import in_one_plane
+from exactspline.errors import ReachError, counted
+from exactspline.geometry.curves.planarity import check_in_one_space, in_one_plane
 from exactspline.geometry.pairs.box_tree import IntegerBox, box_of, shift_for
 from exactspline.geometry.pairs.intersections import Intersections, Overlap, intersections
 from exactspline.geometry.pairs.nearest import nearest
@@ -121,9 +121,7 @@ def distance(first: Nurbs, second: Nurbs) -> Distance:
     Raises `ShapeError` for curves of different dimensions.
     """
     first, second = in_one_plane(curve_of(first), curve_of(second))
-    if first.dimension != second.dimension:
-        different = f"a curve in R{first.dimension} and one in R{second.dimension}"
-        raise ShapeError(different, remedy="give curves of the same dimension")
+    check_in_one_space(first, second)
     return nearest_pairs(first, second, intersections(first, second))
 
 
@@ -243,7 +241,7 @@ class _Search:
     def _inside(self, i: int, j: int) -> None:
         """The critical pairs inside two segments at which the distance is not above the bound."""
         first, second = (Interval(*c.breakpoints[k : k + 2]) for c, k in zip(self.curves, (i, j), strict=True))
-        forms = _Forms(self.segments[0][i], self.segments[1][j], Box(first, second))
+        forms = Forms(self.segments[0][i], self.segments[1][j], Box(first, second))
         farther, undecided = forms.excess(self.bound), [UNIT]
         if farther.sign == 1:
             return
@@ -264,7 +262,7 @@ class _Search:
             least = forms.least(undecided, self.bound)
             self.lower = least if self.lower is None else min(self.lower, least)
 
-    def _constant(self, factor: fmpz_mpoly, forms: _Forms) -> None:
+    def _constant(self, factor: fmpz_mpoly, forms: Forms) -> None:
         """The zeros of an irreducible common factor, on connected parts of which the distance is constant."""
         form = as_form(factor)
         if form.sign is not None:
@@ -333,7 +331,7 @@ def _squared_gap(one: IntegerBox, other: IntegerBox) -> int:
     return sum(max(c - b, a - d, 0) ** 2 for (a, b), (c, d) in zip(one, other, strict=True))
 
 
-class _Forms:
+class Forms:
     """The squared distance of two segments over these sides as a quotient, and its derivatives: polynomials in s and t,
     which are here the local parameters of the segments.
     """
@@ -353,9 +351,13 @@ class _Forms:
         rows = [(n, [[int(x) for x in form.coeffs()] for form in forms]) for n, forms in self.segments]
         return _forms, (*rows, self.sides)
 
-    def excess(self, bound: mpq) -> PatchForm:
+    def above(self, bound: mpq) -> fmpz_mpoly:
         """Positive where the squared distance is above a bound."""
-        return as_form(self.squared * to_fmpz(bound.denominator) - self.weight * to_fmpz(bound.numerator))
+        return self.squared * to_fmpz(bound.denominator) - self.weight * to_fmpz(bound.numerator)
+
+    def excess(self, bound: mpq) -> PatchForm:
+        """The same as a form on the patch."""
+        return as_form(self.above(bound))
 
     def least(self, boxes: Sequence[Box], bound: mpq) -> mpq:
         """A lower bound of the squared distance on all boxes, near to a bound if that is possible."""
@@ -400,11 +402,11 @@ class _Forms:
         return enclosed(self.squared, s, t) / enclosed(self.weight, s, t)
 
 
-def _forms(*given: Any) -> _Forms:
+def _forms(*given: Any) -> Forms:
     """Unpickles the forms of two segments."""
     *segments, sides = given
     first, second = ((n, [fmpz_poly(row) for row in rows]) for n, rows in segments)
-    return _Forms(first, second, sides)
+    return Forms(first, second, sides)
 
 
 def _quotient(top: fmpq_poly, bottom: fmpq_poly, high: mpq, place: Parameter) -> Real:
@@ -418,7 +420,7 @@ def _total(terms: list[V]) -> V:
     return reduce(add, terms)
 
 
-def _pair(zero: CommonZero, forms: _Forms, pair: Sequence[PatchForm]) -> ClosestPair:
+def _pair(zero: CommonZero, forms: Forms, pair: Sequence[PatchForm]) -> ClosestPair:
     """A critical pair, a zero that two forms have in common: its numbers are enclosed by boxes, and computed exactly
     when that is asked for.
     """
@@ -429,14 +431,14 @@ def _pair(zero: CommonZero, forms: _Forms, pair: Sequence[PatchForm]) -> Closest
     return ClosestPair(first, second, InBalls(partial(_squared, zero, forms), partial(forms.value_at, zero, pair)))
 
 
-def _enclosing(zero: CommonZero, k: int, forms: _Forms, bits: int) -> arb:
+def _enclosing(zero: CommonZero, k: int, forms: Forms, bits: int) -> arb:
     return ball_around(*forms.sides[k].part(zero.refine(bits)[k]))
 
 
-def _parameter(zero: CommonZero, k: int, forms: _Forms) -> Real:
+def _parameter(zero: CommonZero, k: int, forms: Forms) -> Real:
     on = zero.on(forms.sides)
     return real(on.t if k else on.s)
 
 
-def _squared(zero: CommonZero, forms: _Forms, bits: int) -> arb:
+def _squared(zero: CommonZero, forms: Forms, bits: int) -> arb:
     return forms.near(zero.refine(bits))

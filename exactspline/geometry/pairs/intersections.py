@@ -14,7 +14,7 @@ from functools import partial
 from typing import Any, NamedTuple
 
 from exactspline.errors import ReachError, ShapeError
-from exactspline.geometry.curves.planarity import in_common_plane
+from exactspline.geometry.curves.planarity import check_in_one_space, in_common_plane
 from exactspline.geometry.pairs.box_tree import BoxTree, Cone, cone_around, legs, pairs_that_may_meet, shift_for
 from exactspline.geometry.pairs.intersection_certificate import intersection_certificate
 from exactspline.geometry.pairs.lazy_intersections import PairForm
@@ -169,13 +169,7 @@ def intersections(first: Nurbs, second: Nurbs) -> Intersections:
 
     Raises `ShapeError` for curves of different dimensions, and outside plane and space.
     """
-    for curve in (curve_of(first), curve_of(second)):
-        if curve.dimension not in (2, 3):
-            raise ShapeError(f"a curve in R{curve.dimension}", remedy="give curves in the plane or in space")
-    if first.dimension != second.dimension:
-        raise ShapeError(
-            f"a curve in R{first.dimension} and one in R{second.dimension}", remedy="give curves of the same dimension"
-        )
+    check_in_one_space(first, second)
     return CollectedPoints(first, second).answer()
 
 

@@ -22,6 +22,7 @@ from exactspline.geometry.curves.joints import (
     reversed_jet,
     turned,
 )
+from exactspline.geometry.curves.planarity import check_in_one_space
 from exactspline.numbers.exact import mpq, text
 from exactspline.numbers.sides import Side
 from exactspline.questions.answers import NamedNumbers
@@ -90,10 +91,7 @@ def pairs_of_ends(first: Nurbs, second: Nurbs) -> list[Sides]:
 
     Raises `ShapeError` for curves of different dimensions, and outside plane and space.
     """
-    facts_of(first).check_dimension()
-    if first.dimension != second.dimension:
-        different = f"a curve in R{first.dimension} and one in R{second.dimension}"
-        raise ShapeError(different, remedy="give curves of the same dimension")
+    check_in_one_space(first, second)
     if first.closed or second.closed:
         return []
     pairs = []

@@ -1,0 +1,270 @@
+"""How far one curve is from another: bounds for the largest distance of its points from the other one, and whether it
+is at most a number. That has a direction: a part of a curve is nowhere far from the whole, and this may be far from it.
+
+Points of the curve have certified nearest points on the other one (`nearest`): their distances are lower bounds. A
+piece of the curve is within a distance where an affine map carries its parameters to those of a segment of the other
+curve so that a polynomial, the squared distance less the square of this one, is nowhere positive. Tried are the maps
+that carry its ends to their nearest points, and constant ones. Other pieces are halved, those with the farthest ends
+first. Pieces that run along the other curve are known from the arcs in common.
+
+A largest distance that is exactly the number is decided by the parameters at which the number of points of a segment
+at this distance may change: between two neighbours among them every point has one within the distance, or none has.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass
+from functools import cache, reduce
+from heapq import heappop, heappush
+from itertools import pairwise, product
+from operator import attrgetter
+
+from flint import fmpq, fmpq_poly, fmpz_mpoly, fmpz_poly
+
+from exactspline.errors import ReachError, ShapeError
+from exactspline.geometry.curves.planarity import check_in_one_space
+from exactspline.geometry.pairs.distance import Forms
+from exactspline.geometry.pairs.intersections import intersections
+from exactspline.geometry.pairs.nearest import nearest
+from exactspline.numbers.exact import mpq, text, to_fmpq
+from exactspline.numbers.intervals import UNIT, Interval, joined
+from exactspline.numbers.once import cached_property
+from exactspline.numbers.sides import Side
+from exactspline.polynomials.annihilating import square_free
+from exactspline.polynomials.cost import bounded
+from exactspline.polynomials.elimination import discriminant
+from exactspline.polynomials.factors import greatest_common_divisor
+from exactspline.polynomials.two_parameters import at, rows_of
+from exactspline.questions.answers import NamedNumbers
+from exactspline.reals.real import Real, between, real, square_root
+from exactspline.roots.of_polynomials import distinct, roots_in
+from exactspline.roots.segment_forms import segment_forms
+from exactspline.splines.nurbs import Nurbs
+
+#: How far the upper bound is above the lower one: by less than a hundredth; and less than the square of that.
+RATIO, SQUARED = mpq(10099, 10000), mpq(10198, 10000)
+#: Halvings for each segment of both curves before a distance is decided exactly.
+HALVINGS = 10
+
+
+@dataclass(frozen=True)
+class Foot:
+    """A parameter of a curve and that of the point of the other one that is nearest to it, with the squared distance,
+    and that to eight digits; and places on the other curve that are tried: segments with their local parameters.
+    """
+
+    at: mpq
+    nearest: Real
+    squared: Real
+    near: mpq
+    tried: list[tuple[int, mpq]]
+
+
+def foot_of(curve: Nurbs, point: tuple[mpq, ...], at: mpq) -> Foot:
+    """The nearest point of a curve; a rational parameter near it is tried.
+
+    >>> from exactspline import example
+    >>> foot = foot_of(example("circle"), (mpq(3), mpq(3)), mpq(0))
+    >>> foot.nearest.closed_form, [(i, float(t)) for i, t in foot.tried]
+    ('-1 + √2', [(0, 0.41421356237...)])
+    """
+    found = nearest(curve, point)
+    t = found.points[0].parameter if found.points else Real(found.everywhere[0].parts[0].low)
+    squared = found.points[0].squared if found.points else Real(_squared(curve(rounded(t, curve, 1)), point))
+    near = squared.rational_near(8)
+    for digits in (8, 16, 32, 64):
+        image = rounded(t, curve, digits)
+        if _squared(curve(image), point) * 9999 <= near * 10000:
+            break
+    images = curve.domain if curve.closed and image in curve.domain else (image,)
+    sides = [Interval(*ends) for ends in pairwise(curve.breakpoints)]
+    places = [(j, side.local(t)) for j, side in enumerate(sides) for t in images if side.low <= t <= side.high]
+    return Foot(at, t, squared, near, places)
+
+
+def rounded(t: Real, curve: Nurbs, digits: int) -> mpq:
+    """A rational parameter of a curve near a real one.
+
+    >>> from exactspline import example
+    >>> rounded(Real("1/3"), example("circle"), 5)
+    mpq(1,3)
+    """
+    low, high = curve.domain
+    return min(max(t.enclosure(digits).middle, low), high)
+
+
+def _squared(p: Iterable[mpq], q: Iterable[mpq]) -> mpq:
+    """The squared distance of two points."""
+    return sum(((x - y) ** 2 for x, y in zip(p, q, strict=True)), mpq(0))
+
+
+class OneWay:
+    """The distances of the points of a curve from another one, and the pieces of which it is not yet known that the
+    squares are at most the `bound`; without one, the square of what is a hundredth farther than a point that is known.
+    """
+
+    def __init__(self, curve: Nurbs, other: Nurbs, bound: mpq | None = None) -> None:
+        check_in_one_space(curve, other)
+        self.curves, self.bound, self.queue = (curve, other), bound, list[tuple[mpq, int, mpq, Foot, Foot]]()
+        one, two = ([segment_forms(each, i) for i in range(each.segments)] for each in self.curves)
+        self.forms = cache(lambda i, j: Forms(one[i], two[j], UNIT))
+        self.rows = cache(lambda i, j: [rows_of(p) for p in (self.forms(i, j).squared, self.forms(i, j).weight)])
+        self.farthest = self._foot(curve.domain[0])
+        for i, (a, b) in enumerate(pairwise(curve.breakpoints)):
+            self._put(i, self._foot(a), self._foot(b, Side.LEFT))
+
+    def _foot(self, s: mpq, side: Side = Side.RIGHT) -> Foot:
+        return foot_of(self.curves[1], self.curves[0](s, side), s)
+
+    def _put(self, i: int, start: Foot, end: Foot) -> None:
+        self.farthest = max(self.farthest, start, end, key=attrgetter("near"))
+        heappush(self.queue, (-max(start.near, end.near), i, start.at, start, end))
+
+    def halvings(self) -> Iterator[Foot]:
+        """Halve pieces, those with the farthest ends first; each time the farthest point that is known."""
+        yield self.farthest
+        while self.queue:
+            _, i, _, start, end = heappop(self.queue)
+            if self._is_within(i, start, end, self.farthest.near * SQUARED if self.bound is None else self.bound):
+                continue
+            middle = self._foot((start.at + end.at) / 2)
+            if start.near or middle.near or end.near or not self._is_shared(start.at, end.at):
+                self._put(i, start, middle)
+                self._put(i, middle, end)
+                yield self.farthest
+
+    def _is_within(self, i: int, start: Foot, end: Foot, bound: mpq) -> bool:
+        """Whether an affine map carries a piece to points within a distance."""
+        side = self._side(i)
+        pairs = [(j, (a, b)) for (j, a), (k, b) in product(start.tried, end.tried) if j == k]
+        pairs += [(j, (a, a)) for j, a in (*start.tried, *end.tried)]
+        s = _affine(side.local(start.at), side.local(end.at))
+        for j, t in pairs:
+            squared, weight = (_along(rows, s, _affine(*t)) for rows in self.rows(i, j))
+            if never_positive(squared - weight * to_fmpq(bound)):
+                return True
+        return False
+
+    def _side(self, i: int) -> Interval:
+        return Interval(*self.curves[0].breakpoints[i : i + 2])
+
+    def _is_shared(self, low: mpq, high: mpq) -> bool:
+        """Whether the other curve runs along the whole of a piece."""
+        return any(part.low <= low and high <= part.high for part in self.shared)
+
+    @cached_property
+    def shared(self) -> list[Interval]:
+        """The parts of the curve along which the other one runs."""
+        met = intersections(*self.curves)
+        if met.undecided:
+            raise ReachError(f"arcs in common: {met.undecided[0]}", remedy="take curves of lower degree")
+        ends = ((min(arc.first), max(arc.first)) for arc in met.everywhere)
+        return joined(ends)  # type: ignore[arg-type]  # real numbers in the place of rational ones
+
+    def beyond(self, bound: mpq) -> Foot | None:
+        """A point whose squared distance is above the bound; None where there is none."""
+        for k, farthest in enumerate(self.halvings()):
+            if farthest.squared > bound:
+                return farthest
+            if k == HALVINGS * sum(each.segments for each in self.curves):
+                return next((foot for foot in self._samples(bound) if foot.squared > bound), None)
+        return None
+
+    def _samples(self, bound: mpq) -> Iterator[Foot]:
+        """A point between any two parameters at which the number of points at the distance may change, in the segments
+        with pieces that are left.
+        """
+        for i in sorted({i for _, i, *_ in self.queue}):
+            near = (self.forms(i, j) for j in range(self.curves[1].segments))
+            places = (critical_places(forms.above(bound)) for forms in near if forms.excess(bound).sign != 1)
+            roots = [root for own in places for p in own for root in roots_in(p, *UNIT.first, whole=True)]
+            for pair in pairwise(distinct([*UNIT.first, *roots])):
+                yield self._foot(self._side(i).at(between(*map(real, pair))))
+
+
+def _affine(a: mpq, b: mpq) -> fmpq_poly:
+    """The map that carries −1 and 1 to two numbers."""
+    return fmpq_poly([to_fmpq((a + b) / 2), to_fmpq((b - a) / 2)])
+
+
+def _along(rows: Sequence[fmpz_poly], s: fmpq_poly, t: fmpq_poly) -> fmpq_poly:
+    """A polynomial in both parameters where these are polynomials in one."""
+    return reduce(lambda value, row: value * t + fmpq_poly(row)(s), reversed(rows), fmpq_poly())
+
+
+def never_positive(p: fmpq_poly) -> bool:
+    """Whether coefficients show that a polynomial is not positive from −1 to 1: the first one with those of even powers
+    that are positive, and the absolute values of the others.
+
+    >>> never_positive(fmpq_poly([-2, 1, 1])), never_positive(fmpq_poly([-2, 3]))
+    (True, False)
+    """
+    first, *rest = p.coeffs() or [fmpq(0)]
+    return bool(first + sum((max(c, -c * (k % 2 == 0)) for k, c in enumerate(rest)), fmpq(0)) <= 0)
+
+
+def critical_places(p: fmpz_mpoly) -> list[fmpz_poly]:
+    """Square-free polynomials with the parameters s at which the number of zeros t of ``p(s, t)`` in [0, 1] may change:
+    an end is one, or two of them meet.
+
+    >>> from exactspline.polynomials.two_parameters import S, T
+    >>> critical_places(T * T - S)
+    [x, x + (-1), x]
+    """
+    slope = p.derivative(1)
+    rows = rows_of(p / greatest_common_divisor([p, slope]) if slope else p)
+    found = [at(p, 1, mpq(0)), at(p, 1, mpq(1)), *([discriminant(rows)] if len(rows) > 2 else [])]
+    return [square_free(f) for f in found if f.degree() > 0]
+
+
+def deviation(first: Nurbs, second: Nurbs) -> tuple[NamedNumbers, ...]:
+    """Bounds for the largest distance of the points of each of two curves from the other one, the upper one at most a
+    hundredth above the lower one, which is the distance of the point `at` a parameter; and the `nearest` parameter.
+    Both bounds are 0 where a curve is a part of the other one.
+
+    >>> from exactspline import Nurbs
+    >>> parabola = Nurbs(2, [0, 0, 0, 1, 1, 1], [(-1, 1), (0, -1), (1, 1)])
+    >>> deviation(parabola, Nurbs(1, [0, 0, 1, 1], [(-1, 1), (1, 1)]))
+    (<first from second: low 1, high 10099/10000, at 1/2, nearest 1/2>, <second from first: low √3/2, high ...>)
+
+    Raises `ShapeError` for curves of different dimensions, and outside plane and space, and `ReachError` where it is
+    out of reach whether they have arcs in common.
+    """
+    found = []
+    for what, way in _ways(first, second):
+        *_, farthest = way.halvings()
+        high = square_root(farthest.near).rational_near(8) * RATIO
+        found.append(NamedNumbers(what, _described("low", farthest, high=Real(high))))
+    return tuple(found)
+
+
+def deviation_within(first: Nurbs, second: Nurbs, bound: mpq) -> tuple[NamedNumbers, ...]:
+    """Whether all points of each of two curves are within a distance from the other one; where they are not, a point
+    that is farther.
+
+    >>> from exactspline import Nurbs
+    >>> lines = [Nurbs(1, [0, 0, 1, 1], points) for points in ([(0, 0), (1, 0)], [(0, 1), (2, 1)])]
+    >>> [found.facts["holds"] for found in deviation_within(*lines, mpq(1))]
+    ['yes', 'no']
+
+    Raises `ShapeError` as `deviation` does, and for a negative distance; and `ReachError` where it is out of reach.
+    """
+    if bound < 0:
+        raise ShapeError(f"within {text(bound)}", remedy="give a number that is not negative, such as 1/1000")
+    found = []
+    for what, way in _ways(first, second, bound**2):
+        with bounded():
+            beyond = way.beyond(bound**2)
+        values = {} if beyond is None else _described("distance", beyond)
+        found.append(NamedNumbers(what, {"bound": Real(bound)} | values, {"holds": "no" if values else "yes"}))
+    return tuple(found)
+
+
+def _ways(first: Nurbs, second: Nurbs, bound: mpq | None = None) -> Iterator[tuple[str, OneWay]]:
+    yield "first from second", OneWay(first, second, bound)
+    yield "second from first", OneWay(second, first, bound)
+
+
+def _described(name: str, foot: Foot, **beside: Real) -> dict[str, Real]:
+    return {name: square_root(foot.squared), **beside, "at": Real(foot.at), "nearest": foot.nearest}
