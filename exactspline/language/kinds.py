@@ -185,6 +185,11 @@ class FramedKind(CurveKind):
 
     adjoins_roots = True
 
+    @property
+    def without_roots(self) -> CurveKind:
+        """The kind of the curve alone."""
+        return CURVE if len(self.dimensions) > 1 else PLANE if self.dimensions == (2,) else SPACE
+
     def names(self, dimension: int) -> dict[str, bool]:
         """The names of a curve, and the roots."""
         return super().names(dimension) | {"sigma": False} | ({"rho": False} if dimension == 3 else {})

@@ -28,7 +28,7 @@ from exactspline.readings.jet import Jet, JetReading
 
 #: Kinds of arguments in the plane, in space, and with two curves.
 PLANE, SPACE, PAIR = ("plane", "plane point"), ("space", "point"), ("pair",)
-ALONE = ("curve", *PLANE, *SPACE)
+ALONE, PAIRS = ("curve", *PLANE, *SPACE), (*PAIR, "plane pair")
 #: Kinds of arguments with two parameters.
 SURFACES = ("surface", "planar map")
 
@@ -96,14 +96,14 @@ def _regular(name: str, meaning: str, formula: str, *kinds: str, **others: Any) 
 
 
 _EVERYWHERE = (
-    _nowhere("w", "the weight function, without zeros", lambda c: _first(c).w, *ALONE, *PAIR, *SURFACES),
-    _nowhere("w̄", "the weight function of the second curve, without zeros", lambda c: c.second.w, *PAIR, second=True),
-    _regular("γ′", "positive where the curve is regular", "D1_squared", *ALONE, *PAIR),
+    _nowhere("w", "the weight function, without zeros", lambda c: _first(c).w, *ALONE, *PAIRS, *SURFACES),
+    _nowhere("w̄", "the weight function of the second curve, without zeros", lambda c: c.second.w, *PAIRS, second=True),
+    _regular("γ′", "positive where the curve is regular", "D1_squared", *ALONE, *PAIRS),
     _nowhere(
         "γ̄′",
         "positive where the second curve is regular",
         lambda c: find("D1_squared")(c.second),
-        *PAIR,
+        *PAIRS,
         second=True,
         formula="D1_squared",
     ),
@@ -133,7 +133,7 @@ def _somewhere(name: str, formula: str, kinds: tuple[str, ...], *implies: str) -
 
 
 _SOMEWHERE = (
-    _somewhere("γ′", "D1_squared", (*ALONE, *PAIR)),
+    _somewhere("γ′", "D1_squared", (*ALONE, *PAIRS)),
     _somewhere("[γ′ γ″]", "f2", (*PLANE, "plane pair"), "γ′"),
     _somewhere("γ′×γ″", "binormal_form_squared", (*SPACE, *PAIR), "γ′"),
     _somewhere("[γ′ γ″ γ‴]", "D1_D2_D3", (*SPACE, *PAIR), "γ′", "γ′×γ″"),
@@ -169,7 +169,8 @@ def stated_assumption(name: str, what: Formula | str, kind: Kind, everywhere: bo
                 f"{shown!r} vanishes on every curve", where="assumes", remedy="no assumption about it can hold"
             )
     words = f"{shown} has no zero" if everywhere else f"{shown} vanishes on no whole segment"
-    return Assumption(name, shown, words, "not zero by assumption", polynomial, (kind.name,), everywhere)
+    about = kind if isinstance(what, str) else what.kind
+    return Assumption(name, shown, words, "not zero by assumption", polynomial, (about.name,), everywhere)
 
 
 #: All assumptions by name.

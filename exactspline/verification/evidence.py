@@ -75,7 +75,6 @@ class Fact(Evidence, Enum):
     CURVES_DIFFER = "the two curves differ"
     OTHER_SQUARES = "not the sum of these squares"
     NO_SQUARES = "no squares are named"
-    SQUARES_MAY_VANISH = "every square may vanish under the assumptions"
     SINGULAR_CONTACT = (
         "as a function of the point at s̄ it is singular where the points meet: it defines no object there"
     )
@@ -85,6 +84,8 @@ class Fact(Evidence, Enum):
         "it is made of the operands by + − × ÷ and derivatives: a quotient of polynomials on every curve"
     )
     NO_CURVE_OF_THIS_TYPE = "no example curve shows of which type it is"
+    NOT_SEPARATED = "the enclosures of two condition numbers overlap"
+    ROOTS_REMAIN = "it is not a multiple of a product of the roots ‖γ′‖ and ‖γ′×γ″‖: its zeros are not compared"
     # why nothing is decided of one curve
     LOWER_DEGREE_HERE = "the degree is lower on it, as it may be on special ones"
     HIGHER_CONTACT_HERE = "the contact is of a higher order on it, as it may be on special curves"
@@ -456,8 +457,29 @@ class VanishesAlone(Evidence, words="{formula} vanishes {place}, {other} does no
     """A zero of one formula that is not a zero of another."""
 
     formula: Name
-    place: Place
+    place: Place | AlongLine
     other: Name
+
+
+class ZerosOf(Evidence, words="{factors?where {factors: or } vanishes|nowhere}"):
+    """The irreducible factors where formulas vanish together."""
+
+    factors: tuple[Name, ...]
+
+
+class MayVanish(Evidence, words="{factors: and } may have zeros{assume?: assume {assume: and }}"):
+    """Irreducible factors that keep something from being proved, and the assumptions that exclude their zeros."""
+
+    factors: tuple[Name, ...]
+    assume: tuple[Name, ...] = ()
+
+
+class AlongLine(Evidence, words="{place}, at {parameter} = {value} of the other curve,"):
+    """A place on one of two curves, the point on the other being fixed."""
+
+    place: Place
+    parameter: Parameter
+    value: mpq
 
 
 class ZeroAt(Evidence, words="zero {place}"):

@@ -61,11 +61,11 @@ def factor_of_numerators(left: Formula, right: Formula, dimension: int, *, polyn
     factor = factor_of(left, right, dimension, polynomial=polynomial)
     if factor is None:
         return None
-    first, second = (_naive_denominator(each, factor.ring, polynomial) for each in (left, right))
+    first, second = (naive_denominator(each, factor.ring, polynomial) for each in (left, right))
     return Factor(factor.constant, factor.powers * first * second**-1, factor.ring)
 
 
-def _naive_denominator(formula: Formula, ring: JetRing, polynomial: bool) -> Factorization[Named]:
+def naive_denominator(formula: Formula, ring: JetRing, polynomial: bool) -> Factorization[Named]:
     """The irreducible factors of a denominator, without cancellation."""
     argument = FactoredJetReading(ring.order).argument(ring.kind, ring.dimension, polynomial=polynomial)
     below: FactoredJet | None = split(formula(argument))[1]

@@ -8,6 +8,7 @@ from exactspline.errors import ClaimError, ExactSplineError, nearest
 from exactspline.interchange import own_json
 from exactspline.interchange.examples import example, example_names, example_surface, example_surface_names
 from exactspline.interchange.records import Source
+from exactspline.numbers.exact import rational
 from exactspline.papers import Paper
 from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.surface import NurbsSurface
@@ -39,6 +40,21 @@ def own_curves(source: Paper) -> dict[str, Nurbs]:
     return curves
 
 
+@cache
+def undulations() -> dict[str, Nurbs]:
+    """Curves that touch their tangent at the parameter 0 to third order: (t, t⁴) and (t, t⁴, t³), −1 ≤ t ≤ 1, and the
+    same over 1 + t². What is true except at such points is refuted by them.
+    """
+    texts = ("-1 1 -1", "-1/2 -1 1/2", "0 1 0", "1/2 -1 -1/2", "1 1 1")
+    weights, knots, found = [rational(x) for x in (2, 1, "2/3", 1, 2)], [*[-1] * 5, *[1] * 5], dict[str, Nurbs]()
+    for n in (2, 3):
+        points = [[rational(x) for x in text.split()[:n]] for text in texts]
+        over = [[x / w for x in point] for point, w in zip(points, weights, strict=True)]
+        found[f"undulation_{n}d"] = Nurbs(4, knots, points)
+        found[f"rational_undulation_{n}d"] = Nurbs(4, knots, over, weights)
+    return found
+
+
 def curve_names(source: Paper) -> list[str]:
     """The names of the paper's curves, then those of the examples."""
     return [*dict.fromkeys([*own_curves(source), *example_names()])]
@@ -50,7 +66,7 @@ def curve_named(source: Paper, name: str) -> Nurbs:
     Raises `ClaimError` with the nearest names.
     """
     check_curve_name(source, name)
-    own = own_curves(source)
+    own = undulations() | own_curves(source)
     return own[name] if name in own else example(name)
 
 
@@ -58,5 +74,5 @@ def check_curve_name(source: Paper, name: str) -> None:
     """Raise `ClaimError` for a name that is neither a curve of the paper nor an example; no example is read
     for that.
     """
-    if name not in own_curves(source) and name not in example_names():
+    if not any(name in known for known in (own_curves(source), example_names(), undulations())):
         raise ClaimError(f"there is no example curve called {name!r}", remedy=nearest(name, curve_names(source)))

@@ -202,7 +202,7 @@ class Condition(ExampleClaim):
             if a[0] >= b[1]:
                 witness = OnExample(Name(self.example), NotBetter(place_between(Interval(root.low, root.high))))
                 return Finding(REFUTED, conditions, witness=witness)
-        return Finding(UNDECIDED, conditions)
+        return Finding(UNDECIDED, conditions, witness=Fact.NOT_SEPARATED)
 
 
 def _share_segments(one: ZeroSet, other: ZeroSet) -> bool:

@@ -4,47 +4,60 @@ on the same curves.
 
 from __future__ import annotations
 
-from dataclasses import field
-from itertools import pairwise
+from collections.abc import Callable, Iterable, Iterator
+from dataclasses import field, replace
+from functools import partial, reduce
+from itertools import pairwise, product
+from operator import methodcaller, mul
 from typing import Any, ClassVar
 
-from exactspline.errors import ClaimError
-from exactspline.language.arguments import Evaluated
+from exactspline.errors import ClaimError, FormulaError, ReachError
+from exactspline.language.arguments import PARAMETERS, Evaluated
+from exactspline.language.formula import Formula
+from exactspline.language.kinds import kind_of
 from exactspline.language.parts import split
 from exactspline.language.rational import Rational
 from exactspline.numbers.exact import mpq
 from exactspline.polynomials.bernstein import is_square_class
 from exactspline.polynomials.common_arcs import rational_between
-from exactspline.polynomials.factors import factorize
 from exactspline.polynomials.isolation import is_nonnegative, isolate
-from exactspline.polynomials.zero_places import Place, at
-from exactspline.readings.jet import Jet
+from exactspline.polynomials.zero_places import Place as PlaceOfZero
+from exactspline.polynomials.zero_places import at
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.lowest_terms import in_lowest_terms
-from exactspline.symbolic.assumptions import zero_free
-from exactspline.symbolic.factorization import jets_for
+from exactspline.splines.nurbs import Nurbs
+from exactspline.splines.surface import NurbsSurface
+from exactspline.splines.tensor import TensorSpline
+from exactspline.symbolic.factorization import Factor, Named, jets_for
 from exactspline.verification.claim import Claim, formula_name, formula_names, one_of, read
 from exactspline.verification.claim_fields import claim_kind
 from exactspline.verification.curve_check import common_zeros, extra_zero
 from exactspline.verification.decision import SquaresAddUp
-from exactspline.verification.evaluation import Evaluation, zero_of
+from exactspline.verification.evaluation import Evaluation, evaluation, zero_of
 from exactspline.verification.evidence import (
+    AlongLine,
     At,
     Fact,
     HasSign,
+    MayVanish,
     OddPowers,
+    OnExample,
+    Place,
     Quotients,
     SquareOnSegment,
     Squares,
     VanishesAlone,
     VanishesAlways,
     ZeroAt,
+    ZerosOf,
 )
-from exactspline.verification.generic_proof import factor_of, factor_of_numerators, harmful
+from exactspline.verification.generic_proof import factor_of, factor_of_numerators, naive_denominator
 from exactspline.verification.kinds.equality import checked_factor
-from exactspline.verification.notation import factor_formulas, factor_parts
+from exactspline.verification.notation import factor_formulas, factor_of_text, factor_parts
+from exactspline.verification.paper_curves import curve_names, undulations
 from exactspline.verification.verdict import PROVED, REFUTED, UNDECIDED, VERIFIED, Finding, vacuous
-from exactspline.verification.vocabulary import Name, Sign, ZeroSetOf
+from exactspline.verification.vocabulary import ArgumentKind, Name, Sign, ZeroSetOf
+from exactspline.verification.zero_sets import ZeroFree, excluded_by, have_one_zero_set, may_vanish, squared
 
 
 @claim_kind
@@ -55,17 +68,23 @@ class ZeroSet(Claim):
 
     kind: ClassVar[str] = "zero set"
     value: ClassVar[str] = "one zero set"
-    of_one_curve: ClassVar[bool] = True
+    of_frames: ClassVar[bool] = True
     asks_for_zeros: ClassVar[bool] = True
 
     formulas: tuple[Name, ...] = field(metadata=read(formula_names))
     measure: ZeroSetOf = field(default=ZeroSetOf.NUMERATORS, metadata=read(one_of(ZeroSetOf)))
 
     def validate(self) -> None:
-        """Reject fewer than two formulas."""
+        """Reject fewer than two formulas, the operands of Table 1, and numerators where roots are adjoined."""
         if len(set(self.formulas)) < 2 or len(set(self.formulas)) < len(self.formulas):
             raise ClaimError(
                 "a zero set is compared with itself", where="formulas", remedy="name two formulas or more, each once"
+            )
+        if self.curve == ArgumentKind.TABLE:
+            raise ClaimError("zero sets of 'table' are not compared", where="curve", remedy="name a curve")
+        if kind_of(self.curve).adjoins_roots and self.measure == ZeroSetOf.NUMERATORS:
+            raise ClaimError(
+                "values with roots have no numerators", where="measure", remedy=f'measure = "{ZeroSetOf.VALUES}"'
             )
 
     @property
@@ -74,8 +93,8 @@ class ZeroSet(Claim):
         return " = ".join(rf"\{{{self.symbol(name)} = 0\}}" for name in self.formulas)
 
     def decide(self, dimension: int, polynomial: bool) -> Finding:
-        """Consecutive formulas are identical up to factors that have no zero by assumption: their values, and their
-        numerators.
+        """The formulas are identical up to factors that have no zero, or vanish where the same factors do: their
+        values, or the numerators as they come.
         """
         formulas = [self.find(name) for name in self.formulas]
         c = jets_for(formulas, dimension, polynomial=polynomial)
@@ -84,37 +103,132 @@ class ZeroSet(Claim):
             return vacuous()
         if zero:
             return Finding(REFUTED, Fact.DIFFERENT_ZERO_SETS, witness=VanishesAlways(zero[0]))
-        factors = [factor_of(formulas[0], other, dimension, polynomial=polynomial) for other in formulas[1:]]
-        quotients = Quotients(self.formulas[0], tuple(zip(self.formulas[1:], factors, strict=True)))
-        if self.measure == ZeroSetOf.NUMERATORS and None not in factors:
-            as_they_come = [
-                factor_of_numerators(formulas[0], other, dimension, polynomial=polynomial) for other in formulas[1:]
-            ]
-            harmful_parts = [
-                harmful(factor, self.assumes) for factor in (*factors, *as_they_come) if factor is not None
-            ]
-            if not any(bad for bad, _ in harmful_parts):
-                used = tuple(dict.fromkeys(name for _, names_used in harmful_parts for name in names_used))
-                return Finding(PROVED, Fact.ONE_ZERO_SET, quotients, assumptions=used)
+        zero_free = ZeroFree(formulas, c, dimension, self.assumes)
+        found = self._by_quotients(formulas, dimension, polynomial, zero_free)
+        if found.verdict != PROVED:
+            found = self._by_factors(formulas, c, polynomial, zero_free) or found
+        if found.verdict == PROVED:
+            return replace(found, assumptions=tuple(zero_free.used))
+        if found.verdict == REFUTED:
+            return found
         refuted = self.refuted_on_examples()
         if refuted.verdict == REFUTED:
             return Finding(REFUTED, Fact.DIFFERENT_ZERO_SETS, witness=refuted.witness)
-        return Finding(UNDECIDED, None, quotients)
+        return found
+
+    def _by_quotients(self, formulas: list[Formula], n: int, polynomial: bool, zero_free: ZeroFree) -> Finding:
+        """Proved where no quotient by the first formula, nor one of the numerators, has zeros or poles."""
+        if kind_of(self.curve).adjoins_roots:
+            return Finding(UNDECIDED, witness=Fact.ROOTS_REMAIN)
+        factors = [factor_of(formulas[0], other, n, polynomial=polynomial) for other in formulas[1:]]
+        quotients = Quotients(self.formulas[0], tuple(zip(self.formulas[1:], factors, strict=True)))
+        if None in factors:
+            return Finding(UNDECIDED, None, quotients, Fact.NOT_PROPORTIONAL)
+        known = [factor for factor in factors if factor is not None]
+        if self.measure == ZeroSetOf.NUMERATORS:
+            as_they_come = [
+                factor_of_numerators(formulas[0], other, n, polynomial=polynomial) for other in formulas[1:]
+            ]
+            known += [factor for factor in as_they_come if factor is not None]
+        guilty = [base for factor in known for base in may_vanish(factor, zero_free)]
+        if not guilty:
+            return Finding(PROVED, Fact.ONE_ZERO_SET, quotients)
+        return Finding(UNDECIDED, None, quotients, excluded_by(guilty, known[0].ring, self.find))
+
+    def _by_factors(self, formulas: list[Formula], c: Any, polynomial: bool, zero_free: ZeroFree) -> Finding | None:
+        """Proved where all vanish where the same irreducible factors do; None where one cannot be factored."""
+        try:
+            factors = [squared(formula(c)) for formula in formulas]
+        except (FormulaError, ReachError):
+            return None
+        known = [factor for factor in factors if factor is not None]
+        if len(known) < len(factors):
+            return None
+        ring = known[0].ring
+        if self.measure == ZeroSetOf.NUMERATORS:
+            below = [naive_denominator(formula, ring, polynomial) ** 2 for formula in formulas]
+            known = [Factor(f.constant, f.powers * w, ring) for f, w in zip(known, below, strict=True)]
+        bases: list[Named] = []
+        for factor in known:
+            bases += [base for base in may_vanish(factor, zero_free) if base not in bases]
+        exponents = [[factor.powers.exponent(base) for base in bases] for factor in known]
+        if ring.polynomial and not polynomial:  # rational curves, of which the derivatives of γ are indeterminates
+            if not any(each.name == "w" for each in self.assumes):
+                return Finding(UNDECIDED, witness=MayVanish((Name("w"),), (Name("w"),)))
+            zero_free.used.append(Name("w"))
+        if have_one_zero_set(exponents):
+            names = tuple(Name(base.name) for base, e in zip(bases, exponents[0], strict=True) if e > 0)
+            return Finding(PROVED, Fact.ONE_ZERO_SET, ZerosOf(names))
+        differing = self._with_roots(known, ring.dimension) if kind_of(self.curve).adjoins_roots else None
+        if differing and differing.verdict == REFUTED:
+            return differing
+        guilty = [base for i, base in enumerate(bases) if len({e[i] for e in exponents}) > 1]
+        return Finding(UNDECIDED, witness=excluded_by(guilty, ring, self.find))
+
+    def _examples(self) -> Iterator[tuple[bool, str, Nurbs | NurbsSurface]]:
+        """Also curves of vanishing curvature: where a statement fails, it often does so there alone."""
+        yield from super()._examples()
+        for name, curve in undulations().items():
+            if self.applies_to(curve.dimension, curve.polynomial):
+                yield False, name, curve
 
     def examine(self, argument: Evaluated, own: Evaluation) -> Finding:
-        """On every segment, each numerator has no zeros after removing the other's factors."""
+        """On every segment, each numerator has no zeros after removing the other's factors; of two curves, with a few
+        points of one of them.
+        """
         values = [(name, self.find(name)(argument)) for name in self.formulas]
+        if isinstance(split(values[0][1])[0][0], TensorSpline):
+            return self._along_lines(values)
         if self.measure == ZeroSetOf.VALUES:
             values = [(name, _lowest(value)) for name, value in values]
         numerators = [(name, common_zeros(split(value)[0])) for name, value in values]
         if all(p.is_zero for _, p in numerators):
             return vacuous()
-        first = numerators[0]
-        for other in numerators[1:]:
-            for (a_name, a), (b_name, b) in ((first, other), (other, first)):
-                if place := extra_zero(a, b):
-                    return Finding(REFUTED, Fact.DIFFERENT_ZERO_SETS, witness=VanishesAlone(a_name, place, b_name))
+        return _compared(numerators)
+
+    def _along_lines(self, values: list[tuple[Name, Any]]) -> Finding:
+        """A zero of one alone on lines of constant parameter; of values only where all of them exist."""
+        parts = [(name, *split(value)) for name, value in values]
+        for fixed, k in product(range(2), range(1, LINES)):
+            low, high = parts[0][1][0].domain[fixed]
+            t = low + (high - low) * mpq(k, LINES)
+            line = methodcaller(("at_s", "at_t")[fixed], t)
+            below = [line(w) for _, _, w in parts if w is not None and self.measure == ZeroSetOf.VALUES]
+            tops = [(name, common_zeros([line(x) for x in components])) for name, components, _ in parts]
+            found = _compared(tops, below, partial(AlongLine, parameter=PARAMETERS[fixed], value=t))
+            if found.verdict == REFUTED:
+                return found
         return Finding(VERIFIED, Fact.ONE_ZERO_SET)
+
+    def _with_roots(self, factors: list[Factor], dimension: int) -> Finding:
+        """The first polynomial example curve on which values with roots, squared, differ in their zeros."""
+        for name in (*curve_names(self.source_paper), *undulations()):
+            curve = self.curve_named(name)
+            if (curve.dimension, curve.polynomial) != (dimension, True):
+                continue
+            parts = [factor.on(curve) for factor in factors]
+            if not any(below.vanishes_somewhere for _, below in parts):
+                tops = [_lowest(top / below) for top, below in parts]
+                found = _compared(list(zip(self.formulas, [split(each)[0][0] for each in tops], strict=True)))
+                if found.verdict == REFUTED and not evaluation(curve).failing(self.curve, self.assumes):
+                    return replace(found, witness=OnExample(Name(name), found.witness))
+        return Finding(UNDECIDED)
+
+
+#: Zeros in two parameters are compared along one line less in each direction.
+LINES = 4
+
+
+def _compared(
+    numerators: list[tuple[Name, BSpline]], below: Iterable[BSpline] = (), where: Callable[[Place], Any] = lambda at: at
+) -> Finding:
+    """Whether the first of some splines vanishes where each of the others does, where nothing `below` vanishes."""
+    first = numerators[0]
+    for other in numerators[1:]:
+        for (a_name, a), (b_name, b) in ((first, other), (other, first)):
+            if place := extra_zero(a, reduce(mul, below, b)):
+                return Finding(REFUTED, Fact.DIFFERENT_ZERO_SETS, witness=VanishesAlone(a_name, where(place), b_name))
+    return Finding(VERIFIED, Fact.ONE_ZERO_SET)
 
 
 def _is_zero(value: Any) -> bool:
@@ -173,20 +287,24 @@ class SignClaim(Claim):
         if squares:
             finding = SquaresAddUp(formula, squares, self.factor, self.sign.direction, self.find).decide(c)
             if finding.verdict == PROVED:
-                return self._strict([square(c) for square in squares]) if self.sign.strict else finding
+                if not self.sign.strict:
+                    return finding
+                zero_free = ZeroFree((formula, *squares, *named), c, dimension, self.assumes)
+                return self._strict([square(c) for square in squares], c, zero_free)
         refuted = self.refuted_on_examples()
         reason = Fact.OTHER_SQUARES if squares else Fact.NO_SQUARES
         return refuted if refuted.verdict == REFUTED else Finding(UNDECIDED, witness=reason)
 
-    def _strict(self, squares: list[Any]) -> Finding:
-        """One of the squares has no zeros by assumption: neither it nor a factor."""
-        constant = not any(name[0].isalpha() for name, _ in factor_parts(self.factor))
-        for value in squares:
-            used = _zero_free(value, self.assumes)
-            if used is not None and constant:
-                return Finding(PROVED, Fact.SQUARES_ONE_WITHOUT_ZERO, assumptions=used)
+    def _strict(self, squares: list[Any], c: Any, zero_free: ZeroFree) -> Finding:
+        """The factor, and one of the squares, have no zeros."""
+        above: Any = factor_of_text(self.factor, c, self.find)[0]
+        factors = [squared(each) for each in (above, *squares) if not _is_zero(each)]
+        first, *others = [may_vanish(Factor(f.constant, f.powers.above, f.ring), zero_free) for f in factors if f]
+        if not first and not all(others):
+            return Finding(PROVED, Fact.SQUARES_ONE_WITHOUT_ZERO, assumptions=tuple(zero_free.used))
         refuted = self.refuted_on_examples()
-        return refuted if refuted.verdict == REFUTED else Finding(UNDECIDED, witness=Fact.SQUARES_MAY_VANISH)
+        guilty = excluded_by(first or others[0], above.ring, self.find)
+        return refuted if refuted.verdict == REFUTED else Finding(UNDECIDED, witness=guilty)
 
     def examine(self, argument: Evaluated, own: Evaluation) -> Finding:
         """Segment by segment: there is no root at which the sign changes, and one value has that sign."""
@@ -206,31 +324,12 @@ class SignClaim(Claim):
         return Finding(VERIFIED, HasSign(self.sign))
 
 
-def _zero_free(value: Any, assumed: Any) -> tuple[Name, ...] | None:
-    """The assumptions that imply that a value (for a vector, its squared length) has no zeros; None where
-    they do not.
-    """
-    parts = split(value)[0]
-    square = parts[0] * parts[0]
-    for x in parts[1:]:
-        square = square + x * x
-    if square.is_zero:
-        return None
-    used = []
-    for p in factorize(square.top).bases:
-        reason = zero_free(Jet(square.ring, p), assumed)
-        if reason is None:
-            return None
-        used.append(Name(reason.name))
-    return tuple(dict.fromkeys(used))
-
-
 def _negative(f: BSpline, i: int) -> mpq:
     """A parameter at which a spline is negative, on a segment on which it has negative values: in the middle between
     zeros, or an end of the segment and a zero.
     """
     a, b = f.breakpoints[i : i + 2]
-    places = [at(mpq(0)), *map(Place, isolate(f.numerators[i], f.degree).inner), at(mpq(1))]
+    places = [at(mpq(0)), *map(PlaceOfZero, isolate(f.numerators[i], f.degree).inner), at(mpq(1))]
     inside = (a + (b - a) * rational_between(*pair) for pair in pairwise(places))
     return next(t for t in inside if f(t) < 0)
 

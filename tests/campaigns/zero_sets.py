@@ -1,0 +1,122 @@
+"""False claims of zero sets, each a true one with one thing changed.
+
+python -m tests.campaigns.zero_sets
+
+A true claim is changed in its last formula: a factor is multiplied with it that has zeros on some curve, a value is
+divided by one, a sum of squares becomes a difference, or an assumption is dropped on which it depends. The exit status
+is 1 where a changed claim is PROVED, one is UNDECIDED without a reason, or a true one is not PROVED.
+"""
+
+import sys
+from collections import Counter
+from pathlib import Path
+from tempfile import TemporaryDirectory
+
+from exactspline.papers import load_paper
+from exactspline.verification.claims import claims_of
+from exactspline.verification.combined import combined
+from tests.verification.test_own_paper import written
+
+#: The sentence of the documentation that is judged.
+COMPARED = ("all have one zero set, where what is assumed has no zero",)
+V, A, J = "c.gamma.d(1)", "c.gamma.d(2)", "c.gamma.d(3)"
+F = f"det({V}, {A})"
+EVOLUTE = f"(c.gamma + perp({V}) * (norm2({V}) / {F})).d(1)"
+VERTEX = f"(3 * dot({V}, {A}) * {F} - norm2({V}) * det({V}, {J}))"
+WAY = "(c.second.gamma - c.first.gamma)"
+ONE = "c.first.gamma.d(1)"
+#: Factors with zeros on some curves on which the formulas of the claims have none.
+HARMFUL = {
+    "plane": [f"dot({V}, {A})", f"(norm2({V}) - 1)", f"(norm2({A}) - norm2({V}))", "c.p[0]", f"(1 - {F} ** 2)"],
+    "space": [
+        f"dot({V}, {A})",
+        f"(norm2({V}) - 1)",
+        "c.p[2]",
+        f"(norm2({A}) - norm2({V}))",
+        f"(1 - dot({V}, {A}) ** 2)",
+    ],
+    "plane point": ["c.point[0]", f"dot({V}, c.gamma - c.point)", "(norm2(c.point) - 1)", "c.p[0]"],
+    "plane pair": [f"dot({ONE}, {WAY})", f"(norm2({WAY}) - 1)", f"(norm2({ONE}) - norm2({WAY}))", "c.second.p[0]"],
+}
+HARMFUL["framed plane"], HARMFUL["framed space"] = HARMFUL["plane"], HARMFUL["space"]
+#: Kind, formulas, assumptions, and whether values are meant.
+TRUE = [
+    ("plane", (F, f"{F} ** 3"), ("w",), False),
+    ("plane", (F, f"{F} * (1 + norm2({V}))"), ("w",), False),
+    ("plane", (F, f"{F} * (1 + {F} ** 2)"), ("w",), False),
+    ("plane", (F, f"{F} * (norm2({V}) + norm2({A}))"), ("w", "γ′"), False),
+    ("plane", (VERTEX, f"norm2({EVOLUTE})"), ("w", "γ′", "turning ≠ 0"), False),
+    ("plane", (VERTEX, f"norm2({EVOLUTE})"), ("w", "γ′", "turning ≠ 0"), True),
+    ("plane", (VERTEX, EVOLUTE), ("w", "γ′", "turning ≠ 0"), False),
+    ("plane", (F, f"2 * {F}"), ("w",), True),
+    ("plane", (F, f"{F} ** 2 / norm2({V}) ** 3"), ("w", "γ′"), True),
+    ("space", (f"cross({V}, {A})", f"norm2(cross({V}, {A}))"), ("w",), False),
+    ("space", (f"det({V}, {A}, {J})", f"det({V}, {A}, {J}) / norm2(cross({V}, {A}))"), ("w", "γ′×γ″"), True),
+    ("space", (f"det({V}, {A}, {J})", f"det({V}, {A}, {J}) * (3 + dot({V}, {A}) ** 2)"), ("w",), False),
+    ("plane point", ("c.gamma - c.point", "norm2(c.gamma - c.point)"), ("w",), False),
+    (
+        "plane point",
+        (f"det({V}, c.gamma - c.point)", f"det({V}, c.gamma - c.point) * (2 + norm2(c.point))"),
+        ("w",),
+        False,
+    ),
+    ("plane pair", (f"det({ONE}, {WAY})", f"det({ONE}, {WAY}) ** 3"), ("w", "w̄"), False),
+    ("plane pair", (f"det({ONE}, {WAY})", f"det({ONE}, {WAY}) * (1 + norm2({WAY}))"), ("w", "w̄"), False),
+    ("framed plane", (F, f"{F} / c.sigma ** 3"), ("w", "γ′"), True),
+    ("framed space", (f"cross({V}, {A})", f"({V} / c.sigma).d(1)"), ("w", "γ′"), True),
+]
+#: Those that hold without the last assumption, too.
+INDEPENDENT = {3, 4, 6, 14, 15}
+
+
+def changed():
+    """The true claims, and those that are false, each with the number of the true one."""
+    for i, (kind, (first, last), assumes, values) in enumerate(TRUE):
+        yield i, True, kind, (first, last), assumes, values
+        for h in HARMFUL[kind]:
+            yield i, False, kind, (first, f"({last}) * {h}"), assumes, values
+            if values:
+                yield i, False, kind, (first, f"({last}) / {h}"), assumes, values
+        for sign in (" - ", " + -2 * "):
+            if " + " in last and EVOLUTE not in last:
+                yield i, False, kind, (first, sign.join(last.split(" + "))), assumes, values
+        if i not in INDEPENDENT and len(assumes) > 1:
+            yield i, False, kind, (first, last), assumes[:-1], values
+
+
+def folder_of(place):
+    """A folder of all these claims."""
+    text = "@formula('e', on='plane')\ndef turning(c):\n    p, w = c.p, c.w\n"
+    text += "    return det(p.d(1) * w - p * w.d(1), p.d(2) * w - p * w.d(2))\n"
+    claims = []
+    for n, (_, _, kind, bodies, assumes, values) in enumerate(changed()):
+        names = [f"a{n}", f"b{n}"]
+        for name, body in zip(names, bodies, strict=True):
+            text += f"@formula('e', on='{kind}')\ndef {name}(c):\n    return {body}\n"
+        measure = {"measure": "lowest terms"} if values else {}
+        told = {"id": str(n), "kind": "zero set", "statement": "s", "status": "ours", "curve": kind}
+        claims.append(told | {"formulas": names, "assumes": list(assumes)} | measure)
+    return written(place, text, claims)
+
+
+def campaign(step=1):
+    """The verdicts on true and on changed claims, and what is wrong."""
+    tally, wrong = Counter(), []
+    with TemporaryDirectory() as place:
+        claims = claims_of(load_paper(folder_of(Path(place) / "folder")))
+        for claim, (i, true, *what) in list(zip(claims, changed(), strict=True))[::step]:
+            found = combined(claim)[1]
+            tally["true" if true else "changed", str(found.verdict)] += 1
+            silent = found.verdict == "UNDECIDED" and found.witness is None
+            if silent or (found.verdict == "PROVED") != true:
+                wrong.append((i, str(found.verdict), found.witness, *what))
+    return tally, wrong
+
+
+if __name__ == "__main__":
+    tallied, failed = campaign()
+    for (which, verdict), n in sorted(tallied.items()):
+        print(f"{which}: {verdict} {n}")
+    for each in failed:
+        print(*each)
+    sys.exit(bool(failed))
