@@ -52,15 +52,13 @@ def _factor(left: Formula, right: Formula, dimension: int, polynomial: bool, nam
     return find_factor(left(c), right(c))
 
 
-def factor_of_numerators(left: Formula, right: Formula, dimension: int, *, polynomial: bool = False) -> Factor | None:
-    """The quotient of the numerators of two formulas, without cancellation; None when they are not proportional.
+def of_numerators(factor: Factor, left: Formula, right: Formula, *, polynomial: bool = False) -> Factor:
+    """The quotient of the numerators of two formulas, without cancellation, from that of their values.
 
-    >>> str(factor_of_numerators(formula_of("f0"), formula_of("f2"), 2))
+    >>> left, right = formula_of("f0"), formula_of("f2")
+    >>> str(of_numerators(factor_of(left, right, 2), left, right))
     'w³'
     """
-    factor = factor_of(left, right, dimension, polynomial=polynomial)
-    if factor is None:
-        return None
     first, second = (naive_denominator(each, factor.ring, polynomial) for each in (left, right))
     return Factor(factor.constant, factor.powers * first * second**-1, factor.ring)
 

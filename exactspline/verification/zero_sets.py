@@ -10,15 +10,16 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Sequence
 from contextlib import suppress
 from math import gcd
-from typing import Any
+from typing import Any, cast
 
 from flint import fmpq_mpoly
 
 from exactspline.errors import ExactSplineError, FormulaError, ReachError
 from exactspline.language.adjoined_root import Adjoined
+from exactspline.language.arguments import Evaluated
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import FramedKind
-from exactspline.language.parts import split
+from exactspline.language.parts import Value, split
 from exactspline.numbers.exact import mpq
 from exactspline.polynomials.factorization import Factorization
 from exactspline.polynomials.factors import factorize
@@ -33,7 +34,7 @@ from exactspline.verification.evidence import MayVanish
 from exactspline.verification.vocabulary import Name
 
 
-def squared(value: Any) -> Factor | None:
+def squared(value: Value) -> Factor | None:
     """The sum of the squares of the components of a value in the fraction reading that is not zero, in factors; None
     where the roots of a frame do not cancel.
 
@@ -43,7 +44,7 @@ def squared(value: Any) -> Factor | None:
     >>> [str(squared(find(name)(c))) for name in ("D1", "f2")]
     ['‖D1‖²', 'f2²']
     """
-    components = split(value)[0]
+    components: list[Any] = split(cast(Any, value))[0]
     pivot = next(x for x in components if not x.is_zero)
     ratios = [x / pivot for x in components]
     rest = _without_roots(sum((x * x for x in ratios), pivot.constant(0)))
@@ -113,25 +114,31 @@ class ZeroFree:
     """Which irreducible polynomials have no zero: by assumption, or because they divide the numerator of a value in the
     formulas that is positive as a sum of squares, one of which has no zero, all over denominators without zeros.
 
-    `used` are the names of the assumptions that were needed.
+    `used` are the names of the assumptions that were needed since it was emptied.
     """
 
-    def __init__(self, formulas: Iterable[Formula], c: Any, dimension: int, assumed: Iterable[Assumption]) -> None:
+    def __init__(
+        self, formulas: Iterable[Formula], c: Evaluated, dimension: int, assumed: Iterable[Assumption]
+    ) -> None:
         self.assumed, self.used = tuple(assumed), list[Name]()
-        self._value, self._positive = Evaluation(c), list[fmpq_mpoly]()
+        self._value, self._positive = Evaluation(c), list[tuple[fmpq_mpoly, list[Name]]]()
         self._sums = [x for each in formulas for x in nodes(trace(each, dimension)) if x.op is Operation.PLUS]
 
     def __call__(self, jet: Jet) -> bool:
         """Whether an irreducible polynomial has no zero."""
         if reason := zero_free(jet, self.assumed):
-            self.used += [] if reason.name in self.used else [Name(reason.name)]
+            self.used.append(Name(reason.name))
             return True
+        before = self.used
         while self._sums:
-            node = self._sums.pop()
+            node, self.used = self._sums.pop(), []
             with suppress(FormulaError, ReachError):  # of what is too large to be multiplied out nothing is known
                 if self._is_square(node):
                     self._has_no_zero(node)
-        return any(not divmod(each, jet.polynomial)[1] for each in self._positive)
+        self.used = before
+        found = [names for each, names in self._positive if not divmod(each, jet.polynomial)[1]]
+        self.used += found[0] if found else []
+        return bool(found)
 
     def _is_square(self, node: Node) -> bool:
         """Whether a scalar is ≥ 0 wherever it exists: squares, and sums, products and quotients of such."""
@@ -154,7 +161,7 @@ class ZeroFree:
             return node.op is Operation.NUMBER and node.value != 0
         squares = node.op is Operation.PLUS and self._is_square(node) and all(map(self._exists, node.args))
         if squares and any(map(self._has_no_zero, node.args)):
-            self._positive.append(value.top)
+            self._positive.append((value.top, [*self.used]))
             return True
         return self._exists(node) and self._holds_of(value.ring, value.top)
 

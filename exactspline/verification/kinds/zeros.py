@@ -7,7 +7,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import field, replace
 from functools import partial, reduce
-from itertools import pairwise, product
+from itertools import chain, pairwise, product
 from operator import methodcaller, mul
 from typing import Any, ClassVar
 
@@ -23,12 +23,12 @@ from exactspline.polynomials.common_arcs import rational_between
 from exactspline.polynomials.isolation import is_nonnegative, isolate
 from exactspline.polynomials.zero_places import Place as PlaceOfZero
 from exactspline.polynomials.zero_places import at
+from exactspline.readings.jet import Jet
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.lowest_terms import in_lowest_terms
 from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.surface import NurbsSurface
-from exactspline.splines.tensor import TensorSpline
-from exactspline.symbolic.factorization import Factor, Named, jets_for
+from exactspline.symbolic.factorization import Factor, Named, find_factor, jets_for
 from exactspline.verification.claim import Claim, formula_name, formula_names, one_of, read
 from exactspline.verification.claim_fields import claim_kind
 from exactspline.verification.curve_check import common_zeros, extra_zero
@@ -51,7 +51,7 @@ from exactspline.verification.evidence import (
     ZeroAt,
     ZerosOf,
 )
-from exactspline.verification.generic_proof import factor_of, factor_of_numerators, naive_denominator
+from exactspline.verification.generic_proof import factor_of, naive_denominator, of_numerators
 from exactspline.verification.kinds.equality import checked_factor
 from exactspline.verification.notation import factor_formulas, factor_of_text, factor_parts
 from exactspline.verification.paper_curves import curve_names, undulations
@@ -104,11 +104,11 @@ class ZeroSet(Claim):
         if zero:
             return Finding(REFUTED, Fact.DIFFERENT_ZERO_SETS, witness=VanishesAlways(zero[0]))
         zero_free = ZeroFree(formulas, c, dimension, self.assumes)
-        found = self._by_quotients(formulas, dimension, polynomial, zero_free)
+        found = self._by_quotients(formulas, c, polynomial, zero_free)
         if found.verdict != PROVED:
             found = self._by_factors(formulas, c, polynomial, zero_free) or found
         if found.verdict == PROVED:
-            return replace(found, assumptions=tuple(zero_free.used))
+            return replace(found, assumptions=tuple(dict.fromkeys(zero_free.used)))
         if found.verdict == REFUTED:
             return found
         refuted = self.refuted_on_examples()
@@ -116,26 +116,27 @@ class ZeroSet(Claim):
             return Finding(REFUTED, Fact.DIFFERENT_ZERO_SETS, witness=refuted.witness)
         return found
 
-    def _by_quotients(self, formulas: list[Formula], n: int, polynomial: bool, zero_free: ZeroFree) -> Finding:
+    def _by_quotients(self, formulas: list[Formula], c: Evaluated, polynomial: bool, zero_free: ZeroFree) -> Finding:
         """Proved where no quotient by the first formula, nor one of the numerators, has zeros or poles."""
         if kind_of(self.curve).adjoins_roots:
             return Finding(UNDECIDED, witness=Fact.ROOTS_REMAIN)
-        factors = [factor_of(formulas[0], other, n, polynomial=polynomial) for other in formulas[1:]]
+        first, *others = formulas
+        factors = [find_factor(first(c), other(c)) for other in others]
         quotients = Quotients(self.formulas[0], tuple(zip(self.formulas[1:], factors, strict=True)))
-        if None in factors:
-            return Finding(UNDECIDED, None, quotients, Fact.NOT_PROPORTIONAL)
         known = [factor for factor in factors if factor is not None]
+        if len(known) < len(factors):
+            return Finding(UNDECIDED, None, quotients, Fact.NOT_PROPORTIONAL)
         if self.measure == ZeroSetOf.NUMERATORS:
-            as_they_come = [
-                factor_of_numerators(formulas[0], other, n, polynomial=polynomial) for other in formulas[1:]
-            ]
-            known += [factor for factor in as_they_come if factor is not None]
+            pairs = list(zip(known, others, strict=True))
+            known += [of_numerators(factor, first, other, polynomial=polynomial) for factor, other in pairs]
         guilty = [base for factor in known for base in may_vanish(factor, zero_free)]
         if not guilty:
             return Finding(PROVED, Fact.ONE_ZERO_SET, quotients)
         return Finding(UNDECIDED, None, quotients, excluded_by(guilty, known[0].ring, self.find))
 
-    def _by_factors(self, formulas: list[Formula], c: Any, polynomial: bool, zero_free: ZeroFree) -> Finding | None:
+    def _by_factors(
+        self, formulas: list[Formula], c: Evaluated, polynomial: bool, zero_free: ZeroFree
+    ) -> Finding | None:
         """Proved where all vanish where the same irreducible factors do; None where one cannot be factored."""
         try:
             factors = [squared(formula(c)) for formula in formulas]
@@ -144,26 +145,37 @@ class ZeroSet(Claim):
         known = [factor for factor in factors if factor is not None]
         if len(known) < len(factors):
             return None
-        ring = known[0].ring
+        ring, tables = known[0].ring, [[factor.powers for factor in known]]
         if self.measure == ZeroSetOf.NUMERATORS:
             below = [naive_denominator(formula, ring, polynomial) ** 2 for formula in formulas]
-            known = [Factor(f.constant, f.powers * w, ring) for f, w in zip(known, below, strict=True)]
+            tables.append([powers * w for powers, w in zip(tables[0], below, strict=True)])
         bases: list[Named] = []
-        for factor in known:
-            bases += [base for base in may_vanish(factor, zero_free) if base not in bases]
-        exponents = [[factor.powers.exponent(base) for base in bases] for factor in known]
-        if ring.polynomial and not polynomial:  # rational curves, of which the derivatives of γ are indeterminates
-            if not any(each.name == "w" for each in self.assumes):
+        for powers in chain(*tables):
+            bases += [base for base, _ in powers if base not in bases]
+
+        def agree_without(gone: list[Named]) -> bool:
+            left = [base for base in bases if base not in gone]
+            return all(have_one_zero_set([[row.exponent(base) for base in left] for row in table]) for table in tables)
+
+        gone = [base for base in bases if zero_free(Jet(ring, base.polynomial))]
+        if agree_without(gone):
+            for base in gone:
+                others = [each for each in gone if each is not base]
+                gone = others if agree_without(others) else gone
+            zero_free.used.clear()
+            for base in gone:
+                zero_free(Jet(ring, base.polynomial))
+            weighted = ring.polynomial and not polynomial  # rational curves by the derivatives of γ
+            if weighted and not any(each.name == "w" for each in self.assumes):
                 return Finding(UNDECIDED, witness=MayVanish((Name("w"),), (Name("w"),)))
-            zero_free.used.append(Name("w"))
-        if have_one_zero_set(exponents):
-            names = tuple(Name(base.name) for base, e in zip(bases, exponents[0], strict=True) if e > 0)
-            return Finding(PROVED, Fact.ONE_ZERO_SET, ZerosOf(names))
+            zero_free.used += [Name("w")] * weighted
+            left = tuple(Name(base.name) for base in bases if base not in gone and tables[-1][0].exponent(base) > 0)
+            return Finding(PROVED, Fact.ONE_ZERO_SET, ZerosOf(left))
         differing = self._with_roots(known, ring.dimension) if kind_of(self.curve).adjoins_roots else None
         if differing and differing.verdict == REFUTED:
             return differing
-        guilty = [base for i, base in enumerate(bases) if len({e[i] for e in exponents}) > 1]
-        return Finding(UNDECIDED, witness=excluded_by(guilty, ring, self.find))
+        unequal = [base for base in bases if any(len({row.exponent(base) for row in table}) > 1 for table in tables)]
+        return Finding(UNDECIDED, witness=excluded_by([base for base in unequal if base not in gone], ring, self.find))
 
     def _examples(self) -> Iterator[tuple[bool, str, Nurbs | NurbsSurface]]:
         """Also curves of vanishing curvature: where a statement fails, it often does so there alone."""
@@ -177,7 +189,7 @@ class ZeroSet(Claim):
         points of one of them.
         """
         values = [(name, self.find(name)(argument)) for name in self.formulas]
-        if isinstance(split(values[0][1])[0][0], TensorSpline):
+        if self.of_pair:
             return self._along_lines(values)
         if self.measure == ZeroSetOf.VALUES:
             values = [(name, _lowest(value)) for name, value in values]
@@ -301,7 +313,7 @@ class SignClaim(Claim):
         factors = [squared(each) for each in (above, *squares) if not _is_zero(each)]
         first, *others = [may_vanish(Factor(f.constant, f.powers.above, f.ring), zero_free) for f in factors if f]
         if not first and not all(others):
-            return Finding(PROVED, Fact.SQUARES_ONE_WITHOUT_ZERO, assumptions=tuple(zero_free.used))
+            return Finding(PROVED, Fact.SQUARES_ONE_WITHOUT_ZERO, assumptions=tuple(dict.fromkeys(zero_free.used)))
         refuted = self.refuted_on_examples()
         guilty = excluded_by(first or others[0], above.ring, self.find)
         return refuted if refuted.verdict == REFUTED else Finding(UNDECIDED, witness=guilty)
