@@ -61,6 +61,12 @@ def runs(of: Iterable[tuple[Passage, Span]], key: str) -> Iterator[str]:
         yield letters
 
 
+def decided(own: Iterable[Passage]) -> tuple[int, int]:
+    """How many spans make claims, and of how many of these the claims decide all that is said."""
+    claiming = [one for one in own if one.claims]
+    return len(claiming), sum("open" not in one.read for one in claiming)
+
+
 def counted(own: Iterable[Passage]) -> dict[int, Counter[str]]:
     """How many spans of each page are read as what; one that is several things counts for each."""
     found: dict[int, Counter[str]] = {}

@@ -91,7 +91,7 @@ def errata(sources: Iterable[Paper] | None = None) -> tuple[Erratum, ...]:
 
     >>> first, *others = errata()
     >>> first.error, [each.id for each in first.statements], len(others)
-    ('span', ['C3c'], 16)
+    ('span', ['C3c'], 18)
     """
     return tuple(_joined(Status.PRINTED, sources))
 

@@ -201,6 +201,7 @@ PARTS = [
     {"jerk", "third_derivative", "jerk_terms", "jerk_shared", "jet_3"},
     {"radius_squared", "inverse_curvature_squared", "curvature_radius_squared"},
     {"radius_vector", "towards_the_circle"},
+    {"rectifying_vector_reduced", "lancret_vector"},
     {"bisector_numerators", "bisector_numerators_levelled"},
     {"point_bisector_directrix", "point_bisector_directrix_levelled", "point_bisector_directrix_polynomial"},
     {"chord", "moved_4"},

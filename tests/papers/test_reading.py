@@ -6,8 +6,9 @@ import pytest
 
 from exactspline.verification.claims import claims_of
 from reading.cutter import spans, squeezed
-from reading.readings import READINGS, TEXT, needs_reason, readings, runs, spans_of_text, table
-from reading.second import drawn, second_readings
+from reading.readings import READINGS, ROOT, TEXT, decided, needs_reason, readings, runs, spans_of_text, table
+from reading.second import READ as READ_AGAIN
+from reading.second import drawn, second_readings, undecided
 
 CLAIMS = {claim.key: claim for claim in claims_of("chen_riesenfeld_cohen_2007")}
 READ = readings()
@@ -155,3 +156,41 @@ def test_what_the_second_reader_found_false_is_refuted_by_a_claim_that_the_span_
     for recorded in false:
         same_place = {CLAIMS[key].id for key in recorded.claims}
         assert any("REFUTED" in CLAIMS[key].expected and CLAIMS[key].id in same_place for key in CLAIMS), recorded.place
+
+
+# ---- what claims do not decide
+
+
+def test_the_readme_quotes_how_many_spans_are_decided_wholly():
+    claiming, wholly = decided(READ)
+    readme = " ".join((ROOT / "README.md").read_text(encoding="utf-8").split())
+    told = f"{wholly} of the {claiming} sentences, formulas and captions that claim something are decided wholly"
+    assert told in readme
+    assert wholly < claiming < len(READ)
+
+
+def test_a_span_with_something_open_is_not_decided_wholly():
+    whole = next(one for one in READ if one.claims and "open" not in one.read)
+    part = next(one for one in READ if one.claims and "open" in one.read)
+    no_claim = next(one for one in READ if not one.claims)
+    assert decided([whole]) == (1, 1)
+    assert decided([part]) == (1, 0)
+    assert decided([no_claim]) == (0, 0)
+
+
+def test_what_claims_did_not_decide_is_decided_now_or_said_to_be_open():
+    by_place = {(one.page, one.order): one for one in READ}
+    theirs = undecided()
+    assert len(theirs) == len({(one.page, one.order) for one in theirs}) < READ_AGAIN
+    for one in theirs:
+        here = by_place[one.page, one.order]
+        assert one.digest == here.digest, here.place
+        assert one.decided in ("partly", "nothing"), here.place
+        assert one.missing, here.place
+        assert set(one.added) <= set(here.claims), here.place
+        assert one.added or "open" in here.read or "slip" in here.read, here.place
+
+
+def test_no_opinion_speaks_of_degrees():
+    opinions = [one for one in READ if one.read.get("nothing") == "opinion"]
+    assert [one.place.split(":")[0] for one in opinions] == ["p. 1, span 16", "p. 2, span 6", "p. 2, span 8"]
