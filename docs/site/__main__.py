@@ -12,7 +12,6 @@ from contextlib import contextmanager
 from fcntl import LOCK_EX, LOCK_NB, flock
 from pathlib import Path
 from time import monotonic
-from typing import Any
 
 from sphinx.cmd.build import build_main
 
@@ -28,7 +27,6 @@ BUILD = PROJECT / "build" / "site"
 #: What is said of the pages that are listed.
 NOTEBOOKS = "Lessons that run: `./run notebooks` opens them, `./run notebooks 01` the one with that number."
 REFERENCE = "Every public name: first those of `exactspline` itself, by topic, then the rooms that it names."
-LEDGERS = "A page per source: each of its statements in its words, as it is decided, with the verdict for all curves."
 #: What the archive of the source holds.
 SOURCE = (
     *(
@@ -76,7 +74,7 @@ def build() -> int:
             with _step("claims, curves and surfaces"):
                 claims = page_data.claims()
                 page_data.write(play / "data", claims)
-            _lay_out(source, claims)
+            _lay_out(source)
         with _step("the library for the browser (downloads once)"):
             vendored.result()
     for page in play.glob("*.html"):
@@ -109,7 +107,7 @@ def _step(doing: str) -> Iterator[None]:
     print(f"{monotonic() - start:.0f} s", flush=True)
 
 
-def _lay_out(source: Path, claims: list[dict[str, Any]]) -> None:
+def _lay_out(source: Path) -> None:
     """All pages, in sections."""
     for file in (
         HERE / "conf.py",
@@ -120,21 +118,21 @@ def _lay_out(source: Path, claims: list[dict[str, Any]]) -> None:
     ):
         shutil.copy(file, source)
     shutil.copytree(DOCS / "pictures", source / "pictures")
+    shutil.copytree(DOCS / "how-to", source / "how-to")
     # with new times: outputs of a notebook depend on the library, which Sphinx does not watch
     shutil.copytree(
         PROJECT / "notebooks", source / "notebooks", ignore=shutil.ignore_patterns("*.toml"), copy_function=shutil.copy
     )
     with _step("notebooks, executed"):
         executed.execute(source / "notebooks")
-    with _step("reference, ledgers, errata"):
+    with _step("reference, errata"):
         _collect(
             source / "notebooks.md",
             "Notebooks",
             NOTEBOOKS,
             sorted(f"notebooks/{n.stem}" for n in source.glob("*/*.ipynb")),
         )
-        _collect(source / "reference.md", "Reference", REFERENCE, pages.reference(source / "reference"))
-        _collect(source / "ledgers.md", "Ledgers", LEDGERS, pages.write_ledgers(source / "ledger", claims))
+        _collect(source / "api.md", "Every public name", REFERENCE, pages.reference(source / "api"))
         pages.write_glossary(source / "glossary.md")
         pages.write_errata(source / "errata.md")
         benchmarks.write_page(source / "benchmarks.md", source / "_extra" / "gallery")
@@ -145,6 +143,8 @@ def _lay_out(source: Path, claims: list[dict[str, Any]]) -> None:
     _pack(source / "_extra" / "source" / "exactspline.tar.gz")
     for page in source.glob("*.md"):
         page.write_text(_linked(page.read_text(encoding="utf-8")), encoding="utf-8")
+    for page in source.glob("how-to/*.md"):
+        page.write_text(page.read_text(encoding="utf-8").replace("](../../", "](../"), encoding="utf-8")
     for book in source.glob("notebooks/*.ipynb"):
         # pages lie beside the folder of notebooks here, and anchors are in small letters
         text = book.read_text(encoding="utf-8").replace("](../docs/", "](../")

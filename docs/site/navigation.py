@@ -6,7 +6,7 @@ from html import escape
 from pathlib import Path
 
 #: The sections of the side bar, in order: pages of these names.
-SECTIONS = ("learn", "papers", "compute", "mathematics", "house", "reference")
+SECTIONS = ("tutorials", "how-to", "reference", "explanation", "contributors")
 #: The interactive pages, in order, with their names.
 INTERACTIVE = {
     "curve": "A curve, exactly",

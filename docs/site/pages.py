@@ -4,14 +4,13 @@ from __future__ import annotations
 
 import inspect
 import re
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterator
 from contextlib import redirect_stdout
 from functools import cache
 from io import StringIO
-from itertools import chain, groupby
+from itertools import chain
 from operator import attrgetter
 from pathlib import Path
-from typing import Any
 
 import exactspline as xs
 from docs.site.narrow import beside, narrowed, png, saved
@@ -19,22 +18,16 @@ from exactspline.cli import app
 from exactspline.display.evidence import worded
 from exactspline.display.figures import Drawn, figures, make
 from exactspline.display.glossary import glossary
-from exactspline.display.ledger import summary
 from exactspline.display.numbers import Numbers
 from exactspline.display.quotations import parts
 from exactspline.display.sheet import in_markdown
 from exactspline.display.wrapping import code_lines
 from exactspline.errors import counted
 from exactspline.papers import papers
-from exactspline.verification.claims import claims_of
 from exactspline.verification.errata import Erratum, errata
-from exactspline.verification.rows import recorded_counts
 
 #: The length of the lines of code on the page of errata.
 CODE_WIDTH = 88
-COLUMNS = ("claim", "the source's words", "as it is decided", "verdict", "what was found")
-#: What stands in the place of words that the source does not have.
-STATUS = {"ours": "goes beyond the source", "meant": "as the printed statement must read"}
 
 #: Pictures of the gallery besides the figures of the paper: a name, and the command that draws it.
 DRAWN = {
@@ -53,7 +46,7 @@ def reference(folder: Path) -> list[str]:
     for number, (heading, names) in enumerate(topics().items(), 1):
         title = heading.capitalize()
         blocks = [f"# {title}", *map(_documented, names)]
-        page = f"reference/{number:02}-{'-'.join(re.findall('[a-z]+', heading.lower()))}"
+        page = f"api/{number:02}-{'-'.join(re.findall('[a-z]+', heading.lower()))}"
         (folder.parent / f"{page}.md").write_text("\n\n".join(blocks) + "\n", encoding="utf-8")
         pages.append(page)
     return pages
@@ -91,37 +84,6 @@ def write_glossary(file: Path) -> None:
     file.write_text("\n\n".join(lines) + "\n", encoding="utf-8")
 
 
-def write_ledgers(folder: Path, claims: Iterable[dict[str, Any]]) -> list[str]:
-    """A page a source: its words beside the statement that is decided, and the verdict for all curves."""
-    folder.mkdir(parents=True, exist_ok=True)
-    by_source: dict[str, list[dict[str, Any]]] = {}
-    for claim in claims:
-        by_source.setdefault(claim["paper"], []).append(claim)
-    for name, told in by_source.items():
-        lines = [f"# {told[0]['title']}", summary(recorded_counts(claims_of(name)))]
-        lines.append(
-            "What was found for all curves; verdicts are explained in the [glossary](../glossary.md). Formulas, "
-            'degrees and witnesses of each claim: <a href="../play/claims.html">the ledger that is searched</a>.'
-        )
-        for place, group in groupby(told, _heading):
-            rows = []
-            for c in group:
-                anchor = f'<a id="{c["key"]}" href="#{c["key"]}">{plain(c["id"])}</a>'
-                place_of_words = f" ({plain(c['place'])})" if c["place"] else ""
-                words = f"“{typeset(c['words'])}”{place_of_words}" if c["words"] else STATUS.get(c["status"], "–")
-                decided = f"{c['statement']}: {c['claimed']}" if c["kind"] in ("degree", "count") else c["statement"]
-                rows.append([anchor, words, plain(decided), c["verdict"], plain(Numbers().within(c["found"]))])
-            lines += [f"## {place}", _table(COLUMNS, rows)]
-        (folder / f"{name}.md").write_text("\n\n".join(lines) + "\n", encoding="utf-8")
-    return [f"{folder.name}/{name}" for name in by_source]
-
-
-def _heading(claim: dict[str, Any]) -> str:
-    """Where a claim stands: a section, an equation, a figure; never a page alone."""
-    by_page = claim["source"].startswith("p. ")
-    return str(claim["section"] if by_page and claim["section"] else claim["source"])
-
-
 def write_errata(file: Path) -> None:
     """What the sources say that is not so: an error a section, from the words to what holds instead."""
     lines = [
@@ -145,11 +107,11 @@ def _erratum(error: Erratum) -> Iterator[str]:
         words = f" “{typeset(each.words)}”" if each.words else ""
         yield f"> **{plain(each.place)}**{words}"
         told = {"Found": worded(each.found), "Witness": worded(each.witness, Numbers())}
-        claim = f'<a href="ledger/{error.paper}.html#{each.key}">{plain(each.id)}</a>'
+        claim = f'<a href="play/claims.html#{each.key}">{plain(each.id)}</a>'
         decided = f"- Decided: {plain(each.statement)} ({claim})"
         yield "\n".join([decided, *(f"- {name}: {plain(text)}" for name, text in told.items() if text)])
     holds = [
-        f'- Instead: {plain(str(each))} (<a href="ledger/{error.paper}.html#{each.key}">{plain(each.key)}</a>)'
+        f'- Instead: {plain(str(each))} (<a href="play/claims.html#{each.key}">{plain(each.key)}</a>)'
         for each in error.truth
     ]
     yield "\n".join([*holds, *(f"- Why: {plain(line)}" for line in error.why)])
@@ -161,11 +123,6 @@ def _erratum(error: Erratum) -> Iterator[str]:
 def address_of(error: Erratum) -> str:
     """The fragment of the page of errata at which an error stands."""
     return f"{error.paper.replace('_', '-')}-{error.error}"
-
-
-def _table(columns: Sequence[str], rows: Iterable[Sequence[str]]) -> str:
-    """A table of Markdown from cells of Markdown."""
-    return "\n".join(f"| {' | '.join(cells)} |" for cells in (columns, ["---"] * len(columns), *rows))
 
 
 def plain(text: str) -> str:

@@ -10,7 +10,7 @@ feature a curve must have that kind, once where it says so. Where curves are sai
 points must lead into the box; all common points, found in exact arithmetic, must lie in one. Radii of stability: no
 feature may vanish on curves as far as the radius, and a curve that is given as one without the feature must have fewer
 zeros by SymPy's isolation, on a polynomial from its values. The exit status is 1 where anything is different, or more
-is refused, or possible only, than the ceilings allow. The result of the last whole run stands in `docs/as-meant.md`.
+is refused, or possible only, than the ceilings allow. The last whole run: `docs/rounded-input.md`.
 """
 
 from __future__ import annotations

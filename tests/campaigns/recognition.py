@@ -6,7 +6,7 @@ of the piece; that the bound is not far too large is measured, too. That the pie
 lines and around a centre, not for parabolas; distances from points of the arc to the piece are not measured. Arcs
 that were moved by a tenth of epsilon must be recognized; arcs that no shape of their kind fits within epsilon, by a
 search of its own, must not. The exit status is 1 where anything is different. The result of the last whole run stands
-in `docs/as-meant.md`.
+in `docs/rounded-input.md`.
 """
 
 from __future__ import annotations

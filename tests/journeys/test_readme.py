@@ -30,9 +30,10 @@ RUN = [
         "docs/concepts.md",
         "docs/two-parameters.md",
         "docs/deviation.md",
-        "docs/as-meant.md",
+        "docs/rounded-input.md",
+        "docs/questions.md",
     )
-]
+] + sorted(README.parent.glob("docs/how-to/*.md"))
 in_the_checkout = pytest.mark.skipif(not README.exists(), reason="the pages are in the checkout only")
 
 

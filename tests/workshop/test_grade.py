@@ -330,7 +330,7 @@ def test_the_page_tells_everything(tmp_path):
     written = page([report], [defect], [case, CASES["named geomdl-135"]], [("a", "box", "why")])
     assert "ValueError: no" in written
     assert "- a, box: why" in written
-    assert "| value | 0 | 1 | 1 crashed |" in written
+    assert "value 0 of 1 right (1 crashed)" in written
     assert "| scipy 1.0 | 2 | 1 | 0 | 0 | 0 | 1 | 0 | 0 |" in written
     assert PICTURE in written
     assert all(each in written for each in DOCUMENTED.values())
@@ -378,7 +378,7 @@ def test_the_scoreboard_says_what_is_asked_today():
     assert f"{sum(1 for _ in all_cases())} cases (version {VERSION}:" in text
     assert all(f"| {q.name} | {q.meaning} | {q.allowed} |" in text for q in QUESTIONS.values())
     assert all(named.link in text for named in REPORTED)
-    assert all(f"### {library} " in text for library in LIBRARIES)
+    assert all(f"**{library} " in text for library in LIBRARIES)
 
 
 def test_what_a_process_started_ends_with_it(tmp_path):

@@ -77,7 +77,8 @@ COLOURS = {
 
 HEAD = """# Libraries compared with exact answers
 
-Made by `./run grade --page docs/scoreboard.md{share}`; do not edit. {cases} of {all} cases (version {version}:
+What twelve libraries answer about curves on which code in doubles goes wrong (`./run grade --page
+docs/scoreboard.md{share}`). {cases} of {all} cases (version {version}:
 {families}), {questions} questions, {libraries} libraries, {answers} answers judged. Every exact answer carries a
 certificate that the independent checker (`workshop/grade/recheck.py`, `exactspline/certificates`) accepted in this run;
 what it did not accept is excluded ({uncertified}). A library is asked only what it offers for the given curve,
@@ -162,17 +163,20 @@ def draw(reports: Sequence[Report], path: str) -> None:
 
 
 def _scores(reports: Sequence[Report]) -> str:
-    lines = ["## Scores", ""]
+    """A line per library: the questions that were not all answered rightly, with the outcomes, then the others."""
+    lines = ["## By question", ""]
     for report in reports:
-        lines += [f"### {report.library} {report.version}", "", "| question | right | asked | otherwise |"]
-        lines += ["|---|---:|---:|---|"]
+        right, others = list[str](), list[str]()
         for question in QUESTIONS:
             counted = Counter(one.verdict.outcome for one in report.judged if one.question == question)
-            if counted:
-                rest = ", ".join(f"{counted[o]} {o}" for o in OUTCOMES if o != RIGHT and counted[o])
-                lines.append(f"| {question} | {counted[RIGHT]} | {counted.total()} | {rest} |")
-        lines.append("")
-    return "\n".join(lines)
+            rest = ", ".join(f"{counted[o]} {o}" for o in OUTCOMES if o != RIGHT and counted[o])
+            if rest:
+                others.append(f"{question} {counted[RIGHT]} of {counted.total()} right ({rest})")
+            elif counted:
+                right.append(question)
+        told = [*others, f"all of {', '.join(right)}"] if right else others
+        lines.append(f"- **{report.library} {report.version}**: {'; '.join(told)}.")
+    return "\n".join([*lines, ""])
 
 
 def _meanings() -> str:

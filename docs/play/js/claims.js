@@ -58,4 +58,17 @@ function show() {
 const papers = new Map(claims.map((c) => [c.paper, c.title]));
 element("paper").append(html("option", { value: "" }, "all"), ...[...papers].map(([value, title]) => html("option", { value }, title)));
 for (const id of ["search", "paper", "verdict"]) element(id).oninput = show;
-show();
+
+// claims.html#KEY is one claim, opened, and claims.html#SOURCE are those of a source
+function asked() {
+  const name = decodeURIComponent(location.hash.slice(1));
+  const one = claims.filter((c) => c.key === name);
+  if (papers.has(name)) element("paper").value = name;
+  show();
+  if (!one.length) return;
+  element("claims").replaceChildren(...one.map(entry));
+  element("count").textContent = `${one.length} of ${claims.length}`;
+  for (const made of element("claims").children) made.open = true;
+}
+window.addEventListener("hashchange", asked);
+asked();

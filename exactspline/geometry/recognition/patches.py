@@ -77,7 +77,7 @@ def recognized_surface(surface: NurbsSurface, epsilon: Number | None = None) -> 
     torus: centre (0, 0, 0), axis (0, 0, 1), radii (2, 1) True True
 
     Raises `ShapeError` for a surface that is not in space and for an epsilon that is not positive.
-    Theory: docs/as-meant.md.
+    Theory: docs/rounded-input.md.
     """
     given = surface_of(surface)
     normal = SurfaceForms(given).normal

@@ -129,7 +129,7 @@ def recognized(curve: Nurbs, epsilon: Number | None = None) -> tuple[RecognizedP
     'ellipse'
 
     Raises `ShapeError` for a curve that is neither in the plane nor in space and for an epsilon that is not positive.
-    Theory: docs/as-meant.md.
+    Theory: docs/rounded-input.md.
     """
     given = curve_of(curve)
     if given.dimension not in (2, 3):
