@@ -174,8 +174,8 @@ def _scores(reports: Sequence[Report]) -> str:
                 others.append(f"{question} {counted[RIGHT]} of {counted.total()} right ({rest})")
             elif counted:
                 right.append(question)
-        told = [*others, f"all of {', '.join(right)}"] if right else others
-        lines.append(f"- **{report.library} {report.version}**: {'; '.join(told)}.")
+        parts = [*others, f"all of {', '.join(right)}"] if right else others
+        lines.append(f"- **{report.library} {report.version}**: {'; '.join(parts)}.")
     return "\n".join([*lines, ""])
 
 
