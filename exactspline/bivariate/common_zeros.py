@@ -19,13 +19,13 @@ from itertools import pairwise
 from math import ceil, floor
 from typing import NamedTuple
 
-from flint import arb_poly, ctx, fmpq_poly, fmpz_mpoly, fmpz_poly
+from flint import arb, arb_poly, ctx, fmpq_poly, fmpz_mpoly, fmpz_poly
 
 from exactspline.bivariate.borders import EDGES, common_along, roots_along
 from exactspline.errors import ReachError
 from exactspline.numbers.exact import mpq, to_fmpq
 from exactspline.numbers.exact import sign as sign_of
-from exactspline.numbers.intervals import UNIT, Box, Interval, shifted, sign_of_ball
+from exactspline.numbers.intervals import UNIT, Box, Interval, ball_around, shifted, sign_of_ball
 from exactspline.numbers.once import cached_property
 from exactspline.one_line import OneLine, one_line
 from exactspline.polynomials.certified_boxes import Isolated, isolate
@@ -36,6 +36,8 @@ from exactspline.polynomials.over_root import OverRoot, by_powers
 from exactspline.polynomials.patch_forms import PatchForm
 from exactspline.polynomials.rounded_forms import rounded
 from exactspline.polynomials.two_parameters import S, T, as_form, as_polynomial, lifted, rows_of
+from exactspline.reals.ball import InBalls
+from exactspline.reals.real import Real, real
 from exactspline.roots.of_polynomials import Parameter, Place, ball, enclosing, exactly, roots_in
 from exactspline.roots.root import Root
 from exactspline.roots.vanishing import vanish_at
@@ -122,6 +124,14 @@ class CommonZero:
         return self.place[k]
 
     @property
+    def numbers(self) -> tuple[Real, Real]:
+        """Both numbers, enclosed by boxes, and computed exactly when that is asked for."""
+        if (exact := self.exact) is not None:
+            return Real(exact[0]), Real(exact[1])
+        first, second = (InBalls(partial(_ball, self, k), partial(_real, self, k)) for k in (0, 1))
+        return first, second
+
+    @property
     def exact(self) -> tuple[mpq, mpq] | None:
         """Both numbers where they are known to be rational."""
         if self.isolated is not None:
@@ -179,6 +189,14 @@ class CommonZero:
         if not self.refine(BITS).meets(other.refine(BITS)):
             return False
         return bool(self.local[0] == other.local[0] and self.local[1] == other.local[1])
+
+
+def _ball(zero: CommonZero, k: int, bits: int) -> arb:
+    return ball_around(*zero.sides[k].part(zero.refine(bits)[k]))
+
+
+def _real(zero: CommonZero, k: int) -> Real:
+    return real(zero.t if k else zero.s)
 
 
 def _around(place: Place, digits: int) -> Box:

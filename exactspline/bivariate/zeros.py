@@ -15,7 +15,7 @@ from typing import NamedTuple, cast
 from flint import fmpz_mpoly
 
 from exactspline.bivariate import common_zeros as elimination
-from exactspline.bivariate.across_borders import is_in, once
+from exactspline.bivariate.across_borders import alike, is_in, once
 from exactspline.bivariate.answers import SurfacePart, SurfacePlaces
 from exactspline.bivariate.borders import EDGES, Patch, vanishes_at
 from exactspline.bivariate.common_factor import square_free
@@ -196,8 +196,8 @@ class ZeroCurves:
             return ()
         single = {x.place for x in self.points}
         found: dict[Place, list[SingularPoint]] = {}
-        with drawing_on(_budget(self.function)):
-            for patch, sides in _patches(self.function):
+        with drawing_on(budget_for(self.function)):
+            for patch, sides in patches_of(self.function):
                 form = self.function.patch_form(*patch)
                 for place, kind, order, milnor in () if form.is_zero else singular_on_patch(form, sides, single):
                     s, t = map(real, place)
@@ -221,7 +221,7 @@ class ZeroCurves:
         """
         if self.function is None:
             return ()
-        with drawing_on(_budget(self.function)):
+        with drawing_on(budget_for(self.function)):
             return tuple(
                 ZeroArc(curve, _reals(start), _reals(end), closed)
                 for curve in self.curves
@@ -272,7 +272,9 @@ class ZeroCurves:
         return ", ".join(parts + [f"undecided in {SurfacePart((0, 0), box)}" for box in self.undecided]) or "nowhere"
 
 
-def common_zeros(first: TensorSpline, second: TensorSpline, *more: TensorSpline) -> CommonZeros:
+def common_zeros(
+    first: TensorSpline, second: TensorSpline, *more: TensorSpline, closed: Iterable[Along] = ()
+) -> CommonZeros:
     """All points at which two or more functions of two parameters vanish together: simple and multiple ones, on borders
     and at knots, each once; and `everywhere` the patches, lines and curves on which they do.
 
@@ -289,18 +291,18 @@ def common_zeros(first: TensorSpline, second: TensorSpline, *more: TensorSpline)
     nowhere
 
     A point of a patch, an edge or a curve on which the functions vanish everywhere is not listed, also where that is
-    one of another patch. The work is limited to about ten seconds (somewhat more for many patches); patches for which
-    this does not suffice are `undecided`.
+    one of another patch. The two ends of a parameter that is `closed` are one. The work is limited to about ten seconds
+    (somewhat more for many patches); patches for which this does not suffice are `undecided`.
 
     Raises `ShapeError` for anything but functions of two parameters, and `DomainError` for different domains.
 
     Source: Berberich, Emeliyanenko, Kobel and Sagraloff, Exact symbolic-numeric computation of planar algebraic curves,
     Theoretical Computer Science 2013.
     """
-    functions = aligned(*[function_of_two(f) for f in (first, second, *more)])
+    functions, ring = aligned(*[function_of_two(f) for f in (first, second, *more)]), _ring(closed)
     found, whole, factors, undecided = list[_Zero](), list[SurfacePart](), list[_OnPatch](), list[Box]()
-    with drawing_on(_budget(functions[0])):
-        for patch, sides in _patches(functions[0]):
+    with drawing_on(budget_for(functions[0])):
+        for patch, sides in patches_of(functions[0]):
             try:
                 points, own = _common_on_patch([f.patch_form(*patch) for f in functions], patch, sides)
             except ReachError:
@@ -310,8 +312,8 @@ def common_zeros(first: TensorSpline, second: TensorSpline, *more: TensorSpline)
             whole += own.parts
             factors.append(own)
             undecided += own.undecided
-        *_, points, undecided = _joined(factors, undecided, functions[0], found)
-    return CommonZeros(_each_once(points, functions[0]), tuple(whole), tuple(undecided), tuple(functions))
+        *_, points, undecided = _joined(factors, undecided, functions[0], found, ring)
+    return CommonZeros(_each_once(points, functions[0], ring), tuple(whole), tuple(undecided), tuple(functions))
 
 
 def zero_curve(function: TensorSpline, closed: Iterable[Along] = ()) -> ZeroCurves:
@@ -335,10 +337,9 @@ def zero_curve(function: TensorSpline, closed: Iterable[Along] = ()) -> ZeroCurv
     Raises `ShapeError` for anything but a function of two parameters.
     """
     f = function_of_two(function)
-    ring = tuple(as_instance(x, Along, "a direction", "write Along.U") for x in as_items(closed, "directions"))
-    found, undecided = list[_OnPatch](), list[Box]()
-    with drawing_on(_budget(f)):
-        for patch, sides in _patches(f):
+    found, undecided, ring = list[_OnPatch](), list[Box](), _ring(closed)
+    with drawing_on(budget_for(f)):
+        for patch, sides in patches_of(f):
             try:
                 found.append(_on_patch(f.patch_form(*patch), patch, sides))
             except ReachError:
@@ -347,6 +348,10 @@ def zero_curve(function: TensorSpline, closed: Iterable[Along] = ()) -> ZeroCurv
         lines, curves, points, undecided = _joined(found, undecided, f, closed=ring)
     whole = tuple(SurfacePart(own.lines.patch, own.lines.sides) for own in found if own.lines.flat)
     return ZeroCurves(lines, curves, _each_once(points, f, ring), whole, tuple(undecided), f, ring)
+
+
+def _ring(closed: Iterable[Along]) -> tuple[Along, ...]:
+    return tuple(as_instance(x, Along, "a direction", "write Along.U") for x in as_items(closed, "directions"))
 
 
 def _near(x: Parameter) -> mpq:
@@ -402,11 +407,13 @@ class _Zero(NamedTuple):
     patch: Patch
 
 
-def _patches(f: TensorSpline) -> list[tuple[Patch, Box]]:
+def patches_of(f: TensorSpline) -> list[tuple[Patch, Box]]:
+    """The patches of a function with their rectangles."""
     return [(patch, f.patch(*patch)) for patch in product(range(len(f.meshes[0])), range(len(f.meshes[1])))]
 
 
-def _budget(f: TensorSpline) -> Budget:
+def budget_for(f: TensorSpline) -> Budget:
+    """What a question about a function may cost."""
     return Budget(QUESTION + PATCH * (len(f.meshes[0]) * len(f.meshes[1]) - 1))
 
 
@@ -521,7 +528,7 @@ def _each_once(found: Sequence[_Zero], f: TensorSpline, closed: Sequence[Along] 
         first, second = map(real, group[0].place)
         times = min((zero.multiplicity for zero in group if zero.multiplicity is not None), default=None)
         patches, kinds = tuple(zero.patch for zero in group), {zero.kind for zero in group}
-        around = _around(group[0].place, f)
+        around = {patch for spot in alike(group[0].place, f.domain, closed) for patch in _around(spot, f)}
         kind = kinds.pop() if len(kinds) == 1 and len(patches) == len(around) else ZeroKind.KNOT
         points.append(CommonZero(first, second, times, patches, kind, _where(group[0].place, f)))
     return tuple(sorted(points, key=lambda point: (point.first, point.second)))

@@ -12,6 +12,7 @@ from exactspline.bivariate.joined_curves import Piece, ZeroComponent
 from exactspline.bivariate.surface_points import Place
 from exactspline.bivariate.zero_curve import Shape
 from exactspline.bivariate.zero_lines import ZeroLine
+from exactspline.bivariate.zeros import ZeroCurves, ZeroKind, ZeroPlace
 from exactspline.display.bisector_data import PARAMETER, control_net
 from exactspline.display.data import Data
 from exactspline.display.described import described_surface, shape_text
@@ -31,13 +32,14 @@ from exactspline.display.forms import (
     record,
 )
 from exactspline.display.numbers import decimal
-from exactspline.display.reals import real_text
-from exactspline.display.serialize import ANGLE, NUMBERS
+from exactspline.display.reals import REAL, real_text
+from exactspline.display.serialize import ANGLE, NUMBERS, POINT
 from exactspline.display.sheet import Sheet
 from exactspline.errors import FormulaError, ReachError, counted
 from exactspline.geometry.analysis.planar_maps import MapInspection
 from exactspline.geometry.analysis.surfaces import PatchInspection, PatchKind, SurfaceInspection
 from exactspline.geometry.curves import balls
+from exactspline.geometry.pairs.surface_meetings import LineMeeting, NearestOnSurface
 from exactspline.geometry.recognition.patches import RecognizedPart
 from exactspline.geometry.recognition.shapes import ShapeKind
 from exactspline.geometry.rounded.umbilics import NearbyUmbilic
@@ -45,13 +47,14 @@ from exactspline.geometry.surfaces.degenerate import Gap, Pole
 from exactspline.geometry.surfaces.forms import lowest
 from exactspline.geometry.surfaces.joints import SurfaceJoint, SurfaceJointKind
 from exactspline.geometry.surfaces.ridges import NoDirections, Ridges
-from exactspline.geometry.surfaces.umbilics import Umbilic, UmbilicKind
+from exactspline.geometry.surfaces.umbilics import HALF, Umbilic, UmbilicKind
 from exactspline.language.formula import Formula
 from exactspline.language.rational import Rational
 from exactspline.language.vector import Vector
 from exactspline.numbers.exact import mpq, text
 from exactspline.numbers.intervals import Box, Interval, hull, joined
 from exactspline.polynomials.patch_forms import clusters
+from exactspline.reals.real import Real
 from exactspline.roots.of_polynomials import Parameter, enclosing
 from exactspline.splines.surface import Along, NurbsSurface
 from exactspline.splines.tensor import TensorSpline
@@ -60,7 +63,7 @@ from exactspline.splines.tensor_lowest_terms import in_lowest_terms
 #: The common properties of poles along one line.
 _PoleKey = tuple[Along, mpq, tuple[mpq, ...] | None, Gap]
 #: The index of an umbilic by its kind.
-INDEX = {UmbilicKind.POSITIVE: "1/2", UmbilicKind.NEGATIVE: "-1/2"}
+INDEX = {UmbilicKind.NEGATIVE: "-1/2"} | dict.fromkeys(HALF, "1/2")
 #: Digits of boxes around points on borders.
 DIGITS_OF_BOXES = 6
 #: Digits of angles in the table.
@@ -92,13 +95,12 @@ INCOMPLETE = " – incomplete: see the rows that are undecided"
 def _place_data(place: Place, digits: int) -> Data:
     try:
         return {name: PARAMETER.write(t, digits) for name, t in zip("uv", place.spot, strict=True)}
-    except ReachError:
-        # the box is known, the numbers are not
-        box = place.box(digits)
-        return {
-            name: {"exact": None, "open": True, "low": text(a), "high": text(b), "double": None}
-            for name, (a, b) in zip("uv", box, strict=True)
-        }
+    except ReachError:  # they are enclosed all the same
+        return {name: REAL.write(t, digits) for name, t in _numbers(place)}
+
+
+def _numbers(place: Place) -> Iterator[tuple[str, Real]]:
+    return zip("uv", place.zero.numbers, strict=True)
 
 
 def _decimal_between(low: mpq, high: mpq, digits: int) -> str:
@@ -128,11 +130,16 @@ _PATCHES = record(patches=list_of(_PATCH))
 _SIDES = BOX.of("sides")
 #: A part of a surface all of whose points belong to an answer.
 _PART = record(record(patch=_PATCH), _SIDES)
-_PLACE = record(Form(record(u=PARAMETER, v=PARAMETER).schema, _place_data), _PATCHES)
+_PLACE = record(Form(record(u=PARAMETER, v=PARAMETER).schema, _place_data, leaves=_numbers), _PATCHES)
 _LINE = record(along=one_of(Along), value=PARAMETER, interval=INTERVAL, closed=FLAG, one_sided=FLAG)
 _CURVE = record(
     _PATCHES, record(shape=one_of(Shape)), BOX.of(lambda curve: hull(_hull(piece) for piece in curve.pieces))
 )
+#: What there is beside points: the parts of patches all of whose points are answers, and boxes in which something is
+#: undecided.
+_REST = {"everywhere": list_of(record(_PART, along_curve=FLAG)), "undecided": list_of(BOX)}
+_KINDS = {"kind": or_null(one_of(ZeroKind)), "multiplicity": or_null(INTEGER), "where": one_of(ZeroPlace)}
+_ZERO = record(u=(REAL, "first"), v=(REAL, "second"), **_KINDS)
 #: The form of an answer about a surface, or of one of its elements, by its type.
 FORMS: dict[type, Form] = {
     PatchInspection: record(
@@ -157,6 +164,9 @@ FORMS: dict[type, Form] = {
         record(kind=one_of(ShapeKind)), _PATCHES, whole=FLAG, once=FLAG, numbers=(NUMBERS, "values")
     ),
     NearbyUmbilic: record(_SIDES, robust=FLAG),
+    LineMeeting: record(_ZERO.of("zero"), parameter=REAL),
+    NearestOnSurface: lists(points=list_of(_PLACE), feet=list_of(POINT), distance=or_null(REAL), **_REST),
+    ZeroCurves: lists(lines=list_of(_LINE), curves=list_of(_CURVE), points=list_of(_ZERO), **_REST),
     ZeroLine: _LINE,
     ZeroComponent: _CURVE,
     Pole: record(along=one_of(Along), value=TEXT, interval=INTERVAL, point=or_null(list_of(TEXT)), gap=one_of(Gap)),
@@ -183,7 +193,7 @@ def places_on_surface(element: Form) -> Form:
     """The form of places on a surface: points one by one, the parts of patches all of whose points are answers, and
     boxes in which something is undecided.
     """
-    return lists(points=list_of(element), everywhere=list_of(record(_PART, along_curve=FLAG)), undecided=list_of(BOX))
+    return lists(points=list_of(element), **_REST)
 
 
 def _extent_of(curve: ZeroComponent) -> Iterator[str]:
@@ -386,10 +396,7 @@ def _poles(inspection: SurfaceInspection) -> Iterator[tuple[_PoleKey, list[Inter
 
 
 def _parameters(place: Place, digits: int) -> Iterator[str]:
-    try:
-        yield from (real_text(t, digits) for t in place.spot)
-    except ReachError:
-        yield from (_decimal_between(a, b, digits) for a, b in place.box(digits + 2))
+    return (real_text(t, digits) for t in place.zero.numbers)
 
 
 def _line(along: Along, value: Parameter, interval: Interval, digits: int = 0) -> tuple[str, str]:

@@ -30,7 +30,7 @@ def parts_of(asked: str, forms: Mapping[str, str], optional: Container[str] = ()
     ('derivative', '2', '0,1/3')
 
     Raises `QuestionError` for another name, with the nearest, and with the form of the question for what it does not
-    take and for what it lacks.
+    take and for what it lacks; with those of ``length_between`` and the like for ``length`` at parameters.
     """
     asked, name = as_text(asked, "a question").strip(), name_of(asked)
     if name not in forms:
@@ -40,7 +40,10 @@ def parts_of(asked: str, forms: Mapping[str, str], optional: Container[str] = ()
     given = argument.startswith(":") and argument != ":"
     fits = given if argument else name in optional or ":" not in form
     if not fits or given > (":" in form) or bool(place) != ("@" in form):
-        raise QuestionError(f"the question {asked!r}", remedy=f"write it like {form!r}")
+        others = [form, *(x for k, x in forms.items() if k.startswith(f"{name}_") and "@" in asked and "@" in x)]
+        raise QuestionError(
+            f"the question {asked!r}", remedy=f"write it like {' or '.join(map(repr, [form, *others]))}"
+        )
     return name, argument[1:], place
 
 
@@ -176,12 +179,14 @@ def _two_places(given: Any, facts: Any) -> tuple[mpq | Real, ...]:
 TWO_PLACES = Takes("0,1/2", _two_places, placed=True)
 
 
-def _two(expected: str, remedy: str) -> Callable[[Any, Any], tuple[mpq, mpq]]:
-    def read(given: Any, facts: object) -> tuple[mpq, mpq]:
+def _numbers(
+    count: int, expected: str, remedy: str, not_zero: slice = slice(None)
+) -> Callable[[Any, Any], tuple[Any, ...]]:
+    def read(given: Any, facts: object) -> tuple[mpq, ...]:
         parts = _parts(given)
-        if len(parts) != 2:
+        if len(parts) != count or (not_zero.stop and not any(map(rational, parts[not_zero]))):
             raise QuestionError(f"{given!r}, where {expected} are expected", remedy=remedy)
-        return rational(parts[0]), rational(parts[1])
+        return tuple(map(rational, parts))
 
     return read
 
@@ -194,10 +199,20 @@ def _two_orders(given: Any, facts: object) -> tuple[int, int]:
 
 
 #: A coordinate by its number, and a value of it.
-COORDINATE_VALUE = Takes("0,1/2", _two("a coordinate and a value", "0,1/2 is x = 1/2"))
+COORDINATE_VALUE = Takes("0,1/2", _numbers(2, "a coordinate and a value", "0,1/2 is x = 1/2"))
 #: A signed distance for each of two curves.
-OFFSETS = Takes("1/10,0", _two("two distances", "give one for each curve, such as 1/10,0"))
+OFFSETS = Takes("1/10,0", _numbers(2, "two distances", "give one for each curve, such as 1/10,0"))
 #: The parameters u and v of a point on a surface.
-PLACE_ON_SURFACE = Takes("1/2,1/3", _two("u and v", "as in value@1/2,1/3"), placed=True)
+PLACE_ON_SURFACE = Takes("1/2,1/3", _numbers(2, "u and v", "as in value@1/2,1/3"), placed=True)
 #: How often to differentiate by u and by v.
 TWO_ORDERS = Takes("1,0", _two_orders)
+#: The coordinates of a point in space.
+POINT_IN_SPACE = Takes("0,0,2", _numbers(3, "three coordinates", "such as 0,0,2"))
+#: Six numbers, for a line and for a segment.
+SIX = "0,0,2,1/2,0,-1"
+#: A point of a line and its direction.
+LINE = Takes(SIX, _numbers(6, "a point and a direction", f"{SIX} is (0, 0, 2) + t (1/2, 0, -1)", slice(3, 6)))
+#: Two points in space.
+ENDS = Takes(SIX, _numbers(6, "two points", f"{SIX} is from (0, 0, 2) to (1/2, 0, -1)"))
+#: The coefficients a, b, c, d of a plane ax + by + cz = d.
+PLANE = Takes("0,0,1,1/2", _numbers(4, "a, b, c, d of ax + by + cz = d", "0,0,1,1/2 is z = 1/2", slice(0, 3)))

@@ -127,6 +127,7 @@ UNREGISTERED = {
     "geometry/filter/certain.py: Certain.inflections": "the answer of inflections, where it is certain",
     "geometry/curves/extent.py: turning_points": "the answer of turning_points, beside what it shares with boxes",
     "geometry/curves/extent.py: at_coordinate": "the answer of at_coordinate, beside what it shares with boxes",
+    "geometry/pairs/surface_meetings.py: line_meetings": "the answers of line, ray and segment",
     "geometry/analysis/inspection.py: Report.places": "the answer of an entry",
     "geometry/analysis/inspection.py: Report.coordinate_extrema": "the answers of turning_points",
 }

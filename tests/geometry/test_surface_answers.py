@@ -87,7 +87,7 @@ def test_an_ellipsoid_of_three_axes_has_four_umbilics():
     surface = example("ellipsoid")
     found = analyse(surface)
     assert found.complete
-    assert [one.kind for one in found.umbilics] == [UmbilicKind.POSITIVE] * 4
+    assert [one.kind for one in found.umbilics] == [UmbilicKind.LEMON] * 4
     assert all(not one.place.is_inside and not one.one_sided and len(one.place.patches) == 2 for one in found.umbilics)
     squares = set()
     for one in found.umbilics:
@@ -103,7 +103,7 @@ def test_umbilics_inside_patches_of_an_ellipsoid():
     """The same ellipsoid with its poles on the middle axis: the umbilics are on one circle of latitude, inside."""
     turned = example("sphere").transform([[3, 0, 0], [0, 0, 2], [0, 1, 0]])
     found = analyse(turned)
-    assert [one.kind for one in found.umbilics] == [UmbilicKind.POSITIVE] * 4
+    assert [one.kind for one in found.umbilics] == [UmbilicKind.LEMON] * 4
     for one in found.umbilics:
         x, y, _ = turned(*(mpq((a + b) / 2) for a, b in one.place.box(30)))
         assert abs(x * x - mpq(45, 8)) < mpq(1, 10**25)

@@ -119,7 +119,7 @@ def test_flat_points_at_irrational_crossings_are_umbilics():
     found = analyse(graph(lambda u, v: (u * u * 2 - 1) ** 4 * mpq(1, 9) + (v * v * 2 - 1) ** 4 * mpq(1, 7)))
     assert found.complete
     assert sorted(one.kind for one in found.umbilics) == sorted(
-        [UmbilicKind.POSITIVE, UmbilicKind.NEGATIVE, *[UmbilicKind.MULTIPLE] * 3]
+        [UmbilicKind.LEMON, UmbilicKind.NEGATIVE, *[UmbilicKind.MULTIPLE] * 3]
     )
     crossing = max(found.umbilics, key=lambda one: one.place.box(5).middle)
     assert [x.minimal_polynomial() for x in crossing.place.spot] == [[-1, 0, 2]] * 2

@@ -51,7 +51,7 @@ EXEMPTIONS = [
     (CURVES, ("turning_points", "bounding_box", "at_coordinate"), ("rotated",), "a turned coordinate is none"),
     ((Of.TWO_CURVES,), ("junctions_within",), ("scaled",), "one number bounds lengths, angles and curvatures"),
     (IN_THE_PLANE, ("moments",), ("rotated",), "a turned coordinate is none"),
-    ((Of.SPACE_CURVE,), ("plane",), ("rotated",), "of straight curves only planes of constant coordinates are told"),
+    ((Of.SURFACE,), ("bounding_box",), ("rotated",), "a turned coordinate is none"),
     ((Of.SURFACE,), ("patches",), OF_SURFACES, "a part of a patch may be of one kind"),
     ((Of.SURFACE,), ("shapes",), OF_SURFACES, "a small part may be nearer to a shape than the whole"),
     ((Of.SURFACE,), ("ridges",), (*OF_SURFACES, *FORMS), "what is resolved goes with the degree of the forms"),

@@ -197,8 +197,59 @@ def moved_coordinate(text, image, dimension):
     return listed((moved, image.motion(point)[int(moved)]))
 
 
+def point_by_surface(surface, random):
+    """A point near a surface, on it, or at a simple place where centres of examples are."""
+    if random.random() < 0.3:
+        return surface(*exact(some_place(surface, random)))
+    return tuple(mpq(random.randint(-6, 6), random.choice([1, 1, 3])) for _ in range(3))
+
+
+def two_by_surface(surface, random):
+    """Two different points near a surface."""
+    points = [point_by_surface(surface, random) for _ in range(2)]
+    return points if points[0] != points[1] else two_by_surface(surface, random)
+
+
+def some_line(surface, random):
+    """A point and a direction, of an axis or through another point."""
+    first, second = two_by_surface(surface, random)
+    axis = random.randrange(3)
+    way = (
+        [mpq(i == axis) for i in range(3)]
+        if random.random() < 0.4
+        else [y - x for x, y in zip(first, second, strict=True)]
+    )
+    return listed((*first, *way))
+
+
+def moved_line(text, image, _):
+    """The line moved with its parameter."""
+    numbers = exact(text)
+    return listed((*image.motion(numbers[:3]), *image.motion.of_vector(numbers[3:])))
+
+
+def moved_plane(text, image, _):
+    """The plane of the moved points."""
+    *normal, offset = exact(text)
+    turned, foot = image.motion.of_vector(normal), [offset * x / sum(y * y for y in normal) for x in normal]
+    return listed((*turned, sum(x * y for x, y in zip(turned, image.motion(foot), strict=True))))
+
+
 #: What questions take.
 TAKEN = {
+    takes.POINT_IN_SPACE: Drawn(
+        lambda surface, random: listed(point_by_surface(surface, random)),
+        lambda text, image, _: listed(image.motion(exact(text))),
+    ),
+    takes.LINE: Drawn(some_line, moved_line),
+    takes.ENDS: Drawn(
+        lambda surface, random: ",".join(map(listed, two_by_surface(surface, random))),
+        lambda text, image, _: listed(x for k in (0, 3) for x in image.motion(exact(text)[k : k + 3])),
+    ),
+    takes.PLANE: Drawn(
+        lambda surface, random: listed((*random.choice([(0, 0, 1), (1, 0, 0), (1, 2, -1)]), random.randint(-2, 2))),
+        moved_plane,
+    ),
     takes.POINT: Drawn(some_point, lambda text, image, _: listed(image.motion(exact(text)))),
     takes.COORDINATE: Drawn(lambda curve, random: str(random.randrange(curve.dimension)), axis_of, axis_turns),
     takes.DISTANCE: Drawn(

@@ -14,6 +14,7 @@ from exactspline.bivariate.answers import SurfacePart, SurfacePlaces
 from exactspline.bivariate.joined_curves import ZeroComponent
 from exactspline.bivariate.surface_points import Place
 from exactspline.bivariate.zero_lines import ZeroLine
+from exactspline.bivariate.zeros import CommonZero, ZeroCurves
 from exactspline.errors import ReachError
 from exactspline.geometry.analysis.planar_maps import MapKind
 from exactspline.geometry.analysis.surfaces import PatchInspection
@@ -30,6 +31,7 @@ from exactspline.geometry.pairs.distance import ClosestPair, Distance
 from exactspline.geometry.pairs.intersections import Intersection, Intersections, Overlap
 from exactspline.geometry.pairs.nearest import Nearest, NearestPoint
 from exactspline.geometry.pairs.regions import Region
+from exactspline.geometry.pairs.surface_meetings import LineMeeting, NearestOnSurface
 from exactspline.geometry.pairs.winding import Position
 from exactspline.geometry.recognition.patches import RecognizedPart
 from exactspline.geometry.recognition.pieces import RecognizedPiece
@@ -126,6 +128,8 @@ def _(answer: Refused, to):
 
 @rows.register
 def _(answer: NoneType, to):
+    if to.name == "plane" and turned_line(to):
+        return []
     return [(("none",), ())]
 
 
@@ -198,11 +202,21 @@ def _(piece: CurvePiece, to):
 @rows.register
 def _(plane: Plane, to):
     """A plane by a primitive normal and its distance, in the image."""
+    if turned_line(to):
+        return []
     matrix, scale = to.image.motion.rows(3), to.scale
     normal = [sum((a * x for a, x in zip(row, plane.normal, strict=True)), mpq(0)) / scale for row in matrix]
     square = sum(x * x for x in plane.normal)
     foot = to.image.motion([mpq(plane.offset * x) / square for x in plane.normal])
     return [(("plane",), tuple(map(known, primitive_plane(normal, foot))))]
+
+
+def turned_line(to):
+    """Whether a straight curve is turned: of its planes those of constant coordinates are told."""
+    first, *others = to.asked.control_points
+    ways = [way for point in others if any(way := [x - y for x, y in zip(point, first, strict=True)])]
+    straight = all(primitive(way) == primitive(ways[0]) for way in ways)
+    return straight and any(sum(map(bool, row)) > 1 for row in to.image.motion.rows(3))
 
 
 def primitive_plane(normal, point):
@@ -668,6 +682,31 @@ def _(answer: SurfacePlaces, to):
     undecided = [(("undecided",), ())] * bool(answer.undecided)
     parts = dict.fromkeys(marked("everywhere", rows(answer.everywhere, to)))
     return [*rows(tuple(answer), to), *parts, *undecided]
+
+
+@rows.register
+def _(found: NearestOnSurface, to):
+    """The places, the distance, and the feet, in order where they are rational."""
+    feet = [(("foot",), tuple(to.image.motion.of_known([known(x) for x in foot]))) for foot in found.feet]
+    return [*rows.dispatch(SurfacePlaces)(found, to), *feet, ((), (known(found.squared).times(to.scale**2),))]
+
+
+@rows.register
+def _(found: LineMeeting, to):
+    """A common point, and the parameter of the line, which is moved with the surface."""
+    return [(words, (*numbers, known(found.parameter))) for words, numbers in rows(found.zero, to)]
+
+
+@rows.register
+def _(zero: CommonZero, to):
+    return [((str(zero.kind), str(zero.multiplicity)), tuple(to.both(zero.first, zero.second)))]
+
+
+@rows.register
+def _(found: ZeroCurves, to):
+    parts = dict.fromkeys(marked("everywhere", rows(found.everywhere, to)))
+    undecided = [(("undecided",), ())] * bool(found.undecided)
+    return [*rows((*found.lines, *found.curves, *found.points), to), *parts, *undecided]
 
 
 @rows.register

@@ -64,7 +64,7 @@ def test_an_umbilic_of_two_kinds_is_of_unknown_kind():
         assert found.place.patches == ((0, 0), (1, 0))
         return found.kind
 
-    star, lemon = UmbilicKind.NEGATIVE, UmbilicKind.POSITIVE
+    star, lemon = UmbilicKind.NEGATIVE, UmbilicKind.LEMON
     assert seen(star, star) == star
     assert seen(star, lemon) == seen(lemon, star) == UmbilicKind.UNKNOWN
 

@@ -98,7 +98,8 @@ def asked_of(about: About, question: str) -> Asked:
 
 def read_as(entry: Entry, question: str, form: str = "") -> tuple[str, str]:
     """What stands behind the colon and behind the @ of a question; raises `QuestionError` for too much or little."""
-    _, argument, place = parts_of(question, {entry.name: form or entry.form}, (entry.name,) if entry.optional else ())
+    forms = {name: other.form for name, other in REGISTRY[entry.about.of[0]].items()} | {entry.name: form or entry.form}
+    _, argument, place = parts_of(question, forms, (entry.name,) if entry.optional else ())
     return argument, place
 
 

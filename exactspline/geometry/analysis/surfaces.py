@@ -17,12 +17,12 @@ from exactspline.bivariate.surface_points import Place
 from exactspline.bivariate.zero_curve import Part, Shape, ZeroCurve
 from exactspline.bivariate.zero_lines import LinesOfPatch, ZeroLine, without_lines, zero_lines
 from exactspline.errors import ReachError
-from exactspline.geometry.analysis.surface_values import CurvatureValues
+from exactspline.geometry.analysis.surface_meetings import SurfaceMeetings
 from exactspline.geometry.recognition.patches import RecognizedPart, recognized_surface
 from exactspline.geometry.recognition.shapes import ShapeKind
 from exactspline.geometry.rounded.umbilics import NearbyUmbilic, umbilics_nearby
 from exactspline.geometry.surfaces.constant import constant_curvature
-from exactspline.geometry.surfaces.degenerate import Pole, closed_along, is_point, pole_at
+from exactspline.geometry.surfaces.degenerate import Pole, is_point, pole_at
 from exactspline.geometry.surfaces.forms import Reduced, SurfaceForms, on_patch, sides_of
 from exactspline.geometry.surfaces.joints import SurfaceJoint, joints
 from exactspline.geometry.surfaces.ridges import Ridges, ridges_of_surface
@@ -135,7 +135,7 @@ class PatchInspection(OneLine):
         return not self.open_boxes
 
 
-class SurfaceInspection(CurvatureValues, Displayed):
+class SurfaceInspection(SurfaceMeetings, Displayed):
     """Everything that can be computed of a surface in space. Its questions are entries of the registry
     (`exactspline.geometry.analysis.registry`); each is answered when it is first asked.
 
@@ -176,7 +176,7 @@ class SurfaceInspection(CurvatureValues, Displayed):
         >>> from exactspline import analyse, example
         >>> umbilics = analyse(example("ellipsoid")).umbilics
         >>> len(umbilics), umbilics.everywhere, umbilics[0].kind.value
-        (4, (), 'lemon or monstar')
+        (4, (), 'lemon')
         """
         everywhere = _parts((one, one.umbilics, one.umbilics.everywhere) for one in self.patches)
         found = {id(one.place): one for patch in self.patches for one in patch.umbilics.umbilics}
@@ -390,11 +390,6 @@ class SurfaceInspection(CurvatureValues, Displayed):
         Raises `ShapeError` for a distance that is not positive.
         """
         return umbilics_nearby(self.surface, epsilon)
-
-    @Fact
-    def closed(self) -> tuple[Along, ...]:
-        """The parameters in which it is closed."""
-        return tuple(along for along in Along if closed_along(self.surface, along))
 
     @Fact
     def _zeros_of_curvature(self) -> tuple[ZeroComponent, ...]:

@@ -109,7 +109,7 @@ class OneWay:
         self.curves, self.bound, self.queue = (curve, other), bound, list[tuple[mpq, int, mpq, Foot, Foot]]()
         one, two = ([segment_forms(each, i) for i in range(each.segments)] for each in self.curves)
         self.forms = cache(lambda i, j: Forms(one[i], two[j], UNIT))
-        self.rows = cache(lambda i, j: [rows_of(p) for p in (self.forms(i, j).squared, self.forms(i, j).weight)])
+        self.rows = cache(lambda i, j: [rows_of(p) for p in (self.forms(i, j).top, self.forms(i, j).bottom)])
         self.farthest = self._foot(curve.domain[0])
         for i, (a, b) in enumerate(pairwise(curve.breakpoints)):
             self._put(i, self._foot(a), self._foot(b, Side.LEFT))

@@ -11,38 +11,32 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
-from functools import partial, reduce
+from functools import reduce
 from operator import add, itemgetter
-from typing import Any, TypeVar
+from typing import TypeVar
 
-from flint import arb, fmpq_poly, fmpz_mpoly, fmpz_poly
+from flint import fmpz_mpoly
 
-from exactspline.bivariate.common_zeros import CommonZero, projected, zeros_of
-from exactspline.bivariate.monotone_arcs import monotone_arcs
+from exactspline.bivariate.common_zeros import CommonZero
+from exactspline.bivariate.monotone_arcs import MonotoneArc
+from exactspline.bivariate.quotients import BOUND, TIED, Quotient, keep_least
 from exactspline.errors import ReachError, counted
 from exactspline.geometry.curves.planarity import check_in_one_space, in_one_plane
 from exactspline.geometry.pairs.box_tree import IntegerBox, box_of, shift_for
 from exactspline.geometry.pairs.intersections import Intersections, Overlap, intersections
 from exactspline.geometry.pairs.nearest import nearest
 from exactspline.hooks import Written
-from exactspline.numbers.exact import mpq, to_fmpq, to_fmpz
-from exactspline.numbers.intervals import UNIT, Box, Interval, ball_around, joined
+from exactspline.numbers.exact import mpq
+from exactspline.numbers.intervals import UNIT, Box, Interval, joined
 from exactspline.numbers.sides import Side
 from exactspline.one_line import one_line
-from exactspline.polynomials.bernstein import in_parameter, over_common_denominator, quotient_slope
+from exactspline.polynomials.bernstein import in_parameter, quotient_slope
 from exactspline.polynomials.cost import bounded
-from exactspline.polynomials.factors import factorize, greatest_common_divisor
-from exactspline.polynomials.over_root import OverRoot
 from exactspline.polynomials.patch_forms import PatchForm
-from exactspline.polynomials.two_parameters import S, T, as_form, as_polynomial, enclosed, lifted, over, rows_of
-from exactspline.polynomials.zero_places import FIRST
-from exactspline.reals.ball import InBalls
+from exactspline.polynomials.two_parameters import S, T, as_form, lifted, over, rows_of
 from exactspline.reals.real import Real, real, square_root
 from exactspline.roots.answers import OneNumber
-from exactspline.roots.of_polynomials import Parameter, as_splines, exactly, roots_in
-from exactspline.roots.root import Root
 from exactspline.roots.segment_forms import SegmentForms, segment_forms
-from exactspline.roots.values import value_at
 from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.type_checks import curve_of
 
@@ -50,9 +44,6 @@ V = TypeVar("V")
 Point = tuple[mpq, ...]
 #: How near a lower bound is brought to a bound: by a factor of 1 − 2^−k with k below this.
 NARROW = 40
-#: The first number of digits of squared distances, and how many more, once they are bounded within a factor of two, are
-#: compared before it is decided exactly whether they are equal.
-BOUND, TIED = 12, 800
 
 
 @dataclass(frozen=True)
@@ -242,19 +233,17 @@ class _Search:
         """The critical pairs inside two segments at which the distance is not above the bound."""
         first, second = (Interval(*c.breakpoints[k : k + 2]) for c, k in zip(self.curves, (i, j), strict=True))
         forms = Forms(self.segments[0][i], self.segments[1][j], Box(first, second))
-        farther, undecided = forms.excess(self.bound), [UNIT]
-        if farther.sign == 1:
+        undecided = [UNIT]
+        if forms.excess(self.bound).sign == 1:
             return
         try:
-            shared = greatest_common_divisor(forms.slopes)
-            rest = [as_form(p / shared) for p in forms.slopes if p]
-            zeros = zeros_of(rest, not_positive=[farther])
-            # pairs with an end are found otherwise, and so are those at which the common factor vanishes
-            inside = [zero for zero in zeros.zeros if zero.is_inside and not zero.is_zero_of(as_form(shared))]
-            self.found += [_pair(zero, forms, rest) for zero in inside]
-            for factor in factorize(shared).bases:
-                self._constant(factor, forms)
-            undecided = zeros.undecided
+            # pairs with an end are found otherwise
+            points, arcs, undecided = forms.critical(self.bound)
+            self.found += [_pair(zero, forms, pair) for zero, pair in points]
+            for factor, arc in arcs:
+                squared = forms.value(*arc.inner)
+                if squared.enclosure(self.digits).low <= self.bound:
+                    self.arcs.append((_overlap(factor, arc, forms.sides), squared))
         except ReachError:
             pass  # named below
         if undecided:
@@ -262,38 +251,15 @@ class _Search:
             least = forms.least(undecided, self.bound)
             self.lower = least if self.lower is None else min(self.lower, least)
 
-    def _constant(self, factor: fmpz_mpoly, forms: Forms) -> None:
-        """The zeros of an irreducible common factor, on connected parts of which the distance is constant."""
-        form = as_form(factor)
-        if form.sign is not None:
-            return
-        arcs, turning = monotone_arcs(factor)
-        pair = form, as_form(factor.derivative(0) * factor.derivative(1))
-        self.found += [_pair(zero, forms, pair) for zero in turning if zero.is_inside]
-        carried = _map(over(form, forms.sides))
-        for arc in arcs:
-            squared = forms.value(*arc.inner)
-            if squared.enclosure(self.digits).low <= self.bound:
-                ends = sorted((CommonZero(forms.sides, end).place for end in (arc.start, arc.end)), key=itemgetter(1))
-                first, second = ((real(a), real(b)) for a, b in zip(*ends, strict=True))
-                self.arcs.append((Overlap(first, second, *carried), squared))
-
     def answer(self) -> Distance:
         """The nearest of the pairs, and the arcs of such pairs."""
         found: list[tuple[Real, ClosestPair | Overlap]] = [(pair.squared, pair) for pair in self.found]
         found += [(squared, arc) for arc, squared in self.arcs]
-        digits = self.digits
-        while len(found) > 1 and digits <= self.digits + TIED:
-            bounds = [squared.enclosure(digits) for squared, _ in found]
-            limit = min(high for _, high in bounds)
-            found = [one for one, (low, _) in zip(found, bounds, strict=True) if low <= limit]
-            digits += digits - self.digits + BOUND
         try:
-            least = min(squared for squared, _ in found)
-            found = [one for one in found if one[0] == least]
+            keep_least(found, self.digits)
         except ReachError as error:
             self.undecided.append(f"which of {counted(len(found), 'pair or arc')} are the nearest: {error.problem}")
-            self.lower = min(squared.enclosure(digits).low for squared, _ in found)
+            self.lower = min(squared.enclosure(self.digits + TIED).low for squared, _ in found)
         pairs = _each_once([one for _, one in found if isinstance(one, ClosestPair)], self.undecided)
         arcs = tuple(one for _, one in found if isinstance(one, Overlap))
         if self.lower is not None and pairs[0].squared < self.lower:
@@ -309,6 +275,13 @@ def _bound(values: Sequence[Real]) -> tuple[int, mpq]:
         if high <= 2 * low:
             return digits, high
         digits *= 2
+
+
+def _overlap(factor: fmpz_mpoly, arc: MonotoneArc, sides: Box) -> Overlap:
+    """An arc along which the distance is constant, by the parameters of both curves."""
+    ends = sorted((CommonZero(sides, end).place for end in (arc.start, arc.end)), key=itemgetter(1))
+    first, second = ((real(a), real(b)) for a, b in zip(*ends, strict=True))
+    return Overlap(first, second, *_map(over(as_form(factor), sides)))
 
 
 def _map(p: fmpz_mpoly) -> tuple[tuple[int, ...] | None, tuple[int, ...] | None, bool]:
@@ -331,33 +304,20 @@ def _squared_gap(one: IntegerBox, other: IntegerBox) -> int:
     return sum(max(c - b, a - d, 0) ** 2 for (a, b), (c, d) in zip(one, other, strict=True))
 
 
-class Forms:
+class Forms(Quotient):
     """The squared distance of two segments over these sides as a quotient, and its derivatives: polynomials in s and t,
     which are here the local parameters of the segments.
     """
 
     def __init__(self, first: SegmentForms, second: SegmentForms, sides: Box) -> None:
-        self.segments, self.sides = (first, second), sides
         (*p, w), (*q, v) = ([in_parameter(x, n, UNIT.first)[0] for x in forms] for n, forms in (first, second))
         chord = [lifted(x, 0) * lifted(v, 1) - lifted(w, 0) * lifted(y, 1) for x, y in zip(p, q, strict=True)]
-        self.squared, self.weight = _total([e * e for e in chord]), lifted(w * w, 0) * lifted(v * v, 1)
+        super().__init__(_total([e * e for e in chord]), lifted(w * w, 0) * lifted(v * v, 1), sides)
         #: The derivatives of the squared distance, up to positive factors.
-        self.slopes = (
+        self.slopes = [
             _total([e * lifted(quotient_slope(x, w), 0) for e, x in zip(chord, p, strict=True)]),
             _total([e * lifted(quotient_slope(y, v), 1) for e, y in zip(chord, q, strict=True)]),
-        )
-
-    def __reduce__(self) -> tuple[object, ...]:
-        rows = [(n, [[int(x) for x in form.coeffs()] for form in forms]) for n, forms in self.segments]
-        return _forms, (*rows, self.sides)
-
-    def above(self, bound: mpq) -> fmpz_mpoly:
-        """Positive where the squared distance is above a bound."""
-        return self.squared * to_fmpz(bound.denominator) - self.weight * to_fmpz(bound.numerator)
-
-    def excess(self, bound: mpq) -> PatchForm:
-        """The same as a form on the patch."""
-        return as_form(self.above(bound))
+        ]
 
     def least(self, boxes: Sequence[Box], bound: mpq) -> mpq:
         """A lower bound of the squared distance on all boxes, near to a bound if that is possible."""
@@ -370,51 +330,6 @@ class Forms:
             least = closer
         return least
 
-    def value(self, s: Parameter, t: Parameter) -> Real:
-        """The squared distance at parameters of which one is rational."""
-        k, known, other = (0, s, t) if not isinstance(s, Root) else (1, t, s)
-        assert not isinstance(known, Root)
-        top, bottom = (
-            fmpq_poly([row(to_fmpq(known)) for row in rows_of(p if k == 0 else p.compose(T, S))])
-            for p in (self.squared, self.weight)
-        )
-        return _quotient(top, bottom, mpq(1), other)
-
-    def value_at(self, zero: CommonZero, pair: Sequence[PatchForm]) -> Real:
-        """The squared distance at a zero that two forms without a common factor have in common: as a function of a
-        number ``z = t + λ s`` in whose field both parameters are.
-        """
-        slope, minimal, _, s, _ = projected(zero, *map(as_polynomial, pair))
-        modulus, high = fmpq_poly(minimal), mpq(1 + slope)
-        sheared = [OverRoot.of(p.compose(T, S - slope * T), modulus) for p in (self.squared, self.weight)]
-        top, bottom = (
-            reduce(lambda x, c: (x * s + c) % modulus, reversed(p.coefficients), fmpq_poly([])) for p in sheared
-        )
-        roots, bits = roots_in(minimal, mpq(0), high, whole=True), FIRST
-        while len(roots) > 1:
-            (a, b), (c, d) = zero.refine(bits)
-            roots, bits = [z for z in roots if c + slope * a <= z <= d + slope * b], 2 * bits
-        return _quotient(top, bottom, high, exactly(roots[0]))
-
-    def near(self, box: Box) -> arb:
-        """A ball around the squared distance on a box; FLINT's precision is the caller's."""
-        s, t = (ball_around(*side) for side in box)
-        return enclosed(self.squared, s, t) / enclosed(self.weight, s, t)
-
-
-def _forms(*given: Any) -> Forms:
-    """Unpickles the forms of two segments."""
-    *segments, sides = given
-    first, second = ((n, [fmpz_poly(row) for row in rows]) for n, rows in segments)
-    return Forms(first, second, sides)
-
-
-def _quotient(top: fmpq_poly, bottom: fmpq_poly, high: mpq, place: Parameter) -> Real:
-    """The value of a quotient at a number in [0, high]."""
-    whole = over_common_denominator([(f.numer(), f.denom()) for f in (top, bottom)])[0]
-    above, below = as_splines(whole, mpq(0), high)
-    return value_at(above, below, place)
-
 
 def _total(terms: list[V]) -> V:
     return reduce(add, terms)
@@ -424,21 +339,4 @@ def _pair(zero: CommonZero, forms: Forms, pair: Sequence[PatchForm]) -> ClosestP
     """A critical pair, a zero that two forms have in common: its numbers are enclosed by boxes, and computed exactly
     when that is asked for.
     """
-    if (exact := zero.exact) is not None:
-        s, t = forms.sides.at(*exact)
-        return ClosestPair(Real(s), Real(t), forms.value(*exact))
-    first, second = (InBalls(partial(_enclosing, zero, k, forms), partial(_parameter, zero, k, forms)) for k in (0, 1))
-    return ClosestPair(first, second, InBalls(partial(_squared, zero, forms), partial(forms.value_at, zero, pair)))
-
-
-def _enclosing(zero: CommonZero, k: int, forms: Forms, bits: int) -> arb:
-    return ball_around(*forms.sides[k].part(zero.refine(bits)[k]))
-
-
-def _parameter(zero: CommonZero, k: int, forms: Forms) -> Real:
-    on = zero.on(forms.sides)
-    return real(on.t if k else on.s)
-
-
-def _squared(zero: CommonZero, forms: Forms, bits: int) -> arb:
-    return forms.near(zero.refine(bits))
+    return ClosestPair(*zero.on(forms.sides).numbers, forms.at(zero, pair))

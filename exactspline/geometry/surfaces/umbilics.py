@@ -11,20 +11,23 @@ from dataclasses import dataclass
 from enum import StrEnum
 from itertools import pairwise, product
 
+from flint import ctx
+
 from exactspline.bivariate.across_borders import alike, sectors, together, within
 from exactspline.bivariate.borders import EDGES, Edge, Patch, along, common_along, roots_along
 from exactspline.bivariate.common_factor import common_factor, divided
 from exactspline.bivariate.common_zeros import CommonZero, zeros_of
+from exactspline.bivariate.quotients import polynomials_on
 from exactspline.bivariate.surface_points import Place
 from exactspline.errors import ReachError
 from exactspline.geometry.surfaces.forms import Reduced, SurfaceForms, on_patch, sides_of
 from exactspline.geometry.surfaces.singular import FAR, NONE, SingularPoints, ZerosOfFactor, singular_points
 from exactspline.numbers.exact import mpq
-from exactspline.numbers.intervals import UNIT, Box
+from exactspline.numbers.intervals import UNIT, Box, ball_around, sign_of_ball
 from exactspline.one_line import OneLine
 from exactspline.polynomials.patch_forms import PatchForm
 from exactspline.polynomials.rounded_forms import rounded
-from exactspline.polynomials.two_parameters import as_form, as_polynomial
+from exactspline.polynomials.two_parameters import as_form, as_polynomial, enclosed
 from exactspline.roots.of_polynomials import Parameter, exactly
 from exactspline.splines.surface import Along
 
@@ -34,13 +37,22 @@ KIND_BITS = 20, 40, 130, 2400
 
 class UmbilicKind(StrEnum):
     """How the lines of curvature turn on a loop around an umbilic: by half a turn in its sense, or against it
-    (a star).
+    (a star). In the first case they run into a lemon in one direction, and into a monstar in three; where two of the
+    three coincide, it is between both.
+
+    Source: Berry and Hannay, Umbilic points on Gaussian random surfaces, Journal of Physics A 1977.
     """
 
     POSITIVE = "lemon or monstar"
+    LEMON = "lemon"
+    MONSTAR = "monstar"
     NEGATIVE = "star"
     MULTIPLE = "multiple"
     UNKNOWN = "of unknown kind"
+
+
+#: The kinds of index ½.
+HALF = {UmbilicKind.POSITIVE, UmbilicKind.LEMON, UmbilicKind.MONSTAR}
 
 
 @dataclass(frozen=True, repr=False)
@@ -99,7 +111,7 @@ class _Search:
         self, forms: SurfaceForms, patch: Patch, own: Sequence[Reduced | None], singular: SingularPoints
     ) -> None:
         self.patch, self.own, self.singular = patch, own, singular
-        self.sides = sides_of(forms.surface, patch)
+        self.sides, self.lines = sides_of(forms.surface, patch), forms.lines
         area = on_patch(forms.area, patch)
         assert area is not None
         self.area = area
@@ -167,12 +179,31 @@ class _Search:
             around = (side.grown(mpq(1, 1 << bits)) for side in zero.refine(bits))
             box = Box(*(side.inside(whole) for side, whole in zip(around, UNIT, strict=True)))
             if rounded(length, box).sign == 1 and (sign := _jacobian_sign(f, g, box)):
-                return UmbilicKind.POSITIVE if sign > 0 else UmbilicKind.NEGATIVE
+                return self._around(zero) if sign > 0 else UmbilicKind.NEGATIVE
         try:
             multiple = zero.isolated is None and all(zero.is_zero_of(_jacobian(f, g)) for f, g, _ in pairs)
         except ReachError:
             return UmbilicKind.UNKNOWN
         return UmbilicKind.MULTIPLE if multiple else UmbilicKind.UNKNOWN
+
+    def _around(self, zero: CommonZero) -> UmbilicKind:
+        """A lemon or a monstar by the discriminant of the cubic form ``A du² + B du dv + C dv²`` with the linear parts
+        of A, B, C in du, dv: its zeros are the directions of lines of curvature that run into the umbilic.
+        """
+        h, k = (side.width for side in self.sides)
+        scaled = [f.scaled(x) for f, x in zip(self.lines, (h * h, h * k, k * k), strict=True)]
+        a, b, c = polynomials_on(self.patch, *scaled)
+        cubic = a.derivative(0), a.derivative(1) + b.derivative(0), b.derivative(1) + c.derivative(0), c.derivative(1)
+        for bits in KIND_BITS:
+            with ctx.workprec(2 * bits + 64):
+                s, t = (ball_around(*side) for side in zero.refine(bits))
+                p, q, r, w = (enclosed(x, s, t) for x in cubic)
+                sign = sign_of_ball(
+                    q * r * (q * r + 18 * p * w) - 4 * (p * r * r * r + w * q * q * q) - 27 * p * w * p * w
+                )
+            if sign:
+                return UmbilicKind.MONSTAR if sign > 0 else UmbilicKind.LEMON
+        return UmbilicKind.POSITIVE
 
 
 def _jacobian(f: PatchForm, g: PatchForm) -> PatchForm:
@@ -202,4 +233,5 @@ def merged_umbilic(own: Sequence[Umbilic], whole: Sequence[Box], domain: Box, cl
     found += [(spot, box) for spot in others for box in whole if within(spot, box)]
     seen = {sector for spot, box in found for sector in sectors(spot, box)}
     around = {sector for spot in others for sector in sectors(spot, domain)}
-    return Umbilic(place, own[0].kind if len(kinds) == 1 else UmbilicKind.UNKNOWN, one_sided=seen != around)
+    kind = UmbilicKind.POSITIVE if kinds <= HALF else UmbilicKind.UNKNOWN
+    return Umbilic(place, own[0].kind if len(kinds) == 1 else kind, one_sided=seen != around)

@@ -1,0 +1,166 @@
+"""The values of a quotient of polynomials in two parameters at exact places: exact numbers, enclosed without effort."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from functools import partial, reduce
+from typing import TypeVar
+
+from flint import arb, fmpq_poly, fmpz_mpoly
+
+from exactspline.bivariate.borders import Patch
+from exactspline.bivariate.common_zeros import CommonZero, projected, zeros_of
+from exactspline.bivariate.monotone_arcs import MonotoneArc, monotone_arcs
+from exactspline.numbers.exact import lcm, mpq, to_fmpq, to_fmpz
+from exactspline.numbers.intervals import UNIT, Box, ball_around
+from exactspline.numbers.once import cached_property
+from exactspline.polynomials.bernstein import over_common_denominator
+from exactspline.polynomials.factors import factorize, greatest_common_divisor
+from exactspline.polynomials.over_root import OverRoot
+from exactspline.polynomials.patch_forms import PatchForm, powers_of
+from exactspline.polynomials.two_parameters import CONTEXT, S, T, as_form, as_polynomial, enclosed, rows_of
+from exactspline.polynomials.zero_places import FIRST
+from exactspline.reals.ball import InBalls
+from exactspline.reals.real import Real
+from exactspline.roots.of_polynomials import Parameter, as_splines, exactly, roots_in
+from exactspline.roots.root import Root
+from exactspline.roots.values import value_at
+from exactspline.splines.tensor import TensorSpline
+
+V = TypeVar("V")
+#: The first number of digits of values, and how many more, once they are bounded, are compared before it is decided
+#: exactly whether they are equal.
+BOUND, TIED = 12, 800
+#: Critical points of a quotient, each with two forms of which it is a common zero; arcs on which it is constant, each
+#: with the irreducible polynomial that vanishes there; and boxes in which there may be more. All by local parameters.
+Critical = tuple[list[tuple[CommonZero, list[PatchForm]]], list[tuple[fmpz_mpoly, MonotoneArc]], list[Box]]
+
+
+class Quotient:
+    """A quotient of polynomials in the local parameters of a patch with these sides, its denominator positive there."""
+
+    def __init__(self, top: fmpz_mpoly, bottom: fmpz_mpoly, sides: Box) -> None:
+        self.top, self.bottom, self.sides = top, bottom, sides
+
+    @cached_property
+    def slopes(self) -> list[fmpz_mpoly]:
+        """Both derivatives, up to positive factors."""
+        return [self.top.derivative(k) * self.bottom - self.top * self.bottom.derivative(k) for k in (0, 1)]
+
+    def __reduce__(self) -> tuple[object, ...]:
+        terms = [{(int(i), int(j)): int(x) for (i, j), x in p.terms()} for p in (self.top, self.bottom)]
+        return _quotient_of, (*terms, self.sides)
+
+    def above(self, bound: mpq) -> fmpz_mpoly:
+        """Positive where the value is above a bound."""
+        return self.top * to_fmpz(bound.denominator) - self.bottom * to_fmpz(bound.numerator)
+
+    def excess(self, bound: mpq) -> PatchForm:
+        """The same as a form on the patch."""
+        return as_form(self.above(bound))
+
+    def value(self, s: Parameter, t: Parameter) -> Real:
+        """The value at parameters of which one is rational."""
+        k, known, other = (0, s, t) if not isinstance(s, Root) else (1, t, s)
+        assert not isinstance(known, Root)
+        top, bottom = (
+            fmpq_poly([row(to_fmpq(known)) for row in rows_of(p if k == 0 else p.compose(T, S))])
+            for p in (self.top, self.bottom)
+        )
+        return _in_one_parameter(top, bottom, mpq(1), other)
+
+    def at(self, zero: CommonZero, pair: Sequence[PatchForm] = ()) -> Real:
+        """The value at a zero that two forms without a common factor have in common: enclosed by boxes, and computed
+        exactly when that is asked for. The forms may be left out where it is isolated by them.
+        """
+        place = zero.isolated.exact if zero.isolated else zero.local
+        if place is not None and not all(isinstance(x, Root) for x in place):
+            return self.value(*place)
+        local, pair = zero.on(UNIT), pair or (zero.isolated.forms if zero.isolated else ())
+        return InBalls(partial(_near, self, local), partial(_exactly, self, local, tuple(pair)) if pair else None)
+
+    def critical(self, bound: mpq) -> Critical:
+        """Where inside of the patch both derivatives vanish, one of which is not zero, unless the value is above a
+        bound. Raises `ReachError` where that would take too long.
+        """
+        shared = greatest_common_divisor(self.slopes)
+        rest, factor = [as_form(p / shared) for p in self.slopes if p], as_form(shared)
+        found = zeros_of(rest, not_positive=[self.excess(bound)])
+        points = [(zero, rest) for zero in found.zeros if zero.is_inside and not zero.is_zero_of(factor)]
+        arcs = list[tuple[fmpz_mpoly, MonotoneArc]]()
+        for base in factorize(shared).bases:
+            if as_form(base).sign is None:
+                own, turning = monotone_arcs(base)
+                pair = [as_form(base), as_form(base.derivative(0) * base.derivative(1))]
+                points += [(zero, pair) for zero in turning if zero.is_inside]
+                arcs += [(base, arc) for arc in own]
+        return points, arcs, found.undecided
+
+
+def _quotient_of(top: dict[tuple[int, ...], int], bottom: dict[tuple[int, ...], int], sides: Box) -> Quotient:
+    """Unpickles a quotient."""
+    return Quotient(CONTEXT.from_dict(top), CONTEXT.from_dict(bottom), sides)
+
+
+def quotient_on(patch: Patch, top: TensorSpline, bottom: TensorSpline) -> Quotient:
+    """A quotient of functions on a patch; the denominator is to be positive.
+
+    >>> t = TensorSpline((1, 1), [0, 0, 2, 2], [0, 0, 1, 1], [[0, 0], [1, 1]])
+    >>> quotient_on((0, 0), t, t + 1).value(mpq(1, 2), mpq(1, 2))
+    <Real 1/3>
+    """
+    above, below = polynomials_on(patch, top, bottom)
+    return Quotient(above, below, top.patch(*patch))
+
+
+def polynomials_on(patch: Patch, *functions: TensorSpline) -> list[fmpz_mpoly]:
+    """Functions on a patch as polynomials in its local parameters, up to one positive constant."""
+    nets = [f.bezier_net(*patch) if min(f.degree) >= 0 else [[mpq(0)]] for f in functions]
+    scale = lcm(*[x.denominator for net in nets for row in net for x in row])
+    forms = [PatchForm.of_net([[int(x * scale) for x in row] for row in net]) for net in nets]
+    rows = [enumerate(powers_of(form)) for form in forms]
+    return [CONTEXT.from_dict({(i, j): x for i, row in own for j, x in enumerate(row) if x}) for own in rows]
+
+
+def keep_least(found: list[tuple[Real, V]], digits: int) -> None:
+    """Keep of a list the things with the least number, decided exactly: by growing numbers of digits from this one on,
+    at last by algebra. Raises `ReachError` where that would take too long; then those are kept that may have it.
+
+    >>> found = [(Real(2), "first"), (Real(1), "second"), (Real(1), "third")]
+    >>> keep_least(found, 5)
+    >>> found
+    [(<Real 1>, 'second'), (<Real 1>, 'third')]
+    """
+    more = 0
+    while len(found) > 1 and more <= TIED:
+        bounds = [number.enclosure(digits + more) for number, _ in found]
+        limit = min(high for _, high in bounds)
+        found[:] = [one for one, (low, _) in zip(found, bounds, strict=True) if low <= limit]
+        more += more + BOUND
+    smallest = min(number for number, _ in found)
+    found[:] = [one for one in found if one[0] == smallest]
+
+
+def _near(of: Quotient, zero: CommonZero, bits: int) -> arb:
+    s, t = (ball_around(*side) for side in zero.refine(bits))
+    return enclosed(of.top, s, t) / enclosed(of.bottom, s, t)
+
+
+def _exactly(of: Quotient, zero: CommonZero, pair: Sequence[PatchForm]) -> Real:
+    """The value as a function of a number ``z = t + λ s`` in whose field both parameters are."""
+    slope, minimal, _, s, _ = projected(zero, *map(as_polynomial, pair))
+    modulus, high = fmpq_poly(minimal), mpq(1 + slope)
+    sheared = [OverRoot.of(p.compose(T, S - slope * T), modulus) for p in (of.top, of.bottom)]
+    top, bottom = (reduce(lambda x, c: (x * s + c) % modulus, reversed(p.coefficients), fmpq_poly([])) for p in sheared)
+    roots, bits = roots_in(minimal, mpq(0), high, whole=True), FIRST
+    while len(roots) > 1:
+        (a, b), (c, d) = zero.refine(bits)
+        roots, bits = [z for z in roots if c + slope * a <= z <= d + slope * b], 2 * bits
+    return _in_one_parameter(top, bottom, high, exactly(roots[0]))
+
+
+def _in_one_parameter(top: fmpq_poly, bottom: fmpq_poly, high: mpq, place: Parameter) -> Real:
+    """The value of a quotient at a number in [0, high]."""
+    whole = over_common_denominator([(f.numer(), f.denom()) for f in (top, bottom)])[0]
+    above, below = as_splines(whole, mpq(0), high)
+    return value_at(above, below, place)

@@ -1,0 +1,95 @@
+"""Questions about a surface in space and a point, a line, a plane, another surface: entries of the registry."""
+
+from __future__ import annotations
+
+from exactspline.bivariate.answers import SurfacePlaces
+from exactspline.bivariate.zeros import ZeroCurves
+from exactspline.geometry.analysis.surface_values import CurvatureValues
+from exactspline.geometry.pairs import surface_meetings
+from exactspline.geometry.pairs.surface_meetings import LineMeeting, NearestOnSurface
+from exactspline.geometry.surfaces.degenerate import closed_along
+from exactspline.numbers.exact import mpq
+from exactspline.questions.answers import NamedNumbers
+from exactspline.questions.entry import Answered, Fact, Of, question, question_with
+from exactspline.questions.takes import ENDS, LINE, PLANE, POINT_IN_SPACE
+from exactspline.splines.surface import Along
+
+
+class SurfaceMeetings(CurvatureValues):
+    """A surface in space, and the questions that are asked of it with something else."""
+
+    @Fact
+    def closed(self) -> tuple[Along, ...]:
+        """The parameters in which it is closed."""
+        return tuple(along for along in Along if closed_along(self.surface, along))
+
+    @question_with(POINT_IN_SPACE, Of.SURFACE, answered=Answered.NEAREST)
+    def nearest(self, point: tuple[mpq, ...]) -> NearestOnSurface:
+        """The points of a surface that are nearest to a point.
+
+        >>> from exactspline import analyse, example
+        >>> analyse(example("cylinder")).nearest((2, 0, "1/3")).distance
+        <Real 1>
+        """
+        return surface_meetings.nearest(self.surface, point, self.closed)
+
+    @question(Of.SURFACE, answered=Answered.NUMBERS, on_request=True)
+    def bounding_box(self) -> tuple[NamedNumbers, ...]:
+        """The smallest and the largest value of every coordinate of a surface.
+
+        >>> from exactspline import analyse, example
+        >>> [tuple(side.values.values()) for side in analyse(example("torus")).bounding_box]
+        [(<Real -3>, <Real 3>), (<Real -3>, <Real 3>), (<Real -1>, <Real 1>)]
+
+        Raises `ReachError` where that would take too long.
+        """
+        return surface_meetings.bounding_box(self.surface)
+
+    @question_with(LINE, Of.SURFACE, answered=Answered.PLACES)
+    def line(self, line: tuple[mpq, ...]) -> SurfacePlaces[LineMeeting]:
+        """The common points of a surface and a line, given by a point and its direction: in the order of the line.
+
+        >>> from exactspline import analyse, example
+        >>> [float(point) for point in analyse(example("sphere")).line((0, 0, 0, 1, 0, 0))]
+        [-1.0, 1.0]
+
+        Raises `QuestionError` for the direction 0.
+        """
+        return surface_meetings.line_meetings(self.surface, line[:3], line[3:], closed=self.closed)
+
+    @question_with(LINE, Of.SURFACE, answered=Answered.PLACES)
+    def ray(self, ray: tuple[mpq, ...]) -> SurfacePlaces[LineMeeting]:
+        """The common points of a surface and a ray, given by its start and its direction: the first hit first.
+
+        >>> from exactspline import analyse, example
+        >>> analyse(example("sphere")).ray((0, 0, 0, 1, 0, 0))
+        [<zero at 0 and 1> and 1 of the line]
+
+        Raises `QuestionError` for the direction 0, and `ShapeError` where a piece of the line is in the surface.
+        """
+        return surface_meetings.line_meetings(self.surface, ray[:3], ray[3:], (mpq(0), None), self.closed)
+
+    @question_with(ENDS, Of.SURFACE, answered=Answered.PLACES)
+    def segment(self, ends: tuple[mpq, ...]) -> SurfacePlaces[LineMeeting]:
+        """The common points of a surface and a line segment, given by its ends; t = 0 is the first end, 1 the second.
+
+        >>> from exactspline import analyse, example
+        >>> analyse(example("sphere")).segment((0, 0, 0, "1/2", 0, 0))
+        nowhere
+
+        Raises `QuestionError` for one point, and `ShapeError` where a piece of the line is in the surface.
+        """
+        line = LINE.read((*ends[:3], *(b - a for a, b in zip(ends[:3], ends[3:], strict=True))), self)
+        return surface_meetings.line_meetings(self.surface, line[:3], line[3:], (mpq(0), mpq(1)), self.closed)
+
+    @question_with(PLANE, Of.SURFACE, answered=Answered.CURVES)
+    def plane_section(self, plane: tuple[mpq, ...]) -> ZeroCurves:
+        """The curves and points that a surface and a plane ax + by + cz = d have in common, in the parameters u and v.
+
+        >>> from exactspline import analyse, example
+        >>> analyse(example("torus")).plane_section((1, 0, 0, "5/2"))
+        closed loop
+
+        Raises `QuestionError` for the normal 0.
+        """
+        return surface_meetings.plane_section(self.surface, plane[:3], plane[3], self.closed)
