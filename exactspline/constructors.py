@@ -210,7 +210,7 @@ def joined(curves: Iterable[Nurbs]) -> Nurbs:
 
 
 def closed(curve: Nurbs, *, within: Number) -> Nurbs:
-    """A curve whose ends all but meet, closed: its last control point is moved to the first one, by at most `within`;
+    """A curve whose ends nearly meet, closed: its last control point is moved to the first one, by at most `within`;
     with positive weights no point of the curve moves farther. Its note says by how much.
 
     >>> closed(Nurbs.bezier([(0, 0), (1, 1), ("1e-12", 0)]), within="1e-9").note

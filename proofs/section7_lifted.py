@@ -1,4 +1,4 @@
-"""Beyond the paper: the forms that come from the lifts of a curve, and why their degrees cannot be beaten.
+"""Our own: the forms that come from the lifts of a curve, and why their degrees cannot be beaten.
 
 Each lifted form is identical to what the paper has, for all curves; on the example curves this is verified; and its
 geometry is checked by a route of its own: contact with lines, planes, circles and spheres, counted on exact Taylor

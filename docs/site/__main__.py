@@ -91,7 +91,7 @@ def build() -> int:
 
 
 def _vendor(target: Path, static: Path) -> None:
-    """What the pages need of others, and what stands beside it."""
+    """What the pages need of others, and what is shown next to it."""
     vendor(PROJECT / ".site-cache", target, PROJECT)
     lay_out_mathjax(target, static / "mathjax")
     for name in ("pages.css", "pages.js"):

@@ -72,7 +72,7 @@ def _height(ax: Any) -> float:
 
 @contextmanager
 def saved(seen: Callable[[Any, Any], None]) -> Iterator[None]:
-    """Be told of each figure that is saved, and where to; not of those that are saved thereupon."""
+    """Be notified of each figure that is saved, and where to; not of those that are saved thereupon."""
     plain = Figure.savefig
 
     def savefig(figure: Figure, target: Any, **options: Any) -> None:

@@ -179,5 +179,5 @@ def draw_gallery(folder: Path, page: Path) -> None:
         if name in made:
             lines.append(plain(made[name].caption))
         if (folder / f"{name}.html").exists():
-            lines.append(f'<a href="gallery/{name}.html">The same, to be turned</a>')
+            lines.append(f'<a href="gallery/{name}.html">The same, to rotate</a>')
     page.write_text("\n\n".join(lines) + "\n", encoding="utf-8")

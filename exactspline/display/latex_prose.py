@@ -83,7 +83,7 @@ def prose(text: str) -> str:
     return " ".join(_joined(text.split(" ")))
 
 
-#: Short words that are no formulas; those of one letter are where they stand beside an operator.
+#: Short words that are no formulas; those of one letter are where they are next to an operator.
 _ARTICLES = {"a", "A", "I"}
 _SHORT = frozenset(
     ("is", "of", "in", "at", "to", "by", "an", "no", "it", "as", "be", "or", "on", "if", "so", "up", "do")

@@ -28,7 +28,7 @@ from exactspline.verification.vocabulary import ArgumentKind, Status, Verdict
 WORDS = tuple(Verdict)
 HOLDS = (PROVED, VERIFIED)
 #: The last two groups of the summary.
-MEANT, OURS = "as it must read", "beyond the paper"
+MEANT, OURS = "corrected statements", "our own statements"
 
 
 def words_of(rows: Iterable[Row]) -> list[str]:
@@ -46,7 +46,7 @@ def section(claim: Claim) -> str:
 
     >>> from exactspline.verification.claims import select
     >>> [section(select([i])[0]) for i in ("C4.2b", "T3", "E12", "Fig. 2", "L1")]
-    ['§4.2', 'Table 1', 'equations', 'figures', 'beyond the paper']
+    ['§4.2', 'Table 1', 'equations', 'figures', 'our own statements']
     """
     return OURS if claim.status == Status.OURS else claim.section or claim.source
 
@@ -134,7 +134,7 @@ def ledger(rows: Iterable[Row], title: str = "", numbers: Numbers = EXACT, *, na
 
 
 def by_section(rows: Iterable[Row]) -> Sheet:
-    """Counts of the verdicts: for printed statements by section, for corrected ones, and for those beyond the paper."""
+    """Counts of the verdicts: for printed statements by section, for corrected ones, and for our own."""
     counts: dict[str, Counter[str]] = defaultdict(Counter)
     for row in rows:
         claim = row.claim
@@ -243,12 +243,14 @@ def closing(rows: Sequence[Row], judge: str = "") -> str:
         decided = Counter(row.second.verdict for row in rows if row.second)
         end = f"{judge}: {', '.join(f'{decided[w]} {w}' for w in (PROVED, REFUTED) if decided[w]) or 'none'}; {end}"
     general, single = [row for row in rows if not row.curve], [row for row in rows if row.curve]
+    papers = list(dict.fromkeys(row.paper for row in rows))
+    all_rows = counted(len(rows), "row") + f" of {' and '.join(papers)}" * (len(papers) == 2)
     if not general or not single:
-        return f"{counted(len(rows), 'row')}: {_verdicts(rows)}; {end}"
+        return f"{all_rows}: {_verdicts(rows)}; {end}"
     parts = (
         f"{len(general)} for all curves ({_verdicts(general)}), {len(single)} on single curves ({_verdicts(single)})"
     )
-    return f"{counted(len(rows), 'row')}: {parts}; {end}"
+    return f"{all_rows}: {parts}; {end}"
 
 
 def _verdicts(rows: Iterable[Row]) -> str:
@@ -258,7 +260,7 @@ def _verdicts(rows: Iterable[Row]) -> str:
 
 def headline(rows: Sequence[Row]) -> str:
     """The answer for all curves in a sentence: how many statements of the paper are refuted, of how many errors and on
-    how many rows, how many hold, and how many are neither.
+    how many rows, how many hold, and how many are neither; and how many of our own statements are refuted.
     """
     general = [row for row in rows if not row.curve]
     printed = count_statements((row.claim, row.verdict) for row in general)[Status.PRINTED]
@@ -267,16 +269,18 @@ def headline(rows: Sequence[Row]) -> str:
     refutations = f"{refuted} ({counted(printed.errors, 'error')}, {counted(lines, 'row')}); {printed.hold} hold"
     other = Counter(row.verdict for row in general if row.status == Status.PRINTED)
     rest = [f"{other[v]} {v.lower()}" for v in Verdict if other[v] and v not in (*HOLDS, REFUTED)]
-    return "; ".join([refutations, ", ".join(rest) if rest else "none is undecided for all curves"])
+    own = sum(row.verdict == REFUTED for row in general if row.status == Status.OURS)
+    fail = [f"{counted(own, 'conjecture')} not in the paper {'fails' if own == 1 else 'fail'}"] * (own > 0)
+    return "; ".join([refutations, ", ".join(rest) if rest else "none is undecided for all curves", *fail])
 
 
 def summary(found: Mapping[Status, Counts]) -> str:
-    """The counts in a sentence: of the printed statements, of those as they must read, of those beyond the paper.
+    """The counts in a sentence: of the printed statements, of the corrected ones, of our own.
 
     >>> from exactspline.verification.claims import select
     >>> from exactspline.verification.rows import recorded_counts
     >>> summary(recorded_counts(select(["C4.2b"])))
-    '2 statements of the paper: 1 holds, 1 is refuted (1 error); 1 as it must read: 1 holds.'
+    '2 statements of the paper: 1 holds, 1 is refuted (1 error); 1 corrected statement: 1 holds.'
     """
     said = []
     for status, each in found.items():
@@ -296,9 +300,8 @@ def _of_status(status: Status, number: int) -> str:
     """A number of statements of a status, in words."""
     if status == Status.PRINTED:
         return f"{counted(number, 'statement')} of the paper"
-    if status == Status.OURS:
-        return f"{number} {OURS}"
-    return f"{number} {MEANT}" if number == 1 else f"{number} as they must read"
+    kind = "our own statement" if status == Status.OURS else "corrected statement"
+    return counted(number, kind)
 
 
 def keyed(rows: Iterable[Row]) -> list[tuple[str, Row]]:

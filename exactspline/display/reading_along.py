@@ -30,7 +30,7 @@ from exactspline.verification.vocabulary import Status
 #: A sign that the text of a source lost.
 LOST = "\ufffd"
 #: What claims are that a source does not print.
-STATUS = {Status.MEANT: "as it must read", Status.OURS: "beyond the source"}
+STATUS = {Status.MEANT: "corrected statement", Status.OURS: "our own statement"}
 #: The fields of a statement that unfold below its proof.
 UNFOLDED = ("found", "factor", "witness", "assumes", "divides by", "used", "note")
 STYLE = """<style>
@@ -99,7 +99,7 @@ def reading_along(section: str, source: Paper | None = None) -> ReadingAlong:
     makes them.
 
     >>> reading_along("5.2")
-    <Reading along §5.2: 9 of 9 printed statements decided: 8 hold, 1 refuted (1 error); 1 as it must read>
+    <Reading along §5.2: 9 of 9 printed statements decided: 8 hold, 1 refuted (1 error); 1 corrected statement>
 
     Raises `ClaimError` for a section that the source does not have.
     """

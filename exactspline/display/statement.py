@@ -15,7 +15,7 @@ from exactspline.verification.vocabulary import Status
 
 def heading(s: Statement) -> str:
     """The first line: the id, the place of the claim in its source, and whether it is as printed."""
-    return f"{s.claim.id}, {s.claim.source}{' (as it must read)' if s.claim.status == Status.MEANT else ''}"
+    return f"{s.claim.id}, {s.claim.source}{' (corrected)' if s.claim.status == Status.MEANT else ''}"
 
 
 def fields(s: Statement) -> list[tuple[str, str]]:

@@ -259,7 +259,7 @@ def nearby_umbilics_sheet(found: Sequence[NearbyUmbilic], title: str) -> Sheet:
 
 
 #: What a table says of whether a shape is covered once.
-COVERED = {True: "covered once", False: "perhaps covered twice"}
+COVERED = {True: "covered once", False: "possibly covered twice"}
 
 
 def surface_sheet(

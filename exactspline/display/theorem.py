@@ -65,7 +65,7 @@ def theorem(s: Statement) -> str:
     """
     c = s.claim
     environment = "theorem" if s.finding.verdict in (PROVED, VERIFIED, REFUTED) else "conjecture"
-    status = "as it must read" if c.status == Status.MEANT else ""
+    status = "corrected" if c.status == Status.MEANT else ""
     head = "; ".join(prose(part) for part in (c.id, c.source, status) if part)
     lines = [f"% {s.finding.verdict}: {c.paper}/{c.key}", rf"\begin{{{environment}}}[{{{head}}}]\label{{{c.key}}}"]
     lines += [*_stated(s), rf"\end{{{environment}}}", r"\begin{proof}", *_proof(s), r"\end{proof}"]

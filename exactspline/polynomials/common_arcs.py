@@ -56,7 +56,7 @@ def _map(degree: int, top: list[int], bottom: list[int]) -> RationalMap:
 
 
 class Mapping(Protocol):
-    """What has a map, perhaps computed only when it is needed."""
+    """What has a map, possibly computed only when it is needed."""
 
     @property
     def map(self) -> RationalMap:

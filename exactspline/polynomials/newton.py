@@ -13,7 +13,7 @@ SHORT = 1 << 16
 
 
 def proposed(g: fmpz_poly, low: mpq, high: mpq, sign: int, units: int) -> int | None:
-    """The local parameter of the only zero in one half of the segment, perhaps, in units of ``1/units``, rounded down;
+    """The local parameter of the only zero in one half of the segment, possibly, in units of ``1/units``, rounded down;
     `sign` is that of the form just right of `low`.
 
     >>> proposed(fmpz_poly([1, -3, 1]), mpq(0), mpq(1, 2), 1, 1000)  # (5 − √5)/10

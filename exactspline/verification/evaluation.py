@@ -143,7 +143,7 @@ def fails_on_surface(each: Assumption, value: TensorSpline) -> Place | None:
             continue
         sign = Sign.ZERO if form.is_zero else sign_on_patch(form).sign
         if sign not in (Sign.POSITIVE, Sign.NEGATIVE):
-            return OnPatch(i, j, perhaps=sign is Sign.UNDECIDED)
+            return OnPatch(i, j, possibly=sign is Sign.UNDECIDED)
     return None
 
 

@@ -142,12 +142,12 @@ class AtBoth(Evidence, words="at the parameters {s} and {t}"):
     t: mpq
 
 
-class OnPatch(Evidence, words="{perhaps?perhaps }on patch {i}, {j}"):
-    """A patch by its indices; `perhaps` where signs could not be decided."""
+class OnPatch(Evidence, words="{possibly?possibly }on patch {i}, {j}"):
+    """A patch by its indices; `possibly` where signs could not be decided."""
 
     i: int
     j: int
-    perhaps: bool = False
+    possibly: bool = False
 
 
 class OnWholePatch(Evidence, words="on a whole patch"):

@@ -72,7 +72,7 @@ class Row(Displayed):
     @property
     def statement(self) -> str:
         """The statement, with a mark where the paper prints another one."""
-        return self.claim.statement + (" (as it must read)" if self.status == Status.MEANT else "")
+        return self.claim.statement + (" (corrected)" if self.status == Status.MEANT else "")
 
     @property
     def claimed(self) -> str:

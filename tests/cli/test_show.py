@@ -50,7 +50,7 @@ def test_a_claim_is_a_theorem_with_its_proof():
     assert told.count(r"\begin{theorem}") == told.count(r"\end{proof}") == 1
     for part in (
         "% PROVED",
-        "as it must read",
+        "corrected",
         r"g_1 = w^{8}\,g_0",
         r"Found: $g_{1} = w^{8} \cdot g_{0}$",
         "--judge sympy",

@@ -226,7 +226,7 @@ def test_rows_tell_what_was_asked_of_whom():
     assert flat.verdict == VACUOUS
     assert flat.as_recorded
     meant = next(c for c in all_claims() if c.status == "meant")
-    assert decide(meant).statement == f"{meant.statement} (as it must read)"
+    assert decide(meant).statement == f"{meant.statement} (corrected)"
     printed = claim("C41a-f1-f2")
     assert decide(printed).statement == printed.statement
     assert decide(printed).expected == ("PROVED",)

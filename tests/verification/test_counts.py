@@ -52,7 +52,7 @@ def test_the_ledger_the_errata_and_the_record_count_alike():
     assert headline(rows).startswith(head)
     assert f"; {printed.hold} hold; " in headline(rows)
     assert summary(decided).startswith(f"{printed.statements} statements of the paper: {printed.hold} hold, ")
-    assert closing(rows).startswith(f"{sum(each.statements for each in decided.values())} rows: ")
+    assert closing(rows).startswith(f"{sum(each.statements for each in decided.values())} rows of ")
 
 
 @pytest.mark.parametrize("source", [source.name for source in papers() if source not in default_papers()])
@@ -85,7 +85,8 @@ def test_what_fails_unrecorded_is_an_error_each_and_a_remark_where_no_source_say
     rows = [decide(claim) for claim in claims_of(source)]
     assert (
         headline(rows)
-        == "2 statements of the paper refuted (2 errors, 2 rows); 4 hold; none is undecided for all curves"
+        == "2 statements of the paper refuted (2 errors, 2 rows); 4 hold; none is undecided for all curves; "
+        "1 conjecture not in the paper fails"
     )
     assert [error.id for error in errata([source])] == ["80", "81"]
     assert [remark.id for remark in remarks([source])] == ["82"]

@@ -1,6 +1,6 @@
 """``python -m workshop.boolean``: is the result of a Boolean operation right, outside of a tube around the paths?
 
-``judge A OPERATION B RESULT --within E`` decides one result; ``grade`` asks engines about pairs that all but coincide.
+``judge A OPERATION B RESULT --within E`` decides one result; ``grade`` asks engines about pairs that nearly coincide.
 Exit status: 0 right, or graded; 1 wrong (a witness is shown) or not decided; 2 bad input.
 """
 

@@ -1,4 +1,4 @@
-"""Engines on pairs of paths that all but coincide: what each made of them, and the judgement on it."""
+"""Engines on pairs of paths that nearly coincide: what each made of them, and the judgement on it."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Pairs of paths that all but coincide, with a dial: small integers, and the same moved by 2⁻ᵏ."""
+"""Pairs of paths that nearly coincide, with a dial: small integers, and the same moved by 2⁻ᵏ."""
 
 from __future__ import annotations
 

@@ -90,7 +90,7 @@ class Piece:
 
 
 def without_slits(pieces: Iterable[Piece]) -> list[Piece]:
-    """Pieces with the same winding numbers, without those that are run through to and fro: curves with the same control
+    """Pieces with the same winding numbers, without those run through back and forth: curves with the same control
     points in reverse, and parts of lines.
 
     >>> slit = Region.of("M0 0H2V2H0ZM0 1H1.5H.5Z")

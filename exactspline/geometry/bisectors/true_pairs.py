@@ -43,7 +43,7 @@ COMPARED = (mpq(0), mpq(1, 3), mpq(2, 3), mpq(1))
 @dataclass(frozen=True)
 class TruePairs:
     """Where the zeros of the function of a bisector of plane curves are pairs of true feet: in all boxes `kept`,
-    perhaps in those `undecided`, and nowhere else.
+    possibly in those `undecided`, and nowhere else.
     """
 
     kept: tuple[Box, ...]

@@ -185,7 +185,7 @@ class _Covering:
 
     @cached_property
     def _jacobian(self) -> list[TensorSpline]:
-        """What must be positive, and perhaps more that must not be negative, where (θ, η, n) is right-handed."""
+        """What must be positive, and possibly more that must not be negative, where (θ, η, n) is right-handed."""
         n, x, a = self.forms.normal, self.x, self.chart.axis
         if isinstance(self.shape, Plane):
             return [scalar(n, self.shape.normal)]

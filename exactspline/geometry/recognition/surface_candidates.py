@@ -166,7 +166,7 @@ class _Fit:
             exact = [mpq(a) for a in own]
             normal = [[scalar(a, b) for b in columns] for a in columns]
             for k, row in enumerate(normal):
-                row[k] += mpq(1, 2**60)  # the length of the axis, and perhaps a place along it, are free
+                row[k] += mpq(1, 2**60)  # the length of the axis, and possibly a place along it, are free
             step = solved([[rounded(a, NOTHING) for a in row] for row in normal], [scalar(a, exact) for a in columns])
             if step is None:
                 break

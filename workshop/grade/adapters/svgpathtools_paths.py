@@ -28,7 +28,7 @@ class SvgPathTools(Adapter):
     def can(self, question: str, given: Given) -> bool:
         """Segments of degree 2 and 3 in the plane; contours for the area.
 
-        Not pairs that all but coincide: ``intersect`` is documented to fail where segments coincide, and halves such
+        Not pairs that nearly coincide: ``intersect`` is documented to fail where segments coincide, and halves such
         ones without end.
         """
         if question == "meetings" and _coincide(given):

@@ -59,7 +59,7 @@ def _triangle_sheets(triangle: Triangle) -> list[Sheet]:
     cells, heading = _grid(triangle, triangle.columns, point_text), _title(triangle)
     points = Sheet("point", "given", *steps, rows=cells, title=heading, name=heading)
     ratios = ([label, *rest] for label, _, *rest in _grid(triangle, ((), *triangle.ratios), text) if any(rest))
-    shares = Sheet("point", *steps, rows=ratios, title=f"Shares s. {_rule(triangle)}", name="shares")
+    shares = Sheet("point", *steps, rows=ratios, title=f"Weights s. {_rule(triangle)}", name="shares")
     made = [points, shares] if triangle.ratios else [points]
     return [*made, *_result_sheets(triangle)]
 
