@@ -133,7 +133,7 @@ def line_meetings(
     if found.everywhere and ends != (None, None):
         line = ",".join(map(text, (*start, *direction)))
         raise ShapeError("part of a line that has a piece in the surface", remedy=f"line:{line} tells which piece")
-    # the tangent plane of a tangent is one of the planes through it, perhaps of these two
+    # the tangent plane of a tangent is one of the planes through it, possibly of these two
     zeros = [replace(x, kind=ZeroKind.TOUCHING) if x.kind is ZeroKind.MULTIPLE else x for x in found]
     met = [LineMeeting(x, _parameter(x, planes, chord[k], below)) for x in zeros]
     kept = [x for x in met if (low is None or x.parameter >= low) and (high is None or x.parameter <= high)]
