@@ -48,6 +48,7 @@ from .certificates import check_certificate as check_certificate
 from .geometry.analysis.curves import analyse as analyse
 from .geometry.analysis.many_curves import features_of_curves as features_of_curves
 from .geometry.analysis.ask import ask as ask
+from .geometry.analysis.ask import nearest as nearest
 from .batch.sweep import sweep as sweep
 from .batch.families import Family as Family
 
@@ -60,7 +61,6 @@ from .geometry.pairs.offsets import intersections as intersections
 from .geometry.pairs.offsets import self_intersections as self_intersections
 from .bivariate.zeros import common_zeros as common_zeros
 from .bivariate.zeros import zero_curve as zero_curve
-from .geometry.pairs.nearest import nearest as nearest
 from .geometry.pairs.distance import distance as distance
 from .geometry.pairs.winding import contains as contains
 from .geometry.pairs.winding import winding_number as winding_number

@@ -171,6 +171,10 @@ class CommonZero:
             return bool(form.value(*self.isolated.exact) == 0)
         return vanish_at([as_polynomial(form)], *self.local)
 
+    def sign_of(self, form: PatchForm) -> int:
+        """The sign of a form here, where one of its boxes shows it; 0 where none does."""
+        return next((sign for bits in (*TRIED, BITS) if (sign := rounded(form, self.refine(bits)).sign)), 0)
+
     def is_in_region_of(self, other: CommonZero) -> bool:
         """Whether it is the other point, where it is a zero of the two forms of which that is an isolated zero; False
         is a proof for any two points.
@@ -311,7 +315,7 @@ class _Search:
         inside += [x for x in others if not any(x.is_in_region_of(zero) for zero in inside)]
         zeros = [zero.on(sides) for zero in (*self.border, *inside)]
         excluding = [(f, (1, -1)) for f in self.also] + [(f, (1,)) for f in not_positive]
-        kept = [x for x in zeros if not any(rounded(f, x.refine(BITS)).sign in signs for f, signs in excluding)]
+        kept = [x for x in zeros if not any(x.sign_of(f) in signs for f, signs in excluding)]
         return Found(kept, undecided, reason if undecided else None)
 
     def _on_border(self) -> Iterator[CommonZero]:

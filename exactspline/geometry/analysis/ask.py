@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
-from typing import NamedTuple, TypeAlias
+from typing import NamedTuple, TypeAlias, overload
 
 from exactspline.geometry.analysis.curves import QUESTIONS, Analysis, analyse, kind_of_curve, questions_about
 from exactspline.geometry.analysis.pairs import CurvePair
@@ -13,8 +13,12 @@ from exactspline.geometry.analysis.registry import REGISTRY
 from exactspline.geometry.analysis.surfaces import SurfaceInspection
 from exactspline.geometry.bisectors.two_curves import CurveBisector
 from exactspline.geometry.curves.planarity import in_common_plane
+from exactspline.geometry.pairs.nearest import Nearest
+from exactspline.geometry.pairs.nearest import nearest as of_curve
 from exactspline.geometry.pairs.regions import Region
+from exactspline.geometry.pairs.surface_meetings import NearestOnSurface
 from exactspline.interchange.files import read
+from exactspline.numbers.exact import Number
 from exactspline.one_line import OneLine
 from exactspline.questions.entry import ALL_CURVES, CURVES, Entry, Of, Remembers
 from exactspline.questions.takes import QuestionError, name_of, parts_of, unknown
@@ -101,6 +105,28 @@ def read_as(entry: Entry, question: str, form: str = "") -> tuple[str, str]:
     forms = {name: other.form for name, other in REGISTRY[entry.about.of[0]].items()} | {entry.name: form or entry.form}
     _, argument, place = parts_of(question, forms, (entry.name,) if entry.optional else ())
     return argument, place
+
+
+@overload
+def nearest(thing: Nurbs, point: Iterable[Number]) -> Nearest:
+    """The nearest points of a curve."""
+
+
+@overload
+def nearest(thing: NurbsSurface, point: Iterable[Number]) -> NearestOnSurface:
+    """The nearest points of a surface."""
+
+
+def nearest(thing: Nurbs | NurbsSurface, point: Iterable[Number]) -> Nearest | NearestOnSurface:
+    """The points of a curve, or of a surface in space, that are nearest to a point: all of them, exactly.
+
+    >>> from exactspline import example
+    >>> nearest(example("circle"), (0, 3)), nearest(example("torus"), (0, 0, 0)).distance
+    ([<nearest point at 1: distance 2>], <Real 1>)
+
+    Raises `ShapeError` for a point of another dimension.
+    """
+    return SurfaceInspection(thing).nearest(point) if isinstance(thing, NurbsSurface) else of_curve(thing, point)
 
 
 def check_question(question: str, *of: Of) -> None:

@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+
 from exactspline.bivariate.answers import SurfacePlaces
 from exactspline.bivariate.zeros import ZeroCurves
 from exactspline.geometry.analysis.surface_values import CurvatureValues
 from exactspline.geometry.pairs import surface_meetings
 from exactspline.geometry.pairs.surface_meetings import LineMeeting, NearestOnSurface
 from exactspline.geometry.surfaces.degenerate import closed_along
-from exactspline.numbers.exact import mpq
+from exactspline.numbers.exact import Number, mpq
 from exactspline.questions.answers import NamedNumbers
 from exactspline.questions.entry import Answered, Fact, Of, question, question_with
 from exactspline.questions.takes import ENDS, LINE, PLANE, POINT_IN_SPACE
@@ -24,7 +26,7 @@ class SurfaceMeetings(CurvatureValues):
         return tuple(along for along in Along if closed_along(self.surface, along))
 
     @question_with(POINT_IN_SPACE, Of.SURFACE, answered=Answered.NEAREST)
-    def nearest(self, point: tuple[mpq, ...]) -> NearestOnSurface:
+    def nearest(self, point: Iterable[Number]) -> NearestOnSurface:
         """The points of a surface that are nearest to a point.
 
         >>> from exactspline import analyse, example

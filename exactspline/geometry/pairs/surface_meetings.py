@@ -6,7 +6,7 @@ knot lines or at corners (`exactspline.bivariate.minima`). A line meets a surfac
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field, replace
 from functools import reduce
 from operator import add
@@ -19,7 +19,7 @@ from exactspline.bivariate.surface_points import Place
 from exactspline.bivariate.zeros import CommonZero, ZeroCurves, ZeroKind, common_zeros, zero_curve
 from exactspline.errors import ShapeError
 from exactspline.geometry.pairs.distance import Point
-from exactspline.numbers.exact import mpq, text
+from exactspline.numbers.exact import Number, mpq, text
 from exactspline.one_line import one_line
 from exactspline.polynomials.factors import greatest_common_divisor
 from exactspline.polynomials.two_parameters import as_form
@@ -69,7 +69,7 @@ class LineMeeting(OneNumber):
         return f"{self.zero!r} and {self.parameter.shortly()} of the line"
 
 
-def nearest(surface: NurbsSurface, point: Point, closed: Sequence[Along] = ()) -> NearestOnSurface:
+def nearest(surface: NurbsSurface, point: Iterable[Number], closed: Sequence[Along] = ()) -> NearestOnSurface:
     """The points of a surface that are nearest to a point; `closed` are the parameters in which it is closed.
 
     >>> from exactspline import example
@@ -82,7 +82,7 @@ def nearest(surface: NurbsSurface, point: Point, closed: Sequence[Along] = ()) -
     return NearestOnSurface(found.points, found.everywhere, squared=squared, surface=surface)
 
 
-def _from(surface: NurbsSurface, point: Point) -> list[TensorSpline]:
+def _from(surface: NurbsSurface, point: Iterable[Number]) -> list[TensorSpline]:
     """The coordinates of ``w (S − P)``."""
     return [x - surface.w.scaled(at) for x, at in zip(surface.p, point, strict=True)]
 
@@ -145,5 +145,4 @@ def _parameter(zero: CommonZero, planes: Sequence[TensorSpline], top: TensorSpli
     patch = zero.patches[0]
     forms = [p for p in polynomials_on(patch, *planes) if p]
     pair = [as_form(p / greatest_common_divisor(forms)) for p in forms]
-    place = elimination.CommonZero.at(bottom.patch(*patch), zero.place)
-    return quotient_on(patch, top, bottom).at(place, pair)
+    return quotient_on(patch, top, bottom).at(elimination.CommonZero.at(bottom.patch(*patch), zero.place), pair)

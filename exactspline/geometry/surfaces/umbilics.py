@@ -30,6 +30,7 @@ from exactspline.polynomials.rounded_forms import rounded
 from exactspline.polynomials.two_parameters import as_form, as_polynomial, enclosed
 from exactspline.roots.of_polynomials import Parameter, exactly
 from exactspline.splines.surface import Along
+from exactspline.splines.tensor import TensorSpline
 
 #: Bits of a point at which the kind of an umbilic is read off, the last for surfaces 10³⁰⁰ times as high as wide.
 KIND_BITS = 20, 40, 130, 2400
@@ -191,8 +192,7 @@ class _Search:
         of A, B, C in du, dv: its zeros are the directions of lines of curvature that run into the umbilic.
         """
         h, k = (side.width for side in self.sides)
-        scaled = [f.scaled(x) for f, x in zip(self.lines, (h * h, h * k, k * k), strict=True)]
-        a, b, c = polynomials_on(self.patch, *scaled)
+        a, b, c = polynomials_on(self.patch, *map(TensorSpline.scaled, self.lines, (h * h, h * k, k * k)))
         cubic = a.derivative(0), a.derivative(1) + b.derivative(0), b.derivative(1) + c.derivative(0), c.derivative(1)
         for bits in KIND_BITS:
             with ctx.workprec(2 * bits + 64):
