@@ -306,7 +306,7 @@ class Rational(Immutable, Operand, OwnProducts, OwnJoining, Generic[T]):
         if factors > MOST_FACTORS:
             raise FormulaError(
                 f"a derivative of order {order} whose denominator is a product of more than {MOST_FACTORS} factors",
-                remedy="every derivative squares the denominator: take lower orders, or lowest terms in between",
+                remedy="every derivative squares the denominator: take lower orders, or derivatives of its parts",
             )
         for _ in range(order):
             p: Any = result.numerator

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from itertools import combinations
 from typing import Any, Generic, ParamSpec, TypeVar, cast, overload
 
@@ -202,12 +202,33 @@ def _multilinear(function: Callable[P, T]) -> Callable[P, T]:
             if type(vector) is not Vector and isinstance(vector, OwnProducts):
                 return cast(T, vector.multilinear(product, vectors))
             expect_vector(vector)
+        last: Any = vectors[-1] if vectors else Vector()
+        if any(getattr(x, "is_long", False) for x in last.components):
+            return _of_proportions(function, vectors)
         return function(*vectors, **no)
 
     product.__name__ = product.__qualname__ = function.__name__
     product.__doc__, product.__module__ = function.__doc__, function.__module__
     product.__wrapped__ = function  # type: ignore[attr-defined]  # for `inspect.signature`
     return product
+
+
+def _of_proportions(function: Callable[..., T], vectors: Sequence[Any]) -> T:
+    """A product of vectors with long components: of a vector v = P u and its derivatives, where P is a component, it is
+    computed from u, in which what all components share has cancelled: ``[v v′ v″] = P³ [u u′ u″]``, ``v·v = P² u·u``.
+    """
+    first, n = vectors[0], len(vectors)
+    chain = [first]
+    while len(chain) < n:
+        chain.append(first if function.__name__ == "dot" else getattr(chain[-1], "_derivatives", {}).get(None))
+    pivot = next((x for x in first.components if not (isinstance(x, CONSTANTS) or x.is_zero)), None)
+    if pivot is None or len(first) < 2 or any(a is not b for a, b in zip(chain, vectors, strict=True)):
+        return function(*vectors)
+    parts = Vector(*[x / pivot for x in first.components])
+    short = function(*[parts if function.__name__ == "dot" else parts.d(k) for k in range(n)])
+    for _ in range(n):
+        short = short * pivot
+    return short
 
 
 @_multilinear

@@ -10,32 +10,39 @@ from exactspline.language.adjoined_root import Adjoined
 from exactspline.language.arguments import Evaluated
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import CURVE, Kind
-from exactspline.language.operand import CONSTANTS, Constant
+from exactspline.language.operand import CONSTANTS, Constant, FieldOperand
 from exactspline.language.parts import joined
-from exactspline.language.rational import RingOperand
 from exactspline.language.reading import Reading
 from exactspline.language.vector import Vector
+from exactspline.numbers.exact import mpq
 
 
-class Order(RingOperand):
-    """The highest derivative in an expression.
+class Order(FieldOperand):
+    """The highest derivative in an expression, and whether it is a quotient.
 
-    >>> (Order(1) * Order(0)).d(2).order
-    3
+    >>> (Order(1) * Order(0)).d(2).order, (Order(1) / Order(2)).quotient
+    (3, True)
     """
 
-    __slots__ = ("order",)
+    __slots__ = ("order", "quotient")
     degree = 0
     provenance = 0
     is_zero = False
 
-    def __init__(self, order: int) -> None:
-        self.order = order
+    def __init__(self, order: int, *, quotient: bool = False) -> None:
+        self.order, self.quotient = order, quotient
 
     def _plus(self, right: Order) -> Order:
-        return self if right.order <= self.order else right
+        return Order(max(self.order, right.order), quotient=self.quotient or right.quotient)
 
     _times = _plus
+
+    def __truediv__(self, other: Any) -> Any:
+        return self.scaled(1 / mpq(other)) if isinstance(other, CONSTANTS) else super().__truediv__(other)
+
+    def reciprocal(self) -> Order:
+        """A quotient of the same order."""
+        return Order(self.order, quotient=True)
 
     def scaled(self, constant: Constant) -> Order:
         """The same order: a constant factor needs no derivative."""
@@ -47,7 +54,7 @@ class Order(RingOperand):
 
     def d(self, order: int = 1, *, by: str | None = None) -> Order:
         """The order increased by that of the derivative."""
-        return Order(self.order + order)
+        return Order(self.order + order, quotient=self.quotient)
 
 
 class OrderReading(Reading):
@@ -69,7 +76,8 @@ def is_polynomial(formula: Formula, dimension: int) -> bool:
     (True, False)
     """
     value = orders(formula, dimension)
-    return all(isinstance(part, Order) for part in (value if isinstance(value, Vector) else [value]))
+    parts = value if isinstance(value, Vector) else [value]
+    return all(isinstance(part, Order) and not part.quotient for part in parts)
 
 
 def order_of(formula: Formula, dimension: int) -> int:
@@ -92,10 +100,7 @@ def _highest(value: Any, formula: Formula) -> int:
             f"{getattr(formula, 'name', 'the formula')} returns a number",
             remedy="write it with an operand: 1 + 0 * c.w",
         )
-    if isinstance(value, Adjoined):
-        parts = (value.plain, value.rooted, value.square)
-    else:
-        parts = tuple(value) if isinstance(value, Vector) else (value.numerator, value.denominator)
+    parts = (value.plain, value.rooted, value.square) if isinstance(value, Adjoined) else tuple(value)
     return max(_highest(part, formula) for part in parts)
 
 

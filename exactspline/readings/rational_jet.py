@@ -18,6 +18,9 @@ from exactspline.one_line import one_line
 from exactspline.polynomials.factors import bounded_product, greatest_common_divisor
 from exactspline.readings.jet import IndeterminateReading, Jet, JetRing, Terms, terms_of
 
+#: Numerators with more terms are long.
+LONG = 1000
+
 
 class JetFraction(FieldOperand):
     """``top / bottom`` without common factors, with monic `bottom`.
@@ -96,6 +99,11 @@ class JetFraction(FieldOperand):
     def is_zero(self) -> bool:
         """Whether it vanishes on every curve."""
         return not self.top
+
+    @property
+    def is_long(self) -> bool:
+        """Whether products of such values are too long to be multiplied out as they come."""
+        return len(self.top) > LONG
 
     def __eq__(self, other: object) -> bool:
         """Whether both are the same quotient. Values of this reading are in lowest terms, so that equal values have

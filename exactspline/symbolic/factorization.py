@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from contextvars import ContextVar
 from dataclasses import dataclass
 from functools import cache, partial
@@ -12,7 +12,7 @@ from typing import Any, NamedTuple, cast
 
 from flint import Ordering, fmpq, fmpq_mpoly, fmpq_mpoly_ctx
 
-from exactspline.errors import ClaimError, ExactSplineError, ReachError, as_flag, as_integer, as_items
+from exactspline.errors import ClaimError, ExactSplineError, FormulaError, ReachError, as_flag, as_integer, as_items
 from exactspline.hooks import Displayed
 from exactspline.language.arguments import Curve, Evaluated, Pair, T
 from exactspline.language.formula import Formula
@@ -227,6 +227,10 @@ def irreducible_on_a_line(p: fmpq_mpoly) -> bool:
         return False
 
 
+#: Polynomials with more terms have no text as names.
+TERMS = 12
+
+
 def _name_of(jet: Jet) -> tuple[str, mpq]:
     """The name of an irreducible jet polynomial (its text if there is none), and its quotient by the polynomial with
     this name.
@@ -236,6 +240,10 @@ def _name_of(jet: Jet) -> tuple[str, mpq]:
             quotient = jet.polynomial.leading_coefficient() / other.polynomial.leading_coefficient()
             if jet.polynomial == other.polynomial * quotient:
                 return name, from_flint(quotient)
+    if (count := len(jet.polynomial)) > TERMS:
+        with suppress(FormulaError):  # where it is not homogeneous
+            return "(a new form of degree {}, weight {})".format(*jet.grading), mpq(1)
+        return f"(a new form of {count} terms)", mpq(1)
     text = polynomial_text(jet)
     return (f"({text})" if " " in text else text), mpq(1)
 
@@ -376,7 +384,9 @@ class _Names:
 
     def _value(self, formula: Formula) -> tuple[str, object] | None:
         n, kind = self._dimension, self._kind
-        if not (kind.takes(formula.kind, n) and is_polynomial(formula, n) and order_of(formula, n) <= self._order):
+        if not kind.takes(formula.kind, n) or order_of(formula, n) > self._order:
+            return None
+        if not is_polynomial(formula, n) and (self._of_library or not self._polynomial):  # γ is one where w = 1
             return None
         if kind.counted == BOTH and _degree_in_surface(formula, n, self._polynomial) > NAMED_DEGREE:
             return None

@@ -8,7 +8,7 @@ from abc import abstractmethod
 from dataclasses import field, replace
 from typing import ClassVar
 
-from exactspline.errors import ClaimError, ExactSplineError
+from exactspline.errors import ClaimError, ExactSplineError, ReachError
 from exactspline.language.arguments import Evaluated
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import POINT_IN_SPACE, Kind, kind_of
@@ -18,7 +18,7 @@ from exactspline.readings.differential_order import order_of
 from exactspline.readings.jet import Jet
 from exactspline.readings.rational_jet import RationalJetReading
 from exactspline.splines.tensor import TensorSpline
-from exactspline.symbolic.factorization import Factor, jets_for
+from exactspline.symbolic.factorization import Factor, jets_for, without_denominator
 from exactspline.verification.claim import Claim, formula_name, read
 from exactspline.verification.claim_fields import claim_kind
 from exactspline.verification.curve_check import common_zeros, extra_zero
@@ -60,6 +60,17 @@ class EqualityClaim(Claim):
     @abstractmethod
     def equality(self) -> Statement:
         """The equality."""
+
+    def _decided(self, dimension: int, polynomial: bool) -> Finding:
+        """What is too long for numerators and denominator is decided for indeterminate coordinates of γ where it speaks
+        of γ alone: at a point its derivatives are as free on rational curves as on polynomial ones.
+        """
+        try:
+            return super()._decided(dimension, polynomial)
+        except ReachError:
+            if polynomial or not without_denominator(self.compared, getattr(self, "factor", "1"), dimension):
+                raise
+        return super()._decided(dimension, True)
 
     def examine(self, argument: Evaluated, own: Evaluation) -> Finding:
         """The sides, multiplied out on the splines."""
