@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from functools import lru_cache
-from typing import Any
+from typing import Any, cast
 
 from exactspline.errors import FormulaError
 from exactspline.language.adjoined_root import Adjoined
@@ -37,8 +37,10 @@ class Order(FieldOperand):
 
     _times = _plus
 
-    def __truediv__(self, other: Any) -> Any:
-        return self.scaled(1 / mpq(other)) if isinstance(other, CONSTANTS) else super().__truediv__(other)
+    def __truediv__(self, other: object) -> Order:
+        if isinstance(other, CONSTANTS):
+            return self.scaled(1 / mpq(other))
+        return super().__truediv__(cast(Order, other))
 
     def reciprocal(self) -> Order:
         """A quotient of the same order."""

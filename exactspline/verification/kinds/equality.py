@@ -62,8 +62,8 @@ class EqualityClaim(Claim):
         """The equality."""
 
     def _decided(self, dimension: int, polynomial: bool) -> Finding:
-        """What is too long for numerators and denominator is decided for indeterminate coordinates of γ where it speaks
-        of γ alone: at a point its derivatives are as free on rational curves as on polynomial ones.
+        """What is too long for numerators and denominator is decided for indeterminate coordinates of γ, where it is
+        about γ alone: at a point its derivatives are as free on rational curves as on polynomial ones.
         """
         try:
             return super()._decided(dimension, polynomial)
