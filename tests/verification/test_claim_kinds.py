@@ -116,7 +116,7 @@ def test_examples_must_be_curves_of_which_the_claim_speaks(one):
     other = "twisted_cubic" if one.dimensions == (2,) else "circle"
     with pytest.raises(ClaimError, match="not a curve to which the claim applies"):
         replace(one, example=other, curve="plane" if other == "twisted_cubic" else "space")
-    rational = not example(one.example).polynomial
+    rational = not one.curve_named(one.example).polynomial
     with pytest.raises(ClaimError, match="not a curve to which the claim applies"):
         replace(one, of="polynomial" if rational else "rational")
     replace(one, of="rational" if rational else "polynomial")

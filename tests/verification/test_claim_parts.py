@@ -193,7 +193,7 @@ def test_continuity_is_that_of_the_least_continuous_component(monkeypatch):
         said = replace(
             one, claimed=f"degree 2, {nominal} {Counter.NOMINAL_CONTINUITY}, {true} {Counter.TRUE_CONTINUITY}"
         )
-        own = Evaluation(example(one.example))
+        own = Evaluation(one.curve_named(one.example))
         assert said.examine(own.argument(one.curve), own).verdict == VERIFIED
         other = replace(one, claimed=f"{nominal + 1} {Counter.NOMINAL_CONTINUITY}")
         assert other.examine(own.argument(one.curve), own).verdict == REFUTED
