@@ -114,7 +114,12 @@ ZERO_SET = {key: DEGREE[key] for key in ("id", "key", "status", "source", "state
         (DEGREE, {"statement": 7}, "7 is not a text"),
         (ZERO_SET, {"formulas": ["f2"]}, "compared with itself"),
         (ZERO_SET, {"formulas": ["f2", "f2"]}, "compared with itself"),
-        (ZERO_SET, {"curve": "pair", "formulas": ["bisector_determinant", "bisector"]}, "are not decided"),
+        (
+            ZERO_SET,
+            {"kind": "square class", "curve": "pair", "formulas": None}
+            | {"formula": "bisector_determinant", "right": "bisector_determinant_symmetric"},
+            "are not decided",
+        ),
         (
             ZERO_SET,
             {"kind": "identity", "formulas": None, "left": "f0", "right": "f2", "factor": "1/0"},
