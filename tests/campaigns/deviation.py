@@ -226,17 +226,20 @@ class Oracle:
 
 
 def nearest_of(other, points, number=SAMPLES):
-    """The distances of points from samples of a curve, and from the nearest points between their neighbours."""
+    """The distances of points from samples of a curve, and from the nearest points between their neighbours, also at
+    both ends, which may be one point.
+    """
     parameters, step = other.samples(number)
     apart = np.linalg.norm(points[:, None, :] - other(parameters)[None, :, :], axis=2)
-    best = apart.argmin(axis=1)
-    low = np.maximum(parameters[best] - step, parameters[0])
-    high = np.minimum(parameters[best] + step, parameters[-1])
-    for _ in range(60):
-        a, b = low + (high - low) / 3, high - (high - low) / 3
-        nearer = np.linalg.norm(points - other(a), axis=1) < np.linalg.norm(points - other(b), axis=1)
-        low, high = np.where(nearer, low, a), np.where(nearer, b, high)
-    return apart.min(axis=1), np.minimum(apart.min(axis=1), np.linalg.norm(points - other(low), axis=1))
+    refined = apart.min(axis=1)
+    for near in (parameters[apart.argmin(axis=1)], *(np.full(len(points), parameters[k]) for k in (0, -1))):
+        low, high = (np.clip(near + way * step, parameters[0], parameters[-1]) for way in (-1, 1))
+        for _ in range(60):
+            a, b = low + (high - low) / 3, high - (high - low) / 3
+            nearer = np.linalg.norm(points - other(a), axis=1) < np.linalg.norm(points - other(b), axis=1)
+            low, high = np.where(nearer, low, a), np.where(nearer, b, high)
+        refined = np.minimum(refined, np.linalg.norm(points - other(low), axis=1))
+    return apart.min(axis=1), refined
 
 
 def scaled(x, size):

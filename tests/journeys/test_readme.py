@@ -30,6 +30,7 @@ RUN = [
         "docs/concepts.md",
         "docs/two-parameters.md",
         "docs/deviation.md",
+        "docs/offsets.md",
         "docs/rounded-input.md",
         "docs/questions.md",
     )

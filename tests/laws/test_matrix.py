@@ -26,6 +26,7 @@ from exactspline.interchange.examples import example
 from exactspline.questions.entry import Of, Question, question, question_with
 from exactspline.questions.takes import Takes
 from exactspline.reals.real import Real
+from tests.campaigns.offset_parts import FAMILIES
 from tests.support.changes import CHANGES
 from tests.support.dials import DIALS
 from tests.support.drawn import DRAWN, light_curve, light_pair, light_surface, round_loop, smooth_loop
@@ -168,6 +169,18 @@ def test_self_intersections_of_offsets_after_every_change(change):
         random = Random(f"{SEED} offset {change} {i}")
         curve, letters = drawn(Of.PLANE_CURVE, random, change, lambda random: light_curve(2, random))
         compared(curve, REGISTRY[Of.PLANE_CURVE]["offset_self_intersections"], letters, random, counts)
+    assert not counts.failures, report(counts.failures)
+
+
+@pytest.mark.parametrize("change", CHANGES[Of.PLANE_CURVE])
+def test_parts_of_offsets_after_every_change(change):
+    """Of closed curves of lines and arcs, with small integers."""
+    counts = Counts()
+    for i in range(2):
+        random = Random(f"{SEED} parts {change} {i}")
+        letters = (Letter(change, random.randrange(1 << 30)),)
+        curve = FAMILIES[("polygons", "arcs")[i]](DIALS["small integers"], random)
+        compared(curve, REGISTRY[Of.PLANE_CURVE]["offset_parts"], letters, random, counts)
     assert not counts.failures, report(counts.failures)
 
 

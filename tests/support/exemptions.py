@@ -20,6 +20,7 @@ NOT_TRANSPORTED = {
 DEAR = {
     (Of.SURFACE, "ridges"),
     (Of.PLANE_CURVE, "offset_self_intersections"),
+    (Of.PLANE_CURVE, "offset_parts"),
     (Of.TWO_CURVES, "bisector"),
     (Of.TWO_CURVES, "offset_intersections"),
 }
@@ -28,6 +29,7 @@ WHERE_DECIDED = {
     "bisector",
     "offset_intersections",
     "offset_self_intersections",
+    "offset_parts",
     "largest_curvature_derivative",
     "largest_torsion",
 }

@@ -463,8 +463,18 @@ def as_deviation(found, values, to):
     return (what,), [Known(None, values["low"].low, values["high"].high).times(to.scale)]
 
 
+def as_offset_part(found, values, to):
+    """A part by its ends; an arc about a corner by this and its ends, which a mirror exchanges."""
+    if found.what == "part":
+        return as_piece(values, to)
+    ends = [to.image.motion.of_known([values[f"{end} {axis}"] for axis in "xy"]) for end in ("start", "end")]
+    first, last = ends[::-1] if to.image.motion.turns else ends
+    return ["corner"], [to.parameter(values["corner"]), *first, *last]
+
+
 #: How the numbers go that answer a question.
 NUMBERS = {
+    "offset_parts": as_offset_part,
     "deviation": as_deviation,
     "deviation_within": as_deviation,
     "curvature_derivative": as_curvature_derivative,

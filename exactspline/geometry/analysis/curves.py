@@ -24,6 +24,7 @@ from exactspline.geometry.filter.certain import Certain, certain
 from exactspline.geometry.pairs import offsets
 from exactspline.geometry.pairs.intersections import Intersections, self_intersections
 from exactspline.geometry.pairs.nearest import Nearest, nearest
+from exactspline.geometry.pairs.offset_parts import offset_parts
 from exactspline.geometry.pairs.winding import winding_number
 from exactspline.geometry.recognition.pieces import RecognizedPiece, recognized, small_distance
 from exactspline.geometry.recognition.shapes import ShapeKind
@@ -35,6 +36,7 @@ from exactspline.language.rational import Rational
 from exactspline.numbers.exact import Number, mpq, rational
 from exactspline.numbers.sides import Side
 from exactspline.one_line import one_line
+from exactspline.questions.answers import NamedNumbers
 from exactspline.questions.entry import (
     CURVES,
     Answered,
@@ -427,6 +429,24 @@ class Analysis(CurveValues, Displayed, FunctionsOutside):
         Raises `ShapeError` for a space curve.
         """
         return offsets.self_intersections(self.curve, offset=distance)
+
+    @question_with(DISTANCE, Of.PLANE_CURVE, answered=Answered.NUMBERS)
+    def offset_parts(self, distance: Number) -> tuple[NamedNumbers, ...]:
+        """The parts of the offset of a simple closed curve, at a signed distance (positive to the left), to which no
+        point of the curve is nearer than this.
+
+        They are the parts of the curve that they belong to, and arcs about corners. There is none if and only if no
+        point on this side is farther from the curve: the offset is empty, or single points.
+
+        >>> from exactspline import Nurbs
+        >>> square = Nurbs(1, [0, 0, 1, 2, 3, 4, 4], [(0, 0), (4, 0), (4, 4), (0, 4), (0, 0)])
+        >>> analyse(square).offset_parts(1)[0], analyse(square).offset_parts(3)
+        (<part: start 1/4, end 3/4>, ())
+
+        Raises `ShapeError` for a curve that is not closed or meets itself, and `ReachError` where parts of the offset
+        may run along each other or be single points.
+        """
+        return offset_parts(self.curve, rational(distance))
 
     @question_with(DISTANCE, Of.PLANE_CURVE, proof=lambda facts, distance: (facts.offset_form(distance).zeros,))
     def offset_cusps(self, distance: Number) -> Places[Feature]:

@@ -101,7 +101,7 @@ class CurvePair(Inspected, Displayed):
 
         Raises `ReachError` where it is out of reach whether the curves have arcs in common.
         """
-        return deviation(*self.curves)
+        return tuple(deviation(*self.curves))
 
     @question_with(TOLERANCE, Of.TWO_CURVES, answered=Answered.NUMBERS)
     def deviation_within(self, tolerance: Number) -> tuple[NamedNumbers, ...]:
@@ -115,7 +115,7 @@ class CurvePair(Inspected, Displayed):
 
         Raises `ShapeError` for a negative distance, and `ReachError` where it is out of reach.
         """
-        return deviation_within(*self.curves, rational(tolerance))
+        return tuple(deviation_within(*self.curves, rational(tolerance)))
 
     @question(Of.TWO_CURVES, answered=Answered.NUMBERS, on_request=True)
     def junctions(self) -> tuple[NamedNumbers, ...]:

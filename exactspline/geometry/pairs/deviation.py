@@ -46,6 +46,8 @@ from exactspline.splines.nurbs import Nurbs
 RATIO, SQUARED = mpq(10099, 10000), mpq(10198, 10000)
 #: Halvings for each segment of both curves before a distance is decided exactly.
 HALVINGS = 10
+#: The digits of a rational parameter near a nearest point.
+DIGITS = 64
 
 
 @dataclass(frozen=True)
@@ -69,34 +71,15 @@ def foot_of(curve: Nurbs, point: tuple[mpq, ...], at: mpq) -> Foot:
     >>> foot.nearest.closed_form, [(i, float(t)) for i, t in foot.tried]
     ('-1 + √2', [(0, 0.41421356237...)])
     """
-    found = nearest(curve, point)
+    found, (low, high) = nearest(curve, point), curve.domain
     t = found.points[0].parameter if found.points else Real(found.everywhere[0].parts[0].low)
-    squared = found.points[0].squared if found.points else Real(_squared(curve(rounded(t, curve, 1)), point))
-    near = squared.rational_near(8)
-    for digits in (8, 16, 32, 64):
-        image = rounded(t, curve, digits)
-        if _squared(curve(image), point) * 9999 <= near * 10000:
-            break
+    image = min(max(t.enclosure(DIGITS).middle, low), high)
+    squares = ((x - y) ** 2 for x, y in zip(curve(image), point, strict=True))
+    squared = found.points[0].squared if found.points else Real(sum(squares, mpq(0)))
     images = curve.domain if curve.closed and image in curve.domain else (image,)
     sides = [Interval(*ends) for ends in pairwise(curve.breakpoints)]
     places = [(j, side.local(t)) for j, side in enumerate(sides) for t in images if side.low <= t <= side.high]
-    return Foot(at, t, squared, near, places)
-
-
-def rounded(t: Real, curve: Nurbs, digits: int) -> mpq:
-    """A rational parameter of a curve near a real one.
-
-    >>> from exactspline import example
-    >>> rounded(Real("1/3"), example("circle"), 5)
-    mpq(1,3)
-    """
-    low, high = curve.domain
-    return min(max(t.enclosure(digits).middle, low), high)
-
-
-def _squared(p: Iterable[mpq], q: Iterable[mpq]) -> mpq:
-    """The squared distance of two points."""
-    return sum(((x - y) ** 2 for x, y in zip(p, q, strict=True)), mpq(0))
+    return Foot(at, t, squared, squared.rational_near(8), places)
 
 
 class OneWay:
@@ -129,7 +112,8 @@ class OneWay:
             if self._is_within(i, start, end, self.farthest.near * SQUARED if self.bound is None else self.bound):
                 continue
             middle = self._foot((start.at + end.at) / 2)
-            if start.near or middle.near or end.near or not self._is_shared(start.at, end.at):
+            apart = start.near or middle.near or end.near
+            if apart or not any(part.low <= start.at and end.at <= part.high for part in self.shared):
                 self._put(i, start, middle)
                 self._put(i, middle, end)
                 yield self.farthest
@@ -149,18 +133,13 @@ class OneWay:
     def _side(self, i: int) -> Interval:
         return Interval(*self.curves[0].breakpoints[i : i + 2])
 
-    def _is_shared(self, low: mpq, high: mpq) -> bool:
-        """Whether the other curve runs along the whole of a piece."""
-        return any(part.low <= low and high <= part.high for part in self.shared)
-
     @cached_property
     def shared(self) -> list[Interval]:
         """The parts of the curve along which the other one runs."""
         met = intersections(*self.curves)
         if met.undecided:
             raise ReachError(f"arcs in common: {met.undecided[0]}", remedy="take curves of lower degree")
-        ends = ((min(arc.first), max(arc.first)) for arc in met.everywhere)
-        return joined(ends)  # type: ignore[arg-type]  # real numbers in the place of rational ones
+        return joined((min(arc.first), max(arc.first)) for arc in met.everywhere)  # type: ignore[misc]  # real numbers
 
     def beyond(self, bound: mpq) -> Foot | None:
         """A point whose squared distance is above the bound; None where there is none."""
@@ -178,9 +157,8 @@ class OneWay:
         for i in sorted({i for _, i, *_ in self.queue}):
             near = (self.forms(i, j) for j in range(self.curves[1].segments))
             places = (critical_places(forms.above(bound)) for forms in near if forms.excess(bound).sign != 1)
-            roots = [root for own in places for p in own for root in roots_in(p, *UNIT.first, whole=True)]
-            for pair in pairwise(distinct([*UNIT.first, *roots])):
-                yield self._foot(self._side(i).at(between(*map(real, pair))))
+            for t in between_zeros(p for own in places for p in own):
+                yield self._foot(self._side(i).at(t))
 
 
 def _affine(a: mpq, b: mpq) -> fmpq_poly:
@@ -218,28 +196,39 @@ def critical_places(p: fmpz_mpoly) -> list[fmpz_poly]:
     return [square_free(f) for f in found if f.degree() > 0]
 
 
-def deviation(first: Nurbs, second: Nurbs) -> tuple[NamedNumbers, ...]:
+def between_zeros(polynomials: Iterable[fmpz_poly]) -> Iterator[mpq]:
+    """A rational number between any two neighbouring zeros of square-free polynomials in [0, 1], and before and behind
+    them.
+
+    >>> list(between_zeros([fmpz_poly([-1, 2])]))
+    [mpq(1,4), mpq(3,4)]
+    """
+    zeros = (zero for p in polynomials for zero in roots_in(p, *UNIT.first, whole=True))
+    return (between(*map(real, pair)) for pair in pairwise(distinct([*UNIT.first, *zeros])))
+
+
+def deviation(first: Nurbs, second: Nurbs) -> Iterator[NamedNumbers]:
     """Bounds for the largest distance of the points of each of two curves from the other one, the upper one at most a
     hundredth above the lower one, which is the distance of the point `at` a parameter; and the `nearest` parameter.
     Both bounds are 0 where a curve is a part of the other one.
 
     >>> from exactspline import Nurbs
     >>> parabola = Nurbs(2, [0, 0, 0, 1, 1, 1], [(-1, 1), (0, -1), (1, 1)])
-    >>> deviation(parabola, Nurbs(1, [0, 0, 1, 1], [(-1, 1), (1, 1)]))
-    (<first from second: low 1, high 10099/10000, at 1/2, nearest 1/2>, <second from first: low √3/2, high ...>)
+    >>> for found in deviation(parabola, Nurbs(1, [0, 0, 1, 1], [(-1, 1), (1, 1)])):
+    ...     print(found)
+    <first from second: low 1, high 10099/10000, at 1/2, nearest 1/2>
+    <second from first: low √3/2, high ...>
 
     Raises `ShapeError` for curves of different dimensions, and outside plane and space, and `ReachError` where it is
     out of reach whether they have arcs in common.
     """
-    found = []
     for what, way in _ways(first, second):
         *_, farthest = way.halvings()
         high = square_root(farthest.near).rational_near(8) * RATIO
-        found.append(NamedNumbers(what, _described("low", farthest, high=Real(high))))
-    return tuple(found)
+        yield NamedNumbers(what, _described("low", farthest, high=Real(high)))
 
 
-def deviation_within(first: Nurbs, second: Nurbs, bound: mpq) -> tuple[NamedNumbers, ...]:
+def deviation_within(first: Nurbs, second: Nurbs, bound: mpq) -> Iterator[NamedNumbers]:
     """Whether all points of each of two curves are within a distance from the other one; where they are not, a point
     that is farther.
 
@@ -252,13 +241,11 @@ def deviation_within(first: Nurbs, second: Nurbs, bound: mpq) -> tuple[NamedNumb
     """
     if bound < 0:
         raise ShapeError(f"within {text(bound)}", remedy="give a number that is not negative, such as 1/1000")
-    found = []
     for what, way in _ways(first, second, bound**2):
         with bounded():
             beyond = way.beyond(bound**2)
         values = {} if beyond is None else _described("distance", beyond)
-        found.append(NamedNumbers(what, {"bound": Real(bound)} | values, {"holds": "no" if values else "yes"}))
-    return tuple(found)
+        yield NamedNumbers(what, {"bound": Real(bound)} | values, {"holds": "no" if values else "yes"})
 
 
 def _ways(first: Nurbs, second: Nurbs, bound: mpq | None = None) -> Iterator[tuple[str, OneWay]]:

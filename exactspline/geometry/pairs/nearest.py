@@ -113,11 +113,16 @@ def nearest(curve: Nurbs, point: Iterable[Number]) -> Nearest:
     points += at_rational_parameters.values()
     if len(points) > 1:
         points.sort(key=lambda found: found.parameter)
-    return Nearest(tuple(points), _over_the_seam(curve, arcs))
+    return Nearest(tuple(points), over_the_seam(curve, arcs))
 
 
-def _over_the_seam(curve: Nurbs, arcs: list[Interval]) -> tuple[CurvePiece, ...]:
-    """Arcs as pieces of a curve; the last and the first of a closed one are one piece where both end at the seam."""
+def over_the_seam(curve: Nurbs, arcs: list[Interval]) -> tuple[CurvePiece, ...]:
+    """Arcs as pieces of a curve; the last and the first of a closed one are one piece where both end at the seam.
+
+    >>> from exactspline import example
+    >>> over_the_seam(example("circle"), [Interval(mpq(0), mpq(1)), Interval(mpq(3), mpq(4))])
+    (<CurvePiece [3, 4] ∪ [0, 1]>,)
+    """
     low, high = curve.domain
     if curve.closed and len(arcs) > 1 and (arcs[0].low, arcs[-1].high) == (low, high):
         return *(CurvePiece((arc,)) for arc in arcs[1:-1]), CurvePiece((arcs[-1], arcs[0]))
