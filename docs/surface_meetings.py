@@ -71,7 +71,9 @@ def draw_ray() -> None:
     ax = _space(figure, 1, (28, -65))
     _grid(ax, torus)
     ax.plot([start[0], 5], [0, 0], [0, 0], color=DARK, linewidth=1)
-    hits = [[s + float(hit) * d for s, d in zip(start, way, strict=True)] for hit in torus.ray((*start, *way))]
+    hits = [
+        [s + float(hit) * d for s, d in zip(start, way, strict=True)] for hit in torus.ray_intersections((*start, *way))
+    ]
     ax.plot(*zip(*hits, strict=True), "o", color=STRONG, label="the ray y = z = 0 from x = −5: four hits")
     _shown(ax)
     ax = _space(figure, 2, (28, -30))

@@ -273,7 +273,7 @@ def differs_line(number, random):
     start, direction, *place = some_line(surface, number, random, kind)
     if not any(direction):
         return ""
-    found = ask(surface, f"line:{listed(start, direction)}")
+    found = ask(surface, f"line_intersections:{listed(start, direction)}")
     k = max(range(3), key=lambda i: abs(direction[i]))
     scale = mpq(str(oracle.size))
     for one in found:
@@ -304,7 +304,10 @@ def differs_line(number, random):
 def differs_parts(surface, start, direction, found):
     """What is wrong with a ray and a segment, given all points of the line."""
     end = [x + d for x, d in zip(start, direction, strict=True)]
-    for question, high in ((f"ray:{listed(start, direction)}", None), (f"segment:{listed(start, end)}", 1)):
+    for question, high in (
+        (f"ray_intersections:{listed(start, direction)}", None),
+        (f"segment_intersections:{listed(start, end)}", 1),
+    ):
         try:
             part = ask(surface, question)
         except ShapeError:

@@ -136,57 +136,65 @@ def test_an_answer_can_be_pickled():
 
 def test_a_line_a_ray_and_a_segment():
     sphere = example("sphere")
-    assert [x.parameter for x in ask(sphere, "line:0,0,0,0,1/2,0")] == [-2, 2]
-    assert [x.parameter for x in ask(sphere, "ray:0,0,0,0,1/2,0")] == [2]
-    assert [x.parameter for x in ask(sphere, "segment:0,0,0,0,4,0")] == [mpq(1, 4)]
-    assert not ask(sphere, "segment:0,0,0,0,1/2,0")
+    assert [x.parameter for x in ask(sphere, "line_intersections:0,0,0,0,1/2,0")] == [-2, 2]
+    assert [x.parameter for x in ask(sphere, "ray_intersections:0,0,0,0,1/2,0")] == [2]
+    assert [x.parameter for x in ask(sphere, "segment_intersections:0,0,0,0,4,0")] == [mpq(1, 4)]
+    assert not ask(sphere, "segment_intersections:0,0,0,0,1/2,0")
 
 
 def test_the_first_hit_is_first():
     """By the parameters u and v it is the last one."""
-    hits = ask(example("torus"), "ray:-5,0,0,1,0,0")
+    hits = ask(example("torus"), "ray_intersections:-5,0,0,1,0,0")
     assert [x.parameter for x in hits] == [2, 4, 6, 8]
 
 
 def test_a_tangent_has_multiplicity_2():
     paraboloid = surface(X, Y, X * X + Y * Y)
-    (one,) = ask(paraboloid, "line:0,0,0,1,0,0")
+    (one,) = ask(paraboloid, "line_intersections:0,0,0,1,0,0")
     assert (one.zero.kind, one.zero.multiplicity, one.zero.where) == (ZeroKind.TOUCHING, 2, "inside a patch")
     # neither of the two planes that are taken is the tangent plane
     turned = paraboloid.transform([[0, 2, -1, 0], [1, 1, 1, 0], [1, 0, -2, 0]])
-    (other,) = ask(turned, "line:0,0,0,0,1,1")
+    (other,) = ask(turned, "line_intersections:0,0,0,0,1,1")
     assert (other.zero.kind, other.zero.multiplicity) == (ZeroKind.TOUCHING, 2)
     flat = surface(X, Y, X**3 + Y * Y)
-    assert [x.zero.multiplicity for x in ask(flat, "line:0,0,0,1,0,0")] == [3]
+    assert [x.zero.multiplicity for x in ask(flat, "line_intersections:0,0,0,1,0,0")] == [3]
 
 
 def test_a_ray_from_a_point_with_irrational_parameters():
     """Its start counts, and is not taken for a point before it by a rounded number."""
     sphere = example("sphere")
-    (hit,) = ask(sphere, "ray:2/3,2/3,1/3,2/3,2/3,1/3")
+    (hit,) = ask(sphere, "ray_intersections:2/3,2/3,1/3,2/3,2/3,1/3")
     assert hit.parameter == 0
-    assert not ask(sphere, f"ray:{mpq(2, 3) + mpq(1, 10**40)},2/3,1/3,2/3,2/3,1/3")
-    assert len(ask(sphere, "segment:0,0,0,2/3,2/3,1/3")) == 1
+    assert not ask(sphere, f"ray_intersections:{mpq(2, 3) + mpq(1, 10**40)},2/3,1/3,2/3,2/3,1/3")
+    assert len(ask(sphere, "segment_intersections:0,0,0,2/3,2/3,1/3")) == 1
 
 
 def test_a_line_in_the_surface():
     saddle = surface(X, Y, X * Y)
-    found = ask(saddle, "line:0,0,0,1,0,0")
+    found = ask(saddle, "line_intersections:0,0,0,1,0,0")
     assert (found.points, len(found.everywhere)) == ((), 1)
     with pytest.raises(ShapeError) as caught:
-        ask(saddle, "ray:1/2,0,0,1,0,0")
+        ask(saddle, "ray_intersections:1/2,0,0,1,0,0")
     remedy = caught.value.remedy.split()[0]
     assert ask(saddle, remedy).everywhere
-    diagonal = ask(surface(U, V, (U - V) * U), "line:0,0,0,1,1,0")
+    diagonal = ask(surface(U, V, (U - V) * U), "line_intersections:0,0,0,1,1,0")
     assert [part.along_curve for part in diagonal.everywhere] == [True]
 
 
 def test_a_seam_is_met_once():
-    (hit,) = ask(example("sphere"), "ray:0,0,0,1,0,0")
+    (hit,) = ask(example("sphere"), "ray_intersections:0,0,0,1,0,0")
     assert (hit.zero.kind, hit.zero.multiplicity) == (ZeroKind.TRANSVERSAL, 1)
 
 
-@pytest.mark.parametrize("question", ["line:0,0,0,0,0,0", "segment:1,2,3,1,2,3", "plane_section:0,0,0,1", "ray:1,2,3"])
+@pytest.mark.parametrize(
+    "question",
+    [
+        "line_intersections:0,0,0,0,0,0",
+        "segment_intersections:1,2,3,1,2,3",
+        "plane_section:0,0,0,1",
+        "ray_intersections:1,2,3",
+    ],
+)
 def test_what_is_no_line_or_plane_is_refused(question):
     with pytest.raises(QuestionError, match="expected"):
         ask(example("sphere"), question)
@@ -269,7 +277,7 @@ def test_a_lemon_on_one_side_of_a_knot_and_a_monstar_on_the_other():
 
 def test_the_questions_are_in_the_registry():
     forms = {each.form for each in questions() if "surface in space" in each.of}
-    assert {"nearest:0,0,2", "bounding_box", "line:0,0,2,1/2,0,-1", "plane_section:0,0,1,1/2"} <= forms
+    assert {"nearest:0,0,2", "bounding_box", "line_intersections:0,0,2,1/2,0,-1", "plane_section:0,0,1,1/2"} <= forms
 
 
 @pytest.mark.parametrize("family", campaign.FAMILIES)

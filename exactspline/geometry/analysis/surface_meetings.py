@@ -48,11 +48,11 @@ class SurfaceMeetings(CurvatureValues):
         return surface_meetings.bounding_box(self.surface)
 
     @question_with(LINE, Of.SURFACE, answered=Answered.PLACES)
-    def line(self, line: tuple[mpq, ...]) -> SurfacePlaces[LineMeeting]:
+    def line_intersections(self, line: tuple[mpq, ...]) -> SurfacePlaces[LineMeeting]:
         """The common points of a surface and a line, given by a point and its direction: in the order of the line.
 
         >>> from exactspline import analyse, example
-        >>> [float(point) for point in analyse(example("sphere")).line((0, 0, 0, 1, 0, 0))]
+        >>> [float(point) for point in analyse(example("sphere")).line_intersections((0, 0, 0, 1, 0, 0))]
         [-1.0, 1.0]
 
         Raises `QuestionError` for the direction 0.
@@ -60,11 +60,11 @@ class SurfaceMeetings(CurvatureValues):
         return surface_meetings.line_meetings(self.surface, line[:3], line[3:], closed=self.closed)
 
     @question_with(LINE, Of.SURFACE, answered=Answered.PLACES)
-    def ray(self, ray: tuple[mpq, ...]) -> SurfacePlaces[LineMeeting]:
+    def ray_intersections(self, ray: tuple[mpq, ...]) -> SurfacePlaces[LineMeeting]:
         """The common points of a surface and a ray, given by its start and its direction: the first hit first.
 
         >>> from exactspline import analyse, example
-        >>> analyse(example("sphere")).ray((0, 0, 0, 1, 0, 0))
+        >>> analyse(example("sphere")).ray_intersections((0, 0, 0, 1, 0, 0))
         [<zero at 0 and 1> and 1 of the line]
 
         Raises `QuestionError` for the direction 0, and `ShapeError` where a piece of the line is in the surface.
@@ -72,11 +72,11 @@ class SurfaceMeetings(CurvatureValues):
         return surface_meetings.line_meetings(self.surface, ray[:3], ray[3:], (mpq(0), None), self.closed)
 
     @question_with(ENDS, Of.SURFACE, answered=Answered.PLACES)
-    def segment(self, ends: tuple[mpq, ...]) -> SurfacePlaces[LineMeeting]:
+    def segment_intersections(self, ends: tuple[mpq, ...]) -> SurfacePlaces[LineMeeting]:
         """The common points of a surface and a line segment, given by its ends; t = 0 is the first end, 1 the second.
 
         >>> from exactspline import analyse, example
-        >>> analyse(example("sphere")).segment((0, 0, 0, "1/2", 0, 0))
+        >>> analyse(example("sphere")).segment_intersections((0, 0, 0, "1/2", 0, 0))
         nowhere
 
         Raises `QuestionError` for one point, and `ShapeError` where a piece of the line is in the surface.

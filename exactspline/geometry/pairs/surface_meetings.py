@@ -132,7 +132,9 @@ def line_meetings(
     found, below, (low, high) = common_zeros(*planes, closed=closed), surface.w.scaled(direction[k]), ends
     if found.everywhere and ends != (None, None):
         line = ",".join(map(text, (*start, *direction)))
-        raise ShapeError("part of a line that has a piece in the surface", remedy=f"line:{line} tells which piece")
+        raise ShapeError(
+            "part of a line that has a piece in the surface", remedy=f"line_intersections:{line} has the piece"
+        )
     # the tangent plane of a tangent is one of the planes through it, possibly of these two
     zeros = [replace(x, kind=ZeroKind.TOUCHING) if x.kind is ZeroKind.MULTIPLE else x for x in found]
     met = [LineMeeting(x, _parameter(x, planes, chord[k], below)) for x in zeros]
