@@ -13,7 +13,9 @@ from enum import StrEnum
 from functools import partial
 from typing import Any, NamedTuple
 
+from exactspline.bivariate.common_zeros import common_zeros, multiplicity
 from exactspline.errors import ReachError, ShapeError
+from exactspline.geometry.bisectors.plane_pair import PlanePair
 from exactspline.geometry.curves.planarity import check_in_one_space, in_common_plane
 from exactspline.geometry.pairs.box_tree import BoxTree, Cone, cone_around, legs, pairs_that_may_meet, shift_for
 from exactspline.geometry.pairs.intersection_certificate import intersection_certificate
@@ -22,15 +24,18 @@ from exactspline.geometry.pairs.sides_at_knots import changes_side, half_branche
 from exactspline.geometry.pairs.space_intersections import SpaceForms, space_meetings
 from exactspline.hooks import Displayed
 from exactspline.numbers.exact import common_divisor, mpq
-from exactspline.numbers.intervals import Interval
+from exactspline.numbers.intervals import Box, Interval
 from exactspline.one_line import one_line
 from exactspline.polynomials.bezout import PlaneForms
 from exactspline.polynomials.common_arcs import Arc, Local, Meeting, Meetings, Rest
 from exactspline.polynomials.cost import PATCH, QUESTION, Budget, drawing_on
+from exactspline.polynomials.factorization import divided_out
+from exactspline.polynomials.factors import greatest_common_divisor
 from exactspline.polynomials.plane_pairs import meetings, self_meetings
+from exactspline.polynomials.two_parameters import S, T
 from exactspline.polynomials.zero_places import Place
 from exactspline.programs.certain_pairs import certain_pairs
-from exactspline.reals.real import RationalNumber, Real
+from exactspline.reals.real import RationalNumber, Real, real
 from exactspline.roots.answers import Answer
 from exactspline.roots.segment_forms import (
     ImageValue,
@@ -223,6 +228,7 @@ class CollectedPoints:
         #: The common points inside two segments.
         self.inner: list[tuple[tuple[int, int], Meeting]] = []
         self.at_knots: dict[tuple[object, object], list[list[_Found]]] = {}
+        self.by_chord: list[_Found] = []
         self.arcs: list[Overlap] = []
         self.undecided: list[str] = []
         self._cones: dict[int, Cone | None] = {}
@@ -276,10 +282,37 @@ class CollectedPoints:
             else:
                 found = space_meetings(one, other) if self.in_space else meetings(one, other)
         except ReachError as error:
-            sides = " and ".join(str(self._side(k, at)) for k, at in enumerate((i, j)))
-            self.undecided.append(f"the segments over {sides}: {error.problem}")
+            try:
+                self._collect_by_chord(i, j)
+            except ReachError:
+                sides = " and ".join(str(self._side(k, at)) for k, at in enumerate((i, j)))
+                self.undecided.append(f"the segments over {sides}: {error.problem}")
             return
         self._add(found, i, j)
+
+    def _collect_by_chord(self, i: int, j: int) -> None:
+        """The common points of two plane segments as common zeros of the coordinates of their chord, which takes no
+        determinant where boxes show that there are none. Raises `ReachError`, also where an arc may be in common.
+        """
+        if self.in_space:
+            raise ReachError("segments in space")
+        chord = list(PlanePair.of_segments((self.curves[0], i), (self.curves[1], j)).chord)
+        if alone := self.alone and i == j:
+            chord = [divided_out(f, S - T) for f in chord]
+        if greatest_common_divisor(chord).total_degree() > 0:
+            raise ReachError("segments that may have an arc in common")
+        sides, found = Box(self._side(0, i), self._side(1, j)), list[_Found]()
+        for zero in common_zeros(chord, sides):
+            place = real(zero.s), real(zero.t)
+            if not alone or place[0] < place[1]:
+                at = zip(place, sides, (i, j), self._knots, strict=True)
+                knots = [own[k + (x == side.high)] if x in side[:] else None for x, side, k, own in at]
+                found.append(_Found((i, j), place, (knots[0], knots[1]), multiplicity(zero, chord[0], chord[1])))
+        for point in found:
+            if point.knots == (None, None):
+                self.by_chord.append(point)
+            else:
+                self._put(point)
 
     def _add(self, found: Meetings, i: int, j: int) -> None:
         sides = self._side(0, i), self._side(1, j)
@@ -347,7 +380,7 @@ class CollectedPoints:
             for groups in self.at_knots.values()
             for group in groups
             if not self._ends_an_arc(group[0])
-        ]
+        ] + [self._at_knot([point]) for point in self.by_chord]
         count = len(at_knots) + len(self.inner) + sum(len(found) for _, found in self.certain)
         make, curves = partial(self._in_order, at_knots), None if self.alone else self.given
         return Intersections.late(count, make, tuple(self.arcs), undecided=tuple(self.undecided), curves=curves)
@@ -402,6 +435,8 @@ class CollectedPoints:
 
     def _kind(self, group: list[_Found]) -> IntersectionKind:
         knots = group[0].knots
+        if knots == (None, None):
+            return IntersectionKind.CROSSING if (group[0].multiplicity or 0) % 2 else IntersectionKind.TOUCHING
         for curve, knot in zip(self.curves, knots, strict=True):
             if knot in (0, curve.segments) and not curve.closed:
                 return IntersectionKind.END
