@@ -14,9 +14,10 @@ from exactspline.display.numbers import EXACT, Numbers
 from exactspline.errors import ExactSplineError
 from exactspline.hooks import Worded
 from exactspline.language.kinds import constant_text
-from exactspline.numbers.exact import mpq, point_text, text
+from exactspline.numbers.exact import mpq, text
 from exactspline.polynomials.factorization import power_text
 from exactspline.readings.jet import polynomial_text
+from exactspline.reals.real import Real
 from exactspline.symbolic.factorization import Factor
 from exactspline.verification import evidence as e
 from exactspline.verification.evidence import Evidence, Found
@@ -54,7 +55,13 @@ def _(item: mpq, numbers: Numbers = EXACT) -> str:
 
 @words.register
 def _(item: tuple, numbers: Numbers = EXACT) -> str:  # type: ignore[type-arg]  # of numbers
-    return point_text(item)
+    parts = [words(each, numbers) for each in item]
+    return parts[0] if len(parts) == 1 else f"({', '.join(parts)})"
+
+
+@words.register
+def _(item: Real, numbers: Numbers = EXACT) -> str:
+    return item.shortly()
 
 
 @words.register(str)

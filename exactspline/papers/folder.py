@@ -213,7 +213,7 @@ def read_toml(file: Traversable, place: str) -> dict[str, object]:
             data = stream.read(CHARACTERS + 1)
         if len(data) > CHARACTERS:
             raise ClaimError("is too large", where=place, remedy=f"at most {CHARACTERS} bytes are read")
-        return toml.loads(data.decode("utf-8"))
+        return toml.loads(data.decode("utf-8"), parse_float=str)  # decimals are exact as written
     except (toml.TOMLDecodeError, UnicodeDecodeError, RecursionError) as error:
         raise ClaimError(f"not TOML:  {error}", where=place, remedy="correct the file") from None
 

@@ -10,13 +10,21 @@ from enum import StrEnum
 from string import Template
 from typing import Any, ClassVar, TypeVar
 
-from exactspline.errors import ClaimError, ExactSplineError, FormulaError, ReachError, VanishingDivisorError
+from exactspline.errors import (
+    ClaimError,
+    ExactSplineError,
+    FormulaError,
+    NumberError,
+    ReachError,
+    VanishingDivisorError,
+)
 from exactspline.hooks import Displayed
 from exactspline.language.arguments import Evaluated, Operands
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import Kind, PairKind, kind_of
 from exactspline.language.rational import Rational
 from exactspline.language.ruled import RuledSurface
+from exactspline.numbers.exact import mpq, rational
 from exactspline.numbers.immutable import Immutable
 from exactspline.one_line import one_line
 from exactspline.papers import Paper, paper_named
@@ -59,7 +67,7 @@ from exactspline.verification.verdict import (
     vacuous,
     worst_case,
 )
-from exactspline.verification.vocabulary import ArgumentKind, Name, Scope, Status, Verdict, word
+from exactspline.verification.vocabulary import ArgumentKind, Extent, Name, Scope, Status, Verdict, word
 
 E = TypeVar("E", bound=StrEnum)
 V = TypeVar("V")
@@ -187,6 +195,19 @@ def count_from(least: int) -> Callable[[Claim, str, object], int]:
     return check
 
 
+def number(claim: Claim, name: str, value: int | str) -> mpq:
+    """A number, exactly as written: ``"1/3"``, ``5.76`` (a decimal of a table is read as text)."""
+    try:
+        return rational(value)
+    except NumberError as error:
+        raise ClaimError(error.problem, where=name, remedy=error.remedy) from None
+
+
+def numbers(claim: Claim, name: str, value: tuple[int | str, ...] | int | str) -> tuple[mpq, ...]:
+    """One such number, or several."""
+    return tuple(number(claim, name, each) for each in (value if isinstance(value, tuple) else (value,)))
+
+
 def _identifier(claim: Claim, name: str, value: str) -> str:
     """A key: the id of the claim without spaces and dots, and words after hyphens."""
     begin = claim.begin_of_key
@@ -207,6 +228,7 @@ class Claim(Immutable, Displayed):
     rational ones or both. ``assumes`` are assumptions of `exactspline.symbolic.assumptions`; ``context`` explains the
     letters in words. ``error`` groups the statements that fail for one reason. ``witness`` is the example curve that is
     tried first as a counterexample, and ``vacuous`` lists the example curves on which there is nothing to decide.
+    ``on = "curve"`` makes it a claim about one curve alone, the ``example``, which holds where it is VERIFIED.
 
     Raises `ClaimError` for a word, a name or a combination without meaning.
     """
@@ -246,6 +268,8 @@ class Claim(Immutable, Displayed):
     expected: Verdict = field(default=Verdict.PROVED, metadata=read(_recorded))
     witness: str = field(default="", metadata=read(example_name))
     vacuous: tuple[str, ...] = field(default=(), metadata=read(_example_list))
+    on: Extent = field(default=Extent.ALL, metadata=read(one_of(Extent)))
+    example: str = field(default="", metadata=read(example_name))
     note: str = field(default="", compare=False)
 
     def __init__(self, **values: object) -> None:
@@ -265,6 +289,7 @@ class Claim(Immutable, Displayed):
             elif not value.replace("\n", "").isprintable():
                 raise ClaimError("a text that cannot be printed", where=name, remedy="remove control characters")
         self._validate_common()
+        self._validate_example()
         self.validate()
 
     def __eq__(self, other: object) -> bool:
@@ -309,6 +334,24 @@ class Claim(Immutable, Displayed):
                 where="curve",
                 remedy="splines and degrees have no roots: state an identity",
             )
+
+    def _validate_example(self) -> None:
+        """A claim about one curve names one to which it applies, and is VERIFIED where it holds."""
+        if (self.on == Extent.CURVE) != bool(self.example):
+            problem = 'on = "curve" and example = "NAME" belong together'
+            raise ClaimError(problem, where="example", remedy="write both, or none")
+        if not self.example:
+            return
+        curve, kind = self.curve_named(self.example), kind_of(self.curve)
+        decidable = self.curve != ArgumentKind.TABLE and kind.made_of_a_curve and not kind.adjoins_roots
+        if not decidable or curve.dimension not in self.dimensions or curve.polynomial not in self.of.worlds:
+            raise ClaimError(
+                f"{self.example!r} is not a curve to which the claim applies",
+                where="example",
+                remedy="name another one",
+            )
+        if self.expected == PROVED:
+            vars(self)["expected"] = VERIFIED
 
     def validate(self) -> None:
         """Refuse combinations without meaning, with `ClaimError`."""
@@ -365,7 +408,8 @@ class Claim(Immutable, Displayed):
         """Context and assumptions in words."""
         polynomial = ["polynomial: w = 1"] if self.of == Scope.POLYNOMIAL else []
         context = [self.context] if self.context else []
-        return "; ".join([*context, *polynomial, *[each.words for each in self.assumes]])
+        curve = [f"on the curve {self.example}"] if self.example else []
+        return "; ".join([*context, *polynomial, *[each.words for each in self.assumes], *curve])
 
     @property
     def dimensions(self) -> tuple[int, ...]:
@@ -376,7 +420,7 @@ class Claim(Immutable, Displayed):
         """Whether it applies to single curves (or surfaces) of that dimension and kind: splines have no roots."""
         kind = kind_of(self.curve)
         made = kind.made_of_a_surface if surface else kind.made_of_a_curve
-        decidable = self.curve != ArgumentKind.TABLE and not kind.adjoins_roots and made
+        decidable = self.curve != ArgumentKind.TABLE and not kind.adjoins_roots and made and self.on == Extent.ALL
         return decidable and dimension in self.dimensions and polynomial in self.of.worlds
 
     @property
@@ -394,6 +438,16 @@ class Claim(Immutable, Displayed):
         return Template(self.notation).substitute(fields)
 
     def prove(self) -> tuple[Name, Finding]:
+        """The reading in which it is decided for all curves that it is about, and the finding."""
+        return (Name("spline"), self._on_its_curve()) if self.on == Extent.CURVE else self.for_all()
+
+    def _on_its_curve(self) -> Finding:
+        """The finding on the one curve that it is about."""
+        finding = self.check(self.curve_named(self.example), lambda: (self.reading, Finding(UNDECIDED)))
+        witness = OnExample(Name(self.example), finding.witness) if finding.verdict == REFUTED else finding.witness
+        return replace(finding, witness=witness)
+
+    def for_all(self) -> tuple[Name, Finding]:
         """The reading in which it is decided for all curves, and the finding: the worst of all cases, that is of
         rational and polynomial curves of every dimension to which it applies. An error in one case, such as a
         denominator that vanishes where w = 1, is raised unless another case refutes it.

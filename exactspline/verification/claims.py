@@ -102,6 +102,10 @@ def _read(entry: dict[str, Any], source: Paper) -> Claim:
 
 def _shape(declared: str, value: object) -> str:
     """Why a value does not have the declared type of its field; empty where it does."""
+    if "mpq" in declared:
+        several = value if isinstance(value, list) and declared.startswith("tuple") else [value]
+        good = all(type(each) in (int, str) for each in several)
+        return "" if good else 'not a number such as "1/3", or not a list of them'
     if declared.startswith("tuple"):
         good = isinstance(value, list) and all(isinstance(each, str) and len(each) <= LONGEST for each in value)
         return "" if good else "not a list of texts"

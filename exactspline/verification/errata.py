@@ -28,7 +28,7 @@ from exactspline.verification.notation import WEIGHTS, factor_parts
 from exactspline.verification.rows import error_of
 from exactspline.verification.statement import letters_of_factor
 from exactspline.verification.verdict import PROVED, REFUTED, VERIFIED, Finding
-from exactspline.verification.vocabulary import Measure, Name, Scope, Status, Verdict
+from exactspline.verification.vocabulary import Extent, Measure, Name, Scope, Status, Verdict
 
 
 @dataclass(frozen=True)
@@ -160,6 +160,8 @@ def true_relation(claim: Claim, finding: Finding) -> Relating | None:
     factor = finding.factor
     if not isinstance(claim, Identity) or not isinstance(factor, Factor | StatedFactor):
         return None
+    if claim.on == Extent.CURVE and finding.verdict == REFUTED:  # the factor is the claimed one
+        return None
     return Relating(symbol_or_name(claim, claim.left), factor, symbol_or_name(claim, claim.right))
 
 
@@ -235,24 +237,24 @@ def _shown(claim: Claim) -> tuple[str, ...]:
         return f"find({named(formula)})" if source.package else named(formula)
 
     finding = ("from exactspline.papers import find",) if source.package else ()
-    if isinstance(claim, Identity) and _has_factor(claim, d):
+    if isinstance(claim, Identity) and claim.on == Extent.ALL and _has_factor(claim, d):
         return (
             "from exactspline.verification.generic_proof import factor_of",
             f"print(factor_of({named(claim.left)}, {named(claim.right)}, {d}))",
         )
-    if isinstance(claim, Vanishing):
+    if isinstance(claim, Vanishing) and claim.on == Extent.ALL:
         return (
             "from exactspline.symbolic.factorization import jets_for",
             *finding,
             f"print({found(claim.left)}(jets_for(({named(claim.left)},), {d})))",
         )
-    if isinstance(claim, DegreeClaim) and claim.measure == Measure.LOWEST_TERMS:
+    if isinstance(claim, DegreeClaim) and claim.measure == Measure.LOWEST_TERMS and claim.on == Extent.ALL:
         return (
             "from exactspline.verification.generic_proof import lowest_degree",
             *finding,
             f"print(lowest_degree({found(claim.formula)}, {d}))",
         )
-    if isinstance(claim, DegreeClaim):
+    if isinstance(claim, DegreeClaim) and claim.on == Extent.ALL:
         parameter = f'parameter="{claim.parameter}"' if claim.parameter != Parameter.FIRST else ""
         return (
             *finding,

@@ -14,6 +14,7 @@ from exactspline.language.choices import Parameter
 from exactspline.numbers.exact import mpq
 from exactspline.readings.degree import Degree
 from exactspline.readings.jet import Jet
+from exactspline.reals.real import Real
 from exactspline.symbolic.assumptions import Assumption
 from exactspline.symbolic.factorization import Factor
 from exactspline.verification.vocabulary import Counter, Group, Name, Relation, Sign, ValueType
@@ -33,6 +34,7 @@ class Fact(Evidence, Enum):
     NOWHERE = "a side exists on no curve: 0/0"
     NO_FACTOR = "the factor does not exist on all of this curve: 1/0"
     NO_VALUE = "it does not exist on all of this curve: 1/0"
+    NO_VALUE_THERE = "it does not exist at this parameter: 1/0"
     NO_COMMON_ZERO = "no zero in common"
     NOT_ISOLATED = "a side vanishes on a whole segment, whose points have no condition number"
     NO_JOINT = "one segment: nothing is joined"
@@ -50,6 +52,8 @@ class Fact(Evidence, Enum):
     ONE_ZERO_SET = "one zero set"
     CURVE_OF_ZERO_ZETA = "the curve ζ = 0"
     APPLIES = "it applies"
+    AS_CLAIMED = "as claimed"
+    EQUAL_EVERYWHERE = "equal everywhere"
     # what does not
     NOT_PROPORTIONAL = "not proportional"
     NOT_IDENTICAL = "not identical"
@@ -437,11 +441,12 @@ class OnlyForDegrees(Evidence, words="none vanishes for {degrees}"):
     degrees: ForDegrees
 
 
-class ZeroCoefficient(Evidence, words="coefficient {index} of {formula} is 0"):
-    """A coefficient of a formula that is zero on this curve."""
+class ZeroCoefficient(Evidence, words="coefficient {index} of {formula} is {value}"):
+    """A coefficient of a formula that is zero, or of another sign, on this curve."""
 
     formula: Name
     index: int
+    value: mpq = mpq(0)
 
 
 # ---- zeros, signs, squares
@@ -486,6 +491,20 @@ class ZeroAt(Evidence, words="zero {place}"):
     """A zero."""
 
     place: Place
+
+
+class Value(Evidence, words="{value?{value}|∞}"):
+    """A value: a number, or the components of a vector; nothing for ∞."""
+
+    value: tuple[mpq | Real, ...]
+
+
+class ValueAt(Evidence, words="{squared?its length has the square|it is} {value?{value}|∞} {place}"):
+    """A value somewhere; `squared` where it is the square of a length."""
+
+    value: tuple[mpq, ...]
+    place: Place
+    squared: bool = False
 
 
 class HasSign(Evidence, words="{sign}"):

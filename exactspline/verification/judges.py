@@ -23,7 +23,7 @@ from exactspline.verification.kinds.equality import Identity
 from exactspline.verification.notation import factor_formulas
 from exactspline.verification.rows import Row
 from exactspline.verification.verdict import CONTRADICTION, PROVED, REFUTED, UNDECIDED, Finding, undecided, worst_case
-from exactspline.verification.vocabulary import Name
+from exactspline.verification.vocabulary import Extent, Name
 
 
 class Sympy:
@@ -42,7 +42,7 @@ class Sympy:
     def decide(self, claim: Claim) -> Finding:
         """The worst finding over all cases: rational and polynomial curves of every dimension."""
         equality = claim.equality
-        if equality is None:
+        if equality is None or claim.on == Extent.CURVE:
             return Finding(UNDECIDED, witness=Fact.NOT_OF_THIS_JUDGE)
         return worst_case(
             lambda polynomial, n: equality.decide(argument_for(claim, n, polynomial)), claim.of.worlds, claim.dimensions

@@ -6,6 +6,8 @@ from enum import StrEnum
 from typing import NewType, TypeVar
 
 from exactspline.errors import ClaimError
+from exactspline.numbers.exact import mpq
+from exactspline.reals.real import Real
 from exactspline.words import Word, choice
 
 E = TypeVar("E", bound=StrEnum)
@@ -58,6 +60,13 @@ class Scope(StrEnum):
     def worlds(self) -> tuple[bool, ...]:
         """Whether the curves are polynomial, case by case: rational ones first."""
         return {"both": (False, True), "polynomial": (True,), "rational": (False,)}[self.value]
+
+
+class Extent(StrEnum):
+    """Whether a claim is about all curves, or about the one that it names."""
+
+    ALL = "all curves"
+    CURVE = "curve"
 
 
 class ArgumentKind(StrEnum):
@@ -139,6 +148,10 @@ class Sign(StrEnum):
     def strict(self) -> bool:
         """Whether zero is excluded."""
         return self in (Sign.POSITIVE, Sign.NEGATIVE)
+
+    def holds(self, value: mpq | Real) -> bool:
+        """Whether a number has the sign."""
+        return value * self.direction > 0 or not (value or self.strict)
 
 
 class Group(StrEnum):

@@ -19,6 +19,7 @@ from exactspline.numbers.exact import mpq
 from exactspline.papers import papers
 from exactspline.readings.degree import Degree
 from exactspline.readings.jet import Jet
+from exactspline.reals.real import Real
 from exactspline.symbolic.assumptions import Assumption
 from exactspline.symbolic.factorization import Factor
 from exactspline.verification import evidence
@@ -37,7 +38,7 @@ ROOT = Path(exactspline.__file__).parent
 # ---- types
 
 #: Objects of algebra, and errors, which bring their own words.
-OBJECTS = (Factor, Degree, Jet, Assumption, Proof, ExactSplineError, type(mpq()), bool, int, type(None))
+OBJECTS = (Factor, Degree, Jet, Assumption, Proof, ExactSplineError, type(mpq()), Real, bool, int, type(None))
 
 
 def texts(kind, place="", seen=None):

@@ -19,7 +19,7 @@ from exactspline.language.kinds import kind_of
 from exactspline.papers import Paper, papers
 from exactspline.verification.claim import Claim
 from exactspline.verification.claims import claims_of
-from exactspline.verification.vocabulary import Verdict
+from exactspline.verification.vocabulary import Extent, Verdict
 
 #: The files written by hand: those required by the theorems about papers, one that shows that their assumptions are
 #: consistent, and one for answers about one curve.
@@ -132,7 +132,7 @@ def _stated(claim: Claim, paper: Paper, formulas: Formulas) -> list[Stated]:
     """A claim of an equality as theorems, one per dimension: that it holds, or that it fails, depending on the recorded
     verdict.
     """
-    if not isinstance(claim, STATED):
+    if not isinstance(claim, STATED) or claim.on == Extent.CURVE:
         return []
     kind = kind_of(claim.curve)
     if not written_for(kind):
@@ -178,6 +178,8 @@ def claims_header(name: str, text: str) -> str:
 
 def why_unstated(claim: Claim) -> ExactSplineError:
     """Why a claim has no theorem."""
+    if claim.on == Extent.CURVE:
+        return FormulaError("claims about one curve have none")
     if not isinstance(claim, STATED):
         return FormulaError(f"claims of the kind {claim.kind!r} are not equalities")
     foreign = not claim.source_paper.package

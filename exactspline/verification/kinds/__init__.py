@@ -11,6 +11,7 @@ from exactspline.verification.kinds.examples import Condition, Count
 from exactspline.verification.kinds.invariance import Invariance
 from exactspline.verification.kinds.not_asked import NotAsked
 from exactspline.verification.kinds.types import Applies, Existence, TypeClaim
+from exactspline.verification.kinds.values import Bound, DistanceClaim, Limit, ValueClaim
 from exactspline.verification.kinds.zeros import SignClaim, SquareClass, ZeroSet
 
 #: The classes by their word in tables of claims.
@@ -33,6 +34,10 @@ KINDS: dict[str, type[Claim]] = {
         SignClaim,
         TypeClaim,
         Applies,
+        ValueClaim,
+        Limit,
+        Bound,
+        DistanceClaim,
         NotAsked,
     )
 }

@@ -16,9 +16,16 @@ from exactspline.readings.generic_bezier import GenericReading
 from exactspline.verification.claim import Claim, formula_name, one_of, read
 from exactspline.verification.claim_fields import claim_kind
 from exactspline.verification.evaluation import Evaluation
-from exactspline.verification.evidence import CoefficientIsZero, Fact, ForDegrees, OnlyForDegrees, ZeroCoefficient
+from exactspline.verification.evidence import (
+    CoefficientIsZero,
+    Fact,
+    ForDegrees,
+    HasSign,
+    OnlyForDegrees,
+    ZeroCoefficient,
+)
 from exactspline.verification.verdict import PROVED, REFUTED, VERIFIED, Finding, sampled, vacuous
-from exactspline.verification.vocabulary import ArgumentKind, Curves, Name
+from exactspline.verification.vocabulary import ArgumentKind, Curves, Extent, Name, Sign
 
 #: The degrees for which the generic Bézier segment is computed.
 GENERIC_DEGREES = range(2, 7)
@@ -27,7 +34,8 @@ GENERIC_DEGREES = range(2, 7)
 @claim_kind
 class Coefficients(Claim):
     """No B-spline coefficient of ``formula`` vanishes (for a vector: none is the zero vector), on every curve or on the
-    generic Bézier curve.
+    generic Bézier curve; or, on one curve, all have the ``sign`` (of a curve of one segment, all Bernstein
+    coefficients).
     """
 
     kind: ClassVar[str] = "coefficients"
@@ -36,6 +44,7 @@ class Coefficients(Claim):
 
     formula: Name = field(metadata=read(formula_name))
     curves: Curves = field(default=Curves.EVERY, metadata=read(one_of(Curves)))
+    sign: Sign | None = field(default=None, metadata=read(one_of(Sign)))
 
     def validate(self) -> None:
         """Reject formulas without coefficients: quotients, two curves, a point."""
@@ -43,18 +52,25 @@ class Coefficients(Claim):
             raise ClaimError(f"coefficients of {str(self.curve)!r} are not decided", where="curve", remedy="a curve")
         if not all(is_polynomial(self.find(self.formula), n) for n in self.dimensions):
             raise ClaimError(f"{self.formula!r} is a quotient", where="formula", remedy="name a polynomial")
+        if self.sign and self.on == Extent.ALL:
+            raise ClaimError("signs on all curves", where="sign", remedy='write on = "curve" and example = "NAME"')
+
+    @property
+    def claims(self) -> str:
+        """What is said of the coefficients."""
+        return f"all are {self.sign}" if self.sign else self.value
 
     def applies_to(self, dimension: int, polynomial: bool, *, surface: bool = False) -> bool:
         """A generic claim does not apply to single curves."""
         return self.curves == Curves.EVERY and super().applies_to(dimension, polynomial, surface=surface)
 
-    def prove(self) -> tuple[Name, Finding]:
+    def for_all(self) -> tuple[Name, Finding]:
         """A claim about every curve can only be refuted, by a single curve; one about the generic curve is decided by
         computation.
         """
         if self.curves == Curves.EVERY:
             return Name("spline"), self.refuted_on_examples()
-        return Name("generic"), super().prove()[1]
+        return Name("generic"), super().for_all()[1]
 
     def decide(self, dimension: int, polynomial: bool) -> Finding:
         """No Bézier coefficient is the zero polynomial in indeterminate control points and weights: for all degrees
@@ -82,6 +98,12 @@ class Coefficients(Claim):
         components = list(value) if isinstance(value, Vector) else [value]
         if all(p.is_zero for p in components):
             return vacuous(Fact.ALL_VANISH)
+        if self.sign:
+            values = self.only_component(self.formula, components).control_points
+            wrong = (i for i, c in enumerate(values) if not self.sign.holds(c))
+            if (i := next(wrong, None)) is not None:
+                return Finding(REFUTED, Fact.NOT_SO, witness=ZeroCoefficient(self.formula, i, values[i]))
+            return Finding(VERIFIED, HasSign(self.sign))
         for i, point in enumerate(zip(*[p.control_points for p in components], strict=True)):
             if not any(point):
                 return Finding(REFUTED, Fact.ONE_VANISHES, witness=ZeroCoefficient(self.formula, i))

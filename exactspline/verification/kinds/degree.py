@@ -44,7 +44,7 @@ from exactspline.verification.verdict import (
     sampled,
     vacuous,
 )
-from exactspline.verification.vocabulary import ArgumentKind, Measure, Name, Relation, Scope
+from exactspline.verification.vocabulary import ArgumentKind, Extent, Measure, Name, Relation, Scope
 
 
 def _degree_text(claim: Claim, name: str, value: str) -> str:
@@ -136,10 +136,10 @@ class DegreeClaim(Claim):
         )
         return not silent and super().applies_to(dimension, polynomial, surface=surface)
 
-    def prove(self) -> tuple[Name, Finding]:
+    def for_all(self) -> tuple[Name, Finding]:
         """The reading is that of the measure."""
         reading = {Measure.NOMINAL: "degree", Measure.TRUE: "infinity"}.get(self.measure, "covariant")
-        return Name(reading), super().prove()[1]
+        return Name(reading), super().for_all()[1]
 
     def decide(self, dimension: int, polynomial: bool) -> Finding:
         """For symbolic d."""
@@ -161,7 +161,8 @@ class DegreeClaim(Claim):
         if computed < 0 and self.measure.is_generic:
             return vacuous(ZeroHere(claimed, self.relation))
         here = DegreeHere(computed, claimed, self.relation)
-        if self.measure.is_generic and self.relation == Relation.EQUAL and computed < claimed:
+        special = self.on == Extent.ALL and self.measure.is_generic and self.relation == Relation.EQUAL
+        if special and computed < claimed:
             return inapplicable(Fact.LOWER_DEGREE_HERE, here, self.relation)
         holds = self.relation.holds(computed, claimed)
         wrong = None if holds else WrongDegree(computed, claimed, self.relation)

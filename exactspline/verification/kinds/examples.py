@@ -12,19 +12,19 @@ from exactspline.language.arguments import Evaluated
 from exactspline.language.formula import Formula
 from exactspline.language.parts import joined, split
 from exactspline.language.rational import Rational
-from exactspline.numbers.exact import mpq
+from exactspline.numbers.exact import mpq, point_text
 from exactspline.numbers.intervals import Interval
 from exactspline.roots.root import Root
 from exactspline.roots.zero_set import ZeroSet, jump_root, zeros
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.lowest_terms import control_point_count, in_lowest_terms
 from exactspline.splines.nurbs import Nurbs
-from exactspline.verification.claim import Claim, example_name, formula_name, read
+from exactspline.verification.claim import Claim, example_name, formula_name, numbers, one_of, read
 from exactspline.verification.claim_fields import claim_kind
 from exactspline.verification.evaluation import Evaluation, place_between
-from exactspline.verification.evidence import Conditions, Counted, Enclosure, Fact, NotBetter, OnExample, Undefined
+from exactspline.verification.evidence import Conditions, Counted, Enclosure, Fact, NotBetter, Undefined
 from exactspline.verification.verdict import REFUTED, UNDECIDED, VERIFIED, Finding, vacuous
-from exactspline.verification.vocabulary import Counter, Name, word
+from exactspline.verification.vocabulary import Counter, Extent, Name, word
 
 
 @claim_kind
@@ -33,26 +33,8 @@ class ExampleClaim(Claim):
 
     reading: ClassVar[Name] = Name("spline")
 
+    on: Extent = field(default=Extent.CURVE, metadata=read(one_of(Extent)))
     example: str = field(metadata=read(example_name))
-
-    def validate(self) -> None:
-        """Reject an example to which the claim does not apply."""
-        curve = self.curve_named(self.example)
-        if curve.dimension not in self.dimensions or curve.polynomial not in self.of.worlds:
-            raise ClaimError(
-                f"{self.example!r} is not a curve to which the claim applies",
-                where="example",
-                remedy="name another one",
-            )
-
-    def applies_to(self, dimension: int, polynomial: bool, *, surface: bool = False) -> bool:
-        """It applies to its example only."""
-        return False
-
-    def prove(self) -> tuple[Name, Finding]:
-        """The finding on the example."""
-        own = Evaluation(self.curve_named(self.example))
-        return self.reading, self.examine(own.argument(self.curve), own)
 
     def decide(self, dimension: int, polynomial: bool) -> Finding:
         """The same for every case."""
@@ -82,16 +64,33 @@ def counted(claim: Claim, name: str, value: str) -> str:
     return str(value)
 
 
+def checked_interval(claim: Claim, name: str, value: tuple[int | str, ...]) -> tuple[mpq, ...]:
+    """Two numbers, the smaller one first."""
+    ends = numbers(claim, name, value)
+    if len(ends) != 2 or not ends[0] < ends[1]:
+        raise ClaimError(f"{point_text(ends)} is no interval", where=name, remedy='write interval = ["0", "1/2"]')
+    return ends
+
+
 @claim_kind
 class Count(ExampleClaim):
-    """The numbers in ``claimed`` are those of ``formula`` on the curve ``example``."""
+    """The numbers in ``claimed`` are those of ``formula`` on the curve ``example``; roots also in a closed ``interval``
+    of its parameters.
+    """
 
     kind: ClassVar[str] = "count"
+    tries_all: ClassVar[bool] = True
     value: ClassVar[str] = "$claimed"
     notation: ClassVar[str] = r"$formula: \;\text{$claimed}"
 
     formula: Name = field(metadata=read(formula_name))
     claimed: str = field(metadata=read(counted))
+    interval: tuple[mpq, ...] = field(default=(), metadata=read(checked_interval))
+
+    def validate(self) -> None:
+        """Reject an interval for what is not counted in one."""
+        if self.interval and {what for _, what in _counts(self.claimed)} != {Counter.ROOTS}:
+            raise ClaimError("only roots are counted in an interval", where="interval", remedy='claimed = "2 roots"')
 
     def examine(self, argument: Evaluated, own: Evaluation) -> Finding:
         """Only the claimed numbers are computed."""
@@ -108,7 +107,7 @@ class Count(ExampleClaim):
         counts_here = Counted(tuple(numbers))
         if numbers == claimed:
             return Finding(VERIFIED, counts_here)
-        return Finding(REFUTED, counts_here, witness=OnExample(Name(self.example), counts_here))
+        return Finding(REFUTED, counts_here, witness=counts_here)
 
     def _counted(self, what: Counter, value: Any, own: Evaluation) -> int | None:
         """One of the numbers; None where it is infinite, or not defined by the formula."""
@@ -126,7 +125,9 @@ class Count(ExampleClaim):
         if what == Counter.TRUE_CONTINUITY:
             return int(min(p.continuity_at(t) for p in numerators for t in p.breakpoints[1:-1]))
         lowest = split(in_lowest_terms(value) if isinstance(value, Rational) else value)
-        zero_set = zeros(self.only_component(self.formula, lowest[0]), periodic=own.curve.closed)
+        form = self.only_component(self.formula, lowest[0])
+        form = form.restrict(*self.interval) if self.interval else form
+        zero_set = zeros(form, periodic=own.curve.closed and not self.interval)
         if what == Counter.ROOTS:
             return None if zero_set.intervals else len(zero_set)
         return count_of_extrema(zero_set, own)
@@ -178,6 +179,7 @@ class Condition(ExampleClaim):
     """
 
     kind: ClassVar[str] = "condition"
+    tries_all: ClassVar[bool] = True
     value: ClassVar[str] = "better at every common zero"
     notation: ClassVar[str] = r"$left \;\text{is better conditioned than}\; $right"
     sides: ClassVar[tuple[str, ...]] = ("left", "right")
@@ -200,8 +202,8 @@ class Condition(ExampleClaim):
             return Finding(UNDECIDED, conditions, witness=Fact.NOT_ISOLATED) if whole else Finding(VERIFIED, conditions)
         for root, a, b in pairs:
             if a[0] >= b[1]:
-                witness = OnExample(Name(self.example), NotBetter(place_between(Interval(root.low, root.high))))
-                return Finding(REFUTED, conditions, witness=witness)
+                place = place_between(Interval(root.low, root.high))
+                return Finding(REFUTED, conditions, witness=NotBetter(place))
         return Finding(UNDECIDED, conditions, witness=Fact.NOT_SEPARATED)
 
 

@@ -38,7 +38,7 @@ from exactspline.verification.generic_proof import SHOWN
 from exactspline.verification.paper_curves import curve_names
 from exactspline.verification.segments import on_segments
 from exactspline.verification.verdict import PROVED, REFUTED, UNDECIDED, VERIFIED, Finding, inapplicable, left, vacuous
-from exactspline.verification.vocabulary import ArgumentKind, Name, ValueType
+from exactspline.verification.vocabulary import ArgumentKind, Extent, Name, ValueType
 
 
 @claim_kind
@@ -142,7 +142,7 @@ class TypeClaim(Claim):
         if type_here == self.claimed:
             return Finding(VERIFIED, OfType(type_here))
         order = list(ValueType)
-        if order.index(type_here) < order.index(self.claimed):
+        if self.on == Extent.ALL and order.index(type_here) < order.index(self.claimed):
             return inapplicable(TypeHere(type_here, special=True), OfType(type_here))
         return Finding(REFUTED, OfType(type_here), witness=TypeHere(type_here))
 

@@ -323,17 +323,22 @@ class SignClaim(Claim):
         (p, *others), below = split(self.find(self.formula)(argument))
         if others:
             raise ClaimError(f"{self.formula!r} is a vector", where=self.key, remedy="a vector has no sign")
-        value = p * self.sign.direction
-        value = value if below is None else value * below
-        if p.is_zero:
-            return vacuous(Fact.ZERO)
-        for i, c in enumerate(value.numerators):
-            if not is_nonnegative(c, value.degree):
-                return Finding(REFUTED, Fact.OTHER_SIGN, witness=At(_negative(value, i)))
-        zero = zero_of(p) if below is None else extra_zero(p, below)  # 0/0 is not a value
-        if self.sign.strict and zero:
-            return Finding(REFUTED, Fact.HAS_ZERO, witness=ZeroAt(zero))
-        return Finding(VERIFIED, HasSign(self.sign))
+        return vacuous(Fact.ZERO) if p.is_zero else sign_found(p, below, self.sign)
+
+
+def sign_found(p: BSpline, below: BSpline | None, sign: Sign) -> Finding:
+    """Whether a function that is not zero, or a quotient, has a sign wherever it exists: segment by segment there is no
+    root at which it changes, and one value has it.
+    """
+    value = p * sign.direction
+    value = value if below is None else value * below
+    for i, c in enumerate(value.numerators):
+        if not is_nonnegative(c, value.degree):
+            return Finding(REFUTED, Fact.OTHER_SIGN, witness=At(_negative(value, i)))
+    zero = zero_of(p) if below is None else extra_zero(p, below)  # 0/0 is not a value
+    if sign.strict and zero:
+        return Finding(REFUTED, Fact.HAS_ZERO, witness=ZeroAt(zero))
+    return Finding(VERIFIED, HasSign(sign))
 
 
 def _negative(f: BSpline, i: int) -> mpq:

@@ -1,0 +1,246 @@
+"""Claims about one curve, as in numerical examples: what is true is VERIFIED, and what a careless check would pass is
+not.
+"""
+
+import json
+
+import pytest
+
+import exactspline
+from exactspline.display.evidence import worded
+from exactspline.interchange.examples import example
+from exactspline.papers import load_paper
+from exactspline.splines.nurbs import Nurbs
+from exactspline.verification.claims import claims_of
+from exactspline.verification.judges import Sympy
+from exactspline.verification.ledger import audit, decide
+from exactspline.verification.verdict import NOT_ASKED, REFUTED, UNDECIDED, VACUOUS, VERIFIED
+from tests.support.claims import refusal
+from tests.support.command import invoke
+from tests.verification.test_own_paper import plane_formulas, written
+
+#: κ < 0 all along it; x and y both vanish at 0.
+ARCH = Nurbs(3, [0, 0, 0, 0, 1, 1, 1, 1], [(0, 0), ("0.3", "0.8"), ("0.9", "1.1"), ("1.5", "0.2")])
+#: A corner at 1: the tangent jumps from (1, 0) to (0, 1).
+CORNER = Nurbs(1, [0, 0, 1, 2, 2], [(0, 0), (1, 0), (1, 1)])
+FORMULAS = plane_formulas(
+    turning="det(c.gamma.d(1), c.gamma.d(2))",
+    bent="det(c.p.d(1), c.p.d(2))",
+    twice="2 * det(c.gamma.d(1), c.gamma.d(2))",
+    curvature_squared="det(c.gamma.d(1), c.gamma.d(2))**2 / norm2(c.gamma.d(1))**3",
+    point="c.gamma",
+    velocity="c.gamma.d(1)",
+    x="c.gamma[0]",
+    px="c.p[0]",
+    px_less_one="c.p[0] - c.w",
+    y="c.gamma[1]",
+    slope="c.gamma[1] / c.gamma[0]",
+    pole="c.w / (c.gamma[0] - rational('1/2') * c.w)",
+    one="c.w / c.w",
+    less_one="c.gamma[0] - 1",
+    square="(c.gamma[0] - 1) ** 2",
+)
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory):
+    made = written(tmp_path_factory.mktemp("on") / "paper", FORMULAS, [])
+    (made / "curves").mkdir()
+    exactspline.write(ARCH, made / "curves" / "arch.json")
+    exactspline.write(CORNER, made / "curves" / "corner.json")
+    return made
+
+
+def decided(folder, tmp_path, **fields):
+    """The row of one claim about the arch, whatever its other fields."""
+    claim = {"id": "1", "statement": "said", "curve": "plane", "example": "arch"} | fields
+    own = tmp_path / "p"
+    if not own.exists():
+        own.mkdir()
+        for name in ("formulas.py", "curves"):
+            (own / name).symlink_to(folder / name)
+    lines = [f"{name} = {json.dumps(value, ensure_ascii=False)}" for name, value in claim.items() if value is not None]
+    (own / "claims.toml").write_text("\n".join(["[[claim]]", *lines]))
+    (row,) = audit(claims_of(load_paper(own)))
+    return row
+
+
+HOLD = [
+    {"kind": "at", "formula": "turning", "parameter": 0, "claimed": -7.02},
+    {"kind": "at", "formula": "point", "parameter": 0.5, "claimed": ["51/80", 0.7375]},
+    {"kind": "at", "formula": "point", "parameter": "1", "claimed": [1.5, "1/5"]},
+    {"kind": "at", "formula": "x", "parameter": 1, "claimed": 1, "example": "corner"},
+    {"kind": "limit", "formula": "slope", "parameter": 0, "claimed": "8/3"},
+    {"kind": "limit", "formula": "turning", "parameter": 0, "claimed": "-7.02"},
+    {"kind": "limit", "formula": "pole", "parameter": 0.5, "claimed": "∞", "example": "corner"},
+    {"kind": "bound", "formula": "turning", "bound": "< 0"},
+    {"kind": "bound", "formula": "point", "bound": "≤ 1", "interval": [0, 0.5]},
+    {"kind": "bound", "formula": "point", "bound": ">= -3"},
+    {"kind": "bound", "formula": "x", "bound": "≤ 1.5"},
+    {"kind": "bound", "formula": "x", "bound": "< 1.5", "interval": [0, "999/1000"]},
+    {"kind": "bound", "formula": "one", "bound": "≤ 1"},
+    {"kind": "bound", "formula": "pole", "bound": "> 0", "interval": ["3/4", 1], "example": "corner"},
+    {"kind": "count", "formula": "less_one", "claimed": "1 roots", "interval": [0.5, 1]},
+    {"kind": "count", "formula": "less_one", "claimed": "0 roots", "interval": [0, 0.5]},
+    {"kind": "count", "formula": "y", "claimed": "1 roots"},
+    {"kind": "coefficients", "formula": "bent", "sign": "< 0", "on": "curve"},
+    {"kind": "distance", "other": "circle", "bound": "= 0"},
+    {"kind": "distance", "other": "corner", "bound": "<= 0.001"},
+    {"kind": "sign", "formula": "turning", "sign": "< 0", "on": "curve"},
+    {"kind": "identity", "left": "twice", "right": "turning", "factor": "2", "on": "curve"},
+    {"kind": "identity", "left": "bent", "right": "turning", "on": "curve"},
+    {"kind": "vanishing", "left": "turning", "on": "curve", "example": "straight_line"},
+    {"kind": "zero set", "formulas": ["turning", "twice"], "on": "curve"},
+    {"kind": "type", "formula": "turning", "claimed": "polynomial", "on": "curve"},
+    {"kind": "degree", "formula": "bent", "claimed": "2", "measure": "true", "on": "curve"},
+    {"kind": "degree", "formula": "bent", "claimed": "2d - 4", "measure": "true", "on": "curve"},
+]
+
+#: What a careless check would pass, each for the reason beside it.
+FAIL = {
+    "another value": ({"kind": "at", "formula": "turning", "parameter": 0, "claimed": -7.0200001}, REFUTED),
+    "a decimal rounded to a double": (
+        {"kind": "at", "formula": "x", "parameter": 0.1, "claimed": "0.1140000000000000013"},
+        REFUTED,
+    ),
+    "one component is right": ({"kind": "at", "formula": "point", "parameter": 0, "claimed": [0, 1]}, REFUTED),
+    "a number for a vector": ({"kind": "at", "formula": "point", "parameter": 0, "claimed": 0}, REFUTED),
+    "from the right alone": (
+        {"kind": "at", "formula": "velocity", "parameter": 1, "claimed": [0, 1], "example": "corner"},
+        REFUTED,
+    ),
+    "from the left alone": (
+        {"kind": "limit", "formula": "velocity", "parameter": 1, "claimed": [1, 0], "example": "corner"},
+        REFUTED,
+    ),
+    "0/0 is no value": ({"kind": "at", "formula": "slope", "parameter": 0, "claimed": "8/3"}, VACUOUS),
+    "a pole is no value": (
+        {"kind": "at", "formula": "pole", "parameter": 0.5, "claimed": 0, "example": "corner"},
+        VACUOUS,
+    ),
+    "another limit": ({"kind": "limit", "formula": "slope", "parameter": 0, "claimed": "3/8"}, REFUTED),
+    "no pole": ({"kind": "limit", "formula": "slope", "parameter": 0, "claimed": "∞"}, REFUTED),
+    "outside the domain": ({"kind": "at", "formula": "x", "parameter": 2, "claimed": 0}, UNDECIDED),
+    "attained at the end": ({"kind": "bound", "formula": "x", "bound": "< 1.5"}, REFUTED),
+    "touched inside": ({"kind": "bound", "formula": "square", "bound": "> 0"}, REFUTED),
+    "holds at the ends alone": ({"kind": "bound", "formula": "y", "bound": "≤ 1/5"}, REFUTED),
+    "holds at a hundred places": ({"kind": "bound", "formula": "square", "bound": "≥ 1/100000000"}, REFUTED),
+    "a constant that is equal": ({"kind": "bound", "formula": "one", "bound": "< 1"}, REFUTED),
+    "a length and not its square": ({"kind": "bound", "formula": "point", "bound": "≤ 1.53"}, VERIFIED),
+    "a negative length": ({"kind": "bound", "formula": "point", "bound": "≤ -2"}, REFUTED),
+    "a pole inside, of both signs": (
+        {"kind": "bound", "formula": "pole", "bound": "> 0", "example": "corner"},
+        REFUTED,
+    ),
+    "outside the interval": ({"kind": "bound", "formula": "x", "bound": "≤ 1", "interval": [0, 1]}, REFUTED),
+    "an interval outside the domain": (
+        {"kind": "bound", "formula": "x", "bound": "≤ 9", "interval": [0, 2]},
+        UNDECIDED,
+    ),
+    "a root outside the interval": (
+        {"kind": "count", "formula": "less_one", "claimed": "1 roots", "interval": [0, 0.5]},
+        REFUTED,
+    ),
+    "a coefficient of the other sign": (
+        {"kind": "coefficients", "formula": "px_less_one", "sign": "< 0", "on": "curve"},
+        REFUTED,
+    ),
+    "a coefficient that is 0": ({"kind": "coefficients", "formula": "px", "sign": "> 0", "on": "curve"}, REFUTED),
+    "not that far": ({"kind": "distance", "other": "circle", "bound": "> 0"}, REFUTED),
+    "not a tenth": ({"kind": "distance", "other": "circle", "bound": "≥ 0.1"}, REFUTED),
+    "a distance is not negative": ({"kind": "distance", "other": "circle", "bound": "≤ -1"}, REFUTED),
+    "the other sign": ({"kind": "sign", "formula": "turning", "sign": "> 0", "on": "curve"}, REFUTED),
+    "another factor": (
+        {"kind": "identity", "left": "twice", "right": "turning", "factor": "3", "on": "curve"},
+        REFUTED,
+    ),
+    "not zero here": ({"kind": "vanishing", "left": "turning", "on": "curve"}, REFUTED),
+    "other zeros": ({"kind": "zero set", "formulas": ["turning", "y"], "on": "curve"}, REFUTED),
+    "a polynomial here": ({"kind": "type", "formula": "turning", "claimed": "rational", "on": "curve"}, REFUTED),
+    "a lower degree here": (
+        {"kind": "degree", "formula": "bent", "claimed": "2d - 2", "measure": "true", "on": "curve"},
+        REFUTED,
+    ),
+}
+
+
+@pytest.mark.parametrize("claim", HOLD, ids=lambda claim: claim["kind"])
+def test_what_holds_on_the_curve_is_verified(claim, folder, tmp_path):
+    row = decided(folder, tmp_path, **claim)
+    assert row.verdict == VERIFIED, worded(row.witness)
+    assert row.as_recorded
+
+
+@pytest.mark.parametrize("reason", FAIL)
+def test_what_is_false_of_the_curve_is_not(reason, folder, tmp_path):
+    claim, verdict = FAIL[reason]
+    row = decided(folder, tmp_path, **claim)
+    assert row.verdict == verdict, worded(row.witness)
+    if verdict == REFUTED:
+        assert worded(row.witness).startswith(f"on the example curve {claim.get('example', 'arch')}")
+
+
+REFUSED = [
+    ({"kind": "identity", "left": "twice", "right": "turning", "factor": "2"}, "belong together"),
+    ({"kind": "sign", "formula": "turning", "on": "curve", "example": None}, "belong together"),
+    ({"kind": "at", "formula": "x", "parameter": 0, "claimed": 0, "on": "all curves"}, "belong together"),
+    ({"kind": "at", "formula": "x", "parameter": "1/0", "claimed": 0}, "parameter"),
+    ({"kind": "at", "formula": "x", "parameter": [0], "claimed": 0}, "not a number"),
+    ({"kind": "at", "formula": "x", "parameter": True, "claimed": 0}, "not a number"),
+    ({"kind": "bound", "formula": "x", "bound": "about 3"}, "no bound"),
+    ({"kind": "bound", "formula": "x", "bound": "= 3"}, "no equation"),
+    ({"kind": "bound", "formula": "x", "bound": "≤ 3", "interval": [1, 0]}, "no interval"),
+    ({"kind": "count", "formula": "x", "claimed": "degree 3", "interval": [0, 1]}, "only roots"),
+    ({"kind": "coefficients", "formula": "px", "sign": "> 0", "example": None}, "signs on all curves"),
+    ({"kind": "at", "formula": "x", "parameter": 0, "claimed": 0, "example": "twisted_cubic"}, "not a curve to which"),
+    ({"kind": "vanishing", "left": "x", "on": "curve", "of": "rational"}, "not a curve to which"),
+    ({"kind": "applies", "formula": "x", "on": "curve", "curve": "framed plane"}, "not a curve to which"),
+    ({"kind": "distance", "other": "nowhere", "bound": "= 0"}, "no example curve called"),
+]
+
+
+@pytest.mark.parametrize(("claim", "problem"), REFUSED)
+def test_what_cannot_be_meant_is_refused(claim, problem, folder, tmp_path):
+    assert decided(folder, tmp_path, **claim).verdict == NOT_ASKED
+    assert problem in refusal(tmp_path / "p")
+
+
+def test_a_constant_of_our_choice_is_no_value(tmp_path):
+    """A claim with a constant holds for all of its values, or is not said to hold."""
+    formulas = "@formula('e', on='plane with delta')\ndef shifted(c):\n    return c.gamma[0] + c.delta - c.delta\n"
+    formulas += "@formula('e', on='plane with delta')\ndef scaled(c):\n    return c.gamma[0] * c.delta\n"
+    base = {"kind": "at", "statement": "s", "curve": "plane with delta", "example": "circle", "parameter": "0"}
+    x = str(example("circle")(0)[0] * exactspline.rational("37/29"))
+    claims = [
+        base | {"id": "1", "formula": "scaled", "claimed": x},
+        base | {"id": "2", "formula": "scaled", "claimed": "0"},
+    ]
+    rows = [decide(claim) for claim in claims_of(load_paper(written(tmp_path / "p", formulas, claims)))]
+    assert [row.verdict for row in rows] == [UNDECIDED, REFUTED]
+
+
+def test_other_judges_are_not_asked_of_one_curve(folder, tmp_path):
+    """sympy would refute for all curves what holds on one."""
+    row = decided(folder, tmp_path, kind="identity", left="bent", right="turning", on="curve")
+    assert Sympy().decide(row.claim).verdict == UNDECIDED
+    done = invoke("prove", "--paper", tmp_path / "p", "--judge", "sympy")
+    assert done.exit_code == 0
+    assert "VERIFIED" in done.output
+
+
+def test_every_door_takes_them(folder, tmp_path):
+    for claim in HOLD[::5]:
+        row = decided(folder, tmp_path, **claim)
+        assert row.claim.latex
+        for command in (
+            ["show", "1"],
+            ["show", "1", "--latex"],
+            ["errata"],
+            ["prove", "--report", tmp_path / "r.html"],
+        ):
+            assert invoke(*command, "--paper", tmp_path / "p").exit_code == 0
+    wrong = decided(folder, tmp_path, kind="identity", left="twice", right="turning", factor="3", on="curve")
+    assert wrong.verdict == REFUTED
+    found = invoke("prove", "--paper", tmp_path / "p").output
+    assert "twice = 3" not in found  # the claimed relation was shown as what is found
+    assert "Remark: said" in invoke("errata", "--paper", tmp_path / "p").output
