@@ -20,7 +20,7 @@ from exactspline.verification.errata import claimed_relation, true_relation
 from exactspline.verification.evidence import DegreeHere, ExactQuotient, WrongDegree
 from exactspline.verification.kinds.degree import DegreeClaim
 from exactspline.verification.kinds.equality import Identity, Vanishing
-from exactspline.verification.rows import Counts, Row, count_statements
+from exactspline.verification.rows import Counts, Row, count_statements, error_of
 from exactspline.verification.verdict import INAPPLICABLE, PROVED, REFUTED, VACUOUS, VERIFIED
 from exactspline.verification.vocabulary import ArgumentKind, Status, Verdict
 
@@ -176,14 +176,15 @@ def refuted(rows: Iterable[Row]) -> list[Failure]:
     """The errors of the papers among the rows for all curves, in the order of the rows."""
     groups: dict[tuple[str, str], list[Row]] = defaultdict(list)
     for row in rows:
-        if not row.curve and (error := row.claim.error):
-            groups[row.paper, error].append(row)
+        if not row.curve:
+            groups[row.paper, error_of(row.claim)].append(row)
     failures = []
     for (source, error), group in groups.items():
         fails = [row for row in group if row.status == Status.PRINTED and row.verdict == REFUTED]
         truth = [row for row in group if row.status == Status.MEANT and row.verdict in HOLDS]
         if fails:
-            failures.append(Failure(paper_named(source).errors[error], fails, truth))
+            title = paper_named(source).errors.get(error, fails[0].claim.statement)
+            failures.append(Failure(title, fails, truth))
     return failures
 
 

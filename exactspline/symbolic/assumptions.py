@@ -19,11 +19,12 @@ from exactspline.language.arguments import Pair
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import PAIR as PAIR_OF_CURVES
 from exactspline.language.kinds import Kind, kind_of
+from exactspline.language.parts import split
 from exactspline.language.vector import Vector, norm2
 from exactspline.one_line import OneLine
 from exactspline.papers import find
 from exactspline.polynomials.cost import at_its_cost
-from exactspline.readings.differential_order import is_polynomial, order_of
+from exactspline.readings.differential_order import order_of
 from exactspline.readings.jet import Jet, JetReading
 
 #: Kinds of arguments in the plane, in space, and with two curves.
@@ -147,20 +148,22 @@ _SOMEWHERE = (
 
 
 def stated_assumption(name: str, what: Formula | str, kind: Kind, everywhere: bool) -> Assumption:
-    """An assumption stated by an author: that a constant, or a formula that is a polynomial in the curve, has no zero,
-    or that it vanishes on no whole segment.
+    """An assumption stated by an author: that a constant, or a formula, has no zero, or that it vanishes on no whole
+    segment. Of a quotient it says that the numerator and the denominator, as written, have none (so w, which is in the
+    denominator, has none either).
 
-    Raises `ClaimError` for a quotient, and for a formula that vanishes on every curve or depends on a second curve.
+    Raises `ClaimError` for a formula that vanishes on every curve, depends on a second curve, or has roots.
     """
     shown = what if isinstance(what, str) else what.name
-    if kind.parts or (isinstance(what, Formula) and not all(is_polynomial(what, n) for n in kind.dimensions)):
-        raise ClaimError(f"{shown!r} is not a polynomial in one curve", where="assumes", remedy="name one")
+    if kind.parts or kind.adjoins_roots:
+        raise ClaimError(f"{shown!r} is not a function of one curve alone", where="assumes", remedy="name one")
 
     def polynomial(c: Any) -> Any:
         if isinstance(what, str):
             return c.operands()[what]
-        value = what(c)
-        return norm2(value) if isinstance(value, Vector) else value
+        parts, below = split(what(c))
+        value = norm2(Vector(*parts)) if len(parts) > 1 else parts[0]
+        return value if below is None else value * below
 
     for n in kind.dimensions:
         order = 0 if isinstance(what, str) else order_of(what, n)

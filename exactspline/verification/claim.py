@@ -311,9 +311,11 @@ class Claim(Immutable, Displayed):
             raise ClaimError(
                 "a printed claim has neither words nor a place", where="words", remedy="quote what is printed"
             )
-        if (self.expected == REFUTED and self.status == Status.PRINTED) != (
-            bool(self.error) and self.status == Status.PRINTED
-        ):
+        refuted, own = (
+            self.expected == REFUTED,
+            not self.source_paper.package,
+        )  # in one's own each is an error of its own
+        if self.status == Status.PRINTED and (bool(self.error) > refuted or refuted > bool(self.error or own)):
             raise ClaimError(
                 "a printed claim belongs to an error exactly if it is refuted",
                 where="error",

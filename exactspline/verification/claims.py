@@ -94,7 +94,10 @@ def _read(entry: dict[str, Any], source: Paper) -> Claim:
     claim = kind(paper=source.name, **values)
     if claim.error and claim.error not in source.errors:
         raise ClaimError(
-            f"there is no error called {claim.error!r}", where="error", remedy=nearest(claim.error, list(source.errors))
+            f"there is no error called {claim.error!r}",
+            where="error",
+            remedy=f'write [errors] {claim.error} = "what is wrong" above the claims, or leave it out; '
+            f"{nearest(claim.error, list(source.errors))}",
         )
     _check_words_of_key(claim)
     return claim

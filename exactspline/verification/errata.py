@@ -124,7 +124,8 @@ def _joined(status: Status, sources: Iterable[Paper] | None) -> Iterator[Erratum
 def unrecorded(claims: Iterable[Claim]) -> Iterator[Erratum]:
     """Unrecorded failures: each statement is a separate error."""
     for claim in claims:
-        if not claim.error and claim.expected != REFUTED and (found := _refuted(claim)):
+        unknown = claim.expected != REFUTED or claim.status == Status.PRINTED
+        if not claim.error and unknown and (found := _refuted(claim)):
             why = (claim.note,) if claim.note else ()
             yield Erratum(claim.paper, error_of(claim), claim.statement, (found,), (), why)
 
