@@ -13,7 +13,12 @@ from exactspline.display.sheet import Sheet
 @printing
 def identity(
     out: Output,
-    text: Annotated[str, Argument(metavar="IDENTITY", help='"f1 = w * f2", or "file.py:left = w^3 * file.py:right".')],
+    text: Annotated[
+        str,
+        Argument(
+            metavar="IDENTITY", help='"2*f1 = f1 + f1", "det(γ\', γ\'\') = w^-3 * f2", "file.py:left = w * right".'
+        ),
+    ],
     trust: Trust = False,
     limit: Limit = None,
 ) -> None:

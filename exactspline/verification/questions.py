@@ -25,6 +25,7 @@ from exactspline.symbolic.reduction import Reduction, reduce
 from exactspline.verification.decision import Equation
 from exactspline.verification.evidence import At, Difference
 from exactspline.verification.one_function import expect_functions, expect_functions_on, expect_one_function
+from exactspline.verification.one_line import formula_of_line
 from exactspline.verification.verdict import PROVED, VACUOUS, VERIFIED, Finding, worst
 from exactspline.verification.vocabulary import Verdict
 from exactspline.words import choice
@@ -113,8 +114,9 @@ class Check(_Answer):
         return self.verdict == VACUOUS
 
 
-def prove(left: Named, right: Named, factor: str = "1", *, dimension: int | None = None) -> Proof:
-    """Whether ``left = factor · right`` for all curves: decided in indeterminate derivatives.
+def prove(left: Named, right: Named = "", factor: str = "1", *, dimension: int | None = None) -> Proof:
+    """Whether ``left = factor · right`` for all curves: decided in indeterminate derivatives. One text states both
+    sides, as expressions of the language of formulas.
 
     A factor is written like ``"2 w^29 f2"`` or ``"w^-4"``. Without a `dimension` it must hold in all in which the
     formulas are defined: where it does not, the answer is about one in which it fails. The answer contains the true
@@ -124,10 +126,14 @@ def prove(left: Named, right: Named, factor: str = "1", *, dimension: int | None
     f1 = w · f2 for all curves in R2
     >>> print(prove("f1", "f2"))
     not f1 = f2 in R2: the quotient is w
+    >>> print(prove("det(γ', γ'') = w^-3 * f2"))
+    det(γ', γ'') = w^-3 * f2 for all curves in R2
 
     Raises `FormulaError` for an unknown formula or two formulas without a common dimension, `ClaimError` when the
     factor cannot be read.
     """
+    if isinstance(left, str) and not right:
+        return proof_of(left, dimension=dimension)
     sides = _formulas(left, right)
     return _decided(Equation(sides[0], sides[1], factor), _given_dimension(dimension))
 
@@ -164,29 +170,29 @@ def _proved(equation: Equation, kind: Kind, n: int) -> Proof:
     return Proof(*names, equation.factor, equation.decide(curve), (n,), quotient, kind.adjoins_roots)
 
 
-def proof_of(text: str, *, trust: bool = False) -> Proof:
-    """Decide an identity between any formulas, stated as text: ``file.py:left = w^3 * file.py:right``.
+def proof_of(text: str, *, trust: bool = False, dimension: int | None = None) -> Proof:
+    """Decide an identity that one line states: ``file.py:left = w^3 * file.py:right``, ``2*f1 = f1 + f1``.
 
-    >>> print(proof_of("f1 = w * f2"))
-    f1 = w · f2 for all curves in R2
+    >>> print(proof_of("2*f1 = f1 + f1"))
+    2*f1 = f1 + f1 for all curves in R2
 
     Raises `FormulaError` for any other text, and the errors of `exactspline.papers.resolve` and `prove`.
     """
     left, equal, right = text.partition("=")
-    *factor, last = re.split(r"\s*[·*]\s*|\s+", re.sub(r"\s*\*\*\s*", "^", right.strip()))
-    if not equal or len(left.split()) != 1 or not all([*factor, last]):
-        raise FormulaError(f"{text!r} states no identity", remedy='write "file.py:left = w^3 * file.py:right"')
-    place = left.strip().rpartition(":")[0]
+    if not (equal and left.strip() and right.strip()) or "=" in right:
+        raise FormulaError(f"{text!r} states no identity", remedy='write for example "f1 = w * f2"')
+    places = re.findall(r"[^\s=+*^(),]+(?=:)", left)
 
     def named(name: str) -> Formula:
         try:
-            return resolve(f"{place}:{name}" if place and ":" not in name else name, trust=trust)
+            return resolve(f"{places[0]}:{name}" if places and ":" not in name else name, trust=trust)
         except FormulaError:
             if name not in all_formulas():
                 raise
             return find(name)
 
-    return _decided(Equation(resolve(left.strip(), trust=trust), named(last), " ".join(factor) or "1", named))
+    equation = Equation(formula_of_line(left, named), formula_of_line(right, named))
+    return _decided(equation, _given_dimension(dimension))
 
 
 @dataclass(frozen=True, repr=False)

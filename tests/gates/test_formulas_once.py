@@ -72,6 +72,7 @@ MAKERS = {
     "papers.formula_check": "a function of a user's file",
     "symbolic.assumptions": "the polynomial of an assumption, for its order",
     "verification.questions": "a function typed at the prompt",
+    "verification.one_line": "a formula typed in one line",
     "verification.generic_proof": "a formula of a pair with its curves exchanged",
 }
 

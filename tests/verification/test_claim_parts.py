@@ -168,7 +168,7 @@ def test_a_text_states_an_identity():
     assert proof_of("f1 = w * f2").holds
     assert proof_of("f1 = w · f2").holds
     assert not proof_of("f1 = f2").holds
-    for said in ("f1", "f1 =", "= f2", "", "f1 f2 = f2", "="):
+    for said in ("f1", "f1 =", "= f2", "", "f1 = f2 = f1", "="):
         with pytest.raises(FormulaError, match="states no identity"):
             proof_of(said)
     with pytest.raises(FormulaError) as told:
@@ -237,11 +237,10 @@ def test_the_time_of_a_row_is_what_it_took():
 
 def test_nothing_is_assumed_of_two_curves():
     pair = next(c for c in all_claims() if c.of_pair and c.named)
-    with pytest.raises(ClaimError, match="is not a polynomial in one curve"):
+    with pytest.raises(ClaimError, match="is not a function of one curve alone"):
         replace(pair, assumes=("bisector_determinant_symmetric ≠ 0",))
     plane = next(c for c in all_claims() if c.curve == "plane" and c.named)
-    with pytest.raises(ClaimError, match="is not a polynomial in one curve"):
-        replace(plane, assumes=("curvature_squared ≠ 0",))
+    assert replace(plane, assumes=("curvature_squared ≠ 0",)).assumes[0].everywhere
     (told,) = replace(plane, assumes=("f2 ≢ 0",)).assumes
     assert not told.everywhere
 

@@ -289,7 +289,6 @@ def test_what_says_nothing_is_vacuous(tmp_path, sides):
         ({"curve": "plain"}, "the nearest are plane"),
         ({"lefft": "turning"}, "the nearest are left"),
         ({"assumes": ["γ"]}, "nearest are"),
-        ({"assumes": ["curvature_squared ≠ 0"]}, "not a polynomial"),
         ({"assumes": ["nothing ≠ 0"]}, "vanishes on every curve"),
         ({"assumes": ["turnign ≠ 0"]}, "the nearest are turning"),
         ({"expected": "TRUE"}, "is unknown"),
