@@ -65,6 +65,8 @@ JudgeName = Annotated[
 ]
 Rows = Annotated[bool, Option("--rows", help="Print every row of the ledger instead of the summary.")]
 Page = Annotated[str, Option("--html", metavar="FILE", help="Write the ledger as a page with filters.")]
+Tex = Annotated[str, Option("--tex", metavar="FILE", help="Write every claim as a theorem of LaTeX with its proof.")]
+Bib = Annotated[str, Option("--bib", metavar="FILE", help="Write the papers, and this release, as entries of BibTeX.")]
 Report = Annotated[
     str, Option("--report", metavar="FILE", help="Write a referee's report: one page, complete in itself.")
 ]
@@ -85,6 +87,8 @@ def prove(
     trust: Trust = False,
     limit: Limit = None,
     report: Report = "",
+    tex: Tex = "",
+    bib: Bib = "",
     digits: Digits = 0,
     exact: Exact = False,
 ) -> None:
@@ -96,8 +100,10 @@ def prove(
     from exactspline.display.ledger import WORDS
     from exactspline.display.ledger_run import Run
     from exactspline.display.numbers import Numbers
+    from exactspline.display.theorem import PREAMBLE, bibliography, theorem
     from exactspline.verification.judges import judge_named, second_opinion
     from exactspline.verification.ledger import settled, tasks
+    from exactspline.verification.statement import stated
     from exactspline.verification.verdict import NOT_ASKED
 
     requested = [_word(each, WORDS) for each in verdict or []]
@@ -123,6 +129,11 @@ def prove(
         from exactspline.display.ledger_pages import report as referee_report
 
         write_text(report, referee_report(claims, found))
+    if tex:
+        proved = [theorem(stated(row.claim, row.reading, row.finding)) for row in found if not row.curve]
+        write_text(tex, "\n\n".join([PREAMBLE, *proved]) + "\n")
+    if bib:
+        write_text(bib, bibliography(dict.fromkeys(each.source_paper for each in claims)))
     listed = rows or bool(claim or section or verdict) or len(claims) <= FEW
     run = Run(chosen, claims, curves, Numbers(digits, exact), second.column if second else "")
     out.give(

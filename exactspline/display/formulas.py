@@ -137,7 +137,7 @@ def reduction_sheet(reductions: Iterable[Reduction]) -> Sheet:
     >>> reduction_sheet([reduce(find("g0"))]).rows[0][:2]
     ('g0', '1/2·w⁻⁸')
     """
-    numbers = ("naive", "k, m, j", "nominal", "true", "in lowest terms")
+    numbers = ("naive", "k, m, j", "nominal", "numerator", "in lowest terms")
     cells = [_of_part(_label(r, part), part) for r in reductions for part in r.parts]
     return Sheet("formula", "factors cancelled", "reduced form", *numbers, rows=cells, numbers=numbers)
 

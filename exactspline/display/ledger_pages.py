@@ -4,20 +4,28 @@ hold, and on what these verdicts rely.
 
 from __future__ import annotations
 
-import platform
+import shlex
+import sys
 from collections.abc import Iterable, Sequence
+from datetime import UTC, datetime
+from hashlib import sha256
 from html import escape
-from importlib.metadata import PackageNotFoundError, version
 
 from exactspline.display.glossary import explained
 from exactspline.display.ledger import claimed, closing, found, headline, section, summary, witness, words_of
 from exactspline.display.page import cells, definitions, page, table
 from exactspline.display.quotations import parts
+from exactspline.display.witness import curve_of_witness, values_there, written_out
+from exactspline.errors import command_name
 from exactspline.papers import Paper
+from exactspline.papers.passages import passages
 from exactspline.readings.printing.text import print_text, symbol_text
 from exactspline.readings.tree import trace
+from exactspline.release import all_releases
 from exactspline.verification.claim import Claim
+from exactspline.verification.kinds.not_asked import NotAsked
 from exactspline.verification.rows import Row, count_statements
+from exactspline.verification.verdict import REFUTED
 
 _LEDGER_STYLE = """
 body{max-width:80rem;font-size:15px}
@@ -100,8 +108,6 @@ code{overflow-wrap:anywhere}table{border-collapse:collapse}
 td,th{text-align:left;vertical-align:top;padding:.1rem 1.2rem .1rem 0}.verdict{font-weight:700}
 @media(max-width:600px){dl{grid-template-columns:minmax(0,1fr)}dd{margin:0 0 .4rem}}
 """
-#: The other packages on which a verdict relies.
-PACKAGES = ("exactspline", "python-flint", "gmpy2", "sympy")
 
 
 def report(claims: Sequence[Claim], rows: Sequence[Row]) -> str:
@@ -121,9 +127,9 @@ def report(claims: Sequence[Claim], rows: Sequence[Row]) -> str:
         f"<h1>{escape(title)}</h1>{''.join(f'<p>{escape(s.reference)}</p>' for s in sources if s.reference)}"
         f"<p>{escape(summary(decided))} {escape(closing(rows))}.</p>"
         f"<h2>What is claimed, and what holds</h2>{''.join(_claim(claim, rows) for claim in claims)}"
-        f"<h2>Formulas</h2>{''.join(map(_formulas, sources))}"
+        f"{_not_entered(claims, sources)}<h2>Formulas</h2>{''.join(map(_formulas, sources))}"
         f"<h2>What the words mean</h2>{_meanings(words_of(rows))}"
-        f"<h2>What the verdicts rely on</h2>{_versions()}{''.join(map(_digests, sources))}"
+        f"<h2>What the verdicts rely on</h2>{_versions(rows)}{''.join(map(_digests, sources))}"
     )
     return page(f"Report: {title}", body, _REPORT_STYLE)
 
@@ -143,7 +149,12 @@ def _claim(claim: Claim, rows: Iterable[Row]) -> str:
         ("recorded", "" if general is None or not general.differs else f"{claim.expected}: it differs"),
     ]
     if general:
-        fields += [("found", found(general)), ("witness", witness(general)), ("reading", str(general.reading))]
+        why = "witness" if general.verdict == REFUTED else "reason"
+        fields += [("found", found(general)), (why, witness(general)), ("reading", str(general.reading))]
+        if (curve := curve_of_witness(claim, general.finding)) is not None:
+            parts = "; ".join(f"{what} {numbers}" for what, numbers in written_out(curve).items())
+            fields.append(("on the curve", f"{curve.name} of degree {curve.degree}: {parts}"))
+        fields.append(("there", "; ".join(values_there(claim, general.finding))))
         fields.append(("rests on", ", ".join(general.finding.assumptions)))
     lines = [("printed", _printed(claim.words)), *[(what, escape(text)) for what, text in fields]]
     listed = definitions((what, shown) for what, shown in lines if shown)
@@ -177,14 +188,35 @@ def _formulas(source: Paper) -> str:
     return f"<h3>{escape(source.name)}</h3>{definitions(lines)}"
 
 
-def _versions() -> str:
-    rows = [("Python", platform.python_version())]
-    for package in PACKAGES:
-        try:
-            rows.append((package, version(package)))
-        except PackageNotFoundError:
-            rows.append((package, "not installed"))
-    return table(rows)
+def _not_entered(claims: Sequence[Claim], sources: Iterable[Paper]) -> str:
+    """What the report does not decide: statements not asked, formulas without a claim, passages of the text."""
+    lines = [(f"{each.id} (not asked)", escape(each.statement)) for each in claims if isinstance(each, NotAsked)]
+    named = {(claim.paper, name) for claim in claims for name in claim.named}
+    for source in sources:
+        silent = [name for name in source.formulas if (source.name, name) not in named]
+        lines.append(("formulas without a claim", escape(", ".join(silent)) or "none"))
+        text = passages(source)
+        without = [each for each in text if not (each.claims or each.read)]
+        read = (
+            f"{len(text) - len(without)} of {len(text)} are read" if text else "not entered: there is no reading.toml"
+        )
+        lines.append(("passages of the text", "; ".join([read, *[escape(each.place) for each in without]])))
+    return f"<h2>What was not entered</h2>{definitions(lines)}"
+
+
+def digest_of(rows: Iterable[Row]) -> str:
+    """A digest of verdicts, of the lines ``paper/key, curve, verdict`` in order: two runs that agree have the same."""
+    return sha256("\n".join(sorted(f"{r.paper}/{r.key}, {r.curve}, {r.verdict}" for r in rows)).encode()).hexdigest()
+
+
+def _versions(rows: Iterable[Row]) -> str:
+    lines = [
+        ("date", datetime.now(UTC).isoformat(" ", "minutes")),
+        ("command", shlex.join([command_name(), *sys.argv[1:]])),
+        ("digest of the verdicts", digest_of(rows)),
+        *all_releases().items(),
+    ]
+    return table(lines)
 
 
 def _digests(source: Paper) -> str:

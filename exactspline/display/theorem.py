@@ -5,16 +5,18 @@ r"""A claim as a theorem of LaTeX with its proof: what is stated, with the formu
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Iterator, Sequence
 
 from exactspline.display.evidence import worded
 from exactspline.display.latex_prose import in_mathematics, literal, prose
-from exactspline.papers import option_of
-from exactspline.splines.control_points import Point
+from exactspline.display.witness import curve_of_witness, values_there, written_out
+from exactspline.papers import Paper, option_of
+from exactspline.release import releases
 from exactspline.verification.claims import claims_of
 from exactspline.verification.divisors import divisors
 from exactspline.verification.errata import numbered, true_relation
-from exactspline.verification.evidence import ExactQuotient, OnExample
+from exactspline.verification.evidence import ExactQuotient
 from exactspline.verification.kinds.degree import DegreeClaim
 from exactspline.verification.kinds.equality import Identity
 from exactspline.verification.statement import Statement
@@ -72,6 +74,19 @@ def theorem(s: Statement) -> str:
     return "\n".join(lines)
 
 
+def bibliography(sources: Iterable[Paper]) -> str:
+    """The sources of claims, and what decided them, as entries of BibTeX.
+
+    >>> from exactspline.papers import paper
+    >>> print(bibliography([paper("lifted")]).splitlines()[0])
+    @misc{lifted,
+    """
+    lines = {each.name: (each.title, each.reference) for each in sources}
+    lines |= {"exactspline": ("exactspline: B-splines without rounding", f"version {releases()['exactspline']}")}
+    entry = "@misc{{{},\n  title = {{{{{}}}}},\n  note = {{{}}}\n}}\n"
+    return "".join(entry.format(re.sub(r"\W", "", name), *map(prose, said)) for name, said in lines.items())
+
+
 def _stated(s: Statement) -> Iterator[str]:
     """What is said, or that it is not so, and the formulas of which it speaks."""
     c = s.claim
@@ -125,22 +140,13 @@ def _proof(s: Statement) -> Iterator[str]:
 
 
 def _example(s: Statement) -> Iterator[str]:
-    """The curve that a witness names, written out."""
-    w = s.finding.witness
-    if not isinstance(w, OnExample) or w.surface:
-        return
-    curve = s.claim.curve_named(w.name)
-    lists: dict[str, Iterable[object]] = {
-        "Knots": curve.knots,
-        "Control points": map(_point, curve.control_points),
-        "Weights": curve.weights,
-    }
-    parts = [f"{what}: ${', '.join(map(str, values))}$" for what, values in lists.items()]
-    yield f"The curve {prose(w.name)} has degree {curve.degree}. {'; '.join(parts)}."
-
-
-def _point(point: Point) -> str:
-    return f"({', '.join(map(str, point))})"
+    """The curve that a witness names, written out, and the values there."""
+    curve = curve_of_witness(s.claim, s.finding)
+    if curve is not None:
+        parts = "; ".join(f"{what.capitalize()}: ${numbers}$" for what, numbers in written_out(curve).items())
+        yield f"The curve {prose(curve.name)} has degree {curve.degree}. {parts}."
+    if values := values_there(s.claim, s.finding):
+        yield f"There {prose(', '.join(values))}."
 
 
 def method(s: Statement) -> str:

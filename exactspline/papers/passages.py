@@ -88,7 +88,7 @@ def _read(table: ReadingTable) -> Iterator[Passage]:
     for page in table.get("page", ()):
         for order, entry in enumerate(page["spans"], 1):
             read = dict(entry)
-            begins, digest = str(read.pop("begins")), str(read.pop("digest"))
+            begins, digest = str(read.pop("begins")), str(read.pop("digest", ""))
             if read.get("nothing") == "heading":
                 section = _section(begins, sections)
             yield Passage(page["number"], order, section, begins, digest, read)

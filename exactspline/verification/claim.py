@@ -10,14 +10,7 @@ from enum import StrEnum
 from string import Template
 from typing import Any, ClassVar, TypeVar
 
-from exactspline.errors import (
-    ClaimError,
-    ExactSplineError,
-    FormulaError,
-    NumberError,
-    ReachError,
-    VanishingDivisorError,
-)
+from exactspline.errors import ClaimError, ExactSplineError, FormulaError, ReachError, VanishingDivisorError
 from exactspline.hooks import Displayed
 from exactspline.language.arguments import Evaluated, Operands
 from exactspline.language.formula import Formula
@@ -197,10 +190,7 @@ def count_from(least: int) -> Callable[[Claim, str, object], int]:
 
 def number(claim: Claim, name: str, value: int | str) -> mpq:
     """A number, exactly as written: ``"1/3"``, ``5.76`` (a decimal of a table is read as text)."""
-    try:
-        return rational(value)
-    except NumberError as error:
-        raise ClaimError(error.problem, where=name, remedy=error.remedy) from None
+    return rational(value)
 
 
 def numbers(claim: Claim, name: str, value: tuple[int | str, ...] | int | str) -> tuple[mpq, ...]:
@@ -347,11 +337,8 @@ class Claim(Immutable, Displayed):
         curve, kind = self.curve_named(self.example), kind_of(self.curve)
         decidable = self.curve != ArgumentKind.TABLE and kind.made_of_a_curve and not kind.adjoins_roots
         if not decidable or curve.dimension not in self.dimensions or curve.polynomial not in self.of.worlds:
-            raise ClaimError(
-                f"{self.example!r} is not a curve to which the claim applies",
-                where="example",
-                remedy="name another one",
-            )
+            problem = f"{self.example!r} is not a curve to which the claim applies"
+            raise ClaimError(problem, where="example", remedy="name another one")
         if self.expected == PROVED:
             vars(self)["expected"] = VERIFIED
 

@@ -96,8 +96,7 @@ def _read(entry: dict[str, Any], source: Paper) -> Claim:
         raise ClaimError(
             f"there is no error called {claim.error!r}",
             where="error",
-            remedy=f'write [errors] {claim.error} = "what is wrong" above the claims, or leave it out; '
-            f"{nearest(claim.error, list(source.errors))}",
+            remedy=f'write [errors] {claim.error} = "what is wrong"; {nearest(claim.error, list(source.errors))}',
         )
     _check_words_of_key(claim)
     return claim

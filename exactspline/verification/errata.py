@@ -263,12 +263,6 @@ def _shown(claim: Claim) -> tuple[str, ...]:
             f"print(DegreeReading({parameter}).of({found(claim.formula)}, {d}, "
             f"polynomial={claim.of == Scope.POLYNOMIAL}).degree)",
         )
-    if isinstance(claim, Count) and source.package:
-        return (
-            "from exactspline.papers import find; from exactspline.interchange.examples import example",
-            "from exactspline.verification.degree_tables import measure",
-            f'print(measure({found(claim.formula)}, example("{claim.example}")))',
-        )
     chosen = repr(source.name).replace("'", '"') if source.package else "paper"
     return (
         "from exactspline.verification.claims import claims_of",

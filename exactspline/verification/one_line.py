@@ -15,13 +15,15 @@ from exactspline.papers.formula_check import LANGUAGE, formulas_of
 from exactspline.papers.loading import guarded
 from exactspline.readings.differential_order import order_of
 
-#: A power; a number; a name, which may have its place (``file.py:f``); primes; a sign, or the number of a component.
+#: A power; a component; a number; a name, which may have its place (``file.py:f``); primes; a sign.
 TOKEN = re.compile(
-    r"\s*(?:(?:\^|\*\*)\s*([-−]?)\s*(\d+)|(\d+(?:\.\d+)?)|((?:[^\s=+*^(),]+:)?[^\W\d]\w*)|(['′’]+)|([-+−*/·×(),]|\[\d\]))"
+    r"(?:\^|\*\*)\s*([-−]?)\s*(\d+)|\[\d\]|(\d+(?:\.\d+)?)|((?:[^\s=+*^(),]+:)?[^\W\d]\w*)|([′'’]+)|[·×−]"
 )
+SIGNS = {"·": "*", "×": "*", "−": "-"}
+#: A blank between two operands: a product, as in factors.
+BESIDE = re.compile(r"(?<=[\w)\]′'’])\s+(?=[\w(])")
 #: The longest line.
 LONGEST = 2000
-SIGNS = {"·": "*", "×": "*", "−": "-"}
 OPERANDS = {name for n in CURVE.dimensions for name in CURVE.names(n)}
 
 
@@ -35,30 +37,29 @@ def formula_of_line(text: str, named: Callable[[str], Formula]) -> Formula:
     Raises `FormulaError` for what is no expression of the language of formulas, or exists for no curve.
     """
     used: dict[str, Formula] = {}
-    code, position = "", 0
-    while match := TOKEN.match(text[:LONGEST], position):
-        minus, power, number, name, primes, sign = match.groups()
-        position = match.end()
-        beside = code[-1:] not in ("", "(", ",", *"+-*/") and (number or name or sign == "(")
-        code += "*" * bool(beside and not code.endswith(tuple(LANGUAGE)))  # as in factors, "2 w f" is a product
+
+    def python(match: re.Match[str]) -> str:
+        minus, power, number, name, primes = match.groups()
+        operand = "gamma" if name == "γ" else name
+        if name and name not in LANGUAGE and operand not in OPERANDS:
+            used[f"f{len(used)}"] = named(name)
+            return f"f{len(used) - 1}(c)"
+        if name:
+            return str(name) if name in LANGUAGE else f"c.{operand}"
         if power:
-            code += f"**{minus and '-'}{power}"
-        elif name:
-            operand = "gamma" if name == "γ" else name
-            if not (known := name in LANGUAGE or operand in OPERANDS):
-                used[f"f{len(used)}"] = named(name)
-            code += (name if name in LANGUAGE else f"c.{operand}") if known else f"f{len(used) - 1}(c)"
-        elif primes:
-            code += f".d({len(primes)})"
-        else:
-            code += f'rational("{number}")' if number else SIGNS.get(sign, sign)
-    if text[position:].strip() or not code:
-        raise FormulaError(f"{text.strip()!r} states no formula", remedy="write for example w^-3 * f2, or det(γ', γ'')")
+            return f"**{minus and '-'}{power}"
+        if number:
+            return f'rational("{number}")'
+        return f".d({len(primes)})" if primes else SIGNS.get(match[0], match[0])
+
+    if len(text := text.strip()) > LONGEST:
+        raise FormulaError(f"a line of {len(text)} characters", remedy=f"write more than {LONGEST} in a file")
+    code = TOKEN.sub(python, BESIDE.sub(" * ", text))
     if list(used) == [code.removesuffix("(c)")]:
         return used["f0"]
     if not (used or "c." in code):
-        raise FormulaError(f"{text.strip()!r} is a number", remedy=f"write it with an operand: {text.strip()} + 0 * w")
-    return _checked(text.strip(), code, used)
+        raise FormulaError(f"{text!r} is a number", remedy=f"write it with an operand: {text} + 0 * w")
+    return _checked(text, code, used)
 
 
 class _Quotients(ast.NodeTransformer):

@@ -114,7 +114,11 @@ def statements(claim_id: str) -> Iterator[Statement]:
 
 def statement(claim: Claim) -> Statement:
     """A claim written out, with its combined verdict: the proof, compared with the example curves."""
-    reading, finding = combined(claim)
+    return stated(claim, *combined(claim))
+
+
+def stated(claim: Claim, reading: Name, finding: Finding) -> Statement:
+    """A claim written out, with a finding for all curves."""
     return Statement(claim, claim.latex, sides(claim), definitions(claim, finding), reading, finding)
 
 

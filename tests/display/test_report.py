@@ -1,0 +1,102 @@
+"""The report that a journal would take: witnesses that can be checked by hand, what was not entered, its origin."""
+
+import re
+from html import unescape
+
+from exactspline.display.ledger_pages import digest_of
+from exactspline.papers import load_paper
+from exactspline.papers.new import write_new_paper
+from exactspline.verification.claims import claims_of
+from exactspline.verification.ledger import audit
+from tests.support.command import invoke
+
+CLAIMS = """
+[[claim]]
+id = "5"
+kind = "zero set"
+statement = "turning and speed have one zero set"
+formulas = ["turning", "speed_squared"]
+on = "curve"
+example = "cubic_s"
+[[claim]]
+id = "6"
+kind = "at"
+statement = "the value at 1/2 is 3"
+formula = "turning"
+parameter = 0.5
+claimed = 3
+example = "arch"
+[[claim]]
+id = "7"
+kind = "not asked"
+statement = "∫κ ds < π"
+why = "an integral"
+[[claim]]
+id = "8"
+kind = "limits"
+statement = "a kind that there is not"
+"""
+READING = """
+[[page]]
+number = 1
+spans = [
+  {begins = "So it is", claims = ["1-identity"]}, {begins = "We thank", nothing = "thanks"}, {begins = "Hence <b>"},
+]
+"""
+
+
+def folder_in(tmp_path):
+    folder = write_new_paper(tmp_path / "mine")[0].parent
+    with (folder / "claims.toml").open("a") as file:
+        file.write(CLAIMS)
+    (folder / "reading.toml").write_text(READING)
+    return folder
+
+
+def test_the_report_has_what_a_reader_needs_to_check_it(tmp_path):
+    folder = folder_in(tmp_path)
+    done = invoke("prove", "--paper", folder, "--report", tmp_path / "report.html")
+    assert done.exit_code == 2
+    page = unescape(re.sub(r"<[^>]+>", " ", (tmp_path / "report.html").read_text()))
+    arch = load_paper(folder).folder / "curves" / "arch.json"
+    assert arch.exists()
+    assert "arch of degree" in page
+    assert "control points (" in page
+    value = re.search(r"it is (\S+) at the parameter 1/2", page)[1]
+    assert f"turning(1/2) = {value}" in page
+    assert re.search(r"reason\s+mine′*/claims.toml, claim 8, kind: the kind 'limits' is unknown", page)
+    for heading in ("What was not entered", "date", "command", "digest of the verdicts", "python-flint"):
+        assert heading in page
+    assert "7 (not asked)" in page
+    assert "2 of 3 are read; p. 1, span 3: Hence <b>" in page
+    assert digest_of(audit(claims_of(load_paper(folder)))) in page
+    assert (
+        "<b>" not in (tmp_path / "report.html").read_text().partition("passages of the text")[2].partition("</dl>")[0]
+    )
+
+
+def test_every_formula_without_a_claim_is_named(tmp_path):
+    folder = folder_in(tmp_path)
+    with (folder / "formulas.py").open("a") as file:
+        file.write('\n\n@formula("eq. (9)", on="plane")\ndef forgotten(c):\n    return c.w\n')
+    invoke("prove", "--paper", folder, "--report", tmp_path / "report.html")
+    assert re.search(r"formulas without a claim</dt><dd>forgotten<", (tmp_path / "report.html").read_text())
+
+
+def test_a_verdict_changes_the_digest(tmp_path):
+    folder = folder_in(tmp_path)
+    rows = list(audit(claims_of(load_paper(folder))))
+    assert digest_of(rows) == digest_of(rows[::-1])
+    assert digest_of(rows) != digest_of(rows[1:])
+
+
+def test_the_whole_paper_as_theorems_and_its_bibliography(tmp_path):
+    folder = folder_in(tmp_path)
+    tex, bib = tmp_path / "claims.tex", tmp_path / "claims.bib"
+    assert invoke("prove", "--paper", folder, "--tex", tex, "--bib", bib).exit_code == 2
+    text = tex.read_text()
+    assert text.count(r"\begin{proof}") == text.count(r"\end{proof}") == 8
+    assert text.count(r"\begin{theorem}") == 6
+    assert "There turning(1/2)" in text.replace(r"\_", "_")
+    assert re.findall(r"^@misc\{(\w+),", bib.read_text(), re.MULTILINE)[-1] == "exactspline"
+    assert "A small paper, to be changed" in bib.read_text()
