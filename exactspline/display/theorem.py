@@ -84,7 +84,7 @@ def bibliography(sources: Iterable[Paper]) -> str:
     lines = {each.name: (each.title, each.reference) for each in sources}
     lines |= {"exactspline": ("exactspline: B-splines without rounding", f"version {releases()['exactspline']}")}
     entry = "@misc{{{},\n  title = {{{{{}}}}},\n  note = {{{}}}\n}}\n"
-    return "".join(entry.format(re.sub(r"\W", "", name), *map(prose, said)) for name, said in lines.items())
+    return "".join(entry.format(re.sub(r"\W", "", name), *map(literal, said)) for name, said in lines.items())
 
 
 def _stated(s: Statement) -> Iterator[str]:

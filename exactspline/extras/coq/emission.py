@@ -178,8 +178,6 @@ def claims_header(name: str, text: str) -> str:
 
 def why_unstated(claim: Claim) -> ExactSplineError:
     """Why a claim has no theorem."""
-    if claim.on == Extent.CURVE:
-        return FormulaError("claims about one curve have none")
     if not isinstance(claim, STATED):
         return FormulaError(f"claims of the kind {claim.kind!r} are not equalities")
     foreign = not claim.source_paper.package

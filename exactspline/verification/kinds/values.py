@@ -132,11 +132,9 @@ class Bound(ExampleClaim):
         found = sign_found(rest, below, SIGNS[relation])
         if found.verdict == VERIFIED:
             return replace(found, computed=Fact.AS_CLAIMED)
-        if isinstance(found.witness, ZeroAt):
-            return Finding(REFUTED, Fact.NOT_SO, witness=ValueAt((bound,), found.witness.place, is_length))
-        assert isinstance(found.witness, At)
-        t = found.witness.parameter
-        return Finding(REFUTED, Fact.NOT_SO, witness=ValueAt((top(t) / below(t),), At(t), is_length))
+        place: Any = found.witness.place if isinstance(found.witness, ZeroAt) else found.witness
+        value = bound if isinstance(found.witness, ZeroAt) else top(place.parameter) / below(place.parameter)
+        return Finding(REFUTED, Fact.NOT_SO, witness=ValueAt((value,), place, is_length))
 
 
 @claim_kind
