@@ -11,7 +11,7 @@ from __future__ import annotations
 from typing import cast
 
 from exactspline.errors import FormulaError
-from exactspline.language.arguments import Curve, T
+from exactspline.language.arguments import Accompanied, Curve, T
 from exactspline.language.operand import Constant, FieldOperand, Operand
 from exactspline.language.vector import Vector, cross, norm2
 from exactspline.one_line import one_line
@@ -107,14 +107,14 @@ def root_of(square: Operand) -> Adjoined:
     return Adjoined(square.constant(0), square.constant(1), square)
 
 
-class FramedCurve(Curve[Adjoined]):
+class FramedCurve(Accompanied[Adjoined]):
     """A curve with the roots required for its Frenet frame: ``sigma`` = ‖γ′‖, and in space ``rho`` = ‖γ′ × γ″‖.
 
     In the plane the operands are ``a + b σ``, in space ``(a + b σ) + (c + e σ) ρ``.
     """
 
     def __init__(self, curve: Curve[Adjoined], sigma: Adjoined, rho: Adjoined | None = None) -> None:
-        super().__init__(curve.p, curve.w, polynomial=curve.polynomial, gamma=curve.gamma, point=curve.point)
+        super().__init__(curve, curve.additional if isinstance(curve, Accompanied) else {})
         self.sigma, self.rho = sigma, rho
 
     def copied(self) -> FramedCurve:

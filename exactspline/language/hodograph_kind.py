@@ -6,11 +6,11 @@ plane curve whose speed is a polynomial is of this form.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from typing import Any
 
 from exactspline.language.arguments import PARAMETERS, Accompanied, Curve, Evaluated, T
-from exactspline.language.kind import Kind, Rule, Symbol
+from exactspline.language.kind import Kind, Rule, Symbol, constants_of
 from exactspline.language.vector import Vector
 
 
@@ -36,12 +36,13 @@ class HodographKind(Kind):
         s = PARAMETERS[:1]
         degree = "2d + 1" if polynomial else "2d + e + 1"
         curve = (Symbol("x", "x", s, degree), Symbol("y", "y", s, degree), Symbol("u", "u", s), Symbol("v", "v", s))
-        return curve if polynomial else (*curve, Symbol("h", "h", s, "e"))
+        return (*curve, *(() if polynomial else (Symbol("h", "h", s, "e"),)), *constants_of(self))
 
     def names(self, dimension: int) -> dict[str, bool]:
         """The names of a curve, and the additional operands."""
         curve = {"p": True, "w": False, "gamma": True, "axis_x": True, "axis_y": True}
-        return curve | {"u": False, "v": False, "h": False, "velocity": True, "speed": False}
+        own = {"u": False, "v": False, "h": False, "velocity": True, "speed": False}
+        return curve | own | dict.fromkeys(self.constants, False)
 
     def rules(self, dimension: int) -> dict[str, Rule]:
         """The derivatives of the coordinates: the hodograph."""
@@ -49,17 +50,18 @@ class HodographKind(Kind):
 
     def takes(self, other: Kind, dimension: int) -> bool:
         """Whether formulas of the other kind apply; those for plane curves do."""
-        return other is self or (dimension == 2 and other.name in ("curve", "plane"))
+        alike = isinstance(other, HodographKind) or other.name.partition(" with ")[0] in ("curve", "plane")
+        return dimension == 2 and alike and {*other.constants} <= {*self.constants}
 
     def of_operands(self, named: Mapping[str, T], dimension: int, one: T) -> Evaluated:
         """The curve with its hodograph."""
-        return curve_of_hodograph(named, one)
+        return curve_of_hodograph(named, one, self.constants)
 
 
-def curve_of_hodograph(named: Mapping[str, T], one: T) -> Accompanied[T]:
-    """The argument from its named operands; h is 1 if it is missing."""
+def curve_of_hodograph(named: Mapping[str, T], one: T, constants: Iterable[str] = ()) -> Accompanied[T]:
+    """The argument from its named operands and constants; h is 1 if it is missing."""
     curve = Curve(Vector(named["x"], named["y"]), one, polynomial=True)
-    return Accompanied(curve, {name: named.get(name, one) for name in ("u", "v", "h")}, _made)
+    return Accompanied(curve, {name: named.get(name, one) for name in ("u", "v", "h", *constants)}, _made)
 
 
 def _velocity(named: Mapping[str, Any]) -> Vector[Any]:

@@ -14,6 +14,8 @@ from exactspline.language.arguments import Evaluated, T
 from exactspline.language.choices import Parameter
 from exactspline.language.operand import Operand
 
+_DIGITS = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
+
 
 @dataclass(frozen=True)
 class Symbol:
@@ -39,6 +41,24 @@ class Symbol:
         return self.degree if len(self.parameters) == 1 or not self.degree else f"{self.degree}_{parameter}"
 
 
+#: Greek letters by their names.
+GREEK = {
+    **{"alpha": "α", "beta": "β", "gamma": "γ", "delta": "δ", "epsilon": "ε", "zeta": "ζ", "eta": "η", "theta": "θ"},
+    **{"kappa": "κ", "lambda": "λ", "lamda": "λ", "mu": "μ", "nu": "ν", "xi": "ξ", "pi": "π", "rho": "ρ"},
+    **{"sigma": "σ", "tau": "τ", "phi": "φ", "chi": "χ", "psi": "ψ", "omega": "ω"},
+}
+
+
+def constant_text(name: str) -> str:
+    """The mathematical notation for the name of a constant.
+
+    >>> constant_text("delta"), constant_text("lambda_1"), constant_text("r")
+    ('δ', 'λ₁', 'r')
+    """
+    stem = name.rstrip("0123456789")
+    return GREEK.get(stem.rstrip("_"), stem.rstrip("_")) + name[len(stem) :].translate(_DIGITS)
+
+
 #: The derivative of an operand, computed from all operands by name: the chain rule, where operands depend on each
 #: other.
 Rule = Callable[[Mapping[str, Operand]], object]
@@ -61,6 +81,8 @@ class Kind(ABC):
     counted: tuple[Parameter, ...] = (Parameter.FIRST,)
     #: If a parameter of some operands is itself a function of the parameter of the curve: the operand for it.
     composed: Mapping[Parameter, str] = MappingProxyType({})
+    #: The names of constants that accompany a curve, such as the distance of an offset.
+    constants: tuple[str, ...] = ()
 
     @abstractmethod
     def symbols(self, dimension: int, *, polynomial: bool = False) -> tuple[Symbol, ...]:
@@ -123,3 +145,8 @@ def _parameters(kind: Kind, dimension: int) -> tuple[Parameter, ...]:
 @lru_cache(1024)
 def _has_operands(kind: Kind, other: Kind, dimension: int) -> bool:
     return set(other.symbols(dimension)) <= set(kind.symbols(dimension))
+
+
+def constants_of(kind: Kind) -> tuple[Symbol, ...]:
+    """The symbols of the constants of a kind."""
+    return tuple(Symbol(name, constant_text(name), ()) for name in kind.constants)

@@ -7,7 +7,7 @@ from __future__ import annotations
 import copyreg
 from collections.abc import Iterable, Mapping, Sequence
 from functools import cache
-from typing import Any
+from typing import Any, cast
 
 from exactspline.errors import FormulaError, nearest
 from exactspline.language.adjoined_root import framed
@@ -23,9 +23,9 @@ from exactspline.language.arguments import (
     Pair,
     T,
 )
-from exactspline.language.hodograph_kind import HODOGRAPH
+from exactspline.language.hodograph_kind import HODOGRAPH, HodographKind
 from exactspline.language.implicit_kinds import IMPLICIT, IMPLICIT_SURFACE, INTERSECTION
-from exactspline.language.kind import Kind, Rule, Symbol
+from exactspline.language.kind import Kind, Rule, Symbol, constant_text, constants_of
 from exactspline.language.surface_kind import CURVE_ON_SURFACE, FORMS, PLANAR_MAP, SURFACE
 from exactspline.language.vector import Vector
 
@@ -60,31 +60,15 @@ __all__ = [
     "common_kind",
     "constant_text",
     "kind_of",
+    "with_constants",
 ]
 
 _SUBSCRIPTS = str.maketrans("xyzuvst", "₁₂₃₄₅₆₇")
-_DIGITS = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
 #: Names that constants must not have: those of operands, and everything else that formulas may name.
 RESERVED = {*COORDINATES, *BARRED, "w", "W", "p", "d", "gamma", "point", "first", "second", "polynomial", "dimension"}
 RESERVED |= {"additional", "made", "degree", "provenance", "ring", "generator", "directrix"}
 #: The maximal length of the name of a constant.
 LETTERS = 30
-#: Greek letters by their names.
-GREEK = {
-    **{"alpha": "α", "beta": "β", "gamma": "γ", "delta": "δ", "epsilon": "ε", "zeta": "ζ", "eta": "η", "theta": "θ"},
-    **{"kappa": "κ", "lambda": "λ", "lamda": "λ", "mu": "μ", "nu": "ν", "xi": "ξ", "pi": "π", "rho": "ρ"},
-    **{"sigma": "σ", "tau": "τ", "phi": "φ", "chi": "χ", "psi": "ψ", "omega": "ω"},
-}
-
-
-def constant_text(name: str) -> str:
-    """The mathematical notation for the name of a constant.
-
-    >>> constant_text("delta"), constant_text("lambda_1"), constant_text("r")
-    ('δ', 'λ₁', 'r')
-    """
-    stem = name.rstrip("0123456789")
-    return GREEK.get(stem.rstrip("_"), stem.rstrip("_")) + name[len(stem) :].translate(_DIGITS)
 
 
 class CurveKind(Kind):
@@ -100,26 +84,14 @@ class CurveKind(Kind):
     def symbols(self, dimension: int, *, polynomial: bool = False) -> tuple[Symbol, ...]:
         """Coordinates, denominator, the coordinates of the point, and the constants."""
         point = [Symbol(POINT[i], "Q" + x.translate(_SUBSCRIPTS), ()) for i, x in enumerate(COORDINATES[:dimension])]
-        constants = [Symbol(name, constant_text(name), ()) for name in self.constants]
-        return (
-            *_functions(COORDINATES, "w", dimension, 0, polynomial),
-            *(point if self.with_point else ()),
-            *constants,
-        )
+        functions = _functions(COORDINATES, "w", dimension, 0, polynomial)
+        return (*functions, *(point if self.with_point else ()), *constants_of(self))
 
     def names(self, dimension: int) -> dict[str, bool]:
         """Numerator, denominator, the curve itself, the axes, the point and the constants."""
         axes = dict.fromkeys(("axis_x", "axis_y", "axis_z")[:dimension], True)
         additional = ({"point": True} if self.with_point else {}) | dict.fromkeys(self.constants, False)
         return {"p": True, "w": False, "gamma": True} | axes | additional
-
-    def with_constants(self, names: Iterable[str]) -> CurveKind:
-        """The kind with additional constants.
-
-        >>> PLANE.with_constants(["delta"])
-        <kind plane with delta>
-        """
-        return _with_constants(self, tuple(sorted({*self.constants, *names})))
 
     def of_operands(self, named: Mapping[str, T], dimension: int, one: T) -> Evaluated:
         """The curve."""
@@ -188,7 +160,8 @@ class FramedKind(CurveKind):
     @property
     def without_roots(self) -> CurveKind:
         """The kind of the curve alone."""
-        return CURVE if len(self.dimensions) > 1 else PLANE if self.dimensions == (2,) else SPACE
+        plain = CURVE if len(self.dimensions) > 1 else PLANE if self.dimensions == (2,) else SPACE
+        return cast(CurveKind, with_constants(plain, self.constants))
 
     def names(self, dimension: int) -> dict[str, bool]:
         """The names of a curve, and the roots."""
@@ -228,12 +201,26 @@ KINDS: dict[str, Kind] = {
 }
 
 
+def with_constants(kind: Kind, names: Iterable[str]) -> Kind | None:
+    """The kind with additional constants; None for a kind that has none, and where operands of it have these names.
+
+    >>> with_constants(PLANE, ["delta"]), with_constants(FRAMED_PLANE, ["sigma"]), with_constants(TABLE, ["r"])
+    (<kind plane with delta>, None, None)
+    """
+    constants = {*names} - {*kind.constants}
+    if not constants:
+        return kind
+    if not isinstance(kind, (CurveKind, HodographKind)) or constants & {*kind.names(3)}:
+        return None
+    return _with_constants(KINDS[kind.name.partition(" with ")[0]], tuple(sorted({*constants, *kind.constants})))
+
+
 @cache
-def _with_constants(kind: CurveKind, constants: tuple[str, ...]) -> CurveKind:
+def _with_constants(kind: Kind, constants: tuple[str, ...]) -> Kind:
     """One object per kind, so that kinds can be compared."""
-    plain = kind.name.partition(" with ")[0]
-    name = f"{plain} with {', '.join(constants)}"
-    return CurveKind(name, kind.dimensions, with_point=kind.with_point, constants=constants)
+    made: Kind = object.__new__(type(kind))
+    vars(made).update(vars(kind), name=f"{kind.name} with {', '.join(constants)}", constants=constants)
+    return made
 
 
 def common_kind(kinds: Iterable[Kind]) -> Kind:
@@ -253,11 +240,11 @@ def common_kind(kinds: Iterable[Kind]) -> Kind:
     special = [kind for kind in given if not any(kind is k for k in (CURVE, PLANE, SPACE))]
     if not special:
         return CURVE
+    constants = {name for kind in special for name in kind.constants}
     others = [kind for kind in special if type(kind) is not CurveKind]
     if others:
-        takes_all = (
-            kind for kind in (*others, *KINDS.values()) if all(kind.takes(k, n) for k in given for n in kind.dimensions)
-        )
+        known = (with_constants(kind, constants) for kind in (*others, *KINDS.values()))
+        takes_all = (kind for kind in known if kind and all(kind.takes(k, n) for k in given for n in kind.dimensions))
         common = next(takes_all, None)
         if common is None:
             raise FormulaError(
@@ -265,10 +252,8 @@ def common_kind(kinds: Iterable[Kind]) -> Kind:
                 remedy="name formulas of one kind of argument",
             )
         return common
-    curves = [kind for kind in special if type(kind) is CurveKind]
-    constants = sorted({name for kind in curves for name in kind.constants})
-    first = next((kind for kind in curves if kind.with_point), curves[0])
-    return first.with_constants(constants) if constants else first
+    first = next((kind for kind in special if getattr(kind, "with_point", False)), special[0])
+    return with_constants(first, constants) or first
 
 
 def kind_of(name: str) -> Kind:
@@ -287,9 +272,13 @@ def kind_of(name: str) -> Kind:
     kind = KINDS[plain]
     if not separator:
         return kind
-    if type(kind) is not CurveKind:
-        raise FormulaError(f"constants for {plain!r}", remedy="only curves have constants: 'plane with delta'")
-    return kind.with_constants(_constants(constants))
+    accompanied = with_constants(kind, _constants(constants))
+    if accompanied is None:
+        raise FormulaError(
+            f"the constants {constants} for {plain!r}",
+            remedy="only curves have constants, with names that no operand has: 'plane with delta'",
+        )
+    return accompanied
 
 
 def _constants(text: str) -> Sequence[str]:

@@ -19,7 +19,7 @@ from exactspline.errors import FormulaError, counted, nearest, shown
 from exactspline.language.choices import Parameter
 from exactspline.language.complex_numbers import complex_product, complex_quotient, conjugate
 from exactspline.language.formula import Formula, formula
-from exactspline.language.kinds import CURVE, KINDS, CurveKind, Kind, kind_of
+from exactspline.language.kinds import CURVE, KINDS, Kind, kind_of
 from exactspline.language.ruled import ruled
 from exactspline.language.vector import cross, det, dot, generalized_cross, join, norm2, perp, triple
 from exactspline.language.wronskians import wronskian
@@ -208,7 +208,7 @@ def _attributes(node: ast.FunctionDef, read: Checked) -> tuple[set[str], set[str
             attributes |= {*kind.names(n), *kind.parts}
             for part in kind.parts.values():
                 attributes |= set(part.names(n))
-    constants = {name for kind in kinds if isinstance(kind, CurveKind) for name in kind.constants}
+    constants = {name for kind in kinds for name in kind.constants}
     return attributes - constants, constants
 
 

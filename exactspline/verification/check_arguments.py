@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from typing import NamedTuple
 
 from exactspline.errors import InapplicableError, counted
 from exactspline.language.arguments import Accompanied, Curve, Evaluated, Pair
 from exactspline.language.formula import Formula
-from exactspline.language.hodograph_kind import curve_of_hodograph
-from exactspline.language.kinds import HODOGRAPH, PLANAR_MAP, SURFACE, CurveKind, PairKind, kind_of
+from exactspline.language.hodograph_kind import HodographKind, curve_of_hodograph
+from exactspline.language.kinds import PLANAR_MAP, SURFACE, CurveKind, PairKind, kind_of
 from exactspline.language.vector import Vector
 from exactspline.numbers.exact import mpq
 from exactspline.readings.degree import DegreeReading
@@ -56,11 +56,13 @@ def pair_with(curve: Nurbs, other: Curve[BSpline] | None = None) -> Pair[TensorS
     return surface_pair(beginning(curve), beginning(moved_copy(curve) if other is None else other))
 
 
-def with_hodograph(curve: Nurbs) -> Accompanied[BSpline]:
-    """The Pythagorean-hodograph curve whose u, v and h are the numerators and the denominator of a plane curve."""
+def with_hodograph(curve: Nurbs, constants: Mapping[str, BSpline]) -> Accompanied[BSpline]:
+    """The Pythagorean-hodograph curve whose u, v and h are the numerators and the denominator of a plane curve, with
+    constants.
+    """
     u, v = curve.p
     x, y = ((f * curve.w).integral() for f in (u * u - v * v, u * v + u * v))
-    return curve_of_hodograph({"x": x, "y": y, "u": u, "v": v, "h": curve.w}, x.constant(1))
+    return curve_of_hodograph({"x": x, "y": y, "u": u, "v": v, "h": curve.w, **constants}, x.constant(1), constants)
 
 
 #: The largest number of patches of a surface on which claims are multiplied out.
@@ -100,16 +102,14 @@ def argument(kind: str, curve: Nurbs | NurbsSurface) -> Given:
         return Given(curve.mapped(lambda f: f.restrict((a, b), (c, d))), Fact.FIRST_PATCH, Fact.FIRST_PATCH)
     if isinstance(asked, PairKind):
         return Given(pair_with(curve), Fact.FIRST_SEGMENTS, Fact.FIRST_SEGMENTS)
-    if asked is HODOGRAPH:
-        return Given(with_hodograph(curve), Fact.AS_HODOGRAPH)
-    if not isinstance(asked, CurveKind):
+    if not isinstance(asked, (CurveKind, HodographKind)):
         raise InapplicableError(
             f"one curve is not an example of {str(kind)!r}", remedy="such claims are decided for all curves"
         )
     handed: Curve[BSpline] = curve
     point: tuple[mpq, ...] = ()
     values: dict[str, mpq] = {}
-    if asked.with_point:
+    if isinstance(asked, CurveKind) and asked.with_point:
         point = point_beside(curve)
         handed = curve.with_point(point)
     if asked.constants:
@@ -118,8 +118,12 @@ def argument(kind: str, curve: Nurbs | NurbsSurface) -> Given:
             raise InapplicableError(
                 f"{counted(len(asked.constants), 'constant')}", remedy=f"at most {len(CONSTANTS)} are tried"
             )
-        handed = Accompanied(handed, {name: curve.w.constant(value) for name, value in values.items()})
+    constants = {name: curve.w.constant(value) for name, value in values.items()}
     chosen = Chosen(point, tuple((Name(name), value) for name, value in values.items())) if point or values else None
+    if isinstance(asked, HodographKind):
+        return Given(with_hodograph(curve, constants), Fact.AS_HODOGRAPH, chosen)
+    if constants:
+        handed = Accompanied(handed, constants)
     return Given(handed, chosen, chosen)
 
 
@@ -135,9 +139,10 @@ def free_operands(kind: str) -> AnyOperands | None:
     asked = kind_of(kind)
     if isinstance(asked, PairKind):
         return AnyOperands(second_curve=True)
-    if not isinstance(asked, CurveKind) or not (asked.with_point or asked.constants):
+    with_point = isinstance(asked, CurveKind) and asked.with_point
+    if not with_point and not asked.constants:
         return None
-    return AnyOperands(point=asked.with_point, constants=tuple(map(Name, asked.constants)))
+    return AnyOperands(point=with_point, constants=tuple(map(Name, asked.constants)))
 
 
 #: The largest degree in a parameter to which formulas are multiplied out on single surfaces.

@@ -14,6 +14,7 @@ from flint import fmpq_poly
 
 from exactspline.errors import VanishingDivisorError
 from exactspline.language.arguments import BARRED, COORDINATES, PARAMETERS, Evaluated, T
+from exactspline.language.hodograph_kind import HodographKind
 from exactspline.language.kind import Kind, Rule, Symbol
 from exactspline.language.kinds import PairKind
 from exactspline.numbers.exact import mpq, to_fmpq
@@ -21,6 +22,7 @@ from exactspline.readings.jet import JetRing
 from exactspline.readings.rational_jet import JetFraction
 from exactspline.splines.bspline import BSpline, in_powers
 from exactspline.splines.nurbs import Nurbs
+from exactspline.verification.check_arguments import with_hodograph
 from exactspline.verification.evidence import At, On
 
 #: The parameters minus those at which a segment begins; names that no operand has.
@@ -43,6 +45,8 @@ class _OnSegment(Kind):
 
     def explicit(self, dimension: int) -> set[str]:
         """The names of the operands that are polynomials."""
+        if isinstance(self.whole, HodographKind):
+            return {"x", "y", "u", "v", "h"}
         return {*COORDINATES[:dimension], "w"} | ({*BARRED[:dimension], "W"} if self.both else set())
 
     def symbols(self, dimension: int, *, polynomial: bool = False) -> tuple[Symbol, ...]:
@@ -106,7 +110,8 @@ class OnSegment(NamedTuple):
 
 def on_segments(kind: Kind, curve: Nurbs, order: int, *, same: bool = False) -> Iterator[OnSegment]:
     """The argument of a kind on each segment of a curve: the curve (of a pair the first one, or with `same` both) by
-    explicit polynomials, everything else indeterminate with derivatives up to `order`.
+    explicit polynomials, everything else indeterminate with derivatives up to `order`. Of a hodograph u, v and h are
+    explicit, too: those that the curve gives.
 
     >>> from exactspline.language.kinds import kind_of
     >>> from exactspline.interchange.examples import example
@@ -117,13 +122,14 @@ def on_segments(kind: Kind, curve: Nurbs, order: int, *, same: bool = False) -> 
     both = same and isinstance(kind, PairKind)
     ring = JetRing(with_explicit_curve(kind, both), curve.dimension, order, polynomial=curve.polynomial)
     one = JetFraction(ring, ring.context.constant(1), ring.context.constant(1))
-    splines: dict[str, BSpline] = dict(curve.operands())
+    own = with_hodograph(curve, {}) if isinstance(kind, HodographKind) else curve
+    splines: dict[str, BSpline] = dict(own.operands())
     for i, (a, b) in enumerate(zip(curve.breakpoints, curve.breakpoints[1:], strict=False)):
 
         def operand(symbol: Symbol, i: int = i) -> JetFraction:
             if symbol.name not in ring.symbols:
-                own, parameter = splines[symbol.name.lower()], BAR if symbol.name.isupper() else OWN
-                return _polynomial(own, i, ring, parameter)
+                spline, parameter = splines[symbol.name.lower()], BAR if symbol.name.isupper() else OWN
+                return _polynomial(spline, i, ring, parameter)
             return JetFraction(ring, ring[symbol.name].polynomial, ring.context.constant(1))
 
         made = kind.argument(curve.dimension, operand, one, polynomial=curve.polynomial)

@@ -138,7 +138,11 @@ def test_constants_at_infinity():
     assert str(generic_true_degree(still, 2)) == "d"
 
 
-@pytest.mark.parametrize("name", ["plane with x", "plane with __class__", "plane with ", "hodograph with r", "plain"])
+WRONG_CONSTANTS = ["plane with x", "plane with __class__", "plane with ", "surface with r", "plain"]
+WRONG_CONSTANTS += ["hodograph with u", "hodograph with speed", "framed plane with sigma", "framed plane with rho"]
+
+
+@pytest.mark.parametrize("name", WRONG_CONSTANTS)
 def test_no_constant_takes_the_name_of_an_operand(name):
     with pytest.raises(FormulaError):
         kind_of(name)

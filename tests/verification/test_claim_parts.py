@@ -120,7 +120,7 @@ def test_coefficients_of_the_generic_polynomial_curve_are_computed():
 
 def test_the_hodograph_of_an_argument_is_made_of_its_operands():
     curve = example("rational_cubic")
-    handed = with_hodograph(curve)
+    handed = with_hodograph(curve, {})
     (u, v), h = curve.p, curve.w
     assert handed.p[0].d(1) == (u * u - v * v) * h
     assert handed.p[1].d(1) == 2 * u * v * h

@@ -99,7 +99,7 @@ _TYPES: dict[type[Kind], str] = {
 
 def type_of(kind: Kind) -> str:
     """The type of the argument of formulas of a kind. Raises `FormulaError` for a kind that is missing in the base."""
-    if isinstance(kind, CurveKind) and kind.constants:
+    if type(kind) is CurveKind and kind.constants:
         return "accompanied A"
     if written_for(kind):
         return f"{_TYPES[type(kind)]} A"
@@ -108,7 +108,8 @@ def type_of(kind: Kind) -> str:
 
 def written_for(kind: Kind) -> bool:
     """Whether formulas of a kind can be written."""
-    return type(kind) in _TYPES and (not isinstance(kind, ImplicitKind) or kind.functions == "f")
+    accompanied = kind.constants and type(kind) is not CurveKind
+    return type(kind) in _TYPES and not accompanied and (not isinstance(kind, ImplicitKind) or kind.functions == "f")
 
 
 class Formulas:
@@ -174,12 +175,9 @@ def _constants(formulas: Iterable[Formula]) -> list[str]:
     """
     places: dict[str, int] = {}
     for formula in formulas:
-        if isinstance(formula.kind, CurveKind):
-            for i, name in enumerate(formula.kind.constants):
-                if places.setdefault(name, i) != i:
-                    raise FormulaError(
-                        f"{name} is another constant elsewhere", remedy="name the same constants before it"
-                    )
+        for i, name in enumerate(formula.kind.constants):
+            if places.setdefault(name, i) != i:
+                raise FormulaError(f"{name} is another constant elsewhere", remedy="name the same constants before it")
     return [
         f"(** The constant {name}. *)\nDefinition {name}_of (c : accompanied A) : A := component {i} (beside c).\n"
         for name, i in sorted(places.items())

@@ -308,7 +308,7 @@ def candidates(kind: Kind, dimension: int, *, polynomial: bool) -> Iterator[Expl
 
     Raises `ClaimError` for a kind without explicit arguments.
     """
-    if isinstance(kind, FramedKind):
+    if isinstance(kind, FramedKind) and not kind.constants:
         yield _FRAMED[dimension]
     elif isinstance(kind, ImplicitKind) and kind.dimensions == (2,):
         yield _PARABOLA

@@ -90,7 +90,7 @@ class Setting:
     @property
     def constants(self) -> tuple[str, ...]:
         """The constants that accompany the curve."""
-        return self.kind.constants if isinstance(self.kind, CurveKind) else ()
+        return self.kind.constants
 
     @property
     def shape(self) -> str:
@@ -102,6 +102,7 @@ class Setting:
         before = {"hodograph": "primitive_", "plane": "polynomial_", "space": "polynomial_"}.get(plain, "")
         beside = "_point" if self.has_point else "_with" if self.constants else ""
         several = isinstance(self.kind, ImplicitKind) and self.kind.functions != "f"
+        several |= bool(self.constants) and type(self.kind) is not CurveKind
         if several or (self.has_point and self.constants) or (self.polynomial and beside):
             raise FormulaError(f"no quantifier over the kind {self.kind.name!r}", remedy="add one to the base")
         return f"{before if self.polynomial else ''}{plain}{beside}"

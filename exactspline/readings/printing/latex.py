@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from exactspline.language.kinds import GREEK
+from exactspline.language.kind import GREEK
 from exactspline.readings.expression import Expression, Operation
 from exactspline.readings.printing.printer import ATOM, PRODUCT, Printer, leaf, named_binding, number
 

@@ -187,7 +187,7 @@ class Invariance(Claim):
         if name == Group.COMMON_FACTOR:
             factor = k[SPEED]
             plain = Curve(curve.p * factor, curve.w * factor, point=curve.point)
-            beside = {each: curve.operands()[each] for each in getattr(formula.kind, "constants", ())}
+            beside = {each: curve.operands()[each] for each in formula.kind.constants}
             value = times_unit(_components(formula(curve)), factor, self.weight)
             return _components(formula(Accompanied(plain, beside))), value
         made = MAPS[name]

@@ -10,7 +10,7 @@ from exactspline.errors import ClaimError, ExactSplineError, VanishingDivisorErr
 from exactspline.language.adjoined_root import Adjoined
 from exactspline.language.arguments import Evaluated, Operands
 from exactspline.language.formula import Formula
-from exactspline.language.kinds import FRAMED, FRAMED_PLANE, FRAMED_SPACE, CurveKind, Kind, kind_of
+from exactspline.language.kinds import FRAMED, FRAMED_PLANE, FRAMED_SPACE, CurveKind, Kind, kind_of, with_constants
 from exactspline.language.parts import joined, split
 from exactspline.polynomials.cost import at_its_cost
 from exactspline.polynomials.factors import factorize_square_free
@@ -225,9 +225,10 @@ class Existence(Claim):
     def kind_of_field(self, name: str) -> Kind:
         """A definition may have zeros."""
         own = super().kind_of_field(name)
-        if name != "definition" or type(own) is not CurveKind or own.constants:
+        if name != "definition" or type(own) is not CurveKind:
             return own
-        return FRAMED if len(own.dimensions) > 1 else FRAMED_PLANE if own.dimensions == (2,) else FRAMED_SPACE
+        framed = FRAMED if len(own.dimensions) > 1 else FRAMED_PLANE if own.dimensions == (2,) else FRAMED_SPACE
+        return with_constants(framed, own.constants) or own
 
     def validate(self) -> None:
         """Reject a formula that is its own definition: any formula is a quotient of polynomials."""

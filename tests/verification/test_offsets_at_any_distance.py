@@ -1,0 +1,175 @@
+"""Offsets at a distance δ that is a constant: curves with the root ‖γ′‖ adjoined, and Pythagorean-hodograph curves.
+
+What is true of them is proved; wrong signs, factors and types, and δ taken for a function, are refuted.
+"""
+
+import pickle
+
+import pytest
+
+from exactspline.errors import FormulaError
+from exactspline.extras.coq.formulas import type_of
+from exactspline.interchange.examples import example
+from exactspline.language.kinds import FRAMED, HODOGRAPH, common_kind, kind_of
+from exactspline.papers import load_paper
+from exactspline.verification.claims import claims_of
+from exactspline.verification.verdict import INAPPLICABLE, PROVED, REFUTED, VACUOUS, VERIFIED
+from tests.verification.test_own_paper import written
+
+#: The kinds, and the speed on each.
+SPEEDS = {"framed plane with delta": "sigma", "hodograph with delta": "speed"}
+FORMULAS = {
+    "place": "c.gamma",
+    "normal": "perp(c.gamma.d(1)) / c.{speed}",
+    "kappa": "det(c.gamma.d(1), c.gamma.d(2)) / c.{speed}**3",
+    "shrunk": "1 - c.delta * kappa(c)",
+    "offset": "c.gamma + normal(c) * c.delta",
+    "velocity": "offset(c).d(1)",
+    "kappa_delta": "det(velocity(c), velocity(c).d(1)) / (c.{speed} * shrunk(c)) ** 3",
+    "radius": "1 / kappa_delta(c)",
+    "centre": "offset(c) + normal(c) / kappa_delta(c)",
+    "distance_squared": "norm2(offset(c) - c.gamma)",
+    "speed_squared": "norm2(velocity(c))",
+    "delta_derivative": "(c.delta * c.gamma).d(1)",
+    "along": "dot(velocity(c), normal(c))",
+}
+#: For each formula what it is, and what a careless version takes it for.
+RIGHT = {
+    "velocity": "c.gamma.d(1) * shrunk(c)",
+    "kappa_delta": "kappa(c) / (1 - c.delta * kappa(c))",
+    "radius": "1 / kappa(c) - c.delta",
+    "centre": "c.gamma + normal(c) / kappa(c)",
+    "distance_squared": "c.delta**2",
+    "speed_squared": "c.{speed}**2 * shrunk(c) ** 2",
+    "delta_derivative": "c.delta * c.gamma.d(1)",
+}
+WRONG = {
+    "velocity": (
+        "c.gamma.d(1) * (1 + c.delta * kappa(c))",
+        "c.gamma.d(1) * (1 - kappa(c))",
+        "c.gamma.d(1) * (c.delta * kappa(c) - 1)",
+        "c.gamma.d(1) * (1 - c.delta * kappa(c) * c.{speed})",
+        "perp(c.gamma.d(1)) * shrunk(c)",
+        "c.gamma.d(1)",
+    ),
+    "kappa_delta": (
+        "kappa(c) / (1 + c.delta * kappa(c))",
+        "kappa(c) / (c.delta * kappa(c) - 1)",
+        "kappa(c) / (1 - c.delta)",
+        "kappa(c) / (1 - c.delta * kappa(c)) ** 2",
+        "kappa(c) * (1 - c.delta * kappa(c))",
+        "kappa(c)",
+        "kappa(c) / (1 - kappa(c))",
+    ),
+    "radius": ("1 / kappa(c) + c.delta", "1 / kappa(c)", "c.delta - 1 / kappa(c)", "1 / kappa(c) - 1"),
+    "centre": (
+        "c.gamma - normal(c) / kappa(c)",
+        "c.gamma + normal(c) * (1 / kappa(c) + c.delta)",
+        "offset(c) + normal(c) / kappa(c)",
+    ),
+    "distance_squared": ("c.delta", "c.delta**3", "-(c.delta**2)", "c.delta**2 * c.{speed}**2", "1 + 0 * c.delta"),
+    "speed_squared": (
+        "c.{speed}**2 * (1 + c.delta * kappa(c)) ** 2",
+        "c.{speed}**2 * shrunk(c)",
+        "shrunk(c) ** 2",
+        "c.{speed}**2",
+    ),
+    "delta_derivative": ("c.gamma.d(1)", "c.delta * c.gamma.d(1) + c.gamma", "c.gamma + 0 * c.delta * c.gamma.d(1)"),
+}
+TYPES = {
+    ("framed plane with delta", "offset"): "not rational",
+    ("framed plane with delta", "kappa_delta"): "not rational",
+    ("framed plane with delta", "distance_squared"): "polynomial",
+    ("framed plane with delta", "speed_squared"): "not rational",
+    ("hodograph with delta", "offset"): "rational",
+    ("hodograph with delta", "kappa_delta"): "rational",
+    ("hodograph with delta", "distance_squared"): "polynomial",
+    ("hodograph with delta", "place"): "polynomial",
+}
+HEAD = "[common]\nstatus = 'ours'\nplace = 'e'\nstatement = 's'\n"
+
+
+def paper_of(folder, kind, claims, **more):
+    """A paper with these formulas of a kind, and its claims."""
+    text = "".join(
+        f"@formula('e', on='{kind}')\ndef {name}(c):\n    return {body.format(speed=SPEEDS[kind])}\n"
+        for name, body in (FORMULAS | more).items()
+    )
+    entries = [{"curve": kind, "id": str(i)} | each for i, each in enumerate(claims)]
+    return claims_of(load_paper(written(folder, text, entries, HEAD)))
+
+
+@pytest.mark.parametrize("kind", SPEEDS)
+def test_what_is_true_of_offsets_is_proved(kind, tmp_path):
+    claims = [{"kind": "identity", "left": name, "right": f"right_{name}"} for name in RIGHT]
+    claims.append({"kind": "vanishing", "left": "along"})
+    right = {f"right_{name}": body for name, body in RIGHT.items()}
+    assert [each.prove()[1].verdict for each in paper_of(tmp_path / "o", kind, claims, **right)] == [PROVED] * 8
+
+
+@pytest.mark.parametrize("kind", SPEEDS)
+def test_no_careless_version_is_proved(kind, tmp_path):
+    """32 of each kind: wrong signs of δ, wrong powers, δ taken for 1 and for a function of the parameter."""
+    pairs = [(name, body) for name, bodies in WRONG.items() for body in bodies]
+    wrong = {f"wrong_{i}": body for i, (_, body) in enumerate(pairs)}
+    claims = [{"kind": "identity", "left": name, "right": f"wrong_{i}"} for i, (name, _) in enumerate(pairs)]
+    found = [each.prove()[1].verdict for each in paper_of(tmp_path / "o", kind, claims, **wrong)]
+    assert len(found) == 32
+    assert set(found) == {REFUTED}
+
+
+def test_offsets_are_rational_for_pythagorean_hodographs_only(tmp_path):
+    for kind, speed in SPEEDS.items():
+        own = {name: right for (each, name), right in TYPES.items() if each == kind}
+        known = ("polynomial", "rational", "not rational")
+        claims = [{"kind": "type", "formula": name, "claimed": claimed} for name in own for claimed in known]
+        found = [each.prove()[1].verdict for each in paper_of(tmp_path / speed, kind, claims)]
+        assert found == [PROVED if claimed == right else REFUTED for right in own.values() for claimed in known]
+
+
+def test_the_witness_of_a_hodograph_is_one(tmp_path):
+    """``‖γ′‖²/σ² is a polynomial`` was proved and, with u, v and h that had nothing to do with the curve, refuted."""
+    more = {"unit": "norm2(c.gamma.d(1)) / c.speed**2 + 0 * c.delta"}
+    (claim,) = paper_of(
+        tmp_path / "o", "hodograph with delta", [{"kind": "type", "formula": "unit", "claimed": "polynomial"}], **more
+    )
+    assert claim.prove()[1].verdict == PROVED
+    for name in ("circle", "rational_cubic", "six_segment_cubic"):
+        assert claim.check(example(name)).verdict == VERIFIED
+    assert claim.check(example("straight_line")).verdict in (VERIFIED, INAPPLICABLE, VACUOUS)
+
+
+def test_true_of_one_distance_is_not_true_of_all(tmp_path):
+    """With the distance that a check tries, 37/29, the square of the distance is that number."""
+    more = {"tried": "c.delta * 37 / 29", "right": RIGHT["kappa_delta"]}
+    claims = [
+        {"kind": "identity", "left": "distance_squared", "right": "tried"},
+        {"kind": "identity", "left": "kappa_delta", "right": "right"},
+    ]
+    wrong, right = paper_of(tmp_path / "o", "hodograph with delta", claims, **more)
+    assert wrong.prove()[1].verdict == REFUTED
+    for name in ("circle", "six_segment_cubic"):
+        assert wrong.check(example(name)).verdict == REFUTED
+        assert right.check(example(name)).verdict == VERIFIED
+
+
+def test_kinds_with_constants():
+    kind = kind_of("framed plane with delta")
+    assert pickle.loads(pickle.dumps(kind)) is kind is kind_of(kind.name)
+    assert kind.without_roots is kind_of("plane with delta")
+    assert common_kind([kind_of("plane with delta"), FRAMED]).name == "framed plane with delta"
+    assert common_kind([kind_of("plane with delta"), kind_of("framed plane with r")]).name == (
+        "framed plane with delta, r"
+    )
+    assert common_kind([kind_of("plane with delta"), kind_of("plane with r")]) is kind_of("plane with r, delta")
+    assert common_kind([kind_of("plane with delta"), HODOGRAPH]) is kind_of("hodograph with delta")
+    assert kind_of("hodograph with delta").takes(HODOGRAPH, 2)
+    assert not HODOGRAPH.takes(kind_of("hodograph with delta"), 2)
+    assert not HODOGRAPH.takes(kind_of("plane with delta"), 2)
+    assert not kind_of("hodograph with delta").takes(kind_of("framed plane with delta"), 2)
+
+
+def test_no_theorem_for_coq_takes_a_constant_for_another_operand():
+    for name in SPEEDS:
+        with pytest.raises(FormulaError, match="no type in Coq"):
+            type_of(kind_of(name))
