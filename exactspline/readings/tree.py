@@ -203,9 +203,14 @@ class TreeReading(Reading):
         return Traced(kind, dimension, expand=self.expand)
 
 
+#: Operands that do not depend on how a curve or a surface is written as a quotient: σ and ρ are roots of γ′·γ′ and
+#: ‖γ′ × γ″‖².
+OF_THE_VALUE = frozenset(("gamma", "S", "axis_x", "axis_y", "axis_z", "point", "sigma", "rho"))
+
+
 def speaks_of_gamma_alone(formula: Formula, dimension: int) -> bool:
-    """Whether a formula contains only γ, not its numerator and denominator: then what holds for indeterminate
-    coordinates of γ holds for rational curves.
+    """Whether a formula contains only γ, of each of its curves, not numerators and denominators: then what holds for
+    indeterminate coordinates of γ holds for rational curves.
 
     >>> from exactspline.papers import find
     >>> speaks_of_gamma_alone(find("torsion"), 3), speaks_of_gamma_alone(find("torsion_reduced"), 3)
@@ -216,7 +221,8 @@ def speaks_of_gamma_alone(formula: Formula, dimension: int) -> bool:
     while todo:
         node = todo.pop()
         if isinstance(node, Node):
-            if node.op == "leaf" and node.value in ("p", "w"):
+            constants = getattr(formula.kind, "constants", ())
+            if node.op == "leaf" and str(node.value).rpartition(".")[2] not in OF_THE_VALUE.union(constants):
                 return False
             todo += node.args
     return True

@@ -6,16 +6,17 @@ import pytest
 from gmpy2 import mpq
 
 from exactspline import Nurbs
-from exactspline.errors import FormulaError
+from exactspline.errors import FormulaError, ReachError
 from exactspline.interchange.examples import example
 from exactspline.language.parts import split
-from exactspline.papers import find
+from exactspline.papers import find, load_paper
 from exactspline.readings.degree import Degree, parse_degree
-from exactspline.verification.claims import all_claims
+from exactspline.verification.claims import all_claims, claims_of
 from exactspline.verification.evaluation import Evaluation
 from exactspline.verification.notation import factor_parts
 from exactspline.verification.verdict import PROVED, VERIFIED
 from tests.support.sampled import sample
+from tests.verification.test_own_paper import written
 
 #: Curves on which what is generic is seen, and no formula of a claim vanishes: by dimension.
 GENERIC = {2: "rational_cubic_s", 3: "rational_space_cubic"}
@@ -189,3 +190,29 @@ def _is_not_zero(claim, own):
 
 def test_there_are_more_than_enough():
     assert sum(1 for kind in MAKERS for _ in false_claims(kind)) > 500
+
+
+# ---- what is too long is decided for w = 1 only where it is about γ alone
+
+
+@pytest.mark.parametrize("kind", ["pair", "plane pair"])
+def test_a_denominator_of_a_part_is_a_denominator(kind, tmp_path):
+    """Before, PROVED: leaves of a pair are called first.w, and only those called p and w were looked for."""
+    formulas = f"""
+
+@formula("a", on="{kind}")
+def long(c):
+    return norm2(c.first.gamma.d(3)) ** 12
+
+@formula("b", on="{kind}")
+def weighted(c):
+    return norm2(c.first.gamma.d(3)) ** 12 * c.first.w
+"""
+    folder = written(
+        tmp_path / "p",
+        formulas,
+        [{"id": "1", "kind": "identity", "curve": kind, "statement": "w = 1", "left": "weighted", "right": "long"}],
+    )
+    (claim,) = claims_of(load_paper(folder))
+    with pytest.raises(ReachError):
+        claim.prove()
