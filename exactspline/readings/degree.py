@@ -146,6 +146,20 @@ class Degree(RingOperand, PartlyOrdered):
         """The names of the degrees that occur in this expression."""
         return frozenset(name for coefficients, _ in self.terms for name, _ in coefficients)
 
+    def where(self, name: str, value: Degree) -> Degree:
+        """The degree with an affine form in place of a name.
+
+        >>> parse_degree("2n - 1").where("n", parse_degree("2d + e + 1"))
+        4d + 2e + 1
+        """
+        [(slopes, constant)] = value.terms
+        terms = []
+        for coefficients, rest in self.terms:
+            k = dict(coefficients).get(name, 0)
+            kept = tuple(each for each in coefficients if each[0] != name)
+            terms.append(_plus((kept, rest), (tuple((other, k * n) for other, n in slopes), k * constant)))
+        return self._made(terms, self.provenance, self.still)
+
     def __eq__(self, other: object) -> bool:
         """Whether both are equal for all degrees ≥ 1; see `equal_from` for equality above a larger bound."""
         return isinstance(other, Degree) and equal_from(self, other) == 1
@@ -307,7 +321,8 @@ class DegreeReading(Reading):
                 raise InapplicableError(f"{kind.name!r} has no degrees", remedy="ask for an identity")
             degree = symbol.degree_in(parameter)
             if degree.isidentifier():
-                return Degree.named(self.degree + degree.removeprefix("d"), parameter)
+                renamed = degree.startswith("d")  # the degree of the factor h of a hodograph is its own
+                return Degree.named(self.degree + degree[1:] if renamed else degree, parameter)
             return Degree(parse_degree(degree).terms, counted=parameter)
 
         argument = kind.argument(dimension, operand, Degree.number(0, counted=parameter), polynomial=polynomial)

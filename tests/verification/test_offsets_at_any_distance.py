@@ -14,6 +14,7 @@ from exactspline.language.kinds import FRAMED, HODOGRAPH, common_kind, kind_of
 from exactspline.papers import load_paper
 from exactspline.verification.claims import claims_of
 from exactspline.verification.verdict import INAPPLICABLE, PROVED, REFUTED, VACUOUS, VERIFIED
+from tests.support.claims import refusal
 from tests.verification.test_own_paper import written
 
 #: The kinds, and the speed on each.
@@ -173,3 +174,65 @@ def test_no_theorem_for_coq_takes_a_constant_for_another_operand():
     for name in SPEEDS:
         with pytest.raises(FormulaError, match="no type in Coq"):
             type_of(kind_of(name))
+
+
+#: Degrees of a Pythagorean-hodograph curve of degree n = 2d + e + 1: formula, degree, relation, for which curves.
+DEGREES = [
+    ("place", "n", "=", "both"),
+    ("place", "2d + e + 1", "=", "both"),
+    ("place", "2d + 1", "=", "polynomial"),
+    ("tangent", "n - 1", "=", "both"),
+    ("offset", "2n - 1", "=", "both"),
+    ("offset", "4d + 2e + 1", "=", "both"),
+    ("offset", "4d + 1", "=", "polynomial"),
+    ("offset", "n + 2d + e", "=", "both"),
+    ("offset", "2n", "≤", "both"),
+    ("offset", "2n - 2", "≥", "both"),
+    ("kappa", "3n - 3", "=", "both"),
+]
+WRONG_DEGREES = [
+    *[("offset", n, "=", "both") for n in ("2n", "2n - 2", "2n + 1", "3n - 1", "n", "n - 1", "2n - d", "2n - e")],
+    *[("offset", n, "=", "both") for n in ("4d + 1", "4d + e + 1", "4d + 2e", "4d + 2e + 2", "2d + e + 1", "4d - 1")],
+    *[("offset", n, "=", "polynomial") for n in ("2n", "2n - 2", "4d", "4d + 2", "4d + 2e", "n")],
+    ("offset", "2n - 2", "≤", "both"),
+    ("offset", "2n", "≥", "both"),
+    ("place", "n - 1", "=", "both"),
+    ("place", "2d + 1", "=", "both"),
+    ("place", "d", "=", "both"),
+    ("tangent", "n", "=", "both"),
+    ("kappa", "3n - 4", "=", "both"),
+    ("kappa", "2n - 3", "=", "both"),
+]
+
+
+def degrees_of(folder, rows):
+    """Claims of nominal degrees of curves given by their hodographs."""
+    names = ("formula", "claimed", "relation", "of")
+    claims = [{"kind": "degree"} | dict(zip(names, row, strict=True)) for row in rows]
+    return paper_of(folder, "hodograph with delta", claims, tangent="c.gamma.d(1)")
+
+
+def test_degrees_of_pythagorean_hodograph_curves(tmp_path):
+    """The offset of a curve of degree n is a rational curve of degree 2n − 1 (Farouki, Sakkalis 1990)."""
+    for claim in degrees_of(tmp_path / "o", DEGREES):
+        assert claim.prove()[1].verdict == PROVED, claim
+        for name in ("circle", "rational_cubic", "six_segment_cubic"):
+            curve = example(name)
+            if claim.applies_to(2, curve.polynomial):
+                assert claim.check(curve).verdict == VERIFIED, (claim, name)
+
+
+def test_wrong_degrees_are_refuted_at_degrees_that_exist(tmp_path):
+    """The degree of h was counted as another one, ``4d + 2de``; where h = 1, it has no degree at which to fail."""
+    for claim in degrees_of(tmp_path / "o", WRONG_DEGREES):
+        found = claim.prove()[1]
+        assert found.verdict == REFUTED, claim
+        names = {str(name) for name, _ in found.witness.at}
+        assert names <= ({"d"} if claim.of == "polynomial" else {"d", "e"})
+        assert all(n >= 1 for _, n in found.witness.at)
+
+
+def test_a_curve_without_a_hodograph_has_no_degree_n(tmp_path):
+    text = "@formula('e', on='plane with delta')\ndef place(c):\n    return c.gamma\n"
+    entry = {"kind": "degree", "formula": "place", "claimed": "n", "curve": "plane with delta", "id": "1"}
+    assert "contains 'n'" in refusal(written(tmp_path / "o", text, [entry], HEAD))

@@ -13,6 +13,7 @@ from exactspline.errors import ClaimError, FormulaError
 from exactspline.language.arguments import Evaluated, Pair
 from exactspline.language.choices import Counting, Parameter
 from exactspline.language.formula import Formula
+from exactspline.language.hodograph_kind import HodographKind
 from exactspline.language.kinds import Kind, kind_of
 from exactspline.language.parts import joined, split
 from exactspline.language.ruled import RuledSurface
@@ -61,9 +62,10 @@ def _degree_text(claim: Claim, name: str, value: str) -> str:
 
 @cache
 def _degree_names(kind: Kind) -> frozenset[str]:
-    """The names of the degrees of operands."""
+    """The names of the degrees of operands; a curve given by its hodograph is of degree n."""
     symbols = [s for s in kind.symbols(kind.dimensions[0]) if s.degree]
-    return frozenset().union(*[parse_degree(s.degree_in(p)).names for s in symbols for p in s.parameters])
+    own = {"n"} if isinstance(kind, HodographKind) else set[str]()
+    return frozenset(own).union(*[parse_degree(s.degree_in(p)).names for s in symbols for p in s.parameters])
 
 
 #: The measured degree, as LaTeX.
@@ -86,7 +88,8 @@ class DegreeClaim(Claim):
     value; for a ruled surface, of directrix and generator over one denominator), ``reduced`` (of the result of
     `exactspline.symbolic.reduction`; for a ruled surface of its generator, whose length is free) or ``height`` (0 for a
     covariant). For two curves it is the degree in the ``parameter`` s or s̄. All except the nominal degree are degrees
-    on the generic curve: on a single curve they are bounds.
+    on the generic curve: on a single curve they are bounds. A curve given by its hodograph is of degree n = 2d + e + 1,
+    where u and v are of degree d and h is of degree e.
     """
 
     kind: ClassVar[str] = "degree"
@@ -178,9 +181,20 @@ class DegreeClaim(Claim):
         for each in kind_of(self.curve).symbols(argument.dimension):
             if self.parameter not in each.parameters or each.name not in known:
                 continue
-            if (named := each.degree_in(self.parameter)).isidentifier():
-                values[named] = max(self._own(known[each.name].degree), values.get(named, 0))
+            named = each.degree_in(self.parameter)
+            named = named if named.isidentifier() else "n"
+            values[named] = max(self._own(known[each.name].degree), values.get(named, 0))
         return degree.at({name: values[name] for name in degree.names})
+
+    def in_free_degrees(self, polynomial: bool) -> Degree:
+        """The claimed degree where those of the operands are free: n, the degree of a curve given by its hodograph,
+        is that of an integral, and e is 0 where h = 1.
+        """
+        degree, kind = parse_degree(self.claimed), kind_of(self.curve)
+        if isinstance(kind, HodographKind):
+            degree = degree.where("n", parse_degree(kind.symbols(2)[0].degree))
+            degree = degree.where("e", Degree.number(0)) if polynomial else degree
+        return degree
 
     def _has_too_few_derivatives(self, argument: Any) -> bool:
         """Whether the degree is counted on a patch of lower degree than the formula has derivatives."""
@@ -241,7 +255,8 @@ def _decide(claim: DegreeClaim, dimension: int, polynomial: bool) -> Finding:
     formula = claim.find(claim.formula)
     zero = vanishes(formula, dimension, polynomial)
     if claim.measure == Measure.NOMINAL:
-        return held_against(claim, DegreeFound(_nominal(claim, dimension, polynomial), as_written=zero))
+        nominal = DegreeFound(_nominal(claim, dimension, polynomial), as_written=zero)
+        return held_against(claim, nominal, polynomial=polynomial)
     if zero:
         return vacuous(Fact.ZERO)
     if claim.parameter == Parameter.SECOND:
@@ -340,10 +355,15 @@ def _lowest(claim: DegreeClaim, reduction: Reduction) -> Finding:
 
 
 def held_against(
-    claim: DegreeClaim, found: DegreeFound, lower: Mapping[int, int] = NONE_LOWER, factor: Found | None = None
+    claim: DegreeClaim,
+    found: DegreeFound,
+    lower: Mapping[int, int] = NONE_LOWER,
+    factor: Found | None = None,
+    *,
+    polynomial: bool = False,
 ) -> Finding:
     """A computed degree compared with the claimed one, for every d from the least one upwards; with all exceptions."""
-    computed, claimed = found.degree, parse_degree(claim.claimed)
+    computed, claimed = found.degree, claim.in_free_degrees(polynomial)
     larger = computed.max(claimed)
     agree = {
         Relation.EQUAL: (computed, claimed),
