@@ -18,7 +18,7 @@ from exactspline.errors import ClaimError
 from exactspline.language.arguments import Pair
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import PAIR as PAIR_OF_CURVES
-from exactspline.language.kinds import Kind, kind_of
+from exactspline.language.kinds import FramedKind, Kind, kind_of
 from exactspline.language.parts import split
 from exactspline.language.vector import Vector, norm2
 from exactspline.one_line import OneLine
@@ -155,8 +155,9 @@ def stated_assumption(name: str, what: Formula | str, kind: Kind, everywhere: bo
     Raises `ClaimError` for a formula that vanishes on every curve, depends on a second curve, or has roots.
     """
     shown = what if isinstance(what, str) else what.name
-    if kind.parts or kind.adjoins_roots:
+    if kind.parts or (isinstance(what, Formula) and what.kind.adjoins_roots):
         raise ClaimError(f"{shown!r} is not a function of one curve alone", where="assumes", remedy="name one")
+    kind = kind.without_roots if isinstance(kind, FramedKind) else kind
 
     def polynomial(c: Any) -> Any:
         if isinstance(what, str):

@@ -7,13 +7,14 @@ import pickle
 
 import pytest
 
+from exactspline.display.evidence import worded
 from exactspline.errors import FormulaError
 from exactspline.extras.coq.formulas import type_of
 from exactspline.interchange.examples import example
 from exactspline.language.kinds import FRAMED, HODOGRAPH, common_kind, kind_of
 from exactspline.papers import load_paper
 from exactspline.verification.claims import claims_of
-from exactspline.verification.verdict import INAPPLICABLE, PROVED, REFUTED, VACUOUS, VERIFIED
+from exactspline.verification.verdict import INAPPLICABLE, PROVED, REFUTED, UNDECIDED, VACUOUS, VERIFIED
 from tests.support.claims import refusal
 from tests.verification.test_own_paper import written
 
@@ -236,3 +237,37 @@ def test_a_curve_without_a_hodograph_has_no_degree_n(tmp_path):
     text = "@formula('e', on='plane with delta')\ndef place(c):\n    return c.gamma\n"
     entry = {"kind": "degree", "formula": "place", "claimed": "n", "curve": "plane with delta", "id": "1"}
     assert "contains 'n'" in refusal(written(tmp_path / "o", text, [entry], HEAD))
+
+
+def test_zeros_and_factors_beside_a_frame(tmp_path):
+    """The constant is a factor by a formula that returns it; that it is not zero is assumed as the answer says."""
+    text = """
+@formula('e', on='framed plane with delta')
+def step(c):
+    return perp(c.gamma.d(1)) * (c.delta / c.sigma)
+@formula('e', on='framed plane')
+def normal(c):
+    return perp(c.gamma.d(1)) / c.sigma
+@formula('e', on='framed plane with delta')
+def scaled(c):
+    return det(c.gamma.d(1), c.gamma.d(2)) * (c.delta / c.sigma)
+@formula('e', on='plane with delta')
+def distance(c):
+    return c.delta
+"""
+    own = {"curve": "framed plane with delta"}
+    zeros = own | {"kind": "zero set", "measure": "lowest terms", "formulas": ["step", "normal"]}
+    times = own | {"kind": "identity", "left": "step", "right": "normal"}
+    claims = [
+        zeros | {"assumes": ["w", "delta ≠ 0"]},
+        zeros | {"assumes": ["w"]},
+        zeros | {"formulas": ["scaled", "normal"], "assumes": ["w", "delta ≠ 0"]},
+        times | {"factor": "distance"},
+        times | {"factor": "distance^2"},
+        times | {"factor": "-1 distance"},
+    ]
+    entries = [each | {"id": str(i)} for i, each in enumerate(claims)]
+    found = [each.prove()[1] for each in claims_of(load_paper(written(tmp_path / "o", text, entries, HEAD)))]
+    assert [each.verdict for each in found] == [PROVED, UNDECIDED, REFUTED, PROVED, REFUTED, REFUTED]
+    assert worded(found[1].witness) == "δ may have zeros: assume delta ≠ 0"
+    assert worded(found[2].witness).endswith("with δ = 37/29")

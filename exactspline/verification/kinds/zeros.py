@@ -9,7 +9,7 @@ from dataclasses import field, replace
 from functools import partial, reduce
 from itertools import chain, pairwise, product
 from operator import methodcaller, mul
-from typing import Any, ClassVar
+from typing import Any, ClassVar, cast
 
 from exactspline.errors import ClaimError, FormulaError, ReachError
 from exactspline.language.arguments import PARAMETERS, Evaluated
@@ -42,6 +42,7 @@ from exactspline.verification.evidence import (
     MayVanish,
     OddPowers,
     OnExample,
+    OnPart,
     Place,
     Quotients,
     SquareOnSegment,
@@ -218,12 +219,14 @@ class ZeroSet(Claim):
             curve = self.curve_named(name)
             if (curve.dimension, curve.polynomial) != (dimension, True):
                 continue
-            parts = [factor.on(curve) for factor in factors]
+            own, _, part = evaluation(curve).given(factors[0].ring.kind.name)
+            parts = [factor.on(cast(Any, own)) for factor in factors]
             if not any(below.vanishes_somewhere for _, below in parts):
                 tops = [_lowest(top / below) for top, below in parts]
                 found = _compared(list(zip(self.formulas, [split(each)[0][0] for each in tops], strict=True)))
                 if found.verdict == REFUTED and not evaluation(curve).failing(self.curve, self.assumes):
-                    return replace(found, witness=OnExample(Name(name), found.witness))
+                    witness = OnPart(found.witness, part) if part else found.witness
+                    return replace(found, witness=OnExample(Name(name), witness))
         return Finding(UNDECIDED)
 
 
