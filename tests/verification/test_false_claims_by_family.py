@@ -434,4 +434,6 @@ def test_no_false_claim_of_a_family_is_proved_or_verified(name, folder):
 def test_there_are_more_than_enough(folder):
     entries = [entry for each in FAMILIES.values() for entry in each()[1]]
     assert len(entries) >= 400
-    assert {entry["kind"] for entry in entries} == KINDS.keys()
+    # those about one curve alone are changed by `tests.campaigns.one_curve`
+    about_one = {"at", "bound", "distance", "limit", "not asked"}
+    assert {entry["kind"] for entry in entries} == KINDS.keys() - about_one
