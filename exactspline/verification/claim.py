@@ -14,10 +14,11 @@ from exactspline.errors import ClaimError, ExactSplineError, FormulaError, Reach
 from exactspline.hooks import Displayed
 from exactspline.language.arguments import Evaluated, Operands
 from exactspline.language.formula import Formula
-from exactspline.language.kinds import Kind, PairKind, kind_of
+from exactspline.language.hodograph_kind import HodographKind
+from exactspline.language.kinds import Kind, PairKind, TableKind, kind_of
 from exactspline.language.rational import Rational
 from exactspline.language.ruled import RuledSurface
-from exactspline.numbers.exact import mpq, rational
+from exactspline.numbers.exact import mpq, rational, text
 from exactspline.numbers.immutable import Immutable
 from exactspline.one_line import one_line
 from exactspline.papers import Paper, paper_named
@@ -335,10 +336,10 @@ class Claim(Immutable, Displayed):
         if not self.example:
             return
         curve, kind = self.curve_named(self.example), kind_of(self.curve)
-        decidable = self.curve != ArgumentKind.TABLE and kind.made_of_a_curve and not kind.adjoins_roots
+        decidable = kind.made_of_a_curve and not (isinstance(kind, TableKind | HodographKind) or kind.adjoins_roots)
         if not decidable or curve.dimension not in self.dimensions or curve.polynomial not in self.of.worlds:
             problem = f"{self.example!r} is not a curve to which the claim applies"
-            raise ClaimError(problem, where="example", remedy="name another one")
+            raise ClaimError(problem, where="example", remedy="name another one (none gives a hodograph or a frame)")
         if self.expected == PROVED:
             vars(self)["expected"] = VERIFIED
 
@@ -397,7 +398,9 @@ class Claim(Immutable, Displayed):
         """Context and assumptions in words."""
         polynomial = ["polynomial: w = 1"] if self.of == Scope.POLYNOMIAL else []
         context = [self.context] if self.context else []
-        curve = [f"on the curve {self.example}"] if self.example else []
+        interval = getattr(self, "interval", ())
+        part = f"[{', '.join(map(text, interval))}] of " if interval else ""
+        curve = [f"on {part}the curve {self.example}"] if self.example else []
         return "; ".join([*context, *polynomial, *[each.words for each in self.assumes], *curve])
 
     @property
@@ -424,6 +427,8 @@ class Claim(Immutable, Displayed):
         for name, check, _ in declared(self.__class__).checks:
             if check in (formula_name, any_formula):
                 fields[name] = self.symbol(fields[name])
+            elif check is example_name:
+                fields[name] = spelled(fields[name])
         return Template(self.notation).substitute(fields)
 
     def prove(self) -> tuple[Name, Finding]:

@@ -441,12 +441,13 @@ class OnlyForDegrees(Evidence, words="none vanishes for {degrees}"):
     degrees: ForDegrees
 
 
-class ZeroCoefficient(Evidence, words="coefficient {index} of {formula} is {value}"):
-    """A coefficient of a formula that is zero, or of another sign, on this curve."""
+class ZeroCoefficient(Evidence, words="coefficient {index} of {formula} {segment} is {value}"):
+    """A Bézier coefficient of a formula on a segment of this curve that is zero, or of another sign."""
 
     formula: Name
     index: int
-    value: mpq = mpq(0)
+    segment: On
+    value: mpq
 
 
 # ---- zeros, signs, squares

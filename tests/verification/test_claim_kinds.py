@@ -89,7 +89,7 @@ def test_the_first_coefficient_that_vanishes_is_named():
     assert on(one, PARABOLA).verdict == VERIFIED
     still = curve(T * T, T * T * T)
     found = on(one, still)
-    assert (found.verdict, worded(found.witness)) == (REFUTED, "coefficient 0 of D1 is 0")
+    assert (found.verdict, worded(found.witness)) == (REFUTED, "coefficient 0 of D1 on [0, 1] is 0")
     assert on(one, Nurbs(1, [0, 0, 1, 1], [(1, 1), (1, 1)])).verdict == VACUOUS
     generic = claim("C3f-D1-generic").prove()[1]
     assert worded(generic.computed).startswith("none vanishes for any d ≥ 1")

@@ -24,6 +24,28 @@ from tests.verification.test_own_paper import plane_formulas, written
 ARCH = Nurbs(3, [0, 0, 0, 0, 1, 1, 1, 1], [(0, 0), ("0.3", "0.8"), ("0.9", "1.1"), ("1.5", "0.2")])
 #: A corner at 1: the tangent jumps from (1, 0) to (0, 1).
 CORNER = Nurbs(1, [0, 0, 1, 2, 2], [(0, 0), (1, 0), (1, 1)])
+#: (t, t²) for −1 ≤ t ≤ 1: y/x = t, though 0/0 at 0.
+PARABOLA = Nurbs(2, [-1, -1, -1, 1, 1, 1], [(-1, 1), (0, -1), (1, 1)])
+#: y = t on [−1, 0] and 1 on [0, 1].
+JUMP = Nurbs(1, [-1, -1, 0, 0, 1, 1], [(-1, -1), (0, 0), (0, 1), (1, 1)])
+#: (t, t²) on [0, 1], and straight back: y′ is 0 at the seam from the right alone.
+CLOSED = Nurbs(2, [0, 0, 0, 1, 1, 2, 2, 2], [(0, 0), ("1/2", 0), (1, 1), ("1/2", "1/2"), (0, 0)])
+#: There and back on (t, t²): y and y′ are 0 at the seam from both sides.
+THERE_AND_BACK = Nurbs(2, [0, 0, 0, 1, 1, 2, 2, 2], [(0, 0), ("1/2", 0), (1, 1), ("1/2", 0), (0, 0)])
+#: A control point with y < 0, and y > 0 in all Bézier points.
+HIGH = Nurbs(3, [0, 0, 0, 0, 1, 2, 3, 4, 5, 5, 5, 5], [(i, 1 if i != 3 else "-1/10") for i in range(8)])
+#: No control point has y = 0; the Bézier point at the knot 1 has.
+FALLING = Nurbs(2, [0, 0, 0, 1, 2, 2, 2], [(0, 1), (1, 1), (2, -1), (3, -1)])
+CURVES = {
+    "arch": ARCH,
+    "corner": CORNER,
+    "parabola_2": PARABOLA,
+    "leap": JUMP,
+    "closed": CLOSED,
+    "there_and_back": THERE_AND_BACK,
+    "high": HIGH,
+    "falling": FALLING,
+}
 FORMULAS = plane_formulas(
     turning="det(c.gamma.d(1), c.gamma.d(2))",
     bent="det(c.p.d(1), c.p.d(2))",
@@ -35,11 +57,14 @@ FORMULAS = plane_formulas(
     px="c.p[0]",
     px_less_one="c.p[0] - c.w",
     y="c.gamma[1]",
+    py="c.p[1]",
+    rise="c.gamma.d(1)[1]",
     slope="c.gamma[1] / c.gamma[0]",
     pole="c.w / (c.gamma[0] - rational('1/2') * c.w)",
     one="c.w / c.w",
     less_one="c.gamma[0] - 1",
     square="(c.gamma[0] - 1) ** 2",
+    ratio="c.gamma[1] ** 2 / c.gamma[0] ** 2",
 )
 
 
@@ -47,8 +72,8 @@ FORMULAS = plane_formulas(
 def folder(tmp_path_factory):
     made = written(tmp_path_factory.mktemp("on") / "paper", FORMULAS, [])
     (made / "curves").mkdir()
-    exactspline.write(ARCH, made / "curves" / "arch.json")
-    exactspline.write(CORNER, made / "curves" / "corner.json")
+    for name, curve in CURVES.items():
+        exactspline.write(curve, made / "curves" / f"{name}.json")
     return made
 
 
@@ -84,7 +109,14 @@ HOLD = [
     {"kind": "count", "formula": "less_one", "claimed": "1 roots", "interval": [0.5, 1]},
     {"kind": "count", "formula": "less_one", "claimed": "0 roots", "interval": [0, 0.5]},
     {"kind": "count", "formula": "y", "claimed": "1 roots"},
+    {"kind": "count", "formula": "slope", "claimed": "1 roots", "example": "parabola_2"},
+    {"kind": "count", "formula": "y", "claimed": "0 roots", "interval": ["1/100", 1], "example": "leap"},
+    {"kind": "count", "formula": "y", "claimed": "1 roots", "example": "there_and_back"},
+    {"kind": "count", "formula": "y", "claimed": "1 roots", "interval": [0, 2], "example": "there_and_back"},
+    {"kind": "count", "formula": "y", "claimed": "1 roots", "interval": [1, 2], "example": "there_and_back"},
+    {"kind": "bound", "formula": "slope", "bound": "≤ 0", "interval": [-1, 0], "example": "parabola_2"},
     {"kind": "coefficients", "formula": "bent", "sign": "< 0", "on": "curve"},
+    {"kind": "coefficients", "formula": "py", "sign": "> 0", "on": "curve", "example": "high"},
     {"kind": "distance", "other": "circle", "bound": "= 0"},
     {"kind": "distance", "other": "corner", "bound": "<= 0.001"},
     {"kind": "sign", "formula": "turning", "sign": "< 0", "on": "curve"},
@@ -142,6 +174,46 @@ FAIL = {
         {"kind": "count", "formula": "less_one", "claimed": "1 roots", "interval": [0, 0.5]},
         REFUTED,
     ),
+    "a root seen from the left alone": (
+        {"kind": "count", "formula": "y", "claimed": "0 roots", "example": "leap"},
+        UNDECIDED,
+    ),
+    "the same in the interval before": (
+        {"kind": "count", "formula": "y", "claimed": "1 roots", "interval": [-1, 0], "example": "leap"},
+        UNDECIDED,
+    ),
+    "the same in the interval behind": (
+        {"kind": "count", "formula": "y", "claimed": "0 roots", "interval": [0, 1], "example": "leap"},
+        UNDECIDED,
+    ),
+    "a root on one side of the seam": (
+        {"kind": "count", "formula": "rise", "claimed": "0 roots", "example": "closed"},
+        UNDECIDED,
+    ),
+    "the same in the whole domain": (
+        {"kind": "count", "formula": "rise", "claimed": "1 roots", "interval": [0, 2], "example": "closed"},
+        UNDECIDED,
+    ),
+    "the same at the end": (
+        {"kind": "count", "formula": "rise", "claimed": "0 roots", "interval": ["3/2", 2], "example": "closed"},
+        UNDECIDED,
+    ),
+    "a seam counted twice": (
+        {"kind": "count", "formula": "y", "claimed": "2 roots", "interval": [0, 2], "example": "there_and_back"},
+        REFUTED,
+    ),
+    "0/0, whose continuation is 0": (
+        {"kind": "bound", "formula": "slope", "bound": "< 0", "interval": [-1, 0], "example": "parabola_2"},
+        REFUTED,
+    ),
+    "a sign where the continuation is 0": (
+        {"kind": "sign", "formula": "ratio", "sign": "> 0", "on": "curve", "example": "parabola_2"},
+        REFUTED,
+    ),
+    "a Bézier point that is no control point": (
+        {"kind": "coefficients", "formula": "py", "on": "curve", "example": "falling"},
+        REFUTED,
+    ),
     "a coefficient of the other sign": (
         {"kind": "coefficients", "formula": "px_less_one", "sign": "< 0", "on": "curve"},
         REFUTED,
@@ -196,6 +268,7 @@ REFUSED = [
     ({"kind": "at", "formula": "x", "parameter": 0, "claimed": 0, "example": "twisted_cubic"}, "not a curve to which"),
     ({"kind": "vanishing", "left": "x", "on": "curve", "of": "rational"}, "not a curve to which"),
     ({"kind": "applies", "formula": "x", "on": "curve", "curve": "framed plane"}, "not a curve to which"),
+    ({"kind": "bound", "formula": "x", "bound": "≤ 9", "curve": "hodograph"}, "not a curve to which"),
     ({"kind": "distance", "other": "nowhere", "bound": "= 0"}, "no example curve called"),
 ]
 
@@ -218,6 +291,71 @@ def test_a_constant_of_our_choice_is_no_value(tmp_path):
     ]
     rows = [decide(claim) for claim in claims_of(load_paper(written(tmp_path / "p", formulas, claims)))]
     assert [row.verdict for row in rows] == [UNDECIDED, REFUTED]
+
+
+@pytest.mark.parametrize(
+    ("kind", "formula", "fields"),
+    [
+        ("plane with delta", "c.gamma[1] - c.delta", {"kind": "count", "formula": "f", "claimed": "0 roots"}),
+        ("plane point", "norm2(c.gamma - c.point)", {"kind": "count", "formula": "f", "claimed": "0 roots"}),
+        ("plane with delta", "c.gamma[0] - c.delta / 10", {"kind": "condition", "left": "f", "right": "g"}),
+    ],
+)
+def test_roots_are_not_counted_for_one_constant_or_point(kind, formula, fields, tmp_path):
+    """y = δ has two roots on (t, t²) for δ = 1/4, none for δ = 37/29; a point may lie on the curve."""
+    formulas = "".join(
+        f"@formula('e', on='{kind}')\ndef {name}(c):\n    return {body}\n"
+        for name, body in (("f", formula), ("g", f"({formula}) * (c.gamma[0] - rational('1/8'))"))
+    )
+    claim = {"id": "1", "statement": "s", "curve": kind, "example": "straight_line"} | fields
+    own = written(tmp_path / "p", formulas, [claim])
+    (own / "curves").mkdir()
+    exactspline.write(PARABOLA, own / "curves" / "straight_line.json")
+    (row,) = map(decide, claims_of(load_paper(own)))
+    assert row.verdict in (UNDECIDED, REFUTED, VACUOUS)
+
+
+@pytest.mark.parametrize(
+    ("claim", "words"),
+    [
+        (
+            {"kind": "bound", "formula": "y", "bound": "≤ 1", "interval": [0, "1/2"]},
+            ["[0, ", "1/2", "of the curve arch"],
+        ),
+        ({"kind": "count", "formula": "y", "claimed": "1 roots", "interval": [0, "1/2"]}, ["[0, ", "1/2"]),
+        (
+            {"kind": "coefficients", "formula": "bent", "sign": "≤ 0", "on": "curve"},
+            ["every Bézier coefficient", r"\le"],
+        ),
+        ({"kind": "coefficients", "formula": "bent", "on": "curve"}, ["every Bézier coefficient", r"\neq 0"]),
+        ({"kind": "limit", "formula": "slope", "parameter": 0, "claimed": "8/3"}, [r"\lim_{t \to 0}"]),
+        ({"kind": "distance", "other": "corner", "bound": "≤ 1"}, ["arch", "corner"]),
+    ],
+)
+def test_what_is_printed_is_what_was_decided(claim, words, folder, tmp_path):
+    assert decided(folder, tmp_path, **claim).verdict == VERIFIED
+    printed = invoke("show", "1", "--paper", tmp_path / "p", "--latex").output
+    assert all(word in printed for word in words)
+    if "interval" in claim:
+        invoke("prove", "--paper", tmp_path / "p", "--report", tmp_path / "r.html")
+        for text in (invoke("show", "1", "--paper", tmp_path / "p").output, (tmp_path / "r.html").read_text()):
+            assert "on [0, 1/2] of the curve arch" in text
+
+
+def test_a_curve_of_the_paper_with_the_name_of_an_undulation_is_the_one_meant(tmp_path):
+    """What is refuted by the undulation alone is not refuted by a line of that name."""
+    formulas = plane_formulas(
+        velocity="c.gamma.d(1)",
+        bend="det(c.gamma.d(1), c.gamma.d(2))",
+        more="det(c.gamma.d(1), c.gamma.d(2)) * norm2(c.gamma.d(3))",
+    )
+    claim = {"id": "1", "statement": "s", "curve": "plane", "kind": "zero set", "formulas": ["bend", "more"]}
+    own = written(tmp_path / "p", formulas, [claim])
+    (own / "curves").mkdir()
+    exactspline.write(ARCH, own / "curves" / "undulation_2d.json")
+    (claim,) = claims_of(load_paper(own))
+    examples = {name: curve for _, name, curve in claim._examples()}
+    assert examples["undulation_2d"] == ARCH
 
 
 def test_other_judges_are_not_asked_of_one_curve(folder, tmp_path):

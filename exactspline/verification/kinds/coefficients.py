@@ -1,9 +1,10 @@
-"""Claims that no B-spline coefficient vanishes."""
+"""Claims that no Bézier coefficient vanishes, or that all have a sign."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import field
+from itertools import pairwise
 from typing import ClassVar
 
 from exactspline.errors import ClaimError, FormulaError
@@ -21,6 +22,7 @@ from exactspline.verification.evidence import (
     Fact,
     ForDegrees,
     HasSign,
+    On,
     OnlyForDegrees,
     ZeroCoefficient,
 )
@@ -33,14 +35,12 @@ GENERIC_DEGREES = range(2, 7)
 
 @claim_kind
 class Coefficients(Claim):
-    """No B-spline coefficient of ``formula`` vanishes (for a vector: none is the zero vector), on every curve or on the
-    generic Bézier curve; or, on one curve, all have the ``sign`` (of a curve of one segment, all Bernstein
-    coefficients).
+    """No Bézier coefficient of ``formula`` on any segment vanishes (for a vector: none is the zero vector), on every
+    curve or on the generic Bézier curve; or, on one curve, all have the ``sign``.
     """
 
     kind: ClassVar[str] = "coefficients"
     value: ClassVar[str] = "none vanishes"
-    notation: ClassVar[str] = r"$formula \;\text{has no vanishing coefficient}"
 
     formula: Name = field(metadata=read(formula_name))
     curves: Curves = field(default=Curves.EVERY, metadata=read(one_of(Curves)))
@@ -59,6 +59,12 @@ class Coefficients(Claim):
     def claims(self) -> str:
         """What is said of the coefficients."""
         return f"all are {self.sign}" if self.sign else self.value
+
+    @property
+    def latex(self) -> str:
+        """The formula and the sign of its coefficients."""
+        sign = str(self.sign or "≠ 0").replace("≥", r"\ge").replace("≤", r"\le").replace("≠", r"\neq")
+        return rf"\text{{every Bézier coefficient of}}\; {self.symbol(self.formula)} \;\text{{is}}\; {sign}"
 
     def applies_to(self, dimension: int, polynomial: bool, *, surface: bool = False) -> bool:
         """A generic claim does not apply to single curves."""
@@ -93,21 +99,20 @@ class Coefficients(Claim):
         return sampled(Finding(VERIFIED, OnlyForDegrees(degrees)), degrees)
 
     def examine(self, argument: Evaluated, own: Evaluation) -> Finding:
-        """No control point is zero."""
+        """Segment by segment."""
         value = self.find(self.formula)(argument)
         components = list(value) if isinstance(value, Vector) else [value]
         if all(p.is_zero for p in components):
             return vacuous(Fact.ALL_VANISH)
         if self.sign:
-            values = self.only_component(self.formula, components).control_points
-            wrong = (i for i, c in enumerate(values) if not self.sign.holds(c))
-            if (i := next(wrong, None)) is not None:
-                return Finding(REFUTED, Fact.NOT_SO, witness=ZeroCoefficient(self.formula, i, values[i]))
-            return Finding(VERIFIED, HasSign(self.sign))
-        for i, point in enumerate(zip(*[p.control_points for p in components], strict=True)):
-            if not any(point):
-                return Finding(REFUTED, Fact.ONE_VANISHES, witness=ZeroCoefficient(self.formula, i))
-        return Finding(VERIFIED, Fact.NONE_VANISHES)
+            self.only_component(self.formula, components)
+        segments = zip(*[p.bezier_points for p in components], strict=True)
+        for ends, columns in zip(pairwise(components[0].breakpoints), segments, strict=True):
+            for i, point in enumerate(zip(*columns, strict=True)):
+                if not (self.sign.holds(point[0]) if self.sign else any(point)):
+                    fact = Fact.NOT_SO if self.sign else Fact.ONE_VANISHES
+                    return Finding(REFUTED, fact, witness=ZeroCoefficient(self.formula, i, On(*ends), point[0]))
+        return Finding(VERIFIED, HasSign(self.sign) if self.sign else Fact.NONE_VANISHES)
 
 
 def is_decided(attempt: Callable[[], object]) -> bool:

@@ -12,7 +12,7 @@ from exactspline.language.arguments import Evaluated
 from exactspline.language.formula import Formula
 from exactspline.language.parts import joined, split
 from exactspline.language.rational import Rational
-from exactspline.numbers.exact import mpq, point_text
+from exactspline.numbers.exact import mpq, point_text, text
 from exactspline.numbers.intervals import Interval
 from exactspline.roots.root import Root
 from exactspline.roots.zero_set import ZeroSet, jump_root, zeros
@@ -22,7 +22,7 @@ from exactspline.splines.nurbs import Nurbs
 from exactspline.verification.claim import Claim, example_name, formula_name, numbers, one_of, read
 from exactspline.verification.claim_fields import claim_kind
 from exactspline.verification.evaluation import Evaluation, place_between
-from exactspline.verification.evidence import Conditions, Counted, Enclosure, Fact, NotBetter, Undefined
+from exactspline.verification.evidence import Conditions, Counted, Enclosure, Evidence, Fact, NotBetter, Undefined
 from exactspline.verification.verdict import REFUTED, UNDECIDED, VERIFIED, Finding, vacuous
 from exactspline.verification.vocabulary import Counter, Extent, Name, word
 
@@ -75,11 +75,11 @@ def checked_interval(claim: Claim, name: str, value: tuple[int | str, ...]) -> t
 @claim_kind
 class Count(ExampleClaim):
     """The numbers in ``claimed`` are those of ``formula`` on the curve ``example``; roots also in a closed ``interval``
-    of its parameters.
+    of its parameters: the zeros of the value, continued where numerator and denominator vanish together. The seam of a
+    closed curve is one parameter. Undecided where the value jumps from or to 0.
     """
 
     kind: ClassVar[str] = "count"
-    tries_all: ClassVar[bool] = True
     value: ClassVar[str] = "$claimed"
     notation: ClassVar[str] = r"$formula: \;\text{$claimed}"
 
@@ -91,6 +91,11 @@ class Count(ExampleClaim):
         """Reject an interval for what is not counted in one."""
         if self.interval and {what for _, what in _counts(self.claimed)} != {Counter.ROOTS}:
             raise ClaimError("only roots are counted in an interval", where="interval", remedy='claimed = "2 roots"')
+
+    def part_tried(self, own: Evaluation) -> Evidence | None:
+        """Nothing for a degree as written, which is the same for all points and constants; other numbers are not."""
+        degree_alone = {what for _, what in _counts(self.claimed)} == {Counter.DEGREE}
+        return None if degree_alone and not self.of_pair else super().part_tried(own)
 
     def examine(self, argument: Evaluated, own: Evaluation) -> Finding:
         """Only the claimed numbers are computed."""
@@ -126,11 +131,23 @@ class Count(ExampleClaim):
             return int(min(p.continuity_at(t) for p in numerators for t in p.breakpoints[1:-1]))
         lowest = split(in_lowest_terms(value) if isinstance(value, Rational) else value)
         form = self.only_component(self.formula, lowest[0])
-        form = form.restrict(*self.interval) if self.interval else form
-        zero_set = zeros(form, periodic=own.curve.closed and not self.interval)
-        if what == Counter.ROOTS:
-            return None if zero_set.intervals else len(zero_set)
-        return count_of_extrema(zero_set, own)
+        zero_set = zeros(form, periodic=own.curve.closed)
+        return self._roots(zero_set) if what == Counter.ROOTS else count_of_extrema(zero_set, own)
+
+    def _roots(self, whole: ZeroSet) -> int | None:
+        """The number of roots in the interval; None where there are infinitely many."""
+        form, (start, end) = whole.spline, whole.spline.domain
+        low, high = self.interval or form.domain
+        part = whole if (low, high) == form.domain else zeros(form.restrict(low, high))
+        if part.intervals:
+            return None
+        for jump in whole.jumps:
+            t = jump.parameter
+            within = low <= t <= high or (t == start and high == end)  # the seam is reported at the start
+            if within and 0 in (jump.left.value, jump.right.value):
+                problem = f"{self.formula!r} jumps at the parameter {text(t)}, and on one side alone its limit is 0"
+                raise ClaimError(problem, where=self.key, remedy="count in an interval without this parameter")
+        return len(part)
 
 
 #: The quantities counted at knots.
@@ -179,7 +196,6 @@ class Condition(ExampleClaim):
     """
 
     kind: ClassVar[str] = "condition"
-    tries_all: ClassVar[bool] = True
     value: ClassVar[str] = "better at every common zero"
     notation: ClassVar[str] = r"$left \;\text{is better conditioned than}\; $right"
     sides: ClassVar[tuple[str, ...]] = ("left", "right")

@@ -12,13 +12,12 @@ from exactspline.language.arguments import Evaluated
 from exactspline.language.parts import split
 from exactspline.numbers.exact import mpq, point_text, text
 from exactspline.numbers.sides import Side
-from exactspline.splines.lowest_terms import in_lowest_terms
 from exactspline.verification.claim import Claim, example_name, formula_name, number, numbers, read
 from exactspline.verification.claim_fields import claim_kind
 from exactspline.verification.evaluation import Evaluation
 from exactspline.verification.evidence import At, Fact, Value, ValueAt, ZeroAt
 from exactspline.verification.kinds.examples import ExampleClaim, checked_interval
-from exactspline.verification.kinds.zeros import sign_found
+from exactspline.verification.kinds.zeros import continued, sign_found
 from exactspline.verification.verdict import REFUTED, VERIFIED, Finding, undecided, vacuous
 from exactspline.verification.vocabulary import Name, Sign
 
@@ -90,18 +89,20 @@ class Limit(ValueClaim):
     """
 
     kind: ClassVar[str] = "limit"
+    notation: ClassVar[str] = r"\lim_{t \to $parameter} $formula = $claims"
 
     claimed: tuple[mpq, ...] = field(metadata=read(_limit))
 
     def _value(self, formula: Any, side: Side) -> tuple[mpq, ...] | None:
         """The value in lowest terms; nothing for ∞."""
-        return super()._value(in_lowest_terms(formula), side) or ()
+        return super()._value(continued(formula), side) or ()
 
 
 @claim_kind
 class Bound(ExampleClaim):
     """On the curve ``example``, or on a closed ``interval`` of its parameters, the value of ``formula`` (of a vector
-    its length) satisfies the ``bound``, such as ``"≤ 3/10"``, wherever it exists.
+    its length) satisfies the ``bound``, such as ``"≤ 3/10"``, wherever it exists, or can be continued: where numerator
+    and denominator vanish together.
     """
 
     kind: ClassVar[str] = "bound"
@@ -120,7 +121,7 @@ class Bound(ExampleClaim):
     def examine(self, argument: Evaluated, own: Evaluation) -> Finding:
         """The sign of the value less its bound; of a length that of the squares."""
         relation, bound = compared_with(self, "bound", self.bound)
-        parts, below = split(self.find(self.formula)(argument))
+        parts, below = split(continued(self.find(self.formula)(argument)))
         top, is_length = parts[0], len(parts) > 1
         below = top.constant(1) if below is None else below
         if is_length:
@@ -145,7 +146,7 @@ class DistanceClaim(ExampleClaim):
 
     kind: ClassVar[str] = "distance"
     value: ClassVar[str] = "$bound"
-    notation: ClassVar[str] = r"\text{distance} $bound"
+    notation: ClassVar[str] = r"\text{distance}($example, $other) $bound"
 
     other: str = field(metadata=read(example_name))
     bound: str = field(metadata=read(_bound))

@@ -25,7 +25,7 @@ from exactspline.polynomials.zero_places import Place as PlaceOfZero
 from exactspline.polynomials.zero_places import at
 from exactspline.readings.jet import Jet
 from exactspline.splines.bspline import BSpline
-from exactspline.splines.lowest_terms import in_lowest_terms
+from exactspline.splines.lowest_terms import SplineValue, in_lowest_terms
 from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.surface import NurbsSurface
 from exactspline.symbolic.factorization import Factor, Named, find_factor, jets_for
@@ -181,7 +181,8 @@ class ZeroSet(Claim):
     def _examples(self) -> Iterator[tuple[bool, str, Nurbs | NurbsSurface]]:
         """Also curves of vanishing curvature: where a statement fails, it often does so there alone."""
         yield from super()._examples()
-        for name, curve in undulations().items():
+        for name in undulations():
+            curve = self.curve_named(name)
             if self.applies_to(curve.dimension, curve.polynomial):
                 yield False, name, curve
 
@@ -193,7 +194,7 @@ class ZeroSet(Claim):
         if self.of_pair:
             return self._along_lines(values)
         if self.measure == ZeroSetOf.VALUES:
-            values = [(name, _lowest(value)) for name, value in values]
+            values = [(name, continued(value)) for name, value in values]
         numerators = [(name, common_zeros(split(value)[0])) for name, value in values]
         if all(p.is_zero for _, p in numerators):
             return vacuous()
@@ -222,7 +223,7 @@ class ZeroSet(Claim):
             own, _, part = evaluation(curve).given(factors[0].ring.kind.name)
             parts = [factor.on(cast(Any, own)) for factor in factors]
             if not any(below.vanishes_somewhere for _, below in parts):
-                tops = [_lowest(top / below) for top, below in parts]
+                tops = [continued(top / below) for top, below in parts]
                 found = _compared(list(zip(self.formulas, [split(each)[0][0] for each in tops], strict=True)))
                 if found.verdict == REFUTED and not evaluation(curve).failing(self.curve, self.assumes):
                     witness = OnPart(found.witness, part) if part else found.witness
@@ -250,7 +251,8 @@ def _is_zero(value: Any) -> bool:
     return all(x.is_zero for x in split(value)[0])
 
 
-def _lowest(value: Any) -> Any:
+def continued(value: SplineValue) -> SplineValue:
+    """A value without the common zeros of numerator and denominator; any other than a quotient unchanged."""
     return in_lowest_terms(value) if isinstance(value, Rational) else value
 
 
@@ -264,8 +266,8 @@ def _positive_factor(claim: Claim, name: str, value: str) -> str:
 
 @claim_kind
 class SignClaim(Claim):
-    """The value of ``formula`` has a ``sign`` wherever it exists: on all curves because, up to that sign, it is
-    ``factor`` times the sum of the ``squares`` (for a vector, its squared length).
+    """The value of ``formula`` has a ``sign`` wherever it exists, or can be continued: on all curves because, up to
+    that sign, it is ``factor`` times the sum of the ``squares`` (for a vector, its squared length).
     """
 
     kind: ClassVar[str] = "sign"
@@ -323,7 +325,7 @@ class SignClaim(Claim):
 
     def examine(self, argument: Evaluated, own: Evaluation) -> Finding:
         """Segment by segment: there is no root at which the sign changes, and one value has that sign."""
-        (p, *others), below = split(self.find(self.formula)(argument))
+        (p, *others), below = split(continued(self.find(self.formula)(argument)))
         if others:
             raise ClaimError(f"{self.formula!r} is a vector", where=self.key, remedy="a vector has no sign")
         return vacuous(Fact.ZERO) if p.is_zero else sign_found(p, below, self.sign)
