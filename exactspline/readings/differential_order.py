@@ -82,8 +82,8 @@ def is_polynomial(formula: Formula, dimension: int) -> bool:
     return all(isinstance(part, Order) and not part.quotient for part in parts)
 
 
-def order_of(formula: Formula, dimension: int) -> int:
-    """The order of the highest derivative of the curve in a formula.
+def order_of(formula: Formula, dimension: int, kind: Kind | None = None) -> int:
+    """The order of the highest derivative of the curve in a formula, on its own kind of argument or on another one.
 
     Raises `FormulaError` where the value, or a component, is a number instead of an operand.
 
@@ -91,7 +91,7 @@ def order_of(formula: Formula, dimension: int) -> int:
     >>> order_of(D3, 3)
     3
     """
-    return _highest(orders(formula, dimension), formula)
+    return _highest(orders(formula, dimension, kind), formula)
 
 
 def _highest(value: Any, formula: Formula) -> int:
@@ -107,9 +107,9 @@ def _highest(value: Any, formula: Formula) -> int:
 
 
 @lru_cache(4096)
-def orders(formula: Formula, dimension: int) -> object:
+def orders(formula: Formula, dimension: int, kind: Kind | None = None) -> object:
     """The value of a formula in this reading, for curves of a dimension."""
-    kind = formula.kind if isinstance(formula, Formula) else CURVE
+    kind = kind or (formula.kind if isinstance(formula, Formula) else CURVE)
     return joined(formula(_argument(kind, dimension)))
 
 

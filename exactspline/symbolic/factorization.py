@@ -117,7 +117,8 @@ def jets_for(
     kind = common_kind(each.kind for each in chosen)
     if kind.adjoins_roots:
         polynomial = polynomial or without_denominator(chosen, factor, dimension)
-    order = max((order_of(each, dimension) for each in chosen), default=0)
+    # beside roots any derivative needs more of them
+    order = max((order_of(each, dimension, kind if kind.adjoins_roots else None) for each in chosen), default=0)
     shared, key = _SHARED.get(), (kind, dimension, order, polynomial)
     make = partial(RationalJetReading(order).argument, kind, dimension, polynomial=polynomial)
     if shared is None:

@@ -5,7 +5,7 @@ are given as objects or by name.
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterable
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 
 from exactspline.errors import FormulaError, as_flag, as_integer, counted
@@ -14,6 +14,7 @@ from exactspline.language.choices import Parameter
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import CURVE, Kind, common_kind
 from exactspline.language.parts import split
+from exactspline.language.ruled import RuledSurface
 from exactspline.numbers.exact import mpq
 from exactspline.one_line import OneLine, one_line
 from exactspline.papers import all_formulas, find, formula_of, resolve
@@ -90,12 +91,8 @@ class Proof(_Answer):
     def data(self) -> dict[str, object]:
         """The answer as data."""
         sides = {"key": f"{self.left} = {self.factor} {self.right}", "left": self.left, "right": self.right}
-        quotient = None if self.quotient is None else str(self.quotient)
-        return (
-            sides
-            | {"factor": self.factor, "dimensions": [*self.dimensions], "holds": self.holds}
-            | {"verdict": self.verdict, "quotient": quotient}
-        )
+        stated = sides | {"factor": self.factor, "dimensions": [*self.dimensions], "holds": self.holds}
+        return stated | {"verdict": self.verdict, "quotient": None if self.quotient is None else str(self.quotient)}
 
 
 @dataclass(frozen=True, repr=False)
@@ -133,24 +130,21 @@ def prove(left: Named, right: Named = "", factor: str = "1", *, dimension: int |
     factor cannot be read.
     """
     if isinstance(left, str) and not right:
+        if factor != "1" and "=" in left:
+            raise FormulaError("a factor beside a line", remedy=f"write {left.replace('=', f'= {factor} * (', 1)})")
         return proof_of(left, dimension=dimension)
     sides = _formulas(left, right)
     return _decided(Equation(sides[0], sides[1], factor), _given_dimension(dimension))
 
 
 def _decided(equation: Equation, dimension: int | None = None) -> Proof:
-    sides = equation.left, equation.right
-    common = [n for n in (2, 3) if all(n in f.kind.dimensions for f in sides)]
-    if not common or (dimension is not None and dimension not in common):
-        raise FormulaError(
-            f"{sides[0].name} and {sides[1].name} are not both defined in "
-            f"{f'R{dimension}' if dimension else 'R2 or in R3'}",
-            remedy="compare formulas of one kind of curve",
-        )
-    kind = common_kind(f.kind for f in sides)
-    defined = [n for n in common if all(kind.takes(f.kind, n) for f in equation.formulas)]
-    asked = (defined or common[:1]) if dimension is None else [dimension]
-    found = [_proved(equation, kind, n) for n in asked]
+    kind = common_kind(f.kind for f in (equation.left, equation.right))
+    defined = [n for n in (2, 3) if all(kind.takes(f.kind, n) for f in equation.formulas)]
+    if not defined or (dimension is not None and dimension not in defined):
+        names, where = [f.name for f in equation.formulas], f"R{dimension}" if dimension else "R2 or in R3"
+        problem = f"{', '.join(names[:-1])} and {names[-1]} are not {'all' if names[2:] else 'both'} defined in {where}"
+        raise FormulaError(problem, remedy="compare formulas of one kind of curve")
+    found = [_proved(equation, kind, n) for n in (defined if dimension is None else [dimension])]
     least = worst([each.finding for each in found])
     alike = [each for each in found if each.verdict == least.verdict]
     # a quotient belongs to one dimension
@@ -160,11 +154,12 @@ def _decided(equation: Equation, dimension: int | None = None) -> Proof:
 
 def _proved(equation: Equation, kind: Kind, n: int) -> Proof:
     """The answer in one dimension."""
-    _check_kinds(kind, equation.formulas, n)
     curve = jets_for(equation.formulas, n, factor=equation.factor).remembering()  # what is compared, proves
     for each in equation.formulas:
         expect_one_function(each, curve)
     left, right = equation.left(curve), equation.right(curve)
+    if isinstance(left, RuledSurface) or isinstance(right, RuledSurface):
+        raise FormulaError("a ruled surface in an identity", remedy='write a claim of the kind "same surface"')
     quotient = None if kind.adjoins_roots or right.is_zero else find_factor(left, right)
     names = equation.left.name, equation.right.name
     return Proof(*names, equation.factor, equation.decide(curve), (n,), quotient, kind.adjoins_roots)
@@ -175,6 +170,8 @@ def proof_of(text: str, *, trust: bool = False, dimension: int | None = None) ->
 
     >>> print(proof_of("2*f1 = f1 + f1"))
     2*f1 = f1 + f1 for all curves in R2
+
+    Names are looked up where the left side says, then in the library; ``w`` and ``p`` without a place are operands.
 
     Raises `FormulaError` for any other text, and the errors of `exactspline.papers.resolve` and `prove`.
     """
@@ -192,7 +189,8 @@ def proof_of(text: str, *, trust: bool = False, dimension: int | None = None) ->
             return find(name)
 
     equation = Equation(formula_of_line(left, named), formula_of_line(right, named))
-    return _decided(equation, _given_dimension(dimension))
+    # the sides as written: formulas of two places may have one name
+    return replace(_decided(equation, _given_dimension(dimension)), left=left.strip(), right=right.strip())
 
 
 @dataclass(frozen=True, repr=False)
@@ -296,16 +294,6 @@ def reduction(
 
 def _given_dimension(dimension: int | None) -> int | None:
     return None if dimension is None else as_integer(dimension, "a dimension", 1)
-
-
-def _check_kinds(kind: Kind, formulas: Iterable[Formula], dimension: int) -> None:
-    """Refuse a formula that has no value on the common argument."""
-    for f in formulas:
-        if not kind.takes(f.kind, dimension):
-            raise FormulaError(
-                f"{f.name} is a formula of the kind {f.kind.name}, which has no value on the kind {kind.name}",
-                remedy="compare formulas of one kind of argument",
-            )
 
 
 def _formulas(*given: Named) -> tuple[Formula, ...]:

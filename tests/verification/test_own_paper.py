@@ -452,9 +452,12 @@ def test_an_identity_holds_in_every_dimension_or_names_one_in_which_it_fails(tmp
     text = "".join(f"@formula('e', on='curve')\ndef {name}(c):\n    return {body}\n" for name, body in bodies.items())
     monkeypatch.chdir(written(tmp_path / "paper", text, []))
     done = invoke("identity", "formulas.py:area = formulas.py:shadow")
-    assert (done.exit_code, "not area = shadow in R3" in done.output) == (1, True)
+    assert (done.exit_code, "not formulas.py:area = formulas.py:shadow in R3" in done.output) == (1, True)
     done = invoke("identity", "formulas.py:product = formulas.py:other")
-    assert (done.exit_code, done.output.strip()) == (0, "product = other for all curves in R2 and R3")
+    assert (done.exit_code, done.output.strip()) == (
+        0,
+        "formulas.py:product = formulas.py:other for all curves in R2 and R3",
+    )
 
 
 def test_one_identity_from_the_command_line(tmp_path, monkeypatch):
