@@ -101,10 +101,10 @@ def test_the_commands_of_the_readme_run(tmp_path, monkeypatch):
 @pytest.mark.parametrize(
     "page", [page for page in RUN if page.exists() and blocks_of(page, "python")], ids=lambda page: page.stem
 )
-def test_python_blocks_of_a_page_run(page):
-    """One after the other, as they are read."""
+def test_python_blocks_of_a_page_run(page, tmp_path):
+    """One after the other, as they are read; what they write is not left in the checkout."""
     blocks = blocks_of(page, "python")
-    subprocess.run([sys.executable, "-c", "\n".join(blocks)], check=True)
+    subprocess.run([sys.executable, "-c", "\n".join(blocks)], check=True, cwd=tmp_path)
 
 
 @in_the_checkout
