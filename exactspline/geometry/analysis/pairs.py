@@ -97,7 +97,7 @@ class CurvePair(Inspected, Displayed):
         >>> from exactspline.geometry.analysis.pairs import CurvePair
         >>> lines = (Nurbs(1, [0, 0, 1, 1], points) for points in ([(0, 0), (1, 0)], [(0, 0), (3, 0)]))
         >>> CurvePair(*lines).deviation[1]
-        <second from first: low 2, high 10099/5000, first 1, second 1>
+        <second from first: low 2, high 10099/5000, at 1, nearest 1>
 
         Raises `ReachError` where it is out of reach whether the curves have arcs in common.
         """
