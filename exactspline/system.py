@@ -29,13 +29,11 @@ def lock(handle: int | None) -> bool:
     """
     try:
         import fcntl
-    except ImportError:
-        return True
-    try:
+
         if handle is not None:
             fcntl.flock(handle, fcntl.LOCK_EX | fcntl.LOCK_NB)
-    except BlockingIOError:
-        return False
+    except (ImportError, BlockingIOError) as error:
+        return isinstance(error, ImportError)
     return True
 
 

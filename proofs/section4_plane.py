@@ -70,7 +70,8 @@ def test_the_numerator_of_curvature_squared_derivative_is_lower_than_the_whole(d
 
 def test_squaring_adds_the_inflections():
     """The zero set of (κ²)′ is that of f0 g0."""
-    assert verdict_for_all("C4.2i") == ["PROVED", "PROVED"]
+    # f0 g0 in three ways; not every inflection can be deleted: on (t, t⁴) one is a critical point, too
+    assert verdict_for_all("C4.2i") == ["PROVED", "PROVED", "PROVED", "REFUTED", "VERIFIED"]
 
 
 def test_counts_in_the_text_and_the_captions():

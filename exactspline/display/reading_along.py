@@ -99,7 +99,7 @@ def reading_along(section: str, source: Paper | None = None) -> ReadingAlong:
     makes them.
 
     >>> reading_along("5.2")
-    <Reading along §5.2: 9 of 9 printed statements decided: 8 hold, 1 refuted (1 error); 1 corrected statement>
+    <Reading along §5.2: 8 of 8 printed statements decided: 7 hold, 1 refuted (1 error); 1 corrected statement>
 
     Raises `ClaimError` for a section that the source does not have.
     """

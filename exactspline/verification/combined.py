@@ -8,6 +8,7 @@ from contextvars import ContextVar
 from typing import TypeVar
 
 from exactspline.errors import ClaimError, ExactSplineError
+from exactspline.papers import papers
 from exactspline.papers.folder import Paper
 from exactspline.polynomials.cost import Budget, drawing_on
 from exactspline.symbolic.factorization import SharedJets, named_by, sharing
@@ -31,7 +32,9 @@ class Proofs:
         self._jets: SharedJets = {}
 
     def __getstate__(self) -> object:
-        return vars(self) | {"_jets": {}}
+        """Without what another process does not have: indeterminate curves, and papers that are not the library's."""
+        state = {name: {k: found for k, found in own.items() if k[0] in papers()} for name, own in vars(self).items()}
+        return state | {"_jets": {}}
 
     def update(self, other: Proofs) -> None:
         """Take over what was decided in another run of the same engine."""

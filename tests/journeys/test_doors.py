@@ -163,6 +163,7 @@ CUBIC_OF_SCIPY = pytest.importorskip("scipy.interpolate").CubicSpline([0, 1, 2],
 OPTIONS = {
     "evaluate": (T, "1/2"),
     "check_certificate": (xs.zeros(T * T - 2).certificate(),),
+    "common_zeros": (VALUES["tensor spline"], VALUES["tensor spline"]),
     "contains": (xs.example("circle"), (0, 0)),
     "curvature": (CUSP, "1/3"),
     "degree": ("f2",),

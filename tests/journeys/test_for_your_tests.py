@@ -14,7 +14,7 @@ from exactspline.errors import CurveFileError
 from tests.support.command import run
 
 PAGE = Path(__file__).parents[2] / "docs" / "for-your-tests.md"
-SCIPY, *BLOCKS = [part.partition("```")[0] for part in PAGE.read_text().split("```python\n")[1:]]
+BLOCKS = [part.partition("```")[0] for part in PAGE.read_text().split("```python\n")[1:]]
 #: A program that finds inflections from the signs of κ at nine parameters, and therefore misses pairs of them.
 SAMPLED = """
 def inflections(points):
@@ -62,16 +62,6 @@ def test_shapes_are_degenerate_as_their_names_say() -> None:
         testing.near("cups")
     with pytest.raises(CurveFileError, match="fonts"):
         testing.nasty_curves(["font"])
-
-
-def test_the_curvature_of_a_spline_of_scipy() -> None:
-    pytest.importorskip("scipy")
-    assert len([line for line in SCIPY.splitlines() if line]) <= 10
-    names: dict[str, object] = {}
-    exec(SCIPY.replace("100_000", "5"), names)
-    curve, kappa = names["curve"], names["kappa"]
-    assert isinstance(curve, xs.Nurbs)
-    assert kappa.tolist() == [float(xs.curvature(curve, xs.from_floats(t))) for t in (0.0, 2.5, 5.0, 7.5, 10.0)]
 
 
 ICON = """<svg xmlns="http://www.w3.org/2000/svg"><path d="M0 0C2 2 {end} 2 0"/>{text}</svg>"""

@@ -151,7 +151,9 @@ def test_no_zero_set_is_proved_without_the_assumptions_it_uses(claim):
     assert finding.assumptions
     for name in finding.assumptions:
         left = tuple(each for each in claim.assumes if each.name != name)
-        assert verdict(replace(claim, assumes=left)) != PROVED
+        # w is a factor of the torsion's numerator and denominator alike: without it the statement stays true
+        still_true = (claim.key, name) == ("C52c-torsion-D1_D2_D3", "w")
+        assert (verdict(replace(claim, assumes=left)) == PROVED) == still_true
 
 
 def test_to_vanish_on_no_whole_segment_is_less_than_to_have_no_zero():

@@ -6,6 +6,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from typing import NamedTuple, TypeAlias, overload
 
+from exactspline.errors import as_items
 from exactspline.geometry.analysis.curves import QUESTIONS, Analysis, analyse, kind_of_curve, questions_about
 from exactspline.geometry.analysis.pairs import CurvePair
 from exactspline.geometry.analysis.planar_maps import MapInspection
@@ -126,6 +127,7 @@ def nearest(thing: Nurbs | NurbsSurface, point: Iterable[Number]) -> Nearest | N
 
     Raises `ShapeError` for a point of another dimension.
     """
+    point = tuple(as_items(point, "a point"))
     return SurfaceInspection(thing).nearest(point) if isinstance(thing, NurbsSurface) else of_curve(thing, point)
 
 

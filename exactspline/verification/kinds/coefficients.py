@@ -64,7 +64,7 @@ class Coefficients(Claim):
     def latex(self) -> str:
         """The formula and the sign of its coefficients."""
         sign = str(self.sign or "≠ 0").replace("≥", r"\ge").replace("≤", r"\le").replace("≠", r"\neq")
-        return rf"\text{{every Bézier coefficient of}}\; {self.symbol(self.formula)} \;\text{{is}}\; {sign}"
+        return rf"\text{{every Bernstein coefficient of}}\; {self.symbol(self.formula)} \;\text{{is}}\; {sign}"
 
     def applies_to(self, dimension: int, polynomial: bool, *, surface: bool = False) -> bool:
         """A generic claim does not apply to single curves."""
