@@ -107,11 +107,11 @@ def _erratum(error: Erratum) -> Iterator[str]:
         words = f" “{typeset(each.words)}”" if each.words else ""
         yield f"> **{plain(each.place)}**{words}"
         told = {"Found": worded(each.found), "Witness": worded(each.witness, Numbers())}
-        claim = f'<a href="play/claims.html#{each.key}">{plain(each.id)}</a>'
+        claim = f'<a href="play/claims.html?{each.key}">{plain(each.id)}</a>'
         decided = f"- Decided: {plain(each.statement)} ({claim})"
         yield "\n".join([decided, *(f"- {name}: {plain(text)}" for name, text in told.items() if text)])
     holds = [
-        f'- Instead: {plain(str(each))} (<a href="play/claims.html#{each.key}">{plain(each.key)}</a>)'
+        f'- Instead: {plain(str(each))} (<a href="play/claims.html?{each.key}">{plain(each.key)}</a>)'
         for each in error.truth
     ]
     yield "\n".join([*holds, *(f"- Why: {plain(line)}" for line in error.why)])

@@ -59,9 +59,9 @@ const papers = new Map(claims.map((c) => [c.paper, c.title]));
 element("paper").append(html("option", { value: "" }, "all"), ...[...papers].map(([value, title]) => html("option", { value }, title)));
 for (const id of ["search", "paper", "verdict"]) element(id).oninput = show;
 
-// claims.html#KEY is one claim, opened, and claims.html#SOURCE are those of a source
+// claims.html?KEY is one claim, opened, and claims.html?SOURCE are those of a source
 function asked() {
-  const name = decodeURIComponent(location.hash.slice(1));
+  const name = decodeURIComponent((location.search || location.hash).slice(1));
   const one = claims.filter((c) => c.key === name);
   if (papers.has(name)) element("paper").value = name;
   show();
