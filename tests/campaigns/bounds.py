@@ -10,19 +10,18 @@ be attained, no sample may be above it, nor the best one after a search between 
 the order that they were made with. What is refused as out of reach is counted.
 """
 
-import argparse
 import sys
-from collections import Counter
 from fractions import Fraction
-from itertools import pairwise, product
+from itertools import pairwise
 from random import Random
 
 from gmpy2 import mpq
 from mpmath import mp, mpf
 
 from exactspline import Nurbs, ask
-from exactspline.errors import ReachError, WeightError
+from exactspline.errors import WeightError
 from tests.support.dials import DIALS
+from tests.support.families import by_families
 
 #: Relative errors that are left by 60 digits, and by difference quotients of this width.
 with mp.workdps(60):
@@ -353,29 +352,5 @@ def differs(family, dial, seed):
 FAMILIES = (*LARGEST, "curvature_at_most", "curvature_derivative", "junctions")
 
 
-def main(arguments):
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("count", type=int, help="cases of each family and dial")
-    parser.add_argument("seed", type=int)
-    parser.add_argument("--family", choices=FAMILIES, action="append")
-    parser.add_argument("--dial", choices=DIALS, action="append")
-    given = parser.parse_args(arguments)
-    wrong = 0
-    for family in given.family or FAMILIES:
-        counts = Counter()
-        for dial, k in product(given.dial or DIALS, range(given.count)):
-            try:
-                difference = differs(family, dial, given.seed + k)
-            except ReachError:
-                counts["out of reach"] += 1
-                continue
-            counts["wrong" if difference else "right"] += 1
-            if difference:
-                print(f"{family}, {dial}, {given.seed + k}: {difference}")
-        wrong += counts["wrong"]
-        print(family, dict(counts), flush=True)
-    return bool(wrong)
-
-
 if __name__ == "__main__":
-    sys.exit(main(sys.argv[1:]))
+    sys.exit(by_families(__doc__, FAMILIES, DIALS, differs, sys.argv[1:]))

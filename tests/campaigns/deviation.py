@@ -12,9 +12,7 @@ what is shifted within itself it is known exactly, and that it is at most this n
 refused as out of reach is counted.
 """
 
-import argparse
 import sys
-from collections import Counter
 from contextlib import suppress
 from fractions import Fraction
 from itertools import pairwise
@@ -25,9 +23,10 @@ import numpy as np
 from gmpy2 import mpq
 
 from exactspline import Nurbs, ask, example
-from exactspline.errors import ReachError, WeightError
+from exactspline.errors import WeightError
 from tests.campaigns.distance import offsets as with_offset
 from tests.support.dials import DIALS
+from tests.support.families import by_families
 
 #: Samples of a segment, and what is left by doubles, of the size of the curves.
 SAMPLES, CLOSE = 48, 1e-11
@@ -325,31 +324,5 @@ def differs(family, dial, seed):
     return differs_within(curves, answer, known, random)
 
 
-def main(arguments):
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("count", type=int, help="cases of each family, the dials in turn")
-    parser.add_argument("seed", type=int)
-    parser.add_argument("--family", choices=FAMILIES, action="append")
-    parser.add_argument("--dial", choices=DIALS, action="append")
-    given = parser.parse_args(arguments)
-    wrong, dials = 0, given.dial or list(DIALS)
-    for family in given.family or FAMILIES:
-        counts = Counter()
-        for k in range(given.seed, given.seed + given.count):
-            dial = dials[k % len(dials)]
-            try:
-                difference = differs(family, dial, k)
-            except ReachError as error:
-                counts["out of reach"] += 1
-                print(f"{family}, {dial}, {k}: {error}")
-                continue
-            counts["wrong" if difference else "right"] += 1
-            if difference:
-                print(f"{family}, {dial}, {k}: {difference}")
-        wrong += counts["wrong"]
-        print(family, dict(counts), flush=True)
-    return bool(wrong)
-
-
 if __name__ == "__main__":
-    sys.exit(main(sys.argv[1:]))
+    sys.exit(by_families(__doc__, FAMILIES, DIALS, differs, sys.argv[1:], in_turn=True))

@@ -10,9 +10,7 @@ that is found it is d, elsewhere it is less. Where there is no part, no point of
 otherwise one beside a part is. What is refused is counted.
 """
 
-import argparse
 import sys
-from collections import Counter
 from contextlib import suppress
 from math import cos, pi, sin
 from random import Random
@@ -24,6 +22,7 @@ from exactspline import Nurbs, ask, example
 from exactspline.errors import ReachError, ShapeError, WeightError
 from tests.campaigns.deviation import Oracle, nearest_of
 from tests.support.dials import DIALS
+from tests.support.families import by_families
 
 #: Samples of a segment; what is left by doubles and thirds; how near ends of parts nothing is compared.
 SAMPLES, CLOSE, BESIDE = 24, 1e-7, 1e-3
@@ -210,27 +209,5 @@ def differs(family, dial, seed):
     return ""
 
 
-def main(arguments):
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("count", type=int, help="cases of each family, the dials in turn")
-    parser.add_argument("seed", type=int)
-    parser.add_argument("--family", choices=FAMILIES, action="append")
-    parser.add_argument("--dial", choices=DIALS, action="append")
-    given = parser.parse_args(arguments)
-    wrong, dials = 0, given.dial or list(DIALS)
-    for family in given.family or FAMILIES:
-        counts = Counter()
-        for k in range(given.seed, given.seed + given.count):
-            dial = dials[k % len(dials)]
-            difference = differs(family, dial, k)
-            kind = difference if difference in ("ShapeError", "ReachError") else "wrong" if difference else "right"
-            counts[kind] += 1
-            if kind == "wrong":
-                print(f"{family}, {dial}, {k}: {difference}", flush=True)
-        wrong += counts["wrong"]
-        print(family, dict(counts), flush=True)
-    return bool(wrong)
-
-
 if __name__ == "__main__":
-    sys.exit(main(sys.argv[1:]))
+    sys.exit(by_families(__doc__, FAMILIES, DIALS, differs, sys.argv[1:], in_turn=True))
