@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from exactspline.bivariate.borders import Patch
 from exactspline.bivariate.common_zeros import CommonZero
@@ -18,7 +18,7 @@ class Place(OneLine):
     may be several.
     """
 
-    patches: tuple[Patch, ...]
+    patches: tuple[Patch, ...] = field(repr=False)
     zero: CommonZero
 
     @property
