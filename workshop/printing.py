@@ -13,7 +13,7 @@ from exactspline.display.sheet import Sheet, csv_of
 from exactspline.errors import ExactSplineError
 
 #: The version of the JSON documents; it increases when a field changes its meaning or is removed.
-VERSION = 2
+VERSION = 3
 
 
 def add_formats(parser: argparse.ArgumentParser) -> None:

@@ -135,7 +135,7 @@ def _lay_out(source: Path) -> None:
         _collect(source / "api.md", "Every public name", REFERENCE, pages.reference(source / "api"))
         pages.write_glossary(source / "glossary.md")
         pages.write_errata(source / "errata.md")
-        benchmarks.write_page(source / "benchmarks.md", source / "_extra" / "gallery")
+        benchmarks.add_tables(source / "measurements.md", source / "_extra" / "gallery")
     with _step("gallery"):
         pages.draw_gallery(source / "_extra" / "gallery", source / "gallery.md")
     first, *others = along.write_reading(source / "reading-along", source / "_extra" / "gallery")

@@ -1,6 +1,6 @@
 """The benchmarks that the site shows: measured by ``python -m docs.site.benchmarks [--full] [SECTION …]``.
 
-The page is generated from that record, never typed.
+The tables of the page are generated from that record, never typed.
 """
 
 from __future__ import annotations
@@ -71,16 +71,14 @@ def _processor() -> str:
     return next((line.partition(":")[2].strip() for line in lines if line.startswith("model name")), "")
 
 
-def write_page(file: Path, pictures: Path) -> None:
-    """The record as a page: a chart of the ratios, a table a section, and what it was measured on."""
+def add_tables(page: Path, pictures: Path) -> None:
+    """The record at the end of a page: a chart of the ratios, a table per section, and what it was measured on."""
     pictures.mkdir(parents=True, exist_ok=True)
     rows = [_row(row) for record in recorded() for row in record["rows"]]
     draw(rows, str(pictures / "benchmarks.svg"))
     draw(rows, str(beside(pictures / "benchmarks.svg")), narrow=True)
     lines = [
-        "# Benchmarks",
-        "Times are processor time; ours / theirs below 1 means that exactspline is faster. A target that was missed is "
-        "shown as missed. What is measured and how: [How fast](bench.md).",
+        page.read_text(encoding="utf-8").rstrip(),
         picture(
             "gallery/benchmarks.svg",
             "the times of other libraries divided by those of exactspline, case by case; and the growth of the times "
@@ -88,9 +86,9 @@ def write_page(file: Path, pictures: Path) -> None:
         ),
     ]
     for record in recorded():
-        lines += [f"## {record['section'].capitalize()}", _measured_on(record)]
+        lines += [f"### {record['section'].capitalize()}", _measured_on(record)]
         lines += [sheet(map(_row, record["rows"])).markdown(), _peers(record)]
-    file.write_text("\n\n".join(filter(None, lines)) + "\n", encoding="utf-8")
+    page.write_text("\n\n".join(filter(None, lines)) + "\n", encoding="utf-8")
 
 
 def _measured_on(record: dict[str, Any]) -> str:

@@ -314,7 +314,7 @@ def test_sums_and_multiples():
 def test_twelve_tasks_take_three_lines_each():
     """Sections of a notebook, which the tests of notebooks run; the cell after each looks at the result."""
     nbformat = pytest.importorskip("nbformat")
-    cells = nbformat.read(ROOT.parent / "notebooks" / "23_first_steps.ipynb", as_version=4).cells
+    cells = nbformat.read(ROOT.parent / "notebooks" / "13_first_steps.ipynb", as_version=4).cells
     tasks = [cells[i + 1].source for i, cell in enumerate(cells) if re.match(r"## \d+\. ", cell.source)]
     assert len(tasks) == 12
     assert all(len(task.splitlines()) <= 3 for task in tasks)

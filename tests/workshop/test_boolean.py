@@ -149,7 +149,7 @@ def test_a_suspected_point_is_judged_exactly():
     assert judged_at((mpq(5, 2), mpq(3, 2)), a, b, Operation.UNION, on_it, WITHIN) is None
 
 
-PAGE = Path(__file__).parents[2] / "docs" / "boolean-results.md"
+PAGE = Path(__file__).parents[2] / "docs" / "measurements.md"
 ROW = re.compile(
     r"\| (?P<engine>[\w-]+) (?P<version>[\w.]+) \| (?P<operation>\w+) \| `(?P<path>M[^`]*)` \| "
     r"2⁻(?P<k>[⁰¹²³⁴-⁹]+) in (?P<axis>[xy]) \| \((?P<x>[\d/]+), (?P<y>[\d/]+)\) (?P<should>inside|outside) \|"

@@ -22,9 +22,9 @@ from workshop.grade.__main__ import main
 from workshop.grade.adapters import LIBRARIES
 from workshop.grade.adapters.common import Given, with_weights
 from workshop.grade.judge import CRASHED, DECLINED, INVENTED, MISSED, OFF, RIGHT, TOLERATED, WRONG, Verdict, judged
-from workshop.grade.questions import QUESTIONS
+from workshop.grade.questions import QUESTIONS, TOLERANCES
 from workshop.grade.recheck import recheck
-from workshop.grade.report import PICTURE, draw, page, rows
+from workshop.grade.report import BEGIN, END, PICTURE, draw, page, placed, rows
 from workshop.grade.runner import Judged, Report, Truths, Worker, curve_data, failures, request_data
 from workshop.grade.shrink import Defect, size_of, smaller_cases
 from workshop.grade.tolerance import DOCUMENTED, tolerated
@@ -338,6 +338,11 @@ def test_the_page_tells_everything(tmp_path):
     assert (tmp_path / "scoreboard.png").stat().st_size > 1000
     assert "https://github.com/orbingol/NURBS-Python/issues/135" in written
     assert all(q.allowed in written for q in QUESTIONS.values())
+    assert all(f"*{word}*: {meaning}" in written for word, meaning in TOLERANCES.items())
+    page_there = tmp_path / "page.md"
+    page_there.write_text(f"before\n{BEGIN}\nof old\n{END}\nafter\n", encoding="utf-8")
+    assert placed(page_there, written) == f"before\n{written.strip()}\nafter\n"
+    assert placed(tmp_path / "none.md", written) == written
     found = {row["question"]: row for row in rows([report], [defect])}
     assert (found["value"]["crashed"], found["first"]["right"]) == (1, 1)
     assert found["value"]["example"]["note"] == "ValueError: no"
@@ -369,16 +374,16 @@ def test_the_program_prints_rows_under_its_schema(capsys, tmp_path):
         main(["scipi"])
 
 
-SCOREBOARD = Path(__file__).resolve().parents[2] / "docs" / "scoreboard.md"
+RESULTS = Path(__file__).resolve().parents[2] / "docs" / "measurements.md"
 
 
-@pytest.mark.skipif(not SCOREBOARD.exists(), reason="the documents are in the checkout only")
-def test_the_scoreboard_says_what_is_asked_today():
-    text = SCOREBOARD.read_text(encoding="utf-8")
+@pytest.mark.skipif(not RESULTS.exists(), reason="the documents are in the checkout only")
+def test_the_page_says_what_is_asked_today():
+    text = " ".join(RESULTS.read_text(encoding="utf-8").split())
     assert f"{sum(1 for _ in all_cases())} cases (version {VERSION}:" in text
     assert all(f"| {q.name} | {q.meaning} | {q.allowed} |" in text for q in QUESTIONS.values())
     assert all(named.link in text for named in REPORTED)
-    assert all(f"**{library} " in text for library in LIBRARIES)
+    assert all(f"| {library} " in text for library in LIBRARIES)
 
 
 def test_what_a_process_started_ends_with_it(tmp_path):

@@ -1,7 +1,7 @@
 """``./run grade``: libraries that compute with splines in doubles, compared with exact answers.
 
-Every answer is classified as right, off, missed, invented, crashed, declined, late or tolerated. Exit status: 0 graded;
-2 bad input.
+Every answer is classified as right, wrong value, missed, invented, crashed, declined, timed out or tolerated. Exit
+status: 0 graded; 2 bad input.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ from exactspline.errors import FormulaError, nearest
 from exactspline.testing import all_cases
 from workshop.grade.adapters import LIBRARIES
 from workshop.grade.judge import OUTCOMES
-from workshop.grade.report import PICTURE, draw, page, rows, wrong
+from workshop.grade.report import PICTURE, draw, page, placed, rows, wrong
 from workshop.grade.runner import failures, grade, sample
 from workshop.grade.shrink import defects_of
 from workshop.printing import add_formats, ended, on_a_terminal, show
@@ -43,7 +43,12 @@ def arguments(given: Sequence[str] | None) -> argparse.Namespace:
         help="a part of them, the same at each run: each case with this probability; those of bug reports always",
     )
     parser.add_argument("--cache", metavar="FILE", type=Path, help="keep exact answers with certificates (.jsonl.gz)")
-    parser.add_argument("--page", metavar="FILE", default="", help="write the scoreboard in Markdown, and its picture")
+    parser.add_argument(
+        "--page",
+        metavar="FILE",
+        default="",
+        help="write the results in Markdown, and their picture; in a page with marks for them, between these",
+    )
     parser.add_argument(
         "--failures",
         metavar="FILE",
@@ -75,7 +80,7 @@ def main(given: Sequence[str] | None = None) -> int:
     if options.page:
         share = f" --share {options.share:g}" if options.share < 1 else ""
         written = page(reports, defects, chosen, truths.uncertified, share)
-        write_text(options.page, written)
+        write_text(options.page, placed(Path(options.page), written))
         draw(reports, str(Path(options.page).parent / PICTURE))
     if options.failures:
         lines = [json.dumps(each, ensure_ascii=False) + "\n" for each in failures(reports)]

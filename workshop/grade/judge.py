@@ -20,11 +20,11 @@ from workshop.grade.questions import QUESTIONS, Judged
 from workshop.grade.recheck import at
 from workshop.grade.truth import bend, rows
 
-RIGHT, OFF, MISSED, INVENTED, CRASHED = "right", "off", "missed", "invented", "crashed"
+RIGHT, OFF, MISSED, INVENTED, CRASHED = "right", "wrong value", "missed", "invented", "crashed"
 #: A library reports that it has no answer, which is not wrong.
 DECLINED = "declined"
 #: No reply within the limit, which is not wrong either.
-LATE = "late"
+LATE = "timed out"
 #: Missed or invented within what the library documents (`workshop.grade.tolerance`).
 TOLERATED = "tolerated"
 OUTCOMES = (RIGHT, OFF, MISSED, INVENTED, CRASHED, DECLINED, LATE, TOLERATED)
@@ -417,7 +417,7 @@ def note_of(outcome: str, places: Sequence[mpq]) -> str:
     return f"{outcome} {', '.join(f'{double(t):.6g}' for t in places[:3])}"
 
 
-#: An answer of a library may be anything: one of another type raises, and counts as off.
+#: An answer of a library may be anything: one of another type raises, and counts as a wrong value.
 _JUDGES: dict[Judged, Callable[[Case, str, Answer, Any], Verdict]] = {
     Judged.VECTOR: _vector,
     Judged.QUOTIENT: _quotient,

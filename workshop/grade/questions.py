@@ -31,6 +31,7 @@ class Asked:
 
     name: str
     meaning: str
+    #: In the words of `TOLERANCES`.
     allowed: str
     judged: Judged
 
@@ -57,16 +58,16 @@ MEETINGS = (
     "of an end is named at least once: within 2⁻¹⁶ of both domains, or within 2⁻⁸ where the points named are at most "
     "2⁻³² of the largest coordinate apart; a pair is invented where they are further apart and no pair is near"
 )
+#: The words in which a tolerance is stated, and what they mean.
+CHANGES, LINES, CROSSINGS = "changes of sign", "straight curves", "crossings"
+TOLERANCES = {"u": ULPS, CHANGES: PLACES, LINES: STRAIGHT, CROSSINGS: MEETINGS}
 QUESTIONS: dict[str, Asked] = {
     asked.name: asked
     for asked in (
-        Asked("value", "the point at a parameter", ULPS, Judged.VECTOR),
-        Asked("first", "the first derivative there", f"degree / (shortest segment) times {ULPS}", Judged.VECTOR),
+        Asked("value", "the point at a parameter", "u", Judged.VECTOR),
+        Asked("first", "the first derivative there", "degree / (shortest segment) times u", Judged.VECTOR),
         Asked(
-            "second",
-            "the second derivative there",
-            f"the square of degree / (shortest segment) times {ULPS}",
-            Judged.VECTOR,
+            "second", "the second derivative there", "the square of degree / (shortest segment) times u", Judged.VECTOR
         ),
         Asked(
             "tangent", "the unit tangent there", "the error that follows from the one allowed for γ′", Judged.QUOTIENT
@@ -83,32 +84,27 @@ QUESTIONS: dict[str, Asked] = {
             "the error that follows from those allowed for γ′, γ″ and γ‴",
             Judged.QUOTIENT,
         ),
-        Asked("insert", "the control points with a knot there", f"twice {ULPS}", Judged.CONTROL_POINTS),
-        Asked(
-            "remove",
-            "the control points without a knot that was inserted exactly",
-            f"2¹⁶ times {ULPS}",
-            Judged.CONTROL_POINTS,
-        ),
+        Asked("insert", "the control points with a knot there", "2u", Judged.CONTROL_POINTS),
+        Asked("remove", "the control points without a knot that was inserted exactly", "2¹⁶ u", Judged.CONTROL_POINTS),
         Asked(
             "elevate",
             "the control points with the degree raised by one",
-            f"2¹⁶ times {ULPS}; over other knots, the curve itself",
+            "2¹⁶ u; over other knots, the curve itself",
             Judged.CONTROL_POINTS,
         ),
-        Asked("split", "the control points of the two parts", f"twice {ULPS}", Judged.CONTROL_POINTS),
+        Asked("split", "the control points of the two parts", "2u", Judged.CONTROL_POINTS),
         Asked(
             "box",
             "the smallest and largest coordinates",
-            f"2¹⁶ times {ULPS}, and the enlargement that the library documents",
+            "2¹⁶ u, and the enlargement that the library documents",
             Judged.BOX,
         ),
-        _at_places("turns", "turning_points", PLACES, Judged.PLACES),
-        Asked("roots", "the parameters at which y = 0", PLACES, Judged.PLACES),
-        _at_places("inflections", "inflections", f"{PLACES}; {STRAIGHT}", Judged.REGULAR_PLACES),
-        _at_places("extrema", "curvature_extrema", f"{PLACES}; {STRAIGHT}", Judged.REGULAR_PLACES),
+        _at_places("turns", "turning_points", CHANGES, Judged.PLACES),
+        Asked("roots", "the parameters at which y = 0", CHANGES, Judged.PLACES),
+        _at_places("inflections", "inflections", f"{CHANGES}; {LINES}", Judged.REGULAR_PLACES),
+        _at_places("extrema", "curvature_extrema", f"{CHANGES}; {LINES}", Judged.REGULAR_PLACES),
         Asked("length", "the arc length", "10⁻⁶ of it, or the tolerance that the library documents", Judged.NUMBER),
-        Asked("area", "the signed area inside a closed curve", f"2¹⁰ times {ULPS}, times that coordinate", Judged.AREA),
+        Asked("area", "the signed area inside a closed curve", "2¹⁰ u times the largest coordinate", Judged.AREA),
         Asked(
             "nearest",
             "the distance of the curve from the first control point of its partner",
@@ -118,6 +114,6 @@ QUESTIONS: dict[str, Asked] = {
         Asked(
             "distance", "the distance of the curve from its partner", "2⁻²⁰ of the largest coordinate", Judged.DISTANCE
         ),
-        Asked("meetings", "the pairs of parameters at which the curve meets its partner", MEETINGS, Judged.PAIRS),
+        Asked("meetings", "the pairs of parameters at which the curve meets its partner", CROSSINGS, Judged.PAIRS),
     )
 }

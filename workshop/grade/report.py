@@ -4,12 +4,14 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Sequence
+from pathlib import Path
 
 from exactspline.display.plot.canvas import BLACK, BLUE, ORANGE, PAGE, PURPLE, SILVER, SKY, VERMILLION, new_figure, save
+from exactspline.errors import counted
 from exactspline.numbers.exact import double, mpq, text
 from exactspline.testing import VERSION, Case, all_cases
 from workshop.grade.judge import CRASHED, DECLINED, INVENTED, LATE, MISSED, OFF, OUTCOMES, RIGHT, TOLERATED, WRONG
-from workshop.grade.questions import QUESTIONS
+from workshop.grade.questions import QUESTIONS, TOLERANCES
 from workshop.grade.runner import EVERY, PATIENCE, Judged, Report
 from workshop.grade.shrink import Defect
 from workshop.grade.tolerance import DOCUMENTED
@@ -24,7 +26,7 @@ def rows(reports: Sequence[Report], defects: Sequence[Defect]) -> list[dict[str,
             asked = [one for one in report.judged if one.question == question]
             if not asked:
                 continue
-            counted = Counter(one.verdict.outcome for one in asked)
+            found = Counter(one.verdict.outcome for one in asked)
             defect = examples.get((report.library, question))
             data.append(
                 {
@@ -33,7 +35,7 @@ def rows(reports: Sequence[Report], defects: Sequence[Defect]) -> list[dict[str,
                     "version": report.version,
                     "question": question,
                     "asked": len(asked),
-                    **{outcome: counted[outcome] for outcome in OUTCOMES},
+                    **{outcome: found[outcome] for outcome in OUTCOMES},
                     "worst_ulps_of_right": max(
                         (j.verdict.ulps for j in asked if j.verdict.outcome == RIGHT), default=0
                     ),
@@ -75,21 +77,21 @@ COLOURS = {
     TOLERATED: SKY,
 }
 
-HEAD = """# Libraries compared with exact answers
+#: What of a page `placed` replaces lies between these marks.
+BEGIN, END = "<!-- written by ./run grade --page -->", "<!-- end of what ./run grade writes -->"
 
-What twelve libraries answer about curves on which code in doubles goes wrong (`./run grade --page
-docs/scoreboard.md{share}`). {cases} of {all} cases (version {version}:
-{families}), {questions} questions, {libraries} libraries, {answers} answers judged. Every exact answer carries a
-certificate that the independent checker (`workshop/grade/recheck.py`, `exactspline/certificates`) accepted in this run;
-what it did not accept is excluded ({uncertified}). A library is asked only what it offers for the given curve,
-through its public functions (`workshop/grade/adapters`), and is judged with the tolerance of the question (below). A
-cell shows the right answers out of those asked, then the other outcomes; *declined* means that the library reports that
-it has no answer, *late* that none came within {patience} s of processor time, after which its process is ended,
-*tolerated* that what it missed or invented is a matter of what it documents:
+HEAD = """What {libraries} libraries answer about curves on which code in doubles goes wrong: {cases} of {all} cases
+(version {version}: {families}), {questions} questions, {answers} answers judged (`./run grade --page
+docs/measurements.md{share}`). Every exact answer has a certificate that an independent checker
+(`workshop/grade/recheck.py`, `exactspline/certificates`) accepted in this run; {uncertified} without one left out. A
+library is asked only what it offers for the given curve, through its public functions (`workshop/grade/adapters`: one
+file per library), with the tolerance of the question (below). *Declined*: the library reports that it has no answer.
+*Timed out*: none within {patience} s of processor time. *Tolerated*: what it missed or invented is a matter of what it
+documents:
 
 {documented}
 
-Of some questions not every case is asked, since they take longer than all others: {every}.
+Not all cases are asked for the questions that take longest: {every}.
 """
 
 
@@ -100,7 +102,7 @@ def page(
     uncertified: Sequence[tuple[str, str, str]],
     share: str = "",
 ) -> str:
-    """The page in Markdown, of all cases or a share of them: how that was asked for."""
+    """The results in Markdown, of all cases or a share of them: how that was asked for."""
     families = Counter(case.family for case in cases)
     head = HEAD.format(
         share=share,
@@ -113,11 +115,13 @@ def page(
         questions=len({one.question for report in reports for one in report.judged}),
         libraries=len(reports),
         answers=sum(len(report.judged) for report in reports),
-        uncertified=len(uncertified),
+        uncertified=counted(len(uncertified), "answer"),
         documented="\n".join(f"- {name}: {each}." for name, each in DOCUMENTED.items()),
     )
     return "\n".join(
         [
+            BEGIN,
+            "",
             head,
             _overview(reports),
             _scores(reports),
@@ -126,17 +130,26 @@ def page(
             _defects(defects),
             _named(cases),
             _left_out(uncertified),
+            END,
+            "",
         ]
     )
 
 
+def placed(file: Path, results: str) -> str:
+    """The text of a page with its results replaced by these; of a file that has no marks for them, the results."""
+    text = file.read_text(encoding="utf-8") if file.exists() else ""
+    before, begin, rest = text.partition(BEGIN)
+    return before + results.strip() + rest.partition(END)[2] if begin else results
+
+
 def _overview(reports: Sequence[Report]) -> str:
     """All questions together, one library per row."""
-    lines = ["## All libraries", "", "| library | asked | " + " | ".join(OUTCOMES) + " |"]
+    lines = ["### All libraries", "", "| library | asked | " + " | ".join(OUTCOMES) + " |"]
     lines += ["|---|---:|" + "---:|" * len(OUTCOMES)]
     for report in reports:
-        counted = Counter(one.verdict.outcome for one in report.judged)
-        cells = [str(counted.total()), *(str(counted[outcome]) for outcome in OUTCOMES)]
+        found = Counter(one.verdict.outcome for one in report.judged)
+        cells = [str(found.total()), *(str(found[outcome]) for outcome in OUTCOMES)]
         lines.append(f"| {report.library} {report.version} | " + " | ".join(cells) + " |")
     picture = "![what is not right, by library: per cent of the answers, one colour per outcome]"
     return "\n".join([*lines, "", f"{picture}({PICTURE})", ""])
@@ -163,33 +176,32 @@ def draw(reports: Sequence[Report], path: str) -> None:
 
 
 def _scores(reports: Sequence[Report]) -> str:
-    """A line per library: the questions that were not all answered rightly, with the outcomes, then the others."""
-    lines = ["## By question", ""]
+    """A line per library: the questions that were not all answered rightly, with the outcomes."""
+    lines = ["### By question", "", "All answers to the other questions are right.", ""]
     for report in reports:
-        right, others = list[str](), list[str]()
+        others = list[str]()
         for question in QUESTIONS:
-            counted = Counter(one.verdict.outcome for one in report.judged if one.question == question)
-            rest = ", ".join(f"{counted[o]} {o}" for o in OUTCOMES if o != RIGHT and counted[o])
+            found = Counter(one.verdict.outcome for one in report.judged if one.question == question)
+            rest = ", ".join(f"{found[o]} {o}" for o in OUTCOMES if o != RIGHT and found[o])
             if rest:
-                others.append(f"{question} {counted[RIGHT]} of {counted.total()} right ({rest})")
-            elif counted:
-                right.append(question)
-        parts = [*others, f"all of {', '.join(right)}"] if right else others
-        lines.append(f"- **{report.library} {report.version}**: {'; '.join(parts)}.")
+                others.append(f"{question} {found[RIGHT]} of {found.total()} right ({rest})")
+        if others:
+            lines.append(f"- **{report.library}**: {'; '.join(others)}.")
     return "\n".join([*lines, ""])
 
 
 def _meanings() -> str:
-    lines = ["## What counts as the same answer", "", "| question | meaning | tolerance |", "|---|---|---|"]
+    lines = ["### What counts as the same answer", "", "| question | meaning | tolerance |", "|---|---|---|"]
     lines += [f"| {q.name} | {q.meaning} | {q.allowed} |" for q in QUESTIONS.values()]
+    lines += ["", *(f"- *{word}*: {meaning}." for word, meaning in TOLERANCES.items())]
     return "\n".join([*lines, ""])
 
 
 def _accuracy(reports: Sequence[Report]) -> str:
     """The largest error of right answers, in ulps of the largest coordinate."""
     asked = ("value", "first", "second")
-    lines = ["## The largest error among right answers", ""]
-    lines += ["In ulps of the largest coordinate (of derivatives: times the factor above).", ""]
+    lines = ["### The largest error among right answers", ""]
+    lines += ["In ulps of the largest coordinate (derivatives: times the factor above).", ""]
     lines += ["| library | " + " | ".join(asked) + " |", "|---|" + "---:|" * len(asked)]
     for report in reports:
         worst = [
@@ -201,7 +213,7 @@ def _accuracy(reports: Sequence[Report]) -> str:
 
 
 def _defects(defects: Sequence[Defect]) -> str:
-    lines = ["## Defects, each with its smallest example", ""]
+    lines = ["### Defects, each with its smallest example", ""]
     for defect in defects:
         one = defect.example
         note = " ".join((one.verdict.note or _ulps(one.verdict.ulps)).split())[:160]
@@ -227,13 +239,13 @@ def _short(x: mpq) -> str:
 
 def _named(cases: Sequence[Case]) -> str:
     named = [case for case in cases if case.link]
-    lines = ["## Cases from public bug reports", ""]
+    lines = ["### Cases from public bug reports", ""]
     lines += [f"- [{case.key.removeprefix('named ')}]({case.link}): {case.note}" for case in named]
     return "\n".join([*lines, ""])
 
 
 def _left_out(uncertified: Sequence[tuple[str, str, str]]) -> str:
-    lines = ["## Left out, not certified", ""]
+    lines = ["### Left out, not certified", ""]
     lines += [f"- {case}, {question}: {flaw}" for case, question, flaw in uncertified]
     return "\n".join([*lines, ""]) if uncertified else ""
 
