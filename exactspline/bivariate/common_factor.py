@@ -8,8 +8,7 @@ from functools import reduce
 from flint import fmpz_poly
 
 from exactspline.numbers.exact import common_divisor, mpq, sign
-from exactspline.polynomials.factorization import divided_out
-from exactspline.polynomials.factors import factorize, factorize_square_free, greatest_common_divisor
+from exactspline.polynomials.factors import divided_out, factorize, factorize_square_free, greatest_common_divisor
 from exactspline.polynomials.patch_forms import PatchForm, powers_of
 from exactspline.polynomials.two_parameters import CONTEXT, as_form, as_polynomial
 

@@ -33,8 +33,7 @@ from exactspline.polynomials.cost import Priced, bounded, check_reach
 from exactspline.polynomials.elimination import resultant
 from exactspline.polynomials.factors import factorize, factorize_square_free, greatest_common_divisor
 from exactspline.polynomials.over_root import OverRoot, by_powers
-from exactspline.polynomials.patch_forms import PatchForm
-from exactspline.polynomials.rounded_forms import rounded
+from exactspline.polynomials.patch_forms import PatchForm, rounded
 from exactspline.polynomials.two_parameters import S, T, as_form, as_polynomial, lifted, rows_of
 from exactspline.reals.ball import InBalls
 from exactspline.reals.real import Real, real

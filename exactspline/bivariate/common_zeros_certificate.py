@@ -19,8 +19,7 @@ from exactspline.numbers.exact import mpq, text, to_fmpq
 from exactspline.numbers.intervals import UNIT, Box, Interval
 from exactspline.numbers.once import cached_property
 from exactspline.polynomials.elimination import resultant
-from exactspline.polynomials.factorization import divided_out
-from exactspline.polynomials.factors import greatest_common_divisor
+from exactspline.polynomials.factors import divided_out, greatest_common_divisor
 from exactspline.polynomials.patch_forms import PatchForm, Sized, halved, powers_of
 from exactspline.polynomials.two_parameters import CONTEXT, S, T, as_form, lifted, rows_of
 from exactspline.roots.of_polynomials import Place, enclosing

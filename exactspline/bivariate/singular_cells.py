@@ -24,8 +24,7 @@ from exactspline.numbers.exact import mpq
 from exactspline.numbers.intervals import UNIT, Box, Interval, joined
 from exactspline.polynomials.cost import bounded
 from exactspline.polynomials.elimination import discriminant
-from exactspline.polynomials.patch_forms import PatchForm
-from exactspline.polynomials.rounded_forms import rounded
+from exactspline.polynomials.patch_forms import PatchForm, rounded
 from exactspline.polynomials.two_parameters import as_polynomial, at, rows_of
 from exactspline.reals.real import real
 from exactspline.roots.of_polynomials import Parameter, enclosing, exactly, roots_in

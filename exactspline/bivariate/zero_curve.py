@@ -27,8 +27,7 @@ from exactspline.numbers.intervals import UNIT, Box, Interval
 from exactspline.numbers.once import cached_property
 from exactspline.one_line import OneLine
 from exactspline.polynomials.bernstein import ONE, from_integers
-from exactspline.polynomials.patch_forms import PatchForm, Sized, clusters, halved
-from exactspline.polynomials.rounded_forms import rounded
+from exactspline.polynomials.patch_forms import PatchForm, Sized, clusters, halved, rounded
 from exactspline.reals.real import between
 from exactspline.roots.of_polynomials import Place
 from exactspline.roots.root import Root

@@ -33,8 +33,7 @@ from exactspline.errors import ReachError
 from exactspline.numbers.exact import mpq, text
 from exactspline.numbers.intervals import Box, Interval
 from exactspline.polynomials.bernstein import ONE, from_integers
-from exactspline.polynomials.factorization import divided_out
-from exactspline.polynomials.factors import factorize_square_free
+from exactspline.polynomials.factors import divided_out, factorize_square_free
 from exactspline.polynomials.over_root import OverRoot
 from exactspline.polynomials.patch_forms import PatchForm, Sized, halved
 from exactspline.polynomials.two_parameters import S, T, as_form, as_polynomial, lifted

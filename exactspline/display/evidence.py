@@ -15,7 +15,7 @@ from exactspline.errors import ExactSplineError
 from exactspline.hooks import Worded
 from exactspline.language.kinds import constant_text
 from exactspline.numbers.exact import mpq, text
-from exactspline.polynomials.factorization import power_text
+from exactspline.polynomials.factors import power_text
 from exactspline.readings.jet import polynomial_text
 from exactspline.reals.real import Real
 from exactspline.symbolic.factorization import Factor

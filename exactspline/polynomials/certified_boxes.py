@@ -26,8 +26,7 @@ from flint import fmpz
 from exactspline.numbers.exact import mpq
 from exactspline.numbers.intervals import UNIT, Box, Interval
 from exactspline.polynomials.cost import affords, height_bits
-from exactspline.polynomials.patch_forms import PatchForm, Sized, halved
-from exactspline.polynomials.rounded_forms import rounded
+from exactspline.polynomials.patch_forms import PatchForm, Sized, halved, rounded
 
 #: The fraction of its width by which a box is enlarged on each side before certification.
 MARGIN = mpq(1, 4)

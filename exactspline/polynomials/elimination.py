@@ -4,13 +4,16 @@ interruptible loop with a cost that is bounded beforehand.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from functools import lru_cache
 from itertools import pairwise
 
-from flint import fmpz, fmpz_poly
+from flint import fmpq_poly, fmpz, fmpz_mat, fmpz_poly, nmod_mat, nmod_poly
 
-from exactspline.numbers.exact import mpz
+from exactspline.numbers.exact import mpq, mpz, sign, to_fmpq
+from exactspline.numbers.intervals import Interval
 from exactspline.polynomials.cost import LONGEST_LOOP, check_reach, height_bits
+from exactspline.polynomials.factors import factorize, greatest_common_divisor
 
 #: Hundredths of a nanosecond for each bit of a value: times the product of the degrees to compute it, times the number
 #: of values to interpolate (measured: 77 to 106, and 11 to 15); and ten-thousandths for each pair of bits, to compute a
@@ -100,3 +103,288 @@ def through(values: Sequence[mpz]) -> fmpz_poly:
         total = total * fmpz_poly([-k, 1]) + fmpz_poly([fmpz(int(differences[k] * scale))])
         scale *= max(k, 1)
     return total // fmpz(int(factorial))
+
+
+# ---- polynomials that vanish at sums, products, … of algebraic numbers
+#
+# Each is a resultant `Res_y(p(y), h(x, y))` (`exactspline.polynomials.elimination`), whose cost is estimated
+# beforehand; a `ReachError` is raised if it exceeds the bound.
+#
+# Source: Loos, Computing in algebraic extensions, 1982.
+
+
+#: The highest degree of a polynomial that may be computed.
+DEGREE = 200
+#: The cost of arithmetic modulo a polynomial: nanoseconds per coefficient bit times the degree.
+ARITHMETIC = 10
+#: Nanoseconds for each bit of the reduction of a lattice and of the number in it (measured: 500 to 8000), and the bound
+#: on their sum.
+LATTICE, REDUCTION = 8000, 10**9
+#: The primes modulo which a polynomial is tested for rational zeros.
+PRIMES = (7, 11, 13, 17, 19, 23, 29, 31, 37, 41, 43)
+#: The polynomial x.
+X = fmpz_poly([0, 1])
+
+
+def _check_size(degree: int, bits: int) -> None:
+    """Raise `ReachError` if a polynomial of this degree, with coefficients of this many bits, is too expensive."""
+    cost = degree * degree * bits * ARITHMETIC
+    check_reach(cost if degree <= DEGREE else max(cost, 10**10), lambda: f"a polynomial of degree {degree}")
+
+
+def sum_of(p: fmpz_poly, q: fmpz_poly) -> fmpz_poly:
+    """A polynomial that vanishes at all sums of a zero of p and a zero of q.
+
+    >>> sum_of(fmpz_poly([-2, 0, 1]), fmpz_poly([-3, 0, 1]))
+    x^4 + (-10)*x^2 + 1
+    """
+    n = q.degree()
+    _check_size(p.degree() * n, 0)
+    # q(x − y) = Σ q⁽ʲ⁾(x) (−y)ʲ / j!
+    rows, derivative, factorial = [], q, fmpz(1)
+    for j in range(n + 1):
+        rows.append(derivative // factorial if j % 2 == 0 else -derivative // factorial)
+        derivative, factorial = derivative.derivative(), factorial * (j + 1)
+    return primitive(resultant(_rows(p), rows))
+
+
+def product_of(p: fmpz_poly, q: fmpz_poly) -> fmpz_poly:
+    """A polynomial that vanishes at all products of a zero of p and a zero of q.
+
+    >>> product_of(fmpz_poly([-2, 0, 1]), fmpz_poly([-3, 1]))
+    x^2 + (-18)
+    """
+    zeros = next(i for i in range(q.degree() + 1) if q[i] != 0)
+    q = q.right_shift(zeros)
+    n = q.degree()
+    _check_size(p.degree() * n, 0)
+    # yⁿ q(x/y) = Σ qₙ₋ᵢ xⁿ⁻ⁱ yⁱ
+    product = primitive(resultant(_rows(p), [fmpz_poly([q[n - i]]).left_shift(n - i) for i in range(n + 1)]))
+    return product * X if zeros and product[0] != 0 else product
+
+
+def negated(p: fmpz_poly) -> fmpz_poly:
+    """The polynomial whose zeros are the negatives of those of p."""
+    return primitive(p(fmpz_poly([0, -1])))
+
+
+def inverted(p: fmpz_poly) -> fmpz_poly:
+    """The polynomial whose zeros are the reciprocals of the non-zero zeros of p.
+
+    >>> inverted(fmpz_poly([0, -2, 0, 3]))
+    2*x^2 + (-3)
+    """
+    return primitive(fmpz_poly([*reversed(p.coeffs())]))
+
+
+def square_root_of(p: fmpz_poly) -> fmpz_poly:
+    """The polynomial whose zeros are both square roots of every zero of p."""
+    _check_size(2 * p.degree(), p.height_bits())
+    return p(fmpz_poly([0, 0, 1]))
+
+
+def quotient_at(m: fmpz_poly, top: fmpq_poly, bottom: fmpq_poly) -> fmpz_poly:
+    """A polynomial that vanishes at ``top(α)/bottom(α)`` for all zeros α of m at which `top` and `bottom` do not both
+    vanish.
+
+    >>> quotient_at(fmpz_poly([-2, 0, 1]), fmpq_poly([1, 1]), fmpq_poly([0, 1]))  # (√2 + 1)/√2
+    2*x^2 + (-4)*x + 1
+    """
+    f, g = _integral(top, bottom)
+    # m may have multiple factors
+    while (common := greatest_common_divisor([f, g, m])).degree() > 0:
+        m = m // common
+    _check_size(m.degree(), max(f.height_bits(), g.height_bits()))
+    return primitive(resultant(_rows(m), [fmpz_poly([-f[j], g[j]]) for j in range(max(f.degree(), g.degree()) + 1)]))
+
+
+def without_quadratic_zero(m: fmpz_poly, top: fmpq_poly, bottom: fmpq_poly) -> bool:
+    """Whether it is certain that no ``top(α)/bottom(α)``, for a zero α of m at which `bottom` does not vanish, is a
+    zero of a polynomial of degree 1 or 2: modulo a prime that does not divide the leading coefficient, this would be a
+    factor of the polynomial of which all of them are zeros. False decides nothing.
+
+    >>> alpha = fmpz_poly([-2, 0, 0, 1])
+    >>> [without_quadratic_zero(alpha, fmpq_poly(top), fmpq_poly([3])) for top in ([1, 1], [0, 0, 0, 1])]
+    [True, False]
+    >>> without_quadratic_zero(alpha, fmpq_poly([0, 2]), fmpq_poly([0, 3]))
+    False
+    """
+    f, g = _integral(top, bottom)
+    degrees = {1, 2}
+    for prime in PRIMES:
+        degrees &= _possible_degrees(m, f, g, prime)
+        if not degrees:
+            return True
+    return False
+
+
+def _possible_degrees(m: fmpz_poly, f: fmpz_poly, g: fmpz_poly, prime: int) -> set[int]:
+    """Which of the degrees 1 and 2 a factor of the polynomial of which all quotients are zeros may have: those that a
+    factor modulo the prime has, if the polynomial keeps its degree there.
+    """
+    over, top, bottom = (nmod_poly(p, prime) for p in (m, f, g))
+    common, inverse, _ = bottom.xgcd(over)
+    if over.degree() < m.degree() or common.degree():
+        return {1, 2}
+    # an invertible quotient of linear functions has the degree of the zero itself
+    invertible = max(f.degree(), g.degree()) == 1 and f[0] * g[1] != f[1] * g[0]
+    image = over if invertible else _image(top * inverse % over, over).charpoly()
+    factors = [p.degree() for p, times in image.factor()[1] for _ in range(times)]
+    return {n for n, found in ((1, 1 in factors), (2, 2 in factors or factors.count(1) > 1)) if found}
+
+
+def _image(row: nmod_poly, over: nmod_poly) -> nmod_mat:
+    """The matrix of the multiplication by a polynomial modulo another one."""
+    n, entries = over.degree(), []
+    for _ in range(n):
+        entries += row.coeffs() + [0] * (n - len(row))
+        row = row.left_shift(1) % over
+    return nmod_mat(n, n, entries, over.modulus())
+
+
+def at_most_quadratic(
+    enclosed: Callable[[int], Interval], bits: int, vanishes: Callable[[fmpz_poly], bool]
+) -> fmpz_poly | None:
+    """A polynomial of degree 1 or 2 of which a number is a zero, given its enclosures to any number of digits; None if
+    it is certain that no such polynomial has coefficients of at most this many bits.
+
+    Coefficients A, B, C are a vector ``(A, B, 2ᵏ (A x² + B x + C))`` of a lattice: of a zero, and with x² and x rounded
+    to multiples of 2⁻ᵏ, one of at most ``√18 2ᵇⁱᵗˢ``. Where all Gram–Schmidt vectors of a basis are longer, there is
+    none.
+
+    >>> at_most_quadratic(lambda digits: Interval(mpq(2, 3), mpq(2, 3)), 3, lambda p: p(to_fmpq(mpq(2, 3))) == 0)
+    3*x + (-2)
+
+    Raises `ReachError` if that takes too many bits.
+
+    Source: Kannan, Lenstra and Lovász, Polynomial factorization and nonrandomness of bits of algebraic and some
+    transcendental numbers, Mathematics of Computation 1988.
+    """
+    size, exponent = enclosed(1).low, 3 * bits + 32
+    while True:
+        check_reach(exponent * LATTICE, lambda: f"a polynomial with coefficients of {bits} bits", REDUCTION)
+        longest = fmpz(32) << 2 * bits
+        x = enclosed((exponent + 2 * (abs(int(size)) + 2).bit_length()) * 30103 // 100000 + 1).middle
+        scale = fmpz(1) << exponent
+        square, single = (fmpz(int(power * int(scale) // 1)) for power in (x * x, x))
+        basis = fmpz_mat([[1, 0, square], [0, 1, single], [0, 0, scale]]).lll()
+        gram = basis * basis.transpose()
+        first, both = gram[0, 0], gram[0, 0] * gram[1, 1] - gram[0, 1] ** 2
+        if first > longest and both > longest * first and basis.det() ** 2 == scale**2 > longest * both:
+            return None
+        a, b, rest = (basis[0, k] for k in range(3))
+        found = primitive(fmpz_poly([(rest - a * square - b * single) // scale, b, a]))
+        if vanishes(found):
+            return found
+        exponent *= 2
+
+
+def _integral(top: fmpq_poly, bottom: fmpq_poly) -> tuple[fmpz_poly, fmpz_poly]:
+    """Numerator and denominator of a quotient with integer coefficients."""
+    return top.numer() * bottom.denom(), bottom.numer() * top.denom()
+
+
+def _rows(p: fmpz_poly) -> list[fmpz_poly]:
+    """A polynomial in y as a polynomial in x and y."""
+    return [fmpz_poly([c]) for c in p.coeffs()]
+
+
+def primitive(p: fmpz_poly) -> fmpz_poly:
+    """The polynomial divided by the content, with a positive leading coefficient."""
+    if not p:
+        return p
+    return p // (p.content() if p.leading_coefficient() > 0 else -p.content())
+
+
+def square_free(p: fmpz_poly) -> fmpz_poly:
+    """The square-free part: the polynomial with the same zeros, all simple.
+
+    >>> square_free(fmpz_poly([1, 2, 1]))
+    x + 1
+    """
+    return primitive(p // greatest_common_divisor([p, p.derivative()]))
+
+
+def irreducible_factors(p: fmpz_poly) -> tuple[fmpz_poly, ...]:
+    """The irreducible factors, with positive leading coefficients; cached, because many numbers share them.
+
+    Raises `ReachError` if FLINT may take too long.
+    """
+    return _factors(*p.coeffs())
+
+
+@lru_cache(64)
+def _factors(*coefficients: fmpz) -> tuple[fmpz_poly, ...]:
+    return tuple(primitive(p) for p in factorize(fmpz_poly(list(coefficients))).bases)
+
+
+def without_rational_zero(p: fmpz_poly) -> bool:
+    """Whether it is certain that no zero is rational: a rational zero is a zero modulo every prime that does not divide
+    the leading coefficient. False decides nothing.
+
+    >>> [without_rational_zero(fmpz_poly(c)) for c in ([-2, 0, 1], [-4, 0, 1])]
+    [True, False]
+    """
+    return any(_no_zero_modulo(p, prime) for prime in PRIMES)
+
+
+def _no_zero_modulo(p: fmpz_poly, prime: int) -> bool:
+    """Whether a polynomial keeps its degree modulo a prime and has no zero modulo the prime."""
+    residues = nmod_poly(p, prime)
+    return residues.degree() == p.degree() and all(int(residues(x)) for x in range(prime))
+
+
+def linear(value: mpq) -> fmpz_poly:
+    """The primitive linear polynomial with a rational zero.
+
+    >>> linear(mpq(2, 3))
+    3*x + (-2)
+    """
+    return fmpz_poly([int(-value.numerator), int(value.denominator)])
+
+
+def sign_of_value(p: fmpz_poly, t: mpq) -> int:
+    """The sign of a polynomial at a rational number."""
+    return sign(p(to_fmpq(t)))
+
+
+def changes_sign(p: fmpz_poly, low: mpq, high: mpq) -> bool:
+    """Whether a polynomial has opposite signs at two numbers."""
+    return sign_of_value(p, low) * sign_of_value(p, high) < 0
+
+
+class QuotientModulo:
+    """``top(α)/bottom(α)`` for a zero α of a polynomial, with arithmetic `+ − * /`.
+
+    >>> y = QuotientModulo(fmpz_poly([-2, 0, 1]), fmpq_poly([0, 1]))
+    >>> ((y + y) * y).top, (y / y - y).top
+    (4, x + (-2))
+    """
+
+    __slots__ = ("bottom", "modulus", "top")
+
+    def __init__(self, modulus: fmpz_poly, top: fmpq_poly, bottom: fmpq_poly | None = None) -> None:
+        self.modulus, self.top = modulus, top
+        self.bottom = fmpq_poly([1]) if bottom is None else bottom
+
+    def _made(self, top: fmpq_poly, bottom: fmpq_poly) -> QuotientModulo:
+        n = self.modulus.degree()
+        if top.degree() >= n or bottom.degree() >= n:
+            m = fmpq_poly(self.modulus)
+            top, bottom = top % m, bottom % m
+        _check_size(n, max(p.numer().height_bits() + p.denom().bit_length() for p in (top, bottom)))
+        return QuotientModulo(self.modulus, top, bottom)
+
+    def __add__(self, other: QuotientModulo) -> QuotientModulo:
+        if self.bottom == other.bottom:
+            return self._made(self.top + other.top, self.bottom)
+        return self._made(self.top * other.bottom + other.top * self.bottom, self.bottom * other.bottom)
+
+    def __sub__(self, other: QuotientModulo) -> QuotientModulo:
+        return self + QuotientModulo(self.modulus, -other.top, other.bottom)
+
+    def __mul__(self, other: QuotientModulo) -> QuotientModulo:
+        return self._made(self.top * other.top, self.bottom * other.bottom)
+
+    def __truediv__(self, other: QuotientModulo) -> QuotientModulo:
+        return self._made(self.top * other.bottom, self.bottom * other.top)

@@ -16,8 +16,7 @@ from exactspline.language.provenance import DERIVATIVE, DIFFERENCE, MULTIPLE, PR
 from exactspline.language.rational import RingOperand
 from exactspline.numbers.exact import rational, to_fmpq
 from exactspline.one_line import one_line
-from exactspline.polynomials.factorization import Factorization
-from exactspline.polynomials.factors import bounded_product
+from exactspline.polynomials.factors import Factorization, bounded_product
 from exactspline.readings.jet import IndeterminateReading, Jet, JetReading, JetRing
 
 #: Sums with more terms are tested for divisibility by factors met before that are shorter.

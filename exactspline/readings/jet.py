@@ -24,8 +24,7 @@ from exactspline.language.rational import RingOperand
 from exactspline.language.reading import Reading
 from exactspline.numbers.exact import Number, from_flint, mpq, rational, to_fmpq
 from exactspline.one_line import OneLine, one_line
-from exactspline.polynomials.factorization import superscript
-from exactspline.polynomials.factors import bounded_product
+from exactspline.polynomials.factors import bounded_product, superscript
 
 PRIMES = ("", "′", "″", "‴")
 #: The largest number of indeterminates: every term stores an exponent for each, and FLINT ends the process where it

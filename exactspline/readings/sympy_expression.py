@@ -27,7 +27,7 @@ from exactspline.language.reading import Reading
 from exactspline.numbers.exact import rational
 from exactspline.one_line import one_line
 from exactspline.polynomials.cost import look_at_the_time
-from exactspline.polynomials.factorization import Factorization, multiplied
+from exactspline.polynomials.factors import Factorization, multiplied
 
 PARAMETER: dict[str, sympy.Symbol] = {name: sympy.Symbol(name) for name in Parameter}
 FIRST = PARAMETER[Parameter.FIRST]

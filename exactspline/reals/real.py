@@ -3,7 +3,7 @@
 A number is represented by the expression tree of the operations that made it, over rational numbers and roots, and by
 an enclosure that is refined on demand. A polynomial of which the number is a zero is computed only for what enclosures
 cannot decide (equality, rationality, the minimal polynomial), at a cost that is bounded beforehand
-(`exactspline.polynomials.annihilating`).
+(`exactspline.polynomials.elimination`).
 """
 
 from __future__ import annotations
@@ -34,9 +34,9 @@ from exactspline.numbers.exact import (
 )
 from exactspline.numbers.immutable import fill
 from exactspline.numbers.intervals import Interval, ball_around, ball_ends
-from exactspline.polynomials import annihilating
-from exactspline.polynomials.annihilating import QuotientModulo, linear
+from exactspline.polynomials import elimination
 from exactspline.polynomials.cost import LONGEST_LOOP, check_reach
+from exactspline.polynomials.elimination import QuotientModulo, linear
 from exactspline.reals.algebraic import EXACT, Algebraic
 
 if TYPE_CHECKING:
@@ -137,9 +137,9 @@ class Real(Algebraic, Written):
         """What `in_closed_form` returns, decided for the first time."""
         place, top, bottom = self._in_terms()
         leaf = None if place is None or place._operands else place
-        if leaf is not None and annihilating.without_quadratic_zero(leaf._annihilator(), top, bottom):
+        if leaf is not None and elimination.without_quadratic_zero(leaf._annihilator(), top, bottom):
             return None
-        p = annihilating.at_most_quadratic(self._enclosed, self._coefficient_bits(), self.is_root_of)
+        p = elimination.at_most_quadratic(self._enclosed, self._coefficient_bits(), self.is_root_of)
         return None if p is None else zero_of(p, self)
 
     def _coefficient_bits(self) -> int:
@@ -454,16 +454,16 @@ class Expression(Real):
 
     def _annihilator(self) -> fmpz_poly:
         if self._operation is _root:
-            return annihilating.square_root_of(self._operands[0].irreducible_polynomial())
+            return elimination.square_root_of(self._operands[0].irreducible_polynomial())
         place, top, bottom = self._in_terms()
         if place is not None and place is not self:
-            return annihilating.quotient_at(place._annihilator(), top, bottom)
+            return elimination.quotient_at(place._annihilator(), top, bottom)
         for x in _in_order(self, _is_place)[:-1]:
             x.irreducible_polynomial()
         p, q = (x.irreducible_polynomial() for x in self._operands)
         if self._operation in (add, sub):
-            return annihilating.sum_of(p, q if self._operation is add else annihilating.negated(q))
-        return annihilating.product_of(p, q if self._operation is mul else annihilating.inverted(q))
+            return elimination.sum_of(p, q if self._operation is add else elimination.negated(q))
+        return elimination.product_of(p, q if self._operation is mul else elimination.inverted(q))
 
 
 #: The inverses ``∘⁻¹`` of operations: comparing ``x ∘ q`` with t is comparing x with ``t ∘⁻¹ q``.

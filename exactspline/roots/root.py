@@ -12,10 +12,10 @@ from exactspline.hooks import Displayed
 from exactspline.numbers.exact import mpq, mpz, rational
 from exactspline.numbers.immutable import fill
 from exactspline.numbers.intervals import Interval
-from exactspline.polynomials.annihilating import linear, primitive
 from exactspline.polynomials.bernstein import in_parameter
+from exactspline.polynomials.elimination import linear, primitive
 from exactspline.polynomials.isolation import Zero
-from exactspline.polynomials.refinement import enclosures, sign_at
+from exactspline.polynomials.zero_places import enclosures, sign_at
 from exactspline.reals.algebraic import Algebraic
 from exactspline.reals.real import UNASKED, RationalNumber, Real, zero_of
 

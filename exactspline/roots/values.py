@@ -1,6 +1,6 @@
 """Exact values and signs of splines, and of quotients of splines, at irrational numbers.
 
-The interval of a root yields bounds on the values there (`centred_form`), which converge as it shrinks: the root is
+The interval of a root yields bounds on the values there (`bounds_over`), which converge as it shrinks: the root is
 refined until the requested digits are certain. A sign that is not decided by bounds is decided by a greatest common
 divisor.
 """
@@ -17,9 +17,9 @@ from exactspline.numbers.exact import Number, mpq, mpz, rational, sign, text
 from exactspline.numbers.immutable import fill
 from exactspline.numbers.intervals import Interval, quotient, rounded_outwards
 from exactspline.numbers.sides import Side
-from exactspline.polynomials import annihilating
+from exactspline.polynomials import elimination
 from exactspline.polynomials.bernstein import over_common_denominator
-from exactspline.polynomials.centred_form import bounds_over
+from exactspline.polynomials.zero_places import bounds_over
 from exactspline.reals.real import UNASKED, Real, square_root
 from exactspline.splines.bspline import BSpline, in_powers
 from exactspline.splines.nurbs import Nurbs
@@ -62,7 +62,7 @@ class ValueAt(Real):
         return self.place, in_powers(self.top, i), in_powers(self.bottom, segment_of(self.bottom, self.place))
 
     def _annihilator(self) -> fmpz_poly:
-        return annihilating.quotient_at(self.place._annihilator(), *self._in_terms()[1:])
+        return elimination.quotient_at(self.place._annihilator(), *self._in_terms()[1:])
 
     def _found(self) -> Real | None:
         place = self.place.in_closed_form()

@@ -25,8 +25,7 @@ from exactspline.numbers.once import Lock
 from exactspline.one_line import OneLine
 from exactspline.papers import Paper, default_papers, formula_of
 from exactspline.polynomials.cost import Budget, Priced, drawing_on
-from exactspline.polynomials.factorization import Factorization, multiplied, power_text
-from exactspline.polynomials.factors import factorize
+from exactspline.polynomials.factors import Factorization, factorize, multiplied, power_text
 from exactspline.readings.degree import Degree, DegreeReading
 from exactspline.readings.differential_order import is_polynomial, order_of
 from exactspline.readings.jet import Jet, JetReading, JetRing, Terms, polynomial_text, terms_of

@@ -29,8 +29,7 @@ from exactspline.numbers.exact import from_flint, mpq
 from exactspline.numbers.once import cached_property
 from exactspline.one_line import OneLine, one_line
 from exactspline.papers import find, owner
-from exactspline.polynomials.factorization import Factorization
-from exactspline.polynomials.factors import bounded_product, greatest_common_divisor
+from exactspline.polynomials.factors import Factorization, bounded_product, greatest_common_divisor
 from exactspline.readings.degree import Degree, DegreeReading
 from exactspline.readings.differential_order import order_of
 from exactspline.readings.factored_jet import FactoredJet, FactoredJetReading, Powers, divided_out, multiplied

@@ -17,7 +17,7 @@ from exactspline.language.vector import Vector
 from exactspline.numbers.exact import mpq
 from exactspline.papers import Paper, formula_of
 from exactspline.polynomials.cost import Budget, at_its_cost, drawing_on
-from exactspline.polynomials.factorization import Factorization
+from exactspline.polynomials.factors import Factorization
 from exactspline.readings.degree import Degree
 from exactspline.readings.differential_order import order_of
 from exactspline.readings.factored_jet import FactoredJet, FactoredJetReading

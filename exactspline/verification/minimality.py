@@ -29,8 +29,8 @@ from exactspline.geometry.derived.derive import Piece, derive
 from exactspline.language.rational import Rational
 from exactspline.language.vector import Vector
 from exactspline.numbers.exact import mpq, text
-from exactspline.polynomials.annihilating import square_free
 from exactspline.polynomials.bernstein import divide_u_plus_v
+from exactspline.polynomials.elimination import square_free
 from exactspline.polynomials.factors import factorize
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.common import with_common_knots

@@ -21,8 +21,7 @@ from exactspline.language.formula import Formula
 from exactspline.language.kinds import FramedKind
 from exactspline.language.parts import Value, split
 from exactspline.numbers.exact import mpq
-from exactspline.polynomials.factorization import Factorization
-from exactspline.polynomials.factors import factorize
+from exactspline.polynomials.factors import Factorization, factorize
 from exactspline.readings.expression import Operation
 from exactspline.readings.jet import Jet, JetRing, terms_of
 from exactspline.readings.rational_jet import JetFraction

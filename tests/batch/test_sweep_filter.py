@@ -25,7 +25,7 @@ from exactspline.batch.sweep import Where, sweep_into_file
 from exactspline.batch.work import Work
 from exactspline.geometry.analysis import curves as analysis
 from exactspline.numbers.exact import mpq
-from exactspline.polynomials.annihilating import without_rational_zero
+from exactspline.polynomials.elimination import without_rational_zero
 from exactspline.polynomials.isolation import LocalPolynomial
 from exactspline.programs import accelerator
 from tests.geometry.test_filtered_splines import troubled

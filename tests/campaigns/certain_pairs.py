@@ -16,7 +16,7 @@ from exactspline.geometry.pairs.lazy_intersections import PairForm
 from exactspline.numbers.exact import mpq
 from exactspline.numbers.intervals import Interval
 from exactspline.polynomials.plane_pairs import meetings
-from exactspline.polynomials.refinement import sign_at
+from exactspline.polynomials.zero_places import sign_at
 from exactspline.programs.certain_pairs import certain_pairs
 from exactspline.roots.segment_forms import parameter, plane_forms, segment_rows
 from tests.campaigns import intersections as pairs

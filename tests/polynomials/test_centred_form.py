@@ -7,7 +7,7 @@ import pytest
 from gmpy2 import mpq
 
 from exactspline.polynomials.bernstein import from_bezier, value
-from exactspline.polynomials.centred_form import bounds_over
+from exactspline.polynomials.zero_places import bounds_over
 
 
 def hostile_form(chance, n):

@@ -8,8 +8,17 @@ from flint import fmpq, fmpz_poly
 
 from exactspline.numbers.exact import mpq
 from exactspline.polynomials.bezout import PlaneForms
-from exactspline.polynomials.collinear_arcs import Coordinate, collinear_arcs, compared
-from exactspline.polynomials.common_arcs import Image, Meeting, RationalMap, Rest, common_arcs, lowest_terms
+from exactspline.polynomials.common_arcs import (
+    Coordinate,
+    Image,
+    Meeting,
+    RationalMap,
+    Rest,
+    collinear_arcs,
+    common_arcs,
+    compared,
+    lowest_terms,
+)
 from exactspline.polynomials.isolation import isolate
 from exactspline.polynomials.zero_places import Place, at, places
 

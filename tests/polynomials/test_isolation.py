@@ -7,16 +7,15 @@ from flint import fmpq, fmpq_poly, fmpz_poly
 from gmpy2 import mpq
 
 from exactspline.errors import DomainError
-from exactspline.polynomials import cells, refinement
+from exactspline.polynomials import isolation, zero_places
 from exactspline.polynomials.isolation import LocalPolynomial, isolate
 from exactspline.polynomials.newton import proposed
-from exactspline.polynomials.refinement import enclosures
-from exactspline.polynomials.zero_places import Place
+from exactspline.polynomials.zero_places import Place, enclosures
 
 
 def test_cells_cover_an_interval_and_say_what_is_so():
     f = fmpq_poly([-1, 2]) * fmpq_poly([-2, 3]) ** 2 * fmpq_poly([1, 0, 1])
-    found = cells.cells_of(f, mpq(0), mpq(1))
+    found = isolation.cells_of(f, mpq(0), mpq(1))
     assert [c.low for c in found] == [mpq(0), *[c.high for c in found[:-1]]]
     assert found[-1].high == 1
     for cell in found:
@@ -34,7 +33,7 @@ def test_cells_cover_an_interval_and_say_what_is_so():
             assert all((cell.rest(fmpq(int(t.numerator), int(t.denominator))) > 0) == cell.rest_sign for t in places)
     assert any(cell.factor is not None for cell in found)
     # the coefficients −1 and 2; a mutant passed: nothing is negative
-    (cell,) = cells.cells_of(fmpq_poly([-1, 3]), mpq(0), mpq(1))
+    (cell,) = isolation.cells_of(fmpq_poly([-1, 3]), mpq(0), mpq(1))
     assert (cell.one, cell.sign) == (True, False)
 
 
@@ -42,12 +41,12 @@ def test_halving_that_finds_no_end_is_given_up(monkeypatch):
     """Two zeros 2⁻⁴⁰ apart take some forty halvings."""
     third, near = fmpq(1, 3), fmpq(1, 3) + fmpq(1, 2**40)
     f = fmpq_poly([-third, 1]) * fmpq_poly([-near, 1])
-    assert sum(cell.one for cell in cells.cells_of(f, mpq(0), mpq(1))) == 2
-    monkeypatch.setattr(cells, "DEPTH", 33)
+    assert sum(cell.one for cell in isolation.cells_of(f, mpq(0), mpq(1))) == 2
+    monkeypatch.setattr(isolation, "CELL_DEPTH", 33)
     with pytest.raises(DomainError, match="does not terminate"):
-        cells.cells_of(f, mpq(0), mpq(1))
-    monkeypatch.setattr(cells, "DEPTH", 60)
-    assert sum(cell.one for cell in cells.cells_of(f, mpq(0), mpq(1))) == 2
+        isolation.cells_of(f, mpq(0), mpq(1))
+    monkeypatch.setattr(isolation, "CELL_DEPTH", 60)
+    assert sum(cell.one for cell in isolation.cells_of(f, mpq(0), mpq(1))) == 2
 
 
 def test_a_polynomial_with_a_rational_zero_is_never_said_to_have_none():
@@ -86,7 +85,7 @@ def test_a_wrong_proposal_of_doubles_changes_no_interval_beyond_its_bounds(monke
     """A zero that is proposed where it is not is refuted by a sign; what is found contains the zero all the same."""
     chance = random.Random(11)
     for shift in (0, 1, -1, 2, -3, 10**6):
-        monkeypatch.setattr(refinement, "proposed", lambda *given, by=shift: (proposed(*given) or 0) + by)
+        monkeypatch.setattr(zero_places, "proposed", lambda *given, by=shift: (proposed(*given) or 0) + by)
         for _ in range(20):
             form = fmpz_poly([chance.randint(-99, 99) or 1 for _ in range(7)])
             for zero in isolate(form, 6).inner:
@@ -97,6 +96,6 @@ def test_a_wrong_proposal_of_doubles_changes_no_interval_beyond_its_bounds(monke
                 assert high - low <= mpq(1, 2**40)
                 if low < high:
                     g = zero.factor.polynomial
-                    before = zero.sign if low == zero.low else refinement.sign_at(g, low)
-                    behind = -zero.sign if high == zero.high else refinement.sign_at(g, high)
+                    before = zero.sign if low == zero.low else zero_places.sign_at(g, low)
+                    behind = -zero.sign if high == zero.high else zero_places.sign_at(g, high)
                     assert (before, behind) == (zero.sign, -zero.sign)

@@ -13,8 +13,7 @@ from exactspline.polynomials import bezout
 from exactspline.polynomials.bezout import PlaneForms, bezout_matrix, determinant, self_matrix
 from exactspline.polynomials.common_arcs import RationalMap, common_arcs
 from exactspline.polynomials.isolation import isolate
-from exactspline.polynomials.multiple_points import Fibre
-from exactspline.polynomials.plane_pairs import meetings, self_meetings
+from exactspline.polynomials.plane_pairs import Fibre, meetings, self_meetings
 from exactspline.polynomials.zero_places import Place, at, places
 from exactspline.roots.segment_forms import plane_forms
 

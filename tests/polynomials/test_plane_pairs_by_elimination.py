@@ -17,12 +17,14 @@ from exactspline.numbers.intervals import UNIT, Interval
 from exactspline.polynomials.bezout import PlaneForms
 from exactspline.polynomials.common_arcs import RationalMap
 from exactspline.polynomials.isolation import isolate
-from exactspline.polynomials.multiple_points import Fibre, local_multiplicity, multiplicity_of_sum
 from exactspline.polynomials.plane_pairs import (
     IDENTITY,
     Elimination,
+    Fibre,
     elimination,
+    local_multiplicity,
     meetings,
+    multiplicity_of_sum,
     self_elimination,
     self_meetings,
 )

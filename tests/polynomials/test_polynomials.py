@@ -14,8 +14,14 @@ from exactspline.numbers.exact import mpq
 from exactspline.polynomials import elimination, factors
 from exactspline.polynomials.cost import Budget, affords, check_reach, drawing_on, height_bits
 from exactspline.polynomials.elimination import discriminant
-from exactspline.polynomials.factorization import Factorization, power_text
-from exactspline.polynomials.factors import factorize, factorize_square_free, greatest_common_divisor, prime_factors
+from exactspline.polynomials.factors import (
+    Factorization,
+    factorize,
+    factorize_square_free,
+    greatest_common_divisor,
+    power_text,
+    prime_factors,
+)
 from exactspline.polynomials.over_root import OverRoot, large_primes
 from exactspline.roots.of_polynomials import check_isolation
 from exactspline.verification.denominators import factored

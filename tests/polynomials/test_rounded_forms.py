@@ -10,8 +10,7 @@ import pytest
 from exactspline.numbers.exact import mpq
 from exactspline.numbers.intervals import UNIT, Box, Interval
 from exactspline.polynomials.cost import height_bits
-from exactspline.polynomials.patch_forms import PatchForm
-from exactspline.polynomials.rounded_forms import BITS, KEPT, RoundedForm, rounded
+from exactspline.polynomials.patch_forms import BITS, KEPT, PatchForm, RoundedForm, rounded
 
 
 def drawn(chance, bits):

@@ -29,7 +29,7 @@ from exactspline import BSpline, zeros
 from exactspline.errors import NumberError, OpenError, ReachError, ShapeError
 from exactspline.numbers.exact import to_fmpq
 from exactspline.numbers.intervals import Interval
-from exactspline.polynomials import annihilating
+from exactspline.polynomials import elimination
 from exactspline.reals.ball import InBalls
 from exactspline.reals.digits import Digits
 from exactspline.reals.real import Extreme, Quadratic, RationalNumber, Real, between, real, square_root
@@ -452,7 +452,7 @@ def test_polynomials_of_rational_functions_vanish_there(seed):
         )
         for _ in range(2)
     )
-    found = annihilating.quotient_at(m, top, bottom)
+    found = elimination.quotient_at(m, top, bottom)
     common = m.gcd(top.numer().gcd(bottom.numer()))
     assert found.degree() <= m.degree()
     for x, _ in (m // common).complex_roots():

@@ -9,7 +9,7 @@ from flint import fmpz_poly
 
 from exactspline.numbers.exact import mpq
 from exactspline.polynomials.isolation import LocalPolynomial, LocalZero, isolate
-from exactspline.polynomials.refinement import enclosures
+from exactspline.polynomials.zero_places import enclosures
 from exactspline.roots.lazy_root import LazyRoot
 
 Z = fmpz_poly([0, 1])
@@ -64,7 +64,7 @@ BROKEN = """
 from flint import fmpz_poly
 from exactspline.numbers.exact import mpq
 from exactspline.polynomials.isolation import LocalPolynomial
-from exactspline.polynomials.refinement import enclosures
+from exactspline.polynomials.zero_places import enclosures
 form = LocalPolynomial(fmpz_poly([1, -3, 1]))
 for low, high, sign in ((mpq(0), mpq(1, 4), 1), (mpq(0), mpq(1, 2), -1), (mpq(1, 3), mpq(2, 3), 1)):
     try:

@@ -13,7 +13,7 @@ from exactspline.extras.coq.formulas import Formulas, comment
 from exactspline.language.formula import Formula
 from exactspline.numbers.exact import from_flint, mpq, to_fmpq
 from exactspline.papers import find, papers
-from exactspline.polynomials.cells import Cell, cells_of
+from exactspline.polynomials.isolation import Cell, cells_of
 from exactspline.splines.bspline import in_powers
 from exactspline.splines.control_points import lifted
 from exactspline.splines.nurbs import Nurbs

@@ -20,8 +20,8 @@ from exactspline.extras.coq.formulas import comment
 from exactspline.numbers.exact import from_flint, mpq, to_fmpq
 from exactspline.numbers.intervals import Interval
 from exactspline.polynomials.bezout import determinant
-from exactspline.polynomials.cells import Cell, bernstein_signs, cells_of
 from exactspline.polynomials.cost import Budget, drawing_on
+from exactspline.polynomials.isolation import Cell, bernstein_signs, cells_of
 from exactspline.splines.bspline import in_powers
 from exactspline.splines.nurbs import Nurbs
 

@@ -11,8 +11,7 @@ from exactspline.errors import FormulaError
 from exactspline.extras.coq.settings import Setting
 from exactspline.extras.coq.terms import Writer
 from exactspline.numbers.exact import from_flint, mpq, over_one_denominator
-from exactspline.polynomials.factorization import Factorization
-from exactspline.polynomials.factors import Factored, prime_factors
+from exactspline.polynomials.factors import Factored, Factorization, prime_factors
 from exactspline.readings.expression import Operation
 from exactspline.readings.jet import Jet
 from exactspline.readings.rational_jet import JetFraction

@@ -31,9 +31,8 @@ from exactspline.numbers.exact import mpq, text, to_fmpq
 from exactspline.numbers.intervals import UNIT, Interval, joined
 from exactspline.numbers.once import cached_property
 from exactspline.numbers.sides import Side
-from exactspline.polynomials.annihilating import square_free
 from exactspline.polynomials.cost import bounded
-from exactspline.polynomials.elimination import discriminant
+from exactspline.polynomials.elimination import discriminant, square_free
 from exactspline.polynomials.factors import greatest_common_divisor
 from exactspline.polynomials.two_parameters import at, rows_of
 from exactspline.questions.answers import NamedNumbers

@@ -29,8 +29,7 @@ from exactspline.one_line import one_line
 from exactspline.polynomials.bezout import PlaneForms
 from exactspline.polynomials.common_arcs import Arc, Local, Meeting, Meetings, Rest
 from exactspline.polynomials.cost import PATCH, QUESTION, Budget, drawing_on
-from exactspline.polynomials.factorization import divided_out
-from exactspline.polynomials.factors import greatest_common_divisor
+from exactspline.polynomials.factors import divided_out, greatest_common_divisor
 from exactspline.polynomials.plane_pairs import meetings, self_meetings
 from exactspline.polynomials.two_parameters import S, T
 from exactspline.polynomials.zero_places import Place

@@ -22,8 +22,7 @@ from exactspline.numbers.intervals import Interval, joined
 from exactspline.numbers.once import cached_property
 from exactspline.numbers.sides import Side
 from exactspline.polynomials.bernstein import ONE, divide_u_plus_v
-from exactspline.polynomials.collinear_arcs import Coordinate
-from exactspline.polynomials.common_arcs import RationalMap
+from exactspline.polynomials.common_arcs import Coordinate, RationalMap
 from exactspline.polynomials.isolation import isolate
 from exactspline.polynomials.zero_places import FIRST, SUSPICIOUS, Place
 from exactspline.polynomials.zero_places import at as at_rational

@@ -31,8 +31,8 @@ from exactspline.geometry.pairs.offsets import self_intersections
 from exactspline.language.vector import Vector, det, norm2
 from exactspline.numbers.exact import mpq, to_fmpq
 from exactspline.numbers.intervals import UNIT, Interval, joined
-from exactspline.polynomials.annihilating import square_free
 from exactspline.polynomials.bernstein import in_parameter
+from exactspline.polynomials.elimination import square_free
 from exactspline.questions.answers import NamedNumbers
 from exactspline.reals.real import Real, between, real
 from exactspline.roots.answers import CurvePiece

@@ -34,8 +34,7 @@ from exactspline.numbers.intervals import Box, Interval
 from exactspline.numbers.once import cached_property
 from exactspline.numbers.sides import Side
 from exactspline.polynomials.cost import PATCH, QUESTION, Budget, drawing_on
-from exactspline.polynomials.factorization import divided_out
-from exactspline.polynomials.factors import factorize, greatest_common_divisor
+from exactspline.polynomials.factors import divided_out, factorize, greatest_common_divisor
 from exactspline.polynomials.two_parameters import S, T, as_form
 from exactspline.reals.real import RationalNumber, Real, real, square_root
 from exactspline.roots.of_polynomials import Parameter

@@ -25,8 +25,7 @@ from exactspline.geometry.surfaces.singular import FAR, NONE, SingularPoints, Ze
 from exactspline.numbers.exact import mpq
 from exactspline.numbers.intervals import UNIT, Box, ball_around, sign_of_ball
 from exactspline.one_line import OneLine
-from exactspline.polynomials.patch_forms import PatchForm
-from exactspline.polynomials.rounded_forms import rounded
+from exactspline.polynomials.patch_forms import PatchForm, rounded
 from exactspline.polynomials.two_parameters import as_form, as_polynomial, enclosed
 from exactspline.roots.of_polynomials import Parameter, exactly
 from exactspline.splines.surface import Along

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 
 from exactspline.language.kind import GREEK, constant_text
-from exactspline.polynomials.factorization import superscript
+from exactspline.polynomials.factors import superscript
 from exactspline.readings.expression import Expression, Operation
 from exactspline.readings.printing.printer import ATOM, Printer, leaf, named_binding, number
 

@@ -15,7 +15,7 @@ from exactspline.interchange.examples import example
 from exactspline.language.rational import Rational
 from exactspline.numbers.exact import mpq
 from exactspline.papers import find
-from exactspline.polynomials.factorization import superscript
+from exactspline.polynomials.factors import superscript
 from exactspline.readings.printing.latex import print_latex
 from exactspline.readings.tree import trace
 from exactspline.splines.bspline import BSpline
