@@ -25,7 +25,7 @@ from exactspline.splines.nurbs import Nurbs
 PAGE = Path(__file__).with_name("approximated.md")
 PICTURE = Path(__file__).with_name("pictures") / "approximated.png"
 BEGIN, END = "<!-- written by python -m docs.approximated -->\n", "<!-- end -->\n"
-DEGREES, TOLERANCES = (3, 5), tuple(mpq(1, 10**k) for k in range(1, 9))
+DEGREES, TOLERANCES = (3, 5), tuple(mpq(1, 10**k) for k in range(2, 9, 2))
 #: Angles are rounded to this many parts of a radian: the knots are rational.
 PARTS = 10**15
 HALF = mpq(1, 2)
@@ -33,7 +33,7 @@ HALF = mpq(1, 2)
 STRETCH = 2
 NAMES = {"circle": "circle", "ellipse": "ellipse", "space": "space curve"}
 DEGREE_NAMES = {0: "", 3: "cubics", 5: "quintics"}
-SUPERSCRIPTS = "¹²³⁴⁵⁶⁷⁸"
+SUPERSCRIPTS = "²⁴⁶⁸"
 HEADS = ("curve", "by", "segments", "jumps of κN", "extrema of κ", "inflections", "cusps of the evolute", "zeros of τ")
 #: Joints at which the curvature vector jumps.
 JUMPS = (JointKind.TURN, JointKind.CURVATURE_JUMP)

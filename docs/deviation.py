@@ -1,4 +1,4 @@
-"""``python -m docs.deviation``: the picture of docs/deviation.md."""
+"""``python -m docs.deviation``: the picture of docs/how-to/how-far-is-this-approximation.md."""
 
 from __future__ import annotations
 

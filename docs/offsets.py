@@ -1,4 +1,4 @@
-"""``python -m docs.offsets``: the picture of docs/offsets.md."""
+"""``python -m docs.offsets``: the picture of docs/how-to/parts-of-an-offset.md."""
 
 from __future__ import annotations
 

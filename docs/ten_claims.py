@@ -40,17 +40,19 @@ CLAIMS = {
     "petrunin_zamora_barrera": ("PZ3d-spherical_identity-off_the_unit_sphere",),
     "surfaces": ("S3-parabolic-brioschi",),
 }
+#: The claim whose formulas are shown as definitions of Coq, too.
+FIRST = "C41a-f0-f2"
 #: The example curves on which claims about curves are checked.
 CURVES = ("cubic_s", "twisted_cubic", "rational_cubic", "rational_space_cubic")
 INTRODUCTION = """# Ten claims, side by side
 
-What is printed, the function that computes it, the same function as a definition of Coq with the theorem that is
-proved about it, and three verdicts: for all curves by polynomials in jets, on example curves by splines, and by Coq's
-kernel. The words of the statements are in
-[`Base.v`](../exactspline/extras/coq/theory/Base.v); [what has to be trusted](what-is-trusted.md) says what
-follows from what. `./run coq DIR` writes all theorems.
+What is printed, the function that computes it, the theorem of Coq about it, and three verdicts: for all curves by
+polynomials in jets, on example curves by splines, and by Coq's kernel. Coq's definitions of the functions are shown for
+the first claim; `./run coq DIR` writes all definitions and theorems. Their words are in
+[`Base.v`](../exactspline/extras/coq/theory/Base.v); on what follows from what, see
+[the trusted base](what-is-trusted.md).
 
-*Written by `python -m docs.ten_claims`; do not edit.*
+<!-- written by python -m docs.ten_claims -->
 """
 
 
@@ -78,7 +80,7 @@ def _section(claim: Claim, theorem: Stated, kernel: str) -> str:
     lines += [f"In print: `` {' '.join(claim.words.split())} ``\n" if claim.words else ""]
     lines += [f"{latex(formula)}\n" for formula in named]
     lines += ["```python", "\n\n\n".join(_python(formula) for formula in named), "```\n"]
-    definitions = [_definition(formula, formulas) for formula in named]
+    definitions = [_definition(formula, formulas) for formula in named if claim.key == FIRST]
     statement = theorem.text[: theorem.text.index("Proof.")].strip()
     lines += ["```coq", "\n".join([*definitions, statement]), "```\n"]
     lines += ["| for all curves | on example curves | Coq |", "|---|---|---|"]

@@ -234,8 +234,8 @@ def common_points_sheet(meetings: Iterable[NearbyMeeting], title: str) -> Sheet:
 def _stability_sheet(report: Report) -> Sheet:
     """How far a curve may be changed until its features vanish."""
     title = f"{report.curve.name} with all numbers changed by at most this"
-    columns = ("what", "at", "certain up to", "gone within", "ratio", "prominence")
-    made = Sheet(*columns, title=title, heads=1, numbers=["certain up to"])
+    columns = ("what", "at", "stable up to", "destroyed by", "ratio", "prominence")
+    made = Sheet(*columns, title=title, heads=1, numbers=["stable up to"])
     for found, prominence in sorted(report.stable, key=lambda pair: _order(pair[0])):
         # what is proved of a distance is so of smaller ones, and what is gone at one, within larger ones
         certain = decimal(rounded_down(found.radius, 4), 4) if found.radius else "not proved"

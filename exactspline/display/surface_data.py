@@ -258,8 +258,8 @@ def nearby_umbilics_sheet(found: Sequence[NearbyUmbilic], title: str) -> Sheet:
     return made
 
 
-#: What a table says of whether a shape is covered once.
-COVERED = {True: "covered once", False: "possibly covered twice"}
+#: What a table says of whether the projection to a shape is injective.
+COVERED = {True: "injective projection", False: "injectivity not shown"}
 
 
 def surface_sheet(

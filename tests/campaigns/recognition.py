@@ -408,11 +408,11 @@ def in_space_campaign(count: int, seed: int = SEED) -> Counter[str]:
         found["exact patches"] += 1
         if len(parts) != 1 or not parts[0].whole or not (parts[0].exact and parts[0].kind == kind):
             found[f"WRONG: an exact {kind} is {[(str(part.shape), part.exact) for part in parts]}"] += 1
-        found["of these covered once"] += bool(parts) and parts[0].once
+        found["of these injective"] += bool(parts) and parts[0].once
         found["patches moved by a tenth of epsilon"] += 1
         near_exact = moved_surface(exact, EPSILON / 20, random)
         parts = recognized_surface(near_exact, EPSILON)
-        found["of those covered once"] += any(part.once for part in parts)
+        found["of those injective"] += any(part.once for part in parts)
         if what := wrong_surface(near_exact, parts, kind):
             found[f"WRONG: {what}"] += 1
         net = [[tuple(mpq(random.randint(-99, 99), 8) for _ in range(3)) for _ in range(3)] for _ in range(3)]

@@ -129,7 +129,7 @@ def test_what_is_printed_is_explained():
     table, stability, legend = printed.split("\n\n")
     assert "at a knot, by a jump of κ′" in " ".join(table.split())
     explained = {line.partition(": ")[0] for line in legend.splitlines()}
-    assert explained >= {"by a jump of κ′", "maximum of |κ|", "G2", "certain up to", "gone within"}
+    assert explained >= {"by a jump of κ′", "maximum of |κ|", "G2", "stable up to", "destroyed by"}
     assert "by a jump of κ" not in explained
     kinds = [
         [line[:12] for line in part.splitlines() if line[:3] in ("inf", "max", "min")] for part in (table, stability)

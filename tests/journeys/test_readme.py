@@ -29,8 +29,6 @@ RUN = [
         "docs/library.md",
         "docs/concepts.md",
         "docs/two-parameters.md",
-        "docs/deviation.md",
-        "docs/offsets.md",
         "docs/rounded-input.md",
         "docs/questions.md",
     )

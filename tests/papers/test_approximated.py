@@ -11,7 +11,7 @@ def test_rows_of_the_page_are_computed():
         found("circle", 0, None),
         found("circle", 5, mpq(1, 10**4)),
         found("ellipse", 0, None),
-        found("ellipse", 5, mpq(1, 10**3)),
+        found("ellipse", 5, mpq(1, 10**4)),
         found("space", 0, None),
         found("space", 3, mpq(1, 100)),
         found("space", 5, mpq(1, 100)),

@@ -239,9 +239,8 @@ def _short(x: mpq) -> str:
 
 def _named(cases: Sequence[Case]) -> str:
     named = [case for case in cases if case.link]
-    lines = ["### Cases from public bug reports", ""]
-    lines += [f"- [{case.key.removeprefix('named ')}]({case.link}): {case.note}" for case in named]
-    return "\n".join([*lines, ""])
+    links = ", ".join(f"[{case.key.removeprefix('named ')}]({case.link})" for case in named)
+    return "\n".join(["### Cases from public bug reports", "", f"{links}.", ""])
 
 
 def _left_out(uncertified: Sequence[tuple[str, str, str]]) -> str:
