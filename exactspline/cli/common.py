@@ -78,7 +78,7 @@ def claims_of_papers(names: Sequence[str] | None, trust: bool) -> tuple[Claim, .
     from exactspline.papers import named_papers
     from exactspline.verification.claims import claims_in, claims_of
 
-    sources = named_papers(names or [], trust=trust)
+    sources = named_papers(names or [], trust=trust, partly=True)
     for source in sources:
         if not claims_of(source):
             raise ClaimError("states no claims", where=source.name, remedy="write them into claims.toml: [[claim]]")

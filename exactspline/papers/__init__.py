@@ -71,7 +71,7 @@ def default_papers() -> tuple[Paper, ...]:
     return tuple(each for each in papers() if each.default)
 
 
-def paper(name: str | Path, *, trust: bool = False) -> Paper:
+def paper(name: str | Path, *, trust: bool = False, partly: bool = False) -> Paper:
     """The paper with this name, one included in the library, or the one in a user's folder (see `load_paper`).
 
     >>> paper("lifted").uses[0].name
@@ -81,7 +81,7 @@ def paper(name: str | Path, *, trust: bool = False) -> Paper:
     """
     said = str(name) if isinstance(name, Path) else as_text(name, "the name of a paper")
     if said not in _by_name() and (Path(said).is_dir() or "/" in said):
-        return load_paper(said, trust=trust)
+        return load_paper(said, trust=trust, partly=partly)
     return paper_named(said)
 
 
@@ -118,11 +118,11 @@ def owner(formula: Formula) -> Paper | None:
     return next((each for each in known if each.formulas.get(formula.name) is formula), None)
 
 
-def load_paper(folder: str | Path, *, trust: bool = False) -> Paper:
+def load_paper(folder: str | Path, *, trust: bool = False, partly: bool = False) -> Paper:
     """The paper in a user's folder. Its formulas are checked before they run; with `trust` they run unchecked.
 
     Raises `ClaimError` if this is not the folder of a paper, and `FormulaError`, with file and line, for invalid
-    formulas.
+    formulas; with `partly`, the paper has the others, and says which are ``refused``.
     """
     place = folder_at(folder)
     for paper_here in papers():
@@ -134,7 +134,8 @@ def load_paper(folder: str | Path, *, trust: bool = False) -> Paper:
     while name in taken and not _is_folder(taken[name], place):
         name += "′"
     loaded = paper_in(place, name, paper_named, trusted=trust, importable=formulas_by_module)
-    loaded.formulas  # noqa: B018  # read now: errors in them are reported before anything is decided
+    for error in () if partly else loaded.refused.values():  # reported before anything is decided
+        raise error
     _loaded[name] = loaded
     return loaded
 
@@ -143,12 +144,15 @@ def _is_folder(folder: Traversable, place: Path) -> bool:
     return isinstance(folder, Path) and folder.resolve() == place.resolve()
 
 
-def named_papers(names: Iterable[str], *, trust: bool = False) -> tuple[Paper, ...]:
-    """Papers given by name or folder, ``all`` for all papers of the library; without names, the default papers.
+def named_papers(names: Iterable[str], *, trust: bool = False, partly: bool = False) -> tuple[Paper, ...]:
+    """Papers given by name or folder (`partly` as in `load_paper`), ``all`` for all papers of the library; without
+    names, the default papers.
 
     Raises `FormulaError`, with the nearest names, for a name that is neither.
     """
-    named = [each for name in names for each in (papers() if name == "all" else [paper(name, trust=trust)])]
+    named = [
+        each for name in names for each in (papers() if name == "all" else [paper(name, trust=trust, partly=partly)])
+    ]
     return tuple(dict.fromkeys(named)) or default_papers()
 
 
@@ -254,7 +258,7 @@ def resolve(name: str, *, trust: bool = False) -> Formula:
     if place.endswith(".py"):
         return _of_file(Path(place), formula_name, trust)
     if place and (Path(place).is_dir() or "/" in place):
-        return load_paper(place, trust=trust).find(formula_name)
+        return load_paper(place, trust=trust, partly=True).find(formula_name)
     return find(name)
 
 

@@ -87,6 +87,7 @@ class Paper:
     trusted: bool = False
     importable: Importable = dict
     _kept: dict[str, dict[str, Formula]] = field(default_factory=dict, repr=False)
+    _refused: dict[str, FormulaError] = field(default_factory=dict, repr=False)
 
     @one_line
     def __repr__(self) -> str:
@@ -107,9 +108,21 @@ class Paper:
             formulas |= {f.name: f for f in values if isinstance(f, Formula) and f.__module__ == home}
         for each in formulas.values():
             each.checked = True
-        for _, file in () if self.package else self.formula_files():
-            formulas |= trusted_formulas(file) if self.trusted else checked_formulas(file, self.importable)
+        for name, file in () if self.package else self.formula_files():
+            try:
+                formulas |= (
+                    trusted_formulas(file)
+                    if self.trusted
+                    else checked_formulas(file, self.importable, refused=self._refused)
+                )
+            except FormulaError as error:
+                self._refused[name] = error
         return formulas
+
+    @property
+    def refused(self) -> dict[str, FormulaError]:
+        """Why formulas of a user's folder were refused, by their names; also lines and files that are refused."""
+        return self._refused if self.formulas is not None else {}
 
     def formula_files(self) -> list[tuple[str, Traversable]]:
         """The existing files of its formulas, with their names."""
@@ -130,6 +143,10 @@ class Paper:
         if name in self.formulas:
             return self.formulas[name]
         having = [source for source in self.uses if name in source.formulas]
+        files = [] if having else [f"{module}.py" for module in self.modules]
+        for refused in (name, *files):
+            if refused in self._refused:
+                raise self._refused[refused]
         if len({source.formulas[name] for source in having}) > 1:
             papers = " and of ".join(source.name for source in having)
             raise FormulaError(

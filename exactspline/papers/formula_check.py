@@ -10,7 +10,8 @@ from __future__ import annotations
 
 import ast
 import re
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from contextlib import contextmanager
 from dataclasses import dataclass, field
 from math import factorial
 from typing import Any
@@ -85,9 +86,16 @@ class Checked:
         return FormulaError(problem, where=f"{self.file}, line {getattr(node, 'lineno', 1)}", remedy=remedy)
 
 
-def formulas_of(text: str, file: str, known: Mapping[str, Formula], *, plain: bool = False) -> dict[str, Formula]:
+#: What was refused in a file, by the name of the formula, or by the line.
+Refused = dict[str, FormulaError]
+
+
+def formulas_of(
+    text: str, file: str, known: Mapping[str, Formula], *, plain: bool = False, refused: Refused | None = None
+) -> dict[str, Formula]:
     """The formulas of a file, checked and then run. `known` are those of other papers, by ``module:name``; with
-    `plain`, undecorated functions of one argument are formulas of a curve.
+    `plain`, undecorated functions of one argument are formulas of a curve. With `refused`, what is not allowed is put
+    there with its error, and the other formulas are returned.
 
     >>> text = "@formula('eq. (1)', on='plane')\\ndef f(c): return det(c.p, c.p.d(1))"
     >>> formulas_of(f"from exactspline.language import formula, det\\n{text}", "formulas.py", {})
@@ -98,8 +106,15 @@ def formulas_of(text: str, file: str, known: Mapping[str, Formula], *, plain: bo
 
     Raises `FormulaError`, with file and line, for anything that is not allowed in a formula.
     """
+    with _not_python(file):
+        return _run(_parsed(text, file), file, known, plain, refused)
+
+
+@contextmanager
+def _not_python(file: str) -> Iterator[None]:
+    """Raise `FormulaError` for what Python refuses."""
     try:
-        return _run(_parsed(text, file), file, known, plain)
+        yield
     except SyntaxError as error:  # of the parser, or of the compiler, which refuses more: f(a, a), g(by=s, by=s)
         where = f"{file}, line {error.lineno}"
         raise FormulaError(f"not Python:  {error.msg}", where=where, remedy="correct the syntax") from None
@@ -116,37 +131,47 @@ def _parsed(text: str, file: str) -> ast.Module:
         raise FormulaError(f"not Python:  {error}", where=file, remedy="write a text file in UTF-8") from None
 
 
-def _run(tree: ast.Module, file: str, known: Mapping[str, Formula], plain: bool) -> dict[str, Formula]:
-    names, read = _checked(tree, file, known)
+def _run(
+    tree: ast.Module, file: str, known: Mapping[str, Formula], plain: bool, refused: Refused | None
+) -> dict[str, Formula]:
+    names, read, body = _checked(tree, file, known, refused)
     space: dict[str, Any] = {"__builtins__": {}, "__name__": file, **names}
-    body: list[ast.stmt] = [node for node in tree.body if isinstance(node, ast.FunctionDef)]
-    exec(compile(ast.Module(body, []), file, "exec"), space)  # only code accepted by `_checked`
-    defined = {name: space[name] for name in read.functions if name not in names}
+    exec(compile(ast.Module([*body], []), file, "exec"), space)  # only code accepted by `_checked`
+    defined = {name: space[name] for name in read.functions if name not in names | (refused or {})}
     if plain:
-        single = {node.name for node in body if isinstance(node, ast.FunctionDef) and len(node.args.args) == 1}
+        single = {node.name for node in body if len(node.args.args) == 1}
         defined |= {
             n: Formula(f, file, CURVE, "") for n, f in defined.items() if n in single and not isinstance(f, Formula)
         }
     return {name: f for name, f in defined.items() if isinstance(f, Formula)}
 
 
-def _checked(tree: ast.Module, file: str, known: Mapping[str, Formula]) -> tuple[dict[str, Any], Checked]:
+def _checked(
+    tree: ast.Module, file: str, known: Mapping[str, Formula], refused: Refused | None
+) -> tuple[dict[str, Any], Checked, list[ast.FunctionDef]]:
     """The imports of a file, and its functions; every statement is checked."""
     names: dict[str, Any] = {}
-    read = Checked(file)
+    read, accepted = Checked(file), list[ast.FunctionDef]()
     for i, node in enumerate(tree.body):
-        if isinstance(node, ast.ImportFrom):
-            for name, value in _imported(node, read, known):
-                if name in names or name in read.functions:
-                    raise read.refuse(node, f"the name {name!r} is taken", "choose another one")
-                names[name] = value
-                read.functions[name] = (1, 2)
-                read.imported.add(name)
-        elif isinstance(node, ast.FunctionDef):
-            _function(node, read)
-        elif not (i == 0 and isinstance(node, ast.Expr) and _is_text(node.value)):
-            raise read.refuse(node, _described(node), _instead(node))
-    return names, read
+        try:
+            if isinstance(node, ast.ImportFrom):
+                for name, value in _imported(node, read, known):
+                    if name in names or name in read.functions:
+                        raise read.refuse(node, f"the name {name!r} is taken", "choose another one")
+                    names[name] = value
+                    read.functions[name] = (1, 2)
+                    read.imported.add(name)
+            elif isinstance(node, ast.FunctionDef):
+                with _not_python(file):
+                    _function(node, read)
+                accepted.append(node)
+            elif not (i == 0 and isinstance(node, ast.Expr) and _is_text(node.value)):
+                raise read.refuse(node, _described(node), _instead(node))
+        except FormulaError as error:
+            if refused is None:
+                raise
+            refused[getattr(node, "name", f"line {node.lineno}")] = error
+    return names, read, accepted
 
 
 def _imported(node: ast.ImportFrom, read: Checked, known: Mapping[str, Formula]) -> Iterable[tuple[str, Any]]:
@@ -191,7 +216,9 @@ def _function(node: ast.FunctionDef, read: Checked) -> None:
     if both := sorted(locals_ & read.functions.keys()):  # as long as the smaller one: a file has thousands of formulas
         raise read.refuse(node, f"the name {both[0]!r} is taken", "choose another one")
     body = _Body(read, dict.fromkeys(locals_, (1, 1)))
-    read.functions[node.name] = body.size(node)
+    size = body.size(node)
+    compile(ast.Module([node], []), read.file, "exec")  # the compiler refuses more than the parser
+    read.functions[node.name] = size
     read.lengths[node.name] = body.length
 
 

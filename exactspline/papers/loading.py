@@ -24,8 +24,11 @@ from exactspline.language.vector import Vector
 Importable = Callable[[], Mapping[str, Formula]]
 
 
-def checked_formulas(file: Traversable, importable: Importable, *, plain: bool = False) -> dict[str, Formula]:
-    """The formulas of a file, checked before they run (see `exactspline.papers.formula_check`).
+def checked_formulas(
+    file: Traversable, importable: Importable, *, plain: bool = False, refused: dict[str, FormulaError] | None = None
+) -> dict[str, Formula]:
+    """The formulas of a file, checked before they run (see `exactspline.papers.formula_check`: also what is put into
+    `refused`).
 
     Raises `FormulaError`, with file and line, for an invalid file.
     """
@@ -38,7 +41,7 @@ def checked_formulas(file: Traversable, importable: Importable, *, plain: bool =
     except (OSError, UnicodeDecodeError) as error:
         raise FormulaError(f"cannot be read: {error}", where=place, remedy="write a text file in UTF-8") from None
     known: Mapping[str, Formula] = importable() if any(room in text for room in ROOMS) else {}
-    read = formulas_of(text, place, known, plain=plain)
+    read = formulas_of(text, place, known, plain=plain, refused=refused)
     for each in read.values():
         each.checked = True
     return {name: guarded(each, place) for name, each in read.items()}

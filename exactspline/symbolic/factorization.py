@@ -59,7 +59,10 @@ class Factor(OneLine, Displayed):
         return _factor, (self.constant, powers, self.ring)
 
     def __str__(self) -> str:
-        parts = [power_text(base.name, e) for base, e in self.powers]
+        names, parts = [base.name for base, _ in self.powers], list[str]()
+        for i, (base, e) in enumerate(self.powers):  # different ones look different
+            before = names[:i].count(base.name)
+            parts.append(power_text(f"[{base.name}, no. {before + 1}]" if before else base.name, e))
         if self.constant != 1 or not parts:
             parts.insert(0, str(self.constant))
         return "·".join(parts)

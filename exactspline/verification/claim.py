@@ -99,11 +99,8 @@ def formula_name(claim: Claim, name: str, value: str) -> Name:
         )
     formula, handed = claim.find(value), claim.kind_of_field(name)
     if value in {s.name for n in handed.dimensions for s in handed.symbols(n) if not s.parameters}:
-        raise ClaimError(
-            f"a formula called {value!r}, which is a constant of {claim.curve!r}: a factor could mean either",
-            where=name,
-            remedy="give it another name",
-        )
+        problem = f"a formula called {value!r}, which is a constant of {claim.curve!r}: a factor could mean either"
+        raise ClaimError(problem, where=name, remedy="give it another name")
     if not all(handed.takes(formula.kind, n) for n in handed.dimensions):
         raise ClaimError(
             f"the formula {value!r} takes arguments of the kind {formula.curve!r}, the claim is about {claim.curve!r}",
@@ -152,11 +149,8 @@ def _assumption_list(claim: Claim, name: str, value: Iterable[str | Assumption])
     assumptions = tuple(each if isinstance(each, Assumption) else _assumed(claim, each) for each in value)
     for each in assumptions:
         if claim.curve != ArgumentKind.TABLE and not each.applies_to(kind_of(claim.curve)):
-            raise ClaimError(
-                f"the assumption {each.name!r} does not apply to {str(claim.curve)!r}",
-                where=name,
-                remedy=f"it is about {', '.join(map(repr, each.kinds))}",
-            )
+            problem = f"the assumption {each.name!r} does not apply to {str(claim.curve)!r}"
+            raise ClaimError(problem, where=name, remedy=f"it is about {', '.join(map(repr, each.kinds))}")
     return assumptions
 
 
@@ -307,26 +301,17 @@ class Claim(Immutable, Displayed):
             not self.source_paper.package,
         )  # in one's own each is an error of its own
         if self.status == Status.PRINTED and (bool(self.error) > refuted or refuted > bool(self.error or own)):
-            raise ClaimError(
-                "a printed claim belongs to an error exactly if it is refuted",
-                where="error",
-                remedy="name the error, or omit the field",
-            )
+            problem = "a printed claim belongs to an error exactly if it is refuted"
+            raise ClaimError(problem, where="error", remedy="name the error, or omit the field")
 
         if self.sides and len({getattr(self, name) for name in self.sides}) < len(self.sides):
             raise ClaimError("both sides are one formula", where=self.sides[-1], remedy="name another one")
         if self.of_one_curve and (self.of_pair or self.curve == ArgumentKind.TABLE):
-            raise ClaimError(
-                f"claims of the kind {self.kind!r} are not decided for {str(self.curve)!r}",
-                where="curve",
-                remedy="name a curve",
-            )
+            problem = f"claims of the kind {self.kind!r} are not decided for {str(self.curve)!r}"
+            raise ClaimError(problem, where="curve", remedy="name a curve")
         if kind_of(self.curve).adjoins_roots and not self.of_frames:
-            raise ClaimError(
-                f"claims of the kind {self.kind!r} are not decided where roots are adjoined",
-                where="curve",
-                remedy="splines and degrees have no roots: state an identity",
-            )
+            problem = f"claims of the kind {self.kind!r} are not decided where roots are adjoined"
+            raise ClaimError(problem, where="curve", remedy="splines and degrees have no roots: state an identity")
 
     def _validate_example(self) -> None:
         """A claim about one curve names one to which it applies, and is VERIFIED where it holds."""

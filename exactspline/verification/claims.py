@@ -31,6 +31,7 @@ from exactspline.verification.claim import Claim
 from exactspline.verification.claim_fields import declared
 from exactspline.verification.kinds import KINDS
 from exactspline.verification.kinds.not_asked import NotAsked
+from exactspline.verification.paper_curves import refused_curves
 from exactspline.verification.vocabulary import Verdict
 
 #: The largest length of a text of a claim.
@@ -157,6 +158,7 @@ def _words_of(text: str) -> tuple[str, ...]:
 def claims_of(source: Paper | str) -> tuple[Claim, ...]:
     """The claims of one paper, in its order. In a user's folder an entry that is refused, and a key that occurs twice,
     hide no other claim: in its place stands one of the kind ``not asked``, whose verdict is NOT ASKED, with the reason.
+    Such claims also stand at the end for formulas and curves that are refused.
 
     Raises `ClaimError` for such an entry of a paper of the library, and for a file that is not a table of claims.
     """
@@ -179,11 +181,15 @@ def _claims(source: Paper) -> tuple[Claim, ...]:
             claim = _refused(table.entry, source, f"{len(claims) + 1}", error)
         places[claim.key] = table.place
         claims.append(claim)
+    for name, why in {**source.refused, **refused_curves(source)}.items():
+        claims.append(_refused({"id": name, "statement": f"refused: {name}"}, source, f"{len(claims) + 1}", why))
     return tuple(claims)
 
 
-def _refused(entry: dict[str, Any], source: Paper, number: str, error: ClaimError) -> NotAsked:
-    """What stands for an entry of a user's folder that was refused: its texts, as far as they can be printed."""
+def _refused(entry: dict[str, Any], source: Paper, number: str, error: ExactSplineError) -> NotAsked:
+    """What stands for an entry, a formula or a curve of a user's folder that was refused: its texts, as far as they can
+    be printed.
+    """
     given = {name: entry.get(name) for name in ("id", "statement", "place", "words", "section")}
     texts = {name: text for name, text in given.items() if isinstance(text, str) and _printable(text) == text}
     texts = {"id": number, "statement": "an entry without a statement"} | texts

@@ -107,6 +107,10 @@ def combined(claim: Claim) -> Decided:
     return proofs_of_this_run().combined(claim)
 
 
+#: What Python raises where the value of a formula is not of the form that a claim requires.
+NOT_FITTING = (TypeError, ValueError, AttributeError, LookupError, ArithmeticError, AssertionError, RecursionError)
+
+
 def fitting(claim: Claim, call: Callable[[], V]) -> V:
     """The result of a call that decides a claim, on one budget: each of many products may be cheap. Raises `ClaimError`
     where formulas of users are not of the form that the claim requires; an exception from formulas of the library is a
@@ -117,15 +121,7 @@ def fitting(claim: Claim, call: Callable[[], V]) -> V:
             return call()
     except ExactSplineError:
         raise
-    except (
-        TypeError,
-        ValueError,
-        AttributeError,
-        LookupError,
-        ArithmeticError,
-        AssertionError,
-        RecursionError,
-    ) as error:
+    except NOT_FITTING as error:
         if claim.source_paper.package:
             raise
         raise ClaimError(

@@ -16,7 +16,7 @@ from exactspline.errors import FormulaError
 from exactspline.language.arguments import Curve, Evaluated, embedded
 from exactspline.language.formula import Formula
 from exactspline.language.parts import Value, split
-from exactspline.language.ruled import differences
+from exactspline.language.ruled import RuledSurface, differences
 from exactspline.language.vector import Vector
 from exactspline.papers import find as find_anywhere
 from exactspline.readings.rational_jet import JetFraction
@@ -164,7 +164,7 @@ class OneRuledSurface:
 
     def decide(self, c: Evaluated, holds: Verdict = PROVED) -> Finding:
         """``G × Ḡ = 0`` and ``(δ − δ̄) × G = 0``, where neither generator vanishes."""
-        a, b = self.left(c), self.right(c)
+        a, b = _ruled(self.left, c), _ruled(self.right, c)
         for surface, formula in ((a, self.left), (b, self.right)):
             if _vanish_together(split(surface.generator)[0]):
                 return vacuous(NoGenerator(Name(formula.name) if holds is PROVED else None))
@@ -201,7 +201,9 @@ class DirectrixOf:
     def decide(self, c: Evaluated, holds: Verdict = PROVED) -> Finding:
         """The plane curve and the directrix, compared as quotients."""
         assert isinstance(c, Curve)  # with its point
-        plane, space = self.plane(c), self.surface(embedded(c)).directrix
+        plane, space = self.plane(c), _ruled(self.surface, embedded(c)).directrix
+        if not getattr(plane, "is_vector", False):
+            raise FormulaError(f"{self.plane.name!r} is not a curve", remedy="name one")
         below = [denominator for _, denominator in map(split, (plane, space)) if denominator is not None]
         if any(_vanishes(each) for each in below):
             return vacuous(Fact.NOT_HERE)
@@ -301,6 +303,13 @@ def decide_identity(left: Value, right: Value, factor: tuple[Value, Value] | Non
         if not (difference := ours - theirs).is_zero:
             return Decision(Outcome.DIFFERENT, i, difference)
     return Decision(Outcome.EQUAL)
+
+
+def _ruled(formula: Formula, c: Evaluated) -> RuledSurface[Any]:
+    """The value of a formula that must be a ruled surface."""
+    if isinstance(value := formula(c), RuledSurface):
+        return value
+    raise FormulaError(f"{formula.name!r} is not a ruled surface", remedy="name one")
 
 
 def _where(difference: Any, of: Sides, component: int = 0) -> Evidence:

@@ -27,6 +27,8 @@ BESIDE = re.compile(r"(?<=[\w)\]′'’])\s+(?=[\w(])|(?<![\w.])\d+(?:\.\d+)?(?=
 OTHERWISE = str.maketrans({"″": "′′", "‴": "′′′", "²": "^2", "³": "^3"})
 #: The longest line.
 LONGEST = 2000
+#: The place of a name.
+PLACE = re.compile(r"[^\s=+*^(),]+(?=:)")
 OPERANDS = {"γ"} | {name for n in CURVE.dimensions for name in CURVE.names(n)}
 
 
@@ -62,6 +64,16 @@ def formula_of_line(text: str, named: Callable[[str], Formula]) -> Formula:
     if not (used or "c." in code):
         raise FormulaError(f"{text!r} is a number", remedy=f"for f = {text} write f + w = {text} + w")
     return _checked(text, code, used)
+
+
+def not_looked_up(text: str, *, functions: bool) -> list[str]:
+    """The names in a line that have no place and mean operands, or `functions` of the language.
+
+    >>> not_looked_up("a.py:w = det(γ', γ'')/w", functions=True), not_looked_up("det(p, p')", functions=False)
+    (['det', 'w', 'γ'], ['p'])
+    """
+    known = OPERANDS | (LANGUAGE.keys() if functions else set())
+    return sorted({match[4] for match in TOKEN.finditer(text)} & known)
 
 
 def _checked(text: str, code: str, used: dict[str, Formula]) -> Formula:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from functools import cache
 
-from exactspline.errors import ClaimError, ExactSplineError, nearest
+from exactspline.errors import ClaimError, CurveFileError, ExactSplineError, nearest
 from exactspline.interchange import own_json
 from exactspline.interchange.examples import example, example_names, example_surface, example_surface_names
 from exactspline.interchange.records import Source
@@ -25,19 +25,28 @@ def one_patch_surfaces() -> tuple[NurbsSurface, ...]:
 
 
 @cache
-def own_curves(source: Paper) -> dict[str, Nurbs]:
-    """The curves in the folder of a paper, by the names of their files.
-
-    Raises `CurveFileError` with the file.
-    """
-    curves = {}
+def _curves(source: Paper) -> tuple[dict[str, Nurbs], dict[str, ExactSplineError]]:
+    """The curves in the folder of a paper, and the errors of files that cannot be read."""
+    curves, refused = dict[str, Nurbs](), dict[str, ExactSplineError]()
     for file in source.curve_files():
         if file.name.endswith(".json"):
             try:
                 curves[file.name.removesuffix(".json")] = own_json.read(Source(file.read_bytes(), file.name)).curve
             except ExactSplineError as error:
-                raise error.at(f"{source.name}/curves/{file.name}") from None
-    return curves
+                refused[f"curves/{file.name}"] = error.at(f"{source.name}/curves/{file.name}")
+            except OSError as error:
+                refused[f"curves/{file.name}"] = CurveFileError(f"cannot be read: {error}")
+    return curves, refused
+
+
+def own_curves(source: Paper) -> dict[str, Nurbs]:
+    """The curves in the folder of a paper, by the names of their files without ``.json``."""
+    return _curves(source)[0]
+
+
+def refused_curves(source: Paper) -> dict[str, ExactSplineError]:
+    """The files in the folder of a paper that hold no curve, with their errors."""
+    return _curves(source)[1]
 
 
 @cache
@@ -74,5 +83,7 @@ def check_curve_name(source: Paper, name: str) -> None:
     """Raise `ClaimError` for a name that is neither a curve of the paper nor an example; no example is read
     for that.
     """
+    if error := refused_curves(source).get(f"curves/{name}.json"):
+        raise ClaimError(f"the curve {name!r} cannot be read", where=error.where, remedy=error.problem)
     if not any(name in known for known in (own_curves(source), example_names(), undulations())):
         raise ClaimError(f"there is no example curve called {name!r}", remedy=nearest(name, curve_names(source)))

@@ -4,9 +4,9 @@ are given as objects or by name.
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable
 from dataclasses import dataclass, replace
+from itertools import product
 
 from exactspline.errors import FormulaError, as_flag, as_integer, counted
 from exactspline.hooks import Worded
@@ -26,7 +26,7 @@ from exactspline.symbolic.reduction import Reduction, reduce
 from exactspline.verification.decision import Equation
 from exactspline.verification.evidence import At, Difference
 from exactspline.verification.one_function import expect_functions, expect_functions_on, expect_one_function
-from exactspline.verification.one_line import formula_of_line
+from exactspline.verification.one_line import PLACE, formula_of_line, not_looked_up
 from exactspline.verification.verdict import PROVED, VACUOUS, VERIFIED, Finding, worst
 from exactspline.verification.vocabulary import Verdict
 from exactspline.words import choice
@@ -173,12 +173,14 @@ def proof_of(text: str, *, trust: bool = False, dimension: int | None = None) ->
 
     Names are looked up where the left side says, then in the library; ``w`` and ``p`` without a place are operands.
 
-    Raises `FormulaError` for any other text, and the errors of `exactspline.papers.resolve` and `prove`.
+    Raises `FormulaError` for any other text, for an operand that has the name of a formula in one of the places, and
+    the errors of `exactspline.papers.resolve` and `prove`.
     """
     left, equal, right = text.partition("=")
     if not (equal and left.strip() and right.strip()) or "=" in right:
         raise FormulaError(f"{text!r} states no identity", remedy='write for example "f1 = w * f2"')
-    places = re.findall(r"[^\s=+*^(),]+(?=:)", left)
+    _expect_operands(text, trust)
+    places = PLACE.findall(left)
 
     def named(name: str) -> Formula:
         try:
@@ -191,6 +193,17 @@ def proof_of(text: str, *, trust: bool = False, dimension: int | None = None) ->
     equation = Equation(formula_of_line(left, named), formula_of_line(right, named))
     # the sides as written: formulas of two places may have one name
     return replace(_decided(equation, _given_dimension(dimension)), left=left.strip(), right=right.strip())
+
+
+def _expect_operands(text: str, trust: bool) -> None:
+    """Refuse a name without a place that means an operand, where a formula in one of the places has it too."""
+    for place, name in product(dict.fromkeys(PLACE.findall(text)), not_looked_up(text, functions=not trust)):
+        try:
+            resolve(f"{place}:{name}", trust=trust)
+        except FormulaError:
+            continue
+        problem = f"{name!r} is a word of the language, and a formula of {place}"
+        raise FormulaError(problem, remedy=f"write {place}:{name} for the formula, or give it another name")
 
 
 @dataclass(frozen=True, repr=False)
@@ -253,17 +266,13 @@ def verify(left: Named, right: Named, curve: Nurbs, factor: str = "1") -> Check:
     sides, curve = _formulas(left, right), curve_of(curve)
     for f in sides:
         if curve.dimension not in f.kind.dimensions or not CURVE.takes(f.kind, curve.dimension):
-            raise FormulaError(
-                f"{f.name} is a formula of the kind {f.kind.name}, and the curve is in R{curve.dimension}",
-                remedy="compare formulas of a curve like this one",
-            )
+            problem = f"{f.name} is a formula of the kind {f.kind.name}, and the curve is in R{curve.dimension}"
+            raise FormulaError(problem, remedy="compare formulas of a curve like this one")
     expect_functions_on(sides, curve, curve.dimension, curve.polynomial)
     ps, qs = (split(f(curve))[0] for f in sides)
     if len(ps) != len(qs):
-        raise FormulaError(
-            f"{sides[0].name} has {counted(len(ps), 'component')} and {sides[1].name} has {len(qs)}",
-            remedy="compare equals",
-        )
+        problem = f"{sides[0].name} has {counted(len(ps), 'component')} and {sides[1].name} has {len(qs)}"
+        raise FormulaError(problem, remedy="compare equals")
     finding = Equation(sides[0], sides[1], factor).decide(curve, VERIFIED)
     return Check(sides[0].name, sides[1].name, factor, finding)
 

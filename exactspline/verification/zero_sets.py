@@ -110,8 +110,9 @@ def excluded_by(guilty: Iterable[Named], ring: JetRing, find: Callable[[str], Fo
 
 
 class ZeroFree:
-    """Which irreducible polynomials have no zero: by assumption, or because they divide the numerator of a value in the
-    formulas that is positive as a sum of squares, one of which has no zero, all over denominators without zeros.
+    """Which irreducible polynomials have no zero: by assumption, or because they are sums of squares, one of which has
+    no zero: term by term, or as divisors of the numerator of a value in the formulas that is such a sum over
+    denominators without zeros.
 
     `used` are the names of the assumptions that were needed since it was emptied.
     """
@@ -129,6 +130,8 @@ class ZeroFree:
             self.used.append(Name(reason.name))
             return True
         before = self.used
+        if self._has_square_terms(jet):
+            return True
         while self._sums:
             node, self.used = self._sums.pop(), []
             with suppress(FormulaError, ReachError):  # of what is too large to be multiplied out nothing is known
@@ -138,6 +141,18 @@ class ZeroFree:
         found = [names for each, names in self._positive if not divmod(each, jet.polynomial)[1]]
         self.used += found[0] if found else []
         return bool(found)
+
+    def _has_square_terms(self, jet: Jet) -> bool:
+        """Whether all terms are multiples of squares of monomials, of one sign, and one of them has no zero."""
+        terms, before = list(jet.polynomial.terms()), self.used
+        if len({c > 0 for _, c in terms}) > 1 or any(int(e) % 2 for powers, _ in terms for e in powers):
+            return False
+        for powers, _ in terms:
+            self.used = [*before]
+            if all(self(Jet(jet.ring, x)) for x, e in zip(jet.ring.gens, powers, strict=True) if int(e)):
+                return True
+        self.used = before
+        return False
 
     def _is_square(self, node: Node) -> bool:
         """Whether a scalar is ≥ 0 wherever it exists: squares, and sums, products and quotients of such."""
@@ -155,8 +170,8 @@ class ZeroFree:
 
     def _has_no_zero(self, node: Node) -> bool:
         """Whether a scalar exists everywhere, and has no zero."""
-        value = self._value(node)
-        if not isinstance(value, JetFraction):
+        value = self._fraction(node)
+        if value is None:
             return node.op is Operation.NUMBER and node.value != 0
         squares = node.op is Operation.PLUS and self._is_square(node) and all(map(self._exists, node.args))
         if squares and any(map(self._has_no_zero, node.args)):
@@ -165,10 +180,12 @@ class ZeroFree:
         return self._exists(node) and self._holds_of(value.ring, value.top)
 
     def _exists(self, node: Node) -> bool:
-        value = self._value(node)
-        return node.op is Operation.NUMBER or (
-            isinstance(value, JetFraction) and self._holds_of(value.ring, value.bottom)
-        )
+        value = self._fraction(node)
+        return node.op is Operation.NUMBER or (value is not None and self._holds_of(value.ring, value.bottom))
+
+    def _fraction(self, node: Node) -> JetFraction | None:
+        value: Any = self._value(node)
+        return _without_roots(value) if isinstance(value, JetFraction | Adjoined) else None
 
     def _holds_of(self, ring: JetRing, polynomial: fmpq_mpoly) -> bool:
         return bool(polynomial) and all(self(Jet(ring, p)) for p in factorize(polynomial).bases)

@@ -1,5 +1,7 @@
 """Derivatives of quotients over frames, and products of long vectors and their derivatives."""
 
+import re
+
 import pytest
 
 from exactspline.language.formula import formula
@@ -100,6 +102,21 @@ def test_a_long_factor_is_a_new_form_until_it_has_a_name(tmp_path):
     assert found("a") == "(a new form of degree 4, weight 8)"
     named = f"@formula('e', on='plane', symbol='Φ')\ndef form(c):\n    return ({form}) * 5\n"
     assert found("c", named) == "1/5·Φ"
+
+
+def test_two_forms_of_one_degree_and_weight_look_different(tmp_path):
+    """Printed before: (a new form …)·(a new form …)⁻¹, which looks like 1."""
+    form = f"norm2({A}) ** 2 + {{}} * dot({V}, {J}) ** 2 + det({V}, {J}) * norm2({A}) + dot({V}, {A}) * dot({A}, {J})"
+    text = "".join(
+        f"@formula('e', on='plane')\ndef {name}(c):\n    return ({form.format(n)}) * norm2({V})\n"
+        for name, n in zip("lr", "12")
+    )
+    claim = {"id": "1", "kind": "identity", "statement": "s", "status": "ours", "curve": "plane", "of": "polynomial"}
+    (one,) = claims_of(load_paper(written(tmp_path / "p", text, [claim | {"left": "l", "right": "r"}])))
+    factor = str(combined(one)[1].factor)
+    parts = re.fullmatch(r"(\(a new form[^()]+\))·\[(\(a new form[^()]+\)), no. 2\]⁻¹", factor)
+    assert parts, factor
+    assert parts[1] == parts[2]
 
 
 def test_the_focal_curve_is_decided_by_what_its_derivatives_have_in_common(tmp_path):

@@ -9,8 +9,10 @@ import re
 
 import pytest
 
+from exactspline import write
 from exactspline.display.evidence import worded
-from exactspline.errors import ClaimError
+from exactspline.errors import ClaimError, FormulaError
+from exactspline.interchange.examples import example
 from exactspline.papers import Table, load_paper, paper
 from exactspline.verification.claims import claim_of, claims_of
 from exactspline.verification.ledger import audit
@@ -109,3 +111,83 @@ def test_a_claim_that_differs_is_printed_once(tmp_path):
     told = invoke("prove", "--paper", folder).output
     _, below = re.split(r"Not as recorded \(once per claim; \d\d rows with --rows\)", told)
     assert below.count("REFUTED (recorded") == 1
+
+
+SPOILT = """
+import os
+@formula("e", on="plane")
+def f(c):
+    return det(c.p, c.p.d(1))
+@formula("e", on="plane")
+def g(c):
+    return 2 * f(c)
+@formula("e", on="plane")
+def rounded(c):
+    return 0.5 * f(c)
+@formula("e", on="plane")
+def calls(c):
+    return rounded(c)
+@formula("e", on="plane")
+def same(c):
+    return f(c)
+@formula("e", on="plane")
+def same(c):
+    return os.system("echo > ran")
+@formula("e", on="plane")
+def by_twice(c):
+    return c.p.d(1, by="s", by="s")
+"""
+#: Claims about them, and what must be told of each.
+ABOUT = {
+    "rounded": "the float 0.5",
+    "calls": "'rounded' is unknown",
+    "same": "'same' is taken",
+    "h": "no formula called",
+}
+
+
+def spoilt(tmp_path):
+    claims = [GOOD, *[FALSE | {"id": f"{i}", "left": name} for i, name in enumerate(ABOUT, 3)]]
+    claims.append({"id": "7", "kind": "at", "statement": "s", "curve": "plane", "formula": "f", "example": "bad"})
+    claims[-1] |= {"parameter": "1/2", "claimed": "1"}
+    folder = written(tmp_path / "p", SPOILT, [*claims, FALSE])
+    (folder / "curves").mkdir()
+    (folder / "curves" / "bad.json").write_text("{")
+    (folder / "curves" / "several.json").write_text('{"curves": []}')
+    write(example("parabola"), folder / "curves" / "arch.json")
+    return folder
+
+
+def test_refused_formulas_and_curves_hide_nothing(tmp_path, monkeypatch):
+    """Before, one of them ended the command, and no verdict was printed."""
+    monkeypatch.chdir(tmp_path)
+    rows = rows_of("--paper", spoilt(tmp_path))
+    general = {row["id"]: row for row in rows if not row["curve"]}
+    assert (general["1"]["verdict"], general["2"]["verdict"]) == ("PROVED", "REFUTED")
+    assert [row["verdict"] for row in rows if row["curve"] == "parabola"] == ["VERIFIED", "REFUTED"]
+    for i, why in enumerate([*ABOUT.values(), "'bad' cannot be read"], 3):
+        assert general[f"{i}"]["verdict"] == "NOT ASKED"
+        assert why in general[f"{i}"]["witness"]
+    refused = ["line 3", "rounded", "calls", "same", "by_twice", "curves/bad.json", "curves/several.json"]
+    assert [row for row in general if not row.isdigit()] == refused
+    assert all(general[name]["witness"] for name in refused)
+    assert invoke("prove", "--paper", "p").exit_code == 2
+    assert not (tmp_path / "ran").exists()
+
+
+def test_a_file_of_formulas_that_cannot_be_read_is_the_reason(tmp_path):
+    folder = folder_with(tmp_path, GOOD)
+    (folder / "formulas.py").write_text("def f(c):\n  return (\n")
+    rows = rows_of("--paper", folder)
+    assert [row["verdict"] for row in rows] == ["NOT ASKED"] * 2
+    assert all("line 2" in row["witness"] for row in rows)
+
+
+def test_elsewhere_what_is_refused_is_an_error(tmp_path):
+    folder = spoilt(tmp_path)
+    with pytest.raises(FormulaError, match="import os"):
+        load_paper(folder)
+    assert isinstance(invoke("formula", "degrees", "--paper", folder).exception, FormulaError)
+    assert invoke("identity", f"{folder}:g = 2 * {folder}:f").exit_code == 0
+    for name, why in ABOUT.items():
+        assert why in str(invoke("identity", f"{folder}:{name} = 2 * {folder}:f").exception)

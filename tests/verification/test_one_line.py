@@ -3,7 +3,7 @@
 import pytest
 
 import exactspline as xs
-from exactspline.errors import ExactSplineError
+from exactspline.errors import ExactSplineError, FormulaError
 from exactspline.papers import find
 from exactspline.verification.one_line import formula_of_line
 from tests.support.command import invoke
@@ -221,10 +221,27 @@ def test_formulas_of_two_kinds_are_refused(text):
 
 @pytest.mark.usefixtures("kinds")
 def test_places_are_printed():
-    """Printed before: "not abscissa = w", and "abscissa = w for all curves" of the formula w, without the place."""
-    assert str(xs.prove("k.py:abscissa = w")).startswith("not k.py:abscissa = w in R2: ")
+    """Printed before: "not abscissa = p", and "abscissa = w for all curves" of the formula w, without the place."""
+    assert str(xs.prove("k.py:abscissa = f1")).startswith("not k.py:abscissa = f1 in R2: ")
     assert str(xs.prove("k.py:abscissa = k.py:w")) == "k.py:abscissa = k.py:w for all curves in R2"
-    assert str(xs.prove("w = k.py:abscissa")).startswith("not w = k.py:abscissa in R2: ")
+    assert str(xs.prove("w = w")) == "w = w for all curves in R2 and R3"
+
+
+@pytest.mark.usefixtures("kinds")
+@pytest.mark.parametrize("text", ["k.py:abscissa = w", "w = k.py:abscissa", "2 k.py:flat = w^2 norm2(γ') + w"])
+def test_an_operand_that_a_formula_of_the_file_is_called_like_is_refused(text):
+    """Passed before: w was the denominator, where the file has a formula called w, and the answer was REFUTED."""
+    with pytest.raises(FormulaError, match=r"'w' is a word of the language, and a formula of k\.py; write k\.py:w"):
+        xs.prove(text)
+
+
+def test_a_function_that_a_formula_of_the_file_is_called_like_is_refused(tmp_path):
+    file = tmp_path / "b.py"
+    file.write_text("from exactspline.language import norm2\ndef det(c): return norm2(c.p)\ndef f(c): return c.w\n")
+    with pytest.raises(FormulaError, match="'det' is a word of the language"):
+        xs.prove(f"{file}:f = det(p, p')")
+    assert xs.prove(f"{file}:f = w")
+    assert invoke("identity", f"{file}:f = w + 0 norm2(p)", "--trust").exit_code == 0  # what it imports is no formula
 
 
 def test_no_traceback_of_ruled_surfaces():

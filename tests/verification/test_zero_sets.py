@@ -72,6 +72,30 @@ FALSE = {
 }
 
 
+X = "c.gamma[0]"
+#: f·(1 + x′²) beside a frame, and what is written nearly so.
+SPELLED = {
+    f"{X} * c.sigma * (1 + {X}.d(1) ** 2)": PROVED,
+    f"{X} * (c.sigma + c.sigma * {X}.d(1) ** 2)": PROVED,
+    f"{X} * c.sigma + {X} * c.sigma * {X}.d(1) * {X}.d(1)": PROVED,
+    f"-{X} * c.sigma * (3 + {X}.d(1) ** 2 + {X}.d(1) ** 2 * {X} ** 2)": PROVED,
+    f"{X} * c.sigma * (norm2({V}) + {X}.d(1) ** 2)": PROVED,
+    f"{X} * c.sigma * (1 - {X}.d(1) ** 2)": REFUTED,
+    f"{X} * c.sigma * (1 + {X}.d(1) ** 3)": REFUTED,
+    f"{X} * c.sigma * (1 + {X}.d(1) * {V}[1])": REFUTED,
+    f"{X} * c.sigma * {X}.d(1) ** 2": REFUTED,
+    f"{V}[1] * c.sigma * ({X}.d(1) ** 2 + {X} ** 2)": REFUTED,
+    f"{X} * c.sigma * ({V}[0] ** 2 + {A}[0] ** 2)": UNDECIDED,
+}
+
+
+@pytest.mark.parametrize(("body", "found"), SPELLED.items(), ids=SPELLED)
+def test_the_answer_beside_a_frame_does_not_depend_on_spelling(tmp_path, body, found):
+    """UNDECIDED before: (x′² + 1) might have zeros wherever a formula names σ."""
+    told = {"curve": "framed plane", "assumes": ("w", "γ′"), "values": True}
+    assert verdict(tmp_path, f"{X} * c.sigma", body, **told) == found
+
+
 @pytest.mark.parametrize("values", [False, True])
 @pytest.mark.parametrize("bodies", FALSE.values(), ids=FALSE)
 def test_what_is_false_is_refuted_or_undecided_with_its_reason(tmp_path, bodies, values):

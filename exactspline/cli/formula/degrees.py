@@ -85,7 +85,7 @@ def _of_papers(
     from exactspline.display.formulas import formula_degree_sheet
     from exactspline.papers import named_papers
     from exactspline.verification.degree_tables import formula_degrees, formula_table
-    from exactspline.verification.paper_curves import own_curves
+    from exactspline.verification.paper_curves import own_curves, refused_curves
 
     sources = named_papers(paper, trust=trust)
     formulas = [f for source in sources for f in source.formulas.values()]
@@ -101,6 +101,8 @@ def _of_papers(
         return
     given, good = loaded(curve or [])
     own = [c for source in sources for c in own_curves(source).values()]
+    for error in [error for source in sources for error in refused_curves(source).values()]:
+        raise error
     chosen = given if curve else own or loaded(["rational_cubic", "rational_space_cubic"])[0]
     tables = [(c, tracked(formula_table(c, formulas, limit), c.name)) for c in also_in_their_planes(chosen)]
     if good and not any(rows for _, rows in tables):

@@ -18,26 +18,8 @@ from exactspline.verification.kinds.zeros import SignClaim, SquareClass, ZeroSet
 KINDS: dict[str, type[Claim]] = {
     kind.kind: kind
     for kind in (
-        DegreeClaim,
-        Identity,
-        Vanishing,
-        ZeroSet,
-        Coefficients,
-        Condition,
-        Count,
-        SquareClass,
-        SameSurface,
-        Existence,
-        IsoCurve,
-        Contact,
-        Invariance,
-        SignClaim,
-        TypeClaim,
-        Applies,
-        ValueClaim,
-        Limit,
-        Bound,
-        DistanceClaim,
-        NotAsked,
+        *(DegreeClaim, Identity, Vanishing, ZeroSet, Coefficients, Condition, Count, SquareClass, SameSurface),
+        *(Existence, IsoCurve, Contact, Invariance, SignClaim, TypeClaim, Applies),
+        *(ValueClaim, Limit, Bound, DistanceClaim, NotAsked),
     )
 }

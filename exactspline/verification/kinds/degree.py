@@ -52,11 +52,8 @@ def _degree_text(claim: Claim, name: str, value: str) -> str:
     """A degree in d, or in d1 and d2 for Table 1."""
     names = _degree_names(kind_of(claim.curve))
     if unknown := parse_degree(value).names - names:
-        raise ClaimError(
-            f"the degree {value!r} contains {sorted(unknown)[0]!r}",
-            where=name,
-            remedy=f"write it in {' and '.join(sorted(names))}",
-        )
+        problem = f"the degree {value!r} contains {sorted(unknown)[0]!r}"
+        raise ClaimError(problem, where=name, remedy=f"write it in {' and '.join(sorted(names))}")
     return str(value)
 
 
@@ -107,11 +104,8 @@ class DegreeClaim(Claim):
         table = self.curve == ArgumentKind.TABLE
         kind = kind_of(self.curve)
         if self.parameter not in (known := kind.parameters(kind.dimensions[0])):
-            raise ClaimError(
-                f"there is no parameter {self.parameter} of the kind {self.curve!r}",
-                where="parameter",
-                remedy=f"write {' or '.join(map(repr, map(str, known)))}",
-            )
+            problem = f"there is no parameter {self.parameter} of the kind {self.curve!r}"
+            raise ClaimError(problem, where="parameter", remedy=f"write {' or '.join(map(repr, map(str, known)))}")
         if self.counting == Counting.PART_BY_PART and (self.measure != Measure.NOMINAL or table):
             raise ClaimError("only nominal degrees of curves are counted", where="counting", remedy='"Table 1"')
         if table and (self.measure != Measure.NOMINAL or self.of != Scope.BOTH):
@@ -312,10 +306,8 @@ def agreed_degree(
     computed = generic_degree(jets, parameter)
     at_infinity = generic_true_degree(formula, dimension, polynomial=polynomial, parameter=parameter)
     if computed != at_infinity:
-        raise ContradictionError(
-            f"{formula.name} has true degree {at_infinity} at infinity, {computed} by the degree theorem",
-            remedy="one of the readings is wrong: report this",
-        )
+        problem = f"{formula.name} has true degree {at_infinity} at infinity, {computed} by the degree theorem"
+        raise ContradictionError(problem, remedy="one of the readings is wrong: report this")
     return computed, lower_degrees(jets, parameter)
 
 

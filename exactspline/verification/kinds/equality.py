@@ -13,7 +13,6 @@ from exactspline.language.arguments import Evaluated
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import POINT_IN_SPACE, Kind, kind_of
 from exactspline.language.parts import split
-from exactspline.language.ruled import RuledSurface
 from exactspline.readings.differential_order import order_of
 from exactspline.readings.jet import Jet
 from exactspline.readings.rational_jet import RationalJetReading
@@ -200,10 +199,6 @@ class SameSurface(EqualityClaim):
         """
         formulas = self.find(self.left), self.find(self.right)
         c = jets_for(formulas, dimension, polynomial=polynomial)
-        a, b = formulas[0](c), formulas[1](c)
-        for name, surface in ((self.left, a), (self.right, b)):
-            if not isinstance(surface, RuledSurface):
-                raise ClaimError(f"{name!r} is not a ruled surface", where=self.key, remedy="name one")
         finding = self.equality.decide(c)
         if finding.verdict == VACUOUS:
             return finding

@@ -32,6 +32,7 @@ class ExampleClaim(Claim):
     """A claim about a single example curve."""
 
     reading: ClassVar[Name] = Name("spline")
+    of_one_curve: ClassVar[bool] = True
 
     on: Extent = field(default=Extent.CURVE, metadata=read(one_of(Extent)))
     example: str = field(metadata=read(example_name))
@@ -95,7 +96,7 @@ class Count(ExampleClaim):
     def part_tried(self, own: Evaluation) -> Evidence | None:
         """Nothing for a degree as written, which is the same for all points and constants; other numbers are not."""
         degree_alone = {what for _, what in _counts(self.claimed)} == {Counter.DEGREE}
-        return None if degree_alone and not self.of_pair else super().part_tried(own)
+        return None if degree_alone else super().part_tried(own)
 
     def examine(self, argument: Evaluated, own: Evaluation) -> Finding:
         """Only the claimed numbers are computed."""

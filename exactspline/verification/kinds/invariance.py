@@ -207,11 +207,8 @@ class Invariance(Claim):
         if self.nature == Nature.SCALAR:
             return value
         if len(value) != dimension:
-            raise ClaimError(
-                f"{self.formula!r} has {counted(len(value), 'component')}, a {self.nature} has {dimension}",
-                where=self.key,
-                remedy='write "scalar"',
-            )
+            problem = f"{self.formula!r} has {counted(len(value), 'component')}, a {self.nature} has {dimension}"
+            raise ClaimError(problem, where=self.key, remedy='write "scalar"')
         if self.nature == Nature.VECTOR:
             return list(made.of_vector(Vector(*value), one, k))
         return image_of_point(Vector(*value), made, k, one)

@@ -24,6 +24,7 @@ class NotAsked(Claim):
 
     kind: ClassVar[str] = "not asked"
     value: ClassVar[str] = "not asked"
+    of_frames: ClassVar[bool] = True
 
     why: str
     expected: Verdict = field(default=NOT_ASKED, metadata=read(one_of(Verdict)))

@@ -233,11 +233,8 @@ class Existence(Claim):
     def validate(self) -> None:
         """Reject a formula that is its own definition: any formula is a quotient of polynomials."""
         if self.formula == self.definition:
-            raise ClaimError(
-                f"{self.formula!r} is said to be what it is",
-                where="definition",
-                remedy="name the formula that defines it",
-            )
+            problem = f"{self.formula!r} is said to be what it is"
+            raise ClaimError(problem, where="definition", remedy="name the formula that defines it")
 
     def decide(self, dimension: int, polynomial: bool) -> Finding:
         """The absence of a rational form is refuted by a nonzero one that equals the definition."""
@@ -281,6 +278,7 @@ class Applies(Claim):
     value: ClassVar[str] = "it applies"
     notation: ClassVar[str] = r"$formula \;\text{exists for arguments of the kind $curve}"
     of_frames: ClassVar[bool] = True
+    tries_all: ClassVar[bool] = True
 
     formula: str = field(metadata=read(any_formula))
 
@@ -301,4 +299,5 @@ class Applies(Claim):
 
     def examine(self, argument: Evaluated, own: Evaluation) -> Finding:
         """The same for every curve."""
-        return self.prove()[1]
+        found = self.decide(own.curve.dimension, own.curve.polynomial)
+        return replace(found, verdict=VERIFIED) if found.verdict == PROVED else found
