@@ -178,7 +178,7 @@ def test_coaxial_circles_at_80_columns(tmp_path):
     assert shown.endswith("complete: nothing is undecided\n")
 
 
-@pytest.mark.parametrize("name", sample(list(FAMILIES), 12))
+@pytest.mark.parametrize("name", [x for x in sample(list(FAMILIES), 12) if x != "a circle and itself"])  # 10 s
 def test_the_table_at_80_columns_loses_nothing(name, tmp_path):
     paths = files(tmp_path, name)
     wide, shown = shown_at(300, *paths), shown_at(80, *paths)

@@ -196,7 +196,9 @@ def test_a_reader_that_leaves_changes_no_verdict(arguments):
     assert (process.returncode, complaint) == (0, b"")
 
 
-@pytest.mark.parametrize("options", ["--generic", "--at 3 evolute", "--formulas", "--paper surfaces --patch 3,3"])
+@pytest.mark.parametrize(
+    "options", ["--generic", "--at 3 evolute", "--formulas", "--paper surfaces --patch 2,1 normal normal_squared"]
+)
 def test_degrees_as_latex(options):
     """There was no such option. LaTeX knows every sign, and every row has as many cells as columns."""
     shown = CliRunner().invoke(app, ["formula", "degrees", *options.split(), "--latex", "-q"]).stdout

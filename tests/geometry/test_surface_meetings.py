@@ -125,7 +125,7 @@ def test_a_degenerate_surface():
 
 
 def test_an_answer_can_be_pickled():
-    found = ask(example("bicubic"), "nearest:1,2,3")
+    found = ask(example("biquadratic"), "nearest:1,2,3")
     again = pickle.loads(pickle.dumps(found))
     assert (again.distance == found.distance, float(again)) == (True, float(found))
     assert [place.spot for place in again] == [place.spot for place in found]

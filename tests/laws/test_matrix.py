@@ -152,12 +152,10 @@ def test_every_question_after_every_change(of):
 @pytest.mark.parametrize("change", CHANGES[Of.TWO_CURVES])
 def test_dear_questions_of_two_curves_after_every_change(change):
     """Bisectors and intersections of offsets, of curves of few segments and small integers."""
-    counts = Counts()
-    for i in range(2):
-        random = Random(f"{SEED} light {change} {i}")
-        pair, letters = drawn(Of.TWO_CURVES, random, change, light_pair)
-        for name in ("bisector", "offset_intersections"):
-            compared(pair, REGISTRY[Of.TWO_CURVES][name], letters, random, counts)
+    counts, random = Counts(), Random(f"{SEED} light {change} 0")
+    pair, letters = drawn(Of.TWO_CURVES, random, change, light_pair)
+    for name in ("bisector", "offset_intersections"):
+        compared(pair, REGISTRY[Of.TWO_CURVES][name], letters, random, counts)
     assert not counts.failures, report(counts.failures)
 
 
@@ -219,8 +217,9 @@ EXAMPLES = [
 ]
 
 
-@pytest.mark.parametrize("change", CHANGES[Of.PLANE_CURVE])
-@pytest.mark.parametrize("name", EXAMPLES)
+@pytest.mark.parametrize(
+    ("name", "change"), [x for i, x in enumerate(product(EXAMPLES, CHANGES[Of.PLANE_CURVE])) if (i + i // 14) % 2]
+)
 def test_examples_after_a_change(name, change):
     """The same every day."""
     counts, random, curve = Counts(), Random(f"{name} {change}"), example(name)
@@ -246,7 +245,7 @@ WITH_LINES = {
 def test_lines_of_surfaces_after_a_knot_on_them(name):
     """They are poles, and parts of umbilics, wherever knots are."""
     counts, surface = Counts(), NurbsSurface.from_splines([f + 0 * U * V for f in WITH_LINES[name]])
-    for seed, entry in product(range(4), questions(Of.SURFACE)):
+    for seed, entry in product(range(2), questions(Of.SURFACE)):
         compared(surface, entry, (Letter("knot on what was found", seed),), Random(seed), counts)
     assert not counts.failures, report(counts.failures)
     facts = analyse(surface)
