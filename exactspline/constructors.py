@@ -16,11 +16,11 @@ from exactspline.interchange.segments import Segment, arc_around_origin, conic_a
 from exactspline.interchange.segments import ellipse as full_ellipse
 from exactspline.numbers.exact import Number, from_flint, isqrt, mpq, rational, to_fmpq
 from exactspline.reals.real import square_root
+from exactspline.splines.blossom import with_smooth_knots
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.control_points import Point, exact_points, exact_weights
 from exactspline.splines.inputs import checked_degree, exact_row
 from exactspline.splines.nurbs import Nurbs, as_dimension
-from exactspline.splines.smooth_knots import with_smooth_knots
 from exactspline.splines.type_checks import curve_of
 from exactspline.words import Word, choice
 

@@ -18,7 +18,7 @@ from exactspline.polynomials.isolation import Isolation, isolate
 from exactspline.roots.answers import OneNumber
 from exactspline.roots.root import Root
 from exactspline.splines.bspline import BSpline
-from exactspline.splines.runs import intervals_of, runs
+from exactspline.splines.knots import intervals_of, runs
 from exactspline.splines.type_checks import spline_of
 
 

@@ -38,9 +38,9 @@ from exactspline.polynomials.bernstein import (
 )
 from exactspline.polynomials.cost import LONGEST_LOOP, check_reach, height_bits
 from exactspline.splines import blossom, refinement
-from exactspline.splines.forms import segmentwise
 from exactspline.splines.inputs import checked_degree, checked_side, exact_row
 from exactspline.splines.knots import SMOOTH, KnotVector, Mesh, clamped, mesh_of
+from exactspline.splines.refinement import segmentwise
 
 #: The degree from which the cost of a product is estimated, and the time for a bit of it in nanoseconds (measured: 1 to
 #: 4 for degrees 300 to 20,000).

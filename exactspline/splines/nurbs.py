@@ -25,13 +25,11 @@ from exactspline.polynomials.isolation import zero_on_segment
 from exactspline.reals.real import Real, square_root
 from exactspline.splines.blossom import CommonRows, common_rows
 from exactspline.splines.bspline import BSpline
-from exactspline.splines.common import splines_over, with_common_knots
-from exactspline.splines.control_points import Point, exact_points, exact_weights, lifted, projected
+from exactspline.splines.common import mapped, same_quotients, splines_over, with_common_knots
+from exactspline.splines.control_points import Point, exact_points, exact_weights, inserted, lifted, projected
 from exactspline.splines.evaluation import Evaluation
 from exactspline.splines.inputs import checked_degree, checked_side, exact_row
-from exactspline.splines.insertion import inserted
 from exactspline.splines.knots import KnotVector, Mesh, mesh_of
-from exactspline.splines.nurbs_operations import mapped, same_quotients
 from exactspline.splines.refinement import insertable
 
 if TYPE_CHECKING:

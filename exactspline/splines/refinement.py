@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from bisect import bisect_left
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from itertools import pairwise
 from typing import Protocol, Self, TypeVar
 
@@ -21,6 +21,16 @@ from exactspline.polynomials.factors import factorize
 from exactspline.polynomials.isolation import LocalZero, end_signs, is_nonnegative, isolate
 from exactspline.splines.inputs import MAX_DEGREE
 from exactspline.splines.knots import SMOOTH, Mesh
+
+# ---- an operation on the polynomials of two splines
+
+
+T = TypeVar("T")
+
+
+def segmentwise(operation: Callable[[T, T], T], first: Sequence[T], second: Sequence[T]) -> tuple[T, ...]:
+    """The results on all segments or patches; on a single one, as most splines have, without a loop."""
+    return (operation(first[0], second[0]),) if len(first) == 1 else tuple(map(operation, first, second))
 
 
 class Piecewise(Protocol):

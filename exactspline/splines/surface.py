@@ -24,13 +24,12 @@ from exactspline.one_line import one_line
 from exactspline.polynomials.patch_forms import PatchForm, Sized, halved
 from exactspline.reals.real import Real
 from exactspline.splines.bspline import BSpline
-from exactspline.splines.common import on_one_mesh, with_common_knots
+from exactspline.splines.common import mapped, on_one_mesh, same_quotients, with_common_knots
 from exactspline.splines.control_points import Point, exact_points, exact_weights, lifted, projected
 from exactspline.splines.knots import KnotVector, Mesh
 from exactspline.splines.nurbs import Nurbs, normalized
-from exactspline.splines.nurbs_operations import mapped, same_quotients
 from exactspline.splines.tensor import TensorSpline
-from exactspline.splines.tensor_net import checked_degrees, checked_knots, checked_net, control_point_counts
+from exactspline.splines.tensor_patches import checked_degrees, checked_knots, checked_net, control_point_counts
 from exactspline.words import choice
 
 #: The limit of boxes on one patch before the search stops.

@@ -31,22 +31,20 @@ from exactspline.polynomials.bernstein import common_denominators, raiser, witho
 from exactspline.polynomials.patch_forms import PatchForm
 from exactspline.splines import refinement
 from exactspline.splines.bspline import BSpline
-from exactspline.splines.forms import segmentwise
 from exactspline.splines.inputs import exact_row
 from exactspline.splines.knots import KnotVector, Mesh, clamped
-from exactspline.splines.tensor_net import (
+from exactspline.splines.refinement import segmentwise
+from exactspline.splines.tensor_patches import (
+    Continuity,
+    Degrees,
+    TensorParts,
     bezier_nets,
+    changed_one,
     checked_degrees,
     checked_knots,
     checked_net,
     control_net,
     control_point_counts,
-)
-from exactspline.splines.tensor_patches import (
-    Continuity,
-    Degrees,
-    TensorParts,
-    changed_one,
     derived,
     exchanged,
     joined_lines,

@@ -36,8 +36,8 @@ from exactspline.roots.answers import CurvePiece
 from exactspline.roots.values import exact_place, sign_at, signed_root, value_at
 from exactspline.roots.zero_set import zeros
 from exactspline.splines.bspline import BSpline
+from exactspline.splines.knots import intervals_of, runs
 from exactspline.splines.lowest_terms import in_lowest_terms
-from exactspline.splines.runs import intervals_of, runs
 
 Place = mpq | Real
 

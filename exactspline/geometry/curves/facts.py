@@ -61,9 +61,9 @@ from exactspline.roots.answers import CurvePiece, Places
 from exactspline.roots.root import Root, knot_root
 from exactspline.roots.zero_set import ZeroSet, jump_root, zeros
 from exactspline.splines.bspline import BSpline
+from exactspline.splines.knots import intervals_of, runs
 from exactspline.splines.lowest_terms import SplineValue, common_factor
 from exactspline.splines.nurbs import Nurbs
-from exactspline.splines.runs import intervals_of, runs
 from exactspline.words import choice
 
 F = TypeVar("F", bound=Remembers)

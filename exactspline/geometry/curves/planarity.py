@@ -21,8 +21,8 @@ from exactspline.numbers.exact import common_divisor, mpq, primitive, ratio, tex
 from exactspline.one_line import OneLine
 from exactspline.polynomials.bernstein import Form, over_common_denominator
 from exactspline.roots.answers import CurvePiece
+from exactspline.splines.knots import intervals_of
 from exactspline.splines.nurbs import Nurbs
-from exactspline.splines.runs import intervals_of
 from exactspline.splines.type_checks import curve_of
 
 AXES = "xyz"

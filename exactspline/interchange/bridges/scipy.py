@@ -12,9 +12,9 @@ from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias
 from exactspline.errors import ShapeError, counted, shown
 from exactspline.interchange.bridges.values import MOST_ULPS, doubles, exact, exact_rows, periodic
 from exactspline.numbers.exact import double, mpq
+from exactspline.splines.blossom import with_smooth_knots
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.nurbs import Nurbs
-from exactspline.splines.smooth_knots import with_smooth_knots
 from exactspline.splines.surface import NurbsSurface
 from exactspline.splines.tensor import TensorSpline
 from exactspline.splines.type_checks import curve_of
