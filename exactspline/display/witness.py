@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from exactspline.errors import ExactSplineError
-from exactspline.language.parts import split
+from exactspline.language.ruled import split
 from exactspline.numbers.exact import mpq, point_text
 from exactspline.splines.nurbs import Nurbs
 from exactspline.verification.claim import Claim

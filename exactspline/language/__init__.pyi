@@ -2,7 +2,7 @@ from .complex_numbers import complex_product as complex_product
 from .complex_numbers import complex_quotient as complex_quotient
 from .complex_numbers import conjugate as conjugate
 from .formula import formula as formula
-from .parts import numerator as numerator
+from .ruled import numerator as numerator
 from .rational import Rational as Rational
 from .ruled import ruled as ruled
 from .vector import Vector as Vector

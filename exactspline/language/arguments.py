@@ -14,8 +14,7 @@ from typing import Any, Generic, Protocol, TypeVar
 
 from exactspline.errors import as_items
 from exactspline.hooks import Displayed
-from exactspline.language.choices import Parameter
-from exactspline.language.operand import Constant, Operand
+from exactspline.language.operand import Constant, Operand, Parameter
 from exactspline.language.vector import Vector
 from exactspline.polynomials.cost import Priced
 

@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
+from abc import ABC, abstractmethod
 from collections.abc import Callable
-from typing import Any
+from typing import Any, ClassVar
 
-from exactspline.errors import FormulaError, a_kind, as_text
+from exactspline.errors import FormulaError, InapplicableError, a_kind, as_text
 from exactspline.hooks import Displayed
 from exactspline.language.arguments import Argument
-from exactspline.language.kind import Symbol
-from exactspline.language.kinds import CURVE, Kind, kind_of
-from exactspline.language.letters import Letter
+from exactspline.language.kind import Kind, Symbol
+from exactspline.language.kinds import CURVE, kind_of
+from exactspline.language.operand import Letter
 
 
 class Formula(Displayed):
@@ -100,3 +101,48 @@ def formula(source: str, *, on: Kind | str = CURVE, symbol: str = "") -> Callabl
     as_text(source, "the place of a formula in its source")
     as_text(symbol, "the symbol of a formula")
     return lambda function: Formula(function, source, kind, symbol)
+
+
+# ---- readings
+
+
+class Reading(ABC):
+    """One way to evaluate formulas. To add a reading, add one file that provides one of these; nothing else changes.
+
+    `name` is its name in the ledger; its file says what the equality of two values in it proves.
+    """
+
+    name: ClassVar[str]
+
+    def __repr__(self) -> str:
+        fields = ", ".join(str(x) for x in vars(self).values() if isinstance(x, int | str))
+        return f"<{type(self).__name__}{' of ' * bool(fields)}{fields}>"
+
+    @abstractmethod
+    def argument(self, kind: Kind, dimension: int, *, polynomial: bool = False) -> Argument:
+        """The argument for formulas of a kind in a dimension; polynomial curves have no denominator."""
+
+    def of(self, formula: Formula, dimension: int, *, polynomial: bool = False) -> object:
+        """The value of a formula in this reading.
+
+        >>> from exactspline.papers import find
+        >>> from exactspline.readings.degree import DegreeReading
+        >>> DegreeReading().of(find("g2"), 2)
+        9d − 6
+        """
+        return formula(self.argument(formula.kind, dimension, polynomial=polynomial))
+
+
+def freely_differentiable(
+    kind: Kind, reading: Reading, dimension: int, *, polynomial: bool = False
+) -> tuple[Symbol, ...]:
+    """The operands of a kind, for a reading in which they are independent functions, all of the same degree.
+
+    Raises `InapplicableError` for a kind whose operands depend on each other.
+    """
+    if kind.rules(dimension) or kind.composed:
+        raise InapplicableError(
+            f"the reading {reading.name!r} does not apply to the kind {kind.name!r}",
+            remedy="its operands depend on each other: prove an identity, or check a single curve",
+        )
+    return kind.symbols(dimension, polynomial=polynomial)

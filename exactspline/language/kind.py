@@ -11,8 +11,7 @@ from functools import lru_cache
 from types import MappingProxyType
 
 from exactspline.language.arguments import Evaluated, T
-from exactspline.language.choices import Parameter
-from exactspline.language.operand import Operand
+from exactspline.language.operand import Operand, Parameter
 
 _DIGITS = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
 

@@ -7,6 +7,7 @@ from __future__ import annotations
 import copyreg
 from collections.abc import Iterable, Mapping, Sequence
 from functools import cache
+from itertools import combinations_with_replacement
 from typing import Any, cast
 
 from exactspline.errors import FormulaError, nearest
@@ -22,12 +23,203 @@ from exactspline.language.arguments import (
     Operands,
     Pair,
     T,
+    vector_of,
 )
-from exactspline.language.hodograph_kind import HODOGRAPH, HodographKind
-from exactspline.language.implicit_kinds import IMPLICIT, IMPLICIT_SURFACE, INTERSECTION
 from exactspline.language.kind import Kind, Rule, Symbol, constant_text, constants_of
 from exactspline.language.surface_kind import CURVE_ON_SURFACE, FORMS, PLANAR_MAP, SURFACE
-from exactspline.language.vector import Vector
+from exactspline.language.vector import S, Vector, cross
+
+# ---- a curve given by its hodograph
+#
+# R. T. Farouki, T. Sakkalis, Pythagorean hodographs, IBM Journal of Research and Development 34 (1990): every
+# polynomial plane curve whose speed is a polynomial is of this form.
+
+
+class HodographKind(Kind):
+    """A polynomial plane curve with ``γ′ = (u² − v², 2 u v) h``, functions u and v of degree d and h of degree e.
+
+    It is a curve with w = 1, so that formulas for curves and for plane curves apply to it. In addition it has ``u``,
+    ``v``, ``h``, the ``velocity`` γ′ and the ``speed`` (u² + v²) h, whose square is γ′·γ′. If it is *polynomial*, then
+    h = 1.
+
+    >>> from exactspline.language.vector import norm2
+    >>> from exactspline.readings.jet import JetReading
+    >>> c = JetReading(2).argument(HODOGRAPH, 2)
+    >>> norm2(c.gamma.d(1)) == c.speed * c.speed, c.gamma.d(2) == c.velocity.d(1)
+    (True, True)
+    """
+
+    name = "hodograph"
+    dimensions = (2,)
+
+    def symbols(self, dimension: int, *, polynomial: bool = False) -> tuple[Symbol, ...]:
+        """The coordinates, u and v, and the common factor h."""
+        s = PARAMETERS[:1]
+        degree = "2d + 1" if polynomial else "2d + e + 1"
+        curve = (Symbol("x", "x", s, degree), Symbol("y", "y", s, degree), Symbol("u", "u", s), Symbol("v", "v", s))
+        return (*curve, *(() if polynomial else (Symbol("h", "h", s, "e"),)), *constants_of(self))
+
+    def names(self, dimension: int) -> dict[str, bool]:
+        """The names of a curve, and the additional operands."""
+        curve = {"p": True, "w": False, "gamma": True, "axis_x": True, "axis_y": True}
+        own = {"u": False, "v": False, "h": False, "velocity": True, "speed": False}
+        return curve | own | dict.fromkeys(self.constants, False)
+
+    def rules(self, dimension: int) -> dict[str, Rule]:
+        """The derivatives of the coordinates: the hodograph."""
+        return {"x": lambda named: _velocity(named)[0], "y": lambda named: _velocity(named)[1]}
+
+    def takes(self, other: Kind, dimension: int) -> bool:
+        """Whether formulas of the other kind apply; those for plane curves do."""
+        alike = isinstance(other, HodographKind) or other.name.partition(" with ")[0] in ("curve", "plane")
+        return dimension == 2 and alike and {*other.constants} <= {*self.constants}
+
+    def of_operands(self, named: Mapping[str, T], dimension: int, one: T) -> Evaluated:
+        """The curve with its hodograph."""
+        return curve_of_hodograph(named, one, self.constants)
+
+
+def curve_of_hodograph(named: Mapping[str, T], one: T, constants: Iterable[str] = ()) -> Accompanied[T]:
+    """The argument from its named operands and constants; h is 1 if it is missing."""
+    curve = Curve(Vector(named["x"], named["y"]), one, polynomial=True)
+    return Accompanied(curve, {name: named.get(name, one) for name in ("u", "v", "h", *constants)}, _made)
+
+
+def _velocity(named: Mapping[str, Any]) -> Vector[Any]:
+    u, v = named["u"], named["v"]
+    velocity = Vector(u * u - v * v, u * v + u * v)
+    return velocity * named["h"] if "h" in named else velocity
+
+
+def _made(named: Mapping[str, Any]) -> dict[str, Any]:
+    u, v, h = named["u"], named["v"], named["h"]
+    return {"velocity": _velocity(named), "speed": (u * u + v * v) * h}
+
+
+HODOGRAPH = HodographKind()
+
+
+# ---- implicit curves and surfaces
+#
+# Since the curve lies there, `∇F·γ′ = 0`, so that its derivative is a multiple of a vector orthogonal to ∇F, and the
+# chain rule gives the derivatives of all the partial derivatives: `(F_x)′ = F_xx x′ + F_xy y′`. With that every formula
+# of curves can be compared with one in ∇F and the Hessian of F.
+
+
+#: Partial derivatives are known up to this order.
+ORDER = 3
+#: The free operands and their notation: the speed factor of a curve, and the normal of the cutting plane of a surface.
+FREE = {"pace": "λ", "cutx": "c₁", "cuty": "c₂", "cutz": "c₃"}
+
+
+class ImplicitKind(Kind):
+    """A curve in the zero set of one or two functions of the coordinates.
+
+    Formulas may name ``fx``, ``fxy``, … (letters in alphabetical order), ``gradient_f``, the rows ``hessian_fx``,
+    ``hessian_fy``, … and everything that a curve has (with w = 1). The velocity of the curve has a free factor or
+    direction: it is ``pace`` times (−F_y, F_x) in the plane, ``pace`` times ∇F × ∇G on the intersection of two
+    surfaces, and ∇F × ``cut`` with an arbitrary vector ``cut`` on a single surface.
+
+    >>> from exactspline.language.vector import det, dot
+    >>> from exactspline.readings.jet import JetReading
+    >>> c = JetReading(2).argument(IMPLICIT, 2)
+    >>> dot(c.gradient_f, c.gamma.d(1)).is_zero
+    True
+    >>> bent = Vector(dot(c.hessian_fx, c.gamma.d(1)), dot(c.hessian_fy, c.gamma.d(1)))
+    >>> (dot(c.gamma.d(1), bent) + dot(c.gradient_f, c.gamma.d(2))).is_zero
+    True
+    """
+
+    made_of_a_curve = False
+
+    def __init__(self, name: str, dimension: int, functions: str) -> None:
+        self.name, self.dimensions, self.functions = name, (dimension,), functions
+        self.axes = "xyz"[:dimension]
+        self.partials = {f: _partials(f, self.axes) for f in functions}
+        self.free = ("cutx", "cuty", "cutz") if dimension == 3 and functions == "f" else ("pace",)
+
+    def symbols(self, dimension: int, *, polynomial: bool = False) -> tuple[Symbol, ...]:
+        """Coordinates, free operands, partial derivatives."""
+        s = PARAMETERS[:1]
+        free = [Symbol(name, FREE[name], s, "") for name in self.free]
+        partials = [Symbol(name, f"{f.upper()}_{name[1:]}", s, "") for f in self.functions for name in self.partials[f]]
+        return (*[Symbol(x, x, s, "") for x in self.axes], *free, *partials)
+
+    def names(self, dimension: int) -> dict[str, bool]:
+        """The names of a curve, and the additional operands."""
+        vectors: dict[str, bool] = {"p": True, "w": False, "gamma": True} | {f"axis_{x}": True for x in self.axes}
+        for f in self.functions:
+            vectors |= dict.fromkeys(self.partials[f], False) | {f"gradient_{f}": True}
+            vectors |= {f"hessian_{f}{x}": True for x in self.axes}
+        return vectors | ({"cut": True} if len(self.free) > 1 else {"pace": False})
+
+    def rules(self, dimension: int) -> dict[str, Rule]:
+        """The derivative of the curve, and the chain rule for the partial derivatives."""
+        made: dict[str, Rule] = {x: self._along(i) for i, x in enumerate(self.axes)}
+        for f in self.functions:
+            made |= {name: self._chained(name) for name in self.partials[f]}
+        return made
+
+    def _along(self, i: int) -> Rule:
+        return lambda named: self.velocity(named)[i]
+
+    def _chained(self, name: str) -> Rule:
+        def rule(named: Mapping[str, Any]) -> Any:
+            if len(name) > ORDER:
+                raise FormulaError(
+                    f"a derivative of the partial derivative {name}", remedy=f"they are available up to order {ORDER}"
+                )
+            velocity = self.velocity(named)
+            terms = [named[_sorted(name + x)] * velocity[i] for i, x in enumerate(self.axes)]
+            total = terms[0]
+            for term in terms[1:]:
+                total = total + term
+            return total
+
+        return rule
+
+    def velocity(self, named: Mapping[str, S]) -> Vector[S]:
+        """The derivative of the curve."""
+        gradients = [vector_of(named, *[f + x for x in self.axes]) for f in self.functions]
+        if len(self.free) > 1:
+            return cross(gradients[0], vector_of(named, *self.free))
+        along = Vector(-gradients[0][1], gradients[0][0]) if len(self.axes) == 2 else cross(*gradients)
+        return along.mapped(lambda x: x * named["pace"])
+
+    def takes(self, other: Kind, dimension: int) -> bool:
+        """Whether formulas of the other kind apply; those for curves of this dimension do."""
+        return other is self or (
+            dimension in self.dimensions and other.name in ("curve", ("plane", "space")[dimension - 2])
+        )
+
+    def of_operands(self, named: Mapping[str, T], dimension: int, one: T) -> Evaluated:
+        """The curve with the partial derivatives along it."""
+        curve = Curve(vector_of(named, *self.axes), one, polynomial=True)
+        additional = {name: value for name, value in named.items() if name not in self.axes}
+        return Accompanied(curve, additional, self._made)
+
+    def _made(self, named: Mapping[str, Any]) -> dict[str, Any]:
+        made = {}
+        for f in self.functions:
+            made[f"gradient_{f}"] = vector_of(named, *[f + x for x in self.axes])
+            for x in self.axes:
+                made[f"hessian_{f}{x}"] = vector_of(named, *[_sorted(f + x + y) for y in self.axes])
+        return made | ({"cut": vector_of(named, *self.free)} if len(self.free) > 1 else {})
+
+
+def _partials(f: str, axes: str) -> tuple[str, ...]:
+    return tuple(f + "".join(each) for n in range(1, ORDER + 1) for each in combinations_with_replacement(axes, n))
+
+
+def _sorted(name: str) -> str:
+    """The name of a partial derivative; the order of differentiation does not matter."""
+    return name[0] + "".join(sorted(name[1:]))
+
+
+IMPLICIT = ImplicitKind("implicit", 2, "f")
+IMPLICIT_SURFACE = ImplicitKind("implicit surface", 3, "f")
+INTERSECTION = ImplicitKind("intersection", 3, "fg")
+
 
 __all__ = [
     "CURVE",

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from collections.abc import Callable
+from enum import StrEnum
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any, ClassVar, Protocol, Self, TypeVar, cast, overload
 
@@ -13,6 +14,26 @@ from exactspline.numbers.exact import mpq, mpz
 
 if TYPE_CHECKING:
     from exactspline.language.provenance import Provenance
+
+
+# ---- what users choose from
+
+
+class Parameter(StrEnum):
+    """A parameter: of a curve or the first of two curves; of the second curve; the two parameters of a surface."""
+
+    FIRST = "s"
+    SECOND = "s̄"
+    U = "u"
+    V = "v"
+
+
+class Counting(StrEnum):
+    """How nominal degrees are counted: as in Table 1, or part by part, as in (24)."""
+
+    TABLE_1 = "Table 1"
+    PART_BY_PART = "part by part"
+
 
 #: The constants that may occur in a formula.
 Constant = int | mpz | mpq | Fraction
@@ -344,3 +365,61 @@ def no_truth_value(value: object) -> FormulaError:
         f"a {type(value).__name__} was used as a truth value",
         remedy="formulas must not branch; compare with == or use is_zero outside formulas",
     )
+
+
+# ---- the parameters of which a formula takes derivatives
+#
+# Readings treat an operand that does not depend on a parameter as constant in it, and splines in two parameters have no
+# names for their parameters. So a parameter that the argument does not have must be rejected beforehand.
+
+
+class Letter(FieldOperand):
+    """An operand of which only the parameters are known with respect to which it may be differentiated: of a sum or a
+    product those that are common.
+
+    >>> Letter(("u", "v")).d(1, by="s")
+    Traceback (most recent call last):
+    exactspline.errors.FormulaError: a derivative with respect to 's' of a function of u and v; write d(1, by='u')
+    """
+
+    __slots__ = ("parameters",)
+    degree = provenance = 0
+
+    def __init__(self, parameters: tuple[str, ...]) -> None:
+        self.parameters = parameters
+
+    def __add__(self, other: object) -> Letter:
+        if isinstance(other, Letter):
+            return Letter(tuple(each for each in self.parameters if each in other.parameters))
+        return self if isinstance(other, CONSTANTS) else NotImplemented
+
+    __mul__ = __add__
+
+    def reciprocal(self) -> Letter:
+        """The reciprocal: a function of the same parameters."""
+        return self
+
+    def scaled(self, constant: Constant) -> Letter:
+        """A multiple: a function of the same parameters."""
+        return self
+
+    def constant(self, value: Constant) -> Letter:
+        """A constant, taken as a function of the same parameters."""
+        return self
+
+    def d(self, order: int = 1, *, by: str | None = None) -> Letter:
+        """A derivative: a function of the same parameters.
+
+        Raises `FormulaError` for a parameter that the argument does not have.
+        """
+        refuse_letter(by, self.parameters)
+        return self
+
+
+def refuse_letter(by: str | None, parameters: tuple[str, ...]) -> None:
+    """Raise `FormulaError` for a parameter that an argument does not have."""
+    if by is not None and by not in parameters:
+        raise FormulaError(
+            f"a derivative with respect to {str(by)!r} of a function of {' and '.join(parameters)}",
+            remedy=f"write d(1, by={str(parameters[0])!r})",
+        )

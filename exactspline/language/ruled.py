@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from typing import Any, Generic, TypeVar, cast
+from typing import Any, Generic, TypeVar, cast, overload
 
 from exactspline.hooks import Displayed
-from exactspline.language.operand import Constant, D, HasDegree, OwnVectors, R
+from exactspline.language.operand import Constant, Counted, D, HasDegree, Operand, OwnVectors, R
 from exactspline.language.rational import Rational
 from exactspline.language.vector import Vector, cross, det
 from exactspline.numbers.immutable import Immutable, fill
@@ -103,3 +103,50 @@ def _extended(value: Any, before: list[Any], behind: list[Any]) -> Any:
     if isinstance(value, Rational):
         return value.with_numerator(lambda v: Vector(*before, *v, *behind))
     return Vector(*before, *value, *behind)
+
+
+# ---- the parts of a value
+
+
+C = TypeVar("C", bound=Counted)
+
+#: The values that formulas return, in any reading: a scalar (possibly a quotient), a vector, or a ruled surface.
+Value = Operand | Vector[Operand] | RuledSurface[Operand | Vector[Operand]]
+
+
+@overload
+def numerator(value: Rational[C]) -> C | Vector[C]:
+    """The numerator of a quotient."""
+
+
+@overload
+def numerator(value: V) -> V:
+    """A value without a denominator, unchanged."""
+
+
+def numerator(value: object) -> object:
+    """The numerator of a quotient; any other value unchanged."""
+    return value.numerator if isinstance(value, Rational) else value
+
+
+@overload
+def joined(value: RuledSurface[V]) -> V:
+    """Directrix and generator of a ruled surface as one vector."""
+
+
+@overload
+def joined(value: V) -> V:
+    """Any other value, unchanged."""
+
+
+def joined(value: object) -> object:
+    """Directrix and generator of a ruled surface concatenated to one vector; any other value unchanged."""
+    return value.joined if isinstance(value, RuledSurface) else value
+
+
+def split(value: Vector[C] | Rational[C] | RuledSurface[Vector[C] | Rational[C]] | C) -> tuple[list[C], C | None]:
+    """The components of the numerator, and the denominator or None."""
+    whole: Any = value.joined if isinstance(value, RuledSurface) else value
+    top = whole.numerator if isinstance(whole, Rational) else whole
+    components = list(top) if isinstance(top, Vector) else [top]
+    return components, whole.denominator if isinstance(whole, Rational) else None

@@ -7,8 +7,8 @@ from types import MappingProxyType
 from typing import Any, Generic
 
 from exactspline.language.arguments import COORDINATES, Evaluated, Operands, T, U
-from exactspline.language.choices import Parameter
 from exactspline.language.kind import Kind, Symbol
+from exactspline.language.operand import Parameter
 from exactspline.language.vector import Vector
 
 #: The parameters of a surface.

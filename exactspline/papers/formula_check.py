@@ -17,10 +17,10 @@ from math import factorial
 from typing import Any
 
 from exactspline.errors import FormulaError, counted, nearest, shown
-from exactspline.language.choices import Parameter
 from exactspline.language.complex_numbers import complex_product, complex_quotient, conjugate
 from exactspline.language.formula import Formula, formula
 from exactspline.language.kinds import CURVE, KINDS, Kind, kind_of
+from exactspline.language.operand import Parameter
 from exactspline.language.ruled import ruled
 from exactspline.language.vector import cross, det, dot, generalized_cross, join, norm2, perp, triple
 from exactspline.language.wronskians import wronskian

@@ -9,9 +9,9 @@ from math import factorial, prod
 from typing import NamedTuple, Self
 
 from exactspline.language.arguments import Evaluated
+from exactspline.language.formula import Reading
 from exactspline.language.kinds import Kind
 from exactspline.language.provenance import leaf
-from exactspline.language.reading import Reading
 from exactspline.language.vector import Vector, det
 from exactspline.language.wronskians import OwnWronskians, logarithmic_sum
 from exactspline.programs.denominators import Denominator

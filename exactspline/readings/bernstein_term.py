@@ -13,11 +13,11 @@ from flint import Ordering, fmpq_mpoly, fmpq_mpoly_ctx
 
 from exactspline.errors import FormulaError
 from exactspline.language.arguments import Evaluated
+from exactspline.language.formula import Reading, freely_differentiable
 from exactspline.language.kinds import Kind
 from exactspline.language.operand import Constant
-from exactspline.language.parts import Value
 from exactspline.language.rational import RingOperand
-from exactspline.language.reading import Reading, freely_differentiable
+from exactspline.language.ruled import Value
 from exactspline.language.vector import Vector
 from exactspline.numbers.exact import from_flint, mpq, rational, to_fmpq
 

@@ -12,13 +12,11 @@ from functools import cache, reduce
 
 from exactspline.errors import FormulaError, InapplicableError, as_text
 from exactspline.language.arguments import Curve, Evaluated, Pair
-from exactspline.language.choices import Counting, Parameter
-from exactspline.language.formula import Formula
+from exactspline.language.formula import Formula, Reading
 from exactspline.language.kinds import Kind, Symbol
-from exactspline.language.operand import CONSTANTS, Constant, PartlyOrdered
+from exactspline.language.operand import CONSTANTS, Constant, Counting, Parameter, PartlyOrdered
 from exactspline.language.provenance import DERIVATIVE, MULTIPLE, PRODUCT, SUM, UNIT, Provenance, leaf
 from exactspline.language.rational import Rational, RingOperand
-from exactspline.language.reading import Reading
 from exactspline.numbers.exact import mpq
 from exactspline.one_line import one_line
 from exactspline.words import choice

@@ -8,11 +8,10 @@ from typing import Any, cast
 from exactspline.errors import FormulaError
 from exactspline.language.adjoined_root import Adjoined
 from exactspline.language.arguments import Evaluated
-from exactspline.language.formula import Formula
+from exactspline.language.formula import Formula, Reading
 from exactspline.language.kinds import CURVE, Kind
 from exactspline.language.operand import CONSTANTS, Constant, FieldOperand
-from exactspline.language.parts import joined
-from exactspline.language.reading import Reading
+from exactspline.language.ruled import joined
 from exactspline.language.vector import Vector
 from exactspline.numbers.exact import mpq
 

@@ -12,10 +12,10 @@ from flint import Ordering, fmpq_mpoly, fmpq_mpoly_ctx
 
 from exactspline.errors import FormulaError
 from exactspline.language.arguments import Evaluated
+from exactspline.language.formula import Reading, freely_differentiable
 from exactspline.language.kinds import Kind
 from exactspline.language.operand import Constant
 from exactspline.language.rational import RingOperand
-from exactspline.language.reading import Reading, freely_differentiable
 from exactspline.numbers.exact import rational, to_fmpq
 
 

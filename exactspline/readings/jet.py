@@ -15,13 +15,11 @@ from flint import Ordering, fmpq, fmpq_mpoly, fmpq_mpoly_ctx
 
 from exactspline.errors import FormulaError, counted
 from exactspline.language.arguments import Evaluated
-from exactspline.language.choices import Parameter
+from exactspline.language.formula import Reading
 from exactspline.language.kinds import Kind
-from exactspline.language.letters import refuse_letter
-from exactspline.language.operand import Constant
+from exactspline.language.operand import Constant, Parameter, refuse_letter
 from exactspline.language.provenance import DERIVATIVE, DIFFERENCE, MULTIPLE, PRODUCT, SUM, UNIT, Provenance, leaf
 from exactspline.language.rational import RingOperand
-from exactspline.language.reading import Reading
 from exactspline.numbers.exact import Number, from_flint, mpq, rational, to_fmpq
 from exactspline.one_line import OneLine, one_line
 from exactspline.polynomials.factors import bounded_product, superscript

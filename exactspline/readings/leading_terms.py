@@ -15,12 +15,10 @@ from flint import Ordering, fmpq_mpoly, fmpq_mpoly_ctx, fmpq_poly
 
 from exactspline.errors import FormulaError
 from exactspline.language.arguments import PARAMETERS, Evaluated
-from exactspline.language.choices import Parameter
-from exactspline.language.formula import Formula
+from exactspline.language.formula import Formula, Reading, freely_differentiable
 from exactspline.language.kinds import Kind, Symbol
-from exactspline.language.operand import Constant
+from exactspline.language.operand import Constant, Parameter
 from exactspline.language.rational import RingOperand
-from exactspline.language.reading import Reading, freely_differentiable
 from exactspline.language.vector import Vector
 from exactspline.numbers.exact import rational, to_fmpq
 from exactspline.polynomials.factors import factorize, greatest_common_divisor

@@ -20,10 +20,9 @@ from sympy.polys.rings import PolyElement, PolyRing
 
 from exactspline.errors import FormulaError
 from exactspline.language.arguments import Evaluated
-from exactspline.language.choices import Parameter
+from exactspline.language.formula import Reading
 from exactspline.language.kinds import Kind, Symbol
-from exactspline.language.operand import Constant, FieldOperand
-from exactspline.language.reading import Reading
+from exactspline.language.operand import Constant, FieldOperand, Parameter
 from exactspline.numbers.exact import rational
 from exactspline.one_line import one_line
 from exactspline.polynomials.cost import look_at_the_time

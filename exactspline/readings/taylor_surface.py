@@ -11,10 +11,9 @@ from typing import Protocol, Self, cast
 
 from exactspline.errors import FormulaError
 from exactspline.language.arguments import Evaluated
-from exactspline.language.choices import Parameter
+from exactspline.language.formula import Reading
 from exactspline.language.kinds import Kind
-from exactspline.language.operand import Constant, FieldOperand
-from exactspline.language.reading import Reading
+from exactspline.language.operand import Constant, FieldOperand, Parameter
 from exactspline.numbers.exact import Number, mpq
 from exactspline.one_line import one_line
 

@@ -10,13 +10,11 @@ from typing import NamedTuple, cast
 
 from exactspline.errors import FormulaError, as_integer
 from exactspline.language.arguments import Argument, Callee
-from exactspline.language.formula import Formula, expect_formula
+from exactspline.language.formula import Formula, Reading, expect_formula
 from exactspline.language.kinds import Kind
-from exactspline.language.linear_system import level
 from exactspline.language.operand import CONSTANTS, Constant, Operand, OwnVectors
-from exactspline.language.parts import joined
-from exactspline.language.reading import Reading
-from exactspline.language.ruled import ruled
+from exactspline.language.rational import level
+from exactspline.language.ruled import joined, ruled
 from exactspline.language.vector import Vector, cross, det, dot, generalized_cross, join, perp
 from exactspline.one_line import one_line
 from exactspline.readings.expression import Expression, Operation

@@ -10,10 +10,9 @@ from typing import Any, TypeVar, cast
 from flint import fmpz_poly
 
 from exactspline.errors import ReductionError
-from exactspline.language.parts import split
 from exactspline.language.provenance import leaf
 from exactspline.language.rational import Rational
-from exactspline.language.ruled import RuledSurface
+from exactspline.language.ruled import RuledSurface, split
 from exactspline.language.vector import Vector
 from exactspline.numbers.exact import common_divisor, text
 from exactspline.polynomials.bernstein import ONE, divide_u_plus_v, over_common_denominator, raiser

@@ -17,9 +17,7 @@ from flint import fmpz, fmpz_mat, fmpz_poly
 from exactspline.errors import FormulaError, ShapeError, as_instance, shown
 from exactspline.hooks import FunctionsOutside
 from exactspline.language.arguments import PARAMETERS, Curve, Pair
-from exactspline.language.choices import Parameter
-from exactspline.language.letters import refuse_letter
-from exactspline.language.operand import CONSTANTS, Constant, checked_order
+from exactspline.language.operand import CONSTANTS, Constant, Parameter, checked_order, refuse_letter
 from exactspline.language.provenance import DIFFERENCE, MULTIPLE, PRODUCT, SUM, Provenance, leaf
 from exactspline.language.rational import RingOperand
 from exactspline.numbers.exact import Number, mpq, over_one_denominator, rational, to_fmpz

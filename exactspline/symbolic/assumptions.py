@@ -19,7 +19,7 @@ from exactspline.language.arguments import Pair
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import PAIR as PAIR_OF_CURVES
 from exactspline.language.kinds import FramedKind, Kind, kind_of
-from exactspline.language.parts import split
+from exactspline.language.ruled import split
 from exactspline.language.vector import Vector, norm2
 from exactspline.one_line import OneLine
 from exactspline.papers import find

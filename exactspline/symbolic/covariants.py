@@ -20,7 +20,7 @@ from typing import Any
 from flint import Ordering, fmpq, fmpq_mpoly, fmpq_mpoly_ctx, fmpz
 
 from exactspline.errors import FormulaError, InapplicableError, counted
-from exactspline.language.choices import Parameter
+from exactspline.language.operand import Parameter
 from exactspline.polynomials.cost import LONGEST_LOOP, Budget, check_reach, drawing_on
 from exactspline.polynomials.factors import greatest_common_divisor
 from exactspline.readings.degree import Degree

@@ -17,7 +17,7 @@ from exactspline.hooks import Displayed
 from exactspline.language.arguments import Curve, Evaluated, Pair, T
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import Kind, common_kind
-from exactspline.language.parts import Value, split
+from exactspline.language.ruled import Value, split
 from exactspline.language.surface_kind import BOTH
 from exactspline.language.vector import Vector
 from exactspline.numbers.exact import content, from_flint, mpq, sign, to_fmpq

@@ -18,10 +18,9 @@ from flint import fmpq_mpoly
 from exactspline.errors import FormulaError, ReductionError, ShapeError
 from exactspline.hooks import Displayed
 from exactspline.language.arguments import Curve, Pair, T
-from exactspline.language.choices import Parameter
 from exactspline.language.formula import Formula, expect_formula
 from exactspline.language.kinds import CURVE, TABLE, Kind
-from exactspline.language.operand import Operand
+from exactspline.language.operand import Operand, Parameter
 from exactspline.language.rational import Rational
 from exactspline.language.ruled import RuledSurface
 from exactspline.language.vector import Vector

@@ -8,8 +8,15 @@ from typing import NamedTuple
 from exactspline.errors import InapplicableError, counted
 from exactspline.language.arguments import Accompanied, Curve, Evaluated, Pair
 from exactspline.language.formula import Formula
-from exactspline.language.hodograph_kind import HodographKind, curve_of_hodograph
-from exactspline.language.kinds import PLANAR_MAP, SURFACE, CurveKind, PairKind, kind_of
+from exactspline.language.kinds import (
+    PLANAR_MAP,
+    SURFACE,
+    CurveKind,
+    HodographKind,
+    PairKind,
+    curve_of_hodograph,
+    kind_of,
+)
 from exactspline.language.vector import Vector
 from exactspline.numbers.exact import mpq
 from exactspline.readings.degree import DegreeReading

@@ -14,8 +14,7 @@ from exactspline.errors import ClaimError, ExactSplineError, FormulaError, Reach
 from exactspline.hooks import Displayed
 from exactspline.language.arguments import Evaluated, Operands
 from exactspline.language.formula import Formula
-from exactspline.language.hodograph_kind import HodographKind
-from exactspline.language.kinds import Kind, PairKind, TableKind, kind_of
+from exactspline.language.kinds import HodographKind, Kind, PairKind, TableKind, kind_of
 from exactspline.language.rational import Rational
 from exactspline.language.ruled import RuledSurface
 from exactspline.numbers.exact import mpq, rational, text

@@ -138,7 +138,7 @@ def _check_words_of_key(claim: Claim) -> None:
 def _key_words(value: object) -> set[str]:
     """The words of a field that may occur in a key.
 
-    >>> from exactspline.language.choices import Parameter
+    >>> from exactspline.language.operand import Parameter
     >>> sorted(_key_words(("4d − 2", Parameter.SECOND)))
     ['2', '4d', 's', 'second']
     """

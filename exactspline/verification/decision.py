@@ -15,8 +15,7 @@ from typing import Any, Protocol
 from exactspline.errors import FormulaError
 from exactspline.language.arguments import Curve, Evaluated, embedded
 from exactspline.language.formula import Formula
-from exactspline.language.parts import Value, split
-from exactspline.language.ruled import RuledSurface, differences
+from exactspline.language.ruled import RuledSurface, Value, differences, split
 from exactspline.language.vector import Vector
 from exactspline.papers import find as find_anywhere
 from exactspline.readings.rational_jet import JetFraction

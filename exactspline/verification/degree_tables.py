@@ -26,11 +26,11 @@ from exactspline.geometry.derived.constructions import (
 )
 from exactspline.geometry.derived.derive import derive
 from exactspline.language.arguments import Curve, Pair
-from exactspline.language.choices import Parameter
 from exactspline.language.formula import Formula, expect_formula
 from exactspline.language.kinds import CURVE, PAIR, PLANE, SPACE, TABLE, Kind
-from exactspline.language.parts import joined
+from exactspline.language.operand import Parameter
 from exactspline.language.rational import Rational
+from exactspline.language.ruled import joined
 from exactspline.language.vector import Vector
 from exactspline.one_line import one_line
 from exactspline.papers import all_formulas, find, known_as

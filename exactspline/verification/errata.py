@@ -10,8 +10,8 @@ from dataclasses import dataclass
 
 from exactspline.errors import ClaimError, as_items
 from exactspline.hooks import Displayed
-from exactspline.language.choices import Parameter
 from exactspline.language.kinds import kind_of
+from exactspline.language.operand import Parameter
 from exactspline.one_line import OneLine, one_line
 from exactspline.papers import Paper, default_papers, known_as
 from exactspline.readings.printing.text import symbol_text

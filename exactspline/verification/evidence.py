@@ -10,7 +10,7 @@ from enum import Enum
 
 from exactspline.errors import ExactSplineError
 from exactspline.hooks import WordedData
-from exactspline.language.choices import Parameter
+from exactspline.language.operand import Parameter
 from exactspline.numbers.exact import mpq
 from exactspline.readings.degree import Degree
 from exactspline.readings.jet import Jet

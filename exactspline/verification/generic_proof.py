@@ -9,10 +9,10 @@ from typing import TYPE_CHECKING
 from exactspline.errors import ExactSplineError, FormulaError, ReachError, as_flag, as_integer
 from exactspline.interchange.examples import example, example_surface
 from exactspline.language.arguments import Evaluated, Operands, Pair
-from exactspline.language.choices import Parameter
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import SURFACE, TableKind
-from exactspline.language.parts import joined, split
+from exactspline.language.operand import Parameter
+from exactspline.language.ruled import joined, split
 from exactspline.language.vector import Vector
 from exactspline.numbers.exact import mpq
 from exactspline.papers import Paper, formula_of

@@ -13,7 +13,7 @@ from exactspline.interchange.examples import example, example_surface
 from exactspline.language.adjoined_root import Adjoined
 from exactspline.language.arguments import Evaluated
 from exactspline.language.formula import Formula
-from exactspline.language.parts import split
+from exactspline.language.ruled import split
 from exactspline.polynomials.cost import Budget, drawing_on
 from exactspline.readings.differential_order import order_of
 from exactspline.readings.jet import Jet, JetRing

@@ -8,9 +8,9 @@ from functools import partial
 from random import Random
 
 from exactspline.errors import FormulaError, ReachError, as_instance, as_items, shown
-from exactspline.language.choices import Parameter
 from exactspline.language.formula import Formula, expect_formula
 from exactspline.language.kinds import PLANAR_MAP, SURFACE
+from exactspline.language.operand import Parameter
 from exactspline.language.surface_kind import BOTH, Surface
 from exactspline.language.vector import Vector
 from exactspline.one_line import OneLine

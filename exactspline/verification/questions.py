@@ -10,11 +10,10 @@ from itertools import product
 
 from exactspline.errors import FormulaError, as_flag, as_integer, counted
 from exactspline.hooks import Worded
-from exactspline.language.choices import Parameter
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import CURVE, Kind, common_kind
-from exactspline.language.parts import split
-from exactspline.language.ruled import RuledSurface
+from exactspline.language.operand import Parameter
+from exactspline.language.ruled import RuledSurface, split
 from exactspline.numbers.exact import mpq
 from exactspline.one_line import OneLine, one_line
 from exactspline.papers import all_formulas, find, formula_of, resolve

@@ -14,9 +14,8 @@ from flint import fmpq_poly
 
 from exactspline.errors import VanishingDivisorError
 from exactspline.language.arguments import BARRED, COORDINATES, PARAMETERS, Evaluated, T
-from exactspline.language.hodograph_kind import HodographKind
 from exactspline.language.kind import Kind, Rule, Symbol
-from exactspline.language.kinds import PairKind
+from exactspline.language.kinds import HodographKind, PairKind
 from exactspline.numbers.exact import mpq, to_fmpq
 from exactspline.readings.jet import JetRing
 from exactspline.readings.rational_jet import JetFraction

@@ -14,9 +14,9 @@ from itertools import chain
 
 from exactspline.errors import InapplicableError
 from exactspline.hooks import Displayed
-from exactspline.language.choices import Counting, Parameter
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import TABLE
+from exactspline.language.operand import Counting, Parameter
 from exactspline.one_line import OneLine, one_line
 from exactspline.papers import find
 from exactspline.readings.degree import Degree, DegreeReading

@@ -19,7 +19,7 @@ from exactspline.language.adjoined_root import Adjoined
 from exactspline.language.arguments import Evaluated
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import FramedKind
-from exactspline.language.parts import Value, split
+from exactspline.language.ruled import Value, split
 from exactspline.numbers.exact import mpq
 from exactspline.polynomials.factors import Factorization, factorize
 from exactspline.readings.expression import Operation

@@ -15,8 +15,8 @@ from exactspline import example, paper
 from exactspline.cli import app
 from exactspline.errors import ClaimError, ExactSplineError, FormulaError
 from exactspline.language.arguments import Curve
-from exactspline.language.choices import Parameter
 from exactspline.language.kinds import CURVE_ON_SURFACE, FORMS, SURFACE
+from exactspline.language.operand import Parameter
 from exactspline.language.vector import Vector, cross, dot, norm2
 from exactspline.papers import find, load_paper
 from exactspline.readings.degree import DegreeReading

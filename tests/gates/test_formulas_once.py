@@ -18,7 +18,7 @@ import exactspline
 from exactspline.formulas import lifted
 from exactspline.language.formula import Formula, formula
 from exactspline.language.operand import Operand
-from exactspline.language.parts import split
+from exactspline.language.ruled import split
 from exactspline.language.surface_kind import BOTH
 from exactspline.language.vector import det, norm2
 from exactspline.numbers.exact import mpq

@@ -13,7 +13,7 @@ from exactspline.errors import FormulaError, ReductionError
 from exactspline.geometry.derived.constructions import Variant, all_constructions, construction
 from exactspline.geometry.derived.ruled_surfaces import same_surface
 from exactspline.interchange.examples import example
-from exactspline.language.parts import split
+from exactspline.language.ruled import split
 from exactspline.papers import find
 from exactspline.splines.lowest_terms import in_lowest_terms, lowest_terms, true_degree
 from exactspline.verification.generic_proof import symbolic_minimum

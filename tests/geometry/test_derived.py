@@ -16,7 +16,7 @@ from exactspline.geometry.derived.constructions import Absence, Variant
 from exactspline.geometry.derived.derive import derive
 from exactspline.geometry.derived.domain import intervals_where
 from exactspline.interchange.examples import example
-from exactspline.language.parts import numerator
+from exactspline.language.ruled import numerator
 from exactspline.papers import all_formulas, find
 from tests.support.command import run
 from workshop.vectors.items import items

@@ -10,8 +10,8 @@ from exactspline.bivariate.signs import Sign, sign_on_patch
 from exactspline.geometry.surfaces.constant import constant_curvature, has_curvature
 from exactspline.geometry.surfaces.forms import SurfaceForms
 from exactspline.language.arguments import Operands
-from exactspline.language.choices import Parameter
 from exactspline.language.kinds import FORMS, SURFACE
+from exactspline.language.operand import Parameter
 from exactspline.language.vector import Vector, cross, dot
 from exactspline.papers import find
 from exactspline.polynomials.patch_forms import PatchForm

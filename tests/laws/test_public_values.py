@@ -19,8 +19,8 @@ from exactspline.display.tables import Grid
 from exactspline.geometry.analysis.ask import facts_about, kind_of
 from exactspline.geometry.analysis.registry import REGISTRY
 from exactspline.language.arguments import Argument
+from exactspline.language.formula import Reading
 from exactspline.language.kinds import PLANE
-from exactspline.language.reading import Reading
 from exactspline.language.vector import Vector
 from exactspline.readings.taylor import Series
 from exactspline.readings.tree import Node

@@ -14,8 +14,8 @@ from exactspline.language import Vector
 from exactspline.language.arguments import Curve, Operands
 from exactspline.language.formula import formula
 from exactspline.language.kinds import PAIR, PLANE, SPACE, CurveKind, PairKind, TableKind
-from exactspline.language.parts import joined
 from exactspline.language.rational import Rational
+from exactspline.language.ruled import joined
 from exactspline.language.vector import det
 from exactspline.papers import find, papers
 from exactspline.programs import evaluated, program_for

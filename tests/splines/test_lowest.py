@@ -19,7 +19,7 @@ from exactspline.interchange.examples import example, example_names
 from exactspline.language import kinds
 from exactspline.language.arguments import Curve
 from exactspline.language.formula import formula
-from exactspline.language.parts import split
+from exactspline.language.ruled import split
 from exactspline.language.vector import Vector, det
 from exactspline.language.wronskians import logarithmic_numerator, osculating, wronskian, wronskians
 from exactspline.papers import find

@@ -13,8 +13,8 @@ from exactspline import BSpline
 from exactspline.errors import FormulaError, ReachError
 from exactspline.language import Vector
 from exactspline.language.arguments import Curve
-from exactspline.language.choices import Parameter
 from exactspline.language.kinds import CURVE
+from exactspline.language.operand import Parameter
 from exactspline.papers import all_formulas, find, known_as
 from exactspline.readings.differential_order import is_polynomial, order_of
 from exactspline.readings.jet import JetReading

@@ -9,8 +9,7 @@ from exactspline.errors import FormulaError, ReachError, ShapeError
 from exactspline.interchange.examples import example
 from exactspline.language import Vector, cross, det, dot, formula, norm2, perp
 from exactspline.language.kinds import CURVE, SPACE
-from exactspline.language.parts import split
-from exactspline.language.ruled import RuledSurface, ruled
+from exactspline.language.ruled import RuledSurface, ruled, split
 from exactspline.papers import all_formulas, find, known_as
 from exactspline.readings.differential_order import order_of
 from exactspline.readings.factored_jet import FactoredJet, FactoredJetReading

@@ -11,8 +11,8 @@ from exactspline.errors import ClaimError, FormulaError
 from exactspline.interchange.examples import example
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import CURVE, PLANE, kind_of
-from exactspline.language.parts import split
 from exactspline.language.rational import Rational
+from exactspline.language.ruled import split
 from exactspline.language.vector import Vector, join
 from exactspline.papers import all_formulas, find
 from exactspline.readings.factored_jet import FactoredJetReading

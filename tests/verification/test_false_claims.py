@@ -8,7 +8,7 @@ from gmpy2 import mpq
 from exactspline import Nurbs
 from exactspline.errors import FormulaError, ReachError
 from exactspline.interchange.examples import example
-from exactspline.language.parts import split
+from exactspline.language.ruled import split
 from exactspline.papers import find, load_paper
 from exactspline.readings.degree import Degree, parse_degree
 from exactspline.verification.claims import all_claims, claims_of

@@ -9,10 +9,10 @@ from gmpy2 import mpq
 from exactspline import Nurbs, analyse
 from exactspline.errors import ClaimError
 from exactspline.interchange.examples import example
-from exactspline.language.choices import Parameter
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import CURVE
-from exactspline.language.parts import split
+from exactspline.language.operand import Parameter
+from exactspline.language.ruled import split
 from exactspline.language.vector import Vector, join
 from exactspline.numbers.intervals import Interval
 from exactspline.papers import find

@@ -12,8 +12,7 @@ from exactspline.errors import ClaimError, FormulaError
 from exactspline.interchange.examples import example
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import CURVE, PAIR, POINT_IN_SPACE, kind_of
-from exactspline.language.parts import split
-from exactspline.language.ruled import ruled
+from exactspline.language.ruled import ruled, split
 from exactspline.language.vector import Vector
 from exactspline.papers import find, load_paper
 from exactspline.readings.degree import parse_degree

@@ -10,7 +10,7 @@ from exactspline.bivariate.surface_points import Place
 from exactspline.display.evidence import worded
 from exactspline.errors import FormulaError, ReachError
 from exactspline.geometry.surfaces.umbilics import Umbilic, UmbilicKind, merged_umbilic
-from exactspline.language.choices import Parameter
+from exactspline.language.operand import Parameter
 from exactspline.numbers.intervals import Box, Interval
 from exactspline.papers import find, load_paper
 from exactspline.polynomials import factors

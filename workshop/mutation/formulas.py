@@ -18,7 +18,7 @@ from exactspline.language.adjoined_root import Adjoined
 from exactspline.language.formula import Formula
 from exactspline.language.kind import Symbol
 from exactspline.language.kinds import kind_of
-from exactspline.language.parts import split
+from exactspline.language.ruled import split
 from exactspline.language.surface_kind import BOTH
 from exactspline.numbers.exact import mpq
 from exactspline.papers import papers

@@ -28,7 +28,7 @@ from typing import Any
 from exactspline.errors import ClaimError, ExactSplineError
 from exactspline.interchange.examples import example, example_names
 from exactspline.language.formula import Formula
-from exactspline.language.parts import split
+from exactspline.language.ruled import split
 from exactspline.papers import Paper, Table, paper
 from exactspline.readings.differential_order import order_of
 from exactspline.readings.rational_jet import RationalJetReading

@@ -29,8 +29,8 @@ from exactspline.display.plot.options import check_options, exact_box
 from exactspline.errors import ShapeError, a_kind, as_items
 from exactspline.geometry.curves.kinds import Feature
 from exactspline.geometry.derived.derive import derive
-from exactspline.language.parts import split
 from exactspline.language.rational import Rational
+from exactspline.language.ruled import split
 from exactspline.language.vector import Vector
 from exactspline.numbers.exact import Number, mpq
 from exactspline.numbers.sides import Side

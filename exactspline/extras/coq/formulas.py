@@ -9,9 +9,7 @@ from exactspline.errors import FormulaError
 from exactspline.extras.coq.terms import Writer, identifier
 from exactspline.language.arguments import Callee
 from exactspline.language.formula import Formula
-from exactspline.language.hodograph_kind import HodographKind
-from exactspline.language.implicit_kinds import ImplicitKind
-from exactspline.language.kinds import CurveKind, FramedKind, Kind, PairKind, TableKind
+from exactspline.language.kinds import CurveKind, FramedKind, HodographKind, ImplicitKind, Kind, PairKind, TableKind
 from exactspline.language.surface_kind import FormsKind, SurfaceCurveKind, SurfaceKind
 from exactspline.papers import Paper
 from exactspline.readings.expression import Operation

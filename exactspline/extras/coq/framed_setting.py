@@ -21,9 +21,7 @@ from exactspline.extras.coq.settings import (
 from exactspline.extras.coq.terms import leaves
 from exactspline.language.adjoined_root import Adjoined
 from exactspline.language.arguments import COORDINATES, Evaluated, Operands, T
-from exactspline.language.hodograph_kind import HodographKind
-from exactspline.language.implicit_kinds import ImplicitKind
-from exactspline.language.kinds import CurveKind, FramedKind, Kind, Symbol
+from exactspline.language.kinds import CurveKind, FramedKind, HodographKind, ImplicitKind, Kind, Symbol
 from exactspline.language.surface_kind import FormsKind, SurfaceCurveKind, SurfaceKind
 from exactspline.language.vector import Vector, cross, norm2
 from exactspline.numbers.once import cached_property

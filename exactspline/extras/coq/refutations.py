@@ -15,8 +15,7 @@ from exactspline.extras.coq.terms import Writer, identifier, integer, sum_of_pro
 from exactspline.extras.coq.theorems import Statement, concluded
 from exactspline.language.arguments import COORDINATES, POINT, Accompanied, Curve, embedded
 from exactspline.language.formula import Formula
-from exactspline.language.implicit_kinds import ImplicitKind
-from exactspline.language.kinds import CURVE, POINT_IN_SPACE, CurveKind, FramedKind, Kind, Symbol, kind_of
+from exactspline.language.kinds import CURVE, POINT_IN_SPACE, CurveKind, FramedKind, ImplicitKind, Kind, Symbol, kind_of
 from exactspline.language.vector import Vector
 from exactspline.readings.expression import Operation
 from exactspline.readings.jet import JetRing

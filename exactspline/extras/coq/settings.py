@@ -13,9 +13,16 @@ from flint import fmpq_mpoly
 from exactspline.errors import FormulaError
 from exactspline.extras.coq.terms import sum_of_products
 from exactspline.language.arguments import BARRED, COORDINATES, PARAMETERS, POINT, Evaluated
-from exactspline.language.hodograph_kind import HodographKind
-from exactspline.language.implicit_kinds import ImplicitKind
-from exactspline.language.kinds import CurveKind, FramedKind, Kind, PairKind, Symbol, TableKind
+from exactspline.language.kinds import (
+    CurveKind,
+    FramedKind,
+    HodographKind,
+    ImplicitKind,
+    Kind,
+    PairKind,
+    Symbol,
+    TableKind,
+)
 from exactspline.language.surface_kind import FormsKind, SurfaceCurveKind, SurfaceKind
 from exactspline.numbers.exact import from_flint
 from exactspline.numbers.once import cached_property

@@ -10,9 +10,8 @@ from typing import Any
 from exactspline.display.plot.canvas import Point, Run, parameter, polygons, runs_between_gaps
 from exactspline.display.plot.frames import Box, box_around, clipped, homogeneous, inside, kept, polygon_in, usual_box
 from exactspline.errors import ShapeError, as_items, counted
-from exactspline.language.parts import split
 from exactspline.language.rational import Rational
-from exactspline.language.ruled import RuledSurface
+from exactspline.language.ruled import RuledSurface, split
 from exactspline.language.vector import Vector
 from exactspline.numbers.exact import Number, mpq, rational
 from exactspline.numbers.sides import Side

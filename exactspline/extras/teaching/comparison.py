@@ -19,7 +19,7 @@ from exactspline.extras.teaching.differences import (
 from exactspline.extras.teaching.parts import Point
 from exactspline.interchange.examples import example, example_names
 from exactspline.language.formula import Formula
-from exactspline.language.parts import split
+from exactspline.language.ruled import split
 from exactspline.numbers.exact import mpq
 from exactspline.splines.nurbs import Nurbs
 from exactspline.verification.questions import prove, verify

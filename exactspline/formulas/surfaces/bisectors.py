@@ -9,7 +9,7 @@ inverse surface ``S/‖S‖²``, and its tangent plane ``(a, b)`` is the sphere 
 from exactspline.formulas.surfaces.fundamental_forms import D_u, D_v
 from exactspline.formulas.surfaces.lifted import normal_lifted_of_surface
 from exactspline.language.formula import formula
-from exactspline.language.linear_system import cramer
+from exactspline.language.rational import cramer
 from exactspline.language.vector import cross, det, dot, generalized_cross, join, norm2
 from exactspline.language.wronskians import wronskian
 

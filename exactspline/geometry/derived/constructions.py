@@ -17,7 +17,7 @@ from exactspline.errors import FormulaError, as_text, nearest, shown
 from exactspline.language.arguments import Curve
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import kind_of
-from exactspline.language.parts import joined, numerator
+from exactspline.language.ruled import joined, numerator
 from exactspline.one_line import one_line
 from exactspline.papers import default_papers, find
 from exactspline.splines.bspline import BSpline

@@ -15,9 +15,8 @@ from exactspline.geometry.derived.domain import intervals_where, part
 from exactspline.hooks import Written
 from exactspline.language.formula import Formula, expect_formula
 from exactspline.language.kinds import CURVE, PLANE, SPACE, kind_of
-from exactspline.language.parts import joined, numerator, split
 from exactspline.language.rational import Rational
-from exactspline.language.ruled import RuledSurface
+from exactspline.language.ruled import RuledSurface, joined, numerator, split
 from exactspline.language.vector import Vector
 from exactspline.numbers.exact import Number, mpq, rational
 from exactspline.numbers.intervals import Interval

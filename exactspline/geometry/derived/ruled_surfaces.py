@@ -14,9 +14,8 @@ from exactspline.errors import DomainError, ShapeError, shown
 from exactspline.geometry.derived.constructions import Variant, construction
 from exactspline.geometry.derived.domain import space
 from exactspline.language.operand import Operand
-from exactspline.language.parts import numerator, split
 from exactspline.language.rational import Rational
-from exactspline.language.ruled import RuledSurface, development, differences
+from exactspline.language.ruled import RuledSurface, development, differences, numerator, split
 from exactspline.language.vector import Vector, dot, norm2
 from exactspline.numbers.exact import Number, mpq, rational, text
 from exactspline.numbers.sides import Side

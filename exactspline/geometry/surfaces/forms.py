@@ -12,7 +12,7 @@ from typing import NamedTuple
 from exactspline.bivariate.borders import Patch
 from exactspline.errors import DomainError, ShapeError
 from exactspline.language.formula import Formula
-from exactspline.language.parts import numerator
+from exactspline.language.ruled import numerator
 from exactspline.language.vector import Vector
 from exactspline.numbers.exact import mpq
 from exactspline.numbers.intervals import Box

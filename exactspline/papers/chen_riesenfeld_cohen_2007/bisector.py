@@ -5,7 +5,7 @@ height, as in ``normal · B = height``.
 """
 
 from exactspline.language.formula import formula
-from exactspline.language.linear_system import cramer, level
+from exactspline.language.rational import cramer, level
 from exactspline.language.ruled import ruled
 from exactspline.language.vector import cross, det, dot, norm2
 from exactspline.papers.chen_riesenfeld_cohen_2007.derivatives import D1

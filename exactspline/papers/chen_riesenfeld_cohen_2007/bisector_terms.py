@@ -1,7 +1,7 @@
 """§6: the terms of the determinants, the entries of the matrices, and the displays of §6.2 as printed."""
 
 from exactspline.language.formula import formula
-from exactspline.language.linear_system import cramer
+from exactspline.language.rational import cramer
 from exactspline.language.ruled import ruled
 from exactspline.language.vector import cross, dot, norm2
 from exactspline.papers.chen_riesenfeld_cohen_2007.bisector import (

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from abc import ABC, abstractmethod
 
-from exactspline.language.choices import Parameter
+from exactspline.language.operand import Parameter
 from exactspline.numbers.exact import Number
 from exactspline.readings.expression import ATOMS, Expression, Operation
 from exactspline.readings.printing.units import without_units

@@ -9,7 +9,7 @@ from typing import Any, ClassVar
 from exactspline.errors import ClaimError, FormulaError, VanishingDivisorError
 from exactspline.language.arguments import BARRED, COORDINATES, PARAMETERS, Evaluated
 from exactspline.language.formula import Formula
-from exactspline.language.parts import split
+from exactspline.language.ruled import split
 from exactspline.polynomials.cost import at_its_cost
 from exactspline.readings.differential_order import order_of
 from exactspline.readings.rational_jet import JetFraction, RationalJetReading

@@ -11,12 +11,10 @@ from typing import Any, ClassVar
 
 from exactspline.errors import ClaimError, FormulaError
 from exactspline.language.arguments import Evaluated, Pair
-from exactspline.language.choices import Counting, Parameter
 from exactspline.language.formula import Formula
-from exactspline.language.hodograph_kind import HodographKind
-from exactspline.language.kinds import Kind, kind_of
-from exactspline.language.parts import joined, split
-from exactspline.language.ruled import RuledSurface
+from exactspline.language.kinds import HodographKind, Kind, kind_of
+from exactspline.language.operand import Counting, Parameter
+from exactspline.language.ruled import RuledSurface, joined, split
 from exactspline.language.surface_kind import Surface
 from exactspline.readings.degree import Degree, DegreeReading, equal_from, parse_degree
 from exactspline.readings.differential_order import order_of

@@ -12,7 +12,7 @@ from exactspline.errors import ClaimError, ExactSplineError, ReachError
 from exactspline.language.arguments import Evaluated
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import POINT_IN_SPACE, Kind, kind_of
-from exactspline.language.parts import split
+from exactspline.language.ruled import split
 from exactspline.readings.differential_order import order_of
 from exactspline.readings.jet import Jet
 from exactspline.readings.rational_jet import RationalJetReading

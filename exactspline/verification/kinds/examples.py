@@ -10,8 +10,8 @@ from typing import Any, ClassVar
 from exactspline.errors import ClaimError
 from exactspline.language.arguments import Evaluated
 from exactspline.language.formula import Formula
-from exactspline.language.parts import joined, split
 from exactspline.language.rational import Rational
+from exactspline.language.ruled import joined, split
 from exactspline.numbers.exact import mpq, point_text, text
 from exactspline.numbers.intervals import Interval
 from exactspline.roots.root import Root

@@ -11,7 +11,7 @@ from exactspline.language.adjoined_root import Adjoined
 from exactspline.language.arguments import Evaluated, Operands
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import FRAMED, FRAMED_PLANE, FRAMED_SPACE, CurveKind, Kind, kind_of, with_constants
-from exactspline.language.parts import joined, split
+from exactspline.language.ruled import joined, split
 from exactspline.polynomials.cost import at_its_cost
 from exactspline.polynomials.factors import factorize_square_free
 from exactspline.readings.rational_jet import JetFraction

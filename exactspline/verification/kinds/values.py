@@ -9,7 +9,7 @@ from typing import Any, ClassVar
 from exactspline.errors import ClaimError, ReachError
 from exactspline.geometry.pairs.distance import distance
 from exactspline.language.arguments import Evaluated
-from exactspline.language.parts import split
+from exactspline.language.ruled import split
 from exactspline.numbers.exact import mpq, point_text, text
 from exactspline.numbers.sides import Side
 from exactspline.verification.claim import Claim, example_name, formula_name, number, numbers, read

@@ -15,8 +15,8 @@ from exactspline.errors import ClaimError, FormulaError, ReachError
 from exactspline.language.arguments import PARAMETERS, Evaluated
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import kind_of
-from exactspline.language.parts import split
 from exactspline.language.rational import Rational
+from exactspline.language.ruled import split
 from exactspline.numbers.exact import mpq
 from exactspline.polynomials.bernstein import is_square_class
 from exactspline.polynomials.common_arcs import rational_between

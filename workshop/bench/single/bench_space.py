@@ -8,7 +8,7 @@ from functools import partial
 
 import pytest
 
-from exactspline.language.parts import split
+from exactspline.language.ruled import split
 from exactspline.papers.chen_riesenfeld_cohen_2007.space import (
     rectifying_developable,
     rectifying_developable_reduced,
