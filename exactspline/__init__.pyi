@@ -26,8 +26,8 @@ from .reals.real import square_root as square_root
 # files and examples
 from .interchange.files import read as read
 from .interchange.files import write as write
-from .interchange.bridges.scipy import from_scipy as from_scipy
-from .interchange.bridges.scipy import to_scipy as to_scipy
+from .interchange.bridges import from_scipy as from_scipy
+from .interchange.bridges import to_scipy as to_scipy
 from .interchange.examples import example as example
 from .interchange.examples import examples as examples
 

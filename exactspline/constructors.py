@@ -11,8 +11,15 @@ from flint import fmpq_mat
 
 from exactspline.errors import KnotError, NumberError, ShapeError, as_flag, as_items, counted, shown
 from exactspline.interchange.affine import Affine
-from exactspline.interchange.arcs import DEGREES, turn_near
-from exactspline.interchange.segments import Segment, arc_around_origin, conic_arc, joined_segments, mapped
+from exactspline.interchange.segments import (
+    DEGREES,
+    Segment,
+    arc_around_origin,
+    conic_arc,
+    joined_segments,
+    mapped,
+    turn_near,
+)
 from exactspline.interchange.segments import ellipse as full_ellipse
 from exactspline.numbers.exact import Number, from_flint, isqrt, mpq, rational, to_fmpq
 from exactspline.reals.real import square_root

@@ -13,7 +13,7 @@ from typing import NamedTuple
 
 from exactspline.batch.families import Family
 from exactspline.errors import CurveFileError, ExactSplineError, NumberError, as_flag
-from exactspline.interchange.digests import curve_digest, surface_digest
+from exactspline.interchange.curve_files import curve_digest, surface_digest
 from exactspline.interchange.examples import example, example_names
 from exactspline.interchange.files import read_in_pieces
 from exactspline.interchange.formats import formats

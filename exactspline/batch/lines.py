@@ -9,7 +9,7 @@ from enum import StrEnum
 from typing import Any, get_args, get_origin, get_type_hints
 
 from exactspline.batch.corpus import Problem
-from exactspline.interchange.digests import short_digest
+from exactspline.interchange.curve_files import short_digest
 from exactspline.one_line import OneLine, one_line
 from exactspline.questions.entry import Of
 

@@ -112,7 +112,7 @@ class Read:
 
     def data(self) -> dict[str, object]:
         """Which curve it is, as data."""
-        from exactspline.interchange.digests import curve_digest
+        from exactspline.interchange.curve_files import curve_digest
 
         return {"source": self.source, "index": self.index, "digest": curve_digest(self.curve)}
 

@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
+import operator
 import re
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
 from decimal import Decimal
-from math import inf
+from math import inf, ulp
+from typing import TypeAlias
 
-from exactspline.errors import NumberError, counted, shown
-from exactspline.interchange.limits import Limits
-from exactspline.numbers.exact import decimal_places, isqrt, mpq, mpz, rational
+from exactspline.errors import CurveFileError, NumberError, ShapeError, counted, shown
+from exactspline.interchange.records import LARGER, Limits
+from exactspline.numbers.exact import decimal_places, double, from_float, is_float, isqrt, mpq, mpz, rational
 
 _DECIMAL = re.compile(r"[+-]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eEdD]([+-]?\d{1,9}))?", re.ASCII)
 _WHOLE = re.compile(r"[+-]?\d{1,9}", re.ASCII)
@@ -177,3 +180,162 @@ class NumberText:
 
 
 _REMEDY = "choose the format json, or ask for rounding"
+
+
+# ---- words and numbers of a file, one at a time
+
+
+#: A word, or what is in a pair of brackets.
+Nested: TypeAlias = "str | list[Nested]"
+_WORD = re.compile(r"\S+")
+
+
+def nested(tokens: Iterable[str], brackets: str, limits: Limits, extra: Callable[[], object]) -> list[Nested]:
+    """Words in brackets as lists of lists; `extra` is called for a bracket that closes nothing.
+
+    >>> nested(["a", "(", "b", ")"], "()", Limits(), list)
+    ['a', ['b']]
+    """
+    opened: list[list[Nested]] = [[]]
+    for token in tokens:
+        if token not in (brackets[0], brackets[1]):
+            opened[-1].append(token)
+        elif token == brackets[1]:
+            opened.pop() if len(opened) > 1 else extra()
+        elif len(opened) > limits.depth:
+            raise CurveFileError("brackets are nested too deeply", remedy=LARGER)
+        else:
+            inner: list[Nested] = []
+            opened[-1].append(inner)
+            opened.append(inner)
+    if len(opened) > 1:
+        raise CurveFileError(f"{counted(len(opened) - 1, 'bracket')} not closed", remedy="balance the brackets")
+    return opened[0]
+
+
+class Tokens:
+    """The words of a text from a position on, read lazily.
+
+    >>> words = Tokens("2 0.5 x", Limits())
+    >>> words.whole(), words.number(), words.word(), words.ended
+    (2, mpq(1,2), 'x', True)
+    """
+
+    def __init__(self, text: str, limits: Limits, position: int = 0) -> None:
+        self.text, self.limits = text, limits
+        self._counted = (0, 1)
+        self.move(position)
+
+    def move(self, position: int) -> None:
+        """Continue reading at a later position."""
+        self._matches: Iterator[re.Match[str]] = _WORD.finditer(self.text, position)
+        self._next = next(self._matches, None)
+        self.position = position
+
+    @property
+    def ended(self) -> bool:
+        """Whether all words have been read."""
+        return self._next is None
+
+    @property
+    def line(self) -> int:
+        """The line of the last word read."""
+        start, line = self._counted
+        self._counted = (self.position, line + self.text.count("\n", start, self.position))
+        return self._counted[1]
+
+    def word(self) -> str:
+        """The next word; raises `CurveFileError` at the end."""
+        if self._next is None:
+            raise CurveFileError("the file ends too early", where=f"line {self.line}", remedy="complete the file")
+        self.position = self._next.start()
+        word = self._next[0]
+        self._next = next(self._matches, None)
+        return word
+
+    def number(self) -> mpq:
+        """The next word as an exact decimal."""
+        return decimal(self.word(), self.limits)
+
+    def numbers(self, count: int) -> list[mpq]:
+        """The next `count` words as decimals."""
+        return [self.number() for _ in range(self._checked(count))]
+
+    def rows(self, count: int, length: int) -> list[list[mpq]]:
+        """The next `count` rows of `length` decimals."""
+        self._checked(count * length)
+        return [self.numbers(length) for _ in range(count)]
+
+    def whole(self) -> int:
+        """The next word as a small integer."""
+        return whole(self.word())
+
+    def count(self) -> int:
+        """The next word as a count."""
+        return self._checked(self.whole())
+
+    def _checked(self, count: int) -> int:
+        if not 0 <= count <= self.limits.objects:
+            remedy = f"it must be between 0 and {self.limits.objects}"
+            raise ShapeError(f"a count of {count}", where=f"line {self.line}", remedy=remedy)
+        return count
+
+
+# ---- numbers of other libraries
+
+
+#: A knot or a coefficient may be moved by this many units in the last place of the largest one.
+MOST_ULPS = 8
+
+
+def exact(value: object) -> mpq:
+    """The exact value of a Python or numpy integer or float of any width, or of an exact number.
+
+    >>> exact(3), exact(0.5)
+    (mpq(3,1), mpq(1,2))
+
+    Raises `NumberError` for NaN, infinities, complex numbers and objects that are not numbers.
+    """
+    if type(value) is int:
+        return mpq(value)
+    if isinstance(value, type(mpq())):
+        return value
+    if is_float(value):
+        return from_float(value)
+    try:
+        return mpq(operator.index(value))  # type: ignore[arg-type]  # checked to be an integer
+    except TypeError:
+        raise NumberError(f"{shown(value)} is not a finite number", remedy="pass integers or floats") from None
+
+
+def exact_rows(rows: Iterable[Iterable[object]]) -> list[list[mpq]]:
+    """The exact values of rows of numbers."""
+    return [[exact(value) for value in row] for row in rows]
+
+
+def doubles(values: Iterable[mpq]) -> list[float]:
+    """The correctly rounded doubles; raises `NumberError` beyond their range."""
+    return [finite_double(value) for value in values]
+
+
+def periodic(degree: int, knots: Sequence[mpq], points: Sequence[object]) -> tuple[Sequence[mpq], str]:
+    """The knots of a curve whose last control points are its first ones, periodic where they are that up to rounding:
+    those outside of the domain, by at most `MOST_ULPS`; and a note on what was moved. Other knots stay.
+
+    >>> rounded = [mpq(t) if t > -3 else mpq(t) - mpq(1, 10**16) for t in range(-3, 9)]
+    >>> knots, note = periodic(3, rounded, "abcdeabc")
+    >>> knots[0], note
+    (mpq(-3,1), 'closed: knots outside of the domain were moved by at most 1e-16')
+    """
+    count, made = len(points), list(knots)
+    if not 0 < degree < count or knots[0] == knots[degree] or points[:degree] != points[count - degree :]:
+        return knots, ""
+    ahead, width = count - degree, knots[count] - knots[degree]
+    for i in reversed(range(degree)):
+        made[i] = made[i + ahead] - width
+    for i in range(count + 1, len(knots)):
+        made[i] = made[i - ahead] + width
+    change = max(abs(a - b) for a, b in zip(made, knots, strict=True))
+    if not 0 < change <= MOST_ULPS * exact(ulp(max(map(float, map(abs, knots))))):
+        return knots, ""
+    return made, f"closed: knots outside of the domain were moved by at most {double(change, 'up'):.3g}"

@@ -14,14 +14,19 @@ from pathlib import Path
 from typing import Any
 
 from exactspline.errors import CurveFileError
-from exactspline.interchange.collector import Collector
-from exactspline.interchange.curve_files import SIZED, curve_data, curve_from_data, surface_data, surface_from_data
+from exactspline.interchange.collector import Collector, whole
+from exactspline.interchange.curve_files import (
+    SIZED,
+    curve_data,
+    curve_from_data,
+    numbers_of,
+    parsed,
+    surface_data,
+    surface_from_data,
+)
 from exactspline.interchange.format import Format
-from exactspline.interchange.json_files import numbers_of, parsed
-from exactspline.interchange.limits import Limits
 from exactspline.interchange.numbers import NumberText
-from exactspline.interchange.periods import whole
-from exactspline.interchange.records import Reading, Source
+from exactspline.interchange.records import Limits, Reading, Source
 from exactspline.interchange.writing import Spline
 from exactspline.splines.knots import KnotVector
 from exactspline.splines.surface import NurbsSurface

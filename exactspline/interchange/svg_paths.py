@@ -7,10 +7,17 @@ from dataclasses import dataclass, field
 
 from exactspline.errors import ExactSplineError, NumberError
 from exactspline.interchange.affine import APPROXIMATE, Affine
-from exactspline.interchange.arcs import DEGREES, quarter_turns, turn_near
-from exactspline.interchange.limits import Limits
 from exactspline.interchange.numbers import decimal, root_below, square_root
-from exactspline.interchange.segments import Segment, arc_around_origin, mapped, polynomial
+from exactspline.interchange.records import Limits
+from exactspline.interchange.segments import (
+    DEGREES,
+    Segment,
+    arc_around_origin,
+    mapped,
+    polynomial,
+    quarter_turns,
+    turn_near,
+)
 from exactspline.numbers.exact import mpq
 
 Point = tuple[mpq, mpq]

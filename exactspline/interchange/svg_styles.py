@@ -7,13 +7,22 @@ may be taken to apply to an element to which it does not, but never the reverse.
 
 from __future__ import annotations
 
+import json
 import re
 from collections.abc import Iterable
 from dataclasses import dataclass, field
+from importlib import resources
+from typing import Any
 
-from exactspline.interchange.svg_names import NAMES
 from exactspline.interchange.xml_tree import Element
 from exactspline.one_line import OneLine
+
+# ---- the names of elements, properties and units
+
+
+#: The names of each kind.
+NAMES: dict[str, Any] = json.loads(resources.files(__package__).joinpath("svg_names.json").read_text(encoding="utf-8"))
+
 
 #: Properties that move the element they are set on; that determine the origin of a transform; that define the shape of
 #: an element; and that hide an element or a part of it.

@@ -10,7 +10,7 @@ from dataclasses import dataclass, field
 from xml.parsers import expat
 
 from exactspline.errors import CurveFileError
-from exactspline.interchange.limits import LARGER, Limits
+from exactspline.interchange.records import LARGER, Limits
 
 #: Characters that XML 1.0 does not allow, escaped or not (section 2.2).
 NOT_IN_XML = re.compile("[\x00-\x08\x0b\x0c\x0e-\x1f\ud800-\udfff\ufffe\uffff]")

@@ -316,11 +316,11 @@ def asking(modules: dict[str, ast.Module]) -> Iterator[str]:
 #: What asks for the type of a value to show it, to prove something of it or to see what can be done: no formulas.
 ALLOWED = {
     "display.plot.functions:plot_function": "a spline or a quotient is drawn",
-    "interchange.bridges.sympy:to_sympy": "a spline or a curve is written for another library",
+    "interchange.bridges:to_sympy": "a spline or a curve is written for another library",
     "geometry.analysis.floats:_of_curve": "a curve or a function at parameters, rounded",
     "geometry.analysis.floats:_of_surface": "a surface or a function at parameters, rounded",
-    "interchange.bridges.scipy:_joined": "a function or a curve is read",
-    "interchange.bridges.scipy:read_scipy": "a function or a curve is read",
+    "interchange.bridges:_joined": "a function or a curve is read",
+    "interchange.bridges:read_scipy": "a function or a curve is read",
     "programs.inputs:operands_of": "whether there is a program",
     "readings.bernstein_term:every_coefficient": "a proof about values of its own reading",
     "verification.denominators:factored": "a denominator in factors, a number or a fraction",

@@ -16,8 +16,8 @@ from exactspline.interchange import Limits, read, write
 from exactspline.interchange.examples import example, example_names
 from exactspline.interchange.files import encoded
 from exactspline.interchange.formats import formats
-from exactspline.interchange.limits import work
 from exactspline.interchange.own_json import schema
+from exactspline.interchange.records import work
 from tests.support.interchange_seeds import (
     ARC,
     BREP,

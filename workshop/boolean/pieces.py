@@ -10,7 +10,7 @@ from typing import NamedTuple
 
 from exactspline.errors import CurveFileError, ShapeError
 from exactspline.geometry.pairs.winding import FillRule
-from exactspline.interchange.limits import Limits
+from exactspline.interchange.records import Limits
 from exactspline.interchange.svg_paths import subpaths
 from exactspline.numbers.exact import mpq
 from exactspline.numbers.once import cached_property

@@ -16,14 +16,11 @@ from typing import Any
 
 from exactspline.errors import CurveFileError
 from exactspline.interchange.affine import Affine
-from exactspline.interchange.arcs import RADIANS, RIGHT, Round
-from exactspline.interchange.collector import Collector
+from exactspline.interchange.collector import Collector, domain, used
 from exactspline.interchange.format import Format
-from exactspline.interchange.numbers import NumberText, finite_double, last_digit
-from exactspline.interchange.periods import domain, used
+from exactspline.interchange.numbers import NumberText, Tokens, finite_double, last_digit
 from exactspline.interchange.records import Reading, Source
-from exactspline.interchange.segments import Segment, bezier_knots, polynomial
-from exactspline.interchange.tokens import Tokens
+from exactspline.interchange.segments import RADIANS, RIGHT, Round, Segment, bezier_knots, polynomial
 from exactspline.interchange.writing import Spline
 from exactspline.numbers.exact import mpq
 from exactspline.splines.nurbs import Nurbs

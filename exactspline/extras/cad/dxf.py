@@ -16,12 +16,11 @@ from itertools import pairwise
 from exactspline.errors import CurveFileError, ShapeError
 from exactspline.extras.cad.names import NAMES
 from exactspline.interchange.affine import Affine, axes, cross, dot, unit
-from exactspline.interchange.arcs import DEGREES, RADIANS, ZERO, Round
 from exactspline.interchange.collector import UNREAD, Collector
 from exactspline.interchange.format import Format
 from exactspline.interchange.numbers import NumberText, decimal, last_digit, whole
 from exactspline.interchange.records import Reading, Source
-from exactspline.interchange.segments import Segment, bulged, mapped, polynomial
+from exactspline.interchange.segments import DEGREES, RADIANS, ZERO, Round, Segment, bulged, mapped, polynomial
 from exactspline.interchange.writing import Spline
 from exactspline.numbers.exact import mpq
 

@@ -15,9 +15,8 @@ from math import prod
 from exactspline.extras.cad.names import NAMES
 from exactspline.interchange.collector import Collector
 from exactspline.interchange.format import Format
-from exactspline.interchange.numbers import NumberText
+from exactspline.interchange.numbers import NumberText, Tokens
 from exactspline.interchange.records import Reading, Source
-from exactspline.interchange.tokens import Tokens
 from exactspline.interchange.writing import Spline
 from exactspline.numbers.exact import mpq
 

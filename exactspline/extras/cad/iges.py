@@ -18,13 +18,11 @@ from exactspline.errors import CurveFileError, counted
 from exactspline.extras.cad.iges_records import DirectoryEntry, entries, formatted, unit_of
 from exactspline.extras.cad.names import NAMES
 from exactspline.interchange.affine import Affine
-from exactspline.interchange.arcs import RIGHT, Round, through_ends
-from exactspline.interchange.collector import UNREAD, Collector
+from exactspline.interchange.collector import UNREAD, Collector, domain, used
 from exactspline.interchange.format import Format
 from exactspline.interchange.numbers import NumberText, decimal, whole, with_point
-from exactspline.interchange.periods import domain, used
 from exactspline.interchange.records import Reading, Source
-from exactspline.interchange.segments import Segment, conic_arc, mapped, polynomial
+from exactspline.interchange.segments import RIGHT, Round, Segment, conic_arc, mapped, polynomial, through_ends
 from exactspline.interchange.writing import Spline
 from exactspline.numbers.exact import mpq
 from exactspline.splines.nurbs import Nurbs

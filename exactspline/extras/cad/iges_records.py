@@ -9,8 +9,8 @@ from dataclasses import dataclass
 
 from exactspline.errors import CurveFileError
 from exactspline.extras.cad.names import NAMES
-from exactspline.interchange.limits import Limits
 from exactspline.interchange.numbers import whole
+from exactspline.interchange.records import Limits
 
 
 @dataclass

@@ -16,10 +16,9 @@ from typing import Any
 from exactspline.errors import CurveFileError, counted
 from exactspline.interchange.collector import Collector
 from exactspline.interchange.format import Format
-from exactspline.interchange.numbers import NumberText, decimal, is_decimal, whole
+from exactspline.interchange.numbers import Nested, NumberText, decimal, is_decimal, nested, whole
 from exactspline.interchange.records import Reading, Source
 from exactspline.interchange.segments import bezier_knots
-from exactspline.interchange.tokens import Nested, nested
 from exactspline.interchange.writing import Spline
 from exactspline.numbers.exact import mpq
 

@@ -22,12 +22,11 @@ from typing import Any
 
 from exactspline.errors import CurveFileError, counted
 from exactspline.interchange.affine import Affine
-from exactspline.interchange.arcs import RADIANS, RIGHT, Round
 from exactspline.interchange.collector import UNREAD, Collector
 from exactspline.interchange.format import Format
-from exactspline.interchange.limits import LARGER
 from exactspline.interchange.numbers import NumberText
-from exactspline.interchange.records import Reading, Source
+from exactspline.interchange.records import LARGER, Reading, Source
+from exactspline.interchange.segments import RADIANS, RIGHT, Round
 from exactspline.interchange.writing import Spline
 from exactspline.numbers.exact import mpq, rational
 from exactspline.system import LIMITS, OUT_OF_TIME

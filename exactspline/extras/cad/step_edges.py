@@ -12,11 +12,20 @@ from exactspline.extras.cad.step_records import StepFile, Value, keywords, parts
 from exactspline.extras.cad.step_splines import CURVE, KEYWORDS, built_curve
 from exactspline.extras.cad.step_text import name_of
 from exactspline.interchange.affine import Affine, axes, dot, minus, unit
-from exactspline.interchange.arcs import DEGREES, RADIANS, RIGHT, Round, moved, quarter_turns
+from exactspline.interchange.collector import used
 from exactspline.interchange.numbers import decimal, last_digit
-from exactspline.interchange.periods import used
 from exactspline.interchange.records import NamedCurve
-from exactspline.interchange.segments import Segment, ellipse, polynomial
+from exactspline.interchange.segments import (
+    DEGREES,
+    RADIANS,
+    RIGHT,
+    Round,
+    Segment,
+    ellipse,
+    moved,
+    polynomial,
+    quarter_turns,
+)
 from exactspline.numbers.exact import mpq
 
 EDGE, TRIMMED, POLYLINE, COMPOSITE = "EDGE_CURVE", "TRIMMED_CURVE", "POLYLINE", "COMPOSITE_CURVE"

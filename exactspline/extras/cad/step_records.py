@@ -8,9 +8,8 @@ from typing import NoReturn
 
 from exactspline.errors import CurveFileError, counted
 from exactspline.interchange.collector import Collector
-from exactspline.interchange.limits import LARGER, Limits
-from exactspline.interchange.numbers import decimal
-from exactspline.interchange.tokens import Nested, nested
+from exactspline.interchange.numbers import Nested, decimal, nested
+from exactspline.interchange.records import LARGER, Limits
 from exactspline.numbers.exact import mpq
 
 #: A value: the text of a number, a reference, an enumeration value or a string (with its quotes), or a list of values.

@@ -16,10 +16,10 @@ from io import BytesIO
 from typing import TYPE_CHECKING, Any
 
 from exactspline.errors import CurveFileError, ExactSplineError, ShapeError, counted
-from exactspline.interchange.bridges.fonttools import ContourPen
-from exactspline.interchange.bridges.values import exact
 from exactspline.interchange.collector import Collector
 from exactspline.interchange.format import Format
+from exactspline.interchange.numbers import exact
+from exactspline.interchange.pens import ContourPen
 from exactspline.interchange.records import Piece, Reading, Source
 from exactspline.numbers.exact import mpq
 

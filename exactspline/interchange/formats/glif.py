@@ -7,10 +7,10 @@ interprets the points (the extra `formats`). Components, which are defined in ot
 from __future__ import annotations
 
 from exactspline.errors import CurveFileError
-from exactspline.interchange.bridges.fonttools import ContourPen
 from exactspline.interchange.collector import Collector
 from exactspline.interchange.format import Format
 from exactspline.interchange.numbers import decimal
+from exactspline.interchange.pens import ContourPen
 from exactspline.interchange.records import Reading, Source
 from exactspline.interchange.xml_tree import Element, parse
 

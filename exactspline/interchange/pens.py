@@ -7,9 +7,8 @@ from itertools import pairwise
 from typing import TYPE_CHECKING
 
 from exactspline.errors import ShapeError, counted
-from exactspline.interchange.bridges.values import exact
-from exactspline.interchange.limits import LARGER
-from exactspline.interchange.numbers import finite_double
+from exactspline.interchange.numbers import exact, finite_double
+from exactspline.interchange.records import LARGER
 from exactspline.interchange.segments import joined_segments, polynomial
 from exactspline.interchange.writing import pen_segments
 from exactspline.numbers.exact import mpq

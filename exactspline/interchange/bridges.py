@@ -1,16 +1,16 @@
-"""scipy's piecewise polynomials: read exactly, as smooth and as closed as their class says; written with correct
-rounding.
-"""
+"""Bridges to other libraries: each function imports its library only when it is called."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from itertools import groupby, pairwise
 from math import comb, ulp
 from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias
 
-from exactspline.errors import ShapeError, counted, shown
-from exactspline.interchange.bridges.values import MOST_ULPS, doubles, exact, exact_rows, periodic
+from exactspline.errors import ShapeError, a_kind, as_instance, counted, shown
+from exactspline.interchange.numbers import MOST_ULPS, doubles, exact, exact_rows, periodic
+from exactspline.interchange.pens import ContourPen
+from exactspline.interchange.writing import homogeneous, pen_segments
 from exactspline.numbers.exact import double, mpq
 from exactspline.splines.blossom import with_smooth_knots
 from exactspline.splines.bspline import BSpline
@@ -18,6 +18,17 @@ from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.surface import NurbsSurface
 from exactspline.splines.tensor import TensorSpline
 from exactspline.splines.type_checks import curve_of
+
+if TYPE_CHECKING:
+    import geomdl.abstract
+    import mpmath
+    import splinepy.spline
+    import sympy
+    from matplotlib.path import Path
+
+
+# ---- scipy
+
 
 if TYPE_CHECKING:
     import numpy as np
@@ -195,3 +206,197 @@ def to_scipy(curve: Nurbs | BSpline) -> scipy.interpolate.BSpline:
     from scipy.interpolate import BSpline as SciPyBSpline
 
     return SciPyBSpline(np.array(doubles(curve.knots)), np.array(coefficients), curve.degree)
+
+
+# ---- geomdl
+
+
+def from_geomdl(curve: geomdl.abstract.Curve) -> Nurbs:
+    """The curve defined by exactly the numbers that geomdl stores. By default geomdl maps the knots to [0, 1], which
+    rounds them: where the last control points are the first ones, the knots outside of the domain are moved so that
+    the curve is closed, by at most 8 units in the last place, as its note says. For a rational curve geomdl stores
+    homogeneous points (w x, w), and these are read.
+
+    Raises `ShapeError` for a surface, a volume, and objects that are not from geomdl.
+    """
+    from geomdl import abstract
+
+    if not isinstance(curve, abstract.Curve):
+        raise ShapeError(
+            f"a {type(curve).__name__}, where a geomdl curve is expected", remedy="give a BSpline.Curve or NURBS.Curve"
+        )
+    degree, points = int(curve.degree), exact_rows(curve.ctrlptsw if curve.rational else curve.ctrlpts)
+    knots, note = periodic(degree, [exact(t) for t in curve.knotvector], points)
+    make = Nurbs.from_homogeneous if curve.rational else Nurbs
+    return make(degree, knots, points, name=str(curve.name), note=note)
+
+
+def to_geomdl(curve: Nurbs) -> geomdl.abstract.Curve:
+    """A geomdl curve with the correctly rounded knots and points; the knots are not normalized to [0, 1]."""
+    curve = curve_of(curve)
+
+    from geomdl import NURBS
+    from geomdl import BSpline as Polynomial
+
+    made = Polynomial.Curve(normalize_kv=False) if curve.polynomial else NURBS.Curve(normalize_kv=False)
+    made.degree = curve.degree
+    if curve.polynomial:
+        made.ctrlpts = [doubles(point) for point in curve.control_points]
+    else:
+        made.ctrlptsw = [doubles(homogeneous(*each)) for each in zip(curve.control_points, curve.weights, strict=True)]
+    made.knotvector = doubles(curve.knots)
+    return made
+
+
+# ---- splinepy
+
+
+def from_splinepy(curve: splinepy.spline.Spline) -> Nurbs:
+    """The curve defined by exactly the numbers that splinepy stores, for any of its four spline classes; the domain of
+    a Bézier curve is [0, 1]. Where the last control points are the first ones, the curve is closed as by `from_geomdl`.
+
+    Raises `ShapeError` for a surface or a volume, and for what is not a spline of splinepy.
+    """
+    if not isinstance(getattr(curve, "para_dim", None), int) or not hasattr(curve, "degrees"):
+        raise ShapeError(f"{a_kind(curve)}, where a spline of splinepy is expected", remedy="give a splinepy.BSpline")
+    if curve.para_dim != 1:
+        raise ShapeError(f"a spline in {curve.para_dim} parameters", remedy="a curve has one")
+    degree = int(curve.degrees[0])
+    if curve.has_knot_vectors:
+        knots = [exact(t) for t in curve.knot_vectors[0]]
+    else:
+        knots = [exact(int(i > degree)) for i in range(2 * degree + 2)]
+    weights = [exact(w) for row in curve.weights for w in row] if curve.is_rational else [exact(1)] * len(curve.cps)
+    points = exact_rows(curve.control_points)
+    whole, note = periodic(degree, knots, [*zip(points, weights, strict=True)])
+    return Nurbs(degree, whole, points, weights, note=note)
+
+
+def to_splinepy(curve: Nurbs) -> splinepy.spline.Spline:
+    """A splinepy ``BSpline`` or ``NURBS`` with the correctly rounded knots, points and weights."""
+    curve = curve_of(curve)
+    import splinepy
+
+    points = [doubles(point) for point in curve.control_points]
+    knots = [doubles(curve.knots)]
+    if curve.polynomial:
+        return splinepy.BSpline([curve.degree], knots, points)
+    return splinepy.NURBS([curve.degree], knots, points, [[w] for w in doubles(curve.weights)])
+
+
+# ---- matplotlib
+
+
+#: What a pen does at each code of a path: MOVETO, LINETO, CURVE3, CURVE4.
+STEPS = {1: "moveTo", 2: "lineTo", 3: "qCurveTo", 4: "curveTo"}
+
+
+def from_matplotlib(path: Path) -> list[Nurbs]:
+    """The curves of a path, one for each of its parts that begin with ``MOVETO``, with the doubles as they are.
+
+    >>> from matplotlib.path import Path
+    >>> (triangle,) = from_matplotlib(Path([(0, 0), (4, 0), (0, 2), (0, 0)], closed=True))
+    >>> triangle.closed, triangle("3/2")
+    (True, (mpq(2,1), mpq(1,1)))
+
+    Raises `ShapeError` for what is no path, `NumberError` for NaN and infinities.
+    """
+    from matplotlib.path import Path
+
+    path, pen = as_instance(path, Path, "a path", "give a matplotlib.path.Path"), ContourPen()
+    start: list[float] = []
+    for row, code in path.iter_segments(remove_nans=False, simplify=False):
+        points = row.reshape(-1, 2).tolist()
+        if code in STEPS:
+            getattr(pen, STEPS[int(code)])(*points)
+            start = points[0] if code == Path.MOVETO else start
+        elif code == Path.CLOSEPOLY:
+            pen.closePath()
+            pen.moveTo(start)  # what follows without MOVETO begins there
+    pen.endPath()
+    return pen.curves()
+
+
+def to_matplotlib(curve: Nurbs) -> Path:
+    """The path of a polynomial plane curve of degree 1 to 3, its points rounded correctly.
+
+    >>> path = to_matplotlib(Nurbs.bezier([(0, 0), (1, 2), (3, 0)]))
+    >>> path.codes.tolist(), path.vertices.tolist()
+    ([1, 3, 3], [[0.0, 0.0], [1.0, 2.0], [3.0, 0.0]])
+
+    Raises `ShapeError` for other curves and at a jump.
+    """
+    from matplotlib.path import Path
+
+    curve = curve_of(curve)
+    points = [doubles(point) for segment in pen_segments(curve) for point in segment]
+    ends = points[:1] * curve.closed
+    del points[curve.degree + 1 :: curve.degree + 1]  # where the next segment begins
+    # LINETO, CURVE3, CURVE4 are 2, 3, 4
+    codes: list[int] = [1, *[curve.degree + 1] * (len(points) - 1), *[int(Path.CLOSEPOLY)] * curve.closed]
+    return Path(points + ends, codes)
+
+
+# ---- mpmath
+
+
+def to_mpmath(curve: Nurbs) -> Callable[[object], list[mpmath.mpf]]:
+    """The function that maps a parameter to a point. Every coordinate is rounded once, to the working precision at the
+    time of the call.
+
+    >>> from mpmath import mpf, workdps
+    >>> from exactspline.interchange.examples import example
+    >>> with workdps(30):
+    ...     print(to_mpmath(example("circle"))(mpf("0.25"))[0])
+    0.882352941176470588235294117647
+    """
+    curve = curve_of(curve)
+
+    def value(parameter: object) -> list[mpmath.mpf]:
+        import mpmath
+        from mpmath.libmp import from_rational, round_nearest, to_rational
+
+        numerator, denominator = to_rational(mpmath.mpmathify(parameter)._mpf_)
+        point = curve(mpq(int(numerator), int(denominator)))
+        return [
+            mpmath.mpf(from_rational(int(x.numerator), int(x.denominator), mpmath.mp.prec, round_nearest))
+            for x in point
+        ]
+
+    return value
+
+
+# ---- sympy
+
+
+def to_sympy(curve: Nurbs | BSpline, symbol: sympy.Symbol | None = None) -> tuple[sympy.Expr, ...]:
+    """The coordinates over the domain, each a `Piecewise` in the symbol, by default t: segments are half-open intervals
+    [a, b), the last one closed.
+
+    >>> to_sympy(BSpline(2, [0, 0, 0, 1, 1, 1], [0, 1, 0]))
+    (Piecewise((-2*t**2 + 2*t, (t >= 0) & (t <= 1))),)
+
+    Raises `ExactSplineError` for what is not a curve, a spline or a symbol.
+    """
+    import sympy
+
+    symbol = sympy.Symbol("t") if symbol is None else symbol
+    as_instance(symbol, sympy.Symbol, "a symbol", 'give sympy.Symbol("t")')
+    parts = [curve] if isinstance(curve, BSpline) else list(curve_of(curve).p)
+    numerators = [_polynomials(part, symbol) for part in parts]
+    denominators = [1] * len(numerators[0]) if isinstance(curve, BSpline) else _polynomials(curve.w, symbol)
+    breaks = [sympy.Rational(str(t)) for t in curve.breakpoints]
+    conditions = [sympy.And(symbol >= a, symbol < b) for a, b in pairwise(breaks)]
+    conditions[-1] = sympy.And(symbol >= breaks[-2], symbol <= breaks[-1])
+    return tuple(
+        sympy.Piecewise(*((p / w, where) for p, w, where in zip(row, denominators, conditions, strict=True)))
+        for row in numerators
+    )
+
+
+def _polynomials(spline: BSpline, symbol: sympy.Symbol) -> list[sympy.Expr]:
+    """One polynomial per segment, in powers of the symbol."""
+    import sympy
+
+    rows = ([sympy.Rational(int(c.p), int(c.q)) for c in p.coeffs()[::-1]] for p in spline.polynomials)
+    return [sympy.Poly(row or [0], symbol).as_expr() for row in rows]
