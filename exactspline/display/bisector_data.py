@@ -36,10 +36,9 @@ from exactspline.geometry.bisectors.components import (
     SinglePair,
     Solutions,
 )
-from exactspline.geometry.bisectors.flats import Flat
+from exactspline.geometry.bisectors.lines import Coordinate, Flat
 from exactspline.geometry.bisectors.plane_curves import PlaneBisector
 from exactspline.geometry.bisectors.point_and_curve import PointBisector, RuledPiece
-from exactspline.geometry.bisectors.root_lines import Coordinate
 from exactspline.geometry.bisectors.trimmed import PieceKind, TrimmedBisector, TrimmedPiece
 from exactspline.geometry.bisectors.two_curves import BisectorPatch, CurveBisector
 from exactspline.language.rational import Rational

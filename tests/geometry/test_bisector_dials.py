@@ -15,8 +15,8 @@ from exactspline import BSpline, Nurbs, zeros
 from exactspline.cli import app
 from exactspline.errors import ShapeError
 from exactspline.geometry.bisectors import two_curves
+from exactspline.geometry.bisectors.common import STILL, THROUGH
 from exactspline.geometry.bisectors.components import Solutions, SpecialPairs
-from exactspline.geometry.bisectors.missing import STILL, THROUGH
 from exactspline.geometry.bisectors.point_and_curve import point_bisector
 from exactspline.geometry.bisectors.single_pairs import brief
 from exactspline.geometry.bisectors.special_pairs import special_pairs

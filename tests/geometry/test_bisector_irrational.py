@@ -16,8 +16,8 @@ from exactspline import BSpline
 from exactspline.cli import app
 from exactspline.display.answer_forms import bisector_answer
 from exactspline.errors import ReachError
-from exactspline.geometry.bisectors import root_lines
-from exactspline.geometry.bisectors.polynomials import vanish_together
+from exactspline.geometry.bisectors import lines
+from exactspline.geometry.bisectors.system import vanish_together
 from exactspline.geometry.bisectors.two_curves import curve_bisector
 from exactspline.interchange.curve_files import curve_data, write_json
 from exactspline.polynomials.elimination import resultant
@@ -130,7 +130,7 @@ def test_poles_out_of_reach_are_named_and_the_rest_is_there(monkeypatch):
     whole = curve_bisector(CUSP_IN_ORIGIN, other)
     for name, instead in (("resultant", refuse), ("vanish_together", lambda *_: None)):
         with monkeypatch.context() as patch:
-            patch.setattr(root_lines, name, instead)
+            patch.setattr(lines, name, instead)
             found = curve_bisector(CUSP_IN_ORIGIN, other)
             assert component(found).over_root.poles is None
             assert found.undecided == ("the poles of the lines over (√2/2) of one curve",)

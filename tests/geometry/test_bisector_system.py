@@ -7,14 +7,12 @@ from flint import fmpz_poly
 from gmpy2 import mpq
 
 from exactspline import BSpline, Nurbs, zeros
-from exactspline.geometry.bisectors import cusps, single_pairs
+from exactspline.geometry.bisectors import single_pairs, special_pairs
 from exactspline.geometry.bisectors.components import Solutions
-from exactspline.geometry.bisectors.correspondence import graph_intervals
 from exactspline.geometry.bisectors.lines import Path, along
-from exactspline.geometry.bisectors.polynomials import vanish_together
 from exactspline.geometry.bisectors.single_pairs import zeros_of_vector
-from exactspline.geometry.bisectors.special_pairs import runs_on
-from exactspline.geometry.bisectors.system import System, piece
+from exactspline.geometry.bisectors.special_pairs import graph_intervals, runs_on
+from exactspline.geometry.bisectors.system import System, piece, vanish_together
 from exactspline.numbers.intervals import UNIT
 from exactspline.polynomials.two_parameters import S, T
 from tests.support.bisector_oracle import FAMILIES
@@ -22,9 +20,9 @@ from tests.support.bisector_oracle import FAMILIES
 
 @pytest.mark.parametrize(("meet", "expected"), [(True, Solutions.SPACE), (False, Solutions.PLANE), (None, None)])
 def test_cusps_have_all_of_space_only_where_they_certainly_meet(monkeypatch, meet, expected):
-    monkeypatch.setattr(cusps, "vanish_together", lambda polynomials, s, t: meet)
+    monkeypatch.setattr(special_pairs, "vanish_together", lambda polynomials, s, t: meet)
     first, second = FAMILIES["two cusps in one point"]
-    found = cusps.over_both_cusps(System(piece(first, 0), piece(second, 0)))
+    found = special_pairs.over_both_cusps(System(piece(first, 0), piece(second, 0)))
     assert [pair.solutions for pair in found.pairs] == ([] if expected is None else [expected])
     assert len(found.undecided) == (expected is None)
 

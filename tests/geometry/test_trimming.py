@@ -12,7 +12,7 @@ from mpmath import mp
 
 from exactspline import BSpline, Nurbs
 from exactspline.errors import ShapeError
-from exactspline.geometry.bisectors import conditions as module
+from exactspline.geometry.bisectors import trimmed as module
 from exactspline.geometry.bisectors.trimmed import PieceKind, trimmed_bisector
 from exactspline.interchange.examples import example
 from exactspline.papers import find

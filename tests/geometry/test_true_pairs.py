@@ -8,7 +8,7 @@ import numpy as np
 
 import exactspline as xs
 from exactspline.errors import ReachError
-from exactspline.geometry.bisectors import true_pairs
+from exactspline.geometry.bisectors import plane_curves
 from exactspline.numbers.exact import sign
 from exactspline.numbers.intervals import UNIT, Box, Interval
 from exactspline.polynomials.patch_forms import PatchForm
@@ -87,10 +87,10 @@ def test_a_point_of_another_segment_is_nearer():
 
 def test_what_is_not_looked_at_is_undecided(monkeypatch):
     """The work grows with the number of segments, not of their pairs."""
-    monkeypatch.setattr(true_pairs, "BOXES", 30)
+    monkeypatch.setattr(plane_curves, "BOXES", 30)
     knots = [0, *range(9), 8]
     curves = [xs.Nurbs(1, knots, [(i, y + i % 2) for i in range(9)]) for y in (0, 5)]
-    found = true_pairs.true_pairs(*curves)
+    found = plane_curves.true_pairs(*curves)
     assert not found.kept
     assert ((7, 8), (7, 8)) in found.undecided
 
@@ -133,13 +133,13 @@ def test_forms_have_the_signs_of_differences_of_distances():
             )
             for n in (3, 3, 4)
         )
-        segments = [segment for curve in (one, two) for segment in true_pairs._Segment.all_of(curve)]
-        foot = true_pairs._Foot(segments, 0, true_pairs._Segment.all_of(other)[0])
+        segments = [segment for curve in (one, two) for segment in plane_curves._Segment.all_of(curve)]
+        foot = plane_curves._Foot(segments, 0, plane_curves._Segment.all_of(other)[0])
         for _ in range(12):
             s, t, u = (xs.rational(random.randint(1, 96)) / 97 for _ in range(3))
             point, tangent = as_numbers(one, s)
             middle, side = centre(point, tangent, as_numbers(other, t)[0]), foot.factors[0].value(s, t)
-            compared = [as_numbers(curve, x)[0] for curve in (one, two) for x in true_pairs.COMPARED]
+            compared = [as_numbers(curve, x)[0] for curve in (one, two) for x in plane_curves.COMPARED]
             for form, x in zip(foot.against[1:], compared, strict=True):
                 assert sign(form.value(s, t)) * sign(side) == nearer(middle, x, point)
                 seen.add(sign(form.value(s, t)))
@@ -172,12 +172,12 @@ def test_what_is_said_of_a_box_is_true_and_small_boxes_are_decided():
                 for x, y in places
                 for u in (xs.rational(k) / 8 for k in range(9))
             )
-            verdict = true_pairs.verdict_on(side, across, along, [n, m], first, UNIT.second)
+            verdict = plane_curves.verdict_on(side, across, along, [n, m], first, UNIT.second)
             assert verdict is (least >= 0) or verdict is None
             told[bits, verdict] += 1
     assert told[6, None] <= 1
     nothing = PatchForm.of_net([[0, 0]])
-    assert true_pairs.verdict_on(1, PatchForm.of_net([[1, 2]]), nothing, [nothing, nothing], *UNIT) is True
+    assert plane_curves.verdict_on(1, PatchForm.of_net([[1, 2]]), nothing, [nothing, nothing], *UNIT) is True
     assert min(told[bits, verdict] for bits in (3, 6) for verdict in (True, False)) >= 4
 
 
@@ -185,20 +185,20 @@ def test_no_point_beyond_the_end_of_a_segment_is_compared():
     """N A − C M is positive up to the end, and negative just behind it."""
     across, along = PatchForm.of_net([[100, 105]]), PatchForm.of_net([[100, 102]])
     forms = [PatchForm.of_net([[3300, 100]]), PatchForm.of_net([[99, 99]])]
-    assert true_pairs.verdict_on(1, across, along, forms, *UNIT) is None
+    assert plane_curves.verdict_on(1, across, along, forms, *UNIT) is None
 
 
 def test_the_work_of_one_pair_is_bounded(monkeypatch):
     parabola, other = bezier((-1, 0), (0, 2), (1, 0)), bezier((-1, 0), (0, -2), (1, 0))
-    monkeypatch.setattr(true_pairs, "BOXES", 0)
-    assert true_pairs.true_pairs(parabola, other).undecided == (UNIT,)
-    monkeypatch.setattr(true_pairs, "BOXES", 100)
-    found = true_pairs.true_pairs(parabola, other)
+    monkeypatch.setattr(plane_curves, "BOXES", 0)
+    assert plane_curves.true_pairs(parabola, other).undecided == (UNIT,)
+    monkeypatch.setattr(plane_curves, "BOXES", 100)
+    found = plane_curves.true_pairs(parabola, other)
     assert 2 < len(found.undecided) < 100
     assert max(box.first.width for box in found.undecided) > xs.rational(1) / 2**6
     monkeypatch.undo()
-    monkeypatch.setattr(true_pairs, "DEPTH", 7)
-    found = true_pairs.true_pairs(parabola, other)
+    monkeypatch.setattr(plane_curves, "DEPTH", 7)
+    found = plane_curves.true_pairs(parabola, other)
     assert {(box.first.width, box.second.width) for box in found.undecided} == {
         (xs.rational("1/16"), xs.rational("1/8"))
     }

@@ -7,8 +7,10 @@ from typing import Any
 
 from exactspline.errors import ShapeError, counted
 from exactspline.hooks import Written
+from exactspline.language.vector import Vector
 from exactspline.one_line import one_line
 from exactspline.questions.answers import NamedNumbers
+from exactspline.splines.bspline import BSpline
 
 
 class Bisector(Written):
@@ -31,3 +33,18 @@ class Bisector(Written):
     def __repr__(self) -> str:
         gaps = f", {len(self.missing)} missing" if self.missing else ""
         return f"<{type(self).__name__}: {counted(len(self.pieces), 'piece')}{gaps}>"
+
+
+# ---- what is missing
+
+
+STILL = "the curve stands still here, and has no normals"
+PARALLEL = "the tangents are parallel everywhere, so are the normal planes"
+COPLANAR = "the curves lie in one plane, and all three planes of the system are perpendicular to it"
+THROUGH = "the curve is straight here and its line passes through the point"
+AROUND = "the curve is an arc here of a circle through the point, and all its normals meet in the centre"
+
+
+def is_zero_on(v: Vector[BSpline], at: int) -> bool:
+    """Whether a vector of splines vanishes on all of the segment or patch with this number."""
+    return not any(x.numerators[at] for x in v)

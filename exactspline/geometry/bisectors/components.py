@@ -11,8 +11,7 @@ from typing import Any, TypeVar
 from flint import arb, fmpz_mpoly
 
 from exactspline.errors import ShapeError
-from exactspline.geometry.bisectors.flats import ALL, Conditions, Flat, enclosed_flat, flat_at
-from exactspline.geometry.bisectors.root_lines import RootLines
+from exactspline.geometry.bisectors.lines import ALL, Conditions, Flat, RootLines, enclosed_flat, flat_at
 from exactspline.geometry.bisectors.system import System
 from exactspline.language.rational import Rational
 from exactspline.numbers.exact import Number, mpq, rational

@@ -8,24 +8,263 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from contextlib import suppress
-from itertools import chain, compress, product
+from dataclasses import dataclass
+from itertools import chain, compress, pairwise, product
+
+from flint import fmpz, fmpz_mpoly, fmpz_poly
 
 from exactspline.bivariate.zeros import ZeroArc, ZeroCurves, zero_curve
 from exactspline.errors import ReachError, ShapeError
 from exactspline.geometry.bisectors.common import Bisector
 from exactspline.geometry.bisectors.plane_pair import PlanePair, tangent
-from exactspline.geometry.bisectors.true_pairs import TruePairs, true_pairs
+from exactspline.language.vector import Vector, det, dot, norm2, perp
 from exactspline.numbers.exact import Number, mpq
-from exactspline.numbers.intervals import Box
+from exactspline.numbers.intervals import Box, Interval
 from exactspline.numbers.once import cached_property
 from exactspline.numbers.sides import Side
+from exactspline.one_line import one_line
+from exactspline.polynomials.patch_forms import PatchForm
+from exactspline.polynomials.two_parameters import S, T, as_form, as_forms, lifted
 from exactspline.questions.answers import NamedNumbers
 from exactspline.reals.real import Real, real
-from exactspline.roots.values import evaluate, exact_place, sign_at
+from exactspline.roots.values import evaluate, exact_place, segment_polynomials, sign_at
 from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.surface import Along
 from exactspline.splines.tensor import TensorSpline
 from exactspline.splines.type_checks import curve_of
+
+# ---- true pairs
+#
+# Let B be the point on the normal at γ(s) that is equally far from γ(s) and γ̄(t): at the zeros of the function of the
+# bisector it is on the normal at γ̄(t), too. With the tangent a at γ(s), the chord E, the weights w, v and `D(s, u) =
+# w(s) p(u) − w(u) p(s)` no point γ(u) is nearer to B than γ(s) where `|D|² v [a E] − w(u) (D·a⊥) (E·E)` has the sign of
+# `[a E]` for all u. On the segment of the foot itself D has the factor u − s, and D·a⊥ its square. The coefficients of
+# these forms decide it for all pairs of a box at once.
+#
+# Source: Elber and Kim, Bisector curves of planar rational curves, Computer-Aided Design 1998, which trims by sampling.
+
+
+#: How often a box is bisected before all other points are compared with its feet, and at most; how often the parameter
+#: of the other points is; and how many boxes per segment may be compared with a segment.
+FIRST, DEPTH, DEPTH_OF_OTHER, BOXES = 4, 20, 8, 3000
+#: How many values of that parameter are compared for one at which a foot is certainly not the nearest point.
+STEPS = 32
+#: What the function of a pair of segments costs, in comparisons of a box with a segment.
+PAIR = 50
+HALF = mpq(1, 2)
+#: The points on every segment that are compared with the feet.
+COMPARED = (mpq(0), mpq(1, 3), mpq(2, 3), mpq(1))
+
+
+@dataclass(frozen=True)
+class TruePairs:
+    """Where the zeros of the function of a bisector of plane curves are pairs of true feet: in all boxes `kept`,
+    possibly in those `undecided`, and nowhere else.
+    """
+
+    kept: tuple[Box, ...]
+    undecided: tuple[Box, ...]
+
+    @one_line
+    def __repr__(self) -> str:
+        return f"<TruePairs in {len(self.kept)} boxes, undecided in {len(self.undecided)}>"
+
+
+@dataclass(frozen=True)
+class _Segment:
+    """A segment of a curve."""
+
+    sides: Interval
+    p: Vector[fmpz_poly]
+    w: fmpz_poly
+
+    @classmethod
+    def all_of(cls, curve: Nurbs) -> list[_Segment]:
+        """The segments of a curve."""
+        found = []
+        for i, sides in enumerate(pairwise(curve.breakpoints)):
+            *p, w = segment_polynomials((*curve.p, curve.w), i)
+            found.append(cls(Interval(*sides), Vector(*p), w))
+        return found
+
+    @cached_property
+    def tangent(self) -> Vector[fmpz_poly]:
+        """``w² γ′``."""
+        return Vector(*[f.derivative() * self.w - f * self.w.derivative() for f in self.p])
+
+    def over(self, variable: int) -> list[list[fmpz_mpoly]]:
+        """p and w, and the tangent, as polynomials in two parameters."""
+        return [[lifted(f, variable) for f in own] for own in ((*self.p, self.w), self.tangent)]
+
+    def homogeneous(self, t: mpq) -> list[int]:
+        """Integers x, y and w of a point."""
+        n = max(f.degree() for f in (*self.p, self.w))
+        top, bottom = int(t.numerator), int(t.denominator)
+        return [sum(int(x) * top**k * bottom ** (n - k) for k, x in enumerate(f.coeffs())) for f in (*self.p, self.w)]
+
+
+class _Foot:
+    """Whether no point of a curve is nearer to B than the foot on one of its segments; s is the parameter of the foot,
+    t that of the foot on the other curve.
+    """
+
+    def __init__(self, curve: Sequence[_Segment], own: int, other: _Segment) -> None:
+        self.curve, self.own = curve, own
+        pair, (*p, self.w) = PlanePair(curve[own].over(0), other.over(1)), curve[own].over(0)[0]
+        self.p, self.normal = Vector(*p), perp(pair.a)
+        self.across, self.along = det(pair.a, pair.chord) * lifted(other.w, 1), norm2(pair.chord)
+        #: Both with one constant.
+        self.factors = as_forms([self.across, self.along])
+
+    @cached_property
+    def against(self) -> list[PatchForm]:
+        """For some points of the curve a form of the other sign than `across` where the point is nearer; first one that
+        has it where B lies beyond the centre of curvature at the foot.
+        """
+        square, twice = (f.compose(S, S) for f in self._over_own)
+        found = [as_form(square * self.across - twice * self.along)]
+        for segment, share in product(self.curve, COMPARED):
+            x, y, weight = segment.homogeneous(segment.sides.at(share))
+            d = Vector(self.w * x - self.p[0] * weight, self.w * y - self.p[1] * weight)
+            found.append(as_form(norm2(d) * self.across - dot(d, self.normal) * self.along * weight))
+        return found
+
+    @cached_property
+    def families(self) -> list[tuple[Interval, list[PatchForm]]]:
+        """For every segment of the curve, with the parameter u, ``|D|²`` and ``w(u) (D·a⊥)`` with one constant; for
+        the own one over ``(u − s)²``.
+        """
+        found = []
+        for j, segment in enumerate(self.curve):
+            forms = self._over_own if j == self.own else self._against_segment(segment)
+            found.append((segment.sides, as_forms(forms)))
+        return found
+
+    @cached_property
+    def _over_own(self) -> tuple[fmpz_mpoly, fmpz_mpoly]:
+        square, twice = self._against_segment(self.curve[self.own])
+        return square / (T - S) ** 2, twice / (T - S) ** 2
+
+    def _against_segment(self, segment: _Segment) -> tuple[fmpz_mpoly, fmpz_mpoly]:
+        (*q, v), _ = segment.over(1)
+        d = Vector(*[self.w * y - v * x for x, y in zip(self.p, q, strict=True)])
+        return norm2(d), dot(d, self.normal) * v
+
+    def verdict(self, box: Box) -> bool | None:
+        """Whether that is so for all pairs of a box (True) or for none (False), where either is certain."""
+        across, along = (form.part(box) for form in self.factors)
+        sign = across.sign
+        if not sign:
+            return None
+        verdicts = [verdict_on(sign, across, along, forms, box.first, sides) for sides, forms in self.families]
+        return False if False in verdicts else None if None in verdicts else True
+
+
+def verdict_on(
+    sign: int, across: PatchForm, along: PatchForm, forms: Sequence[PatchForm], own: Interval, sides: Interval
+) -> bool | None:
+    """Whether ``N A − C M`` has a sign, or is 0, for N ≥ 0 and M on ``own × sides`` and A, C on ``own ×`` a side of
+    their own (True), or has the other one for some u and all other parameters (False), where either is certain.
+    """
+    sizes, todo = [sign * x for x in across.range], [(0, sides)]
+    while todo:
+        depth, other = todo.pop()
+        square, twice = (form.part(Box(own, other)) for form in forms)
+        low = square.range[0] if square.range[0] > 0 else fmpz(0)
+        if low * min(sizes) >= max(sign * x * y for x in twice.range for y in along.range):
+            continue
+        # for one u that is so however often the other parameter is bisected
+        fails = any(
+            min(square.corners[u::2]) * min(sizes) < max(sign * x * y for x in twice.corners[u::2] for y in along.range)
+            for u in (0, 1)
+        )
+        if fails or depth == DEPTH_OF_OTHER:
+            break
+        todo += [(depth + 1, half) for half in other.halves]
+    else:
+        return True
+    # the value of u with the least value in the middle
+    square, twice = (form.part(Box(own, sides)) for form in forms)
+    a, c, half = across.value(HALF, HALF), along.value(HALF, HALF), range(STEPS + 1)
+    worst = min(
+        half, key=lambda k: sign * (square.value(HALF, mpq(k, STEPS)) * a - twice.value(HALF, mpq(k, STEPS)) * c)
+    )
+    there = Interval.point(sides.at(mpq(worst, STEPS)))
+    square, twice = (form.part(Box(own, there)) for form in forms)
+    fails = square.range[1] * max(sizes) < min(sign * x * y for x in twice.range for y in along.range)
+    return False if fails else None
+
+
+def true_pairs(first: Nurbs, second: Nurbs) -> TruePairs:
+    """The pairs of true feet of the bisector of two plane curves (see `TruePairs`). The work is limited to an amount
+    per segment; what is not looked at is undecided.
+
+    >>> line, other = (Nurbs(1, [0, 0, 1, 1], points) for points in ([(0, 0), (2, 0)], [(0, 1), (3, 4)]))
+    >>> found = true_pairs(line, other)
+    >>> len(found.kept) > 0, found.undecided
+    (True, ())
+    """
+    one, other = _Segment.all_of(first), _Segment.all_of(second)
+    kept, undecided, left = list[Box](), list[Box](), BOXES * (len(one) + len(other))
+    for i, j in product(range(len(one)), range(len(other))):
+        if left < 0:
+            undecided.append(Box(one[i].sides, other[j].sides))
+        else:
+            left = _Search(one, i, other, j).run(left - PAIR, kept, undecided)
+    return TruePairs(tuple(kept), tuple(undecided))
+
+
+class _Search:
+    """The boxes of one pair of segments."""
+
+    def __init__(self, one: Sequence[_Segment], i: int, other: Sequence[_Segment], j: int) -> None:
+        self.sides = Box(one[i].sides, other[j].sides)
+        self.function = as_form(PlanePair(one[i].over(0), other[j].over(1)).equidistant)
+        self.segments, self.made = len(one) + len(other), lambda: (_Foot(one, i, other[j]), _Foot(other, j, one[i]))
+
+    @cached_property
+    def feet(self) -> tuple[_Foot, _Foot]:
+        """The feet on both curves."""
+        return self.made()
+
+    def run(self, left: int, kept: list[Box], undecided: list[Box]) -> int:
+        """Sort the boxes with zeros of the function, and return how many comparisons with a segment remain."""
+        todo = [(0, self.sides)]
+        while todo:
+            depth, box = todo.pop()
+            left -= 1
+            if self.function.part(box).sign in (1, -1):
+                continue
+            left -= self.segments
+            if self._fails(box):
+                continue
+            verdicts = [foot.verdict(part) for foot, part in self._in_turn(box)] if depth >= FIRST else [None]
+            if False in verdicts:
+                continue
+            if None not in verdicts:
+                kept.append(box)
+            elif depth == DEPTH or left < 0:
+                undecided.append(box)
+            else:
+                todo += [(depth + 1, half) for half in box.halves(depth % 2)]
+        return left
+
+    def _in_turn(self, box: Box) -> Iterator[tuple[_Foot, Box]]:
+        """Both feet, with the box in their order of the parameters."""
+        yield from zip(self.feet, (box, Box(box.second, box.first)), strict=True)
+
+    def _fails(self, box: Box) -> bool:
+        """Whether for all pairs of a box a point of one of the curves is certainly nearer than its foot. The one that
+        shows it is tried first for the next box.
+        """
+        for foot, part in self._in_turn(box):
+            sign, signs = foot.factors[0].part(part).sign, set[int]()
+            for k, form in enumerate(foot.against):
+                signs.add(form.part(part).sign or 0)
+                if (sign and -sign in signs) or {1, -1} <= signs:
+                    foot.against.insert(0, foot.against.pop(k))
+                    return True
+        return False
 
 
 class PlaneBisector(Bisector):

@@ -14,8 +14,7 @@ from itertools import pairwise, starmap
 from typing import Any
 
 from exactspline.errors import ShapeError, as_items, counted
-from exactspline.geometry.bisectors.common import Bisector
-from exactspline.geometry.bisectors.missing import STILL, THROUGH, is_zero_on
+from exactspline.geometry.bisectors.common import STILL, THROUGH, Bisector, is_zero_on
 from exactspline.language.arguments import Curve
 from exactspline.language.vector import Vector
 from exactspline.numbers.exact import Number, mpq, rational

@@ -9,8 +9,7 @@ from flint import fmpz_mpoly
 from exactspline.bivariate.common_zeros import common_zeros
 from exactspline.errors import ReachError
 from exactspline.geometry.bisectors.components import Cause, SinglePair, Solutions, SpecialPairs
-from exactspline.geometry.bisectors.polynomials import vanish_together
-from exactspline.geometry.bisectors.system import System
+from exactspline.geometry.bisectors.system import System, vanish_together
 from exactspline.numbers.intervals import Box
 from exactspline.one_line import short_text
 from exactspline.polynomials.factors import greatest_common_divisor

@@ -10,14 +10,17 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import replace
 from functools import cache, partial
-from itertools import product
+from itertools import pairwise, product
+from operator import itemgetter
 
-from flint import fmpz_mpoly, fmpz_poly
+from flint import ctx, fmpz_mpoly, fmpz_poly
 
+from exactspline.bivariate.common_zeros import common_zeros
 from exactspline.bivariate.monotone_arcs import border_pairs
 from exactspline.bivariate.signs import Sign, sign_on_patch
 from exactspline.errors import ReachError, counted
 from exactspline.geometry.bisectors.components import (
+    Branch,
     Cause,
     Correspondence,
     LineComponent,
@@ -30,24 +33,220 @@ from exactspline.geometry.bisectors.components import (
     Solutions,
     SpecialPairs,
 )
-from exactspline.geometry.bisectors.correspondence import branches, graph_intervals, nodes
-from exactspline.geometry.bisectors.cusps import cusps_of, lines_at, over_both_cusps, over_cusps, standing
-from exactspline.geometry.bisectors.flats import ALL
-from exactspline.geometry.bisectors.lines import ONE, PARAMETER, Path, constant, lines_along
-from exactspline.geometry.bisectors.polynomials import vanish_together
-from exactspline.geometry.bisectors.single_pairs import at_cusp, crossings, singles, touching
-from exactspline.geometry.bisectors.system import System, divides, irreducible_factors, piece
+from exactspline.geometry.bisectors.lines import (
+    ALL,
+    ONE,
+    PARAMETER,
+    Conditions,
+    Path,
+    constant,
+    lines_along,
+    lines_over_root,
+)
+from exactspline.geometry.bisectors.single_pairs import at_cusp, brief, crossings, singles, touching, zeros_of_vector
+from exactspline.geometry.bisectors.system import (
+    SegmentOfCurve,
+    System,
+    common_divisor_along,
+    divides,
+    irreducible_factors,
+    piece,
+    vanish_together,
+)
 from exactspline.language.rational import Rational
 from exactspline.numbers.exact import from_flint, mpq, to_fmpq
 from exactspline.numbers.intervals import Box, Interval
 from exactspline.numbers.sides import Side
+from exactspline.polynomials.bernstein import substituted
 from exactspline.polynomials.cost import Budget, drawing_on
+from exactspline.polynomials.elimination import discriminant
 from exactspline.polynomials.factors import greatest_common_divisor
-from exactspline.polynomials.two_parameters import as_form, in_one, lifted, rows_of
-from exactspline.roots.of_polynomials import Parameter, Place, as_splines, exactly, roots_in
+from exactspline.polynomials.two_parameters import as_form, at, enclosed, in_one, lifted, rows_of
+from exactspline.reals.real import between
+from exactspline.roots.of_polynomials import Parameter, Place, as_splines, ball, distinct, exactly, roots_in
 from exactspline.roots.root import Root
 from exactspline.roots.vanishing import vanish_at
 from exactspline.splines.nurbs import Nurbs
+
+# ---- cusps
+#
+# Over the other curve there are lines, and planes where it passes through the point or has no tangent either.
+
+
+#: The remaining conditions where the first curve has no tangent.
+WITHOUT_FIRST = Conditions.SECOND | Conditions.MIDDLE
+
+
+def standing(system: System) -> SpecialPairs:
+    """The exceptional pairs of two segments of which at least one is a point."""
+    first, second = system.first, system.second
+    if not first.stands_still:
+        return standing(system.transposed()).transposed()
+    if second.stands_still:
+        solutions = Solutions.PLANE if any(system.chord) else Solutions.SPACE
+        return SpecialPairs(planes=(PlaneComponent(solutions, Cause.BOTH_STILL, system.sides, None),))
+    surface = lines_along(system, Path(constant(first.interval[0]), (PARAMETER, ONE)), second.interval, WITHOUT_FIRST)
+    lines: tuple[LineComponent, ...] = ()
+    if surface is not None:
+        own = LinePiece(1, *second.interval, None, surface)
+        lines = (LineComponent(Correspondence.ALL, Cause.FIRST_STILL, system, None, (own,)),)
+    return SpecialPairs(lines, _planes_over_a_point(system))
+
+
+def _planes_over_a_point(system: System) -> tuple[PlaneComponent, ...]:
+    """Where the second curve passes through the single point of the first, and at its cusps."""
+    side = system.second.interval
+    meetings, cusps = roots_in(in_one(greatest_common_divisor(system.chord), 1), *side), cusps_of(system.second)
+    planes = [
+        _plane_at(Solutions.SPACE if t in cusps else Solutions.PLANE, Cause.FIRST_STILL, system, t) for t in meetings
+    ]
+    planes += [_plane_at(Solutions.PLANE, Cause.BOTH_STILL, system, t) for t in cusps if t not in meetings]
+    return tuple(planes)
+
+
+def cusps_of(own: SegmentOfCurve) -> list[Root]:
+    """The parameters of a segment at which γ′ = 0."""
+    return [root for q in own.cusps for root in roots_in(q, *own.interval)]
+
+
+def _plane_at(solutions: Solutions, cause: Cause, system: System, t: Root) -> PlaneComponent:
+    equation = PairEquation.of(lifted(fmpz_poly(t.minimal_polynomial()), 1))
+    return PlaneComponent(solutions, cause, system.sides, equation, of=1, fixed=exactly(t))
+
+
+def over_cusps(system: System) -> SpecialPairs:
+    """Lines over the second curve at the cusps of the first, and the pairs at which it passes through one."""
+    pairs = SpecialPairs()
+    for q in system.first.cusps:
+        for s in roots_in(q, *system.first.interval):
+            pairs += _over_cusp(system, lifted(q, 0), exactly(s))
+    return pairs
+
+
+def _over_cusp(system: System, equation: fmpz_mpoly, s: Parameter) -> SpecialPairs:
+    second = system.second
+    found = lines_at(system, s, Cause.FIRST_CUSP, PairEquation.of(equation), WITHOUT_FIRST)
+    meetings, undecided = _meetings(system, equation, s)
+    cusps = cusps_of(second)
+    pairs = [SinglePair(*x, Solutions.PLANE, Cause.FIRST_CUSP, system) for x in meetings if x[1] not in cusps]
+    return found + SpecialPairs(pairs=tuple(pairs), undecided=undecided)
+
+
+def lines_at(
+    system: System, s: Parameter, cause: Cause, equation: PairEquation, conditions: Conditions
+) -> SpecialPairs:
+    """The lines over all of the second curve at one parameter of the first; none where the planes are parallel."""
+    second, fixed = system.second, Correspondence.FIRST_FIXED
+    if isinstance(s, Root):
+        over_root = lines_over_root(system, s, conditions)
+        if over_root is None:
+            return SpecialPairs()
+        undecided = () if over_root.poles is not None else (f"the poles of the lines over {brief((s,))} of one curve",)
+        return SpecialPairs((LineComponent(fixed, cause, system, equation, over_root=over_root),), undecided=undecided)
+    surface = lines_along(system, Path(constant(s), (PARAMETER, ONE)), second.interval, conditions)
+    if surface is None:
+        return SpecialPairs()
+    pieces = (LinePiece(1, *second.interval, s, surface),)
+    return SpecialPairs((LineComponent(fixed, cause, system, equation, pieces),))
+
+
+def _meetings(system: System, equation: fmpz_mpoly, s: Parameter) -> tuple[list[Place], tuple[str, ...]]:
+    """The pairs with this s at which the curves meet."""
+    if not isinstance(s, Root):
+        shared = common_divisor_along(at(f, 0, s) for f in system.chord)
+        return [(s, exactly(t)) for t in roots_in(shared, *system.second.interval)], ()
+    places, undecided = zeros_of_vector(equation, list(system.chord), system.sides)
+    return [place for place in places if place[0] == s], undecided
+
+
+def over_both_cusps(system: System) -> SpecialPairs:
+    """The pairs at which neither curve has a tangent: the plane between the points, or all of space."""
+    pairs: list[SinglePair] = []
+    undecided: list[str] = []
+    for s, t in product(*[map(exactly, cusps_of(own)) for own in (system.first, system.second)]):
+        meet = vanish_together(list(system.chord), s, t)
+        if meet is None:
+            undecided.append(f"whether the cusps at {brief((s, t))} coincide")
+            continue
+        pairs.append(SinglePair(s, t, Solutions.SPACE if meet else Solutions.PLANE, Cause.BOTH_CUSPS, system))
+    return SpecialPairs(pairs=tuple(pairs), undecided=tuple(undecided))
+
+
+# ---- correspondence
+
+
+def graph_intervals(
+    top: fmpz_poly, bottom: fmpz_poly, own: Interval, range_: Interval
+) -> list[tuple[Parameter, Parameter]]:
+    """The maximal closed intervals on which the quotient lies in a closed range, single parameters included.
+
+    >>> graph_intervals(fmpz_poly([0, 1]), fmpz_poly([1]), (mpq(0), mpq(2)), (mpq(1), mpq(3)))
+    [(mpq(1,1), mpq(2,1))]
+    """
+    low, high = own
+    borders = [top * int(y.denominator) - bottom * int(y.numerator) for y in range_]
+    hits = distinct(root for border in borders for root in roots_in(border, low, high))
+    cuts = distinct([low, *roots_in(bottom, low, high), *hits, high])
+    intervals: list[tuple[Parameter, Parameter]] = []
+    for a, b in pairwise(cuts):
+        x = between(a, b)
+        y = _value_at_rational(top, x) / _value_at_rational(bottom, x)
+        if range_[0] <= y <= range_[1]:
+            if intervals and intervals[-1][1] == a:
+                intervals[-1] = (intervals[-1][0], b)
+            else:
+                intervals.append((a, b))
+    single = [t for t in hits if not any(a <= t <= b for a, b in intervals)]
+    return sorted([*intervals, *((t, t) for t in single)], key=itemgetter(0))
+
+
+def _value_at_rational(p: fmpz_poly, x: mpq) -> mpq:
+    """The value of an integer polynomial at a rational number."""
+    n, m = max(p.degree(), 0), int(x.denominator)
+    value = substituted(p, n, fmpz_poly([m]), fmpz_poly([int(x.numerator)]))[0]
+    return mpq(int(value), m**n)
+
+
+def branches(g: fmpz_mpoly, sides: Box) -> list[Branch]:
+    """The real branches of an equation of degree at least 2 in both parameters, strictly inside the rectangle.
+
+    Between two parameters s at which the discriminant, the first coefficient or the value on a side of the rectangle
+    vanishes, the number of roots inside does not change. `ReachError` where the discriminant would take too long.
+
+    >>> from exactspline.polynomials.two_parameters import S, T
+    >>> square = (mpq(-2), mpq(2))
+    >>> [(b.index, b.sample[0]) for b in branches(S * S + T * T - 1, (square, square))]
+    [(0, mpq(0,1)), (1, mpq(0,1))]
+    """
+    own, other = sides
+    critical = [discriminant(rows_of(g)), rows_of(g)[-1], *(at(g, 1, y) for y in other)]
+    cuts = distinct([*own, *(root for p in critical for root in roots_in(p, *own))])
+    branches_of_equation = []
+    for low, high in pairwise(cuts):
+        s = between(low, high)
+        inside = [exactly(t) for t in roots_in(at(g, 0, s), *other)]
+        branches_of_equation += [Branch(low, high, k, (s, t)) for k, t in enumerate(inside)]
+    return branches_of_equation
+
+
+def nodes(g: fmpz_mpoly, sides: Box) -> list[Place]:
+    """The singular pairs of an irreducible equation that need not be limits of branches: where the Hessian is negative
+    two branches cross. Raises `ReachError` where this would take too long.
+
+    >>> from exactspline.polynomials.two_parameters import S, T
+    >>> side = Interval(mpq(-1, 2), mpq(1, 2))
+    >>> nodes(S**3 - S * S - T * T, Box(side, side))
+    [(mpq(0,1), mpq(0,1))]
+    """
+    first, second = g.derivative(0), g.derivative(1)
+    crossing = first.derivative(1) ** 2 - first.derivative(0) * second.derivative(1)
+    singular = (zero.place for zero in common_zeros([g, first, second], sides))
+    return [place for place in singular if not _certainly_positive(crossing, place)]
+
+
+def _certainly_positive(p: fmpz_mpoly, place: Place) -> bool:
+    with ctx.workprec(400):
+        return bool(enclosed(p, ball(place[0], 40), ball(place[1], 40)) > 0)
 
 
 def special_pairs(first: Nurbs, second: Nurbs, budget: Budget | None = None) -> SpecialPairs:

@@ -6,20 +6,66 @@ and ``2E·Y = E·E``: a and b are the tangents γ′ and γ̄′ without their c
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
+from functools import reduce
+from typing import Protocol, Self, TypeVar
 
 from flint import fmpz_mpoly, fmpz_poly
 
-from exactspline.geometry.bisectors.polynomials import Three, ThreeOfTwo, common_divisor_along
+from exactspline.errors import ReachError
+from exactspline.language.operand import Scalar
 from exactspline.language.vector import Vector, cross, det, dot, norm2
 from exactspline.numbers.intervals import Box, Interval
 from exactspline.numbers.once import cached_property
 from exactspline.one_line import OneLine
 from exactspline.polynomials.factors import factorize, greatest_common_divisor
 from exactspline.polynomials.two_parameters import lifted
-from exactspline.roots.of_polynomials import roots_in
+from exactspline.roots.of_polynomials import Parameter, roots_in
 from exactspline.roots.values import segment_polynomials
+from exactspline.roots.vanishing import vanish_at
 from exactspline.splines.nurbs import Nurbs
+
+# ---- polynomials
+
+
+#: Three polynomials: a vector along a curve, or over a patch.
+Three = list[fmpz_poly]
+ThreeOfTwo = list[fmpz_mpoly]
+
+
+class Euclidean(Scalar, Protocol):
+    """A polynomial in one parameter over the integers or a field."""
+
+    def __mul__(self, other: Self | int, /) -> Self: ...
+    def __floordiv__(self, other: Self, /) -> Self: ...
+    def gcd(self, other: Self, /) -> Self:
+        """The greatest common divisor."""
+
+
+E = TypeVar("E", bound=Euclidean)
+
+
+# ---- one parameter
+
+
+def common_divisor_along(polynomials: Iterable[E]) -> E:
+    """The greatest common divisor of polynomials in one parameter; `ReachError` where that would take too long."""
+    given = list(polynomials)
+    if isinstance(given[0], fmpz_poly):
+        return greatest_common_divisor(given)  # type: ignore[type-var]  # all of them are of one type
+    return reduce(lambda p, q: p.gcd(q), given)
+
+
+# ---- two parameters
+
+
+def vanish_together(polynomials: Sequence[fmpz_mpoly], s: Parameter, t: Parameter) -> bool | None:
+    """Whether polynomials vanish at a pair, decided exactly; None where that would take too long."""
+    try:
+        return vanish_at(polynomials, s, t)
+    except ReachError:
+        return None
 
 
 @dataclass(frozen=True, repr=False)

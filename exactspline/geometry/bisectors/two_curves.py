@@ -12,9 +12,8 @@ from itertools import pairwise, product, starmap
 from typing import Any
 
 from exactspline.errors import ReachError, ShapeError
-from exactspline.geometry.bisectors.common import Bisector
+from exactspline.geometry.bisectors.common import COPLANAR, PARALLEL, STILL, Bisector, is_zero_on
 from exactspline.geometry.bisectors.components import LineComponent, PlaneComponent, PoleCurve, SinglePair, SpecialPairs
-from exactspline.geometry.bisectors.missing import COPLANAR, PARALLEL, STILL, is_zero_on
 from exactspline.geometry.bisectors.special_pairs import special_pairs
 from exactspline.geometry.derived.domain import part
 from exactspline.language.rational import Rational
