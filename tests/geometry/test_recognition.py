@@ -9,8 +9,7 @@ from gmpy2 import mpq
 import exactspline as xs
 from exactspline.errors import ShapeError
 from exactspline.geometry.recognition.patches import recognized_surface
-from exactspline.geometry.recognition.pieces import recognized
-from exactspline.geometry.recognition.proof import rounded_up, signs
+from exactspline.geometry.recognition.pieces import recognized, rounded_up, signs
 from exactspline.geometry.recognition.shapes import Circle, Conic, Line, ShapeKind
 from tests.campaigns import recognition as campaign
 

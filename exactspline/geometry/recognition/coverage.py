@@ -26,8 +26,7 @@ from typing import Any
 from exactspline.bivariate.borders import Patch
 from exactspline.bivariate.signs import Sign, sign_on_patch
 from exactspline.geometry.recognition import candidates
-from exactspline.geometry.recognition.pieces import passes_its_start
-from exactspline.geometry.recognition.proof import signs
+from exactspline.geometry.recognition.pieces import passes_its_start, signs
 from exactspline.geometry.recognition.shapes import (
     Circle,
     Cone,

@@ -7,8 +7,7 @@ from dataclasses import dataclass
 from itertools import pairwise
 
 from exactspline.errors import ShapeError
-from exactspline.geometry.recognition.pieces import RecognizedPiece, near, recognized, small_distance
-from exactspline.geometry.recognition.proof import signs
+from exactspline.geometry.recognition.pieces import RecognizedPiece, near, recognized, signs, small_distance
 from exactspline.geometry.recognition.shapes import Circle, Line, Point, Shape, ShapeKind, minus, scalar
 from exactspline.interchange.affine import Affine
 from exactspline.interchange.segments import Segment, arc_around_origin, joined_segments, mapped, polynomial

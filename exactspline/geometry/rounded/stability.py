@@ -27,7 +27,7 @@ from exactspline.geometry.curves.kinds import FeatureKind
 from exactspline.geometry.curves.space_features import SpaceFacts
 from exactspline.geometry.derived.constructions import Variant
 from exactspline.geometry.filter.plane_programs import CRITICAL, CURVATURE, TORSION
-from exactspline.geometry.recognition.proof import rounded_up
+from exactspline.geometry.recognition.pieces import rounded_up
 from exactspline.geometry.rounded.features import NearbyFeature, features_nearby
 from exactspline.geometry.rounded.forms import PRECISION, CurvesNear, Family, with_positive_weights
 from exactspline.numbers.exact import mpq, to_fmpq
