@@ -12,10 +12,9 @@ from collections.abc import Hashable, Iterator, Sequence, Set
 from dataclasses import dataclass, field
 from typing import NamedTuple
 
-from exactspline.bivariate.across_borders import Spot, is_in, once
+from exactspline.bivariate.across_borders import Place, Spot, is_in, once
 from exactspline.bivariate.borders import Edge, Patch, along, roots_along
 from exactspline.bivariate.common_zeros import CommonZero
-from exactspline.bivariate.surface_points import Place
 from exactspline.bivariate.zero_curve import Part, Shape, Vertex, ZeroCurve
 from exactspline.errors import counted
 from exactspline.numbers.exact import mpq

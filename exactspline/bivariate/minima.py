@@ -9,12 +9,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from exactspline.bivariate.across_borders import Spot, single_places, together
+from exactspline.bivariate.across_borders import Place, Spot, single_places, together
 from exactspline.bivariate.answers import SurfacePart, SurfacePlaces
 from exactspline.bivariate.borders import EDGES, Patch
 from exactspline.bivariate.common_zeros import CommonZero
 from exactspline.bivariate.quotients import BOUND, Quotient, keep_least, quotient_on
-from exactspline.bivariate.surface_points import Place
 from exactspline.bivariate.zeros import budget_for, patches_of
 from exactspline.errors import ReachError
 from exactspline.numbers.exact import mpq

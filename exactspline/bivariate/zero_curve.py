@@ -19,9 +19,9 @@ from typing import NamedTuple
 from flint import fmpz
 
 from exactspline.bivariate.borders import EDGES
-from exactspline.bivariate.common_factor import rational_lines
 from exactspline.bivariate.common_zeros import CommonZero
-from exactspline.bivariate.singular_cells import Cell, Crossing, singular_cells
+from exactspline.bivariate.singular_points import Cell, Crossing, singular_cells
+from exactspline.bivariate.zero_lines import rational_lines
 from exactspline.numbers.exact import mpq
 from exactspline.numbers.intervals import UNIT, Box, Interval
 from exactspline.numbers.once import cached_property

@@ -13,7 +13,6 @@ from typing import Any
 
 from flint import fmpq_poly, fmpz_mpoly, fmpz_poly
 
-from exactspline.bivariate.common_factor import line_factor
 from exactspline.bivariate.common_zeros import Column
 from exactspline.bivariate.common_zeros_certificate import (
     BITS,
@@ -23,8 +22,9 @@ from exactspline.bivariate.common_zeros_certificate import (
     on_each_patch,
     on_interval,
 )
-from exactspline.bivariate.singular_cells import Cell, Crossing, singular_cells
+from exactspline.bivariate.singular_points import Cell, Crossing, singular_cells
 from exactspline.bivariate.zero_curve import BOXES, grid, is_small
+from exactspline.bivariate.zero_lines import line_factor
 from exactspline.certificates import ZERO_CURVES
 from exactspline.certificates import certificate as written
 from exactspline.certificates.common_zeros import FIRST, SECOND

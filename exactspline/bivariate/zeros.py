@@ -18,13 +18,12 @@ from exactspline.bivariate import common_zeros as elimination
 from exactspline.bivariate.across_borders import alike, is_in, once
 from exactspline.bivariate.answers import SurfacePart, SurfacePlaces
 from exactspline.bivariate.borders import EDGES, Patch, vanishes_at
-from exactspline.bivariate.common_factor import square_free
 from exactspline.bivariate.common_zeros_certificate import common_zeros_certificate
 from exactspline.bivariate.joined_curves import Piece, ZeroComponent, chained, place_of
 from exactspline.bivariate.singular_points import PointKind, SingularPoint, singular_on_patch
 from exactspline.bivariate.zero_curve import Shape, ZeroCurve
 from exactspline.bivariate.zero_curve_certificate import zero_curve_certificate
-from exactspline.bivariate.zero_lines import LinesOfPatch, ZeroLine, without_lines, zero_lines
+from exactspline.bivariate.zero_lines import LinesOfPatch, ZeroLine, square_free, without_lines, zero_lines
 from exactspline.errors import ReachError, as_instance, as_items
 from exactspline.numbers.exact import mpq
 from exactspline.numbers.intervals import Box, Interval

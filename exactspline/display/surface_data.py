@@ -7,9 +7,9 @@ from math import prod
 from operator import itemgetter
 from typing import Any
 
+from exactspline.bivariate.across_borders import Place
 from exactspline.bivariate.borders import Patch
 from exactspline.bivariate.joined_curves import Piece, ZeroComponent
-from exactspline.bivariate.surface_points import Place
 from exactspline.bivariate.zero_curve import Shape
 from exactspline.bivariate.zero_lines import ZeroLine
 from exactspline.bivariate.zeros import ZeroCurves, ZeroKind, ZeroPlace

@@ -6,7 +6,7 @@ from random import Random
 import pytest
 from flint import fmpz_poly
 
-from exactspline.bivariate.common_factor import (
+from exactspline.bivariate.zero_lines import (
     common_factor,
     divided,
     line_factor,

@@ -5,7 +5,7 @@ from random import Random
 import pytest
 from flint import fmpz_poly
 
-from exactspline.bivariate.singular_cells import Crossing, interval_around, kind_on, singular_cells
+from exactspline.bivariate.singular_points import Crossing, interval_around, kind_on, singular_cells
 from exactspline.numbers.exact import mpq
 from exactspline.numbers.intervals import UNIT, Box, Interval
 from exactspline.polynomials.two_parameters import S, T, as_form

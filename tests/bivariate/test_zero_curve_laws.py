@@ -8,9 +8,8 @@ import pytest
 from gmpy2 import mpq
 
 from exactspline import zero_curve
-from exactspline.bivariate.common_factor import square_free
 from exactspline.bivariate.zero_curve import FIRST_CUTS, Shape, ZeroCurve
-from exactspline.bivariate.zero_lines import without_lines
+from exactspline.bivariate.zero_lines import square_free, without_lines
 from exactspline.numbers.intervals import UNIT
 from exactspline.polynomials.two_parameters import S, T, as_form
 from tests.support.squares import function

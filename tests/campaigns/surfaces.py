@@ -24,7 +24,7 @@ from random import Random
 from gmpy2 import mpq
 
 from exactspline import NurbsSurface, TensorSpline, analyse
-from exactspline.bivariate.surface_points import Place
+from exactspline.bivariate.across_borders import Place
 from exactspline.geometry.analysis.surfaces import PatchKind, SurfaceInspection, lines_of
 from exactspline.roots.of_polynomials import exactly
 from tests.support.squares import parameters

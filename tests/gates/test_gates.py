@@ -234,7 +234,7 @@ def test_there_is_one_way_to_a_curvature():
 BARE_LISTS = {
     "geometry/analysis/surfaces.py: SurfaceInspection.umbilics_below_rounding": "some of the points of an answer",
     "bivariate/borders.py: roots_along": "a step of a search",
-    "bivariate/monotone_arcs.py: border_pairs": "a step of a search",
+    "bivariate/quotients.py: border_pairs": "a step of a search",
     "geometry/filter/jumps_at_knots.py: on_runs": "what belongs to some segments, joined with the points of the others",
     "geometry/bisectors/special_pairs.py: nodes": "places of pairs, steps of an answer",
     "geometry/bisectors/components.py: LinePiece.poles": "its denominator does not vanish throughout",

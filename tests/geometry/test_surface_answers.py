@@ -13,7 +13,7 @@ from hypothesis import strategies as st
 
 from exactspline import NurbsSurface, TensorSpline, analyse, example, rational
 from exactspline.bivariate import zero_curve
-from exactspline.bivariate.singular_cells import singular_cells
+from exactspline.bivariate.singular_points import singular_cells
 from exactspline.bivariate.zero_curve import Shape
 from exactspline.geometry.analysis.planar_maps import MapKind
 from exactspline.geometry.analysis.surfaces import PatchKind

@@ -5,9 +5,9 @@ from gmpy2 import mpq
 
 from exactspline import BSpline, NurbsSurface, zeros
 from exactspline.bivariate import common_zeros
+from exactspline.bivariate.across_borders import Place
 from exactspline.bivariate.borders import EDGES, vanishes_at
 from exactspline.bivariate.common_zeros import CommonZero, zeros_of
-from exactspline.bivariate.surface_points import Place
 from exactspline.geometry.analysis.surfaces import inspect_surface
 from exactspline.geometry.surfaces.forms import lowest
 from exactspline.geometry.surfaces.joints import SurfaceJointKind

@@ -17,7 +17,7 @@ from click.testing import CliRunner
 from gmpy2 import mpq
 
 from exactspline import NurbsSurface, analyse, example
-from exactspline.bivariate import singular_cells
+from exactspline.bivariate import singular_points
 from exactspline.bivariate.common_zeros import Found, zeros_of
 from exactspline.bivariate.signs import Sign, sign_on_patch
 from exactspline.bivariate.zero_curve import Shape, ZeroCurve
@@ -236,7 +236,7 @@ def test_a_tacnode_beside_a_circle():
 
 def test_what_is_certain_is_shown_beside_a_box_that_is_open(monkeypatch):
     """Where elimination is out of reach, a tacnode is undecided. Passed before: one box hid the circle."""
-    monkeypatch.setattr(singular_cells, "zeros_of", lambda *_, **__: Found([], []))
+    monkeypatch.setattr(singular_points, "zeros_of", lambda *_, **__: Found([], []))
     curve = ZeroCurve(as_form(TACNODE_AND_CIRCLE))
     assert not curve.complete
     assert [part.shape for part in curve.parts if part.shape is not Shape.OPEN] == [Shape.LOOP]
@@ -298,7 +298,7 @@ def test_all_branches_of_a_degenerate_parabolic_curve():
 
 def test_incomplete_answers_say_so(monkeypatch):
     """Every open box is in the table and in JSON. Passed before: only the first one was, and no word "incomplete"."""
-    monkeypatch.setattr(singular_cells, "zeros_of", lambda *_, **__: Found([], []))
+    monkeypatch.setattr(singular_points, "zeros_of", lambda *_, **__: Found([], []))
     found = analyse(singular_curvature())
     data = surface_inspection_data(found, 5)
     boxes = [box for patch in data["patches"] for box in patch["undecided"]]

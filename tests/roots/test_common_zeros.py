@@ -7,7 +7,7 @@ from flint import fmpz_poly
 
 from exactspline import NurbsSurface, analyse
 from exactspline.bivariate import common_zeros as solver
-from exactspline.bivariate import singular_cells
+from exactspline.bivariate import singular_points
 from exactspline.bivariate.common_zeros import Column, Found, common_zeros, multiplicity
 from exactspline.bivariate.zero_curve import Shape, ZeroCurve
 from exactspline.errors import ReachError
@@ -201,7 +201,7 @@ def test_degenerate_singular_points_are_resolved(f, shape, undecided_before, mon
     curve = ZeroCurve(as_form(f))
     assert curve.complete
     assert shape in {part.shape for part in curve.parts}
-    monkeypatch.setattr(singular_cells, "zeros_of", lambda *_, **__: Found([], []))
+    monkeypatch.setattr(singular_points, "zeros_of", lambda *_, **__: Found([], []))
     assert ZeroCurve(as_form(f)).complete is not undecided_before
 
 
@@ -213,7 +213,7 @@ def test_branches_near_a_singular_point_are_those_of_a_small_circle():
         (A**3 - A * B**2 + B**4, (mpq(1, 2), mpq(1, 3))),
         ((A**2 - B**3) * (B + A), (mpq(1, 2), mpq(1, 3))),
     ):
-        cell = next(one for one in singular_cells.singular_cells(as_form(f)) if one.zero.exact == (x, y))
+        cell = next(one for one in singular_points.singular_cells(as_form(f)) if one.zero.exact == (x, y))
         curve = ZeroCurve(as_form(f))
         ends = [v for a in cell.ends for v, _ in curve._zeros_on(0, a, cell.box.second)]
         r = mpq(1, 1 << 14)

@@ -10,9 +10,9 @@ from types import NoneType
 
 from gmpy2 import gcd, lcm, mpq
 
+from exactspline.bivariate.across_borders import Place
 from exactspline.bivariate.answers import SurfacePart, SurfacePlaces
 from exactspline.bivariate.joined_curves import ZeroComponent
-from exactspline.bivariate.surface_points import Place
 from exactspline.bivariate.zero_lines import ZeroLine
 from exactspline.bivariate.zeros import CommonZero, ZeroCurves
 from exactspline.errors import ReachError

@@ -5,8 +5,8 @@ from gmpy2 import mpq
 
 import exactspline as xs
 from exactspline import BSpline, Nurbs
+from exactspline.bivariate.across_borders import Place
 from exactspline.bivariate.common_zeros import CommonZero
-from exactspline.bivariate.surface_points import Place
 from exactspline.display.evidence import worded
 from exactspline.errors import FormulaError, ReachError
 from exactspline.geometry.surfaces.umbilics import Umbilic, UmbilicKind, merged_umbilic

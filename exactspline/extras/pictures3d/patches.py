@@ -10,8 +10,8 @@ from collections.abc import Iterator
 from math import cos, pi, radians, sin
 from typing import TYPE_CHECKING, Any
 
+from exactspline.bivariate.across_borders import Place
 from exactspline.bivariate.signs import Point
-from exactspline.bivariate.surface_points import Place
 from exactspline.display.plot.canvas import BLACK, GREEN, PAGE, VERMILLION, draw, library, new_figure
 from exactspline.errors import as_instance, counted
 from exactspline.extras.pictures3d.curvature_lines import FAMILIES, Samples, lines_of_curvature

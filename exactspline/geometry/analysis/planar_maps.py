@@ -8,11 +8,11 @@ from collections.abc import Iterable
 from enum import StrEnum
 from itertools import product
 
+from exactspline.bivariate.across_borders import Place
 from exactspline.bivariate.answers import SurfacePlaces
 from exactspline.bivariate.common_zeros import CommonZero
 from exactspline.bivariate.joined_curves import ZeroComponent
 from exactspline.bivariate.signs import Point, sign_on_patch
-from exactspline.bivariate.surface_points import Place
 from exactspline.bivariate.zero_lines import ZeroLine
 from exactspline.bivariate.zeros import CommonZero as PointOfZeros
 from exactspline.bivariate.zeros import ZeroCurves, common_zeros, zero_curve

@@ -6,16 +6,14 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field, replace
 from enum import StrEnum
 
-from exactspline.bivariate.across_borders import Sides, single_places, together
+from exactspline.bivariate.across_borders import Place, Sides, single_places, together
 from exactspline.bivariate.answers import SurfacePart, SurfacePlaces
 from exactspline.bivariate.borders import EDGES, Edge, Patch, vanishes_at
-from exactspline.bivariate.common_factor import odd_part, square_free
 from exactspline.bivariate.common_zeros import CommonZero
 from exactspline.bivariate.joined_curves import Piece, ZeroComponent, chained, place_of
 from exactspline.bivariate.signs import Sign, Signs, sign_on_patch
-from exactspline.bivariate.surface_points import Place
 from exactspline.bivariate.zero_curve import Part, Shape, ZeroCurve
-from exactspline.bivariate.zero_lines import LinesOfPatch, ZeroLine, without_lines, zero_lines
+from exactspline.bivariate.zero_lines import LinesOfPatch, ZeroLine, odd_part, square_free, without_lines, zero_lines
 from exactspline.errors import ReachError
 from exactspline.geometry.analysis.surface_meetings import SurfaceMeetings
 from exactspline.geometry.recognition.patches import RecognizedPart, recognized_surface

@@ -16,7 +16,7 @@ from operator import itemgetter
 from flint import ctx, fmpz_mpoly, fmpz_poly
 
 from exactspline.bivariate.common_zeros import common_zeros
-from exactspline.bivariate.monotone_arcs import border_pairs
+from exactspline.bivariate.quotients import border_pairs
 from exactspline.bivariate.signs import Sign, sign_on_patch
 from exactspline.errors import ReachError, counted
 from exactspline.geometry.bisectors.components import (

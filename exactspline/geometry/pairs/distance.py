@@ -2,7 +2,7 @@
 
 A pair at the least distance is a common point, or has an end or a knot of one of the curves, or is a common zero of the
 two derivatives of the squared distance. Along the zeros of a common factor of both the distance is constant: they are
-arcs of such pairs, and single points (`exactspline.bivariate.monotone_arcs`). All others are isolated by boxes
+arcs of such pairs, and single points (`exactspline.bivariate.quotients`). All others are isolated by boxes
 (`exactspline.bivariate.common_zeros`), where the distance is not above that of a pair already known. Distances that are
 near each other are compared exactly.
 """
@@ -18,8 +18,7 @@ from typing import TypeVar
 from flint import fmpz_mpoly
 
 from exactspline.bivariate.common_zeros import CommonZero
-from exactspline.bivariate.monotone_arcs import MonotoneArc
-from exactspline.bivariate.quotients import BOUND, TIED, Quotient, keep_least
+from exactspline.bivariate.quotients import BOUND, TIED, MonotoneArc, Quotient, keep_least
 from exactspline.errors import ReachError, counted
 from exactspline.geometry.curves.planarity import check_in_one_space, in_one_plane
 from exactspline.geometry.pairs.box_tree import IntegerBox, box_of, shift_for

@@ -12,10 +12,10 @@ from functools import reduce
 from operator import add
 
 from exactspline.bivariate import common_zeros as elimination
+from exactspline.bivariate.across_borders import Place
 from exactspline.bivariate.answers import SurfacePlaces
 from exactspline.bivariate.minima import minima
 from exactspline.bivariate.quotients import polynomials_on, quotient_on
-from exactspline.bivariate.surface_points import Place
 from exactspline.bivariate.zeros import CommonZero, ZeroCurves, ZeroKind, common_zeros, zero_curve
 from exactspline.errors import ShapeError
 from exactspline.geometry.pairs.distance import Point

@@ -7,12 +7,12 @@ from dataclasses import dataclass
 from functools import partial, reduce
 from typing import NamedTuple
 
+from exactspline.bivariate.across_borders import Place
 from exactspline.bivariate.borders import EDGES, Edge, Patch, along, roots_along
-from exactspline.bivariate.common_factor import common_factor, divided, rational_lines, square_free, without_powers
 from exactspline.bivariate.common_zeros import CommonZero, zeros_of
 from exactspline.bivariate.signs import Sign, sign_on_patch
-from exactspline.bivariate.surface_points import Place
 from exactspline.bivariate.zero_curve import ZeroCurve
+from exactspline.bivariate.zero_lines import common_factor, divided, rational_lines, square_free, without_powers
 from exactspline.errors import ReachError
 from exactspline.geometry.surfaces.forms import SurfaceForms, on_patch, sides_of
 from exactspline.numbers.exact import mpq

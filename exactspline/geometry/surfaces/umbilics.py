@@ -13,12 +13,11 @@ from itertools import pairwise, product
 
 from flint import ctx
 
-from exactspline.bivariate.across_borders import alike, sectors, together, within
+from exactspline.bivariate.across_borders import Place, alike, sectors, together, within
 from exactspline.bivariate.borders import EDGES, Edge, Patch, along, common_along, roots_along
-from exactspline.bivariate.common_factor import common_factor, divided
 from exactspline.bivariate.common_zeros import CommonZero, zeros_of
 from exactspline.bivariate.quotients import polynomials_on
-from exactspline.bivariate.surface_points import Place
+from exactspline.bivariate.zero_lines import common_factor, divided
 from exactspline.errors import ReachError
 from exactspline.geometry.surfaces.forms import Reduced, SurfaceForms, on_patch, sides_of
 from exactspline.geometry.surfaces.singular import FAR, NONE, SingularPoints, ZerosOfFactor, singular_points
