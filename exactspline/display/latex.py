@@ -17,7 +17,7 @@ from exactspline.numbers.exact import mpq, text
 from exactspline.papers import find
 from exactspline.readings.degree import Degree
 from exactspline.readings.jet import Jet, polynomial_text
-from exactspline.readings.printing.latex import print_latex
+from exactspline.readings.printing import print_latex
 from exactspline.readings.rational_jet import JetFraction
 from exactspline.readings.tree import Node
 from exactspline.roots.root import Root

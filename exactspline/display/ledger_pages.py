@@ -19,7 +19,7 @@ from exactspline.display.witness import curve_of_witness, values_there, written_
 from exactspline.errors import command_name
 from exactspline.papers import Paper
 from exactspline.papers.passages import passages
-from exactspline.readings.printing.text import print_text, symbol_text
+from exactspline.readings.printing import print_text, symbol_text
 from exactspline.readings.tree import trace
 from exactspline.release import all_releases
 from exactspline.verification.claim import Claim

@@ -18,7 +18,7 @@ from exactspline.language.ruled import joined, ruled
 from exactspline.language.vector import Vector, cross, det, dot, generalized_cross, join, perp
 from exactspline.one_line import one_line
 from exactspline.readings.expression import Expression, Operation
-from exactspline.readings.printing.text import print_text
+from exactspline.readings.printing import print_text
 
 #: Products of vectors whose value is a vector.
 VECTOR_PRODUCTS = {Operation.CROSS, Operation.PERP, Operation.GENERALIZED_CROSS, Operation.JOIN}

@@ -29,8 +29,7 @@ from exactspline.polynomials.factors import Factorization, factorize, multiplied
 from exactspline.readings.degree import Degree, DegreeReading
 from exactspline.readings.differential_order import is_polynomial, order_of
 from exactspline.readings.jet import Jet, JetReading, JetRing, Terms, polynomial_text, terms_of
-from exactspline.readings.printing.printer import POWER, SUM
-from exactspline.readings.printing.text import print_text, symbol_text
+from exactspline.readings.printing import POWER, SUM, print_text, symbol_text
 from exactspline.readings.rational_jet import RationalJetReading
 from exactspline.readings.tree import speaks_of_gamma_alone, trace
 from exactspline.symbolic.substitution import substitute

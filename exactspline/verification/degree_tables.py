@@ -37,7 +37,7 @@ from exactspline.papers import all_formulas, find, known_as
 from exactspline.polynomials.cost import within_seconds
 from exactspline.readings.degree import Degree, DegreeReading, parse_degree
 from exactspline.readings.differential_order import is_polynomial
-from exactspline.readings.printing.text import print_text
+from exactspline.readings.printing import print_text
 from exactspline.readings.tree import trace
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.lowest_terms import control_point_count, lowest_terms, true_degree_or_none

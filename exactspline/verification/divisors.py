@@ -17,7 +17,7 @@ from exactspline.language.arguments import Evaluated
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import Kind
 from exactspline.readings.expression import Operation
-from exactspline.readings.printing.text import print_text
+from exactspline.readings.printing import print_text
 from exactspline.readings.rational_jet import JetFraction
 from exactspline.readings.tree import Node, nodes, trace
 from exactspline.symbolic.assumptions import assumption

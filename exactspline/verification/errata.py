@@ -14,7 +14,7 @@ from exactspline.language.kinds import kind_of
 from exactspline.language.operand import Parameter
 from exactspline.one_line import OneLine, one_line
 from exactspline.papers import Paper, default_papers, known_as
-from exactspline.readings.printing.text import symbol_text
+from exactspline.readings.printing import symbol_text
 from exactspline.symbolic.factorization import Factor
 from exactspline.verification.claim import Claim
 from exactspline.verification.claims import claims_of

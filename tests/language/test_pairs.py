@@ -17,8 +17,7 @@ from exactspline.readings.degree import DegreeReading, parse_degree
 from exactspline.readings.differential_order import Order, order_of
 from exactspline.readings.jet import JetReading
 from exactspline.readings.leading_terms import generic_true_degree
-from exactspline.readings.printing.latex import print_latex
-from exactspline.readings.printing.text import print_text
+from exactspline.readings.printing import print_latex, print_text
 from exactspline.readings.rational_jet import RationalJetReading
 from exactspline.readings.taylor import taylor
 from exactspline.readings.tree import trace

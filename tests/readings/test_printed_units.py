@@ -8,8 +8,7 @@ import pytest
 from gmpy2 import mpq
 
 from exactspline.readings.expression import Operation
-from exactspline.readings.printing.text import print_text
-from exactspline.readings.printing.units import without_units
+from exactspline.readings.printing import print_text, without_units
 from exactspline.readings.tree import Node, nodes
 from exactspline.verification.denominators import Evaluation
 

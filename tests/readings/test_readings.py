@@ -22,8 +22,7 @@ from exactspline.readings.degree import Degree, DegreeReading
 from exactspline.readings.differential_order import Order, order_of
 from exactspline.readings.expression import ATOMS
 from exactspline.readings.jet import Jet, JetReading
-from exactspline.readings.printing.latex import print_latex
-from exactspline.readings.printing.text import print_text
+from exactspline.readings.printing import print_latex, print_text
 from exactspline.readings.taylor import Series, series_curve, taylor
 from exactspline.readings.tree import TreeReading, trace
 from exactspline.verification.denominators import Evaluation

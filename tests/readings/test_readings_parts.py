@@ -20,8 +20,7 @@ from exactspline.readings.generic_bezier import GenericReading
 from exactspline.readings.jet import JetReading, JetRing, derivative_mark, polynomial_text
 from exactspline.readings.leading_terms import LeadingTermsReading, common_roots
 from exactspline.readings.other_parameter import InOtherParameter
-from exactspline.readings.printing.latex import print_latex
-from exactspline.readings.printing.text import print_text, symbol_text
+from exactspline.readings.printing import print_latex, print_text, symbol_text
 from exactspline.readings.rational_jet import RationalJetReading
 from exactspline.readings.sympy_expression import FIRST, Fractions, exact_quotient
 from exactspline.readings.taylor import Series

@@ -16,7 +16,7 @@ from exactspline.language.ruled import split
 from exactspline.language.vector import Vector, join
 from exactspline.papers import all_formulas, find
 from exactspline.readings.factored_jet import FactoredJetReading
-from exactspline.readings.printing.text import print_text, symbol_text
+from exactspline.readings.printing import print_text, symbol_text
 from exactspline.readings.tree import trace
 from exactspline.symbolic.covariants import true_degree
 from exactspline.symbolic.reduction import reduction

@@ -89,7 +89,7 @@ def reduce(data: dict[str, Any]) -> dict[str, Any]:
     """What cancels in a formula that was typed, for all curves."""
     from exactspline.papers import formulas_by_module
     from exactspline.papers.formula_check import formulas_of
-    from exactspline.readings.printing.text import TextPrinter
+    from exactspline.readings.printing import TextPrinter
 
     made = formulas_of(data["text"], "your formula", formulas_by_module(), plain=True)
     if not made:

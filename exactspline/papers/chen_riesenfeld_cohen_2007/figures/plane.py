@@ -16,7 +16,7 @@ from exactspline.language.rational import Rational
 from exactspline.numbers.exact import mpq
 from exactspline.papers import find
 from exactspline.polynomials.factors import superscript
-from exactspline.readings.printing.latex import print_latex
+from exactspline.readings.printing import print_latex
 from exactspline.readings.tree import trace
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.lowest_terms import SplineVector, control_point_count

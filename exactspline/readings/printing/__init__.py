@@ -1,1 +1,0 @@
-"""Printers of expression trees as LaTeX and as text."""
