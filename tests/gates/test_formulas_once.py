@@ -324,7 +324,7 @@ ALLOWED = {
     "programs.inputs:operands_of": "whether there is a program",
     "readings.bernstein_term:every_coefficient": "a proof about values of its own reading",
     "verification.denominators:factored": "a denominator in factors, a number or a fraction",
-    "extras.coq.framed_setting:flat": "fractions with and without roots",
+    "extras.coq.settings:flat": "fractions with and without roots",
     "extras.coq.proofs:_whole": "what is assumed of a fraction",
     "extras.coq.proofs:met": "what is assumed of a fraction",
     "verification.one_function:agree": "the values of one formula in two classes, compared",

@@ -6,7 +6,7 @@ from gmpy2 import mpq
 
 from exactspline import example
 from exactspline.errors import ReachError
-from exactspline.extras.coq.terms import constant_term, integer
+from exactspline.extras.coq.formulas import constant_term, integer
 from exactspline.geometry.analysis import surfaces as inspection
 from exactspline.geometry.analysis.surfaces import PatchKind, inspect_surface
 from exactspline.polynomials.factors import greatest_common_divisor

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from exactspline.extras.coq.terms import identifier
+from exactspline.extras.coq.formulas import identifier
 from exactspline.papers import named_papers
 from exactspline.verification.claims import claims_in
 from exactspline.verification.divisors import divisors

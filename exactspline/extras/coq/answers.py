@@ -2,18 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
-from itertools import pairwise
+from itertools import pairwise, zip_longest
+from math import lcm
 
 from flint import fmpq_poly
 
-from exactspline.errors import ClaimError, counted
+from exactspline.errors import ClaimError, DomainError, counted
 from exactspline.extras.coq.formulas import Formulas, comment
 from exactspline.language.formula import Formula
 from exactspline.numbers.exact import from_flint, mpq, to_fmpq
+from exactspline.numbers.intervals import Interval
 from exactspline.papers import find, papers
-from exactspline.polynomials.isolation import Cell, cells_of
+from exactspline.polynomials.bezout import determinant
+from exactspline.polynomials.cost import Budget, drawing_on
+from exactspline.polynomials.isolation import Cell, bernstein_signs, cells_of
 from exactspline.splines.bspline import in_powers
 from exactspline.splines.control_points import lifted
 from exactspline.splines.nurbs import Nurbs
@@ -189,3 +193,267 @@ def cell_text(cell: Cell) -> str:
             f"{coefficients_text(cell.rest)} {boolean(cell.rest_sign)}"
         )
     return f"{'One' if cell.one else 'Sign'} {ends} {boolean(cell.sign)}"
+
+
+# ---- the common points of two plane curves
+#
+# The resultant and the first subresultant come with their cofactors, so that Coq checks identities of polynomials.
+#
+# Source: Brown and Traub, On Euclid's algorithm and the theory of subresultants, JACM 1971 (as determinants).
+
+
+#: A polynomial in s whose coefficients are polynomials in t.
+Rows = list[fmpq_poly]
+#: The number of bisections after which the place of a point is not decided, and the widths of boxes (bits).
+DEPTH, WIDTH = 120, 10
+REMEDY = "theorems are about simple points, inside or at rational parameters, of plane curves with positive weights"
+
+
+@dataclass(frozen=True)
+class _BoxedPoint:
+    """An interval of the second parameter with one zero of the resultant, or a point; and that of the first, None where
+    it is outside the curve. `sign` is that of the slope, `above` on which side it is outside.
+    """
+
+    second: Interval
+    first: Interval | None
+    sign: bool
+    above: bool = False
+
+
+@dataclass(frozen=True)
+class Elimination:
+    """The resultant, a combination ``slope s + offset``, and the combinations that prove what they say."""
+
+    eliminant: fmpq_poly
+    slope: fmpq_poly
+    offset: fmpq_poly
+    exponent: int
+    combinations: tuple[tuple[Rows, Rows], ...]
+
+
+def meeting_theorem(first: Nurbs, second: Nurbs) -> str:
+    """A file for Coq with the theorem about all common points of two curves.
+
+    >>> parabola = Nurbs(2, [0, 0, 0, 1, 1, 1], [(0, 0), ("1/2", 0), (1, 1)])
+    >>> line = Nurbs(1, [0, 0, 1, 1], [(0, "1/2"), (1, "1/2")])
+    >>> "meet at exactly 1 point" in meeting_theorem(parabola, line)
+    True
+
+    Raises `ClaimError` where there is no such theorem.
+    """
+    for curve in (first, second):
+        if curve.dimension != 2 or curve.segments != 1 or min(curve.weights) <= 0:
+            raise ClaimError("not a plane curve of one segment with positive weights", where=curve.name, remedy=REMEDY)
+    with drawing_on(Budget()):
+        found = _elimination(*(_difference(first, second, k) for k in (0, 1)))
+    try:
+        cells, places = _places(found, first.domain, second.domain)
+    except DomainError as error:
+        raise ClaimError("a common point that bisection does not place", remedy=REMEDY) from error
+    spans = [sum(t <= c.domain.low for t in c.knots) - 1 for c in (first, second)]
+    pieces = [f"(curve_piece {name} {j})" for name, j in zip(("first_curve", "second_curve"), spans, strict=True)]
+    boxes = [(x.first, x.second) for x in places if x.first is not None]
+    listed = "; ".join(f"({_interval(s)}, {_interval(t)})" for s, t in boxes)
+    ends = " ".join(f"({number_in_q(t)})" for c in (first, second) for t in c.domain)
+    named = ", ".join(comment(c.name or "a curve") for c in (first, second))
+    return "\n".join(
+        [
+            f"(** The common points of two curves ({named}): proved from their knots and control points.\n\n"
+            "    Written by [exactspline between --emit-coq]; do not edit. It is compiled after the files that\n"
+            "    [exactspline coq DIR] writes: coqc -R DIR ExactSpline FILE.v. *)\n",
+            "Require Import ZArith QArith List Reals.\nFrom ExactSpline Require Import Base Answers Meetings.",
+            "Import ListNotations.\nLocal Open Scope Q_scope.\n",
+            *[definition(name, c) for name, c in zip(("first_curve", "second_curve"), (first, second), strict=True)],
+            _elimination_text(found),
+            "Definition the_cells : list cell := [\n  " + ";\n  ".join(map(cell_text, cells)) + "\n].\n",
+            "Definition the_places : list ((Q * Q) * place) := [\n  "
+            + ";\n  ".join(f"({_interval(x.second)}, {_place_text(x)})" for x in places)
+            + "\n].\n",
+            f"(** The curves meet at exactly {counted(len(boxes), 'point')}, one in each box. *)\n"
+            f"Theorem the_curves_meet :\n  hold_exactly (same_point {' '.join(pieces)})\n    {ends}\n    [{listed}].\n"
+            "Proof.\n  apply (curves_meet_exactly _ _ the_elimination _ _ _ _ the_cells the_places).\n"
+            f"  vm_cast_no_check (eq_refl (true, ({pairs_text(x.second for x in places)} : list (Q * Q))%Q,\n"
+            f"    ([{listed}] : list box)%Q)).\nQed.\n",
+        ]
+    )
+
+
+# ---- elimination
+
+
+def _difference(first: Nurbs, second: Nurbs, k: int) -> Rows:
+    """``x(s) w(t) − w(s) x(t)``."""
+    (x, w), (y, v) = ((in_powers(c.p[k], 0), in_powers(c.w, 0)) for c in (first, second))
+    return _trimmed([v * x[i] - y * w[i] for i in range(max(x.degree(), w.degree()) + 1)])
+
+
+def _trimmed(rows: Rows) -> Rows:
+    while rows and not rows[-1]:
+        rows = rows[:-1]
+    return rows
+
+
+def _sum(f: Rows, g: Rows, a: fmpq_poly, b: fmpq_poly) -> Rows:
+    zero = fmpq_poly([])
+    return _trimmed([a * x + b * y for x, y in zip_longest(f, g, fillvalue=zero)])
+
+
+def _product(f: Rows, g: Rows) -> Rows:
+    rows = [fmpq_poly([])] * max(len(f) + len(g) - 1, 0)
+    for i, x in enumerate(f):
+        for j, y in enumerate(g):
+            rows[i + j] = rows[i + j] + x * y
+    return _trimmed(rows)
+
+
+def _exactly(x: fmpq_poly, divisor: fmpq_poly) -> fmpq_poly:
+    quotient, rest = divmod(x, divisor)
+    if rest:
+        raise ClaimError("a common point that is not simple", remedy=REMEDY)
+    return quotient
+
+
+def _elimination(f: Rows, g: Rows) -> Elimination:
+    if not f or not g:
+        raise ClaimError("curves on one line parallel to an axis", remedy=REMEDY)
+    of_resultant, of_line = _subresultant(f, g, 0), _subresultant(f, g, 1)
+    constant, line = (_combined(cofactors, f, g) for cofactors in (of_resultant, of_line))
+    if len(constant) != 1 or len(line) != 2:
+        raise ClaimError("curves with arcs in common, or no combination of degree 1", remedy=REMEDY)
+    exponent = max(len(f), len(g)) - 1
+    others = (_by_line(p, line, constant[0], exponent) for p in (f, g))
+    return Elimination(constant[0], line[1], line[0], exponent, (of_resultant, of_line, *others))
+
+
+def _combined(cofactors: tuple[Rows, Rows], f: Rows, g: Rows) -> Rows:
+    one = fmpq_poly([1])
+    return _sum(_product(cofactors[0], f), _product(cofactors[1], g), one, one)
+
+
+def _subresultant(f: Rows, g: Rows, j: int) -> tuple[Rows, Rows]:
+    """The cofactors of a combination of degree j: the determinant of multiples of f and g by powers of s, their
+    coefficients above ``sʲ`` in all columns but the last one, by its last column.
+    """
+    m, n, one = len(f) - 1, len(g) - 1, [fmpq_poly([1])]
+    if j in (m, n):
+        return (one, []) if m == j else ([], one)
+    zero, powers = fmpq_poly([]), range(j + 1, m + n - j)
+    rows = [[zero] * i + p for p, count in ((f, n - j), (g, m - j)) for i in range(count)]
+    matrix = [[row[k] if k < len(row) else zero for k in powers] for row in rows]
+    minors = [
+        rational_determinant(matrix[:i] + matrix[i + 1 :]) * (-1 if (len(rows) - 1 - i) % 2 else 1)
+        for i in range(len(rows))
+    ]
+    return _trimmed(minors[: n - j]), _trimmed(minors[n - j :])
+
+
+def rational_determinant(matrix: Sequence[Rows]) -> fmpq_poly:
+    """Over one denominator, by the integers of the numerators."""
+    entries = [x for row in matrix for x in row]
+    bottom = lcm(*[int(x.denom()) for x in entries])
+    whole = [[(x * bottom).numer() for x in row] for row in matrix]
+    numerator = fmpq_poly(determinant(whole, max((x.degree() for x in entries), default=0)))
+    return numerator * to_fmpq(mpq(1, bottom ** len(matrix)))
+
+
+def _by_line(p: Rows, line: Rows, resultant: fmpq_poly, exponent: int) -> tuple[Rows, Rows]:
+    """How a power of the slope times p is a combination of the line and the resultant."""
+    quotient, rest = list[fmpq_poly](), [x * line[1] ** exponent for x in p]
+    while len(rest) > 1:
+        own = [fmpq_poly([])] * (len(rest) - 2) + [_exactly(rest[-1], line[1])]
+        rest = _sum(rest, _product(own, line), fmpq_poly([1]), fmpq_poly([-1]))
+        quotient = _sum(quotient, own, fmpq_poly([1]), fmpq_poly([1]))
+    return quotient, [_exactly(x, resultant) for x in rest]
+
+
+# ---- places
+
+
+def _places(found: Elimination, first: Interval, second: Interval) -> tuple[list[Cell], list[_BoxedPoint]]:
+    """Cells of the resultant so narrow that each of its zeros has a place, and these places."""
+    todo = [(cell, 0) for cell in reversed(cells_of(found.eliminant, *second))]
+    cells, places = list[Cell](), list[_BoxedPoint]()
+    while todo:
+        cell, depth = todo.pop()
+        place = None
+        if cell.one and (place := _place(found, first, Interval(cell.low, cell.high))) is None:
+            if depth == DEPTH:
+                raise DomainError("the place of a zero is not decided", remedy=REMEDY)
+            middle = (cell.low + cell.high) / 2
+            halves = [c for a, b in ((cell.low, middle), (middle, cell.high)) for c in cells_of(found.eliminant, a, b)]
+            todo += [(half, depth + 1) for half in reversed(halves)]
+            continue
+        cells.append(cell)
+        places += _at_point(found, first, cell.low)
+        places += [] if place is None else [place]
+    return cells, places + _at_point(found, first, second.high)
+
+
+def _at_point(found: Elimination, first: Interval, t: mpq) -> list[_BoxedPoint]:
+    """The place of a zero at a rational parameter, if it is one."""
+    if found.eliminant(to_fmpq(t)) != 0:
+        return []
+    a, b = (from_flint(p(to_fmpq(t))) for p in (found.slope, found.offset))
+    if a == 0:
+        raise ClaimError("a point through which a curve passes several times", remedy=REMEDY)
+    s = -b / a
+    inside = Interval.point(s) if first.low <= s <= first.high else None
+    return [_BoxedPoint(Interval.point(t), inside, a > 0, s > first.high)]
+
+
+def _place(found: Elimination, first: Interval, second: Interval) -> _BoxedPoint | None:
+    """The place of the zero in an interval, if forms have one sign there."""
+    sign = _sign(found.slope, second)
+    if sign is None:
+        return None
+    if _sign(_line_at(found, first.low), second) == sign:
+        return _BoxedPoint(second, None, sign)
+    if _sign(_line_at(found, first.high), second) == (not sign):
+        return _BoxedPoint(second, None, sign, above=True)
+    t = to_fmpq(second.middle)
+    if not found.slope(t):
+        return None
+    middle, width = from_flint(-found.offset(t) / found.slope(t)), first.width / (1 << WIDTH)
+    middle = first.low + (middle - first.low) / width // 1 * width
+    box = Interval(max(first.low, middle - width), min(first.high, middle + 2 * width))
+    signs = [_sign(_line_at(found, s), second) for s in box]
+    return _BoxedPoint(second, box, sign) if box.low < box.high and signs == [not sign, sign] else None
+
+
+def _line_at(found: Elimination, s: mpq) -> fmpq_poly:
+    return found.slope * to_fmpq(s) + found.offset
+
+
+def _sign(f: fmpq_poly, side: Interval) -> bool | None:
+    """The sign inside an interval, if it follows from the Bernstein coefficients."""
+    not_negative, not_positive = bernstein_signs(f, *side)
+    return None if not_negative == not_positive else not_negative
+
+
+# ---- text
+
+
+def _interval(side: Interval) -> str:
+    return f"({number_in_q(side.low)}, {number_in_q(side.high)})"
+
+
+def _rows(rows: Iterable[fmpq_poly]) -> str:
+    return "[" + "; ".join(map(coefficients_text, rows)) + "]"
+
+
+def _elimination_text(found: Elimination) -> str:
+    names = ("of_resultant", "of_line", "first_form", "second_form")
+    pairs = (f"{n} := ({_rows(f)}, {_rows(g)})" for n, (f, g) in zip(names, found.combinations, strict=True))
+    polynomials = (
+        f"{n} := {coefficients_text(p)}"
+        for n, p in (("resultant", found.eliminant), ("slope", found.slope), ("offset", found.offset))
+    )
+    own = ";\n  ".join([*polynomials, f"exponent := {found.exponent}", *pairs])
+    return f"Definition the_elimination : elimination := {{|\n  {own}\n|}}.\n"
+
+
+def _place_text(place: _BoxedPoint) -> str:
+    if place.first is None:
+        return f"Outside {boolean(place.sign)} {boolean(place.above)}"
+    return f"Inside {boolean(place.sign)} ({number_in_q(place.first.low)}) ({number_in_q(place.first.high)})"

@@ -57,8 +57,7 @@ def see_that_coq_can_name(path: str) -> None:
 def write_theorems(path: str, *curves: Nurbs) -> None:
     """The theorems about a curve, or about the common points of two, in a file."""
     from exactspline.atomic_write import write_text
-    from exactspline.extras.coq.answers import theorem_of
-    from exactspline.extras.coq.intersections import meeting_theorem
+    from exactspline.extras.coq.answers import meeting_theorem, theorem_of
 
     see_that_coq_can_name(path)
     write_text(path, (theorem_of if len(curves) == 1 else meeting_theorem)(*curves))

@@ -11,9 +11,8 @@ from pathlib import Path
 
 from exactspline.atomic_write import write_text
 from exactspline.errors import ClaimError, ExactSplineError, FormulaError
-from exactspline.extras.coq.formulas import HEADER, Formulas, written_for
+from exactspline.extras.coq.formulas import HEADER, THEORY, Formulas, written_for
 from exactspline.extras.coq.refutations import refutation
-from exactspline.extras.coq.terms import THEORY
 from exactspline.extras.coq.theorems import STATED, theorem
 from exactspline.language.kinds import kind_of
 from exactspline.papers import Paper, papers

@@ -8,8 +8,8 @@ from typing import Any
 from flint import fmpq_mpoly
 
 from exactspline.errors import FormulaError
+from exactspline.extras.coq.formulas import Writer
 from exactspline.extras.coq.settings import Setting
-from exactspline.extras.coq.terms import Writer
 from exactspline.numbers.exact import from_flint, mpq, over_one_denominator
 from exactspline.polynomials.factors import Factored, Factorization, prime_factors
 from exactspline.readings.expression import Operation

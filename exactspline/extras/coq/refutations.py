@@ -9,9 +9,8 @@ from typing import Any
 from flint import fmpq_mpoly
 
 from exactspline.errors import ClaimError, VanishingDivisorError
-from exactspline.extras.coq.formulas import Calling, comment, type_of
+from exactspline.extras.coq.formulas import Calling, Writer, comment, identifier, integer, sum_of_products, type_of
 from exactspline.extras.coq.proofs import Nonzero
-from exactspline.extras.coq.terms import Writer, identifier, integer, sum_of_products
 from exactspline.extras.coq.theorems import Statement, concluded
 from exactspline.language.arguments import COORDINATES, POINT, Accompanied, Curve, embedded
 from exactspline.language.formula import Formula

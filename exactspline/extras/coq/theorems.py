@@ -10,10 +10,9 @@ from importlib import resources
 from typing import Any, Generic, TypeVar
 
 from exactspline.errors import FormulaError
-from exactspline.extras.coq.formulas import Calling, comment, surface
-from exactspline.extras.coq.framed_setting import setting_of
+from exactspline.extras.coq.formulas import Calling, Writer, comment, identifier, surface
 from exactspline.extras.coq.proofs import Premise, Proof
-from exactspline.extras.coq.terms import Writer, identifier
+from exactspline.extras.coq.settings import setting_of
 from exactspline.language.arguments import Curve, embedded
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import PAIR, POINT_IN_SPACE, Kind, kind_of

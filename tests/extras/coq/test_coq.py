@@ -26,10 +26,9 @@ from exactspline import example, examples, intersections, write, zeros
 from exactspline.display.evidence import opinion
 from exactspline.errors import ClaimError
 from exactspline.extras.coq import judge as coq_judge
-from exactspline.extras.coq.answers import answers, theorem_of
+from exactspline.extras.coq.answers import answers, meeting_theorem, rational_determinant, theorem_of
 from exactspline.extras.coq.emission import BY_HAND, ROOT, library
 from exactspline.extras.coq.formulas import Formulas
-from exactspline.extras.coq.intersections import meeting_theorem, rational_determinant
 from exactspline.interchange.curve_files import curve_data
 from exactspline.papers import find, papers
 from exactspline.splines.nurbs import Nurbs
