@@ -3,7 +3,7 @@
 import pytest
 from gmpy2 import mpq
 
-from exactspline.extras.cad.iges_records import formatted
+from exactspline.extras.cad.iges import formatted
 from exactspline.interchange import read
 from tests.interchange.test_formats_and_features import step
 

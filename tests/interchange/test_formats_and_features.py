@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 from gmpy2 import mpq
 
-from exactspline.extras.cad.iges_records import formatted
+from exactspline.extras.cad.iges import formatted
 from exactspline.interchange import read
 from tests.support.interchange_seeds import GLIF, dxf, truetype
 

@@ -306,7 +306,7 @@ def test_fonts_say_their_unit_and_overlaps():
 
 
 def iges_spline(start, end, status="00000000"):
-    from exactspline.extras.cad.iges_records import formatted
+    from exactspline.extras.cad.iges import formatted
 
     *rest, _, _, x, y, z = SPLINE.split(",")
     data = formatted([(126, 0, 0, "S", [*rest, start, end, x, y, z])], "one spline")

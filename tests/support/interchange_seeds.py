@@ -4,7 +4,7 @@ import re
 from io import BytesIO
 
 from exactspline import Nurbs
-from exactspline.extras.cad.iges_records import formatted
+from exactspline.extras.cad.iges import formatted
 from exactspline.interchange.examples import example
 from exactspline.interchange.files import encoded
 

@@ -14,7 +14,7 @@ from dataclasses import dataclass
 from itertools import pairwise
 
 from exactspline.errors import CurveFileError, ShapeError
-from exactspline.extras.cad.names import NAMES
+from exactspline.extras.cad import NAMES
 from exactspline.interchange.affine import Affine, axes, cross, dot, unit
 from exactspline.interchange.collector import UNREAD, Collector
 from exactspline.interchange.format import Format

@@ -12,7 +12,7 @@ import re
 from collections.abc import Sequence
 from math import prod
 
-from exactspline.extras.cad.names import NAMES
+from exactspline.extras.cad import NAMES
 from exactspline.interchange.collector import Collector
 from exactspline.interchange.format import Format
 from exactspline.interchange.numbers import NumberText, Tokens

@@ -13,11 +13,21 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 
-from exactspline.extras.cad.names import NAMES
-from exactspline.extras.cad.step_edges import ANY_CURVE, BOUNDED, COMPOSITE, ELEMENTARY, Edges
-from exactspline.extras.cad.step_records import StepFile, keywords, parts
-from exactspline.extras.cad.step_splines import ANY_SURFACE, CURVE, FACES, KEYWORDS, add_surface, written_spline
-from exactspline.extras.cad.step_text import StepText
+from exactspline.extras.cad import NAMES
+from exactspline.extras.cad.step_edges import (
+    ANY_CURVE,
+    ANY_SURFACE,
+    BOUNDED,
+    COMPOSITE,
+    CURVE,
+    ELEMENTARY,
+    FACES,
+    KEYWORDS,
+    Edges,
+    add_surface,
+    written_spline,
+)
+from exactspline.extras.cad.step_records import StepFile, StepText, keywords, parts
 from exactspline.interchange.collector import Collector
 from exactspline.interchange.format import Format
 from exactspline.interchange.numbers import NumberText
