@@ -53,7 +53,7 @@ TEACH = {
             "teach triangle my.json --insert 1/2 --times 2 --html > page.html",
             "teach triangle parabola --elevate 1 --product x,y --latex",
         ),
-        "extras.teaching.commands.triangle:triangle",
+        "extras.teaching.commands:triangle",
     ),
     "exercise": Entry(
         "Exercises with small answers.",
@@ -62,7 +62,7 @@ TEACH = {
             "teach exercise evaluation --seed 1 --count 6 --solutions",
             "teach exercise all --html --solutions > sheet.html",
         ),
-        "extras.teaching.commands.exercise:exercise",
+        "extras.teaching.commands:exercise",
     ),
     "check": Entry(
         "Is a student's answer right?",
@@ -71,7 +71,7 @@ TEACH = {
             "teach check my.json --reference cubic_s",
             "teach check mine.py:kappa --reference f2 --factor w",
         ),
-        "extras.teaching.commands.check:check",
+        "extras.teaching.commands:check",
         "the answer is not right",
     ),
 }

@@ -187,7 +187,7 @@ SECOND_NUMBERS = {
     "roots/answers.py: OneNumber": "no number: what has one, such as a feature its parameter",
 }
 WAYS = {
-    "extras/teaching/shapes.py: curvature": "an exercise",
+    "extras/teaching/topics.py: curvature": "an exercise",
     "extras/pictures3d/curvature_lines.py: lines_of_curvature": "curves on a surface",
     "geometry/curves/curvature.py: curvature_function": "curvature as a function",
     "geometry/curves/facts.py: Facts.same_curvature": "a comparison",

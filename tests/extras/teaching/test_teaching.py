@@ -13,7 +13,16 @@ import pytest
 from click.testing import CliRunner
 
 from exactspline.cli import app
-from exactspline.extras.teaching.answers import Circle, Parameters, Points, Polynomials
+from exactspline.extras.teaching.answers import (
+    AnswerError,
+    Circle,
+    Parameters,
+    Points,
+    Polynomials,
+    numbers,
+    points,
+    polynomials,
+)
 from exactspline.extras.teaching.comparison import compare_curves, compare_formulas
 from exactspline.extras.teaching.differences import (
     Invented,
@@ -28,7 +37,6 @@ from exactspline.extras.teaching.differences import (
 from exactspline.extras.teaching.display.exercises import html_page, latex_document, plain, text_lines
 from exactspline.extras.teaching.exercises import LARGEST
 from exactspline.extras.teaching.parts import Math
-from exactspline.extras.teaching.reading import AnswerError, numbers, points, polynomials
 from exactspline.extras.teaching.topics import HINTS, TOPICS, TopicError, about, exercise, exercises
 from exactspline.interchange.curve_files import curve_data
 from exactspline.interchange.examples import example

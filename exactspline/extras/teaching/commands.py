@@ -1,0 +1,240 @@
+"""For teachers: ``teach triangle``, ``teach exercise``, ``teach check``."""
+
+from __future__ import annotations
+
+import re
+import sys
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+from exactspline.cli.common import CURVE_HELP, Trust, load_curve
+from exactspline.cli.output import OptionsError, Output, printing
+from exactspline.cli.parameters import Argument, Exit, Option
+from exactspline.display.sheet import Sheet
+from exactspline.errors import CurveFileError
+
+if TYPE_CHECKING:
+    from exactspline.extras.teaching.answers import Finding
+    from exactspline.extras.teaching.display.triangles import Scheme
+    from exactspline.splines.bspline import BSpline
+    from exactspline.splines.nurbs import Nurbs
+
+
+# ---- triangle
+
+
+@printing
+def triangle(
+    out: Output,
+    curve: Annotated[str, Argument(metavar="CURVE", help=CURVE_HELP)],
+    at: Annotated[
+        list[str] | None, Option("--at", metavar="T", help="De Boor's triangle at a parameter. May be repeated.")
+    ] = None,
+    insert: Annotated[list[str] | None, Option("--insert", metavar="T", help="Insert a knot. May be repeated.")] = None,
+    times: Annotated[int, Option("--times", metavar="N", min=1, help="Insert it this many times.")] = 1,
+    elevate: Annotated[
+        int, Option("--elevate", metavar="N", min=0, max=100, help="Raise the degree by N, segment by segment.")
+    ] = 0,
+    product: Annotated[
+        str, Option("--product", metavar="X,Y", help="Multiply two of the functions x, y, z, w of the curve.")
+    ] = "",
+    latex: Annotated[bool, Option("--latex", help="Print LaTeX (needs amsmath).")] = False,
+    html: Annotated[bool, Option("--html", help="Print an HTML page, for a browser or a printer.")] = False,
+) -> None:
+    """The triangle of fractions of de Boor's algorithm, of knot insertion and degree elevation, and the table of a
+    product.
+    """
+    from exactspline.extras.teaching.display.triangles import html_page, latex_text, scheme_data, sheets
+
+    if latex + html + (not out.for_people) > 1:
+        raise OptionsError("more than one format", remedy="choose one of --latex, --html, --json, --csv, --markdown")
+    found = _schemes(load_curve(curve), at or [], insert or [], times, elevate, product)
+    if latex:
+        sys.stdout.write(latex_text(found) + "\n")
+    elif html:
+        sys.stdout.write(html_page(found, f"{curve}, step by step"))
+    else:
+        out.give("triangle", (scheme_data(s) for s in found), (x for s in found for x in sheets(s)))
+
+
+def _schemes(curve: Nurbs, at: list[str], insert: list[str], times: int, elevate: int, product: str) -> list[Scheme]:
+    from exactspline.extras.teaching.triangles import (
+        de_boor_triangle,
+        elevation_triangles,
+        insertion_triangle,
+        product_tables,
+    )
+
+    found: list[Scheme] = [de_boor_triangle(curve, t) for t in dict.fromkeys(at)]
+    found += [insertion_triangle(curve, t, times) for t in dict.fromkeys(insert)]
+    found += elevation_triangles(curve, elevate) if elevate else []
+    found += product_tables(*_factors(curve, product)) if product else []
+    if not found:
+        raise OptionsError("nothing is asked", remedy="add --at T, --insert T, --elevate N or --product X,Y")
+    return found
+
+
+def _factors(curve: Nurbs, names: str) -> tuple[BSpline, BSpline]:
+    """The two functions that the names mean: of a rational curve the numerators ``w x``, ``w y``."""
+    known = dict(zip("xyz", curve.p, strict=False)) | {"w": curve.w}
+    requested = [name.strip() for name in names.split(",")]
+    if len(requested) != 2 or any(name not in known for name in requested):
+        raise OptionsError(f"{names!r} does not name two functions", remedy=f"write two of {', '.join(known)}: x,y")
+    return known[requested[0]], known[requested[1]]
+
+
+# ---- exercise
+
+
+@printing
+def exercise(
+    out: Output,
+    topic: Annotated[
+        list[str] | None, Argument(help="Topics, or all; without them the topics are listed.", metavar="TOPIC")
+    ] = None,
+    seed: Annotated[int, Option("--seed", metavar="N", min=0, help="The first exercise's number.")] = 0,
+    count: Annotated[int, Option("--count", metavar="K", min=1, max=500, help="This many exercises per topic.")] = 1,
+    solutions: Annotated[bool, Option("--solutions", help="With a sheet of solutions.")] = False,
+    latex: Annotated[bool, Option("--latex", help="Print a LaTeX document.")] = False,
+    html: Annotated[bool, Option("--html", help="Print an HTML page, for a browser or a printer.")] = False,
+) -> None:
+    """Exercises with small numbers, the same ones for the same seed; the answers are computed, and checked by
+    teach check.
+    """
+    from exactspline.extras.teaching.display.exercises import exercise_data, html_page, latex_document
+    from exactspline.extras.teaching.topics import TOPICS, about, exercises
+
+    if latex + html + (not out.for_people) > 1:
+        raise OptionsError("more than one format", remedy="choose one of --latex, --html, --json, --csv, --markdown")
+    if not topic:
+        topics = [(name, about(name)) for name in TOPICS]
+        rows = [{"key": name, "about": asks} for name, asks in topics]
+        out.give("topics", rows, [Sheet("topic", "asks", rows=topics, prose=["asks"])])
+        return
+    made = [each for name in (TOPICS if topic == ["all"] else topic) for each in exercises(name, seed, count)]
+    if latex or html:
+        sys.stdout.write((latex_document if latex else html_page)(made, solutions=solutions))
+        return
+
+    data = [exercise_data(each, solutions=solutions) for each in made]
+    columns = [name for name in data[0] if name != "key"]
+    cells = [[row[name] for name in columns] for row in data]
+
+    def people() -> None:
+        from exactspline.display import console
+        from exactspline.errors import command_name
+        from exactspline.extras.teaching.display.exercises import text_lines
+
+        # these are paragraphs in a pipe, too
+        width = min(console.width(), 80)
+        sys.stdout.write("\n".join(text_lines(made, width, solutions=solutions)) + "\n")
+        if not (solutions or out.quiet):
+            first = made[0]
+            command = f"{command_name()} teach check --topic {first.topic} --seed {first.seed} --text '…'"
+            sys.stdout.write("\n")
+            console.lines(console.console(), f"Check an answer: {command}")
+
+    out.give("exercise", data, [Sheet(*columns, rows=cells, prose=["task", "form", "solution"])], people)
+
+
+# ---- check
+
+
+@printing
+def check(
+    out: Output,
+    answer: Annotated[
+        str, Argument(help="A file with the answer, - for standard input, or FILE.py:NAME for a formula.")
+    ] = "",
+    topic: Annotated[str, Option("--topic", metavar="TOPIC", help="The exercise's topic.")] = "",
+    seed: Annotated[int, Option("--seed", metavar="N", min=0, help="The exercise's seed.")] = 0,
+    text: Annotated[str, Option("--text", metavar="ANSWER", help="The answer itself, in place of a file.")] = "",
+    reference: Annotated[
+        str, Option("--reference", metavar="WHAT", help="A curve, or a formula where the answer is a formula.")
+    ] = "",
+    factor: Annotated[
+        str, Option("--factor", metavar="F", help="A formula may be that factor times the reference: w^3.")
+    ] = "1",
+    hint: Annotated[bool, Option("--hint", help="Where it is wrong, say how to begin.")] = False,
+    show: Annotated[bool, Option("--show", help="Where it is wrong, show the right values and the solution.")] = False,
+    trust: Trust = False,
+) -> None:
+    """Prove an answer right, or say where it is wrong, without the right values unless they are asked for; exit status
+    1 where it is wrong.
+    """
+    if bool(topic) == bool(reference):
+        raise OptionsError("one of --topic and --reference is needed", remedy="say what the answer is compared with")
+    if bool(text) == bool(answer) or (text and reference):
+        raise OptionsError("one answer is needed", remedy="name a file, or write --topic TOPIC --text ANSWER")
+    if hint and reference:
+        raise OptionsError("--hint and --reference", remedy="there are hints for exercises")
+    found, against = (
+        _exercise(topic, seed, text or _read(answer)) if topic else _compared(answer, reference, factor, trust)
+    )
+    row = {"key": against, "right": found.right, "differences": list(map(str, found.differences))}
+
+    cells = [("right" if found.right else "wrong", each) for each in found.differences or [""]]
+    out.give(
+        "check-answer",
+        [row],
+        [Sheet("answer", "difference", rows=cells, prose=["difference"])],
+        lambda: _tell(out, found, topic, seed, hint, show),
+    )
+    if not found:
+        raise Exit(1)
+
+
+def _tell(out: Output, found: Finding, topic: str, seed: int, hint: bool, show: bool) -> None:
+    from exactspline.display import console
+    from exactspline.extras.teaching.display.exercises import hinted, solution_lines
+
+    shown = console.console()
+    console.lines(shown, "right" if found else "wrong", style="bold")
+    for difference in dict.fromkeys(map(str if show else hinted, found.differences)):
+        console.lines(shown, difference, indent=4, first=2)
+    if found or out.quiet:
+        return
+    from exactspline.extras.teaching.topics import HINTS, exercise
+
+    if hint:
+        console.lines(shown, f"hint: {HINTS[topic]}")
+    if show and topic:
+        sys.stdout.write("\n".join(solution_lines(exercise(topic, seed), min(console.width(), 80))) + "\n")
+    if not (hint or show):
+        console.lines(shown, f"{'--hint says how to begin, ' if topic else ''}--show shows the right values")
+
+
+def _exercise(topic: str, seed: int, given: str) -> tuple[Finding, str]:
+    from exactspline.extras.teaching.topics import exercise
+
+    made = exercise(topic, seed)
+    return made.answer.check(given), f"{topic}, seed {seed}"
+
+
+def _read(name: str) -> str:
+    from exactspline.extras.teaching.answers import MAX_TEXT
+
+    try:
+        if name == "-":
+            data = sys.stdin.buffer.read(4 * MAX_TEXT)
+        else:
+            with Path(name).open("rb") as stream:
+                data = stream.read(4 * MAX_TEXT)
+        return data.decode()
+    except OSError as error:
+        raise CurveFileError(
+            f"cannot be read ({error.strerror})", where=name, remedy="name a file, or write --text ANSWER"
+        ) from None
+    except UnicodeDecodeError:
+        raise CurveFileError("is not UTF-8 text", where=name, remedy="write numbers, points or polynomials") from None
+
+
+def _compared(answer: str, reference: str, factor: str, trust: bool) -> tuple[Finding, str]:
+    from exactspline.extras.teaching.comparison import compare_curves, compare_formulas
+    from exactspline.papers import resolve
+
+    if re.search(r"\.py:\w+$", answer):
+        found = compare_formulas(resolve(answer, trust=trust), resolve(reference, trust=trust), factor)
+    else:
+        found = compare_curves(load_curve(answer), load_curve(reference))
+    return found, reference

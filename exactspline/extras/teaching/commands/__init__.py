@@ -1,1 +1,0 @@
-"""For teachers: ``teach triangle``, ``teach exercise``, ``teach check``."""
