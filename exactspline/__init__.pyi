@@ -50,7 +50,7 @@ from .geometry.analysis.many_curves import features_of_curves as features_of_cur
 from .geometry.analysis.ask import ask as ask
 from .geometry.analysis.ask import nearest as nearest
 from .batch.sweep import sweep as sweep
-from .batch.families import Family as Family
+from .batch.corpus import Family as Family
 
 # derived curves and surfaces
 from .geometry.derived.derive import derive as derive

@@ -13,11 +13,9 @@ from typing import Any
 from exactspline.batch.backends import check_backend, mapped
 from exactspline.batch.corpus import CURVES, Item, Problem, Source, Taken, items
 from exactspline.batch.lines import VERSION, Line
-from exactspline.batch.parquet import Parquet
-from exactspline.batch.results import JsonLines, Results, ResultsError, Settings
+from exactspline.batch.results import JsonLines, Parquet, Results, ResultsError, Settings
 from exactspline.batch.summary import Summary
-from exactspline.batch.surface_work import SurfaceWork
-from exactspline.batch.work import DIGITS, Work
+from exactspline.batch.work import DIGITS, SurfaceWork, Work
 from exactspline.errors import ShapeError, as_integer, as_text, as_texts
 from exactspline.numbers.exact import Number
 from exactspline.one_line import OneLine

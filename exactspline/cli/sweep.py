@@ -138,8 +138,7 @@ def sweep(
     where it stopped.
     """
     from exactspline.batch.backends import check_backend
-    from exactspline.batch.corpus import Taken
-    from exactspline.batch.families import Family
+    from exactspline.batch.corpus import Family, Taken
     from exactspline.batch.inspections import USUAL
     from exactspline.batch.summary import Summary
     from exactspline.batch.sweep import Where, sweep_into_file, work_of
@@ -182,7 +181,7 @@ def _sources(corpus: Sequence[str], random: Sequence[str]) -> list[Source]:
     """The curves to sweep. Words of a family that are separate (``--random degree=5 count=100``) arrive among the
     files.
     """
-    from exactspline.batch.families import Family, is_word
+    from exactspline.batch.corpus import Family, is_word
 
     words = [word for word in corpus if random and is_word(word) and not Path(word).exists()]
     if words and len(random) > 1:

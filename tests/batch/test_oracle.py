@@ -13,7 +13,7 @@ from flint import arb, ctx
 from gmpy2 import mpq
 
 import exactspline as xs
-from exactspline.batch.families import Family
+from exactspline.batch.corpus import Family
 from exactspline.batch.inspections import entry_of
 from exactspline.certificates import check_certificate
 from exactspline.cli import app

@@ -16,10 +16,9 @@ import pytest
 from click.testing import CliRunner
 
 import exactspline as xs
-from exactspline.batch import backends, parquet
+from exactspline.batch import backends, results
 from exactspline.batch import sweep as sweeping
-from exactspline.batch.corpus import Problem, items
-from exactspline.batch.families import Family
+from exactspline.batch.corpus import Family, Problem, items
 from exactspline.batch.inspections import asked_by_sweeps, enclosed, inspected
 from exactspline.batch.lines import line_schema
 from exactspline.batch.results import JsonLines, ResultsError
@@ -358,7 +357,7 @@ def test_only_one_sweep_writes_at_a_time(tmp_path):
 
 def test_parquet_in_parts_goes_on_behind_the_last_one(tmp_path, serial, monkeypatch):
     dataset = pytest.importorskip("pyarrow.dataset")
-    monkeypatch.setattr(parquet, "ROWS", 10)
+    monkeypatch.setattr(results, "ROWS", 10)
     place = tmp_path / "lines.parquet"
     record(place)
     parts = sorted(place.glob("*.parquet"))
@@ -367,8 +366,8 @@ def test_parquet_in_parts_goes_on_behind_the_last_one(tmp_path, serial, monkeypa
     (place / ".part-000000040.parquet.torn").write_bytes(b"PAR1")
     record(place)
     settings = json.loads((place / "_settings.json").read_text())
-    with parquet.Parquet(place, settings) as results:
-        assert list(results.existing()) == serial
+    with results.Parquet(place, settings) as kept:
+        assert list(kept.existing()) == serial
     table = dataset.dataset(place).to_table()
     assert table["index"].to_pylist() == list(range(43))
     assert [len(x or []) for x in table["curvature_extrema"].to_pylist()] == [

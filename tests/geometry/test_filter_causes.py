@@ -7,7 +7,7 @@ from collections import Counter
 
 import pytest
 
-from exactspline.batch.families import Family
+from exactspline.batch.corpus import Family
 from tests.support.filter_causes import CEILING, cause
 from tests.support.sampled import FULL
 

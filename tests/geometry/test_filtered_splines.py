@@ -9,7 +9,7 @@ from fractions import Fraction
 import pytest
 
 from exactspline import Nurbs, analyse, example, examples
-from exactspline.batch.families import Family
+from exactspline.batch.corpus import Family
 from exactspline.errors import ExactSplineError, NumberError, ShapeError
 from exactspline.numbers.exact import mpq
 from tests.campaigns import filter as campaign

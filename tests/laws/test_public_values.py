@@ -14,7 +14,7 @@ import pytest
 from gmpy2 import mpq
 
 import exactspline as xs
-from exactspline.batch.families import Family
+from exactspline.batch.corpus import Family
 from exactspline.display.tables import Grid
 from exactspline.geometry.analysis.ask import facts_about, kind_of
 from exactspline.geometry.analysis.registry import REGISTRY

@@ -97,7 +97,7 @@ def _trim_rational(_: int) -> Callable[[], object]:
 
 
 def _sweep(count: int) -> Callable[[], object]:
-    from exactspline.batch.families import Family
+    from exactspline.batch.corpus import Family
     from exactspline.batch.summary import Summary
     from exactspline.batch.sweep import Where, sweep_into_file
     from exactspline.batch.work import Work

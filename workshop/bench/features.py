@@ -9,7 +9,7 @@ from dataclasses import replace
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
-from exactspline.batch.families import Family
+from exactspline.batch.corpus import Family
 from exactspline.geometry.analysis.curves import analyse
 from exactspline.geometry.curves.kinds import FeatureKind
 from exactspline.splines.nurbs import Nurbs

@@ -8,7 +8,7 @@ from random import Random
 
 from flint import fmpz, fmpz_poly
 
-from exactspline.batch.families import Family
+from exactspline.batch.corpus import Family
 from exactspline.splines.nurbs import Nurbs
 
 #: The 400 plane curves: degrees 2 to 5, 1 to 4 segments, half of them rational.
