@@ -23,18 +23,18 @@ FORMULA = {
     "degrees": Entry(
         "Degrees and control points.",
         ("formula degrees --generic", "formula degrees --at 3", "formula degrees evolute --curve my.json"),
-        "cli.formula.degrees:degrees",
+        "cli.formula:degrees",
         "a degree differs from the printed one",
     ),
     "reduce": Entry(
         "Factor a formula, your own too.",
         ("formula reduce rectifying_developable", "formula reduce my_formulas.py:pedal"),
-        "cli.formula.reduce:reduce",
+        "cli.formula:reduce",
     ),
     "conditioning": Entry(
         "Condition numbers of the zeros of each form.",
         ("formula conditioning", "formula conditioning my.json"),
-        "cli.formula.conditioning:conditioning",
+        "cli.formula:conditioning",
     ),
 }
 PAPER = {
@@ -96,11 +96,11 @@ COMMANDS = {
         DIFFERS,
     ),
     "show": Entry("Spell out one claim.", ("show", 'show "eq. (12)"', "show C4.2 --latex"), "cli.show:show", DIFFERS),
-    "errata": Entry("List the errors of the paper.", ("errata", "errata C4.2b"), "cli.errata:errata"),
+    "errata": Entry("List the errors of the paper.", ("errata", "errata C4.2b"), "cli.show:errata"),
     "identity": Entry(
         "Decide one identity.",
         ('identity "f1 = w * f2"', 'identity "file.py:left = w^3 * file.py:right"'),
-        "cli.identity:identity",
+        "cli.formula:identity",
         "the identity does not hold",
     ),
     "inspect": Entry(

@@ -8,9 +8,8 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, TypeVar
 
-from exactspline.cli.output import OptionsError, is_quiet, leave_out, to_stderr
+from exactspline.cli.output import OptionsError, is_quiet, leave_out, ticking, to_stderr
 from exactspline.cli.parameters import Option
-from exactspline.cli.progress import ticking
 from exactspline.errors import ClaimError, CurveFileError, ExactSplineError, NumberError, command_name, counted
 from exactspline.hooks import named
 from exactspline.numbers.exact import rational

@@ -16,9 +16,8 @@ from exactspline.cli.common import (
     tell_notes,
     tell_skipped,
 )
-from exactspline.cli.output import OptionsError, Output, leave_out, printing, to_stderr
+from exactspline.cli.output import OptionsError, Output, leave_out, printing, ticking, to_stderr
 from exactspline.cli.parameters import Argument, Exit, Option
-from exactspline.cli.progress import ticking
 from exactspline.cli.surfaces import surfaces_in
 from exactspline.display.data import picked
 from exactspline.display.sheet import Sheet

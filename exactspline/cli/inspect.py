@@ -25,9 +25,8 @@ from exactspline.cli.common import (
     with_distance,
     write_theorems,
 )
-from exactspline.cli.output import OptionsError, Output, printing
+from exactspline.cli.output import OptionsError, Output, printing, ticking
 from exactspline.cli.parameters import Argument, Exit, Option
-from exactspline.cli.progress import ticking
 
 if TYPE_CHECKING:
     from exactspline.geometry.analysis.inspection import Report

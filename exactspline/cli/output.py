@@ -8,10 +8,14 @@ import inspect
 import io
 import json
 import sys
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass
 from functools import wraps
-from typing import TYPE_CHECKING, Annotated, Any, get_type_hints
+from itertools import count
+from threading import Timer
+from time import monotonic
+from typing import TYPE_CHECKING, Annotated, Any, TypeVar, get_type_hints
 
 from exactspline.cli.parameters import Exit, Option
 from exactspline.display.sheet import Sheet, csv_of, in_markdown
@@ -19,7 +23,9 @@ from exactspline.errors import ExactSplineError, command_name
 from exactspline.release import releases
 
 if TYPE_CHECKING:
+    from rich.progress import Progress
     from typing_extensions import Buffer
+
 
 #: The version of every JSON document; it increases when a field changes its meaning or is removed.
 VERSION = 3
@@ -228,3 +234,73 @@ def guard_output() -> None:
         sys.stdout = io.TextIOWrapper(
             io.BufferedWriter(raw), encoding=encoding, errors="backslashreplace", line_buffering=by_line
         )
+
+
+# ---- progress
+
+
+__all__ = ["bar", "seldom", "ticking", "tracked"]
+
+V = TypeVar("V")
+#: Seconds before a bar is shown, and between two lines where there is no terminal.
+DELAY, BETWEEN = 1 / 2, 10
+
+
+@contextmanager
+def bar(*columns: object) -> Iterator[Progress | None]:
+    """A bar on standard error that is shown after half a second; None in a pipe and with ``--quiet``."""
+    if is_quiet() or not sys.stderr.isatty():
+        yield None
+        return
+    from rich.console import Console
+    from rich.progress import Progress
+
+    made = Progress(*columns, console=Console(stderr=True), transient=True)  # type: ignore[arg-type]  # columns of rich
+    delay = Timer(DELAY, made.start)
+    delay.daemon = True
+    delay.start()
+    try:
+        yield made
+    finally:
+        delay.cancel()
+        delay.join()
+        made.stop()
+
+
+@contextmanager
+def ticking(label: str, total: int) -> Iterator[Callable[[], None]]:
+    """A function whose every call advances a bar by one of `total` steps."""
+    with bar() as shown:
+        if shown is None:
+            write, done = seldom(), count(1)
+            yield lambda: write(f"{label}: {next(done)} of {total}")
+            return
+        from rich.markup import escape
+
+        from exactspline.display.wrapping import visible
+
+        task = shown.add_task(escape(visible(label)), total=total)
+        yield lambda: shown.advance(task)
+
+
+def seldom() -> Callable[[str], None]:
+    """What writes a line on standard error, at most one every ten seconds; none with ``--quiet``."""
+    last = monotonic()
+
+    def write(line: str) -> None:
+        nonlocal last
+        if monotonic() - last >= BETWEEN and not is_quiet():
+            last = monotonic()
+            print(line, file=sys.stderr, flush=True)
+
+    return write
+
+
+def tracked(calls: Sequence[Callable[[], V]], label: str) -> list[V]:
+    """The results of the calls, with a progress bar."""
+    with ticking(label, len(calls)) as tick:
+        found = []
+        for call in calls:
+            found.append(call())
+            tick()
+        return found

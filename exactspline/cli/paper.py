@@ -5,9 +5,8 @@ from __future__ import annotations
 from functools import partial
 from typing import Annotated
 
-from exactspline.cli.output import Output, printing
+from exactspline.cli.output import Output, printing, tracked
 from exactspline.cli.parameters import Argument, Option
-from exactspline.cli.progress import tracked
 from exactspline.display.sheet import Sheet
 
 

@@ -18,9 +18,8 @@ from exactspline.cli.common import (
     each_read,
     loaded,
 )
-from exactspline.cli.output import OptionsError, Output, leave_out, printing
+from exactspline.cli.output import OptionsError, Output, leave_out, printing, tracked
 from exactspline.cli.parameters import Exit, Option
-from exactspline.cli.progress import tracked
 from exactspline.errors import ClaimError, nearest
 
 if TYPE_CHECKING:

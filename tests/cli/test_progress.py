@@ -4,14 +4,14 @@ import json
 
 import pytest
 
-from exactspline.cli import progress
+from exactspline.cli import output
 from tests.support.command import run
 
 
 @pytest.fixture
 def every_step(monkeypatch):
     """As if ten seconds went by between two steps."""
-    monkeypatch.setattr(progress, "BETWEEN", 0)
+    monkeypatch.setattr(output, "BETWEEN", 0)
 
 
 @pytest.mark.parametrize(

@@ -409,7 +409,7 @@ CAUGHT = {
     "interchange/collector.py: Collector.skipping": "fontTools raises anything for a damaged outline; that is named",
     "interchange/formats/fonts.py: _opened": "the same for a damaged font",
     "interchange/formats/fonts.py: _requested": "the same for a damaged font",
-    "cli/formula/reduce.py: _guarded": "code of the user may raise any error: its type and text are told",
+    "cli/formula.py: _guarded": "code of the user may raise any error: its type and text are told",
     "papers/loading.py: run_file": "the same, with the line",
 }
 

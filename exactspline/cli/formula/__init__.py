@@ -1,1 +1,0 @@
-"""What formulas are like: ``formula degrees``, ``formula reduce``, ``formula conditioning``."""
