@@ -12,10 +12,9 @@ import exactspline as xs
 from docs.play.python import page
 from docs.site.pages import figure
 from exactspline.display.evidence import worded
-from exactspline.display.ledger import claimed
+from exactspline.display.latex_prose import parts
+from exactspline.display.ledger import claimed, statement_data
 from exactspline.display.plot.canvas import Run, sampled
-from exactspline.display.quotations import parts
-from exactspline.display.statement import statement_data
 from exactspline.extras.pictures3d.html import Scene, scenes_data
 from exactspline.extras.pictures3d.meshes import ruled_mesh, tensor_mesh
 from exactspline.extras.pictures3d.turning_surface import inspected_scene

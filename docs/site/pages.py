@@ -18,10 +18,9 @@ from exactspline.cli import app
 from exactspline.display.evidence import worded
 from exactspline.display.figures import Drawn, figures, make
 from exactspline.display.glossary import glossary
+from exactspline.display.latex_prose import parts
 from exactspline.display.numbers import Numbers
-from exactspline.display.quotations import parts
-from exactspline.display.sheet import in_markdown
-from exactspline.display.wrapping import code_lines
+from exactspline.display.sheet import code_lines, in_markdown
 from exactspline.errors import counted
 from exactspline.papers import papers
 from exactspline.verification.errata import Erratum, errata

@@ -84,7 +84,7 @@ def between(
         sheets.append(common_points_sheet(pair.intersections_within(epsilon), title))
     if plot:
         from exactspline.display.plot.canvas import save
-        from exactspline.display.plot.curve_pairs import pair_figure
+        from exactspline.display.plot.curves import pair_figure
 
         save(pair_figure(pair), plot)
         tell_written(plot)

@@ -12,7 +12,7 @@ from exactspline.cli.parameters import Argument, Option
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from exactspline.display.bisector_sheet import Row
+    from exactspline.display.bisector_data import Row
     from exactspline.splines.nurbs import Nurbs
 
 
@@ -53,7 +53,7 @@ def bisector(
     and a space curve (ruled), of two plane curves (arcs of pairs of parameters, and in which boxes these are nearest),
     or, trimmed to equal distances, of a point and a plane curve.
     """
-    from exactspline.display.bisector_sheet import bisector_sheet
+    from exactspline.display.bisector_data import bisector_sheet
     from exactspline.errors import ShapeError
     from exactspline.interchange.curve_files import write_json
 
@@ -95,7 +95,7 @@ def _coordinates(point: str) -> list[str]:
 
 
 def _of_two(c: Nurbs, other: Nurbs, variant: str, digits: int) -> Answer:
-    from exactspline.display import bisector_data, bisector_sheet
+    from exactspline.display import bisector_data
     from exactspline.display.answer_forms import bisector_answer
     from exactspline.display.plot.in_space import picture
     from exactspline.errors import FormulaError
@@ -112,18 +112,18 @@ def _of_two(c: Nurbs, other: Nurbs, variant: str, digits: int) -> Answer:
         data = head | bisector_answer(flat, digits) | bisector_data.feet_data(flat, digits)
         return Answer(
             data,
-            *bisector_sheet.of_plane_curves(flat, digits),
+            *bisector_data.of_plane_curves(flat, digits),
             title,
             partial(picture, "bisector of plane curves", flat),
         )
     found = curve_bisector(c, other, variant or SurfaceVariant.MINIMAL)
     data = head | bisector_answer(found, digits)
-    rows, notes = bisector_sheet.of_two_curves(found, digits)
+    rows, notes = bisector_data.of_two_curves(found, digits)
     return Answer(data, rows, notes, f"{title}, {found.variant}", partial(picture, "bisector of curves", found))
 
 
 def _of_point(c: Nurbs, point: list[str], variant: str, digits: int) -> Answer:
-    from exactspline.display import bisector_sheet
+    from exactspline.display import bisector_data
     from exactspline.display.answer_forms import bisector_answer
     from exactspline.display.plot.in_space import picture
     from exactspline.errors import FormulaError
@@ -137,7 +137,7 @@ def _of_point(c: Nurbs, point: list[str], variant: str, digits: int) -> Answer:
     if c.dimension != 2:
         ruled = point_bisector(c, point, variant or "direct")
         data, title = head | bisector_answer(ruled, digits), f"{title} ({ruled.variant})"
-        rows, notes = bisector_sheet.of_point_in_space(ruled, digits)
+        rows, notes = bisector_data.of_point_in_space(ruled, digits)
         return Answer(data, rows, notes, title, partial(picture, "bisector of a point", ruled, c, point))
     if variant:
         raise FormulaError(
@@ -146,13 +146,13 @@ def _of_point(c: Nurbs, point: list[str], variant: str, digits: int) -> Answer:
         )
     found = trimmed_bisector(c, point)
     data, title = head | bisector_answer(found, digits), f"{title}, trimmed"
-    rows, notes = bisector_sheet.of_point_in_plane(found, digits)
+    rows, notes = bisector_data.of_point_in_plane(found, digits)
     return Answer(data, rows, notes, title, partial(picture, "trimmed bisector", found, c, point))
 
 
 def _print(out: Output, c: Nurbs, answer: Answer) -> None:
     from exactspline.display import console
-    from exactspline.display.bisector_sheet import bisector_sheet
+    from exactspline.display.bisector_data import bisector_sheet
     from exactspline.display.described import described
 
     shown, sheet = console.console(), bisector_sheet(answer.rows, described(c))

@@ -19,7 +19,7 @@ from exactspline.cli.common import (
 from exactspline.cli.output import OptionsError, Output, leave_out, printing, ticking, to_stderr
 from exactspline.cli.parameters import Argument, Exit, Option
 from exactspline.cli.surfaces import surfaces_in
-from exactspline.display.data import picked
+from exactspline.display.forms import picked
 from exactspline.display.sheet import Sheet
 from exactspline.errors import CurveFileError, ShapeError, counted
 
@@ -168,7 +168,7 @@ def _repaired(named: NamedCurve | NurbsSurface, snap: str, epsilon: str) -> Snap
 def _replacements(repair: Snapped | None) -> list[str]:
     """What was replaced by what, and what was not, as text."""
     from exactspline.display.described import shape_text
-    from exactspline.display.reals import real_text
+    from exactspline.display.forms import real_text
 
     if repair is None:
         return []
@@ -201,7 +201,7 @@ def _row(
     named: NamedCurve | NurbsSurface, repair: Snapped | None, reading: Reading, target: str, notes: Sequence[str]
 ) -> dict[str, Any]:
     from exactspline.display.answer_forms import FORMS
-    from exactspline.display.reals import DIGITS
+    from exactspline.display.forms import DIGITS
     from exactspline.geometry.recognition.pieces import RecognizedPiece
     from exactspline.interchange.records import NamedCurve
 

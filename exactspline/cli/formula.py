@@ -364,7 +364,7 @@ def conditioning(
     """Condition numbers of every zero in every form: naive, paper, minimal; and the error of double precision in
     each.
     """
-    from exactspline.display.conditioning import comparison_data, comparison_sheet, print_comparisons
+    from exactspline.display.formulas import comparison_data, comparison_sheet, print_comparisons
     from exactspline.verification.conditioning.compare import conditioning as compared
 
     chosen, good = loaded(curve or WITNESSES)

@@ -6,7 +6,7 @@ from typing import Annotated
 
 from exactspline.cli.output import Output, printing
 from exactspline.cli.parameters import Argument
-from exactspline.display.data import picked
+from exactspline.display.forms import picked
 from exactspline.display.sheet import Sheet
 
 

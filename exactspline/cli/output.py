@@ -51,7 +51,7 @@ def to_stderr(line: str) -> None:
     """Write a line to standard error: the only place that does, since a line may hold names from files, whose control
     characters must not reach the terminal.
     """
-    from exactspline.display.wrapping import visible
+    from exactspline.display.sheet import visible
 
     sys.stderr.write(visible(line).replace("\n", "\\n") + "\n")
 
@@ -277,7 +277,7 @@ def ticking(label: str, total: int) -> Iterator[Callable[[], None]]:
             return
         from rich.markup import escape
 
-        from exactspline.display.wrapping import visible
+        from exactspline.display.sheet import visible
 
         task = shown.add_task(escape(visible(label)), total=total)
         yield lambda: shown.advance(task)

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated
 from exactspline.cli.common import PLACES, Digits, Exact, Papers, Trust, claims_of_papers
 from exactspline.cli.output import Output, leave_out, printing
 from exactspline.cli.parameters import Argument, Exit, Option
-from exactspline.display.data import picked
+from exactspline.display.forms import picked
 from exactspline.display.sheet import COLOURS, Sheet
 from exactspline.errors import ClaimError, command_name, nearest
 
@@ -43,7 +43,7 @@ def show(
     """Spell out a claim: what it says, its naive and its reduced side, the factor, the degrees, the verdict, the
     source.
     """
-    from exactspline.display.statement import fields, statement_data
+    from exactspline.display.ledger import fields, statement_data
     from exactspline.verification.claims import located
     from exactspline.verification.statement import statement
     from exactspline.verification.verdict import NOT_ASKED
@@ -95,7 +95,7 @@ def _print_theorems(found: list[Statement]) -> None:
 
 def _print(out: Output, found: list[Statement]) -> None:
     from exactspline.display import console
-    from exactspline.display.statement import fields, heading
+    from exactspline.display.ledger import fields, heading
 
     shown = console.console()
     spelled = found if len(found) <= FEW else found[:1]

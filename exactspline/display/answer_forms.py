@@ -11,24 +11,27 @@ from types import NoneType, SimpleNamespace
 from typing import Any, get_args, get_type_hints
 
 from exactspline.bivariate.answers import SurfacePlaces
-from exactspline.display import bisector_data, bisector_sheet, surface_data
+from exactspline.display import bisector_data, surface_data
 from exactspline.display.bisector_data import FORMS_OF_POINT, MISSING, PAIRS, PARAMETER, SIDES_MISSING
-from exactspline.display.data import Data, picked, plain
 from exactspline.display.forms import (
     BOX,
+    DIGITS,
     INTEGER,
     INTERVAL,
+    REAL,
     TEXT,
+    Data,
     Form,
     list_of,
     lists,
     one_of,
     or_null,
     pair_of,
+    picked,
+    plain,
     record,
 )
 from exactspline.display.pair_data import DISTANCE, INTERSECTIONS
-from exactspline.display.reals import DIGITS, REAL
 from exactspline.display.serialize import (
     CURVE,
     DERIVED,
@@ -98,9 +101,9 @@ PART = record(kind=(TEXT, "piece"), parameters=TEXT, degree=TEXT, remark=TEXT)
 def _parts_of(found: Bisector) -> Iterator[tuple[str, Form, Any]]:
     """What a bisector consists of: in the plane its ends, in space its parts; and what is not there, or undecided."""
     if isinstance(found, CurveBisector):
-        yield from (("", PART, row) for row in bisector_sheet.of_two_curves(found, DIGITS)[0])
+        yield from (("", PART, row) for row in bisector_data.of_two_curves(found, DIGITS)[0])
     elif isinstance(found, PointBisector):
-        yield from (("", PART, row) for row in bisector_sheet.of_point_in_space(found, DIGITS)[0])
+        yield from (("", PART, row) for row in bisector_data.of_point_in_space(found, DIGITS)[0])
     else:
         yield from (("", NAMED_NUMBERS, item) for item in found.items)
     for name in ("missing", "undecided"):

@@ -9,8 +9,7 @@ from collections.abc import Iterable
 from rich.console import Console
 from rich.text import Text
 
-from exactspline.display.sheet import PIPE, Sheet
-from exactspline.display.wrapping import hanging
+from exactspline.display.sheet import PIPE, Sheet, hanging
 
 #: The smallest width that is assumed of a terminal.
 NARROWEST = 20

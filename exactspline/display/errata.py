@@ -9,8 +9,7 @@ from rich.console import Console
 from exactspline.display import console
 from exactspline.display.evidence import worded
 from exactspline.display.numbers import Numbers
-from exactspline.display.sheet import Sheet
-from exactspline.display.wrapping import code_lines
+from exactspline.display.sheet import Sheet, code_lines
 from exactspline.errors import command_name, counted
 from exactspline.papers import option_of
 from exactspline.verification.errata import Erratum, Holds, Refuted

@@ -8,8 +8,8 @@ from typing import cast
 
 from exactspline.display import console
 from exactspline.display.described import described, readable, shape_text
+from exactspline.display.forms import DIGITS, READABLE, closed_form_data, real_text
 from exactspline.display.numbers import decimal, rounded_down
-from exactspline.display.reals import DIGITS, READABLE, closed_form_data, real_text
 from exactspline.display.serialize import Located, located
 from exactspline.display.sheet import Sheet
 from exactspline.errors import ExactSplineError, counted

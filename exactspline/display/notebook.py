@@ -11,12 +11,12 @@ from typing import Any, cast
 from exactspline.display.errata import found_text, true_text
 from exactspline.display.evidence import worded
 from exactspline.display.latex import fraction, mathematics
+from exactspline.display.latex_prose import quoted
+from exactspline.display.ledger import fields
 from exactspline.display.numbers import Numbers
 from exactspline.display.plot.canvas import in_words, settle
-from exactspline.display.quotations import quoted
 from exactspline.display.reading_along import ReadingAlong, along_html
 from exactspline.display.records import answer_table
-from exactspline.display.statement import fields
 from exactspline.display.svg import curve_picture, graph_picture
 from exactspline.display.tables import Grid, Verdicts, breakable
 from exactspline.errors import ExactSplineError, counted

@@ -4,9 +4,21 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from exactspline.display.forms import FLAG, INTEGER, TEXT, list_of, lists, one_of, or_null, pair_of, record
+from exactspline.display.forms import (
+    DIGITS,
+    FLAG,
+    INTEGER,
+    REAL,
+    TEXT,
+    list_of,
+    lists,
+    one_of,
+    or_null,
+    pair_of,
+    real_text,
+    record,
+)
 from exactspline.display.numbers import polynomial_text
-from exactspline.display.reals import DIGITS, REAL, real_text
 from exactspline.display.serialize import POINT
 from exactspline.display.sheet import Sheet
 from exactspline.geometry.pairs.intersections import Intersection, IntersectionKind, Overlap

@@ -10,9 +10,8 @@ from dataclasses import dataclass
 from html import escape
 from itertools import chain, groupby, repeat
 
-from exactspline.display.latex_prose import in_mathematics
-from exactspline.display.quotations import quoted
-from exactspline.display.statement import fields
+from exactspline.display.latex_prose import in_mathematics, quoted
+from exactspline.display.ledger import fields
 from exactspline.display.tables import breakable
 from exactspline.display.theorem import begun, method
 from exactspline.errors import ClaimError, as_instance, counted, nearest

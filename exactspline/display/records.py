@@ -8,8 +8,7 @@ from typing import NamedTuple, cast, overload
 
 from exactspline.display.answer_forms import FORMS, form_of, placed
 from exactspline.display.features import ends_text
-from exactspline.display.forms import Form, word
-from exactspline.display.reals import DIGITS, double_of, real_text
+from exactspline.display.forms import DIGITS, Form, double_of, real_text, word
 from exactspline.display.sheet import Sheet
 from exactspline.errors import ShapeError, as_integer
 from exactspline.geometry.analysis.ask import About, Asked, asked_of

@@ -9,12 +9,13 @@ from enum import StrEnum
 from operator import itemgetter
 from typing import Any, NamedTuple
 
-from exactspline.display.data import Data
 from exactspline.display.forms import (
     FLAG,
     INTEGER,
     INTERVAL,
+    REAL,
     TEXT,
+    Data,
     Form,
     Leaf,
     list_of,
@@ -25,7 +26,6 @@ from exactspline.display.forms import (
     pair_of,
     record,
 )
-from exactspline.display.reals import REAL
 from exactspline.errors import ExactSplineError, as_instance
 from exactspline.geometry.analysis.curve_values import axes
 from exactspline.geometry.analysis.curves import analyse

@@ -14,7 +14,6 @@ from exactspline.bivariate.zero_curve import Shape
 from exactspline.bivariate.zero_lines import ZeroLine
 from exactspline.bivariate.zeros import ZeroCurves, ZeroKind, ZeroPlace
 from exactspline.display.bisector_data import PARAMETER, control_net
-from exactspline.display.data import Data
 from exactspline.display.described import described_surface, shape_text
 from exactspline.display.features import ends_text
 from exactspline.display.forms import (
@@ -22,17 +21,19 @@ from exactspline.display.forms import (
     FLAG,
     INTEGER,
     INTERVAL,
+    REAL,
     TEXT,
+    Data,
     Form,
     list_of,
     lists,
     one_of,
     or_null,
     pair_of,
+    real_text,
     record,
 )
 from exactspline.display.numbers import decimal
-from exactspline.display.reals import REAL, real_text
 from exactspline.display.serialize import ANGLE, NUMBERS, POINT
 from exactspline.display.sheet import Sheet
 from exactspline.errors import FormulaError, ReachError, counted

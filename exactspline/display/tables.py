@@ -8,9 +8,9 @@ from html import escape
 
 from exactspline.display import console
 from exactspline.display.evidence import worded
+from exactspline.display.latex_prose import quoted
 from exactspline.display.ledger import claimed
 from exactspline.display.numbers import Numbers, decimal_milliseconds
-from exactspline.display.quotations import quoted
 from exactspline.display.sheet import Sheet
 from exactspline.errors import as_flag, as_items, as_text, as_texts, counted
 from exactspline.hooks import Displayed

@@ -8,9 +8,8 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Iterator, Sequence
 
-from exactspline.display.evidence import worded
+from exactspline.display.evidence import curve_of_witness, values_there, worded, written_out
 from exactspline.display.latex_prose import in_mathematics, literal, prose
-from exactspline.display.witness import curve_of_witness, values_there, written_out
 from exactspline.papers import Paper, option_of
 from exactspline.release import releases
 from exactspline.verification.claims import claims_of

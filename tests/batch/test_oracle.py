@@ -17,7 +17,7 @@ from exactspline.batch.corpus import Family
 from exactspline.batch.inspections import entry_of
 from exactspline.certificates import check_certificate
 from exactspline.cli import app
-from exactspline.display.reals import real_data
+from exactspline.display.forms import real_data
 from exactspline.errors import ExactSplineError, OpenError
 from exactspline.geometry.analysis.ask import asked_of, check_question, questions
 from exactspline.geometry.analysis.pairs import CurvePair

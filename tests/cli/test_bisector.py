@@ -9,7 +9,7 @@ from gmpy2 import mpq
 
 from exactspline import Nurbs, bisector
 from exactspline.cli import app
-from exactspline.display import bisector_sheet
+from exactspline.display import bisector_data
 from exactspline.display.bisector_data import Pairs, PairsKind
 from exactspline.geometry.bisectors.two_curves import curve_bisector
 from exactspline.interchange.curve_files import curve_data, write_json
@@ -85,10 +85,10 @@ def test_pairs_of_plane_curves_are_shown_by_their_kind(monkeypatch):
         Pairs(PairsKind.PAIR, pair, pair),
         Pairs(PairsKind.LINE, sides=((one, one), pair)),
     ]
-    monkeypatch.setattr(bisector_sheet, "pairs_of", lambda bisector: told)
+    monkeypatch.setattr(bisector_data, "pairs_of", lambda bisector: told)
     boxes = SimpleNamespace(kept=(), undecided=())
     box = (Interval(mpq(0), mpq(1, 2)), Interval(mpq(0), mpq(1)))
-    rows, notes = bisector_sheet.of_plane_curves(SimpleNamespace(trimmed=boxes, missing=[box]), 12)
+    rows, notes = bisector_data.of_plane_curves(SimpleNamespace(trimmed=boxes, missing=[box]), 12)
     assert [row.where for row in rows] == [
         "an undecided box to s = 0, t = 1/3",
         "",

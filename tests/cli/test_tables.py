@@ -14,8 +14,7 @@ from hypothesis import strategies as st
 from rich.cells import cell_len
 
 from exactspline.cli import app
-from exactspline.display.sheet import PIPE, Sheet, csv_of
-from exactspline.display.wrapping import hanging
+from exactspline.display.sheet import PIPE, Sheet, csv_of, hanging
 from exactspline.interchange.examples import example_names
 from tests.support.sampled import sample
 

@@ -19,7 +19,7 @@ from exactspline.display.glossary import meaning, terms
 from exactspline.display.ledger import WORDS
 from exactspline.display.ledger_pages import ledger_page
 from exactspline.display.numbers import Numbers
-from exactspline.display.wrapping import code_lines
+from exactspline.display.sheet import code_lines
 from exactspline.geometry.analysis.surfaces import PatchKind
 from exactspline.geometry.bisectors.components import Solutions
 from exactspline.geometry.bisectors.trimmed import PieceKind

@@ -11,7 +11,7 @@ from gmpy2 import mpq
 
 from exactspline import NurbsSurface, analyse, example
 from exactspline.cli import app
-from exactspline.display.reals import real_data
+from exactspline.display.forms import real_data
 from exactspline.geometry.analysis.surfaces import PatchKind
 from exactspline.geometry.surfaces.joints import SurfaceJointKind
 from exactspline.interchange.curve_files import surface_data

@@ -14,7 +14,7 @@ import pytest
 from rich.cells import cell_len
 
 from exactspline.cli.commands import leaves
-from exactspline.display.wrapping import code_lines
+from exactspline.display.sheet import code_lines
 from exactspline.papers import default_papers
 from tests.support.command import run
 from tests.support.decided import errors_in_print, remarks

@@ -7,7 +7,7 @@ import pytest
 from gmpy2 import mpq
 
 import exactspline as xs
-from exactspline.display.reals import real_data
+from exactspline.display.forms import real_data
 from exactspline.errors import ExactSplineError, OpenError, ReachError
 from exactspline.interchange.examples import example_names
 from exactspline.reals.real import square_root

@@ -13,8 +13,7 @@ import pytest
 
 import exactspline as xs
 from exactspline.display.evidence import worded
-from exactspline.display.sheet import Sheet, csv_of
-from exactspline.display.wrapping import code_lines
+from exactspline.display.sheet import Sheet, code_lines, csv_of
 from exactspline.errors import ClaimError, FormulaError
 from exactspline.extras.coq.answers import theorem_of
 from exactspline.interchange.examples import example

@@ -5,11 +5,10 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 from typing import TYPE_CHECKING
 
-from exactspline.display.plot.canvas import axes_for
+from exactspline.display.plot.canvas import axes_for, check_names
 from exactspline.display.plot.curves import plot_curve, plot_quotient
 from exactspline.display.plot.functions import plot_function
 from exactspline.display.plot.in_space import HOMES, picture
-from exactspline.display.plot.options import check_names
 from exactspline.errors import ShapeError
 from exactspline.geometry.analysis.surfaces import SurfaceInspection
 from exactspline.geometry.bisectors.point_and_curve import PointBisector, RuledPiece

@@ -8,22 +8,29 @@ from __future__ import annotations
 import os
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from importlib import import_module
+from inspect import signature
 from itertools import groupby, pairwise
+from math import ceil, floor, log10
 from numbers import Real
 from pathlib import Path
 from types import ModuleType
 from typing import TYPE_CHECKING, Any, TypeVar
 
 from exactspline.atomic_write import write_atomically
-from exactspline.errors import ExactSplineError, a_kind, counted, shown
+from exactspline.errors import ExactSplineError, a_kind, counted, nearest, shown
 from exactspline.geometry.curves.kinds import Feature
+from exactspline.language.rational import Rational
+from exactspline.language.vector import Vector
 from exactspline.numbers.exact import Number, mpq, rational
 from exactspline.roots.root import Root
+from exactspline.splines.common import with_common_knots
+from exactspline.splines.lowest_terms import SplineVector
 from exactspline.splines.nurbs import Nurbs
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
+
 
 BLACK, GREY, SILVER = "#000000", "#7A7A7A", "#C4C4C4"
 BLUE, SKY, GREEN, ORANGE, VERMILLION, PURPLE = "#0072B2", "#56B4E9", "#009E73", "#E69F00", "#D55E00", "#CC79A7"
@@ -248,3 +255,220 @@ def save(figure_or_ax: Figure | Axes, path: str | os.PathLike[str]) -> None:
         write_atomically(
             place, lambda stream: figure.savefig(stream, format=suffix[1:], dpi=150, metadata=metadata), PlotError
         )
+
+
+# ---- the visible part
+
+
+#: The visible part: the fraction of points omitted on either side, and the margin (in multiples of its longest side).
+OUTLIERS, AROUND = 10, mpq(1)
+#: A side of a box is short below this fraction of the longest one.
+SHORT = 0.55
+
+Box = tuple[Point, Point]
+
+
+def box_around(points: Iterable[Point]) -> Box:
+    """Lower left and upper right corner of the smallest box around the points."""
+    columns = list(zip(*points, strict=True))
+    return tuple(map(min, columns)), tuple(map(max, columns))
+
+
+def longer_side(box: Box) -> mpq:
+    """The length of the longest side of a box."""
+    return max(high - low for low, high in zip(*box, strict=True))
+
+
+def grown(box: Box, by: mpq) -> Box:
+    """The box with a margin on all sides, given as a multiple of its longer side."""
+    margin = by * longer_side(box)
+    return tuple(x - margin for x in box[0]), tuple(x + margin for x in box[1])
+
+
+def inside(point: Point, box: Box) -> bool:
+    """Whether a box contains a point."""
+    return all(low <= x <= high for low, x, high in zip(box[0], point, box[1], strict=True))
+
+
+def usual_box(points: Sequence[Point], poles: bool = True) -> Box:
+    """A box around the points with a margin; with `poles` around most of them, so that faraway points do not matter.
+
+    Raises `PlotError` where there are no points.
+    """
+    if not points:
+        raise PlotError(
+            "there is nothing to draw",
+            remedy="this does not exist on the curve (its denominator vanishes), or is all at infinity",
+        )
+    columns = [sorted(column) for column in zip(*points, strict=True)]
+    cut = len(points) // OUTLIERS if poles else 0
+    return grown((tuple(c[cut] for c in columns), tuple(c[-1 - cut] for c in columns)), AROUND)
+
+
+def three_ticks(low: mpq | float, high: mpq | float, longest: float = 0) -> list[mpq]:
+    """Two or three round numbers between two bounds, by steps of 1, 2 or 5 times a power of ten; no three on a side
+    that is short compared with the longest one, where they would stand over each other.
+
+    >>> [[float(x) for x in three_ticks(*ends)] for ends in ((-1.2, 4.1), (-0.5, 2.5), (0.12, 0.31), (3, 3))]
+    [[0.0, 2.0, 4.0], [0.0, 1.0, 2.0], [0.2, 0.3], [3.0]]
+    """
+    low, high = mpq(low), mpq(high)
+    if low >= high:
+        return [low]
+    power = floor(log10(high - low)) - 1
+    at_most = 2 if float(high - low) < SHORT * longest else 3
+    steps = (mpq(k) * mpq(10) ** (power + up) for up in range(3) for k in (1, 2, 5))
+    return next(
+        [k * step for k in range(first, last + 1)]
+        for step in steps
+        if (last := floor(high / step)) - (first := ceil(low / step)) < at_most
+    )
+
+
+def kept(point: Point | None, box: Box) -> Point | None:
+    """The point if the box contains it, otherwise None."""
+    return point if point is not None and inside(point, box) else None
+
+
+def clipped(
+    point: Point, direction: Point, box: Box, low: mpq | None = None, high: mpq | None = None
+) -> tuple[Point, Point] | None:
+    """The two ends of the part of a line inside a box, between two of its parameters where they are given; None where
+    there is none.
+
+    >>> clipped((mpq(-2), mpq(0)), (mpq(1), mpq(0)), ((mpq(-1), mpq(-1)), (mpq(1), mpq(1))))
+    ((mpq(-1,1), mpq(0,1)), (mpq(1,1), mpq(0,1)))
+    """
+    for x, d, a, b in zip(point, direction, *box, strict=True):
+        if d == 0:
+            if not a <= x <= b:
+                return None
+            continue
+        first, last = sorted(((a - x) / mpq(d), (b - x) / mpq(d)))
+        low = first if low is None else max(low, first)
+        high = last if high is None else min(high, last)
+    if low is None or high is None or low >= high:
+        return None
+    ends = [tuple(x + z * d for x, d in zip(point, direction, strict=True)) for z in (low, high)]
+    return ends[0], ends[1]
+
+
+def polygon_in(corners: Sequence[Point], box: Box) -> list[Point]:
+    """The part of a polygon inside a box: cut by one side of the box after the other.
+
+    >>> square = [(mpq(x), mpq(y)) for x, y in ((0, 0), (2, 0), (2, 2), (0, 2))]
+    >>> polygon_in(square, ((mpq(1), mpq(1)), (mpq(3), mpq(3))))
+    [(mpq(2,1), mpq(1,1)), (mpq(2,1), mpq(2,1)), (mpq(1,1), mpq(2,1)), (mpq(1,1), mpq(1,1))]
+    """
+    points = list(corners)
+    for k in range(len(box[0])):
+        for bound, side in ((box[0][k], 1), (box[1][k], -1)):
+            cut: list[Point] = []
+            for p, q in zip(points, [*points[1:], *points[:1]], strict=True):
+                a, b = side * (p[k] - bound), side * (q[k] - bound)
+                if a >= 0:
+                    cut.append(p)
+                if a * b < 0:
+                    cut.append(tuple(x + (y - x) * a / (a - b) for x, y in zip(p, q, strict=True)))
+            points = cut
+    return points
+
+
+def homogeneous(value: SplineVector) -> tuple[list[tuple[mpq, ...]], Sequence[mpq], int]:
+    """Homogeneous control points ``(w x, …, w)`` of a vector or quotient over the knots that carry all components, the
+    knots, and the degree.
+    """
+    numerator, w = value.elevated() if isinstance(value, Rational) else (value, value[0].constant(1))
+    assert isinstance(numerator, Vector)
+    raised = with_common_knots([*numerator, w])
+    return list(zip(*[c.control_points for c in raised], strict=True)), raised[0].knots.knots, raised[0].degree
+
+
+# ---- options
+
+
+#: The largest number that an option may be.
+LARGEST_NUMBER = 10**9
+
+
+def check_options(**given: object) -> None:
+    """Refuse what an option of a picture cannot be, by its name, with `PlotError`.
+
+    >>> check_options(color="#D55E00", control_polygon=True, label=None)
+    >>> check_options(color="reddish")
+    Traceback (most recent call last):
+    exactspline.display.plot.canvas.PlotError: color: 'reddish' is not a colour; give a name or '#rrggbb'
+    """
+    for name, value in given.items():
+        what, is_good, remedy = CHECKS[name]
+        if not is_good(value):
+            raise PlotError(f"{shown(value)} is not {what}", where=name, remedy=remedy)
+
+
+def exact_box(box: Box | None, dimension: int) -> Box | None:
+    """The box with exact corners; `PlotError` for one of another dimension."""
+    if box is None:
+        return None
+    low, high = (tuple(map(rational, corner)) for corner in box)
+    if len(low) != dimension:
+        raise PlotError(f"a box in R{len(low)}", where="box", remedy=f"corners have {dimension} coordinates here")
+    return low, high
+
+
+def check_names(draw: Callable[..., object], names: Iterable[str]) -> None:
+    """Refuse the name of an option that a function does not have, with `PlotError`."""
+    known = [p.name for p in signature(draw).parameters.values() if p.kind is p.KEYWORD_ONLY]
+    for name in names:
+        if name not in known:
+            raise PlotError(f"{draw.__name__} has no option {name!r}", remedy=nearest(name, known))
+
+
+def _is_color(value: object) -> bool:
+    if isinstance(value, tuple):
+        return len(value) in (3, 4) and all(_is_number(x) and 0 <= x <= 1 for x in value)
+    return isinstance(value, str) and bool(library("matplotlib.colors").is_color_like(value))
+
+
+def _is_number(value: Any) -> bool:
+    if not isinstance(value, int | float) or isinstance(value, bool):
+        return False
+    return -LARGEST_NUMBER < value < LARGEST_NUMBER
+
+
+def _is_corner(value: Any) -> bool:
+    return isinstance(value, list | tuple) and all(map(_is_rational, value))
+
+
+def _is_rational(value: Any) -> bool:
+    try:
+        rational(value)
+    except ExactSplineError:
+        return False
+    return True
+
+
+def _is_box(value: Any) -> bool:
+    if value is None:
+        return True
+    if not isinstance(value, list | tuple) or len(value) != 2 or not all(map(_is_corner, value)):
+        return False
+    low, high = value
+    return len(low) == len(high) in (2, 3) and all(rational(x) < rational(y) for x, y in zip(low, high, strict=True))
+
+
+def _is_marker(value: object) -> bool:
+    return isinstance(value, str) and value in library("matplotlib.markers").MarkerStyle.markers
+
+
+_COLOR = ("a colour", _is_color, "give a name or '#rrggbb'")
+_FLAG = ("a choice between two", lambda x: isinstance(x, bool), "give True or False")
+_SIZE = f"give a number between 0 and {LARGEST_SIZE}"
+#: For each option: what it is, whether a value is that, and what would be.
+CHECKS: dict[str, tuple[str, Callable[[Any], bool], str]] = {
+    **dict.fromkeys(("color", "polygon_color", "net_color"), _COLOR),
+    **dict.fromkeys(("control_polygon", "control_net", "knots", "hollow"), _FLAG),
+    "label": ("a label", lambda x: isinstance(x, str | None), "give a text"),
+    "marker": ("a marker", _is_marker, "give one of matplotlib's, such as 'o', 'D', '^'"),
+    "size": ("a size of markers", lambda x: _is_number(x) and 0 < x <= LARGEST_SIZE, _SIZE),
+    "box": ("a box", _is_box, "give two opposite corners, the lower one first: ((0, 0), (1, 2))"),
+}

@@ -17,6 +17,7 @@ from exactspline.display.plot.canvas import (
     Point,
     Run,
     axes_for,
+    check_options,
     draw,
     draw_polygons,
     draw_runs,
@@ -27,7 +28,6 @@ from exactspline.display.plot.canvas import (
     runs_between_gaps,
     sampled,
 )
-from exactspline.display.plot.options import check_options
 from exactspline.errors import ShapeError, as_instance, as_items, shown
 from exactspline.numbers.exact import mpq
 from exactspline.roots.root import Root

@@ -15,16 +15,20 @@ from exactspline.display.plot.canvas import (
     SILVER,
     SKY,
     VERMILLION,
+    Box,
     Point,
     axes_for,
+    box_around,
+    clipped,
     draw,
+    grown,
+    kept,
     legend_once,
     parameter,
     runs_between_gaps,
     sampled,
 )
 from exactspline.display.plot.curves import plot_curve
-from exactspline.display.plot.frames import Box, box_around, clipped, grown, kept
 from exactspline.errors import ReachError
 from exactspline.extras.pictures3d.meshes import SurfaceMesh, tensor_mesh
 from exactspline.extras.pictures3d.surfaces import mark_points, plot_mesh, show_box

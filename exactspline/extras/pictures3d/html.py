@@ -14,8 +14,20 @@ from itertools import cycle
 from typing import NotRequired, TypedDict
 
 from exactspline.display.page import page
-from exactspline.display.plot.canvas import BLACK, BLUE, GREEN, GREY, SKY, VERMILLION, Point, Run
-from exactspline.display.plot.frames import Box, box_around, grown, three_ticks
+from exactspline.display.plot.canvas import (
+    BLACK,
+    BLUE,
+    GREEN,
+    GREY,
+    SKY,
+    VERMILLION,
+    Box,
+    Point,
+    Run,
+    box_around,
+    grown,
+    three_ticks,
+)
 from exactspline.extras.pictures3d.meshes import SurfaceMesh
 from exactspline.numbers.exact import mpq
 

@@ -7,8 +7,21 @@ from dataclasses import dataclass
 from itertools import chain, count, pairwise
 from typing import Any
 
-from exactspline.display.plot.canvas import Point, Run, parameter, polygons, runs_between_gaps
-from exactspline.display.plot.frames import Box, box_around, clipped, homogeneous, inside, kept, polygon_in, usual_box
+from exactspline.display.plot.canvas import (
+    Box,
+    Point,
+    Run,
+    box_around,
+    clipped,
+    homogeneous,
+    inside,
+    kept,
+    parameter,
+    polygon_in,
+    polygons,
+    runs_between_gaps,
+    usual_box,
+)
 from exactspline.errors import ShapeError, as_items, counted
 from exactspline.language.rational import Rational
 from exactspline.language.ruled import RuledSurface, split

@@ -12,16 +12,18 @@ from exactspline.display.plot.canvas import (
     GREY,
     LARGEST,
     SKY,
+    Box,
     PlotError,
     Point,
     axes_for,
+    check_options,
     draw,
+    exact_box,
     legend_below,
     library,
+    three_ticks,
 )
 from exactspline.display.plot.curves import plot_quotient
-from exactspline.display.plot.frames import Box, three_ticks
-from exactspline.display.plot.options import check_options, exact_box
 from exactspline.errors import FormulaError, ShapeError, as_items, as_text, counted
 from exactspline.extras.pictures3d.meshes import SurfaceMesh, ruled_mesh, tensor_mesh
 from exactspline.language.arguments import Curve

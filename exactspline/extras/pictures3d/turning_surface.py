@@ -7,8 +7,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 
 from exactspline.bivariate.signs import Point
-from exactspline.display.plot.canvas import BLACK, GREEN, VERMILLION
-from exactspline.display.plot.frames import box_around, grown, three_ticks
+from exactspline.display.plot.canvas import BLACK, GREEN, VERMILLION, box_around, grown, three_ticks
 from exactspline.extras.pictures3d.curvature_lines import FAMILIES, Samples, lines_of_curvature
 from exactspline.extras.pictures3d.html import (
     ROOM,

@@ -8,9 +8,8 @@ from gmpy2 import mpq
 pytest.importorskip("matplotlib")
 
 from exactspline import BSpline
-from exactspline.display.plot.canvas import PlotError, new_figure, save
+from exactspline.display.plot.canvas import PlotError, homogeneous, inside, new_figure, save
 from exactspline.display.plot.curves import plot_curve, plot_quotient
-from exactspline.display.plot.frames import homogeneous, inside
 from exactspline.display.plot.functions import plot_function, plot_roots
 from exactspline.errors import FormulaError, ShapeError
 from exactspline.extras.pictures3d.html import Scene, scenes_data, turning_page

@@ -12,7 +12,7 @@ from exactspline.display.latex import fraction, mathematics, unicode_latex
 from exactspline.display.latex_prose import prose
 from exactspline.display.numbers import polynomial_text
 from exactspline.display.page import page
-from exactspline.display.wrapping import hanging
+from exactspline.display.sheet import hanging
 from exactspline.extras.teaching.differences import Difference
 from exactspline.extras.teaching.display.triangles import scheme_mathml, sheets
 from exactspline.extras.teaching.exercises import Exercise

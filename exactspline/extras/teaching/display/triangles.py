@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterable, Sequence
 from html import escape
 
 from exactspline.display import mathml
-from exactspline.display.data import Data, picked
+from exactspline.display.forms import Data, picked
 from exactspline.display.latex import fraction, latex, mathematics
 from exactspline.display.page import page
 from exactspline.display.sheet import Sheet

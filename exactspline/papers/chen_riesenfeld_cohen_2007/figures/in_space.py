@@ -9,9 +9,19 @@ from dataclasses import replace
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from exactspline.display.figures import Drawn
-from exactspline.display.plot.canvas import BLACK, GREEN, PAGE, VERMILLION, PlotError, Point, Run, new_figure, sampled
+from exactspline.display.plot.canvas import (
+    BLACK,
+    GREEN,
+    PAGE,
+    VERMILLION,
+    PlotError,
+    Point,
+    Run,
+    new_figure,
+    sampled,
+    three_ticks,
+)
 from exactspline.display.plot.curves import plot_curve, plot_quotient
-from exactspline.display.plot.frames import three_ticks
 from exactspline.extras.pictures3d.html import Scene
 from exactspline.extras.pictures3d.meshes import SurfaceMesh, ruled_mesh
 from exactspline.extras.pictures3d.surfaces import mark_points, plot_mesh
