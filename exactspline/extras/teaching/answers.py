@@ -40,7 +40,9 @@ MAX_TEXT, MAX_FORMULA, MAX_DEGREE = 20_000, 300, 60
 #: The longest intermediate coefficient.
 MAX_BITS = 20_000
 _GROUP = re.compile(r"\(([^()]*)\)")
-_SIGNS = str.maketrans({"−": "-", "[": "(", "]": ")", ";": ",", '"': " ", "'": " ", "\ufeff": " "})
+_SIGNS = str.maketrans({"−": "-", "[": "(", "]": ")", "{": "(", "}": ")", ";": ",", '"': " ", "'": " ", "\ufeff": " "})
+#: What people write before a number: its name (``x =``, ``y(t) =``, ``centre:``), and words around it.
+_LABELS = re.compile(r"[^\W\d][^=:,\n]*?[=:]|\b(?:yes|centre|center|radius|and|or)\b", re.IGNORECASE)
 _POWERS = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹", "0123456789")
 
 
@@ -49,24 +51,36 @@ class AnswerError(ExactSplineError):
 
 
 def cleaned(answer: str) -> str:
-    """The answer with uniform minus signs and brackets; raises `AnswerError` if it is too long."""
+    """The answer with uniform minus signs and brackets, without names of numbers; raises `AnswerError` if it is too
+    long, or a bracket is missing.
+    """
     if len(answer) > MAX_TEXT:
         raise AnswerError(counted(len(answer), "character"), where="answer", remedy=f"at most {MAX_TEXT} are read")
-    return answer.translate(_SIGNS).strip()
+    if (bare := answer.translate(_SIGNS)).count("(") != bare.count(")"):
+        raise AnswerError("a bracket is missing", where="answer", remedy="write (x, y), (x, y), …")
+    return _LABELS.sub(" ", bare).strip()
+
+
+def negative(answer: str) -> bool:
+    """Whether the answer says that there is none.
+
+    >>> [negative(each) for each in ("none", "No, it is not.", "∅", "0")]
+    [True, True, True, False]
+    """
+    return bool(re.match(r"(none|no|∅|\(\s*\))(\W|$)", cleaned(answer), re.IGNORECASE))
 
 
 def numbers(answer: str) -> Point:
-    """Numbers separated by commas or blanks.
+    """Numbers separated by commas or blanks, with or without names and brackets.
 
-    >>> numbers("1/2, −3")
-    (mpq(1,2), mpq(-3,1))
+    >>> numbers("1/2, −3") == numbers("x = 1/2, y = -3") == numbers("(1/2, -3)")
+    True
+    >>> numbers("yes: centre (1, 2), r² = 5")
+    (mpq(1,1), mpq(2,1), mpq(5,1))
 
     Raises `AnswerError` for anything else.
     """
-    bare = cleaned(answer)
-    if bare.startswith("(") and bare.endswith(")"):
-        bare = bare[1:-1]
-    return tuple(map(_number, bare.replace(",", " ").split()))
+    return tuple(map(_number, re.sub("[(),]", " ", cleaned(answer)).split()))
 
 
 def points(answer: str, dimension: int) -> tuple[Point, ...]:
@@ -77,15 +91,11 @@ def points(answer: str, dimension: int) -> tuple[Point, ...]:
 
     Raises `AnswerError` for anything else.
     """
+    if dimension == 1:
+        return tuple((x,) for x in numbers(answer))
     bare = cleaned(answer)
-    if bare.count("(") != bare.count(")"):
-        raise AnswerError("a bracket is missing", where="answer", remedy="write (x, y), (x, y), …")
-    if dimension == 1 and "(" in bare:
-        bare = bare.replace("(", " ").replace(")", " ")
     if "(" not in bare:
-        rows = [bare.replace("\n", " ")] if dimension == 1 else bare.splitlines()
-        points_read = [numbers(row) for row in rows if row.strip()]
-        return tuple((x,) for x in points_read[0]) if dimension == 1 and points_read else tuple(points_read)
+        return tuple(numbers(row) for row in bare.splitlines() if row.strip())
     if rest := _GROUP.sub(" ", bare).translate(str.maketrans("(),", "   ")).strip():
         raise AnswerError(f"{shown(rest)} between points", where="answer", remedy="write (x, y), (x, y), …")
     return tuple(numbers(group) for group in _GROUP.findall(bare))
@@ -226,7 +236,10 @@ class Answer(ABC):
         """
         if not answer.strip():
             raise AnswerError("the answer is empty", where="answer", remedy=f"write {self.form}")
-        return Finding(tuple(self.differences(answer)))
+        try:
+            return Finding(tuple(self.differences(answer)))
+        except AnswerError as error:
+            raise AnswerError(error.problem, where="answer", remedy=f"write {self.form}") from None
 
 
 def _named_values(names: Sequence[str], values: Sequence[mpq | Polynomial]) -> tuple[Part, ...]:
@@ -289,7 +302,7 @@ class Parameters(Answer, OneLine):
 
     def differences(self, answer: str) -> Iterator[Difference]:
         """Each parameter that is missing or wrong."""
-        answers = () if cleaned(answer).lower() == "none" else numbers(answer)
+        answers = () if negative(answer) else numbers(answer)
         for t in self.values:
             if t not in answers:
                 yield Missing(t)
@@ -417,15 +430,13 @@ class Circle(Answer, OneLine):
 
     def differences(self, answer: str) -> Iterator[Difference]:
         """Whether it is a circle, or which number is wrong."""
-        said_no = cleaned(answer).lower() == "no"
-        if said_no or not self.values:
-            if said_no and self.values:
-                yield Wrong.CIRCLE
-            elif not said_no:
-                numbers(answer)
-                yield Wrong.NOT_A_CIRCLE
-            return
-        yield from Numbers(("centre x", "centre y", "radius²"), self.values).differences(answer)
+        if negative(answer):
+            yield from [Wrong.CIRCLE] * bool(self.values)
+        elif self.values:
+            yield from Numbers(("centre x", "centre y", "radius²"), self.values).differences(answer)
+        else:
+            numbers(answer)
+            yield Wrong.NOT_A_CIRCLE
 
 
 def _values_of(p: Polynomial) -> Callable[[mpq], Point]:

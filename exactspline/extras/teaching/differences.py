@@ -30,7 +30,7 @@ class Entries(Enum):
     POLYNOMIALS = "polynomial"
 
 
-class Wrong(Difference, Enum):
+class Wrong(Difference, Enum, words="{value}"):
     """What is wrong with an answer that is not a number."""
 
     CIRCLE = "it is a circle"

@@ -125,7 +125,7 @@ def test_a_wrong_answer_of_every_kind_is_caught(topic):
             assert not finding, (made.answer.written, wrong)
             assert finding.differences
             caught += 1
-        for unreadable in ("", "   ", "seven", "1/0", "(1, 2", "1e", "nan", "1; drop", "x = 1"):
+        for unreadable in ("", "   ", "seven", "1/0", "(1, 2", "1e", "nan", "1; drop", "x = one"):
             with pytest.raises(AnswerError):
                 made.answer.check(unreadable)
     assert caught >= 2 * COUNT
@@ -251,6 +251,40 @@ def test_polynomials_may_be_written_as_one_likes():
             polynomials(hostile)
     assert polynomials("-" * 290 + "t") == polynomials("t")
     assert numbers("[1, 0.5]") == (1, mpq(1, 2))
+
+
+@pytest.mark.parametrize(
+    ("topic", "written"),
+    [
+        ("evaluation", "x = -6, y = -7"),
+        ("evaluation", "(-6, -7)"),
+        ("support", "[1, 6]"),
+        ("circle", "yes: centre (21/4, -3), r² = 225/16"),
+        ("circle", "yes, (21/4, -3), 225/16"),
+        ("subdivision", "b0 = (4, 4), b1 = (8, 8) and b2 = (11, 5)"),
+        ("power", "x(t) = -3 + 6t + 9t^2 - 16t^3\ny(t) = 12t - 15t^2"),
+        ("inflections", "t = 1/2"),
+    ],
+)
+def test_an_answer_is_read_as_people_write_it(topic, written):
+    """Names, brackets and `yes` were unreadable."""
+    assert exercise(topic, 1).answer.check(written)
+
+
+def test_no_and_none_mean_that_there_is_none():
+    assert all(Parameters(()).check(each) for each in ("none", "None.", "no", "∅", "{}"))
+    no_circle = next(made for seed in range(99) if not (made := exercise("circle", seed)).answer.values)
+    assert no_circle.answer.check("No, it is not.")
+    assert str(no_circle.answer.check("yes").differences[0]) == "it is not a circle"
+    assert str(exercise("circle", 1).answer.check("no").differences[0]) == "it is a circle"  # was an empty line
+
+
+@topics
+def test_an_unreadable_answer_is_met_with_the_form_of_its_topic(topic):
+    answer = exercise(topic, 1).answer
+    with pytest.raises(AnswerError) as caught:
+        answer.check("???")
+    assert caught.value.remedy == f"write {answer.form}"
 
 
 def test_curves_are_compared_as_functions():
