@@ -260,7 +260,7 @@ def test_one_picture_of_a_curve_and_its_functions(tmp_path):
     squared, direct = f"squared (10): inflection, {extrema}", f"direct (8): {extrema}"
     assert {"evolute", squared, direct} <= set(legend(left))
     assert [len(data(lines(left, name)[0])) for name in (squared, direct)] == [10, 8]
-    assert first.get_title() == "squared: degree 24, 150 control points"
+    assert first.get_title() == "squared: degree 24, 150 points"
     assert {"8 roots", "2 jumps through zero"} <= set(legend(first))
     assert {"6 roots", "2 jumps through zero"} <= set(legend(second))
     assert (

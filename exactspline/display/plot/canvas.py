@@ -330,6 +330,18 @@ def kept(point: Point | None, box: Box) -> Point | None:
     return point if point is not None and inside(point, box) else None
 
 
+def runs_in(points: Sequence[Point | None], box: Box) -> list[Run]:
+    """The runs of points in a box between gaps (None), each with its neighbours close outside, so that a line that goes
+    on leaves the frame.
+
+    >>> line = [(mpq(x), mpq(0)) for x in (-9, 0, 1, 2, 3, 4)]
+    >>> runs_in(line, ((mpq(0), mpq(0)), (mpq(2), mpq(0)))) == [line[1:5]]
+    True
+    """
+    near, there = grown(box, mpq(1)), [kept(point, box) is not None for point in points]
+    return runs_between_gaps(kept(p, near) if any(there[max(i - 1, 0) : i + 2]) else None for i, p in enumerate(points))
+
+
 def clipped(
     point: Point, direction: Point, box: Box, low: mpq | None = None, high: mpq | None = None
 ) -> tuple[Point, Point] | None:

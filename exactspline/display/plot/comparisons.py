@@ -91,7 +91,7 @@ def inspect_figure(
     >>> from exactspline.roots.zero_set import zeros
     >>> f = construction("zero_curvature").on(example("cubic_s"), "paper")
     >>> [ax.get_title() for ax in inspect_figure(example("cubic_s"), [("zero curvature", f, zeros(f))]).axes]
-    ['cubic s: degree 3, 4 control points', 'zero curvature: degree 3, 4 control points']
+    ['cubic s: degree 3, 4 control points', 'zero curvature: degree 3, 4 points']
     """
     figure = new_figure(PAGE, max(4.6, 3 * len(panels)))
     grid = figure.add_gridspec(max(1, len(panels)), 2 if panels else 1)
@@ -104,7 +104,8 @@ def inspect_figure(
         panel = plot_function(f, figure.add_subplot(grid[i, 1]))
         draw_roots(panel, roots, f.domain, marker, color)
         legend_below(panel)
-        panel.set_title(f"{title}: degree {f.degree}, {counted(len(f.control_points), 'control point')}")
+        form = f"form for {title}" if "=" in title else title
+        panel.set_title(f"{form}: degree {f.degree}, {counted(len(f.control_points), 'point')}")
         size = 7 + 3 * (len(panels) - 1 - i)
         places = [root for root, _ in located(roots)]
         label = ": ".join(filter(None, (f"{title} ({len(places)})", _kinds(curve, places))))

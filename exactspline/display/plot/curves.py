@@ -26,6 +26,7 @@ from exactspline.display.plot.canvas import (
     inside,
     kept,
     legend_below,
+    legend_once,
     longer_side,
     new_figure,
     parameter,
@@ -252,27 +253,39 @@ def pair_figure(pair: CurvePair) -> Figure:
 
     >>> from exactspline import Nurbs, example
     >>> pair = CurvePair(example("circle"), Nurbs(1, [0, 0, 1, 1], [(0, 0), (2, 0)]))
-    >>> [ax.get_xlabel() for ax in pair_figure(pair).axes]
-    ['', 's']
+    >>> [ax.get_title() for ax in pair_figure(pair).axes]
+    ['circle (s) and curve (t)', 'parameters s and t']
     """
     figure = new_figure(10, 5)
-    flat = pair.curves[0].dimension == 2
-    place = figure.add_subplot(1, 2, 1, projection=None if flat else "3d")
-    for curve, color in zip(pair.curves, (BLACK, GREEN), strict=True):
-        plot_curve(curve, place, control_polygon=False, knots=False, color=color)
-    rectangle = figure.add_subplot(1, 2, 2)
+    place = figure.add_subplot(1, 2, 1, projection="3d" if pair.curves[0].dimension == 3 else None)
+    place.set_title(plot_both(pair.curves, place, GREEN))
+    place.locator_params(nbins=5)
+    rectangle = figure.add_subplot(1, 2, 2, title="parameters s and t")
     common = pair.intersections
     meet = common.points or common.everywhere
-    _draw_rectangle(pair, (common if meet else pair.distance).everywhere, rectangle)
+    what = "common" if meet else "nearest"
+    _draw_rectangle(pair, (common if meet else pair.distance).everywhere, rectangle, f"{what} arcs")
     for s, t in [(p.first, p.second) for p in (common.points if meet else pair.distance.pairs)]:
         at = [_number(s, pair, 0), _number(t, pair, 1)]
-        draw(rectangle, [at], "o", color=VERMILLION)
-        draw(place, [curve(x) for curve, x in zip(pair.curves, at, strict=True)], "o-", color=VERMILLION)
-    legend_below(place)
+        how = {"color": VERMILLION, "label": f"{what} points", "zorder": 5}
+        draw(rectangle, [at], "o", **how)
+        draw(place, [curve(x) for curve, x in zip(pair.curves, at, strict=True)], "o-", **how)
+    legend_once(place)
+    legend_once(rectangle)
     return figure
 
 
-def _draw_rectangle(pair: CurvePair, arcs: Sequence[Overlap], ax: Axes) -> None:
+def plot_both(curves: Sequence[Nurbs], ax: Axes, second: str) -> str:
+    """Draw two curves, the first in black and the other one in a colour; returns both names, with the letters of their
+    parameters.
+    """
+    names = [f"{shown_name(curve)} ({letter})" for curve, letter in zip(curves, "st", strict=True)]
+    for curve, label, color in zip(curves, names, (BLACK, second), strict=True):
+        plot_curve(curve, ax, control_polygon=False, knots=False, label=label, color=color)
+    return " and ".join(names)
+
+
+def _draw_rectangle(pair: CurvePair, arcs: Sequence[Overlap], ax: Axes, label: str) -> None:
     (a, b), (c, d) = (curve.domain for curve in pair.curves)
     draw(ax, [(a, c), (b, c), (b, d), (a, d), (a, c)], color=BLACK, linewidth=1)
     for k, curve in enumerate(pair.curves):
@@ -281,7 +294,8 @@ def _draw_rectangle(pair: CurvePair, arcs: Sequence[Overlap], ax: Axes) -> None:
             draw(ax, ends, color="lightgrey", linewidth=0.7)
     for arc in arcs:
         first, second = ([_number(x, pair, k) for x in ends] for k, ends in enumerate((arc.first, arc.second)))
-        draw(ax, _along(arc.numerator, arc.denominator, arc.of_second, first, second), color=VERMILLION, linewidth=2)
+        along = _along(arc.numerator, arc.denominator, arc.of_second, first, second)
+        draw(ax, along, color=VERMILLION, linewidth=2, label=label)
     ax.set_xlabel("s")
     ax.set_ylabel("t")
 

@@ -21,14 +21,15 @@ from exactspline.display.plot.canvas import (
     box_around,
     clipped,
     draw,
+    draw_runs,
     grown,
-    kept,
     legend_once,
     parameter,
-    runs_between_gaps,
+    runs_in,
     sampled,
+    shown_name,
 )
-from exactspline.display.plot.curves import plot_curve
+from exactspline.display.plot.curves import plot_both, plot_curve
 from exactspline.errors import ReachError
 from exactspline.extras.pictures3d.meshes import SurfaceMesh, tensor_mesh
 from exactspline.extras.pictures3d.surfaces import mark_points, plot_mesh, show_box
@@ -66,14 +67,13 @@ def plot_curve_bisector(bisector: CurveBisector, ax: Axes | None = None, *, box:
     >>> from exactspline.geometry.bisectors.two_curves import curve_bisector
     >>> low, high = (Nurbs(1, [0, 0, 1, 1], [(0, 0, z), (2, 0, z)]) for z in (0, 1))
     >>> [text.get_text() for text in plot_curve_bisector(curve_bisector(low, high)).get_legend().get_texts()]
-    ['curve of s', 'curve of t', 'lines of s - t = 0']
+    ['curve (s)', 'curve (t)', 'lines of s - t = 0']
 
     Raises `PlotError` as `plot_mesh` does, except for a bisector without any part in the box.
     """
     ax = axes_for(ax, 3)
     box = _box_of(bisector.curves) if box is None else box
-    for curve, label in zip(bisector.curves, ("curve of s", "curve of t"), strict=True):
-        plot_curve(curve, ax, control_polygon=False, knots=False, label=label)
+    title = plot_both(bisector.curves, ax, GREEN)
     for patch in bisector.patches:
         if max(patch.value.degree) == 0:
             mark_points(ax, [patch.value.point(*[a for a, _ in patch.sides])], "surface (one point)", SKY)
@@ -85,7 +85,17 @@ def plot_curve_bisector(bisector: CurveBisector, ax: Axes | None = None, *, box:
             _plot(ax, _lines_mesh(rulings, box), label, ORANGE)
     for pair in bisector.pairs:
         _plot_pair(ax, pair, box)
-    show_box(ax, box)
+    return _finished(ax, box, title)
+
+
+def _finished(ax: Axes, box: Box, of: str) -> Axes:
+    """The picture with its title and its legend, and with the box for its frame: what goes on beyond leaves it."""
+    if ax.name == "3d":
+        show_box(ax, box)
+    else:
+        (left, low), (right, high) = (map(float, corner) for corner in box)
+        ax.set(aspect="equal", adjustable="box", xlim=(left, right), ylim=(low, high))
+    ax.set_title(f"bisector of {of}")
     legend_once(ax)
     return ax
 
@@ -96,8 +106,7 @@ def _short(line: LineComponent) -> str:
 
 
 def _box_of(curves: Iterable[Nurbs], more: Iterable[Point] = ()) -> Box:
-    points = [p for c in curves for run in sampled(c, c.breakpoints) for _, p in run]
-    box = box_around([*points, *more])
+    box = box_around([*(p for c in curves for run in sampled(c, c.breakpoints) for _, p in run), *more])
     return grown(box if box[0] != box[1] else _unit_around(box[0]), mpq(1, 2))
 
 
@@ -227,9 +236,7 @@ def plot_point_bisector(bisector: PointBisector, curve: Nurbs, point: Sequence[N
         assert isinstance(directrix, Rational)
         _plot(ax, _lines_mesh(_rulings_over(directrix, piece.surface.generator, *piece.interval), box), "bisector", SKY)
     mark_points(ax, [place], "point")
-    show_box(ax, box)
-    legend_once(ax)
-    return ax
+    return _finished(ax, box, f"{shown_name(curve)} and a point")
 
 
 def plot_plane_bisector(bisector: PlaneBisector, ax: Axes | None = None) -> Axes:
@@ -240,20 +247,17 @@ def plot_plane_bisector(bisector: PlaneBisector, ax: Axes | None = None) -> Axes
     >>> from exactspline.geometry.bisectors.plane_curves import PlaneBisector
     >>> line, other = (Nurbs(1, [0, 0, 1, 1], points) for points in ([(0, 0), (2, 0)], [(0, 1), (3, 4)]))
     >>> [text.get_text() for text in plot_plane_bisector(PlaneBisector(line, other)).get_legend().get_texts()]
-    ['curve of s', 'curve of t', 'bisector']
+    ['curve (s)', 'curve (t)', 'bisector']
     """
     ax, box = axes_for(ax), _box_of(bisector.curves)
-    for curve, label, color in zip(bisector.curves, ("curve of s", "curve of t"), (BLACK, SKY), strict=True):
-        plot_curve(curve, ax, control_polygon=False, knots=False, label=label, color=color)
+    title = plot_both(bisector.curves, ax, SKY)
     feet = bisector.trimmed.kept
     for run in bisector.pairs.sampled(SAMPLES):
         points = [(_point_of(bisector, pair), _is_in(pair, feet)) for pair in run]
         for color, label, is_true in ((SILVER, "not nearest, or undecided", False), (GREEN, "bisector", True)):
-            for part in runs_between_gaps(kept(point, box) if true == is_true else None for point, true in points):
-                draw(ax, part, color=color, linewidth=1.5, label=label, zorder=3)
-    ax.set_aspect("equal")
-    legend_once(ax)
-    return ax
+            runs = runs_in([point if true == is_true else None for point, true in points], box)
+            draw_runs(ax, runs, label, color=color, linewidth=1.5, zorder=3)
+    return _finished(ax, box, title)
 
 
 def _point_of(bisector: PlaneBisector, pair: tuple[mpq, mpq]) -> Point | None:
@@ -279,20 +283,16 @@ def plot_trimmed_bisector(
     >>> line = Nurbs(1, [0, 0, 1, 1], [(-4, 0), (4, 0)])
     >>> ax = plot_trimmed_bisector(trimmed_bisector(line, (0, 2)), line, (0, 2))
     >>> [text.get_text() for text in ax.get_legend().get_texts()]
-    ['curve', 'arc', 'end point', 'point']
+    ['curve', 'arc', 'line (foot: end point)', 'point']
     """
     ax, place = axes_for(ax), tuple(map(rational, point))
     box = _box_of([curve], [place])
     plot_curve(curve, ax, control_polygon=False, knots=False)
     for piece in bisector.pieces:
-        domain = piece.value.denominator.domain
-        low, high = (parameter(t, domain) for t in (piece.low, piece.high))
+        low, high = (parameter(t, piece.value.denominator.domain) for t in (piece.low, piece.high))
         places = [low + (high - low) * mpq(k, SAMPLES) for k in range(SAMPLES + 1)]
-        points = [kept(piece.value.point(t), box) if piece.value.denominator(t) else None for t in places]
-        color = GREEN if piece.foot is None else VERMILLION
-        for run in runs_between_gaps(points):
-            draw(ax, run, color=color, linewidth=1.5, label=str(piece.kind), zorder=3)
+        points = [piece.value.point(t) if piece.value.denominator(t) else None for t in places]
+        color, label = (GREEN, "arc") if piece.foot is None else (VERMILLION, f"line (foot: {piece.kind})")
+        draw_runs(ax, runs_in(points, box), label, color=color, linewidth=1.5, zorder=3)
     draw(ax, [place], "o", color=BLACK, markersize=5, label="point", zorder=5)
-    ax.set_aspect("equal")
-    legend_once(ax)
-    return ax
+    return _finished(ax, box, f"{shown_name(curve)} and a point")

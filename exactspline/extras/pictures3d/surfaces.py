@@ -18,6 +18,7 @@ from exactspline.display.plot.canvas import (
     axes_for,
     check_options,
     draw,
+    draw_runs,
     exact_box,
     legend_below,
     library,
@@ -84,12 +85,10 @@ def plot_mesh(
     space.add_collection3d(made)
     # curves, nets and points are seen through the surface
     space.computed_zorder = False
-    for run in mesh.isolines():
-        draw(ax, run, color=[0.4 * c for c in rgb], linewidth=0.4, alpha=0.5, label="_isoline", zorder=1.5)
+    draw_runs(ax, mesh.isolines(), "_isoline", color=[0.4 * c for c in rgb], linewidth=0.4, alpha=0.5, zorder=1.5)
     space.set_proj_type("ortho")
     if control_net and mesh.net:
-        for run in mesh.net:
-            draw(ax, run, color=net_color, linewidth=0.6, label="_net", zorder=2)
+        draw_runs(ax, mesh.net, "_net", color=net_color, linewidth=0.6, zorder=2)
         points = dict.fromkeys(p for run in mesh.net for p in run)
         draw(ax, points, "o", color=BLUE, markersize=2.5, label=_counted(mesh), zorder=2.1)
     _framed(ax, [p for face in faces for p in face])
