@@ -17,7 +17,6 @@ from exactspline.numbers.intervals import Interval, ball_around, ball_ends, sign
 from exactspline.polynomials.bernstein import Form, backwards, derivative, value
 from exactspline.polynomials.factors import factorize, greatest_common_divisor
 from exactspline.polynomials.isolation import Isolation, LocalPolynomial, LocalZero, Zero, end_signs
-from exactspline.polynomials.newton import proposed
 
 # ---- refinement
 #
@@ -40,8 +39,6 @@ START, GUARD = 64, 12
 EXACTLY = 3000
 #: The precision (bits) from which every step is worth storing: lower ones are quickly recomputed.
 KEEP = 1500
-#: Up to this many bits, doubles are tried first; the units in which they propose a parameter.
-QUICK, UNITS = 40, 1 << 42
 
 
 def sign_at(c: fmpz_poly, t: mpq) -> int:
@@ -82,9 +79,6 @@ def enclosures(factor: LocalPolynomial, low: mpq, high: mpq, sign: int, bits: in
             return
         low, high = (half, high) if at_half > 0 else (low, half)
     flipped = low + high > 1
-    if bits <= QUICK and (near := _near(factor.polynomial, low, high, sign)):
-        yield near
-        return
     if (_just_inside(factor.polynomial, low, high), _just_inside(factor.polynomial, high, low)) != (sign, -sign):
         raise AssertionError(f"the sign does not change from {sign:+d} between {low} and {high}")
     if flipped:
@@ -98,22 +92,6 @@ def enclosures(factor: LocalPolynomial, low: mpq, high: mpq, sign: int, bits: in
 def _just_inside(g: fmpz_poly, end: mpq, other: mpq) -> int:
     """The sign of a form at one end of an interval, or just inside where it vanishes there."""
     return sign_at(g, end) or end_signs(g, *sorted((end, other)))[end > other]
-
-
-def _near(g: fmpz_poly, low: mpq, high: mpq, sign: int) -> Interval | None:
-    """An interval at most ``2^−QUICK`` wide around a number that doubles propose, where certain signs at its ends prove
-    that it contains the zero; None if they do not. The interval is in one half of the segment.
-    """
-    k = proposed(g, low, high, sign, UNITS)
-    if k is None:
-        return None
-    around = Interval(mpq(k - 1, UNITS), mpq(k + 2, UNITS))
-    if not (low < around.low and around.high < high):
-        return None
-    with ctx.workprec(START):
-        p = arb_poly(g)
-        before, behind = (p(arb(t) / (UNITS - t)) * sign for t in (k - 1, k + 2))
-        return around if before > 0 and behind < 0 else None
 
 
 class _Chart:

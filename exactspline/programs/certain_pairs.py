@@ -38,22 +38,20 @@ class PairPoint(NamedTuple):
 
 
 def certain_pairs(
-    first: Sequence[Segment], second: Sequence[Segment], pairs: Sequence[tuple[int, int]]
+    first: array[float], second: array[float], pairs: Sequence[tuple[int, int]]
 ) -> list[list[PairPoint] | None]:
-    """The common points of pairs of segments; None where they are not certain.
+    """The common points of pairs of segments of two tables; None where they are not certain.
 
     >>> arch, line = (2, [(0, 2, 2), (0, 8, 0), (1, 2, 1)]), (1, [(0, 3), (1, 1), (1, 1)])
-    >>> found = certain_pairs([arch], [line], [(0, 0)])
+    >>> found = certain_pairs(table_of([arch]), table_of([line]), [(0, 0)])
     >>> found == [None] or [len(points) for points in found] == [2]
     True
     """
     if filter_pairs is None:
         return [None] * len(pairs)
-    ours = _table(first)
-    theirs = ours if second is first else _table(second)
     found: list[list[PairPoint] | None] = []
     for start in range(0, len(pairs), TOGETHER):
-        found += _decided(filter_pairs, ours, theirs, pairs[start : start + TOGETHER])
+        found += _decided(filter_pairs, first, second, pairs[start : start + TOGETHER])
     return found
 
 
@@ -76,7 +74,7 @@ def _decided(
 
 def _meets(function: Callable[..., int]) -> bool:
     """Whether the parabola x = 2t, y = 8t(1 − t) and the line x = 3s, y = 3/2 meet at t = 1/4 and 3/4."""
-    found = _decided(function, _table([ARCH]), _table([LINE]), [(0, 0)])[0] or []
+    found = _decided(function, table_of([ARCH]), table_of([LINE]), [(0, 0)])[0] or []
     known = [(-1, 0, 1 / 4, 1 / 6), (1, 1, 3 / 4, 1 / 2)]
     return len(found) == 2 and all(
         (point.before, point.number) == (before, number) and surrounds(*point[:2], t) and surrounds(*point.other, s)
@@ -84,7 +82,7 @@ def _meets(function: Callable[..., int]) -> bool:
     )
 
 
-def _table(segments: Sequence[Segment]) -> array[float]:
+def table_of(segments: Sequence[Segment]) -> array[float]:
     """The numbers of segments for C."""
     return array("d", [x for segment in segments for x in segment_in_doubles(*segment)])
 

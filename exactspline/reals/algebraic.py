@@ -182,11 +182,7 @@ class Algebraic(Digits):
             return self._against_number(other._exact)
         if isinstance(self._exact, _RATIONAL):
             return -other._against_number(self._exact)
-        return self._parted(other) or _order(self, other)
-
-    def _parted(self, other: Algebraic) -> int:
-        """The order of two numbers if it can be decided cheaply, else 0."""
-        return 0
+        return _order(self, other)
 
     def _against_number(self, t: mpq) -> int:
         """The exact sign of the number minus a rational number."""

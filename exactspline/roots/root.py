@@ -2,25 +2,146 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from typing import Any
+from collections.abc import Callable, Iterator
+from functools import lru_cache
+from math import inf
+from typing import Any, Protocol, cast
 
-from flint import fmpz_poly
+from flint import arb, ctx, fmpz_poly
 
 from exactspline.errors import NumberError, ShapeError, shown
 from exactspline.hooks import Displayed
-from exactspline.numbers.exact import mpq, mpz, rational
+from exactspline.numbers.exact import Rounding, mpq, mpz, rational, to_fmpq
 from exactspline.numbers.immutable import fill
-from exactspline.numbers.intervals import Interval
+from exactspline.numbers.intervals import Interval, ball_ends
+from exactspline.numbers.once import cached_property
 from exactspline.polynomials.bernstein import in_parameter
 from exactspline.polynomials.elimination import linear, primitive
-from exactspline.polynomials.isolation import Zero
+from exactspline.polynomials.isolation import LocalPolynomial, LocalZero, Zero
 from exactspline.polynomials.zero_places import enclosures, sign_at
-from exactspline.reals.algebraic import Algebraic
 from exactspline.reals.real import UNASKED, RationalNumber, Real, zero_of
 
-#: The number of times two roots are compared with a number between them before they are refined.
-BISECTIONS = 5
+#: The precision of the balls around a zero.
+PRECISION = 128
+
+
+class LazyForm(Protocol):
+    """A form on a segment, computed when it is asked for."""
+
+    @property
+    def form(self) -> LocalPolynomial:
+        """The form, which is not zero at the ends."""
+
+    @property
+    def inner(self) -> list[LocalZero]:
+        """Its zeros inside the segment, by exact arithmetic."""
+
+
+@lru_cache(256)
+def _in_balls(side: Interval) -> tuple[arb, arb]:
+    """The start and the width of an interval, to `PRECISION` bits."""
+    with ctx.workprec(PRECISION):
+        return arb(to_fmpq(side.low)), arb(to_fmpq(side.width))
+
+
+class LazyRoot:
+    """A simple zero inside a segment, the only one in an interval of doubles, with the attributes of a `LocalZero`:
+    these are computed when they are asked for. `number` is its number among the zeros of the form.
+    """
+
+    multiplicity = 1
+
+    def __init__(self, form: LazyForm, number: int, before: int, interval: tuple[float, float]) -> None:
+        self.form, self.number, self.before, self.signs = form, number, before, (before, -before)
+        self._interval = interval
+        self._ball: arb | None = None
+
+    def _closer(self, ball: Any) -> Any:
+        """``N = m − g(m)/g′(X)`` with the midpoint m of a ball X: every zero of g in X is in N, and there is one and no
+        other if N is inside X (interval Newton, as in `exactspline.polynomials.zero_places`).
+        """
+        middle, form = ball.mid(), self.form.form
+        return middle - form.polynomial(middle) / form.slope(ball)
+
+    def _balls(self) -> Iterator[Any]:
+        """Shrinking balls around ``z = t/(1 − t)`` at FLINT's current precision; the first of them proves anew what was
+        certain in doubles.
+        """
+        if self._ball is None:
+            low, high = self._interval
+            around = 1 / (1 - arb(low).union(arb(high))) - 1
+            ball = self._closer(around)
+            if not (around.contains_interior(ball) and self.before * self.form.form.slope(around) < 0):
+                return
+            self._ball = ball
+        while True:
+            yield self._ball
+            ball = self._closer(self._ball)
+            if not 2 * ball.rad() < self._ball.rad():
+                return
+            self._ball = ball
+
+    def double(self, side: Interval) -> float | None:
+        """The number that it is on a segment over an interval, rounded to the nearest double; None where balls leave
+        it open.
+        """
+        with ctx.workprec(PRECISION):
+            start, width = _in_balls(side)
+            for z in self._balls():
+                t = start + width * (z / (1 + z))
+                low, high = float(t.lower()), float(t.upper())
+                if low == high and 0 < abs(low) < inf:
+                    return low
+        return None
+
+    def near(self, bits: int) -> Interval | None:
+        """An interval of the local parameter at most ``2^−bits`` wide with the zero strictly inside; None where balls
+        leave it open.
+        """
+        with ctx.workprec(PRECISION):
+            for z in self._balls():
+                t: arb = z / (1 + z)
+                if t.rad() < arb((1, -bits - 2)):
+                    return ball_ends(t).grown(mpq(1, 1 << (bits + 2)))
+        return None
+
+    @cached_property
+    def exactly(self) -> LocalZero:
+        """The zero in exact arithmetic; a rational one as the zero of its linear polynomial."""
+        zero = self.form.inner[self.number]
+        if zero.signs != self.signs:
+            raise AssertionError(f"a change of sign {zero.signs} where {self.signs} was certain in doubles")
+        if zero.low < zero.high:
+            return zero
+        p, q = int(zero.low.numerator), int(zero.low.denominator)
+        return LocalZero(mpq(0), mpq(1), 1, zero.signs, LocalPolynomial(fmpz_poly([-p, q - p])), -1)
+
+    @property
+    def changing(self) -> tuple[LocalPolynomial, int]:
+        """As that of a `LocalZero`; the form itself, without isolating the zero anew, where it is linear or the zero is
+        certainly irrational.
+        """
+        form = self.form.form
+        whole = form.polynomial.degree() == 1 or form.without_rational_zero
+        return (form, self.before) if whole else self.exactly.changing
+
+    @property
+    def low(self) -> mpq:
+        """The ends of the interval, as those of a `LocalZero`."""
+        return mpq(self._interval[0])
+
+    @property
+    def high(self) -> mpq:
+        """See `low`."""
+        return mpq(self._interval[1])
+
+    @property
+    def factor(self) -> LocalPolynomial:
+        """A factor of the form with this zero, as that of a `LocalZero`."""
+        return self.exactly.factor
+
+    def __reduce__(self) -> tuple[object, ...]:
+        return LocalZero, tuple(self.exactly)
 
 
 class Root(Real, Displayed):
@@ -42,19 +163,19 @@ class Root(Real, Displayed):
     """
 
     __slots__ = (
-        "_first",
+        "_initial",
+        "_narrowest",
         "_polynomial",
-        "_reached",
         "_zero",
         "left_multiplicity",
         "right_multiplicity",
         "segment",
         "signs",
     )
-    #: The current interval; a single tuple, so that threads never see ends of different intervals.
-    _reached: Interval
-    #: The initial interval: the spline may have other roots at its ends.
-    _first: Interval
+    #: The current interval; a single tuple, so that threads never see ends of different intervals. None for the first.
+    _narrowest: Interval | None
+    #: The initial interval: the spline may have other roots at its ends. None for that of a zero inside a segment.
+    _initial: Interval | None
     _zero: Zero | None
     #: Computed on first use.
     _polynomial: fmpz_poly | None
@@ -68,14 +189,14 @@ class Root(Real, Displayed):
 
     def __init__(
         self,
-        low: mpq,
-        high: mpq,
+        low: mpq | None,
+        high: mpq | None,
         multiplicities: tuple[int | None, int | None],
         signs: tuple[int | None, int | None],
         zero: Zero | None = None,
         segment: Interval | None = None,
     ) -> None:
-        first = Interval(rational(low), rational(high))
+        first = None if low is None or high is None else Interval(rational(low), rational(high))
         if not (
             isinstance(multiplicities, tuple) and isinstance(signs, tuple) and len(multiplicities) == len(signs) == 2
         ):
@@ -83,15 +204,15 @@ class Root(Real, Displayed):
             raise ShapeError(f"{sides} on the two sides of a root", remedy="exactspline.zeros finds roots")
         fill(
             self,
-            _reached=first,
-            _first=first,
+            _narrowest=None,
+            _initial=first,
             _zero=zero,
             _polynomial=None,
             left_multiplicity=multiplicities[0],
             right_multiplicity=multiplicities[1],
             signs=signs,
             segment=segment,
-            **UNASKED | {"_exact": first.low if first.low == first.high else None},
+            **UNASKED | {"_exact": first.low if first and first.low == first.high else None},
         )
 
     def __reduce__(self) -> tuple[object, ...]:
@@ -99,6 +220,15 @@ class Root(Real, Displayed):
         return _restored, (*self._first, multiplicities, self.signs, self._zero, self.segment, self._reached)
 
     # ---- what it is
+
+    @property
+    def _first(self) -> Interval:
+        zero, segment = cast(Any, self._zero), cast(Any, self.segment)
+        return self._initial or segment.part(Interval(zero.low, zero.high))
+
+    @property
+    def _reached(self) -> Interval:
+        return self._narrowest or self._first
 
     @property
     def _given(self) -> mpq | None:
@@ -210,35 +340,52 @@ class Root(Real, Displayed):
         """
         if type(digits) is not int:
             raise NumberError(f"{digits!r} digits", where="digits", remedy="an integer")
-        low, high = self._reached
         if self._zero is None or self.segment is None:
             return self._reached
         scale = mpz(10) ** max(digits, 0)
         a, b = self.segment
         width = b - a
         bits = int(width * scale + 1).bit_length()
-        changing, before = self._zero.changing
-        while low < high and ((high - low) * scale > 1 or low == self._first[0] or high == self._first[1]):
+        near = self._zero.near(bits) if isinstance(self._zero, LazyRoot) and self._is_wide(scale) else None
+        if near:
+            self.narrow_to(a + width * near.low, a + width * near.high)
+        while self._is_wide(scale):
+            changing, before = self._zero.changing
+            low, high = self._reached
             for u, v in enclosures(changing, (low - a) / width, (high - a) / width, before, bits):
-                low, high = a + width * u, a + width * v
-                self.narrow_to(low, high)
+                self.narrow_to(a + width * u, a + width * v)
                 if progress is not None:
-                    progress(_digits(high - low, digits))
+                    progress(_digits(width * (v - u), digits))
             bits = 2 * bits + 64
-        return Interval(low, high)
+        return self._reached
+
+    def _is_wide(self, scale: int) -> bool:
+        """Whether its interval is longer than the reciprocal of a number, or has an end of the initial one."""
+        low, high = self._reached
+        return low < high and ((high - low) * scale > 1 or low == self._first[0] or high == self._first[1])
 
     def narrow_to(self, low: mpq, high: mpq) -> None:
         """Store an interval, unless another thread has stored a narrower one."""
         if low == high:
             self._set_rational(low)
         elif high - low < self.high - self.low:
-            fill(self, _reached=Interval(low, high))
+            fill(self, _narrowest=Interval(low, high))
 
     def _set_rational(self, value: mpq) -> None:
-        fill(self, _exact=value, _reached=Interval.point(value))
+        fill(self, _exact=value, _narrowest=Interval.point(value))
 
     def _enclosed(self, digits: int) -> Interval:
         return self.refine(digits)
+
+    def double(self, rounding: str = Rounding.NEAREST) -> float:
+        """The correctly rounded double, as of other numbers: where the root is certain in doubles, from a ball around
+        it, whatever else is known of it.
+        """
+        if rounding == Rounding.NEAREST and isinstance(self._zero, LazyRoot) and self.segment is not None:
+            found = self._zero.double(self.segment)
+            if found is not None:
+                return found
+        return super().double(rounding)
 
     def __repr__(self) -> str:
         left, right = ({None: "end", 1: "+", -1: "−", 0: "0"}[s] for s in self.signs)
@@ -265,30 +412,6 @@ class Root(Real, Displayed):
         return root
 
     # ---- comparisons
-
-    def _parted(self, other: Algebraic) -> int:
-        """The order of two roots, if a few signs at rational numbers between them decide it, else 0."""
-        if not isinstance(other, Root):
-            return 0
-        for _ in range(BISECTIONS):
-            (a, b), (c, d) = self._reached, other._reached
-            if a == b or c == d:
-                return 0
-            if b <= c or d <= a:
-                return -1 if b <= c else 1
-            middle = (max(a, c) + min(b, d)) / 2
-            first, second = self._beside(middle), other._beside(middle)
-            if first != second:
-                return 1 if first > second else -1
-        return 0
-
-    def _beside(self, t: mpq) -> int:
-        """The sign of the root minus a number; the number then becomes an end of the interval."""
-        sign = self._against_number(t)
-        low, high = self._reached
-        if sign:
-            self.narrow_to(*((max(low, t), high) if sign > 0 else (low, min(high, t))))
-        return sign
 
     def _against_number(self, t: mpq) -> int:
         low, high = self._reached

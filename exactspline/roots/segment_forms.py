@@ -11,7 +11,7 @@ from flint import ctx, fmpz, fmpz_poly
 from exactspline.numbers.exact import lcm, mpq
 from exactspline.numbers.immutable import fill
 from exactspline.numbers.intervals import Interval, ball_ends
-from exactspline.polynomials.bernstein import ONE, raiser, value
+from exactspline.polynomials.bernstein import ONE, value
 from exactspline.polynomials.bezout import PlaneForms
 from exactspline.polynomials.common_arcs import Image, Local, RationalMap
 from exactspline.polynomials.zero_places import Place
@@ -39,10 +39,12 @@ def segment_forms(curve: Nurbs, i: int) -> SegmentForms:
     >>> segment_forms(Nurbs(1, [0, 0, 1, 1], [(0, "1/2"), (1, 2)]).elevate_degree(), 0)
     (1, [2*x, 4*x + 1, 2*x + 2])
     """
-    (operands, below), n = curve.rows[i], curve.degree
-    whole = [fmpz_poly(list(c)) for c in operands]
-    if curve.polynomial:
-        whole.append(raiser(n) * below)
+    return forms_of(segment_rows(curve, i))
+
+
+def forms_of(segment: SegmentRows) -> SegmentForms:
+    """The forms of a segment in the lowest degree."""
+    n, whole = segment[0], [fmpz_poly([*c]) for c in segment[1]]
     while n > 0 and all(c(-1) == 0 for c in whole):
         n, whole = n - 1, [c // U_PLUS_V for c in whole]
     return n, whole

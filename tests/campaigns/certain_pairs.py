@@ -17,7 +17,7 @@ from exactspline.numbers.exact import mpq
 from exactspline.numbers.intervals import Interval
 from exactspline.polynomials.plane_pairs import meetings
 from exactspline.polynomials.zero_places import sign_at
-from exactspline.programs.certain_pairs import certain_pairs
+from exactspline.programs.certain_pairs import certain_pairs, table_of
 from exactspline.roots.segment_forms import parameter, plane_forms, segment_rows
 from tests.campaigns import intersections as pairs
 
@@ -96,7 +96,7 @@ def differing(rows, decide=certain_pairs):
     """How many common points were compared (None where exact arithmetic decides), and what differs ("" for nothing)."""
     curves = [pairs.curve(one) for one in rows]
     given = [segment_rows(curve, 0) for curve in curves]
-    (found,) = decide(given[:1], given[1:], [(0, 0)])
+    (found,) = decide(table_of(given[:1]), table_of(given[1:]), [(0, 0)])
     if found is None:
         return None, ""
     true = meetings(*(plane_forms(curve, 0) for curve in curves))

@@ -337,11 +337,10 @@ def wave(count, phase, degree=1):
 
 def test_many_segments_meet_in_linear_time():
     """Only pairs whose boxes meet are decided: as many as there are segments, not their square."""
-    from exactspline.geometry.pairs.box_tree import BoxTree, pairs_that_may_meet
-    from exactspline.roots.segment_forms import segment_forms
+    from exactspline.geometry.pairs.box_tree import pairs_that_may_meet, segments_of
 
     first, second = wave(2000, 1), wave(2000, 3)
-    trees = [BoxTree([segment_forms(c, i) for i in range(c.segments)], 4) for c in (first, second)]
+    trees = [segments_of(c).boxes(4) for c in (first, second)]
     assert len(list(pairs_that_may_meet(*trees))) < 3 * 2000
 
 

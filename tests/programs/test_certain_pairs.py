@@ -14,7 +14,15 @@ import pytest
 from exactspline import Nurbs, intersections
 from exactspline.geometry.pairs import lazy_intersections as late_meetings
 from exactspline.numbers.exact import mpq
-from exactspline.programs.certain_pairs import HIGHEST, OPEN, TOGETHER, certain_pairs, filter_pairs, segment_in_doubles
+from exactspline.programs.certain_pairs import (
+    HIGHEST,
+    OPEN,
+    TOGETHER,
+    certain_pairs,
+    filter_pairs,
+    segment_in_doubles,
+    table_of,
+)
 from exactspline.roots.segment_forms import segment_rows
 from tests.campaigns import certain_pairs as campaign
 from tests.support.rounding import FLUSHED, MODES, rounding
@@ -63,8 +71,9 @@ def test_more_pairs_than_one_call_takes():
     chance = Random(8)
     rows = [campaign.cubics(chance) for _ in range(3 * TOGETHER + 1)]
     given = [[segment_rows(campaign.pairs.curve(pair[k]), 0) for pair in rows] for k in (0, 1)]
-    together = certain_pairs(*given, [(i, i) for i in range(len(rows))])
-    assert together == [certain_pairs([one], [other], [(0, 0)])[0] for one, other in zip(*given, strict=True)]
+    together = certain_pairs(*map(table_of, given), [(i, i) for i in range(len(rows))])
+    alone = [[table_of([one]), table_of([other])] for one, other in zip(*given, strict=True)]
+    assert together == [certain_pairs(*pair, [(0, 0)])[0] for pair in alone]
 
 
 @needs_extension

@@ -8,11 +8,13 @@ import pytest
 from flint import fmpz_poly
 
 from exactspline.numbers.exact import mpq
+from exactspline.numbers.intervals import Interval
 from exactspline.polynomials.isolation import LocalPolynomial, LocalZero, isolate
 from exactspline.polynomials.zero_places import enclosures
-from exactspline.roots.lazy_root import LazyRoot
+from exactspline.roots.root import LazyRoot, Root
 
 Z = fmpz_poly([0, 1])
+UNIT = Interval(mpq(0), mpq(1))
 
 
 class Given:
@@ -27,13 +29,20 @@ class Given:
         return isolate(self.form.polynomial, self.form.polynomial.degree()).inner
 
 
-@pytest.mark.parametrize(
-    "p", [(Z - 1) * (Z**2 - 3 * Z + 1), (Z - 2) * (3 * Z - 1) * (Z**2 - 3), (5 * Z - 2) * (Z - 7), (Z - 1) * (Z - 3)]
-)
+FORMS = [(Z - 1) * (Z**2 - 3 * Z + 1), (Z - 2) * (3 * Z - 1) * (Z**2 - 3), (5 * Z - 2) * (Z - 7), (Z - 1) * (Z - 3)]
+
+
+def around(zero):
+    """An interval of doubles with no other zero of these forms."""
+    low, high = (float(end) for end in zero[:2])
+    return (low - 2**-6, high + 2**-6) if low == high else (low, high)
+
+
+@pytest.mark.parametrize("p", FORMS)
 def test_it_is_the_zero_that_isolation_finds(p):
     """Also where it is rational, and hit by a midpoint or not."""
     for number, own in enumerate(isolate(p, p.degree()).inner):
-        late = LazyRoot(Given(p), number, own.signs[0])
+        late = LazyRoot(Given(p), number, own.signs[0], around(own))
         assert (late.signs, late.multiplicity) == (own.signs, 1) == (late.exactly.signs, late.exactly.multiplicity)
         (factor, sign), middle = late.changing, (own.low + own.high) / 2
         assert sign == own.signs[0] if factor is late.form.form else sign in (1, -1)
@@ -41,6 +50,30 @@ def test_it_is_the_zero_that_isolation_finds(p):
         (*_, found) = enclosures(factor, late.low, late.high, sign, 60)
         assert found[0] <= middle <= found[1] if own.low == own.high else own.low <= found[0] <= found[1] <= own.high
         assert pickle.loads(pickle.dumps(late))[:4] == late.exactly[:4]
+
+
+@pytest.mark.parametrize("p", FORMS)
+def test_balls_find_what_isolation_finds(p):
+    """Doubles, and intervals of any width, of a zero on a segment."""
+    side = Interval(mpq(1, 3), mpq(9, 7))
+    for number, own in enumerate(isolate(p, p.degree()).inner):
+        exact = Root(side.at(own.low), side.at(own.high), (1, 1), own.signs, own, side)
+        local = Root(own.low, own.high, (1, 1), own.signs, own, UNIT)
+        late = LazyRoot(Given(p), number, own.signs[0], around(local.refine(4)))
+        for bits in (10, 40, 100):
+            low, high = late.near(bits)
+            assert (high - low) * 2**bits <= 1
+            assert side.at(low) <= exact <= side.at(high)
+        assert late.double(side) == exact.double()
+        assert Root(None, None, (1, 1), late.signs, late, side).double() == exact.double()
+
+
+def test_balls_say_nothing_of_a_promise_that_is_not_kept():
+    """No zero in the interval, one from − to +, two of them."""
+    for interval, before in (((0.0, 0.25), 1), ((0.25, 0.3), -1), ((0.2, 0.8), 1)):
+        late = LazyRoot(Given(Z**2 - 3 * Z + 1), 0, before, interval)
+        assert (late.double(UNIT), late.near(20)) == (None, None)
+    assert LazyRoot(Given(Z**2 - 3 * Z + 1), 0, 1, (0.25, 0.3)).double(UNIT) == (5 - 5**0.5) / 10
 
 
 @pytest.mark.parametrize("p", [3 * Z - 1, Z**2 - 3 * Z + 1, Z**3 - 2])
@@ -63,6 +96,7 @@ def test_no_zeros_are_isolated_where_that_is_not_needed(p):
 BROKEN = """
 from flint import fmpz_poly
 from exactspline.numbers.exact import mpq
+from exactspline.numbers.intervals import Interval
 from exactspline.polynomials.isolation import LocalPolynomial
 from exactspline.polynomials.zero_places import enclosures
 form = LocalPolynomial(fmpz_poly([1, -3, 1]))
@@ -87,4 +121,4 @@ def test_a_promised_change_of_sign_that_is_not_there_is_an_error():
 def test_a_zero_that_changes_its_sign_in_another_way_than_promised_is_an_error():
     """It was told with the signs that were promised."""
     with pytest.raises(AssertionError, match="change of sign"):
-        LazyRoot(Given(Z**2 - 3 * Z + 1), 0, -1).exactly  # noqa: B018  # what raises
+        LazyRoot(Given(Z**2 - 3 * Z + 1), 0, -1, (0.25, 0.3)).exactly  # noqa: B018  # what raises

@@ -6,58 +6,179 @@ the numbers in them are exact.
 from __future__ import annotations
 
 from bisect import bisect_right
-from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Iterable, Iterator, Mapping, Sequence, Set
+from dataclasses import dataclass, field
 from functools import partial
 from math import comb
+from typing import Any, NamedTuple
 
 from flint import fmpz, fmpz_poly
 
 from exactspline.geometry.curves.facts import Facts
 from exactspline.geometry.curves.joints import end_direction
 from exactspline.geometry.curves.kinds import Feature, FeatureKind
+from exactspline.geometry.curves.plane_features import critical_points, flat_points
 from exactspline.geometry.derived.constructions import Variant
-from exactspline.geometry.filter.jumps_at_knots import Jump, is_straight, jumps, on_runs
-from exactspline.geometry.filter.plane_programs import CRITICAL, CURVATURE, plane_program
+from exactspline.geometry.filter.plane_programs import CRITICAL, CURVATURE, SPEED, plane_program
 from exactspline.numbers.exact import mpq
 from exactspline.numbers.intervals import Interval
 from exactspline.numbers.once import cached_property
 from exactspline.numbers.sides import Side
-from exactspline.polynomials.bernstein import ONE
+from exactspline.polynomials.bernstein import ONE, raiser
 from exactspline.polynomials.isolation import LocalPolynomial, LocalZero, isolate
 from exactspline.programs import accelerator
 from exactspline.programs.accelerator import SegmentZero, signs
+from exactspline.programs.program import Program
 from exactspline.roots.answers import CurvePiece, Places
-from exactspline.roots.lazy_root import LazyRoot
-from exactspline.roots.root import Root
+from exactspline.roots.root import LazyRoot, Root
 from exactspline.splines.blossom import CommonRows
+from exactspline.splines.knots import mesh_of
+from exactspline.splines.nurbs import Nurbs
 
+#: Forms and weights below this are not used: products of their powers could underflow.
+SMALL = 2**-60
+#: The relative error of a product of a dozen factors, the weight functions among them, is below this.
+CLOSE = 2**-44
+
+
+class Jump(NamedTuple):
+    """A change of sign at a knot without a zero: the output, the index of the breakpoint (0: the start of the domain or
+    the seam), and the sign before it.
+    """
+
+    output: int
+    knot: int
+    before: int
+
+
+def is_straight(operands: Sequence[fmpz_poly], degree: int) -> bool:
+    """Whether a segment lies on a line, exactly: its two coordinates and its weight function are linearly dependent.
+
+    >>> is_straight([fmpz_poly([0, 3, 6, 3]), fmpz_poly([1, 3, 3, 1])], 3)
+    True
+    >>> is_straight([fmpz_poly([0, 2, 2]), fmpz_poly([0, 2, 1])], 2)
+    False
+    """
+    x, y = operands[:2]
+    w = operands[2] if len(operands) > 2 else raiser(degree)
+    first, second = x * w[0] - w * x[0], y * w[0] - w * y[0]
+    k = next((k for k in range(degree + 1) if first[k] or second[k]), None)
+    return k is None or first * second[k] == second * first[k]
+
+
+def jumps(
+    facts: Facts, ends: Sequence[Sequence[float]], weights: Sequence[Sequence[float]], others: Set[int]
+) -> Iterator[Jump]:
+    """The changes of sign of κ and κ′ by a jump at the knots of a plane curve, except at the ends of `others`: straight
+    segments (a zero at an end of a straight piece belongs to the piece), and those that are decided exactly.
+
+    `ends`: for every segment and output the ordinates at both ends, each followed by a bound of its error; these signs
+    are certain, and γ′ ≠ 0. `weights`: the weight function at both ends.
+    """
+    continuity = mesh_of(facts.curve.knots, facts.curve.degree)[1]
+    for i in range(0 if facts.closed else 1, len(ends)):
+        if others and (i in others or (i - 1) % len(ends) in others):
+            continue
+        left, right = ends[i - 1], ends[i]
+        bends, turns = ((left[4 * k + 2] > 0) != (right[4 * k] > 0) for k in (CURVATURE, CRITICAL))
+        if not bends and not turns:
+            continue
+        smooth = continuity[i - 1] if i else 0
+        if smooth < 1 and not facts.tangent_continuous(i):
+            continue
+        if bends:
+            # κ jumps from one sign to the other, so that it has no extremum there
+            yield Jump(CURVATURE, i, 1 if left[4 * CURVATURE + 2] > 0 else -1)
+        elif smooth >= 2 or (not _differ(left, right, weights[i - 1][1], weights[i][0]) and facts.same_curvature(i)):
+            yield Jump(CRITICAL, i, 1 if left[4 * CRITICAL + 2] > 0 else -1)
+
+
+def on_runs(curve: Nurbs, left: Set[int]) -> tuple[list[Feature], list[Feature]] | None:
+    """The zeros of κ and of κ′ on some segments of a curve and at their ends, by exact arithmetic on these segments
+    and one more on both sides. None where the whole curve must be decided: at a seam, where γ′ or a form vanishes on a
+    whole segment, and where there are many such segments.
+    """
+    count = curve.segments
+    if 2 * len(left) > count or (curve.closed and not left.isdisjoint((0, count - 1))):
+        return None
+    found: tuple[list[Feature], list[Feature]] = ([], [])
+    starts = [i for i in sorted(left) if i - 1 not in left]
+    for start, end in zip(starts, [i for i in sorted(left) if i + 1 not in left], strict=True):
+        first, last = max(start - 1, 0), min(end + 2, count)
+        facts = Facts(curve.restrict(curve.breakpoints[first], curve.breakpoints[last]))
+        own = slice(start - first, end + 1 - first)
+        forms = facts.zero_form("zero_curvature"), facts.zero_form("critical_curvature")
+        if facts.closed or any(facts.standing[own]) or any(None in form.zeros.isolations[own] for form in forms):
+            return None
+        low, high = curve.breakpoints[start], curve.breakpoints[end + 1]
+        for features, exact in zip(found, (flat_points(facts), critical_points(facts)), strict=True):
+            features += [feature for feature in exact if low <= feature.root <= high]
+    return found
+
+
+def _differ(left: Sequence[float], right: Sequence[float], v: float, w: float) -> bool:
+    """Whether the curvatures of two sides, of one sign, certainly differ: κ² is ``K² w⁶ / S³`` for the forms K of κ and
+    S of the speed, whatever the parameter, up to a factor that both sides share.
+    """
+    first, second = _squared(left, Side.LEFT, v), _squared(right, Side.RIGHT, w)
+    return bool(first and second and (first[1] < second[0] or second[1] < first[0]))
+
+
+def _squared(end: Sequence[float], side: Side, w: float) -> tuple[float, float] | None:
+    """The squared curvature at an end of a segment between two numbers."""
+    at = 2 if side is Side.LEFT else 0
+    k, error = abs(end[4 * CURVATURE + at]), end[4 * CURVATURE + at + 1]
+    s, off = end[4 * SPEED + at], end[4 * SPEED + at + 1]
+    if min(k - error, s - off, w) < SMALL:
+        return None
+    w3 = w * w * w
+    low, high = (k - error) * w3, (k + error) * w3
+    slow, fast = s - off, s + off
+    return low * low / (fast * fast * fast) * (1 - CLOSE), high * high / (slow * slow * slow) * (1 + CLOSE)
+
+
+#: The kinds of an extremum.
+KINDS = FeatureKind.MAXIMUM, FeatureKind.MINIMUM
 #: A zero of κ or κ′.
 Found = SegmentZero | Jump | Feature
 
 
 @dataclass
-class _SegmentForm:
-    """An output of a program on one segment, from the integers of its operands."""
+class _Segment:
+    """One segment of a curve: the integers of its operands, and its interval."""
 
-    degree: int
-    rational: bool
-    output: int
+    program: Program
     rows: CommonRows
+    ends: Interval
+
+    @cached_property
+    def outputs(self) -> Sequence[Any]:
+        """The integers of the outputs of the program."""
+        operands, below = self.rows
+        return self.program.run([[fmpz_poly(list(c))] for c in operands], [[fmpz(below)]], [(ONE, ONE)])[0]
+
+    @cached_property
+    def forms(self) -> tuple[_SegmentForm, _SegmentForm]:
+        """κ and κ′ up to positive factors."""
+        return _SegmentForm(self, CURVATURE), _SegmentForm(self, CRITICAL)
+
+
+@dataclass
+class _SegmentForm:
+    """An output of a program on one segment."""
+
+    segment: _Segment
+    output: int
 
     @cached_property
     def form(self) -> LocalPolynomial:
         """Its integers."""
-        program, (operands, below) = plane_program(self.degree, self.rational), self.rows
-        forms = program.run([[fmpz_poly(list(c))] for c in operands], [[fmpz(below)]], [(ONE, ONE)])[0]
-        return LocalPolynomial(fmpz_poly(forms[self.output]))
+        return LocalPolynomial(self.segment.outputs[self.output])
 
     @cached_property
     def inner(self) -> list[LocalZero]:
         """Its zeros inside the segment, by exact arithmetic."""
-        return isolate(
-            self.form.polynomial, plane_program(self.degree, self.rational).terms[self.output].degrees[0]
-        ).inner
+        return isolate(self.form.polynomial, self.segment.program.terms[self.output].degrees[0]).inner
 
 
 @dataclass
@@ -75,6 +196,7 @@ class Certain:
     positive: Sequence[bool]
     #: The straight pieces: all pieces of constant curvature.
     straight: tuple[CurvePiece, ...]
+    _segments: dict[int, _Segment] = field(default_factory=dict)
 
     @property
     def inflections(self) -> Places[Feature]:
@@ -94,11 +216,17 @@ class Certain:
     def _places(self, output: int) -> Places[Feature]:
         return Places.late(len(self.zeros[output]), partial(self._features, output), self.straight)
 
+    def _segment(self, i: int) -> _Segment:
+        """A segment, whose forms are computed once."""
+        if i not in self._segments:
+            program, ends = plane_program(self.degree, self.rational), Interval(*self.breaks[i : i + 2])
+            self._segments[i] = _Segment(program, self.rows[i], ends)
+        return self._segments[i]
+
     def _features(self, output: int) -> tuple[Feature, ...]:
         """The objects that describe the zeros."""
         bends = _bends(zero for zero in self.zeros[CURVATURE] if isinstance(zero, SegmentZero))
-        forms: dict[int, tuple[_SegmentForm, Interval]] = {}
-        breaks, found, number = self.breaks, [], 0
+        breaks, found, number, last = self.breaks, [], 0, -1
         for zero in self.zeros[output]:
             if isinstance(zero, Feature):
                 found.append(zero)
@@ -106,22 +234,16 @@ class Certain:
             if isinstance(zero, Jump):
                 root = Root(breaks[zero.knot], breaks[zero.knot], (0, 0), (zero.before, -zero.before))
             else:
-                i = zero.segment
-                if i not in forms:
-                    number = 0
-                    form = _SegmentForm(self.degree, self.rational, output, self.rows[i])
-                    forms[i] = form, Interval(breaks[i], breaks[i + 1])
-                form, ends = forms[i]
-                low, high = ends.at(mpq(zero.low)), ends.at(mpq(zero.high))
-                late = LazyRoot(form, number, zero.before)
-                root = Root(low, high, (1, 1), (zero.before, -zero.before), late, ends)
-                number += 1
+                number, last = number + 1 if zero.segment == last else 0, zero.segment
+                segment = self._segment(last)
+                late = LazyRoot(segment.forms[output], number, zero.before, zero[2:4])
+                root = Root(None, None, (1, 1), late.signs, late, segment.ends)
             by_jump = isinstance(zero, Jump)
             if output == CURVATURE:
                 found.append(Feature(FeatureKind.INFLECTION, root, Variant.MINIMAL, by_jump))
                 continue
-            kind = FeatureKind.MAXIMUM if zero.before > 0 else FeatureKind.MINIMUM
-            of_absolute = kind if self._positive_at(zero, bends) else kind.opposite
+            kind, other = KINDS if zero.before > 0 else KINDS[::-1]
+            of_absolute = kind if self._positive_at(zero, bends) else other
             found.append(Feature(kind, root, Variant.MINIMAL, by_jump, of_absolute))
         return tuple(found)
 
@@ -129,8 +251,8 @@ class Certain:
         """Whether κ is positive at a zero of κ′; `bends` are the zeros of κ by segment."""
         if isinstance(zero, Jump):
             return self.positive[zero.knot]
-        before = [bend for bend in bends.get(zero.segment, ()) if bend.high <= zero.low]
-        return self.positive[zero.segment] == (len(before) % 2 == 0)
+        before = sum(bend.high <= zero.low for bend in bends.get(zero.segment, ()))
+        return self.positive[zero.segment] == (before % 2 == 0)
 
 
 def certain(facts: Facts) -> Certain | None:

@@ -1,12 +1,17 @@
-"""Pairs of segments that may meet: boxes around segments in a binary tree, in time linear in the pairs whose boxes
-meet.
+"""The segments of a curve, prepared once for all that is asked of it and others; pairs of segments that may meet: boxes
+around segments in a binary tree, in time linear in the pairs whose boxes meet.
 """
 
 from __future__ import annotations
 
+from array import array
 from collections.abc import Iterator, Sequence
 
-from exactspline.roots.segment_forms import SegmentForms, SegmentRows
+from exactspline.geometry.curves.facts import kept_by
+from exactspline.numbers.once import cached_property
+from exactspline.programs.certain_pairs import table_of
+from exactspline.roots.segment_forms import SegmentForms, SegmentRows, forms_of, segment_rows
+from exactspline.splines.nurbs import Nurbs
 
 #: A segment by its forms, or by their integers.
 Segment = SegmentForms | SegmentRows
@@ -17,15 +22,53 @@ IntegerBox = tuple[tuple[int, int], ...] | None
 BITS = 30
 
 
-def shift_for(segments: Sequence[Segment]) -> int:
+class Segments:
+    """The segments of a curve as integers, forms, doubles and boxes, each made once: they are kept with the curve, to
+    which they do not refer.
+    """
+
+    def __init__(self, curve: Nurbs) -> None:
+        self.rows = [segment_rows(curve, i) for i in range(curve.segments)]
+        self._trees: dict[int, BoxTree] = {}
+
+    @cached_property
+    def forms(self) -> list[SegmentForms]:
+        """Their forms."""
+        return [*map(forms_of, self.rows)]
+
+    @cached_property
+    def table(self) -> array[float]:
+        """Their numbers for C."""
+        return table_of(self.rows)
+
+    @cached_property
+    def size(self) -> int:
+        """About the bits of the largest coordinate of the starting points before the binary point."""
+        sizes = (x[0].bit_length() - w[0].bit_length() for _, (*p, w) in self.rows for x in p if x[0])
+        return max(sizes, default=0)
+
+    def boxes(self, shift: int, margin: int = 0) -> BoxTree:
+        """The tree of their boxes; without a margin it is kept."""
+        if margin:
+            return BoxTree([box_of(segment, shift, margin) for segment in self.rows])
+        if shift not in self._trees:
+            self._trees[shift] = BoxTree([box_of(segment, shift) for segment in self.rows])
+        return self._trees[shift]
+
+
+def segments_of(curve: Nurbs) -> Segments:
+    """The segments of a curve, prepared once."""
+    return kept_by(curve).once("segments", lambda: Segments(curve))
+
+
+def shift_for(*curves: Segments) -> int:
     """The shift with which coordinates of the size of the starting points have about `BITS` bits."""
-    sizes = [int(x[0]).bit_length() - int(w[0]).bit_length() for _, (*p, w) in segments for x in p if x[0]]
-    return max(0, BITS - max(sizes, default=0))
+    return max(0, BITS - max(own.size for own in curves))
 
 
-def box_of(segment: Segment, shift: int) -> IntegerBox:
-    """Integers that enclose ``2^shift`` times every coordinate on a segment, by its control points; None where their
-    weights have different signs.
+def box_of(segment: Segment, shift: int, margin: int = 0) -> IntegerBox:
+    """Integers that enclose ``2^shift`` times every coordinate on a segment, by its control points, with a margin on
+    each side; None where their weights have different signs.
 
     >>> from flint import fmpz_poly
     >>> box_of((1, [fmpz_poly([0, 1]), fmpz_poly([3, 3])]), 2)
@@ -38,23 +81,20 @@ def box_of(segment: Segment, shift: int) -> IntegerBox:
     box = []
     for f in coordinates:
         quotients = [(int(f[i]) << shift) // weight for i, weight in enumerate(weights)]
-        box.append((min(quotients), max(quotients) + 1))
+        box.append((min(quotients) - margin, max(quotients) + 1 + margin))
     return tuple(box)
 
 
 class BoxTree:
-    """Boxes around segments, with a margin on each side, and around all of them from one to another.
+    """Boxes around segments, and around all of them from one to another.
 
     >>> from exactspline import example
-    >>> from exactspline.roots.segment_forms import segment_forms
-    >>> tree = BoxTree([segment_forms(example("circle"), i) for i in range(4)], 4)
-    >>> tree.boxes[0]  # a quarter of the unit circle, in units of 1/16
+    >>> segments_of(example("circle")).boxes(4).boxes[0]  # a quarter of the unit circle, in units of 1/16
     ((0, 17), (0, 17))
     """
 
-    def __init__(self, segments: Sequence[Segment], shift: int, margin: int = 0) -> None:
-        boxes = [box_of(segment, shift) for segment in segments]
-        self.boxes = [box and tuple((low - margin, high + margin) for low, high in box) for box in boxes]
+    def __init__(self, boxes: Sequence[IntegerBox]) -> None:
+        self.boxes = boxes
         self._joined: dict[tuple[int, int], IntegerBox] = {}
         self._join(0, len(self.boxes))
 

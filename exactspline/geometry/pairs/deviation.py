@@ -24,6 +24,7 @@ from flint import fmpq, fmpq_poly, fmpz_mpoly, fmpz_poly
 
 from exactspline.errors import ReachError, ShapeError
 from exactspline.geometry.curves.planarity import check_in_one_space
+from exactspline.geometry.pairs.box_tree import segments_of
 from exactspline.geometry.pairs.distance import Forms
 from exactspline.geometry.pairs.intersections import intersections
 from exactspline.geometry.pairs.nearest import nearest
@@ -38,7 +39,6 @@ from exactspline.polynomials.two_parameters import at, rows_of
 from exactspline.questions.answers import NamedNumbers
 from exactspline.reals.real import Real, between, real, square_root
 from exactspline.roots.of_polynomials import distinct, roots_in
-from exactspline.roots.segment_forms import segment_forms
 from exactspline.splines.nurbs import Nurbs
 
 #: How far the upper bound is above the lower one: by less than a hundredth; and less than the square of that.
@@ -89,7 +89,7 @@ class OneWay:
     def __init__(self, curve: Nurbs, other: Nurbs, bound: mpq | None = None) -> None:
         check_in_one_space(curve, other)
         self.curves, self.bound, self.queue = (curve, other), bound, list[tuple[mpq, int, mpq, Foot, Foot]]()
-        one, two = ([segment_forms(each, i) for i in range(each.segments)] for each in self.curves)
+        one, two = (segments_of(each).forms for each in self.curves)
         self.forms = cache(lambda i, j: Forms(one[i], two[j], UNIT))
         self.rows = cache(lambda i, j: [rows_of(p) for p in (self.forms(i, j).top, self.forms(i, j).bottom)])
         self.farthest = self._foot(curve.domain[0])

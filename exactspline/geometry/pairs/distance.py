@@ -21,7 +21,7 @@ from exactspline.bivariate.common_zeros import CommonZero
 from exactspline.bivariate.quotients import BOUND, TIED, MonotoneArc, Quotient, keep_least
 from exactspline.errors import ReachError, counted
 from exactspline.geometry.curves.planarity import check_in_one_space, in_one_plane
-from exactspline.geometry.pairs.box_tree import IntegerBox, box_of, shift_for
+from exactspline.geometry.pairs.box_tree import IntegerBox, segments_of, shift_for
 from exactspline.geometry.pairs.intersections import Intersections, Overlap, intersections
 from exactspline.geometry.pairs.nearest import nearest
 from exactspline.hooks import Written
@@ -35,7 +35,7 @@ from exactspline.polynomials.patch_forms import PatchForm
 from exactspline.polynomials.two_parameters import S, T, as_form, lifted, over, rows_of
 from exactspline.reals.real import Real, real, square_root
 from exactspline.roots.answers import OneNumber
-from exactspline.roots.segment_forms import SegmentForms, segment_forms
+from exactspline.roots.segment_forms import SegmentForms
 from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.type_checks import curve_of
 
@@ -178,7 +178,8 @@ class _Search:
     def __init__(self, first: Nurbs, second: Nurbs, undecided: tuple[str, ...]) -> None:
         self.curves, self.undecided = (first, second), list(undecided)
         self.lower: mpq | None = mpq(0) if undecided else None
-        self.segments = [[segment_forms(curve, i) for i in range(curve.segments)] for curve in self.curves]
+        self.prepared = [segments_of(curve) for curve in self.curves]
+        self.segments = [own.forms for own in self.prepared]
         self.arcs: list[tuple[Overlap, Real]] = []
         self.found = [pair for k in (0, 1) for pair in self._at_knots(k)]
         self.digits, self.bound = _bound([pair.squared for pair in self.found])
@@ -219,8 +220,8 @@ class _Search:
 
     def _near_pairs(self) -> Iterator[tuple[int, int]]:
         """The pairs of segments that may be nearer than the bound."""
-        shift = shift_for([segment for segments in self.segments for segment in segments])
-        boxes = [[box_of(segment, shift) for segment in segments] for segments in self.segments]
+        shift = shift_for(*self.prepared)
+        boxes = [own.boxes(shift).boxes for own in self.prepared]
         limit = self.bound * (1 << 2 * shift)
         for i, one in enumerate(boxes[0]):
             for j, other in enumerate(boxes[1]):

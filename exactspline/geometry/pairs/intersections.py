@@ -17,7 +17,7 @@ from exactspline.bivariate.common_zeros import common_zeros, multiplicity
 from exactspline.errors import ReachError, ShapeError
 from exactspline.geometry.bisectors.plane_pair import PlanePair
 from exactspline.geometry.curves.planarity import check_in_one_space, in_common_plane
-from exactspline.geometry.pairs.box_tree import BoxTree, Cone, cone_around, legs, pairs_that_may_meet, shift_for
+from exactspline.geometry.pairs.box_tree import Cone, cone_around, legs, pairs_that_may_meet, segments_of, shift_for
 from exactspline.geometry.pairs.intersection_certificate import intersection_certificate
 from exactspline.geometry.pairs.lazy_intersections import PairForm
 from exactspline.geometry.pairs.sides_at_knots import changes_side, half_branches, interlace
@@ -25,6 +25,7 @@ from exactspline.geometry.pairs.space_intersections import SpaceForms, space_mee
 from exactspline.hooks import Displayed
 from exactspline.numbers.exact import common_divisor, mpq
 from exactspline.numbers.intervals import Box, Interval
+from exactspline.numbers.once import cached_property
 from exactspline.one_line import one_line
 from exactspline.polynomials.bezout import PlaneForms
 from exactspline.polynomials.common_arcs import Arc, Local, Meeting, Meetings, Rest
@@ -36,15 +37,7 @@ from exactspline.polynomials.zero_places import Place
 from exactspline.programs.certain_pairs import certain_pairs
 from exactspline.reals.real import RationalNumber, Real, real
 from exactspline.roots.answers import Answer
-from exactspline.roots.segment_forms import (
-    ImageValue,
-    image_splines,
-    is_joined,
-    is_point,
-    parameter,
-    segment_forms,
-    segment_rows,
-)
+from exactspline.roots.segment_forms import ImageValue, image_splines, is_joined, is_point, parameter, segment_forms
 from exactspline.roots.values import evaluate, segment_polynomials
 from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.type_checks import curve_of
@@ -223,7 +216,8 @@ class CollectedPoints:
         #: The curves, and what is computed with: of curves in a plane of space their images in two coordinates.
         self.given, self.curves = (first, second), (first, second) if plane is None else plane[1]
         self.alone, self.in_space = alone, self.curves[0].dimension == 3
-        self.segments = [[segment_rows(curve, i) for i in range(curve.segments)] for curve in self.curves[: 2 - alone]]
+        prepared = [segments_of(curve) for curve in self.curves[: 2 - alone]]
+        self.segments = [own.rows for own in prepared]
         #: The common points inside two segments.
         self.inner: list[tuple[tuple[int, int], Meeting]] = []
         self.at_knots: dict[tuple[object, object], list[list[_Found]]] = {}
@@ -231,21 +225,16 @@ class CollectedPoints:
         self.arcs: list[Overlap] = []
         self.undecided: list[str] = []
         self._cones: dict[int, Cone | None] = {}
-        self._knots = [self._different_knots(k) for k in range(2)]
-        pairs = self._pairs()
-        certain = certain_pairs(self.segments[0], self.segments[-1], pairs)
+        trees = [own.boxes(shift_for(*prepared)) for own in prepared]
+        pairs = list(pairs_that_may_meet(trees[0], trees[-1]))
+        certain = certain_pairs(prepared[0].table, prepared[-1].table, pairs)
         #: The common points that are certain in doubles.
         self.certain = [(pair, found) for pair, found in zip(pairs, certain, strict=True) if found]
-        with drawing_on(Budget(QUESTION + PATCH * max(len(pairs) - 1, 0))):
-            for (i, j), found in zip(pairs, certain, strict=True):
-                if found is None and not (alone and self.runs_on(i, j)):
-                    self._collect(i, j)
-
-    def _pairs(self) -> list[tuple[int, int]]:
-        """The pairs of segments whose boxes meet, each once."""
-        shift = shift_for([segment for segments in self.segments for segment in segments])
-        trees = [BoxTree(segments, shift) for segments in self.segments]
-        return list(pairs_that_may_meet(trees[0], trees[-1]))
+        if None in certain:
+            with drawing_on(Budget(QUESTION + PATCH * (len(pairs) - 1))):
+                for (i, j), found in zip(pairs, certain, strict=True):
+                    if found is None and not (alone and self.runs_on(i, j)):
+                        self._collect(i, j)
 
     def runs_on(self, i: int, j: int) -> bool:
         """Whether one curve certainly runs on in one direction on a segment, or from one to the next: then it meets
@@ -333,6 +322,10 @@ class CollectedPoints:
                 place = (parameter(rest.place, other, at_rest),) * 2
             first, second = (place, still) if rest.exchanged else (still, place)
             self.arcs.append(Overlap(first, second, None, None))
+
+    @cached_property
+    def _knots(self) -> list[list[int]]:
+        return [self._different_knots(k) for k in range(2)]
 
     def _different_knots(self, k: int) -> list[int]:
         """For each knot the first one that is the same: at the seam of a closed curve, and, of a curve and itself, the

@@ -17,7 +17,7 @@ from exactspline.polynomials.isolation import LocalPolynomial, LocalZero
 from exactspline.polynomials.plane_pairs import Elimination, elimination
 from exactspline.polynomials.zero_places import Place
 from exactspline.programs.certain_pairs import PairPoint
-from exactspline.roots.lazy_root import LazyRoot
+from exactspline.roots.root import LazyRoot
 from exactspline.roots.segment_forms import SegmentRows
 
 

@@ -15,7 +15,7 @@ from flint import ctx, fmpz, fmpz_poly
 
 from exactspline.errors import ShapeError, as_items, counted
 from exactspline.geometry.curves.planarity import in_the_plane
-from exactspline.geometry.pairs.box_tree import IntegerBox, box_of, shift_for
+from exactspline.geometry.pairs.box_tree import IntegerBox, Segments, segments_of, shift_for
 from exactspline.hooks import Displayed
 from exactspline.numbers.exact import Number, lcm, mpq, rational
 from exactspline.numbers.intervals import Interval, joined
@@ -28,7 +28,7 @@ from exactspline.polynomials.zero_places import FIRST, SUSPICIOUS, Place
 from exactspline.polynomials.zero_places import at as at_rational
 from exactspline.reals.real import Real, square_root
 from exactspline.roots.answers import Answer, CurvePiece, OneNumber
-from exactspline.roots.segment_forms import SegmentForms, root_at, segment_forms
+from exactspline.roots.segment_forms import SegmentForms, root_at
 from exactspline.roots.values import evaluate, value_at
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.knots import Mesh
@@ -90,8 +90,8 @@ def nearest(curve: Nurbs, point: Iterable[Number]) -> Nearest:
     point, flat = tuple(as_items(point, "a point")), in_the_plane(curve_of(curve))
     curve = flat if len(point) == flat.dimension else curve
     delta = exact_point(curve, point)
-    segments = [segment_forms(curve, i) for i in range(curve.segments)]
-    found = [c for i in _near_segments(segments, delta) for c in _candidates(curve, i, segments[i], delta)]
+    own = segments_of(curve)
+    found = [c for i in _near_segments(own, delta) for c in _candidates(curve, i, own.forms[i], delta)]
     least = _least(found)
     arcs = joined(c.side for c in least if c.place is None)
     low, high = curve.domain
@@ -136,13 +136,13 @@ def exact_point(curve: Nurbs, point: Iterable[Number]) -> tuple[mpq, ...]:
     return exact
 
 
-def _near_segments(segments: list[SegmentForms], delta: tuple[mpq, ...]) -> list[int]:
+def _near_segments(segments: Segments, delta: tuple[mpq, ...]) -> list[int]:
     """The indices of the segments that may have the nearest point."""
-    if len(segments) == 1:
+    if len(segments.rows) == 1:
         return [0]
     shift = shift_for(segments)
     scaled = [x * (1 << shift) for x in delta]
-    bounds = [_bounds(box_of(segment, shift), scaled) for segment in segments]
+    bounds = [_bounds(box, scaled) for box in segments.boxes(shift).boxes]
     nearest_far = min((far for _, far in bounds if far is not None), default=None)
     return [i for i, (near, _) in enumerate(bounds) if nearest_far is None or near <= nearest_far]
 

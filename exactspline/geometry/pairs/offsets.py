@@ -23,7 +23,7 @@ from exactspline.geometry.bisectors.plane_pair import PlanePair, tangent
 from exactspline.geometry.bisectors.system import piece
 from exactspline.geometry.curves.facts import facts_of
 from exactspline.geometry.curves.planarity import in_one_plane, in_the_plane
-from exactspline.geometry.pairs.box_tree import BoxTree, pairs_that_may_meet, shift_for
+from exactspline.geometry.pairs.box_tree import pairs_that_may_meet, segments_of, shift_for
 from exactspline.geometry.pairs.intersections import Intersection, IntersectionKind, Intersections
 from exactspline.geometry.pairs.intersections import intersections as intersections_of_curves
 from exactspline.geometry.pairs.intersections import self_intersections as self_intersections_of_curve
@@ -39,7 +39,6 @@ from exactspline.polynomials.two_parameters import S, T, as_form
 from exactspline.reals.real import RationalNumber, Real, real, square_root
 from exactspline.roots.of_polynomials import Parameter
 from exactspline.roots.root import Root
-from exactspline.roots.segment_forms import segment_forms
 from exactspline.roots.values import evaluate
 from exactspline.roots.vanishing import vanish_at
 from exactspline.splines.nurbs import Nurbs
@@ -168,10 +167,10 @@ class _Search:
 
     def _pairs(self) -> list[tuple[int, int]]:
         """The pairs of segments whose boxes, widened by the distances, meet."""
-        segments = [[segment_forms(curve, i) for i in range(curve.segments)] for curve in self.curves[: 2 - self.alone]]
-        shift = shift_for([segment for own in segments for segment in own])
+        prepared = [segments_of(curve) for curve in self.curves[: 2 - self.alone]]
+        shift = shift_for(*prepared)
         wide = [ceil(abs(d) * (1 << shift)) for d in self.distances]
-        trees = [BoxTree(own, shift, by) for own, by in zip(segments, wide, strict=False)]
+        trees = [own.boxes(shift, by) for own, by in zip(prepared, wide, strict=False)]
         return list(pairs_that_may_meet(trees[0], trees[-1]))
 
     def over(self, pair: tuple[int, int]) -> Box:

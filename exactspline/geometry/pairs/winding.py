@@ -9,12 +9,17 @@ or along a segment, counts as if it were moved down by less than any number.
 from __future__ import annotations
 
 from collections.abc import Iterable
+from functools import partial
 from itertools import pairwise
+from math import ceil, floor, inf
+from typing import cast
 
 from flint import fmpz, fmpz_poly
 
 from exactspline.errors import DomainError, ShapeError, as_items
+from exactspline.geometry.curves.facts import kept_by
 from exactspline.geometry.curves.planarity import in_common_plane, in_the_plane
+from exactspline.geometry.pairs.box_tree import BoxTree, pairs_that_may_meet, segments_of, shift_for
 from exactspline.geometry.pairs.nearest import exact_point
 from exactspline.numbers.exact import Number, mpq
 from exactspline.numbers.intervals import Interval
@@ -22,7 +27,7 @@ from exactspline.polynomials.bernstein import variations
 from exactspline.polynomials.isolation import isolate
 from exactspline.polynomials.zero_places import Place, at, places
 from exactspline.reals.real import Real
-from exactspline.roots.segment_forms import SegmentForms, root_at, segment_forms
+from exactspline.roots.segment_forms import SegmentForms, root_at
 from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.type_checks import curve_of
 from exactspline.words import Word, choice
@@ -102,10 +107,13 @@ def _position(curves: Nurbs | Iterable[Nurbs], point: Iterable[Number]) -> int |
     for curve in given:
         _check_closed_in_the_plane(curve)
         delta = exact_point(curve, point)
-        segments = [segment_forms(curve, i) for i in range(curve.segments)]
-        _check_connected(segments)
-        for i, segment in enumerate(segments):
-            found = _crossings(segment, delta)
+        own = segments_of(curve)
+        kept_by(curve).once("connected", partial(_check_connected, own.forms))
+        shift = shift_for(own)
+        x, y = (coordinate * (1 << shift) for coordinate in delta)
+        ray = BoxTree([((floor(x), cast(int, inf)), (floor(y), ceil(y)))])
+        for i, _ in pairs_that_may_meet(own.boxes(shift), ray):
+            found = _crossings(own.forms[i], delta)
             if isinstance(found, Place):
                 return curve, root_at(found, Interval(*curve.breakpoints[i : i + 2]))
             total += found
