@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field, replace
 from functools import cmp_to_key
 from itertools import pairwise
-from typing import NamedTuple, Protocol
+from typing import Any, NamedTuple, Protocol
 
 from flint import arb, arb_poly, ctx, fmpq_poly, fmpz_poly
 
@@ -76,6 +76,8 @@ class Image:
     by: Mapping
     #: An interval that contains it, where one is known.
     known: Interval | None = None
+    #: Balls around it, where there are some.
+    shrunk: Any = None
 
     @property
     def map(self) -> RationalMap:

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
-from functools import lru_cache
+from collections.abc import Callable, Iterator, Sequence
+from functools import lru_cache, partial
 from math import inf
-from typing import Any, Protocol, cast
+from typing import Any, NamedTuple, Protocol, cast
 
 from flint import arb, ctx, fmpz_poly
 
@@ -44,50 +44,48 @@ def _in_balls(side: Interval) -> tuple[arb, arb]:
         return arb(to_fmpq(side.low)), arb(to_fmpq(side.width))
 
 
-class LazyRoot:
-    """A simple zero inside a segment, the only one in an interval of doubles, with the attributes of a `LocalZero`:
-    these are computed when they are asked for. `number` is its number among the zeros of the form.
+class Shrinking:
+    """Balls around the one zero in intervals of doubles, of as many equations as there are local parameters t: balls of
+    ``z = t/(1 − t)``. From a box X one step of Newton's method makes a box ``N = m − J(X)⁻¹ F(m)`` with the middle m of
+    X, which contains every zero in X; there is one and no other if N is inside X, so that the first step proves anew
+    what was certain in doubles.
+
+    Source: Neumaier, Interval Methods for Systems of Equations, 1990.
     """
 
-    multiplicity = 1
+    def __init__(self, intervals: Sequence[tuple[float, float]], closer: Callable[[list[Any]], list[Any]]) -> None:
+        self.intervals, self.closer = intervals, closer
+        self._found: list[Any] | None = None
 
-    def __init__(self, form: LazyForm, number: int, before: int, interval: tuple[float, float]) -> None:
-        self.form, self.number, self.before, self.signs = form, number, before, (before, -before)
-        self._interval = interval
-        self._ball: arb | None = None
-
-    def _closer(self, ball: Any) -> Any:
-        """``N = m − g(m)/g′(X)`` with the midpoint m of a ball X: every zero of g in X is in N, and there is one and no
-        other if N is inside X (interval Newton, as in `exactspline.polynomials.zero_places`).
-        """
-        middle, form = ball.mid(), self.form.form
-        return middle - form.polynomial(middle) / form.slope(ball)
-
-    def _balls(self) -> Iterator[Any]:
-        """Shrinking balls around ``z = t/(1 − t)`` at FLINT's current precision; the first of them proves anew what was
-        certain in doubles.
-        """
-        if self._ball is None:
-            low, high = self._interval
-            around = 1 / (1 - arb(low).union(arb(high))) - 1
-            ball = self._closer(around)
-            if not (around.contains_interior(ball) and self.before * self.form.form.slope(around) < 0):
+    def balls(self, k: int) -> Iterator[Any]:
+        """Those of one of the parameters at FLINT's current precision; none where the first step proves nothing."""
+        if self._found is None:
+            around = [1 / (1 - arb(low).union(arb(high))) - 1 for low, high in self.intervals]
+            found = self.closer(around)
+            if not all(map(arb.contains_interior, around, found)):
                 return
-            self._ball = ball
+            self._found = found
         while True:
-            yield self._ball
-            ball = self._closer(self._ball)
-            if not 2 * ball.rad() < self._ball.rad():
+            yield self._found[k]
+            found = self.closer(self._found)
+            if not all(2 * y.rad() < x.rad() for x, y in zip(self._found, found, strict=True)):
                 return
-            self._ball = ball
+            self._found = found
 
-    def double(self, side: Interval) -> float | None:
-        """The number that it is on a segment over an interval, rounded to the nearest double; None where balls leave
-        it open.
+
+class Shrunk(NamedTuple):
+    """One of the parameters of a zero by shrinking balls."""
+
+    shrinking: Shrinking
+    k: int
+
+    def double(self, side: Interval, rounding: str) -> float | None:
+        """The parameter on a segment over an interval as a double; None where balls leave it open, and for other ways
+        of rounding than to the nearest.
         """
         with ctx.workprec(PRECISION):
             start, width = _in_balls(side)
-            for z in self._balls():
+            for z in self.shrinking.balls(self.k) if rounding == Rounding.NEAREST else ():
                 t = start + width * (z / (1 + z))
                 low, high = float(t.lower()), float(t.upper())
                 if low == high and 0 < abs(low) < inf:
@@ -99,11 +97,37 @@ class LazyRoot:
         leave it open.
         """
         with ctx.workprec(PRECISION):
-            for z in self._balls():
+            for z in self.shrinking.balls(self.k):
                 t: arb = z / (1 + z)
                 if t.rad() < arb((1, -bits - 2)):
                     return ball_ends(t).grown(mpq(1, 1 << (bits + 2)))
         return None
+
+
+def _closer(lazy: LazyForm, before: int, box: list[Any]) -> list[Any]:
+    """A step from a ball on which a form loses the sign that it has before its zero."""
+    (ball,), form = box, lazy.form
+    middle, rise = ball.mid(), form.slope(ball)
+    return [middle - form.polynomial(middle) / rise if before * rise < 0 else arb.nan()]
+
+
+class LazyRoot:
+    """A simple zero inside a segment, the only one in an interval of doubles, with the attributes of a `LocalZero`:
+    these are computed when they are asked for. `number` is its number among the zeros of the form.
+    """
+
+    multiplicity = 1
+
+    def __init__(
+        self, form: LazyForm, number: int, before: int, interval: tuple[float, float], shrunk: Shrunk | None = None
+    ) -> None:
+        self.form, self.number, self.before, self.signs = form, number, before, (before, -before)
+        self._interval, self._shrunk = interval, shrunk
+
+    @cached_property
+    def shrunk(self) -> Shrunk:
+        """Balls around it, of the equation that the form is zero where it was not given another."""
+        return self._shrunk or Shrunk(Shrinking([self._interval], partial(_closer, self.form, self.before)), 0)
 
     @cached_property
     def exactly(self) -> LocalZero:
@@ -223,8 +247,10 @@ class Root(Real, Displayed):
 
     @property
     def _first(self) -> Interval:
-        zero, segment = cast(Any, self._zero), cast(Any, self.segment)
-        return self._initial or segment.part(Interval(zero.low, zero.high))
+        if self._initial is None:
+            zero, segment = cast(Any, self._zero), cast(Any, self.segment)
+            fill(self, _initial=segment.part(Interval(zero.low, zero.high)))
+        return cast(Interval, self._initial)
 
     @property
     def _reached(self) -> Interval:
@@ -346,7 +372,7 @@ class Root(Real, Displayed):
         a, b = self.segment
         width = b - a
         bits = int(width * scale + 1).bit_length()
-        near = self._zero.near(bits) if isinstance(self._zero, LazyRoot) and self._is_wide(scale) else None
+        near = self._zero.shrunk.near(bits) if isinstance(self._zero, LazyRoot) and self._is_wide(scale) else None
         if near:
             self.narrow_to(a + width * near.low, a + width * near.high)
         while self._is_wide(scale):
@@ -381,11 +407,10 @@ class Root(Real, Displayed):
         """The correctly rounded double, as of other numbers: where the root is certain in doubles, from a ball around
         it, whatever else is known of it.
         """
-        if rounding == Rounding.NEAREST and isinstance(self._zero, LazyRoot) and self.segment is not None:
-            found = self._zero.double(self.segment)
-            if found is not None:
-                return found
-        return super().double(rounding)
+        found = None
+        if isinstance(self._zero, LazyRoot) and self.segment is not None:
+            found = self._zero.shrunk.double(self.segment, rounding)
+        return super().double(rounding) if found is None else found
 
     def __repr__(self) -> str:
         left, right = ({None: "end", 1: "+", -1: "−", 0: "0"}[s] for s in self.signs)

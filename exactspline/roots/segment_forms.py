@@ -8,7 +8,7 @@ from typing import cast
 
 from flint import ctx, fmpz, fmpz_poly
 
-from exactspline.numbers.exact import lcm, mpq
+from exactspline.numbers.exact import Rounding, lcm, mpq
 from exactspline.numbers.immutable import fill
 from exactspline.numbers.intervals import Interval, ball_ends
 from exactspline.polynomials.bernstein import ONE, value
@@ -16,7 +16,7 @@ from exactspline.polynomials.bezout import PlaneForms
 from exactspline.polynomials.common_arcs import Image, Local, RationalMap
 from exactspline.polynomials.zero_places import Place
 from exactspline.reals.real import UNASKED, RationalNumber, Real
-from exactspline.roots.root import Root
+from exactspline.roots.root import LazyRoot, Root
 from exactspline.roots.values import ValueAt
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.knots import Mesh
@@ -129,12 +129,19 @@ class ImageValue(ValueAt):
         """The denominator."""
         return self._quotient()[1]
 
+    def double(self, rounding: str = Rounding.NEAREST) -> float:
+        """The correctly rounded double, from balls around the common point where there are some."""
+        found = self._image.shrunk and self._image.shrunk.double(self._sides[0], rounding)
+        return super().double(rounding) if found is None else found
+
     def _enclosed(self, digits: int) -> Interval:
         """By balls around the entries of the adjugate."""
         side, digits = self._sides[0], max(digits, 0)
         bits, limit = digits * 10 // 3 + GUARD, mpq(1, 10**digits)
         if (known := self._image.known) is not None and (enclosure := side.part(known)).width <= limit:
             return enclosure
+        if self._image.shrunk and (near := self._image.shrunk.near(int(side.width / limit + 1).bit_length())):
+            return side.part(near)
         while True:
             with ctx.workprec(3 * bits):
                 z = self._image.z(bits)
@@ -166,6 +173,8 @@ def root_at(place: Place, side: Interval) -> Real:
     if (t := place.exact) is not None:
         return RationalNumber(side.at(t))
     zero = place.zero
+    if isinstance(zero, LazyRoot) and not place.bits:
+        return Root(None, None, (1, 1), zero.signs, zero, side)
     root = Root(side.at(zero.low), side.at(zero.high), (zero.multiplicity, zero.multiplicity), zero.signs, zero, side)
     low, high = place.interval
     root.narrow_to(side.at(low), side.at(high))

@@ -61,10 +61,10 @@ def test_balls_find_what_isolation_finds(p):
         local = Root(own.low, own.high, (1, 1), own.signs, own, UNIT)
         late = LazyRoot(Given(p), number, own.signs[0], around(local.refine(4)))
         for bits in (10, 40, 100):
-            low, high = late.near(bits)
+            low, high = late.shrunk.near(bits)
             assert (high - low) * 2**bits <= 1
             assert side.at(low) <= exact <= side.at(high)
-        assert late.double(side) == exact.double()
+        assert late.shrunk.double(side, "nearest") == exact.double()
         assert Root(None, None, (1, 1), late.signs, late, side).double() == exact.double()
 
 
@@ -72,8 +72,8 @@ def test_balls_say_nothing_of_a_promise_that_is_not_kept():
     """No zero in the interval, one from − to +, two of them."""
     for interval, before in (((0.0, 0.25), 1), ((0.25, 0.3), -1), ((0.2, 0.8), 1)):
         late = LazyRoot(Given(Z**2 - 3 * Z + 1), 0, before, interval)
-        assert (late.double(UNIT), late.near(20)) == (None, None)
-    assert LazyRoot(Given(Z**2 - 3 * Z + 1), 0, 1, (0.25, 0.3)).double(UNIT) == (5 - 5**0.5) / 10
+        assert (late.shrunk.double(UNIT, "nearest"), late.shrunk.near(20)) == (None, None)
+    assert LazyRoot(Given(Z**2 - 3 * Z + 1), 0, 1, (0.25, 0.3)).shrunk.double(UNIT, "nearest") == (5 - 5**0.5) / 10
 
 
 @pytest.mark.parametrize("p", [3 * Z - 1, Z**2 - 3 * Z + 1, Z**3 - 2])

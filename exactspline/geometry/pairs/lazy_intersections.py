@@ -5,6 +5,7 @@ asked for.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Any
 
 from flint import arb, fmpz_poly
 
@@ -17,7 +18,7 @@ from exactspline.polynomials.isolation import LocalPolynomial, LocalZero
 from exactspline.polynomials.plane_pairs import Elimination, elimination
 from exactspline.polynomials.zero_places import Place
 from exactspline.programs.certain_pairs import PairPoint
-from exactspline.roots.root import LazyRoot
+from exactspline.roots.root import LazyRoot, Shrinking, Shrunk
 from exactspline.roots.segment_forms import SegmentRows
 
 
@@ -63,8 +64,28 @@ class PairForm:
         """A ball around the value of the map."""
         return self.elimination.near(place, bits)
 
+    @cached_property
+    def _forms(self) -> list[tuple[fmpz_poly, fmpz_poly]]:
+        """The six forms, those of the first segment before those of the second, with their derivatives."""
+        return [(f, f.derivative()) for segment in (self.first, self.second) for f in segment.forms]
+
+    def _closer(self, box: list[Any]) -> list[Any]:
+        """A step towards the zero of ``x₁w₂ − x₂w₁`` and ``y₁w₂ − y₂w₁``."""
+        middle = [ball.mid() for ball in box]
+        x, y, w, u, v, q = (f(middle[k // 3]) for k, (f, _) in enumerate(self._forms))
+        one, other = x * q - u * w, y * q - v * w
+        (x, dx), (y, dy), (w, dw), (u, du), (v, dv), (q, dq) = (
+            (f(box[k // 3]), slope(box[k // 3])) for k, (f, slope) in enumerate(self._forms)
+        )
+        a, b, c, d = dx * q - u * dw, x * dq - du * w, dy * q - v * dw, y * dq - dv * w
+        below = a * d - b * c
+        return [middle[0] - (d * one - b * other) / below, middle[1] - (a * other - c * one) / below]
+
     def meeting(self, found: PairPoint) -> Meeting:
         """A common point."""
-        place = Place(LazyRoot(self, found.number, found.before, (found.low, found.high)))
-        meeting = Meeting(Image(place, self, Interval(*map(mpq, found.other))), place, 1)
+        interval, k = (found.low, found.high), int(not self.exchanged)
+        shrinking = Shrinking([interval, found.other][:: 1 - 2 * k], self._closer)
+        place = Place(LazyRoot(self, found.number, found.before, interval, Shrunk(shrinking, k)))
+        image = Image(place, self, Interval(*map(mpq, found.other)), Shrunk(shrinking, 1 - k))
+        meeting = Meeting(image, place, 1)
         return meeting.exchanged() if self.exchanged else meeting
