@@ -53,11 +53,11 @@ class Shrinking:
     Source: Neumaier, Interval Methods for Systems of Equations, 1990.
     """
 
-    def __init__(self, intervals: Sequence[tuple[float, float]], closer: Callable[[list[Any]], list[Any]]) -> None:
+    def __init__(self, intervals: Sequence[tuple[float, float]], closer: Callable[[list[arb]], list[arb]]) -> None:
         self.intervals, self.closer = intervals, closer
-        self._found: list[Any] | None = None
+        self._found: list[arb] | None = None
 
-    def balls(self, k: int) -> Iterator[Any]:
+    def balls(self, k: int) -> Iterator[arb]:
         """Those of one of the parameters at FLINT's current precision; none where the first step proves nothing."""
         if self._found is None:
             around = [1 / (1 - arb(low).union(arb(high))) - 1 for low, high in self.intervals]
@@ -104,7 +104,7 @@ class Shrunk(NamedTuple):
         return None
 
 
-def _closer(lazy: LazyForm, before: int, box: list[Any]) -> list[Any]:
+def _closer(lazy: LazyForm, before: int, box: list[arb]) -> list[arb]:
     """A step from a ball on which a form loses the sign that it has before its zero."""
     (ball,), form = box, lazy.form
     middle, rise = ball.mid(), form.slope(ball)

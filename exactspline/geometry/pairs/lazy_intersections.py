@@ -5,7 +5,6 @@ asked for.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any
 
 from flint import arb, fmpz_poly
 
@@ -69,7 +68,7 @@ class PairForm:
         """The six forms, those of the first segment before those of the second, with their derivatives."""
         return [(f, f.derivative()) for segment in (self.first, self.second) for f in segment.forms]
 
-    def _closer(self, box: list[Any]) -> list[Any]:
+    def _closer(self, box: list[arb]) -> list[arb]:
         """A step towards the zero of ``x₁w₂ − x₂w₁`` and ``y₁w₂ − y₂w₁``."""
         middle = [ball.mid() for ball in box]
         x, y, w, u, v, q = (f(middle[k // 3]) for k, (f, _) in enumerate(self._forms))
