@@ -35,7 +35,7 @@ from exactspline.readings.tree import Node, nodes
 
 #: The names in the base of kinds that are not curves alone, in the plane and in space.
 SHAPES: dict[type[Kind], tuple[str, str]] = {
-    PairKind: ("pair", "pair"),
+    PairKind: ("plane_pair", "pair"),
     TableKind: ("table", "table"),
     FramedKind: ("framed_plane", "framed_space"),
     HodographKind: ("hodograph", "hodograph"),
@@ -50,11 +50,11 @@ QUANTIFIERS = {
     **{"space": "space_curve", "space_point": "space_curve_with_point", "space_with": "space_curve_with"},
     **{"polynomial_plane": "polynomial_plane_curve", "polynomial_space": "polynomial_space_curve"},
     **{"framed_plane": "framed_plane_curve", "framed_space": "framed_space_curve"},
-    "pair": "two_curves",
+    **{"plane_pair": "two_plane_curves", "pair": "two_curves"},
 }
 #: The denominators by the shape; by default w alone.
 WEIGHTS = {
-    **{"pair": ("w", "W"), "table": ("w1", "w2")},
+    **{"plane_pair": ("w", "W"), "pair": ("w", "W"), "table": ("w1", "w2")},
     **dict.fromkeys(("hodograph", "implicit_curve", "implicit_surface", "two_forms"), ()),
 }
 
@@ -114,7 +114,7 @@ class Setting:
         beside = "_point" if self.has_point else "_with" if self.constants else ""
         several = isinstance(self.kind, ImplicitKind) and self.kind.functions != "f"
         several |= bool(self.constants) and type(self.kind) is not CurveKind
-        if several or (self.has_point and self.constants) or (self.polynomial and beside):
+        if several or (self.has_point and self.constants) or (self.polynomial and (beside or not before)):
             raise FormulaError(f"no quantifier over the kind {self.kind.name!r}", remedy="add one to the base")
         return f"{before if self.polynomial else ''}{plain}{beside}"
 
@@ -189,7 +189,7 @@ class Setting:
             return self._by_chains(introduced, f"Table {' '.join(one)} {vectors[0]} {' '.join(two)} {vectors[1]}")
         weight = "number 1" if self.polynomial else self.variable("w")
         first = f"homogeneous s {self.variables(COORDINATES[:n])} ({weight})"
-        if self.shape == "pair":
+        if isinstance(self.kind, PairKind):
             second = f"homogeneous s_bar {self.variables(BARRED[:n])} ({self.variable('W')})"
             return self._by_chains(introduced, f"Pair ({first} []) ({second} [])")
         curve = f"{first} {self.variables(POINT[:n]) if self.has_point else '[]'}"

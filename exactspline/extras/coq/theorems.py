@@ -15,7 +15,7 @@ from exactspline.extras.coq.proofs import Premise, Proof
 from exactspline.extras.coq.settings import setting_of
 from exactspline.language.arguments import Curve, embedded
 from exactspline.language.formula import Formula
-from exactspline.language.kinds import PAIR, POINT_IN_SPACE, Kind, kind_of
+from exactspline.language.kinds import POINT_IN_SPACE, Kind, PairKind, kind_of
 from exactspline.language.operand import FieldOperand
 from exactspline.language.vector import Vector
 from exactspline.numbers.exact import rational
@@ -75,7 +75,7 @@ class Statement(ABC, Generic[Conclusion]):
     def called(self, formula: Formula, part: str = "first") -> Node:
         """A formula called on the argument, or on a part of it."""
         target: Any = self.traced
-        if self.kind is PAIR and formula.kind is not PAIR:
+        if isinstance(self.kind, PairKind) and not isinstance(formula.kind, PairKind):
             target = getattr(target, part)
         node: Node = target.calls(formula)
         return node
@@ -315,6 +315,7 @@ def _times_factor(claim: Identity, theorem: Statement[Conclusion], right: Node) 
 
 
 def _part(claim: Identity, theorem: Statement[Conclusion], name: str) -> Node:
+    pair = isinstance(theorem.kind, PairKind)
     if name in WEIGHTS:
-        return Node(Operation.LEAF, value={"w": "first.w", "W": "second.w"}[name] if theorem.kind is PAIR else "w")
+        return Node(Operation.LEAF, value={"w": "first.w", "W": "second.w"}[name] if pair else "w")
     return theorem.called(claim.find(name)) if name[0].isalpha() else Node(Operation.NUMBER, value=rational(name))

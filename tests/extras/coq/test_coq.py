@@ -24,18 +24,21 @@ from flint import fmpq, fmpq_poly
 from docs import ten_claims
 from exactspline import example, examples, intersections, write, zeros
 from exactspline.display.evidence import opinion
-from exactspline.errors import ClaimError
+from exactspline.errors import ClaimError, FormulaError
 from exactspline.extras.coq import judge as coq_judge
 from exactspline.extras.coq.answers import answers, meeting_theorem, rational_determinant, theorem_of
 from exactspline.extras.coq.emission import BY_HAND, ROOT, library
 from exactspline.extras.coq.formulas import Formulas
+from exactspline.extras.coq.terms import THEORY
+from exactspline.extras.coq.theorems import theorem
 from exactspline.interchange.curve_files import curve_data
-from exactspline.papers import find, papers
+from exactspline.papers import find, load_paper, papers
 from exactspline.splines.nurbs import Nurbs
-from exactspline.verification.claims import select
+from exactspline.verification.claims import claims_of, select
 from exactspline.verification.vocabulary import Verdict
 from tests.support.bisector_oracle import bezier
 from tests.support.command import run
+from tests.verification.test_own_paper import written
 from workshop.mutation import kernel
 
 
@@ -336,3 +339,38 @@ def test_what_has_no_theorem_says_so(tmp_path: Path) -> None:
     assert run("between", *names, "--emit-coq", tmp_path / "both.v").returncode == 0
     assert "Theorem the_curves_meet" in (tmp_path / "both.v").read_text(encoding="utf-8")
     assert run("between", *names, "--emit-coq", tmp_path / "3.v").returncode == 2
+
+
+PAIRS = """
+@formula("e", on="plane pair")
+def turned(c):
+    return det(c.first.gamma.d(1, by="s"), c.second.gamma.d(1, by="s̄"))
+@formula("e", on="plane pair")
+def lifted(c):
+    p, q, w, v = c.first.p, c.second.p, c.first.w, c.second.w
+    return det(p.d(1, by="s") * w - p * w.d(1, by="s"), q.d(1, by="s̄") * v - q * v.d(1, by="s̄"))
+"""
+
+
+def theorem_about_plane_pairs(tmp_path: Path, **fields: str) -> str:
+    """The theorem of a claim about formulas of two plane curves, with their definitions."""
+    claim = {"id": "1", "kind": "identity", "statement": "s", "curve": "plane pair", "left": "turned"}
+    own = load_paper(written(tmp_path / "p", PAIRS, [claim | {"right": "lifted"} | fields]))
+    formulas = Formulas((*papers(), own))
+    (one,) = claims_of(own)
+    text = theorem(one, 2, lambda formula: formulas.named(formula, own))
+    return f"{formulas.definitions(own)}\nFrom {ROOT} Require Import {' '.join(THEORY)}.\n{text}"
+
+
+@needs_coq
+def test_equalities_of_two_plane_curves_have_theorems(room: Path, tmp_path: Path) -> None:
+    """Written before: a theorem about two space curves, which did not compile."""
+    text = theorem_about_plane_pairs(tmp_path, factor="w^-2 W^-2")
+    assert "every_two_plane_curves" in text
+    assert accepted(room, text)
+    assert not accepted(room, text.replace("w (second c) ^ 2", "w (second c) ^ 1"))
+
+
+def test_what_has_no_quantifier_has_no_theorem(tmp_path: Path) -> None:
+    with pytest.raises(FormulaError, match="no quantifier over the kind 'plane pair'"):
+        theorem_about_plane_pairs(tmp_path, of="polynomial")

@@ -290,6 +290,11 @@ Definition every_two_curves (P : forall K : differential_field, pair K -> Prop) 
   forall (K : differential_field) (x y z w X Y Z W : K), w <> zero K -> W <> zero K ->
   P K (Pair (rational_curve s [x; y; z] w []) (rational_curve s_bar [X; Y; Z] W [])).
 
+(** Every two rational plane curves. *)
+Definition every_two_plane_curves (P : forall K : differential_field, pair K -> Prop) : Prop :=
+  forall (K : differential_field) (x y w X Y W : K), w <> zero K -> W <> zero K ->
+  P K (Pair (rational_curve s [x; y] w []) (rational_curve s_bar [X; Y] W [])).
+
 (** All operands of Table 1. *)
 Definition every_table (P : forall K : differential_field, table K -> Prop) : Prop :=
   forall (K : differential_field) (p1 w1 x1 y1 z1 p2 w2 x2 y2 z2 : K), w1 <> zero K -> w2 <> zero K ->

@@ -52,6 +52,14 @@ Proof.
   rewrite (rational_is_homogeneous K s_bar [X; Y; Z] W) by exact HW. now apply H.
 Qed.
 
+Lemma plane_pair_by_position (P : forall K : differential_field, pair K -> Prop) :
+  (forall (K : differential_field) (x y w X Y W : K), w <> zero K -> W <> zero K ->
+   P K (Pair (homogeneous s [x; y] w []) (homogeneous s_bar [X; Y] W []))) -> every_two_plane_curves P.
+Proof.
+  intros H K x y w X Y W Hw HW. rewrite (rational_is_homogeneous K s [x; y] w) by exact Hw.
+  rewrite (rational_is_homogeneous K s_bar [X; Y] W) by exact HW. now apply H.
+Qed.
+
 (** A polynomial curve is one over the denominator 1. *)
 Lemma polynomial_is_homogeneous (K : differential_field) (q : parameter) (p : list K) (Q : list K) :
   rational_curve q p (number 1) Q = homogeneous q p (number 1) Q.
