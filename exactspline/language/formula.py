@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from collections.abc import Callable
+from functools import cache
 from typing import Any, ClassVar
 
 from exactspline.errors import FormulaError, InapplicableError, a_kind, as_text
 from exactspline.hooks import Displayed
 from exactspline.language.arguments import Argument
-from exactspline.language.kind import Kind, Symbol
+from exactspline.language.kind import GREEK, Kind, Symbol
 from exactspline.language.kinds import CURVE, kind_of
 from exactspline.language.operand import Letter
 
@@ -101,6 +102,23 @@ def formula(source: str, *, on: Kind | str = CURVE, symbol: str = "") -> Callabl
     as_text(source, "the place of a formula in its source")
     as_text(symbol, "the symbol of a formula")
     return lambda function: Formula(function, source, kind, symbol)
+
+
+@cache
+def constant_formula(kind: Kind, name: str) -> Formula:
+    """A constant that arguments of a kind have, as a formula.
+
+    >>> constant_formula(kind_of("plane with delta"), "delta")
+    <formula delta, a constant>
+    """
+
+    def value(c: Any) -> Any:
+        return getattr(c, name)
+
+    value.__name__ = name
+    made = Formula(value, "a constant", kind, f"\\{name}" if name in GREEK else "")
+    made.checked = True
+    return made
 
 
 # ---- readings

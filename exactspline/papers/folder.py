@@ -157,6 +157,10 @@ class Paper:
         known = [known for source in (self, *self.uses) for known in source.formulas]
         raise FormulaError(f"{self.name} has no formula called {name!r}", remedy=nearest(name, known))
 
+    def has(self, name: str) -> bool:
+        """Whether this paper, or one that it uses, has a formula with this name, or one that was refused."""
+        return name in self.refused or any(name in source.formulas for source in (self, *self.uses))
+
     def claim_tables(self) -> Iterator[Table]:
         """Its claims as written in its files; the fields of ``common`` in a file apply to each of its claims.
 

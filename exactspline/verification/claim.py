@@ -13,7 +13,7 @@ from typing import Any, ClassVar, TypeVar
 from exactspline.errors import ClaimError, ExactSplineError, FormulaError, ReachError, VanishingDivisorError
 from exactspline.hooks import Displayed
 from exactspline.language.arguments import Evaluated, Operands
-from exactspline.language.formula import Formula
+from exactspline.language.formula import Formula, constant_formula
 from exactspline.language.kinds import HodographKind, Kind, PairKind, TableKind, kind_of
 from exactspline.language.rational import Rational
 from exactspline.language.ruled import RuledSurface
@@ -357,6 +357,11 @@ class Claim(Immutable, Displayed):
     def find(self, name: str) -> Formula:
         """A formula of the claim's paper, or of one that this paper uses."""
         return self.source_paper.find(name)
+
+    def find_in_factor(self, name: str) -> Formula:
+        """A constant of the arguments, or such a formula."""
+        kind = kind_of(self.curve)
+        return constant_formula(kind, name) if name in kind.constants else self.find(name)
 
     def curve_named(self, name: str) -> Nurbs:
         """A curve of the claim's paper, or an example."""

@@ -173,7 +173,8 @@ def claimed_relation(claim: Identity) -> Relating:
 
 
 def _symbol(claim: Claim, name: str) -> Name:
-    return Name(name) if name in WEIGHTS or not name[0].isalpha() else symbol_or_name(claim, name)
+    plain = name in (*WEIGHTS, *kind_of(claim.curve).constants) or not name[0].isalpha()
+    return Name(name) if plain else symbol_or_name(claim, name)
 
 
 def symbol_or_name(claim: Claim, formula: str) -> Name:

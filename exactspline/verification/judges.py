@@ -54,7 +54,7 @@ def argument_for(claim: Claim, dimension: int, polynomial: bool) -> Evaluated:
     kind = kind_of(claim.curve)
     if kind.adjoins_roots:
         factor = claim.factor if isinstance(claim, Identity) else "1"
-        named = [*map(claim.find, claim.named), *factor_formulas(factor, claim.find)]
+        named = [*map(claim.find, claim.named), *factor_formulas(factor, claim.find_in_factor)]
         polynomial = polynomial or without_denominator(named, factor, dimension)
     return SympyReading().argument(kind, dimension, polynomial=polynomial)
 

@@ -57,6 +57,36 @@ def test_the_letter_of_a_constant_decides_nothing(kind, tmp_path):
     assert len(told) == 1
 
 
+@pytest.mark.parametrize("kind", KINDS)
+def test_a_factor_names_a_constant_whatever_its_letter(kind, tmp_path):
+    """Refused before: a factor named formulas alone. The point's coordinate is not the constant a, x is none."""
+    letters, first = ["delta", *LETTERS], "point[0]" if "point" in kind else "p[0]"
+    text = PLACE.format(kind=kind, first=first) + f"@formula('e', on='{kind}')\ndef weight(c):\n    return c.w\n"
+    claims = []
+    for i, letter in enumerate(letters):
+        text += FORMULAS.format(kind=kind, letter=letter)
+        own = {"kind": "identity", "curve": f"{kind} with {letter}", "id": str(i), "right": "weight"}
+        claims.append(own | {"left": f"plain_{letter}", "factor": letter})
+        claims.append(own | {"left": "place", "factor": letter, "key": f"{i}-place"})
+        claims.append(own | {"left": f"plain_{letter}", "factor": f"{letter}^2", "key": f"{i}-2"})
+        claims.append(own | {"left": f"plain_{letter}", "factor": "x", "key": f"{i}-x"})
+    folder = written(tmp_path / "factors", text, claims, "[common]\nstatus = 'ours'\nplace = 'e'\nstatement = 's'\n")
+    verdicts = [str(each.prove()[1].verdict) for each in claims_of(load_paper(folder))]
+    assert verdicts == ["PROVED", "REFUTED", "REFUTED", "NOT ASKED"] * len(letters)
+
+
+@pytest.mark.parametrize("body", ["c.p[0]", "0.5 * c.p[0]"])
+def test_a_factor_that_means_a_constant_or_a_formula_is_refused(body, tmp_path):
+    """Also where the formula of this name is itself refused."""
+    text = PLACE.format(kind="plane", first="p[0]") + FORMULAS.format(kind="plane", letter="r")
+    text += f"@formula('e', on='plane')\ndef r(c):\n    return {body}\n"
+    claim = {"id": "1", "kind": "identity", "statement": "s", "curve": "plane with r", "left": "plain_r"}
+    folder = written(tmp_path / "p", text, [claim | {"right": "place", "factor": "r"}])
+    (one, *_) = claims_of(load_paper(folder, partly=True))
+    assert one.prove()[1].verdict == "NOT ASKED"
+    assert "a factor could mean either" in one.why or "the float 0.5" in one.why
+
+
 def test_a_constant_is_not_the_operand_of_another_kind_that_has_its_name():
     """One kind was given for both, the function h of a hodograph for the constant h."""
     for kind, name in ((HODOGRAPH, "h"), (FRAMED_PLANE, "sigma"), (IMPLICIT, "pace")):

@@ -47,7 +47,8 @@ def checked_factor(claim: Claim, name: str, value: str) -> str:
             raise ClaimError("Table 1 has no denominator w", where=name, remedy="write it into the formulas")
         if part == "W" and not claim.of_pair:
             raise ClaimError("the factor contains a second curve", where=name, remedy='the denominator is "w"')
-        if part[0].isalpha() and part not in WEIGHTS:
+        constant = part in kind_of(claim.curve).constants and not claim.source_paper.has(part)
+        if part[0].isalpha() and part not in WEIGHTS and not constant:
             formula_name(claim, name, part)
     return str(value)
 
@@ -92,12 +93,12 @@ class Identity(EqualityClaim):
     @property
     def latex(self) -> str:
         """Left side, factor, right side."""
-        return f"{self.symbol(self.left)} = {factor_latex(self.factor, self.find)}{self.symbol(self.right)}"
+        return f"{self.symbol(self.left)} = {factor_latex(self.factor, self.find_in_factor)}{self.symbol(self.right)}"
 
     @property
     def equality(self) -> Equation:
         """The equation."""
-        return Equation(self.find(self.left), self.find(self.right), self.factor, self.find)
+        return Equation(self.find(self.left), self.find(self.right), self.factor, self.find_in_factor)
 
     def decide(self, dimension: int, polynomial: bool) -> Finding:
         """``left = factor · right`` as differential polynomials, with the true quotient; where roots are adjoined, a

@@ -294,7 +294,7 @@ class SignClaim(Claim):
     def decide(self, dimension: int, polynomial: bool) -> Finding:
         """The sum of squares is the value up to the factor, as differential polynomials."""
         formula, squares = self.find(self.formula), tuple(map(self.find, self.squares))
-        named = factor_formulas(self.factor, self.find)
+        named = factor_formulas(self.factor, self.find_in_factor)
         c: Any = jets_for((formula, *squares, *named), dimension, polynomial=polynomial)
         value = formula(c)
         if value.is_vector:
@@ -302,7 +302,7 @@ class SignClaim(Claim):
         if value.is_zero:
             return vacuous()
         if squares:
-            finding = SquaresAddUp(formula, squares, self.factor, self.sign.direction, self.find).decide(c)
+            finding = SquaresAddUp(formula, squares, self.factor, self.sign.direction, self.find_in_factor).decide(c)
             if finding.verdict == PROVED:
                 if not self.sign.strict:
                     return finding
@@ -314,7 +314,7 @@ class SignClaim(Claim):
 
     def _strict(self, squares: list[Any], c: Any, zero_free: ZeroFree) -> Finding:
         """The factor, and one of the squares, have no zeros."""
-        above: Any = factor_of_text(self.factor, c, self.find)[0]
+        above: Any = factor_of_text(self.factor, c, self.find_in_factor)[0]
         factors = [squared(each) for each in (above, *squares) if not _is_zero(each)]
         first, *others = [may_vanish(Factor(f.constant, f.powers.above, f.ring), zero_free) for f in factors if f]
         if not first and not all(others):

@@ -28,8 +28,7 @@ from exactspline.errors import ClaimError, FormulaError
 from exactspline.extras.coq import judge as coq_judge
 from exactspline.extras.coq.answers import answers, meeting_theorem, rational_determinant, theorem_of
 from exactspline.extras.coq.emission import BY_HAND, ROOT, library
-from exactspline.extras.coq.formulas import Formulas
-from exactspline.extras.coq.terms import THEORY
+from exactspline.extras.coq.formulas import THEORY, Formulas
 from exactspline.extras.coq.theorems import theorem
 from exactspline.interchange.curve_files import curve_data
 from exactspline.papers import find, load_paper, papers
