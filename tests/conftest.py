@@ -22,7 +22,7 @@ DECIDING = ("cli", "display", "journeys")
 
 
 def pytest_collection_modifyitems(items):
-    items.sort(key=lambda item: item.path.parent.name not in (*DECIDING, "verification"))
+    items.sort(key=lambda item: item.path.parent.name not in (*DECIDING, "verification", "proofs"))
 
 
 def pytest_sessionfinish():

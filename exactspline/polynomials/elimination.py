@@ -6,7 +6,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from functools import lru_cache
-from itertools import pairwise
+from itertools import pairwise, zip_longest
 
 from flint import fmpq_poly, fmpz, fmpz_mat, fmpz_poly, nmod_mat, nmod_poly
 
@@ -195,7 +195,13 @@ def quotient_at(m: fmpz_poly, top: fmpq_poly, bottom: fmpq_poly) -> fmpz_poly:
     while (common := greatest_common_divisor([f, g, m])).degree() > 0:
         m = m // common
     _check_size(m.degree(), max(f.height_bits(), g.height_bits()))
-    return primitive(resultant(_rows(m), [fmpz_poly([-f[j], g[j]]) for j in range(max(f.degree(), g.degree()) + 1)]))
+    return primitive(_over_quotients(*(tuple(p.coeffs()) for p in (m, f, g))))
+
+
+@lru_cache(64)
+def _over_quotients(m: tuple[fmpz, ...], f: tuple[fmpz, ...], g: tuple[fmpz, ...]) -> fmpz_poly:
+    """Kept: values of one function at several zeros of one polynomial are compared with one another."""
+    return resultant(_rows(fmpz_poly(list(m))), [fmpz_poly([-a, b]) for a, b in zip_longest(f, g, fillvalue=fmpz())])
 
 
 def without_quadratic_zero(m: fmpz_poly, top: fmpq_poly, bottom: fmpq_poly) -> bool:
@@ -291,9 +297,7 @@ def _rows(p: fmpz_poly) -> list[fmpz_poly]:
 
 def primitive(p: fmpz_poly) -> fmpz_poly:
     """The polynomial divided by the content, with a positive leading coefficient."""
-    if not p:
-        return p
-    return p // (p.content() if p.leading_coefficient() > 0 else -p.content())
+    return p // (p.content() if p.leading_coefficient() > 0 else -p.content()) if p else p
 
 
 def square_free(p: fmpz_poly) -> fmpz_poly:

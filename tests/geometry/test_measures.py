@@ -25,7 +25,7 @@ HALF = Nurbs(2, [0, 0, 0, 1, 1, 2, 2, 3, 3, 3], [(1, 0), (1, 1), (0, 1), (-1, 1)
 @pytest.mark.parametrize("family", campaign.FAMILIES)
 @pytest.mark.parametrize("dial", ALWAYS)
 def test_a_part_of_the_campaign(family, dial):
-    result = campaign.run(20 if FULL else 2, 7, family, dial)
+    result = campaign.run(20 if FULL else 1, 7, family, dial)
     assert not result["differences"]
     assert any(name.endswith("right") for name in result["counts"])
 

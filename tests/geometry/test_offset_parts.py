@@ -20,11 +20,7 @@ def parts(curve, d):
 @pytest.mark.parametrize("dial", ALWAYS)
 @pytest.mark.parametrize("family", campaign.FAMILIES)
 def test_against_dense_samples(family, dial):
-    assert [campaign.differs(family, dial, seed) for seed in (1, 5)] in (
-        ["", ""],
-        ["", "ShapeError"],
-        ["ShapeError", ""],
-    )
+    assert campaign.differs(family, dial, 1) == ""
 
 
 @pytest.mark.parametrize("change", ["longer", "missing", "no arc", "none"])

@@ -429,12 +429,12 @@ def test_patches_of_flat_and_symmetric_nets(heights, weights):
                     assert (u, v) in known
 
 
-@pytest.mark.parametrize(("seed", "t"), [(3, "1/3"), (4, "1/2")])
-def test_answers_do_not_depend_on_representation(seed, t):
-    surface = seeded(seed, 2, weights=seed % 2 == 1)
+def test_answers_do_not_depend_on_representation():
+    """Of a rational patch with many umbilics; the matrix asks everything of others."""
+    surface = seeded(3, 2, weights=True)
     one = analyse(surface)
     for other in (
-        surface.insert_knot("u", t),
+        surface.insert_knot("u", "1/3"),
         surface.elevate_degree(1, 0),
         surface.transform([[0, -1, 0, 7], [1, 0, 0, 0], [0, 0, 1, "1/3"]]),
         surface.transform([[3, 0, 0], [0, 3, 0], [0, 0, -3]]),

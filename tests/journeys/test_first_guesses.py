@@ -8,6 +8,7 @@ import pydoc
 import re
 from contextlib import suppress
 from fractions import Fraction
+from functools import cache
 from importlib import import_module
 from importlib.util import find_spec
 from pathlib import Path
@@ -19,6 +20,7 @@ from exactspline.geometry.analysis.registry import REGISTRY
 from exactspline.geometry.derived.constructions import all_constructions
 from exactspline.hooks import DERIVED, LENT, QUESTIONS, first_guesses
 from exactspline.questions.entry import Of
+from tests.support.import_graph import files, nodes
 
 np = pytest.importorskip("numpy")
 pytest.importorskip("matplotlib").use("Agg")
@@ -173,12 +175,21 @@ CALL = re.compile(r"\bexactspline((?:\.\w+)+)\(")
 ROOT = Path(xs.__file__).parent
 
 
+@cache
+def code():
+    """Every node of the code, with the name of its file."""
+    return [(path.name, node) for path, tree in files().items() for node in nodes(tree)]
+
+
+def texts():
+    """Every text in the code, with the name of its file."""
+    return [(name, x.value) for name, x in code() if isinstance(x, ast.Constant) and isinstance(x.value, str)]
+
+
 def calls():
     """Every call ``exactspline.name(…)`` in a text of the code and of the pages."""
-    for path in sorted(ROOT.rglob("*.py")):
-        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
-            if isinstance(node, ast.Constant) and isinstance(node.value, str):
-                yield from ((path.name, name) for name in CALL.findall(node.value))
+    for place, text in texts():
+        yield from ((place, name) for name in CALL.findall(text))
     for path in [ROOT.parent / "README.md", *(ROOT.parent / "docs").glob("*.md")]:
         if path.exists():
             yield from ((path.name, name) for name in CALL.findall(path.read_text(encoding="utf-8")))
@@ -201,12 +212,11 @@ FOREIGN = {"NAME", "translate", "max", "scipy.interpolate.make_interp_spline"}
 
 def remedies():
     """The texts of all remedies in the code, and of those that are put together their parts."""
-    for path in sorted(ROOT.rglob("*.py")):
-        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
-            named = isinstance(node, ast.keyword) and node.arg == "remedy"
-            if named or (isinstance(node, ast.Assign) and getattr(node.targets[0], "id", "") == "remedy"):
-                parts = [each.value for each in ast.walk(node.value) if isinstance(each, ast.Constant)]
-                yield from ((path.name, part) for part in parts if isinstance(part, str))
+    for place, node in code():
+        named = isinstance(node, ast.keyword) and node.arg == "remedy"
+        if named or (isinstance(node, ast.Assign) and getattr(node.targets[0], "id", "") == "remedy"):
+            parts = [each.value for each in ast.walk(node.value) if isinstance(each, ast.Constant)]
+            yield from ((place, part) for part in parts if isinstance(part, str))
 
 
 def test_every_call_in_a_remedy_is_there():
@@ -223,13 +233,7 @@ def test_every_call_in_a_remedy_is_there():
 
 
 def test_every_whole_call_in_a_text_is_executed():
-    texts = [
-        (path.name, node.value)
-        for path in sorted(ROOT.rglob("*.py"))
-        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8")))
-        if isinstance(node, ast.Constant) and isinstance(node.value, str)
-    ]
-    found = {(place, call) for place, text in texts for call in WHOLE.findall(text)}
+    found = {(place, call) for place, text in texts() for call in WHOLE.findall(text)}
     assert len(found) >= 8
     for place, call in found:
         assert eval(call, {"exactspline": xs}) is not None, (place, call)

@@ -81,7 +81,7 @@ CURVES = [Of.PLANE_CURVE, Of.SPACE_CURVE]
 #: What is drawn where the usual things take too long.
 LIGHT = {Of.SURFACE: light_surface}
 #: How many words begin with each change, where it is more than one.
-TIMES = {Of.PLANE_CURVE: 3, Of.SPACE_CURVE: 2}
+TIMES = {Of.PLANE_CURVE: 2}
 
 
 def report(failures):
@@ -205,8 +205,8 @@ EXAMPLES = [
     "ellipse",
     "rational_cubic",
     "cubic_s",
-    "cusp",
     "jump",
+    "cusp",
     "six_segment_cubic",
     "straight_between_arcs",
     "rational_space_cubic",
@@ -217,9 +217,15 @@ EXAMPLES = [
 ]
 
 
-@pytest.mark.parametrize(
-    ("name", "change"), [x for i, x in enumerate(product(EXAMPLES, CHANGES[Of.PLANE_CURVE])) if (i + i // 14) % 2]
-)
+#: Each change with every third example, each example with every third change.
+CHANGED = [
+    (name, change)
+    for (i, name), (k, change) in product(enumerate(EXAMPLES), enumerate(CHANGES[Of.PLANE_CURVE]))
+    if i % 3 == k % 3
+]
+
+
+@pytest.mark.parametrize(("name", "change"), CHANGED)
 def test_examples_after_a_change(name, change):
     """The same every day."""
     counts, random, curve = Counts(), Random(f"{name} {change}"), example(name)
@@ -266,7 +272,9 @@ def curves_of_umbilics_compared():
         for name in ("umbilics", "umbilic_curves", "parabolic_points", "singular_points"):
             letters = (Letter("knot on what was found", seed),)
             compared(surface, REGISTRY[Of.SURFACE][name], letters, Random(seed), counts)
-    return counts.failures
+            if counts.failures:
+                return counts.failures
+    return []
 
 
 @pytest.mark.parametrize("bits", [30, 300])
@@ -303,7 +311,7 @@ def asked_of(of, name):
 
 @pytest.mark.parametrize("of", CURVES, ids=str)
 def test_before_and_after_other_questions_and_without_the_extension(of):
-    for i in range(3):
+    for i in range(2):
         curve, asking = asked_of(of, i)
         alone = [said(again(curve), text_of(*each)) for each in asking]
         assert after_others(curve, asking) == alone, (SEED, i)
@@ -337,7 +345,7 @@ def test_surfaces_by_python_and_by_the_command(of, tmp_path):
 @pytest.mark.parametrize("of", [Of.TWO_CURVES, Of.SURFACE, Of.PLANAR_MAP, Of.REGION], ids=str)
 def test_pairs_and_surfaces_before_and_after_other_questions(of):
     """Pairs of curves also without the extension."""
-    for i in range(3):
+    for i in range(2):
         random = Random(f"{SEED} {of} order {i}")
         thing = {Of.TWO_CURVES: light_pair, **LIGHT}.get(of, DRAWN[of])(random)
         asking = [(entry, given_to(entry, thing, random)) for entry in questions(of, dear=of is Of.TWO_CURVES)]

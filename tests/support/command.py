@@ -39,6 +39,7 @@ def run(*arguments: object) -> Done:
     with (
         mock.patch.object(sys, "argv", argv),
         mock.patch.dict(os.environ, WIDE),
+        mock.patch.object(gc, "freeze"),  # this process does not end
         redirect_stdout(stdout),
         redirect_stderr(stderr),
     ):
@@ -47,7 +48,6 @@ def run(*arguments: object) -> Done:
         except SystemExit as end:
             status = end.code or 0
         finally:
-            gc.unfreeze()
             gc.set_threshold(*threshold)
     assert isinstance(status, int)
     return Done(status, stdout.getvalue(), stderr.getvalue())
