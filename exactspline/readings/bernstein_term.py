@@ -38,10 +38,8 @@ class Monomials(RingOperand):
 
     def _plus(self, right: Monomials) -> Monomials:
         if self.exponents != right.exponents:
-            raise FormulaError(
-                "a sum of terms of different degrees in p or in w",
-                remedy="this reading requires formulas homogeneous in both",
-            )
+            problem = "a sum of terms of different degrees in p or in w"
+            raise FormulaError(problem, remedy="this reading requires formulas homogeneous in both")
         terms = self._no_terms() | self.terms
         for shift, c in right.terms.items():
             terms[shift] += c

@@ -97,10 +97,8 @@ def _highest(value: Any, formula: Formula) -> int:
     if isinstance(value, Order):
         return value.order
     if isinstance(value, CONSTANTS):
-        raise FormulaError(
-            f"{getattr(formula, 'name', 'the formula')} returns a number",
-            remedy="write it with an operand: 1 + 0 * c.w",
-        )
+        problem = f"{getattr(formula, 'name', 'the formula')} returns a number"
+        raise FormulaError(problem, remedy="write it with an operand: 1 + 0 * c.w")
     parts = (value.plain, value.rooted, value.square) if isinstance(value, Adjoined) else tuple(value)
     return max(_highest(part, formula) for part in parts)
 

@@ -65,10 +65,8 @@ class JetRing(OneLine):
         self.variables = [(s.name, orders) for s in free for orders in _orders_up_to(order, len(s.parameters))]
         self.variables += [(name, (0,)) for name in (*self.rules, *self.constants)]
         if len(self.variables) > MOST_VARIABLES:
-            raise FormulaError(
-                f"derivatives of order {order}, {len(self.variables)} indeterminates",
-                remedy=f"at most {MOST_VARIABLES} are allowed: take derivatives of lower order",
-            )
+            problem = f"derivatives of order {order}, {len(self.variables)} indeterminates"
+            raise FormulaError(problem, remedy=f"at most {MOST_VARIABLES} are allowed: take derivatives of lower order")
         names = [name + "_".join(map(str, orders)) for name, orders in self.variables]
         self.context = fmpq_mpoly_ctx.get(names, Ordering.degrevlex)
         self.gens = self.context.gens()
@@ -130,10 +128,8 @@ class JetRing(OneLine):
     def _only_parameter(self, name: str, parameters: tuple[Parameter, ...]) -> str:
         if self.kind.composed:
             return Parameter.FIRST
-        raise FormulaError(
-            f"the derivative of {name}, a function of {' and '.join(parameters)}",
-            remedy=f"name one of them: d(1, by={str(parameters[0])!r})",
-        )
+        problem = f"the derivative of {name}, a function of {' and '.join(parameters)}"
+        raise FormulaError(problem, remedy=f"name one of them: d(1, by={str(parameters[0])!r})")
 
     def lowered(self, i: int, parameter: Parameter) -> int:
         """The index of the variable whose derivative with respect to the parameter is the i-th variable."""
@@ -183,10 +179,8 @@ def derivative_mark(parameters: Sequence[str], orders: Sequence[int]) -> str:
 def only_grading(gradings: set[tuple[int, int]]) -> tuple[int, int]:
     """The degree and the weight that all terms of a polynomial have; raises `FormulaError` if they differ."""
     if len(gradings) != 1:
-        raise FormulaError(
-            f"a polynomial with the gradings {sorted(gradings)}",
-            remedy="degree and weight are defined only for homogeneous polynomials",
-        )
+        problem = f"a polynomial with the gradings {sorted(gradings)}"
+        raise FormulaError(problem, remedy="degree and weight are defined only for homogeneous polynomials")
     return gradings.pop()
 
 

@@ -71,10 +71,8 @@ class Series(FieldOperand):
         """The derivative, with correspondingly fewer terms."""
         self.only_parameter(by)
         if order >= len(self.coefficients):
-            raise FormulaError(
-                f"a derivative of order {order} of a series of {counted(len(self.coefficients), 'term')}",
-                remedy="expand further",
-            )
+            problem = f"a derivative of order {order} of a series of {counted(len(self.coefficients), 'term')}"
+            raise FormulaError(problem, remedy="expand further")
         return Series(a * (factorial(i) // factorial(i - order)) for i, a in enumerate(self.coefficients) if i >= order)
 
     @property
