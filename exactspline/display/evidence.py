@@ -263,7 +263,7 @@ def _(item: e.Weight, numbers: Numbers = EXACT) -> str:
 def _(item: e.UnderMap, numbers: Numbers = EXACT) -> str:
     under = f"under {with_article(item.map)}"
     if item.factor is None:
-        return f"{under} the sides are not proportional"
+        return f"{under} the sides differ"
     return f"{under} it is {words(item.factor, numbers)} times what is claimed"
 
 

@@ -623,7 +623,7 @@ class Weight(Evidence):
 
 
 class UnderMap(Evidence):
-    """The value under a map: a multiple of the claimed one, or (None) not proportional to it."""
+    """The value under a map: a multiple of the claimed one, or (None) another one."""
 
     map: Name
     factor: Factor | None = None

@@ -13,6 +13,7 @@ from exactspline.interchange.examples import example, example_surface
 from exactspline.language.adjoined_root import Adjoined
 from exactspline.language.arguments import Evaluated
 from exactspline.language.formula import Formula
+from exactspline.language.operand import Operand
 from exactspline.language.ruled import split
 from exactspline.polynomials.cost import Budget, drawing_on
 from exactspline.readings.differential_order import order_of
@@ -53,7 +54,7 @@ def expect_one_function(formula: Formula, c: Evaluated) -> None:
     rings = [x.ring for x in map(_inner, c.operands().values()) if isinstance(x, JetFraction)]
     try:
         for ring in rings[:1]:
-            if found != [_unwrapped(x) for x in split(formula(_in_another_class(ring)))[0]]:
+            if found != [unwrapped(x) for x in split(formula(_in_another_class(ring)))[0]]:
                 raise _several(formula)
             if not all(_same_on(found, formula, each) for each in _examples(ring)):
                 raise _several(formula)
@@ -121,10 +122,10 @@ def _inner(x: Any) -> Any:
     return _inner(x.plain) if isinstance(x, Adjoined) else x
 
 
-def _unwrapped(x: Any) -> Any:
+def unwrapped(x: Operand) -> Operand:
     """A value in the class of the indeterminates, with the same roots adjoined."""
     if isinstance(x, Adjoined):
-        return Adjoined(*map(_unwrapped, (x.plain, x.rooted, x.square)))
+        return Adjoined(*map(unwrapped, (x.plain, x.rooted, x.square)))
     return x.value if isinstance(x, InOtherParameter) else x
 
 

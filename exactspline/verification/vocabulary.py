@@ -158,6 +158,7 @@ class Group(StrEnum):
     """The changes applied to a curve."""
 
     REPARAMETRIZATION = "reparametrization"
+    REVERSAL = "reversal"
     COMMON_FACTOR = "common factor"
     TRANSLATION = "translation"
     ROTATION = "rotation"

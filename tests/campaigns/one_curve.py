@@ -122,7 +122,8 @@ def pairs_of(chance, name, x, y, roots):
     kind = {"on": "curve", "kind": "type", "formula": "slope", "claimed": "rational"}
     yield kind, kind | {"claimed": "polynomial"}
     sets = {"on": "curve", "kind": "zero set", "formulas": ["y", "shifted"]}
-    yield sets, sets | {"formulas": ["y", "through"]}
+    if all(value(x, root) != Fraction(1, 2) for root in roots):  # otherwise it is true
+        yield sets, sets | {"formulas": ["y", "through"]}
     sign = {"on": "curve", "kind": "sign", "formula": "x", "sign": "≥ 0"}
     yield sign, sign | {"sign": "> 0"}
     all_of = {"on": "curve", "kind": "coefficients", "formula": "px", "sign": "≥ 0"}

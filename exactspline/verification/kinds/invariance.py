@@ -11,6 +11,7 @@ from functools import partial
 from typing import Any, ClassVar, TypeVar
 
 from exactspline.errors import ClaimError, VanishingDivisorError, counted
+from exactspline.language.adjoined_root import framed
 from exactspline.language.arguments import PARAMETERS, Accompanied, Curve, Evaluated, T
 from exactspline.language.formula import Formula
 from exactspline.language.kind import Symbol
@@ -21,13 +22,14 @@ from exactspline.polynomials.cost import at_its_cost
 from exactspline.readings.differential_order import order_of
 from exactspline.readings.other_parameter import InOtherParameter
 from exactspline.readings.rational_jet import RationalJetReading
-from exactspline.symbolic.factorization import find_factor
+from exactspline.symbolic.factorization import find_factor, without_denominator
 from exactspline.symbolic.motions import MAPS, Map
 from exactspline.verification.claim import Claim, formula_name, one_of, read
 from exactspline.verification.claim_fields import claim_kind
 from exactspline.verification.decision import Changed
 from exactspline.verification.evaluation import Evaluation
 from exactspline.verification.evidence import DifferUnder, Evidence, UndefinedAt, UnderEvery, UnderMap, Weight
+from exactspline.verification.one_function import unwrapped
 from exactspline.verification.segments import OnSegment, on_segments
 from exactspline.verification.verdict import PROVED, REFUTED, VACUOUS, VERIFIED, Finding, vacuous
 from exactspline.verification.vocabulary import Group, Name
@@ -53,7 +55,7 @@ LARGEST_WEIGHT = 200
 UNITS = {
     Group.REPARAMETRIZATION: "ds/dt",
     Group.COMMON_FACTOR: "the factor",
-    Group.REFLECTION: "−1",
+    **dict.fromkeys((Group.REVERSAL, Group.REFLECTION), "−1"),
     Group.SCALING: "the scale",
     Group.SIMILARITY: "the scale",
     Group.AFFINE: "the determinant",
@@ -72,6 +74,9 @@ def weight_text(under: Group, weight: int) -> str:
     return f"weight {weight} in {unit}".replace("-", "−") if unit else "no change"
 
 
+#: The changes that move no point, and those that leave lengths, hence the roots of a frame, as they are.
+UNMOVED = (Group.REPARAMETRIZATION, Group.REVERSAL, Group.COMMON_FACTOR)
+ISOMETRIES = (Group.REVERSAL, Group.TRANSLATION, Group.ROTATION, Group.MOTION, Group.REFLECTION)
 #: The maps by which a group is generated.
 GENERATED = {Group.MOEBIUS: ("similarity", "inversion")}
 
@@ -87,13 +92,15 @@ def _whole_number(claim: Claim, name: str, value: object) -> int:
 class Invariance(Claim):
     """Under every element of a group the value of ``formula`` is multiplied by the power ``weight`` of the unit of the
     group, and moves along where its ``nature`` is that of a vector or of a point. The group ``under`` consists of
-    changes of the curve: a *reparametrization* (unit ds/dt), a *common factor* of numerators and denominator (unit that
+    changes of the curve: a *reparametrization* (unit ds/dt), the *reversal* of the direction in which it is traversed
+    (unit −1), a *common factor* of numerators and denominator (unit that
     factor), a translation, a rotation, a motion (no unit), a reflection (unit −1), a scaling or a similarity (unit the
     scale), an affine or a projective map (unit the determinant), a Möbius map (unit the local scale).
     """
 
     kind: ClassVar[str] = "invariance"
     tries_all: ClassVar[bool] = True
+    of_frames: ClassVar[bool] = True
 
     formula: Name = field(metadata=read(formula_name))
     under: Group = field(metadata=read(one_of(Group)))
@@ -103,15 +110,18 @@ class Invariance(Claim):
     def validate(self) -> None:
         """Reject claims without meaning: a weight without a unit, constants whose image is not stated."""
         kind = kind_of(self.curve)
-        if type(kind) is not CurveKind:
+        if not isinstance(kind, CurveKind):
             raise ClaimError(f"invariance of {self.curve!r} is not decided", where="curve", remedy="name a curve")
+        if kind.adjoins_roots and self.under not in ISOMETRIES:
+            problem = f"the images of roots under {with_article(self.under)} are not decided"
+            raise ClaimError(problem, where="under", remedy=f"one of {', '.join(ISOMETRIES)}")
         if self.weight and self.under not in UNITS:
             raise ClaimError(f"a {self.under} has no unit", where="weight", remedy="leave the weight out")
-        if kind.constants and self.under not in (Group.REPARAMETRIZATION, Group.COMMON_FACTOR):
+        if kind.constants and self.under not in UNMOVED:
             raise ClaimError(
                 "the images of the constants are not stated", where="curve", remedy="claim it of a curve alone"
             )
-        if self.nature != Nature.SCALAR and self.under in (Group.REPARAMETRIZATION, Group.COMMON_FACTOR):
+        if self.nature != Nature.SCALAR and self.under in UNMOVED:
             raise ClaimError(f"a {self.under} moves nothing", where="nature", remedy='write "scalar"')
         if self.nature == Nature.VECTOR and self.under in (Group.PROJECTIVE, Group.MOEBIUS):
             raise ClaimError(f"a {self.under} is not linear", where="nature", remedy='write "point" or "scalar"')
@@ -136,12 +146,13 @@ class Invariance(Claim):
         return finding
 
     def _under(self, formula: Formula, name: str, dimension: int, polynomial: bool) -> Finding:
-        curve = RationalJetReading(order_of(formula, dimension)).argument(
-            _wider(formula.kind, name, dimension), dimension, polynomial=polynomial
-        )
+        roots = formula.kind if formula.kind.adjoins_roots else None
+        polynomial |= roots is not None and without_denominator((formula,), "1", dimension)
+        reading, kind = RationalJetReading(order_of(formula, dimension, roots)), _wider(formula.kind, name, dimension)
+        curve = reading.argument(kind, dimension, polynomial=polynomial)
         statement = self._statement(formula, name, lambda difference: UnderMap(Name(name)))
         found = statement.decide(curve)
-        if found.verdict != REFUTED:
+        if found.verdict != REFUTED or roots:
             return found
         moved, expected = statement.sides(curve)
         short = sum(len(x.top) + len(x.bottom) for x in (*moved, *expected)) < SHORT
@@ -183,24 +194,26 @@ class Invariance(Claim):
     def _sides(self, formula: Formula, name: str, curve: Any, k: Mapping[str, Any]) -> tuple[list[Any], list[Any]]:
         """The components of the value on the changed curve, and their claimed values."""
         if name == Group.REPARAMETRIZATION:
-            return self._in_other_parameter(formula, curve, k)
+            return self._in_other_parameter(formula, curve, k[SPEED])
+        if name == Group.REVERSAL:
+            return self._in_other_parameter(formula, curve, curve.w.constant(-1))
         if name == Group.COMMON_FACTOR:
             factor = k[SPEED]
             plain = Curve(curve.p * factor, curve.w * factor, point=curve.point)
             beside = {each: curve.operands()[each] for each in formula.kind.constants}
             value = times_unit(_components(formula(curve)), factor, self.weight)
             return _components(formula(Accompanied(plain, beside))), value
-        made = MAPS[name]
-        value = self._carried(_components(formula(curve)), made, k, curve.w.constant(1), curve.dimension)
-        unit = made.unit(curve.p, curve.w, k) if made.unit else None
-        return _components(formula(_moved(curve, made, k))), times_unit(value, unit, self.weight)
+        made, whole = MAPS[name], _with_roots(formula, curve)
+        value = self._carried(_components(formula(whole)), made, vars(whole), whole.w.constant(1), curve.dimension)
+        unit = made.unit(whole.p, whole.w, vars(whole)) if made.unit else None
+        return _components(formula(_with_roots(formula, _moved(curve, made, k)))), times_unit(value, unit, self.weight)
 
-    def _in_other_parameter(self, formula: Formula, curve: Any, k: Mapping[str, Any]) -> tuple[list[Any], list[Any]]:
-        """The curve differentiated with respect to another parameter, with an indeterminate ds/dt."""
-        rho = k[SPEED]
+    def _in_other_parameter(self, formula: Formula, curve: Any, rho: Any) -> tuple[list[Any], list[Any]]:
+        """The curve differentiated with respect to another parameter, where ds/dt is ρ."""
         changed = curve.mapped(lambda x: InOtherParameter(x, rho))
-        moved = [x.value for x in _components(formula(changed))]
-        return moved, times_unit(_components(formula(curve)), rho, self.weight)
+        moved = [unwrapped(x) for x in _components(formula(_with_roots(formula, changed)))]
+        value = _components(formula(whole := _with_roots(formula, curve)))
+        return moved, times_unit(value, rho if whole is curve else whole.w.constant(-1), self.weight)
 
     def _carried(self, value: list[Any], made: Map, k: Mapping[str, Any], one: Any, dimension: int) -> list[Any]:
         """The value, mapped where it is a vector or a point."""
@@ -212,6 +225,11 @@ class Invariance(Claim):
         if self.nature == Nature.VECTOR:
             return list(made.of_vector(Vector(*value), one, k))
         return image_of_point(Vector(*value), made, k, one)
+
+
+def _with_roots(formula: Formula, curve: Any) -> Any:
+    """The curve, with the positive roots of its frame where the formula needs them."""
+    return framed(curve) if formula.kind.adjoins_roots else curve
 
 
 def _differs_under(name: Name, segment: OnSegment, difference: Any) -> DifferUnder:
