@@ -50,8 +50,8 @@ def bisector(
     plot: Drawing = "",
 ) -> None:
     """Bisector of two space curves (its surface, and the lines, planes, single pairs and poles next to it), of a point
-    and a space curve (ruled), of two plane curves (arcs of pairs of parameters, and in which boxes these are nearest),
-    or, trimmed to equal distances, of a point and a plane curve.
+    and a space curve (ruled), of two plane curves (correspondences of parameters, and in which boxes these are
+    nearest), or, trimmed to equal distances, of a point and a plane curve.
     """
     from exactspline.display.bisector_data import bisector_sheet
     from exactspline.errors import ShapeError

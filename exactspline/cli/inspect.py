@@ -58,7 +58,7 @@ Stability = Annotated[
     Option(
         "--stability",
         help="Of curves: also how far control points and weights may be changed until a feature vanishes: a "
-        "distance for which it is proved that it does not, and one at which it may be gone.",
+        "distance for which it is proved that it does not, and one by which it may be destroyed.",
     ),
 ]
 Plot = Annotated[

@@ -39,7 +39,7 @@ class _State:
     """Set once, when a command begins."""
 
     quiet = False
-    #: Whether something was left out: what was read but is not a curve, or what an answer does not decide.
+    #: Whether something was skipped (read, but not a curve) or is undecided.
     lacking = False
 
 
@@ -62,7 +62,7 @@ def is_quiet() -> bool:
 
 
 def leave_out() -> None:
-    """Remember that something is left out: with --strict the command ends with exit status 2."""
+    """Remember that something is skipped or undecided: with --strict the command ends with exit status 2."""
     _State.lacking = True
 
 
@@ -166,7 +166,7 @@ _FLAGS = {
     "as_json": Annotated[bool, Option("--json", help=f"Print JSON (see `{command_name()} schema`).")],
     "as_csv": Annotated[bool, Option("--csv", help="Print comma-separated values.")],
     "as_markdown": Annotated[bool, Option("--markdown", help="Print Markdown tables.")],
-    "strict": Annotated[bool, Option("--strict", help="Exit status 2 where anything is left out.")],
+    "strict": Annotated[bool, Option("--strict", help="Exit status 2 where anything is skipped or undecided.")],
     "quiet": Annotated[bool, Option("--quiet", "-q", help="No legend, no progress bar.")],
 }
 

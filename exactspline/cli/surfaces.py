@@ -77,7 +77,7 @@ def inspect_surfaces(
 def _inspected(
     surface: NurbsSurface, digits: int, plot: str, epsilon: str, with_all: bool
 ) -> tuple[dict[str, object], list[Sheet]]:
-    """What a surface has as data and as tables, and the picture where one is requested."""
+    """The features of a surface as data and as tables, and the picture where one is requested."""
     from exactspline.display.answer_forms import FORMS, FORMS_BESIDE, surface_inspection_data
     from exactspline.display.forms import list_of
     from exactspline.display.surface_data import map_sheet, nearby_umbilics_sheet, surface_sheet

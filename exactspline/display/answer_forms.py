@@ -222,7 +222,7 @@ def answers_data(facts: Remembers, digits: int) -> Data:
 
 
 def inspection_data(curve: Nurbs, digits: int = 20, tick: Callable[[], None] = lambda: None) -> Data:
-    """What a curve has as data, each answer under the name of its question; `tick` is called after every feature.
+    """The features of a curve as data, each answer under the name of its question; `tick` is called after each.
 
     Raises `ExactSplineError` for what is neither a plane nor a space curve.
     """

@@ -239,8 +239,8 @@ FORMS: dict[type, Form] = {
 class PairsKind(StrEnum):
     """What pairs of parameters of the bisector of two plane curves are."""
 
-    ARC = "arc of pairs"
-    LOOP = "loop of pairs"
+    ARC = "correspondence of parameters"
+    LOOP = "closed correspondence of parameters"
     PAIR = "pair"
     LINE = "line of pairs"
     RECTANGLE = "rectangle of pairs"

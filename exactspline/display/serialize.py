@@ -1,4 +1,4 @@
-"""The forms of what a curve has, feature by feature, and of curves, by their control points."""
+"""The forms of the features of a curve, one by one, and of curves, by their control points."""
 
 from __future__ import annotations
 

@@ -31,7 +31,7 @@ def leaf() -> Provenance:
 
 
 def within(provenance: Provenance, leaves: tuple[tuple[Provenance, Provenance], ...]) -> Provenance:
-    """A provenance in which leaves are replaced by other provenances; the substitution is carried out only when needed.
+    """A provenance in which leaves are replaced by other provenances; the substitution is made only when needed.
 
     >>> a, b, c = leaf(), leaf(), leaf()
     >>> same(within((PRODUCT, a, b), ((a, c), (b, c))), (PRODUCT, c, c))

@@ -1,4 +1,4 @@
-"""Naive semantics: quotients on which every operation is carried out as in Table 1, without cancellation.
+"""Naive semantics: quotients on which every operation is computed as in Table 1, without cancellation.
 
 Two rationals whose denominators are structurally the same product (see `exactspline.language.provenance`) share it when
 added; all others are cross-multiplied.

@@ -1,7 +1,7 @@
 """The optional C extension (filter.c): it runs a program on every segment of a curve in doubles with error masses, and
 finds the zeros of the outputs that are certain (for two curves: `exactspline.programs.certain_pairs`). Without it, or
 where it says that something is not certain, exact arithmetic decides: the answers are the same. A library that is not,
-byte for byte, what was compiled from the source beside this file, or that carries out an instruction in another way, is
+byte for byte, what was compiled from the source beside this file, or that computes an instruction in another way, is
 as one that is absent. Derivation: docs/certified-filter.md.
 
 >>> filter_curve is None or callable(filter_curve)

@@ -1,6 +1,6 @@
 """The fraction reading: quotients of differential polynomials in lowest terms.
 
-The jet reading carries out the naive algorithm; this one computes the function itself and cancels common factors after
+The jet reading computes by the naive algorithm; this one computes the function itself and cancels common factors after
 every operation. This proves identities between large naive expressions without expanding them.
 """
 

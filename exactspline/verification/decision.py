@@ -148,7 +148,7 @@ class Zero:
         return Finding(holds, Fact.ZERO)
 
     def residues(self, c: Evaluated) -> list[JetFraction]:
-        """Its components."""
+        """The components of the value, each of which has to vanish."""
         return list(split(self.formula(c))[0])
 
 

@@ -63,7 +63,7 @@ def test_two_plane_curves():
     """They were refused, with the advice to write Python."""
     row = json.loads(run("bisector", "parabola", "straight_line", "--json").stdout)["rows"][0]
     found = bisector(example("parabola"), example("straight_line"))
-    assert [piece["piece"] for piece in row["pieces"]] == ["arc of pairs"] * len(found.pieces)
+    assert [piece["piece"] for piece in row["pieces"]] == ["correspondence of parameters"] * len(found.pieces)
     for piece, arc in zip(row["pieces"], found.pieces, strict=True):
         for end, place in (("start", arc.start), ("end", arc.end)):
             for told, number in zip(piece[end], place, strict=True):

@@ -81,8 +81,8 @@ def test_nothing_is_told_from_something_without_numbers():
     """Passed before: the two loops of the bisector of two ellipses, which have no ends, were *there is none*."""
     circle, ellipse = xs.example("circle"), xs.example("ellipse_skew")
     found = records(asked_of((circle, ellipse), "bisector"))
-    assert [each.what for each in found] == ["loop of pairs"] * 2
-    assert [row[0] for row in answer_sheet("", found, 12).rows] == ["loop of pairs"] * 2
+    assert [each.what for each in found] == ["closed correspondence of parameters"] * 2
+    assert [row[0] for row in answer_sheet("", found, 12).rows] == ["closed correspondence of parameters"] * 2
     assert records(asked_of(xs.example("twisted_cubic"), "plane")) == []
     assert answer_sheet("", [], 12).rows == [("nothing", "", "there is none", "")]
 

@@ -56,6 +56,15 @@ READ = {
     r"as it must read": "corrected statement",
     r"beyond the paper": "our own statements",
     r"perhaps": "possibly",
+    r"what (a|the|each) (curve|surface) has": "its features",
+    r"has to be trusted": "the trusted base",
+    r"(arc|loop)s? of pairs": "correspondence of parameters",
+    r"as meant": "rounded input",
+    r"judges? of Boolean": "verifier of Boolean results",
+    r"covered (once|twice)": "injective projection",
+    r"gone within": "destroyed by a perturbation of size",
+    r"certain up to": "stable up to",
+    r"curves of one dimension": "curves of the same dimension",
 }
 FOLDERS = ("exactspline/", "workshop/")
 TEXTS = ("*.py", "*.pyi", "*.md", "*.ipynb", "*.js", "*.html")

@@ -75,7 +75,11 @@ def test_beside_a_piece_on_which_a_curve_stands_still_points_are_those_of_the_ot
     """At its end arcs had no point, though they end there at one."""
     for points in ([(0, 0), (2, 0), (2, 0)], [(2, 0), (2, 0), (0, 0)]):
         curve, other = segment(*points), segment((0, 1), (4, 3))
-        arcs = [found.values for found in items(CurvePair(curve, other), "bisector") if found.what == "arc of pairs"]
+        arcs = [
+            found.values
+            for found in items(CurvePair(curve, other), "bisector")
+            if found.what == "correspondence of parameters"
+        ]
         ends = [(values, end) for values in arcs for end in ("start", "end") if values[end] == 1]
         assert ends
         for values, end in ends:

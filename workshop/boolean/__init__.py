@@ -1,3 +1,3 @@
-"""An exact judge of Boolean results: whether what an engine says is the union, intersection, difference or exclusive or
-of two filled paths is that, but for a tube around the paths.
+"""An exact verifier of Boolean results: whether what an engine says is the union, intersection, difference or exclusive
+or of two filled paths is that, but for a tube around the paths.
 """

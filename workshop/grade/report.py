@@ -83,7 +83,7 @@ BEGIN, END = "<!-- written by ./run grade --page -->", "<!-- end of what ./run g
 HEAD = """What {libraries} libraries answer about curves on which code in doubles goes wrong: {cases} of {all} cases
 (version {version}: {families}), {questions} questions, {answers} answers judged (`./run grade --page
 docs/measurements.md{share}`). Every exact answer has a certificate that an independent checker
-(`workshop/grade/recheck.py`, `exactspline/certificates`) accepted in this run; {uncertified} without one left out. A
+(`workshop/grade/recheck.py`, `exactspline/certificates`) accepted in this run; {uncertified} without one is not used. A
 library is asked only what it offers for the given curve, through its public functions (`workshop/grade/adapters`: one
 file per library), with the tolerance of the question (below). *Declined*: the library reports that it has no answer.
 *Timed out*: none within {patience} s of processor time. *Tolerated*: what it missed or invented is a matter of what it
@@ -244,7 +244,7 @@ def _named(cases: Sequence[Case]) -> str:
 
 
 def _left_out(uncertified: Sequence[tuple[str, str, str]]) -> str:
-    lines = ["### Left out, not certified", ""]
+    lines = ["### Not used: no certificate", ""]
     lines += [f"- {case}, {question}: {flaw}" for case, question, flaw in uncertified]
     return "\n".join([*lines, ""]) if uncertified else ""
 

@@ -166,7 +166,8 @@ def features_figure(curves: Sequence[Nurbs], title: str = "") -> Figure:
         plot_curve(curve, ax, control_polygon=False, label="_curve")
     for name, marker, size, color in _MARKED:
         answers = [(curve, _places(curve, name)) for curve in curves]
-        label = f"{name.replace('_', ' ')} ({sum(len(places) for _, places in answers)})"
+        shown = name.replace("turning_points", "coordinate extrema").replace("_", " ")
+        label = f"{shown} ({sum(len(places) for _, places in answers)})"
         for curve, places in answers:
             plot_features(curve, places, ax, marker=marker, color=color, label=label, size=size)
     legend_once(ax)

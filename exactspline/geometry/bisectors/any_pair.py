@@ -32,7 +32,7 @@ def bisector(first: Nurbs, second: Nurbs | Iterable[Number]) -> Bisector:
 
     Of two space curves a surface in patches, of equal *critical* distances, with lines, planes and single pairs; of a
     space curve and a point ruled surfaces; of a plane curve and a point the curves of equal distances; of two plane
-    curves, also in the plane z = 0 of space, the arcs of pairs of parameters, not trimmed.
+    curves, also in the plane z = 0 of space, the correspondences of parameters, not trimmed.
 
     >>> from exactspline import example
     >>> bisector(example("twisted_cubic"), example("rational_space_cubic"))

@@ -312,7 +312,7 @@ class PlaneBisector(Bisector):
 
     @property
     def pieces(self) -> tuple[ZeroArc, ...]:  # type: ignore[override]  # computed when it is asked for
-        """The arcs of pairs between singular points and borders."""
+        """The correspondences of parameters between singular points and borders."""
         return self.pairs.arcs
 
     @property
@@ -344,12 +344,12 @@ class PlaneBisector(Bisector):
 
     @property
     def items(self) -> Iterator[NamedNumbers]:
-        """The arcs of pairs and the single ones: the points of their ends but those at infinity, then the parameters;
-        lines and rectangles of pairs by their sides.
+        """The correspondences of parameters and the single pairs: the points of their ends but those at infinity, then
+        the parameters; lines and rectangles of pairs by their sides.
         """
         for arc in self.pairs.arcs:
             places = [] if arc.start is None or arc.end is None else [("start", arc.start), ("end", arc.end)]
-            yield NamedNumbers("arc of pairs" if places else "loop of pairs", self._by_name(places))
+            yield NamedNumbers(f"{'' if places else 'closed '}correspondence of parameters", self._by_name(places))
         for point in self.pairs.points:
             yield NamedNumbers("pair", self._by_name([("parameter", (point.first, point.second))]))
         boxes = [("line of pairs", line.box) for line in self.pairs.lines]

@@ -55,10 +55,11 @@ _SINGULAR = (FeatureKind.CUSP, FeatureKind.STOP, FeatureKind.CORNER, FeatureKind
 def kind_name(kind: FeatureKind) -> str:
     """The kind of a feature, and of what it is an extremum.
 
-    >>> kind_name(FeatureKind.MAXIMUM), kind_name(FeatureKind.INFLECTION)
-    ('maximum of κ', 'inflection')
+    >>> kind_name(FeatureKind.MAXIMUM), kind_name(FeatureKind.STOP), kind_name(FeatureKind.INFLECTION)
+    ('maximum of κ', 'singular point, no cusp', 'inflection')
     """
-    return f"{kind} of κ" if kind in (FeatureKind.MAXIMUM, FeatureKind.MINIMUM) else str(kind)
+    names = {FeatureKind.STATIONARY: "stationary point of κ", FeatureKind.STOP: "singular point, no cusp"}
+    return f"{kind} of κ" if kind in (FeatureKind.MAXIMUM, FeatureKind.MINIMUM) else names.get(kind, str(kind))
 
 
 class JointKind(StrEnum):

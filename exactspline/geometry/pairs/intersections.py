@@ -209,7 +209,7 @@ class _Found(NamedTuple):
 
 
 class CollectedPoints:
-    """The common points and arcs of pairs of segments, each once."""
+    """The common points and arcs of any two segments, each once."""
 
     def __init__(self, first: Nurbs, second: Nurbs, *, alone: bool = False) -> None:
         plane = in_common_plane(first, second) if first.dimension == 3 else None

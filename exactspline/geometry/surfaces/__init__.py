@@ -1,1 +1,1 @@
-"""What a surface has: the forms of its curvature, umbilics, singular points, ridges, joints, degenerate nets."""
+"""Features of a surface: the forms of its curvature, umbilics, singular points, ridges, joints, degenerate nets."""
