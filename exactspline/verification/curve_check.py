@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from itertools import pairwise
+from math import prod
 from typing import Any
 
 from flint import fmpz_poly
@@ -24,29 +26,31 @@ from exactspline.verification.notation import WEIGHTS, factor_parts
 from exactspline.verification.vocabulary import Name
 
 
-def where_it_differs(difference: BSpline | TensorSpline) -> tuple[mpq, At | AtBoth]:
-    """The value of a nonzero spline at a parameter (a pair for a spline in two parameters) at which it does
-    not vanish.
+def where_it_differs(difference: BSpline | TensorSpline, divisors: Sequence[Any] = ()) -> tuple[mpq, At | AtBoth]:
+    """The value of a nonzero spline divided by others at a parameter (a pair for splines in two parameters) at which
+    none of them vanishes; no divisor vanishes on a whole segment.
     """
     if isinstance(difference, TensorSpline):
-        n, segments = difference.degree.t, pairwise(difference.meshes[1].breaks)
-        # in every segment one line more than a polynomial of this degree can have zeros
-        inside = (c + (d - c) / mpq(j) for c, d in segments for j in range(2, n + 3))
-        t, line = next((t, line) for t in inside if not (line := difference.at_t(t)).is_zero)
-        s, value = _not_zero(line)
+        n = sum(f.degree.t * len(f.meshes[0]) for f in [difference, *divisors])
+        # in every segment one line more than can consist of zeros on one of the patches
+        inside = (c + (d - c) / mpq(j) for c, d in pairwise(difference.meshes[1].breaks) for j in range(2, n + 3))
+        lines = ((t, difference.at_t(t), [f.at_t(t) for f in divisors]) for t in inside)
+        t, line, below = next(x for x in lines if not (x[1].is_zero or any(f.vanishes_somewhere for f in x[2])))
+        s, value = _not_zero(line, below)
         return value, AtBoth(s, t)
-    t, value = _not_zero(difference)
+    t, value = _not_zero(difference, divisors)
     return value, At(t)
 
 
-def _not_zero(f: BSpline) -> tuple[mpq, mpq]:
-    """A parameter at which a nonzero spline does not vanish, and its value there."""
+def _not_zero(f: BSpline, divisors: Sequence[BSpline]) -> tuple[mpq, mpq]:
+    """A parameter at which a nonzero spline and its divisors do not vanish, and the quotient there."""
+    n = f.degree + sum(g.degree for g in divisors) + 3
     return next(
-        (t, value)
+        (t, value / prod(below))
         for p, (a, b) in zip(f.numerators, pairwise(f.breakpoints), strict=True)
         if p
-        for t in (a + (b - a) * mpq(j, f.degree + 3) for j in range(1, f.degree + 3))
-        if (value := f(t))
+        for t in (a + (b - a) * mpq(j, n) for j in range(1, n))
+        if (value := f(t)) and all(below := [g(t) for g in divisors])
     )
 
 

@@ -7,7 +7,7 @@ surfaces, directrices, values on changed curves, sums of squares.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from enum import Enum, auto
 from typing import Any, Protocol
@@ -58,11 +58,12 @@ class Outcome(Enum):
 
 @dataclass(frozen=True)
 class Decision:
-    """How two sides compare, and the component in which they differ, with a multiple of the difference."""
+    """How two sides compare, and the component in which they differ: by `difference` over the product of `divisors`."""
 
     outcome: Outcome
     component: int = 0
     difference: Any = None
+    divisors: Sequence[Any] = ()
 
 
 class Statement(Protocol):
@@ -120,8 +121,8 @@ class Equation:
             case Outcome.UNLIKE:
                 sizes = (len(split(each(c))[0]) for each in (self.left, self.right))
                 return Finding(REFUTED, Components(*sizes), witness=Fact.OTHER_NUMBER_OF_COMPONENTS)
-        stated = None if general else factor
-        return Finding(REFUTED, Fact.NOT_IDENTICAL, stated, _where(found.difference, Sides.SIDES, found.component))
+        where = _where(found.difference, Sides.SIDES, found.component, found.divisors)
+        return Finding(REFUTED, Fact.NOT_IDENTICAL, None if general else factor, where)
 
     def residues(self, c: Evaluated) -> list[JetFraction]:
         """The left side times the denominator of the factor, minus the right side times its numerator."""
@@ -142,9 +143,11 @@ class Zero:
 
     def decide(self, c: Evaluated, holds: Verdict = PROVED) -> Finding:
         """Every component is zero."""
-        for i, part in enumerate(self.residues(c)):
+        parts, below = split(self.formula(c))
+        for i, part in enumerate(parts):
             if not part.is_zero:
-                return Finding(REFUTED, Fact.NOT_ZERO, witness=_where(part, Sides.ZERO, i))
+                divisors = () if below is None else (below,)
+                return Finding(REFUTED, Fact.NOT_ZERO, witness=_where(part, Sides.ZERO, i, divisors))
         return Finding(holds, Fact.ZERO)
 
     def residues(self, c: Evaluated) -> list[JetFraction]:
@@ -300,7 +303,8 @@ def decide_identity(left: Value, right: Value, factor: tuple[Value, Value] | Non
         ours = _product(p, m, bottom and bottom[0], above)
         theirs = _product(q, k, top and top[0], below)
         if not (difference := ours - theirs).is_zero:
-            return Decision(Outcome.DIFFERENT, i, difference)
+            divisors = [each for each in (k, m, bottom and bottom[0], above) if each is not None]
+            return Decision(Outcome.DIFFERENT, i, difference, divisors)
     return Decision(Outcome.EQUAL)
 
 
@@ -311,10 +315,10 @@ def _ruled(formula: Formula, c: Evaluated) -> RuledSurface[Any]:
     raise FormulaError(f"{formula.name!r} is not a ruled surface", remedy="name one")
 
 
-def _where(difference: Any, of: Sides, component: int = 0) -> Evidence:
+def _where(difference: Any, of: Sides, component: int = 0, divisors: Sequence[Any] = ()) -> Evidence:
     """Where two sides differ: a place on splines, in other readings the component."""
     if isinstance(difference, BSpline | TensorSpline):
-        return Difference(of, *where_it_differs(difference))
+        return Difference(of, *where_it_differs(difference, divisors))
     if of is Sides.SURFACES:
         return Fact.GENERATORS_APART
     return ComponentDiffers(component + 1, from_zero=of is Sides.ZERO)

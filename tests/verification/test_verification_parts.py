@@ -85,6 +85,18 @@ def test_where_splines_differ_they_differ_by_what_is_said():
     assert product(at.parameter) == value != 0
 
 
+def test_what_is_divided_is_not_said_to_be_the_difference():
+    """Before: the difference times the denominators was printed, and 392/27 at −14/9 for 9/7."""
+    f, below = T * (T - mpq(1, 4)), [T - mpq(1, 2), T]
+    value, at = where_it_differs(f, below)
+    t = at.parameter
+    assert value == f(t) / below[0](t) / below[1](t) != 0
+    net = TensorSpline((1, 1), [0, 0, 1, 1], [0, 0, 1, 1], [[1, 2], [3, 5]])
+    zero_on_lines = TensorSpline((1, 1), [0, 0, 1, 1], [0, 0, "1/2", 1, 1], [[1, 0, -1], [1, 0, -1]])
+    value, at = where_it_differs(net, [zero_on_lines])
+    assert value == net(at.s, at.t) / zero_on_lines(at.s, at.t)
+
+
 def test_a_difference_of_two_parameters_is_found_wherever_it_is():
     # zero where the second parameter is below 3/4
     net = [[0, 0, 0, 0, 1], [0, 0, 0, 0, 1]]

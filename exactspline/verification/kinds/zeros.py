@@ -73,7 +73,7 @@ class ZeroSet(Claim):
     asks_for_zeros: ClassVar[bool] = True
 
     formulas: tuple[Name, ...] = field(metadata=read(formula_names))
-    measure: ZeroSetOf = field(default=ZeroSetOf.NUMERATORS, metadata=read(one_of(ZeroSetOf)))
+    measure: ZeroSetOf = field(default=ZeroSetOf.VALUES, metadata=read(one_of(ZeroSetOf)))
 
     def validate(self) -> None:
         """Reject fewer than two formulas, the operands of Table 1, and numerators where roots are adjoined."""
