@@ -17,15 +17,13 @@ from exactspline.language.vector import Vector
 from exactspline.numbers.exact import mpq
 from exactspline.papers import Paper, formula_of
 from exactspline.polynomials.cost import Budget, at_its_cost, drawing_on
-from exactspline.polynomials.factors import Factorization
 from exactspline.readings.degree import Degree
 from exactspline.readings.differential_order import order_of
-from exactspline.readings.factored_jet import FactoredJet, FactoredJetReading
-from exactspline.readings.jet import Jet, JetRing
+from exactspline.readings.jet import Jet
 from exactspline.readings.taylor_surface import DoubleTaylorReading
 from exactspline.symbolic.assumptions import Assumption, zero_free
 from exactspline.symbolic.covariants import degree_at, generic_degree, truncated, without_content
-from exactspline.symbolic.factorization import POLYNOMIAL, Factor, Named, factored, find_factor, jets_for, naming
+from exactspline.symbolic.factorization import POLYNOMIAL, Factor, find_factor, jets_for, naming
 from exactspline.symbolic.reduction import Reduction, counted_in, reduce, reduction
 from exactspline.verification.check_arguments import argument
 from exactspline.verification.vocabulary import Name
@@ -50,27 +48,6 @@ def factor_of(left: str | Formula, right: str | Formula, dimension: int, *, poly
 def _factor(left: Formula, right: Formula, dimension: int, polynomial: bool, names: tuple[Paper, ...]) -> Factor | None:
     c = jets_for((left, right), dimension, polynomial=polynomial)
     return find_factor(left(c), right(c))
-
-
-def of_numerators(factor: Factor, left: Formula, right: Formula, *, polynomial: bool = False) -> Factor:
-    """The quotient of the numerators of two formulas, without cancellation, from that of their values.
-
-    >>> left, right = formula_of("f0"), formula_of("f2")
-    >>> str(of_numerators(factor_of(left, right, 2), left, right))
-    'w³'
-    """
-    first, second = (naive_denominator(each, factor.ring, polynomial) for each in (left, right))
-    return Factor(factor.constant, factor.powers * first * second**-1, factor.ring)
-
-
-def naive_denominator(formula: Formula, ring: JetRing, polynomial: bool) -> Factorization[Named]:
-    """The irreducible factors of a denominator, without cancellation."""
-    argument = FactoredJetReading(ring.order).argument(ring.kind, ring.dimension, polynomial=polynomial)
-    below: FactoredJet | None = split(formula(argument))[1]
-    factors, one = Factorization[Named](), ring.context.constant(1)
-    for base, exponent in () if below is None else below.powers:
-        factors = factors * factored(ring, base, one).powers ** exponent
-    return factors
 
 
 def harmful(factor: Factor, assumed: Iterable[Assumption]) -> tuple[list[Name], tuple[Name, ...]]:

@@ -124,13 +124,6 @@ class Relation(StrEnum):
         return str(degree) if self is Relation.EQUAL else f"{self} {degree}"
 
 
-class ZeroSetOf(StrEnum):
-    """Which zeros are meant: those of the numerators without cancellation, or of the values in lowest terms."""
-
-    NUMERATORS = "numerators"
-    VALUES = "lowest terms"
-
-
 class Sign(StrEnum):
     """The claimed sign of a value."""
 

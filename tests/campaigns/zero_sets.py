@@ -39,49 +39,42 @@ HARMFUL = {
     "plane pair": [f"dot({ONE}, {WAY})", f"(norm2({WAY}) - 1)", f"(norm2({ONE}) - norm2({WAY}))", "c.second.p[0]"],
 }
 HARMFUL["framed plane"], HARMFUL["framed space"] = HARMFUL["plane"], HARMFUL["space"]
-#: Kind, formulas, assumptions, and whether values are meant.
+#: Kind, formulas, and assumptions.
 TRUE = [
-    ("plane", (F, f"{F} ** 3"), ("w",), False),
-    ("plane", (F, f"{F} * (1 + norm2({V}))"), ("w",), False),
-    ("plane", (F, f"{F} * (1 + {F} ** 2)"), ("w",), False),
-    ("plane", (F, f"{F} * (norm2({V}) + norm2({A}))"), ("w", "γ′"), False),
-    ("plane", (VERTEX, f"norm2({EVOLUTE})"), ("w", "γ′", "turning ≠ 0"), False),
-    ("plane", (VERTEX, f"norm2({EVOLUTE})"), ("w", "γ′", "turning ≠ 0"), True),
-    ("plane", (VERTEX, EVOLUTE), ("w", "γ′", "turning ≠ 0"), False),
-    ("plane", (F, f"2 * {F}"), ("w",), True),
-    ("plane", (F, f"{F} ** 2 / norm2({V}) ** 3"), ("w", "γ′"), True),
-    ("space", (f"cross({V}, {A})", f"norm2(cross({V}, {A}))"), ("w",), False),
-    ("space", (f"det({V}, {A}, {J})", f"det({V}, {A}, {J}) / norm2(cross({V}, {A}))"), ("w", "γ′×γ″"), True),
-    ("space", (f"det({V}, {A}, {J})", f"det({V}, {A}, {J}) * (3 + dot({V}, {A}) ** 2)"), ("w",), False),
-    ("plane point", ("c.gamma - c.point", "norm2(c.gamma - c.point)"), ("w",), False),
-    (
-        "plane point",
-        (f"det({V}, c.gamma - c.point)", f"det({V}, c.gamma - c.point) * (2 + norm2(c.point))"),
-        ("w",),
-        False,
-    ),
-    ("plane pair", (f"det({ONE}, {WAY})", f"det({ONE}, {WAY}) ** 3"), ("w", "w̄"), False),
-    ("plane pair", (f"det({ONE}, {WAY})", f"det({ONE}, {WAY}) * (1 + norm2({WAY}))"), ("w", "w̄"), False),
-    ("framed plane", (F, f"{F} / c.sigma ** 3"), ("w", "γ′"), True),
-    ("framed space", (f"cross({V}, {A})", f"({V} / c.sigma).d(1)"), ("w", "γ′"), True),
+    ("plane", (F, f"{F} ** 3"), ("w",)),
+    ("plane", (F, f"{F} * (1 + norm2({V}))"), ("w",)),
+    ("plane", (F, f"{F} * (1 + {F} ** 2)"), ("w",)),
+    ("plane", (F, f"{F} * (norm2({V}) + norm2({A}))"), ("w", "γ′")),
+    ("plane", (VERTEX, f"norm2({EVOLUTE})"), ("w", "γ′", "turning ≠ 0")),
+    ("plane", (VERTEX, EVOLUTE), ("w", "γ′", "turning ≠ 0")),
+    ("plane", (F, f"2 * {F}"), ("w",)),
+    ("plane", (F, f"{F} ** 2 / norm2({V}) ** 3"), ("w", "γ′")),
+    ("space", (f"cross({V}, {A})", f"norm2(cross({V}, {A}))"), ("w",)),
+    ("space", (f"det({V}, {A}, {J})", f"det({V}, {A}, {J}) / norm2(cross({V}, {A}))"), ("w", "γ′×γ″")),
+    ("space", (f"det({V}, {A}, {J})", f"det({V}, {A}, {J}) * (3 + dot({V}, {A}) ** 2)"), ("w",)),
+    ("plane point", ("c.gamma - c.point", "norm2(c.gamma - c.point)"), ("w",)),
+    ("plane point", (f"det({V}, c.gamma - c.point)", f"det({V}, c.gamma - c.point) * (2 + norm2(c.point))"), ("w",)),
+    ("plane pair", (f"det({ONE}, {WAY})", f"det({ONE}, {WAY}) ** 3"), ("w", "w̄")),
+    ("plane pair", (f"det({ONE}, {WAY})", f"det({ONE}, {WAY}) * (1 + norm2({WAY}))"), ("w", "w̄")),
+    ("framed plane", (F, f"{F} / c.sigma ** 3"), ("w", "γ′")),
+    ("framed space", (f"cross({V}, {A})", f"({V} / c.sigma).d(1)"), ("w", "γ′")),
 ]
 #: Those that hold without the last assumption, too.
-INDEPENDENT = {3, 4, 6, 14, 15}
+INDEPENDENT = {3, 4, 5, 13, 14}
 
 
 def changed():
     """The true claims, and those that are false, each with the number of the true one."""
-    for i, (kind, (first, last), assumes, values) in enumerate(TRUE):
-        yield i, True, kind, (first, last), assumes, values
+    for i, (kind, (first, last), assumes) in enumerate(TRUE):
+        yield i, True, kind, (first, last), assumes
         for h in HARMFUL[kind]:
-            yield i, False, kind, (first, f"({last}) * {h}"), assumes, values
-            if values:
-                yield i, False, kind, (first, f"({last}) / {h}"), assumes, values
+            yield i, False, kind, (first, f"({last}) * {h}"), assumes
+            yield i, False, kind, (first, f"({last}) / {h}"), assumes
         for sign in (" - ", " + -2 * "):
             if " + " in last and EVOLUTE not in last:
-                yield i, False, kind, (first, sign.join(last.split(" + "))), assumes, values
+                yield i, False, kind, (first, sign.join(last.split(" + "))), assumes
         if i not in INDEPENDENT and len(assumes) > 1:
-            yield i, False, kind, (first, last), assumes[:-1], values
+            yield i, False, kind, (first, last), assumes[:-1]
 
 
 def folder_of(place):
@@ -89,13 +82,12 @@ def folder_of(place):
     text = "@formula('e', on='plane')\ndef turning(c):\n    p, w = c.p, c.w\n"
     text += "    return det(p.d(1) * w - p * w.d(1), p.d(2) * w - p * w.d(2))\n"
     claims = []
-    for n, (_, _, kind, bodies, assumes, values) in enumerate(changed()):
+    for n, (_, _, kind, bodies, assumes) in enumerate(changed()):
         names = [f"a{n}", f"b{n}"]
         for name, body in zip(names, bodies, strict=True):
             text += f"@formula('e', on='{kind}')\ndef {name}(c):\n    return {body}\n"
-        measure = {"measure": "lowest terms"} if values else {}
         told = {"id": str(n), "kind": "zero set", "statement": "s", "status": "ours", "curve": kind}
-        claims.append(told | {"formulas": names, "assumes": list(assumes)} | measure)
+        claims.append(told | {"formulas": names, "assumes": list(assumes)})
     return written(place, text, claims)
 
 

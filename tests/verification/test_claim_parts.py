@@ -12,10 +12,8 @@ from exactspline.interchange.examples import example
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import CURVE, PLANE, kind_of
 from exactspline.language.rational import Rational
-from exactspline.language.ruled import split
 from exactspline.language.vector import Vector, join
 from exactspline.papers import all_formulas, find
-from exactspline.readings.factored_jet import FactoredJetReading
 from exactspline.readings.printing import print_text, symbol_text
 from exactspline.readings.tree import trace
 from exactspline.symbolic.covariants import true_degree
@@ -28,7 +26,6 @@ from exactspline.verification.divisors import divisors
 from exactspline.verification.errata import check, unrecorded
 from exactspline.verification.evaluation import Evaluation
 from exactspline.verification.evidence import Fact
-from exactspline.verification.generic_proof import factor_of, of_numerators
 from exactspline.verification.kinds.coefficients import Coefficients, is_decided
 from exactspline.verification.kinds.contact import Contact
 from exactspline.verification.kinds.equality import Identity, IsoCurve, Vanishing
@@ -277,11 +274,10 @@ def test_a_vector_with_a_component_that_vanishes_is_no_zero(monkeypatch):
     assert with_formula(monkeypatch, other, zero).decide(2, polynomial=False).verdict == VACUOUS
 
 
-@pytest.mark.parametrize("measure", ["numerators", "lowest terms"])
-def test_zero_sets_depend_on_assumptions(measure):
+def test_zero_sets_depend_on_assumptions():
     """Passed before: no claim in lowest terms was proved, and none that is undecided said why."""
     one = next(c for c in all_claims() if isinstance(c, ZeroSet) and c.curve == "plane")
-    one = replace(one, formulas=("f1", "f2"), measure=measure)
+    one = replace(one, formulas=("f1", "f2"))
     assert replace(one, assumes=("w",)).decide(2, False).verdict == PROVED
     found = replace(one, assumes=()).decide(2, False)
     assert (found.verdict, str(found.witness)) == (UNDECIDED, "w may have zeros: assume w")
@@ -334,19 +330,6 @@ def test_a_plane_through_the_point_has_contact_of_order_0(monkeypatch, order, re
     assert found.verdict == verdict
 
 
-@pytest.mark.parametrize(("left", "right"), [("f0", "f2"), ("f2", "f0"), ("f0", "f1"), ("curvature_squared", "f2")])
-def test_numerators_as_they_come_differ_by_their_factor(left, right):
-    sides = [find(left), find(right)]
-    factor = factor_of(*sides, 2)
-    if factor is None:
-        return
-    factor = of_numerators(factor, *sides)
-    argument = FactoredJetReading(factor.ring.order).argument(factor.ring.kind, 2)
-    first, second = (split(f(argument))[0][0].expanded() for f in sides)
-    top, bottom = factor.fraction()
-    assert first * bottom == second * top
-
-
 def test_a_claim_on_formulas_in_two_dimensions_divides_by_those_that_it_speaks_of():
     """The right side of an iso-curve is handed the curve in space."""
     assert {divisors(c) for c in all_claims() if isinstance(c, IsoCurve)} == {()}
@@ -356,15 +339,3 @@ def test_what_has_no_unit_has_no_weight():
     assert times_unit([T], None, 2) == [T]
     assert times_unit([T], T + 1, 0) == [T]
     assert times_unit([T], T + 1, 2) == [T * (T + 1) * (T + 1)]
-
-
-def test_numerators_that_differ_by_a_harmful_factor_are_not_one_zero_set(monkeypatch):
-    """f2 and f2 · x / x have one value, and x more zeros in the numerator of the second."""
-    made = {
-        "f1": Formula(find("f2"), "f1", PLANE, ""),
-        "f2": Formula(lambda c: find("f2")(c) * c.p[0] / c.p[0], "f2", PLANE, ""),
-    }
-    one = next(c for c in all_claims() if isinstance(c, ZeroSet) and c.curve == "plane")
-    one = replace(one, formulas=("f1", "f2"), assumes=("w",), measure="numerators")
-    monkeypatch.setattr(ZeroSet, "find", lambda self, name: made[name])
-    assert one.decide(2, False).verdict != PROVED

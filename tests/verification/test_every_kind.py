@@ -59,11 +59,7 @@ def fields_of(kind, f, g, h, v, r):
     return {
         "identity": [{"left": g, "right": f, "factor": "2"}, {"left": f, "right": v}, {"left": r, "right": h}],
         "vanishing": [{"left": f}, {"left": v}, {"left": r}],
-        "zero set": [
-            {"formulas": [f, g]},
-            {"formulas": [f, h], "measure": "lowest terms"},
-            {"formulas": [v, r], "measure": "lowest terms"},
-        ],
+        "zero set": [{"formulas": [f, g]}, {"formulas": [f, h]}, {"formulas": [v, r]}],
         "coefficients": [{"formula": x, "curves": "generic"} for x in (f, v)],
         "condition": [{"left": f, "right": h, "example": ""}, {"left": v, "right": h, "example": ""}],
         "count": [

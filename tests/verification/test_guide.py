@@ -61,7 +61,7 @@ CLAIMS = [
         | {"parameter": "s", "counting": "Table 1"},
         PROVED,
     ),
-    ({"kind": "zero set", "formulas": ["turning", "turning_by_normal"], "measure": "numerators"}, PROVED),
+    ({"kind": "zero set", "formulas": ["turning", "turning_by_normal"]}, PROVED),
     ({"kind": "same surface", "left": "tangents", "right": "tangents_too", "curve": "space"}, PROVED),
     ({"kind": "iso-curve", "left": "to_point", "right": "cone", "curve": "plane point"}, PROVED),
     ({"kind": "contact", "formula": "tangent", "order": 1, "relation": "=", "curve": "plane pair"}, PROVED),

@@ -256,7 +256,7 @@ def distance(c):
     return c.delta
 """
     own = {"curve": "framed plane with delta"}
-    zeros = own | {"kind": "zero set", "measure": "lowest terms", "formulas": ["step", "normal"]}
+    zeros = own | {"kind": "zero set", "formulas": ["step", "normal"]}
     times = own | {"kind": "identity", "left": "step", "right": "normal"}
     claims = [
         zeros | {"assumes": ["w", "delta ≠ 0"]},

@@ -22,14 +22,14 @@ F = f"det({V}, {A})"
 ONE, WAY = "c.first.gamma.d(1)", "(c.second.gamma - c.first.gamma)"
 
 
-def claimed(folder, *bodies, curve="plane", assumes=("w",), values=False, **more):
+def claimed(folder, *bodies, curve="plane", assumes=("w",), **more):
     """A claim that formulas with these bodies have one zero set."""
     text = "@formula('e', on='plane')\ndef turning(c):\n    return det(c.p.d(1) * c.w - c.p * c.w.d(1), {})\n"
     text = text.format("c.p.d(2) * c.w - c.p * c.w.d(2)") if "turning ≠ 0" in assumes or more.pop("turning", 0) else ""
     for i, body in enumerate(bodies):
         text += f"@formula('e', on='{curve}')\ndef f{i}(c):\n    return {body}\n"
     told = {"id": "1", "kind": "zero set", "statement": "s", "status": "ours", "curve": curve, "assumes": list(assumes)}
-    told |= {"formulas": [f"f{i}" for i in range(len(bodies))]} | ({"measure": "lowest terms"} if values else {})
+    told |= {"formulas": [f"f{i}" for i in range(len(bodies))]}
     (claim,) = claims_of(load_paper(written(folder, text, [told | more])))
     return claim
 
@@ -92,30 +92,29 @@ SPELLED = {
 @pytest.mark.parametrize(("body", "found"), SPELLED.items(), ids=SPELLED)
 def test_the_answer_beside_a_frame_does_not_depend_on_spelling(tmp_path, body, found):
     """UNDECIDED before: (x′² + 1) might have zeros wherever a formula names σ."""
-    told = {"curve": "framed plane", "assumes": ("w", "γ′"), "values": True}
+    told = {"curve": "framed plane", "assumes": ("w", "γ′")}
     assert verdict(tmp_path, f"{X} * c.sigma", body, **told) == found
 
 
-@pytest.mark.parametrize("values", [False, True])
 @pytest.mark.parametrize("bodies", FALSE.values(), ids=FALSE)
-def test_what_is_false_is_refuted_or_undecided_with_its_reason(tmp_path, bodies, values):
-    assert verdict(tmp_path, *bodies, values=values) in (REFUTED, UNDECIDED)
+def test_what_is_false_is_refuted_or_undecided_with_its_reason(tmp_path, bodies):
+    assert verdict(tmp_path, *bodies) in (REFUTED, UNDECIDED)
 
 
 def test_a_zero_that_cancels_is_no_zero_of_the_value(tmp_path):
     """x y / y² = x / y has no zero where both vanish to first order: supports alone would prove it."""
     x, y = f"{V}[0]", f"{A}[0]"
-    assert verdict(tmp_path, f"{x}", f"{x} / {y}", values=True) in (REFUTED, UNDECIDED)
-    assert verdict(tmp_path, f"{x} / {y}", f"{x} ** 2 / {y}", values=True) in (REFUTED, UNDECIDED)
-    assert verdict(tmp_path, f"{x} / {y}", f"{x} ** 2 / {y} ** 2", values=True) == PROVED
-    assert verdict(tmp_path, f"{x} / {x} ** 2", f"{y} / {y} ** 3", values=True) == PROVED  # neither has a zero
+    assert verdict(tmp_path, f"{x}", f"{x} / {y}") in (REFUTED, UNDECIDED)
+    assert verdict(tmp_path, f"{x} / {y}", f"{x} ** 2 / {y}") in (REFUTED, UNDECIDED)
+    assert verdict(tmp_path, f"{x} / {y}", f"{x} ** 2 / {y} ** 2") == PROVED
+    assert verdict(tmp_path, f"{x} / {x} ** 2", f"{y} / {y} ** 3") == PROVED  # neither has a zero
 
 
 def test_a_sum_of_squares_with_a_pole_does_not_count(tmp_path):
     """1 + 1/y² has no zero but y² of it may: y² + 1 is not shown to be positive, and nothing is proved by it."""
     x, y = f"{V}[0]", f"{A}[0]"
-    assert verdict(tmp_path, x, f"{x} * {y} ** 2 * (1 + 1 / {y} ** 2)", values=True) in (REFUTED, UNDECIDED, PROVED)
-    assert verdict(tmp_path, x, f"{x} * (1 + 1 / {y} ** 2)", values=True) in (REFUTED, UNDECIDED)
+    assert verdict(tmp_path, x, f"{x} * {y} ** 2 * (1 + 1 / {y} ** 2)") != REFUTED  # it is x (1 + y²)
+    assert verdict(tmp_path, x, f"{x} * (1 + 1 / {y} ** 2)") in (REFUTED, UNDECIDED)
 
 
 VERTEX = f"3 * dot({V}, {A}) * {F} - norm2({V}) * det({V}, {J})"
@@ -126,10 +125,10 @@ EVOLUTE = f"(c.gamma + perp({V}) * (norm2({V}) / {F})).d(1)"
 def test_the_evolute_has_a_cusp_where_the_curvature_is_stationary_but_at_inflections(tmp_path, velocity):
     """At 0 of (t, t⁴) the vertex form vanishes and the velocity has a pole; no example has such a point."""
     bodies, assumes = (velocity, VERTEX), ("w", "γ′")
-    assert verdict(tmp_path / "a", *bodies, assumes=(*assumes, "turning ≠ 0"), values=True) == PROVED
-    found = combined(claimed(tmp_path / "b", *bodies, assumes=assumes, values=True))[1]
+    assert verdict(tmp_path / "a", *bodies, assumes=(*assumes, "turning ≠ 0")) == PROVED
+    found = combined(claimed(tmp_path / "b", *bodies, assumes=assumes))[1]
     assert (found.verdict, str(found.witness.name)) == (REFUTED, "undulation_2d")
-    rational = combined(claimed(tmp_path / "c", *bodies, assumes=assumes, values=True, of="rational"))[1]
+    rational = combined(claimed(tmp_path / "c", *bodies, assumes=assumes, of="rational"))[1]
     assert (rational.verdict, str(rational.witness.name)) == (REFUTED, "rational_undulation_2d")
 
 
@@ -142,14 +141,11 @@ def test_two_curves_are_compared_along_lines(tmp_path):
     found = combined(false)[1]
     assert found.verdict == REFUTED
     assert re.search(r"at s̄? = .* of the other curve", str(found.witness))
-    assert verdict(tmp_path / "c", f"{ONE}[0]", f"{ONE}[0] / ({ONE}[0] - c.second.p[0])", values=True, **pair) != PROVED
+    assert verdict(tmp_path / "c", f"{ONE}[0]", f"{ONE}[0] / ({ONE}[0] - c.second.p[0])", **pair) != PROVED
 
 
 def test_roots_are_squared_away(tmp_path):
     framed = {"curve": "framed plane", "assumes": ("w", "γ′")}
-    refused = claimed(tmp_path / "a", F, f"{F} / c.sigma", **framed)
-    assert (refused.kind, 'measure = "lowest terms"' in refused.why) == ("not asked", True)
-    framed["values"] = True
     assert verdict(tmp_path / "b", F, f"{F} / c.sigma ** 3", **framed) == PROVED
     assert verdict(tmp_path / "c", F, f"{F} * (c.sigma - 1)", **framed) == UNDECIDED
     assert verdict(tmp_path / "d", F, f"{F} * c.sigma * dot({V}, {A})", **framed) == REFUTED

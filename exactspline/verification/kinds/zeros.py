@@ -7,7 +7,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import field, replace
 from functools import partial, reduce
-from itertools import chain, pairwise, product
+from itertools import pairwise, product
 from operator import methodcaller, mul
 from typing import Any, ClassVar, cast
 
@@ -52,20 +52,18 @@ from exactspline.verification.evidence import (
     ZeroAt,
     ZerosOf,
 )
-from exactspline.verification.generic_proof import factor_of, naive_denominator, of_numerators
+from exactspline.verification.generic_proof import factor_of
 from exactspline.verification.kinds.equality import checked_factor
 from exactspline.verification.notation import factor_formulas, factor_of_text, factor_parts
 from exactspline.verification.paper_curves import curve_names, undulations
 from exactspline.verification.verdict import PROVED, REFUTED, UNDECIDED, VERIFIED, Finding, vacuous
-from exactspline.verification.vocabulary import ArgumentKind, Name, Sign, ZeroSetOf
+from exactspline.verification.vocabulary import ArgumentKind, Name, Sign
 from exactspline.verification.zero_sets import ZeroFree, excluded_by, have_one_zero_set, may_vanish, squared
 
 
 @claim_kind
 class ZeroSet(Claim):
-    """All of ``formulas`` have one zero set: that of their numerators without cancellation, or of their values in
-    lowest terms.
-    """
+    """All of ``formulas`` have one zero set: that of their values, quotients in lowest terms."""
 
     kind: ClassVar[str] = "zero set"
     value: ClassVar[str] = "one zero set"
@@ -73,20 +71,15 @@ class ZeroSet(Claim):
     asks_for_zeros: ClassVar[bool] = True
 
     formulas: tuple[Name, ...] = field(metadata=read(formula_names))
-    measure: ZeroSetOf = field(default=ZeroSetOf.VALUES, metadata=read(one_of(ZeroSetOf)))
 
     def validate(self) -> None:
-        """Reject fewer than two formulas, the operands of Table 1, and numerators where roots are adjoined."""
+        """Reject fewer than two formulas, and the operands of Table 1."""
         if len(set(self.formulas)) < 2 or len(set(self.formulas)) < len(self.formulas):
             raise ClaimError(
                 "a zero set is compared with itself", where="formulas", remedy="name two formulas or more, each once"
             )
         if self.curve == ArgumentKind.TABLE:
             raise ClaimError("zero sets of 'table' are not compared", where="curve", remedy="name a curve")
-        if kind_of(self.curve).adjoins_roots and self.measure == ZeroSetOf.NUMERATORS:
-            raise ClaimError(
-                "values with roots have no numerators", where="measure", remedy=f'measure = "{ZeroSetOf.VALUES}"'
-            )
 
     @property
     def latex(self) -> str:
@@ -94,9 +87,7 @@ class ZeroSet(Claim):
         return " = ".join(rf"\{{{self.symbol(name)} = 0\}}" for name in self.formulas)
 
     def decide(self, dimension: int, polynomial: bool) -> Finding:
-        """The formulas are identical up to factors that have no zero, or vanish where the same factors do: their
-        values, or the numerators as they come.
-        """
+        """The formulas are identical up to factors that have no zero, or vanish where the same factors do."""
         formulas = [self.find(name) for name in self.formulas]
         c = jets_for(formulas, dimension, polynomial=polynomial)
         zero = [name for name, f in zip(self.formulas, formulas, strict=True) if _is_zero(f(c))]
@@ -105,7 +96,7 @@ class ZeroSet(Claim):
         if zero:
             return Finding(REFUTED, Fact.DIFFERENT_ZERO_SETS, witness=VanishesAlways(zero[0]))
         zero_free = ZeroFree(formulas, c, dimension, self.assumes)
-        found = self._by_quotients(formulas, c, polynomial, zero_free)
+        found = self._by_quotients(formulas, c, zero_free)
         if found.verdict != PROVED:
             found = self._by_factors(formulas, c, polynomial, zero_free) or found
         if found.verdict == PROVED:
@@ -117,8 +108,8 @@ class ZeroSet(Claim):
             return Finding(REFUTED, Fact.DIFFERENT_ZERO_SETS, witness=refuted.witness)
         return found
 
-    def _by_quotients(self, formulas: list[Formula], c: Evaluated, polynomial: bool, zero_free: ZeroFree) -> Finding:
-        """Proved where no quotient by the first formula, nor one of the numerators, has zeros or poles."""
+    def _by_quotients(self, formulas: list[Formula], c: Evaluated, zero_free: ZeroFree) -> Finding:
+        """Proved where no quotient by the first formula has zeros or poles."""
         if kind_of(self.curve).adjoins_roots:
             return Finding(UNDECIDED, witness=Fact.ROOTS_REMAIN)
         first, *others = formulas
@@ -127,9 +118,6 @@ class ZeroSet(Claim):
         known = [factor for factor in factors if factor is not None]
         if len(known) < len(factors):
             return Finding(UNDECIDED, None, quotients, Fact.NOT_PROPORTIONAL)
-        if self.measure == ZeroSetOf.NUMERATORS:
-            pairs = list(zip(known, others, strict=True))
-            known += [of_numerators(factor, first, other, polynomial=polynomial) for factor, other in pairs]
         guilty = [base for factor in known for base in may_vanish(factor, zero_free)]
         if not guilty:
             return Finding(PROVED, Fact.ONE_ZERO_SET, quotients)
@@ -146,17 +134,14 @@ class ZeroSet(Claim):
         known = [factor for factor in factors if factor is not None]
         if len(known) < len(factors):
             return None
-        ring, tables = known[0].ring, [[factor.powers for factor in known]]
-        if self.measure == ZeroSetOf.NUMERATORS:
-            below = [naive_denominator(formula, ring, polynomial) ** 2 for formula in formulas]
-            tables.append([powers * w for powers, w in zip(tables[0], below, strict=True)])
+        ring, table = known[0].ring, [factor.powers for factor in known]
         bases: list[Named] = []
-        for powers in chain(*tables):
+        for powers in table:
             bases += [base for base, _ in powers if base not in bases]
 
         def agree_without(gone: list[Named]) -> bool:
             left = [base for base in bases if base not in gone]
-            return all(have_one_zero_set([[row.exponent(base) for base in left] for row in table]) for table in tables)
+            return have_one_zero_set([[row.exponent(base) for base in left] for row in table])
 
         gone = [base for base in bases if zero_free(Jet(ring, base.polynomial))]
         if agree_without(gone):
@@ -170,12 +155,12 @@ class ZeroSet(Claim):
             if weighted and not any(each.name == "w" for each in self.assumes):
                 return Finding(UNDECIDED, witness=MayVanish((Name("w"),), (Name("w"),)))
             zero_free.used += [Name("w")] * weighted
-            left = tuple(Name(base.name) for base in bases if base not in gone and tables[-1][0].exponent(base) > 0)
+            left = tuple(Name(base.name) for base in bases if base not in gone and table[0].exponent(base) > 0)
             return Finding(PROVED, Fact.ONE_ZERO_SET, ZerosOf(left))
         differing = self._with_roots(known, ring.dimension) if kind_of(self.curve).adjoins_roots else None
         if differing and differing.verdict == REFUTED:
             return differing
-        unequal = [base for base in bases if any(len({row.exponent(base) for row in table}) > 1 for table in tables)]
+        unequal = [base for base in bases if len({row.exponent(base) for row in table}) > 1]
         return Finding(UNDECIDED, witness=excluded_by([base for base in unequal if base not in gone], ring, self.find))
 
     def _examples(self) -> Iterator[tuple[bool, str, Nurbs | NurbsSurface]]:
@@ -193,9 +178,7 @@ class ZeroSet(Claim):
         values = [(name, self.find(name)(argument)) for name in self.formulas]
         if self.of_pair:
             return self._along_lines(values)
-        if self.measure == ZeroSetOf.VALUES:
-            values = [(name, continued(value)) for name, value in values]
-        numerators = [(name, common_zeros(split(value)[0])) for name, value in values]
+        numerators = [(name, common_zeros(split(continued(value))[0])) for name, value in values]
         if all(p.is_zero for _, p in numerators):
             return vacuous()
         return _compared(numerators)
@@ -207,7 +190,7 @@ class ZeroSet(Claim):
             low, high = parts[0][1][0].domain[fixed]
             t = low + (high - low) * mpq(k, LINES)
             line = methodcaller(("at_s", "at_t")[fixed], t)
-            below = [line(w) for _, _, w in parts if w is not None and self.measure == ZeroSetOf.VALUES]
+            below = [line(w) for _, _, w in parts if w is not None]
             tops = [(name, common_zeros([line(x) for x in components])) for name, components, _ in parts]
             found = _compared(tops, below, partial(AlongLine, parameter=PARAMETERS[fixed], value=t))
             if found.verdict == REFUTED:
