@@ -25,7 +25,7 @@ from exactspline.verification.kinds.equality import Identity, SameSurface, Vanis
 from exactspline.verification.kinds.types import Applies
 from exactspline.verification.kinds.zeros import SquareClass, ZeroSet
 from exactspline.verification.ledger import audit
-from exactspline.verification.verdict import CONTRADICTION, INAPPLICABLE, PROVED, REFUTED, UNDECIDED, VACUOUS, VERIFIED
+from exactspline.verification.verdict import CONTRADICTION, INAPPLICABLE, PROVED, REFUTED, VACUOUS, VERIFIED
 from exactspline.verification.vocabulary import Reason
 
 TOLD = {"paper": "lifted", "id": "X", "key": "X-a", "source": "a test", "statement": "a statement", "status": "ours"}
