@@ -20,7 +20,6 @@ from exactspline.polynomials.factors import power_text
 from exactspline.readings.jet import polynomial_text
 from exactspline.reals.real import Real
 from exactspline.splines.nurbs import Nurbs
-from exactspline.splines.tensor import TensorSpline
 from exactspline.symbolic.factorization import Factor
 from exactspline.verification import evidence as e
 from exactspline.verification.claim import Claim
@@ -339,14 +338,12 @@ def written_out(curve: Nurbs) -> dict[str, str]:
 def values_there(claim: Claim, finding: Finding) -> list[str]:
     """The values of the formulas of a claim at the parameter of its witness."""
     curve, t = curve_of_witness(claim, finding), _parameter(finding.witness)
-    if curve is None or t is None:
+    if curve is None or t is None or claim.of_pair:
         return []
     values = []
     for name in claim.named:
         try:
             parts, below = split(claim.find(name)(Evaluation(curve).argument(claim.curve)))
-            if isinstance(parts[0], TensorSpline):
-                continue
             divisor = mpq(1) if below is None else below(t)
             values.append(f"{name}({t}) = {point_text([x(t) / divisor for x in parts])}")
         except (ExactSplineError, ZeroDivisionError):  # a surface, or no value there

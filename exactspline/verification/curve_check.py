@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from itertools import pairwise
 from math import prod
-from typing import Any
+from typing import Any, cast
 
 from flint import fmpz_poly
 
@@ -26,20 +26,26 @@ from exactspline.verification.notation import WEIGHTS, factor_parts
 from exactspline.verification.vocabulary import Name
 
 
-def where_it_differs(difference: BSpline | TensorSpline, divisors: Sequence[Any] = ()) -> tuple[mpq, At | AtBoth]:
+def where_it_differs(
+    difference: BSpline | TensorSpline, divisors: Sequence[BSpline | TensorSpline] = ()
+) -> tuple[mpq, At | AtBoth]:
     """The value of a nonzero spline divided by others at a parameter (a pair for splines in two parameters) at which
     none of them vanishes; no divisor vanishes on a whole segment.
     """
     if isinstance(difference, TensorSpline):
-        n = sum(f.degree.t * len(f.meshes[0]) for f in [difference, *divisors])
-        # in every segment one line more than can consist of zeros on one of the patches
-        inside = (c + (d - c) / mpq(j) for c, d in pairwise(difference.meshes[1].breaks) for j in range(2, n + 3))
-        lines = ((t, difference.at_t(t), [f.at_t(t) for f in divisors]) for t in inside)
-        t, line, below = next(x for x in lines if not (x[1].is_zero or any(f.vanishes_somewhere for f in x[2])))
-        s, value = _not_zero(line, below)
-        return value, AtBoth(s, t)
-    t, value = _not_zero(difference, divisors)
+        return _not_zero_at_both(difference, cast("Sequence[TensorSpline]", divisors))
+    t, value = _not_zero(difference, cast("Sequence[BSpline]", divisors))
     return value, At(t)
+
+
+def _not_zero_at_both(f: TensorSpline, divisors: Sequence[TensorSpline]) -> tuple[mpq, AtBoth]:
+    n = sum(g.degree.t * len(g.meshes[0]) for g in (f, *divisors))
+    # in every segment one line more than can consist of zeros on one of the patches
+    inside = (c + (d - c) / mpq(j) for c, d in pairwise(f.meshes[1].breaks) for j in range(2, n + 3))
+    lines = ((t, f.at_t(t), [g.at_t(t) for g in divisors]) for t in inside)
+    t, line, below = next(x for x in lines if not (x[1].is_zero or any(g.vanishes_somewhere for g in x[2])))
+    s, value = _not_zero(line, below)
+    return value, AtBoth(s, t)
 
 
 def _not_zero(f: BSpline, divisors: Sequence[BSpline]) -> tuple[mpq, mpq]:
