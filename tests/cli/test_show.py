@@ -153,5 +153,6 @@ def test_programs_get_every_statement_with_both_sides(wanted):
 
 def test_a_witness_in_two_parameters_is_written():
     """A TypeError before: a formula of two curves has no value at one parameter."""
-    done = invoke("show", "PZ7d-off_the_printed_sphere", "--paper", "petrunin_zamora_barrera", "--latex")
+    asked = ["show", "PZ7d-off_the_printed_sphere", "--paper", "petrunin_zamora_barrera", "--latex"]
+    done = CliRunner().invoke(app, asked)
     assert (done.exit_code, "Witness: on the example curve" in done.output) == (0, True)
