@@ -53,11 +53,11 @@ def show(
         _list(out, claims)
         return
     found = [statement(each) for each in located(claim, claims)]
-    cells = [(s.claim.id, what, text) for s in found for what, text in fields(s)]
+    cells = ((s.claim.id, what, text) for s in found for what, text in fields(s))  # where they are printed
     out.give(
         "show",
         (statement_data(s) | {"key": f"{s.claim.paper}/{s.claim.key}"} for s in found),
-        [Sheet("claim", "what", "is", rows=cells, prose=["is"])],
+        (Sheet("claim", "what", "is", rows=each, prose=["is"]) for each in [cells]),
         lambda: _print_theorems(found) if latex else _print(out, found),
     )
     if not all(s.as_recorded for s in found):

@@ -256,7 +256,7 @@ def test_an_arc_with_an_irrational_end_is_refused_by_the_reader(tmp_path):
 
 @pytest.mark.parametrize(
     "arguments",
-    [("ellipse_in_space", "ellipse_in_space"), ("ellipse", "--point", "-1,1/3"), ("parabola", "straight_line")],
+    [("planar_in_space", "planar_in_space"), ("ellipse", "--point", "-1,1/3"), ("parabola", "straight_line")],
 )
 def test_a_picture_is_written(arguments, tmp_path):
     file = tmp_path / "picture.svg"

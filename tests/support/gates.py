@@ -131,13 +131,14 @@ def holders(tree: ast.Module) -> dict[str, set[str]]:
         if isinstance(node, (ast.FunctionDef, ast.AsyncFunctionDef)):
             given = [*node.args.posonlyargs, *node.args.args, *node.args.kwonlyargs]
             held.setdefault(place, set()).update({each.arg for each in given} & TEXTS)
-        assigned += [(place, *pair) for pair in assignments(node)]
+        named = [pair for pair in assignments(node) if isinstance(pair[0], ast.Name) and pair[0].id.islower()]
+        assigned += [(place, target.id, value) for target, value in named]
     size = -1
     while size != (size := sum(map(len, held.values()))):
-        for place, target, value in assigned:
+        for place, name, value in assigned:
             names = held.setdefault(place, set()) if place else set[str]()
-            if isinstance(target, ast.Name) and target.id.islower() and is_made_of_sentence(value, names):
-                names.add(target.id)
+            if is_made_of_sentence(value, names):
+                names.add(name)
     return held
 
 
