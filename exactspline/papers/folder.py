@@ -13,7 +13,7 @@ from importlib.resources.abc import Traversable
 from pathlib import Path
 from typing import Any, TypedDict, cast
 
-from exactspline.errors import ClaimError, FormulaError, as_path, command_name, nearest
+from exactspline.errors import ClaimError, ExactSplineError, FormulaError, as_path, command_name, nearest
 from exactspline.language.formula import Formula
 from exactspline.one_line import one_line
 from exactspline.papers.loading import Importable, checked_formulas, trusted_formulas
@@ -87,7 +87,7 @@ class Paper:
     trusted: bool = False
     importable: Importable = dict
     _kept: dict[str, dict[str, Formula]] = field(default_factory=dict, repr=False)
-    _refused: dict[str, FormulaError] = field(default_factory=dict, repr=False)
+    _refused: dict[str, ExactSplineError] = field(default_factory=dict, repr=False)
 
     @one_line
     def __repr__(self) -> str:
@@ -120,7 +120,7 @@ class Paper:
         return formulas
 
     @property
-    def refused(self) -> dict[str, FormulaError]:
+    def refused(self) -> dict[str, ExactSplineError]:
         """Why formulas of a user's folder were refused, by their names; also lines and files that are refused."""
         return self._refused if self.formulas is not None else {}
 
@@ -162,20 +162,33 @@ class Paper:
         return name in self.refused or any(name in source.formulas for source in (self, *self.uses))
 
     def claim_tables(self) -> Iterator[Table]:
-        """Its claims as written in its files; the fields of ``common`` in a file apply to each of its claims.
+        """Its claims as written in its files; the fields of ``common`` in a file apply to each of its claims. A file of
+        a user's folder that is not a table of claims is put among what is ``refused``.
 
-        Raises `ClaimError` for a file that is not a table of claims.
+        Raises `ClaimError` for such a file of the library.
         """
         for file in self.claim_files:
-            data = self._read(file)
-            common, entries = data.get("common", {}), data.get("claim", [])
-            if not isinstance(common, dict) or not isinstance(entries, list):
-                raise ClaimError("not a table of claims", where=f"{self.name}/{file}", remedy="write [[claim]]")
+            try:
+                common, entries = self._entries(file)
+            except ClaimError as error:
+                if self.package:
+                    raise
+                self.refused[file] = error
+                continue
             for i, entry in enumerate(entries):
+                yield Table(f"{self.name}/{file}, claim {i + 1}", common | entry)
+
+    def _entries(self, file: str) -> tuple[dict[str, Any], list[Any]]:
+        """The common fields of the claims in a file, and the claims."""
+        data = self._read(file)
+        common, entries = data.get("common", {}), data.get("claim", [])
+        if not isinstance(common, dict) or not isinstance(entries, list):
+            raise ClaimError("not a table of claims", where=f"{self.name}/{file}", remedy="write [[claim]]")
+        for i, entry in enumerate(entries):
+            if not isinstance(entry, dict):
                 place = f"{self.name}/{file}, claim {i + 1}"
-                if not isinstance(entry, dict):
-                    raise ClaimError("a claim is not a table", where=place, remedy="write [[claim]]")
-                yield Table(place, common | entry)
+                raise ClaimError("a claim is not a table", where=place, remedy="write [[claim]]")
+        return common, entries
 
     def construction_tables(self) -> dict[str, Table]:
         """Its constructions by name, as written in ``constructions.toml``."""

@@ -16,7 +16,7 @@ from dataclasses import dataclass, field
 from math import factorial
 from typing import Any
 
-from exactspline.errors import FormulaError, counted, nearest, shown
+from exactspline.errors import ExactSplineError, FormulaError, counted, nearest, shown
 from exactspline.language.complex_numbers import complex_product, complex_quotient, conjugate
 from exactspline.language.formula import Formula, formula
 from exactspline.language.kinds import CURVE, KINDS, Kind, kind_of
@@ -87,7 +87,7 @@ class Checked:
 
 
 #: What was refused in a file, by the name of the formula, or by the line.
-Refused = dict[str, FormulaError]
+Refused = dict[str, ExactSplineError]
 
 
 def formulas_of(

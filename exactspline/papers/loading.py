@@ -25,7 +25,11 @@ Importable = Callable[[], Mapping[str, Formula]]
 
 
 def checked_formulas(
-    file: Traversable, importable: Importable, *, plain: bool = False, refused: dict[str, FormulaError] | None = None
+    file: Traversable,
+    importable: Importable,
+    *,
+    plain: bool = False,
+    refused: dict[str, ExactSplineError] | None = None,
 ) -> dict[str, Formula]:
     """The formulas of a file, checked before they run (see `exactspline.papers.formula_check`: also what is put into
     `refused`).

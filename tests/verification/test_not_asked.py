@@ -191,3 +191,15 @@ def test_elsewhere_what_is_refused_is_an_error(tmp_path):
     assert invoke("identity", f"{folder}:g = 2 * {folder}:f").exit_code == 0
     for name, why in ABOUT.items():
         assert why in str(invoke("identity", f"{folder}:{name} = 2 * {folder}:f").exception)
+
+
+@pytest.mark.parametrize("text", ["[[claim]\n", "claim = 1\n", "common = 1\n"])
+def test_a_file_of_claims_that_cannot_be_read_hides_no_other(tmp_path, text):
+    """Before, no claim of the other files was decided."""
+    folder = folder_with(tmp_path, GOOD, FALSE)
+    (folder / "paper.toml").write_text('claims = ["later.toml", "claims.toml"]\n')
+    (folder / "later.toml").write_text(text)
+    rows = [row for row in rows_of("--paper", folder) if not row["curve"]]
+    assert [row["verdict"] for row in rows] == ["PROVED", "REFUTED", "NOT ASKED"]
+    assert "later.toml" in rows[2]["witness"]
+    assert invoke("prove", "--paper", folder).exit_code == 2
