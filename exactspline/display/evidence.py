@@ -208,7 +208,7 @@ def _(item: e.Counted, numbers: Numbers = EXACT) -> str:
 
 def _count(n: int | None, what: Counter) -> str:
     if n is None:
-        return "infinitely many roots" if what == Counter.ROOTS else "not a form whose sign is that of κ′"
+        return f"infinitely many {what}"
     number = f"{'−' if n < 0 else ''}{abs(n)}"
     return f"degree {number}" if what == Counter.DEGREE else f"{number} {what}"
 

@@ -23,6 +23,7 @@ from exactspline.readings.printing import print_text, symbol_text
 from exactspline.readings.tree import trace
 from exactspline.release import all_releases
 from exactspline.verification.claim import Claim
+from exactspline.verification.claims import claims_of
 from exactspline.verification.kinds.not_asked import NotAsked
 from exactspline.verification.rows import Row, count_statements
 from exactspline.verification.verdict import REFUTED
@@ -197,10 +198,12 @@ def _not_entered(claims: Sequence[Claim], sources: Iterable[Paper]) -> str:
         lines.append(("formulas without a claim", escape(", ".join(silent)) or "none"))
         text = passages(source)
         without = [each for each in text if not (each.claims or each.read)]
+        unknown = {key for each in text for key in each.claims} - {claim.key for claim in claims_of(source)}
+        missing = [f"claims that do not exist: {', '.join(map(escape, sorted(unknown)))}"] if unknown else []
         read = (
             f"{len(text) - len(without)} of {len(text)} are read" if text else "not entered: there is no reading.toml"
         )
-        lines.append(("passages of the text", "; ".join([read, *[escape(each.place) for each in without]])))
+        lines.append(("passages of the text", "; ".join([read, *missing, *[escape(each.place) for each in without]])))
     return f"<h2>What was not entered</h2>{definitions(lines)}"
 
 

@@ -12,6 +12,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import TypedDict, cast
 
+from exactspline.errors import ClaimError
 from exactspline.one_line import OneLine
 from exactspline.papers.folder import Paper, read_toml
 
@@ -88,6 +89,9 @@ def _read(table: ReadingTable) -> Iterator[Passage]:
     for page in table.get("page", ()):
         for order, entry in enumerate(page["spans"], 1):
             read = dict(entry)
+            if "begins" not in read:
+                where = f"{FILE}, page {page['number']}, span {order}"
+                raise ClaimError("a span without its first letters", where=where, remedy='write begins = "…"')
             begins, digest = str(read.pop("begins")), str(read.pop("digest", ""))
             if read.get("nothing") == "heading":
                 section = _section(begins, sections)

@@ -75,6 +75,21 @@ def test_the_report_has_what_a_reader_needs_to_check_it(tmp_path):
     )
 
 
+def test_a_reading_that_names_no_claim_is_reported(tmp_path):
+    """Before: a claim that does not exist counted as read, and a span without its first letters was a KeyError."""
+    folder, report = folder_in(tmp_path), tmp_path / "report.html"
+    file = folder / "reading.toml"
+    file.write_text(READING.replace("1-identity", "1-identities"))
+    invoke("prove", "--paper", folder, "--report", report)
+    assert "claims that do not exist: 1-identities; p. 1" in report.read_text()
+    file.write_text(READING.replace('begins = "We', 'bgins = "We'))
+    done = invoke("prove", "--paper", folder, "--report", report)
+    assert "reading.toml, page 1, span 2: a span without its first letters" in str(done.exception)
+        2,
+        True,
+    )
+
+
 def test_every_formula_without_a_claim_is_named(tmp_path):
     folder = folder_in(tmp_path)
     with (folder / "formulas.py").open("a") as file:

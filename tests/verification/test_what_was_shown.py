@@ -15,7 +15,7 @@ from exactspline.readings.jet import JetReading
 from exactspline.verification.claims import all_claims, claim_of, claims_of
 from exactspline.verification.ledger import decide
 from exactspline.verification.segments import on_segments
-from exactspline.verification.verdict import REFUTED, VACUOUS, VERIFIED
+from exactspline.verification.verdict import REFUTED, UNDECIDED, VACUOUS, VERIFIED
 from tests.support.claims import refusal
 from tests.verification.test_own_paper import plane_formulas, written
 
@@ -59,8 +59,8 @@ def test_a_form_that_vanishes_has_no_number_of_roots(tmp_path):
     counted = [("nothing", "0 roots"), ("one", "2 roots"), ("one", "0 roots"), ("speed", "8 extrema")]
     entries = [told | {"id": f"{i}", "formula": f, "claimed": n} for i, (f, n) in enumerate(counted)]
     rows = [decide(each) for each in claims_of(load_paper(written(tmp_path / "counts", formulas, entries)))]
-    assert [row.verdict for row in rows] == [VACUOUS, REFUTED, VERIFIED, REFUTED]
-    assert worded(rows[3].computed) == "not a form whose sign is that of κ′"
+    assert [row.verdict for row in rows] == [VACUOUS, REFUTED, VERIFIED, UNDECIDED]
+    assert "does not change its sign exactly where the curvature has its extrema" in worded(rows[3].witness)
 
 
 def test_a_formula_is_not_called_like_a_constant_of_its_kind(tmp_path):

@@ -42,6 +42,10 @@ class ExampleClaim(Claim):
         return self.prove()[1]
 
 
+#: What one of them is called.
+SINGULAR = {"root": "roots", "cusp": "cusps", "extremum": "extrema", "control point": "control points"}
+
+
 def _counts(claimed: str) -> list[tuple[int, Counter]]:
     """The numbers of a caption with their units.
 
@@ -55,7 +59,8 @@ def _counts(claimed: str) -> list[tuple[int, Counter]]:
         number = re.search(r"-?\d+", part)
         if number is None:
             raise ClaimError(f"the count {part!r} has no number", where="claimed", remedy='write "degree 6"')
-        numbers.append((int(number[0]), word(Counter, part.replace(number[0], "", 1).strip(), "count")))
+        what = part.replace(number[0], "", 1).strip()
+        numbers.append((int(number[0]), word(Counter, SINGULAR.get(what, what), "count")))
     return numbers
 
 
@@ -116,7 +121,7 @@ class Count(ExampleClaim):
         return Finding(REFUTED, counts_here, witness=counts_here)
 
     def _counted(self, what: Counter, value: Any, own: Evaluation) -> int | None:
-        """One of the numbers; None where it is infinite, or not defined by the formula."""
+        """One of the numbers; None where it is infinite."""
         if what == Counter.CUSPS:
             return _cusps(self.find(self.formula), own)
         if what == Counter.ENDS:
@@ -133,7 +138,12 @@ class Count(ExampleClaim):
         lowest = split(in_lowest_terms(value) if isinstance(value, Rational) else value)
         form = self.only_component(self.formula, lowest[0])
         zero_set = zeros(form, periodic=own.curve.closed)
-        return self._roots(zero_set) if what == Counter.ROOTS else count_of_extrema(zero_set, own)
+        if what == Counter.ROOTS:
+            return self._roots(zero_set)
+        if (extrema := count_of_extrema(zero_set, own)) is None:
+            problem = f"{self.formula!r} does not change its sign exactly where the curvature has its extrema"
+            raise ClaimError(problem, where=self.key, remedy="count extrema by a formula with the sign of κ′")
+        return extrema
 
     def _roots(self, whole: ZeroSet) -> int | None:
         """The number of roots in the interval; None where there are infinitely many."""
@@ -181,13 +191,15 @@ def extrema_at_ends(curve: Nurbs) -> int:
     return max(sum(root in ends for root in jumps) for ends in pairwise(curve.breakpoints))
 
 
-def _cusps(formula: Formula, own: Evaluation) -> int | None:
-    """The number of places where a derived curve turns back, between its poles; None where it is not one curve."""
+def _cusps(formula: Formula, own: Evaluation) -> int:
+    """The number of places where a derived curve turns back, between its poles."""
     from exactspline.geometry.curves.poles import between_poles
     from exactspline.geometry.derived.derive import derive
 
     derived = derive(formula, own.curve)
-    return None if derived.missing else len(between_poles(derived).reversals)
+    if derived.missing:
+        raise ClaimError(f"{formula.name!r} does not exist on all of this curve", remedy="name another curve")
+    return len(between_poles(derived).reversals)
 
 
 @claim_kind
