@@ -38,9 +38,10 @@ class PairPoint(NamedTuple):
 
 
 def certain_pairs(
-    first: array[float], second: array[float], pairs: Sequence[tuple[int, int]]
+    first: array[float], second: array[float] | None, pairs: Sequence[tuple[int, int]]
 ) -> list[list[PairPoint] | None]:
-    """The common points of pairs of segments of two tables; None where they are not certain.
+    """The common points of pairs of segments of two tables, or of one, where a segment and itself have those through
+    which it passes twice; None where they are not certain.
 
     >>> arch, line = (2, [(0, 2, 2), (0, 8, 0), (1, 2, 1)]), (1, [(0, 3), (1, 1), (1, 1)])
     >>> found = certain_pairs(table_of([arch]), table_of([line]), [(0, 0)])
@@ -56,13 +57,13 @@ def certain_pairs(
 
 
 def _decided(
-    function: Callable[..., int], ours: array[float], theirs: array[float], pairs: Sequence[tuple[int, int]]
+    function: Callable[..., int], ours: array[float], theirs: array[float] | None, pairs: Sequence[tuple[int, int]]
 ) -> list[list[PairPoint] | None]:
-    """What the function of the extension says of some pairs of segments of two tables."""
+    """What the function of the extension says of some pairs of segments of two tables, or of one."""
     count, room = len(pairs), len(pairs) * HIGHEST**2
     indices, open_ = array("i", [i for pair in pairs for i in pair]), array("i", bytes(4 * count))
     points = array("d", bytes(8 * OF_POINT * room))
-    one, other, which, left, to = [x.buffer_info()[0] for x in (ours, theirs, indices, open_, points)]
+    one, other, which, left, to = [x and x.buffer_info()[0] for x in (ours, theirs, indices, open_, points)]
     known = function(one, other, which, count, left, to, room)
     own: list[list[PairPoint] | None] = [None if x else [] for x in open_]
     for k in range(0, OF_POINT * known, OF_POINT):

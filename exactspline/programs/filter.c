@@ -596,6 +596,43 @@ static void eliminated(const Points *p, const Points *q, Room *own, Form *vanish
         top->value[i] = -top->value[i];
 }
 
+/* Divide the rows, or the columns, of a matrix by s − t from the highest power of s down, up to the degree m − 2 in t:
+   what is left out cancels. Each entry is a sum of at most m − 1 of those that were there. */
+static void divided(Matrix *matrix, int columns) {
+    int m = matrix->size;
+    for (int k = 0; k < m; k++)
+        for (int j = m - 2; j > 0; j--) {
+            Bare *to = columns ? &matrix->entry[k][j] : &matrix->entry[j][k];
+            const Bare *from = columns ? &matrix->entry[k][j + 1] : &matrix->entry[j + 1][k];
+            for (int l = 1; l <= m - 2; l++) {
+                to->value[l] += from->value[l - 1];
+                to->mass[l] += from->mass[l - 1];
+            }
+        }
+}
+
+/* The same three forms for a segment, given twice, of degree 2 or more, without the pairs of equal parameters. */
+static void eliminated_itself(const Points *p, const Points *q, Room *own, Form *vanishing, Form *top, Form *bottom) {
+    Matrix *matrix = &own->matrix;
+    Bare *minors = own->minors;
+    int m = p->degree, all = (1 << (m - 1)) - 1, roundings[SIDE];
+    bezout(p, q, matrix);
+    divided(matrix, 1);
+    divided(matrix, 0);
+    for (int i = 1; i < m; i++)
+        for (int j = 1; j < m; j++)
+            matrix->entry[i - 1][j - 1] = matrix->entry[i][j];
+    matrix->size = m - 1;
+    matrix->degree = m - 2;
+    matrix->roundings += 2 * m;
+    expanded(matrix, minors, roundings);
+    bounded(vanishing, (m - 1) * (m - 2), minors + all, roundings[m - 1]);
+    bounded(bottom, (m - 2) * (m - 2), minors + (all & ~1), roundings[m - 2]);
+    bounded(top, (m - 2) * (m - 2), minors + (all & ~2), roundings[m - 2]);
+    for (int i = 0; i <= top->degree; i++)
+        top->value[i] = -top->value[i];
+}
+
 /* The value of a form at a parameter, and a bound of its distance from all values over an interval that begins there. */
 static double value_over(const Form *form, double low, double high, double *bound) {
     int n = form->degree;
@@ -636,17 +673,23 @@ static void turned_round(Points *p) {
 
 /* The common points of a pair of segments, as in `filter_pairs`: how many there are, or -1 where a parameter of the
    first is not certain, which may help to reverse it, -2 where something else is not, or without room. What is found is
-   that of the first as it was before it was `reversed`. */
-static int met(const Points *p, const Points *q, Room *own, int reversed, int pair, double *point, int room) {
+   that of the first as it was before it was `reversed`. Of a segment and `itself` the first parameter is the smaller. */
+static int met(const Points *p, const Points *q, Room *own, int reversed, int itself, int pair, double *point, int room) {
     Form vanishing, top, bottom, copy;
     Zero zeros[MOST];
-    eliminated(p, q, own, &vanishing, &top, &bottom);
+    if (itself && p->degree < 2)
+        return -2;
+    (itself ? eliminated_itself : eliminated)(p, q, own, &vanishing, &top, &bottom);
     copy = vanishing;
     int inside = isolated(&copy, 0, 1, 0, zeros, 0, MOST), count = 0;
     for (int i = 0; i < inside; i++) {
         double bounds[2];
         narrowed(&vanishing, zeros + i);
         int place = place_on_first(&top, &bottom, zeros + i, bounds);
+        if (itself && place > 0 && bounds[0] > zeros[i].high)
+            continue;
+        if (itself && !(place < 0 || (place > 0 && bounds[1] < zeros[i].low)))
+            return -2;
         if (place == 0)
             return -1;
         if (place < 0)
@@ -666,7 +709,7 @@ static int met(const Points *p, const Points *q, Room *own, int reversed, int pa
 
 /* The common points of pairs of segments.
 
-   first, second: the segments of both curves, `OF_SEGMENT` numbers each: the degree (others than 1 to `HIGHEST` are
+   first, second: the segments of both curves, or of one curve and nothing, `OF_SEGMENT` numbers each: the degree (others than 1 to `HIGHEST` are
    left open), a point near the segment, and the coefficients of x, y and w in the scaled basis measured from this
    point, each rounded once.
    pairs: the indices of the segments. open: for every pair whether something is not certain.
@@ -680,14 +723,15 @@ int filter_pairs(const double *first, const double *second, const int *pairs, in
     int points = 0;
     Room *own = malloc(sizeof *own);
     for (int k = 0; k < count; k++) {
-        const double *one = first + pairs[2 * k] * OF_SEGMENT, *other = second + pairs[2 * k + 1] * OF_SEGMENT;
+        const double *one = first + pairs[2 * k] * OF_SEGMENT;
+        const double *other = (second ? second : first) + pairs[2 * k + 1] * OF_SEGMENT;
         int exchanged = one[0] > other[0], known = -2;
         Points p, q;
         if (own && brought_together(exchanged ? other : one, exchanged ? one : other, &p, &q))
-            known = met(&p, &q, own, 0, k, found + OF_POINT * points, room - points);
+            known = met(&p, &q, own, 0, !second && one == other, k, found + OF_POINT * points, room - points);
         if (known == -1) {
             turned_round(&p);
-            known = met(&p, &q, own, 1, k, found + OF_POINT * points, room - points);
+            known = met(&p, &q, own, 1, 0, k, found + OF_POINT * points, room - points);
         }
         open[k] = known < 0;
         points += known < 0 ? 0 : known;

@@ -14,6 +14,8 @@ import pytest
 from exactspline import Nurbs, intersections
 from exactspline.geometry.pairs import lazy_intersections as late_meetings
 from exactspline.numbers.exact import mpq
+from exactspline.numbers.intervals import UNIT
+from exactspline.polynomials.plane_pairs import self_meetings
 from exactspline.programs.certain_pairs import (
     HIGHEST,
     OPEN,
@@ -23,7 +25,7 @@ from exactspline.programs.certain_pairs import (
     segment_in_doubles,
     table_of,
 )
-from exactspline.roots.segment_forms import segment_rows
+from exactspline.roots.segment_forms import parameter, plane_forms, segment_rows
 from tests.campaigns import certain_pairs as campaign
 from tests.support.rounding import FLUSHED, MODES, rounding
 from tests.support.sampled import FULL
@@ -64,6 +66,33 @@ def test_numbers_of_any_size_are_decided_rightly(size):
             [[(x, y * size, w * size) for x, y, w in one] for one in rows],
         ):
             assert campaign.differing(own)[1] == ""
+
+
+@needs_extension
+@pytest.mark.parametrize("mode", MODES)
+@pytest.mark.parametrize("degree", range(2, HIGHEST + 1))
+def test_a_segment_meets_itself_where_exact_arithmetic_says(degree, mode):
+    """Coordinates from few integers, where cusps and ends lie on the curve, to many; both parameters, in order."""
+    chance, decided = Random(degree), 0
+    for k in range(120):
+        size = (2, 9, 100, 10**6)[k % 4]
+        points = [(chance.randint(-size, size), chance.randint(-size, size)) for _ in range(degree + 1)]
+        curve = Nurbs.bezier(points, [chance.randint(1, 9) for _ in points] if k % 8 > 3 else None)
+        row = segment_rows(curve, 0)
+        with rounding(mode):
+            (found,) = certain_pairs(table_of([row]), None, [(0, 0)])
+        if found is None:
+            continue
+        decided += 1
+        true = self_meetings(plane_forms(curve, 0))
+        assert not true.arcs
+        assert not true.rests
+        numbers = sorted([parameter(local, *UNIT) for local in (p.second, p.first)] for p in true.points)
+        assert len(numbers) == len(found)
+        for (t, s), one in zip(numbers, found, strict=True):
+            low, high, first, last = map(mpq, (one.low, one.high, *one.other))
+            assert first < s < last < low < t < high
+    assert decided > 60
 
 
 @needs_extension

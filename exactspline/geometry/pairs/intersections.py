@@ -227,7 +227,7 @@ class CollectedPoints:
         self._cones: dict[int, Cone | None] = {}
         trees = [own.boxes(shift_for(*prepared)) for own in prepared]
         pairs = list(pairs_that_may_meet(trees[0], trees[-1]))
-        certain = certain_pairs(prepared[0].table, prepared[-1].table, pairs)
+        certain = certain_pairs(prepared[0].table, None if alone else prepared[1].table, pairs)
         #: The common points that are certain in doubles.
         self.certain = [(pair, found) for pair, found in zip(pairs, certain, strict=True) if found]
         if None in certain:
@@ -380,7 +380,8 @@ class CollectedPoints:
     def _in_order(self, at_knots: list[Intersection]) -> tuple[Intersection, ...]:
         """All common points, in the order of the first curve."""
         for pair, found in self.certain:
-            forms = PairForm.of(self.segments[0][pair[0]], self.segments[-1][pair[1]])
+            alone = self.alone and pair[0] == pair[1]
+            forms = PairForm.of(self.segments[0][pair[0]], self.segments[-1][pair[1]], alone=alone)
             self.inner += [(pair, forms.meeting(each)) for each in found]
         self.certain = []
         points = [*at_knots, *(self._inside(*found) for found in self.inner)]

@@ -14,7 +14,7 @@ from exactspline.numbers.once import cached_property
 from exactspline.polynomials.bezout import PlaneForms
 from exactspline.polynomials.common_arcs import Image, Meeting, RationalMap
 from exactspline.polynomials.isolation import LocalPolynomial, LocalZero
-from exactspline.polynomials.plane_pairs import Elimination, elimination
+from exactspline.polynomials.plane_pairs import Elimination, elimination, self_elimination
 from exactspline.polynomials.zero_places import Place
 from exactspline.programs.certain_pairs import PairPoint
 from exactspline.roots.root import LazyRoot, Shrinking, Shrunk
@@ -27,11 +27,14 @@ class PairForm:
 
     first: PlaneForms
     second: PlaneForms
+    #: Whether both are one segment, of which pairs of equal parameters are no common points.
+    alone: bool = False
 
     @classmethod
-    def of(cls, first: SegmentRows, second: SegmentRows) -> PairForm:
+    def of(cls, first: SegmentRows, second: SegmentRows, *, alone: bool = False) -> PairForm:
         """Of two segments in the degrees in which they are given."""
-        return cls(*(PlaneForms(n, *(fmpz_poly([*c]) for c in rows)) for n, rows in (first, second)))
+        one, other = (PlaneForms(n, *(fmpz_poly([*c]) for c in rows)) for n, rows in (first, second))
+        return cls(one, other, alone)
 
     @property
     def exchanged(self) -> bool:
@@ -41,6 +44,8 @@ class PairForm:
     @cached_property
     def elimination(self) -> Elimination:
         """The matrix of the curve of lower degree."""
+        if self.alone:
+            return self_elimination(self.first)
         return elimination(*((self.second, self.first) if self.exchanged else (self.first, self.second)))
 
     @cached_property
