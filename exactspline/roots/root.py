@@ -93,14 +93,15 @@ class Shrunk(NamedTuple):
         return None
 
     def near(self, bits: int) -> Interval | None:
-        """An interval of the local parameter at most ``2^−bits`` wide with the zero strictly inside; None where balls
-        leave it open.
+        """A part of the interval of the local parameter, at most ``2^−bits`` wide, with the zero strictly inside; None
+        where balls leave it open.
         """
+        given = Interval(*map(mpq, self.shrinking.intervals[self.k]))
         with ctx.workprec(PRECISION):
             for z in self.shrinking.balls(self.k):
                 t: arb = z / (1 + z)
                 if t.rad() < arb((1, -bits - 2)):
-                    return ball_ends(t).grown(mpq(1, 1 << (bits + 2)))
+                    return ball_ends(t).grown(mpq(1, 1 << (bits + 2))).inside(given)
         return None
 
 

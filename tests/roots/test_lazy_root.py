@@ -68,6 +68,15 @@ def test_balls_find_what_isolation_finds(p):
         assert Root(None, None, (1, 1), late.signs, late, side).double() == exact.double()
 
 
+def test_an_interval_around_a_zero_is_a_part_of_the_one_given():
+    """However few bits are asked for: it was grown on both sides, beyond the end that is next to the zero."""
+    late = LazyRoot(Given(Z - 1), 0, -1, (0.5 - 2**-40, 0.75))
+    low, high = late.shrunk.near(10)
+    assert 0.5 - 2**-40 <= low < 0.5 < high < 0.5 + 2**-10
+    low, high = Root(None, None, (1, 1), late.signs, late, UNIT).refine(3)
+    assert late.low < low <= 0.5 <= high < late.high
+
+
 def test_balls_say_nothing_of_a_promise_that_is_not_kept():
     """No zero in the interval, one from − to +, two of them."""
     for interval, before in (((0.0, 0.25), 1), ((0.25, 0.3), -1), ((0.2, 0.8), 1)):

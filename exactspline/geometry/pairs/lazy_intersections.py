@@ -78,9 +78,8 @@ class PairForm:
         middle = [ball.mid() for ball in box]
         x, y, w, u, v, q = (f(middle[k // 3]) for k, (f, _) in enumerate(self._forms))
         one, other = x * q - u * w, y * q - v * w
-        (x, dx), (y, dy), (w, dw), (u, du), (v, dv), (q, dq) = (
-            (f(box[k // 3]), slope(box[k // 3])) for k, (f, slope) in enumerate(self._forms)
-        )
+        around = [(f(box[k // 3]), slope(box[k // 3])) for k, (f, slope) in enumerate(self._forms)]
+        (x, dx), (y, dy), (w, dw), (u, du), (v, dv), (q, dq) = around
         a, b, c, d = dx * q - u * dw, x * dq - du * w, dy * q - v * dw, y * dq - dv * w
         below = a * d - b * c
         return [middle[0] - (d * one - b * other) / below, middle[1] - (a * other - c * one) / below]
@@ -90,6 +89,5 @@ class PairForm:
         interval, k = (found.low, found.high), int(not self.exchanged)
         shrinking = Shrinking([interval, found.other][:: 1 - 2 * k], self._closer)
         place = Place(LazyRoot(self, found.number, found.before, interval, Shrunk(shrinking, k)))
-        image = Image(place, self, Interval(*map(mpq, found.other)), Shrunk(shrinking, 1 - k))
-        meeting = Meeting(image, place, 1)
+        meeting = Meeting(Image(place, self, Interval(*map(mpq, found.other)), Shrunk(shrinking, 1 - k)), place, 1)
         return meeting.exchanged() if self.exchanged else meeting

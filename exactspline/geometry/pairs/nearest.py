@@ -138,8 +138,6 @@ def exact_point(curve: Nurbs, point: Iterable[Number]) -> tuple[mpq, ...]:
 
 def _near_segments(segments: Segments, delta: tuple[mpq, ...]) -> list[int]:
     """The indices of the segments that may have the nearest point."""
-    if len(segments.rows) == 1:
-        return [0]
     shift = shift_for(segments)
     scaled = [x * (1 << shift) for x in delta]
     bounds = [_bounds(box, scaled) for box in segments.boxes(shift).boxes]
