@@ -150,5 +150,5 @@ def test_each_offset_has_its_own_sign():
 )
 def test_they_are_asked_by_commands(arguments):
     document = json.loads(CliRunner().invoke(app, [*arguments, "--json"]).stdout)
-    jsonschema.validate(document, schema_of("answers"))
+    jsonschema.Draft202012Validator(schema_of("answers")).validate(document)
     assert all(row["answer"] and not row["error"] for row in document["rows"])
