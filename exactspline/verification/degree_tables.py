@@ -367,7 +367,7 @@ def _degrees_of(formula: Formula, polynomial: bool, parameter: Parameter, limit:
         curves += f", in {parameter}"
     try:
         nominal = str(DegreeReading(parameter=parameter).count(formula, n, polynomial=polynomial))
-    except InapplicableError as error:
+    except (FormulaError, InapplicableError) as error:
         return FormulaDegrees(formula.name, curves, "–", "–", "–", error.problem)
     try:
         with within_seconds(limit):
