@@ -58,7 +58,8 @@ def test_one_refused_claim_hides_no_other(refused, tmp_path):
     done = invoke("prove", "--paper", folder)
     assert done.exit_code == 2
     assert "NOT ASKED" in done.output
-    assert re.search(r"; 1 could not be asked \(--rows [^)]*\); \d+ DIFFER from the record", " ".join(done.output.split()))
+    said = " ".join(done.output.split())
+    assert re.search(r"; 1 could not be asked \(--rows [^)]*\); \d+ DIFFER from the record", said)
     assert "\x1b[2J" not in done.output
     table = list(csv.DictReader(io.StringIO(invoke("prove", "--paper", folder, "--csv").output)))
     assert [row["verdict"][:9] for row in table[:3]] == ["PROVED", "NOT ASKED", "REFUTED (recorded: PROVED)"[:9]]
