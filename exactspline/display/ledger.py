@@ -241,7 +241,7 @@ def closing(rows: Sequence[Row], judge: str = "") -> str:
     others = "all others as recorded" if beyond or unasked else "all as recorded"
     end = f"{differ} DIFFER from the record" if differ else others
     end = f"{beyond} out of reach; {end}" if beyond else end
-    end = f"{unasked} could not be asked (--rows --verdict \"not asked\" says why); {end}" if unasked else end
+    end = f'{unasked} could not be asked (--rows --verdict "not asked" says why); {end}' if unasked else end
     if judge:
         decided = Counter(row.second.verdict for row in rows if row.second)
         end = f"{judge}: {', '.join(f'{decided[w]} {w}' for w in (PROVED, REFUTED) if decided[w]) or 'none'}; {end}"
