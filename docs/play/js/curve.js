@@ -173,7 +173,7 @@ const LEGEND = [
   ["square", "inflection", "inflection"],
   ["triangle", "maximum", "largest curvature"],
   ["diamond", "minimum", "smallest curvature"],
-  ["cross", "singular", "cusp, stop or corner"],
+  ["cross", "singular", "singular point or corner"],
 ];
 element("legend").append(...LEGEND.map(([shape, kind, name]) => html("span", {}, symbol(shape, `mark ${shape} ${kind}`), name)));
 for (const id of ["comb", "evolute"]) element(id).onchange = draw;
