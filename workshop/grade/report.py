@@ -217,9 +217,8 @@ def _defects(defects: Sequence[Defect]) -> str:
     for defect in defects:
         one = defect.example
         note = " ".join((one.verdict.note or _ulps(one.verdict.ulps)).split())[:160]
-        lines += [
-            f"- **{defect.library}**, {defect.question}: {defect.outcome} {defect.times} times. {_curve(one)}: {note}"
-        ]
+        what = f"{defect.question}: {defect.outcome} {counted(defect.times, 'time')}"
+        lines.append(f"- **{defect.library}**, {what}. {_curve(one)}: {note}")
     return "\n".join([*lines, ""])
 
 
