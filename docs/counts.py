@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from pathlib import Path
 from textwrap import fill
 
-from exactspline.display.glossary import glossary
+from exactspline.display.console import glossary
 from exactspline.papers import papers
 from exactspline.verification.claims import claims_of
 from exactspline.verification.rows import recorded_counts

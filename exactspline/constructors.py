@@ -10,9 +10,9 @@ from itertools import accumulate, pairwise
 from flint import fmpq_mat
 
 from exactspline.errors import KnotError, NumberError, ShapeError, as_flag, as_items, counted, shown
-from exactspline.interchange.affine import Affine
 from exactspline.interchange.segments import (
     DEGREES,
+    Affine,
     Segment,
     arc_around_origin,
     conic_arc,

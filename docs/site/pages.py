@@ -15,9 +15,9 @@ from pathlib import Path
 import exactspline as xs
 from docs.site.narrow import beside, narrowed, png, saved
 from exactspline.cli import app
+from exactspline.display.console import glossary
 from exactspline.display.evidence import worded
 from exactspline.display.figures import Drawn, figures, make
-from exactspline.display.glossary import glossary
 from exactspline.display.latex_prose import parts
 from exactspline.display.numbers import Numbers
 from exactspline.display.sheet import code_lines, in_markdown

@@ -61,9 +61,8 @@ def between(
     or, if there are none, the pairs of points at the least distance.
     """
     from exactspline.display import console
-    from exactspline.display.answer_forms import FORMS_BESIDE, answers_data
+    from exactspline.display.answer_forms import FORMS_BESIDE, answers_data, pair_sheet
     from exactspline.display.features import common_points_sheet
-    from exactspline.display.pair_data import pair_sheet
     from exactspline.geometry.analysis.pairs import CurvePair
 
     refuse_with_ask({"--plot": plot, "--emit-coq": emit_coq} if ask else {})

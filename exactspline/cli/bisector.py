@@ -97,7 +97,7 @@ def _coordinates(point: str) -> list[str]:
 def _of_two(c: Nurbs, other: Nurbs, variant: str, digits: int) -> Answer:
     from exactspline.display import bisector_data
     from exactspline.display.answer_forms import bisector_answer
-    from exactspline.display.plot.in_space import picture
+    from exactspline.display.plot.anything import picture
     from exactspline.errors import FormulaError
     from exactspline.geometry.bisectors.plane_curves import PlaneBisector
     from exactspline.geometry.bisectors.two_curves import SurfaceVariant, curve_bisector
@@ -125,7 +125,7 @@ def _of_two(c: Nurbs, other: Nurbs, variant: str, digits: int) -> Answer:
 def _of_point(c: Nurbs, point: list[str], variant: str, digits: int) -> Answer:
     from exactspline.display import bisector_data
     from exactspline.display.answer_forms import bisector_answer
-    from exactspline.display.plot.in_space import picture
+    from exactspline.display.plot.anything import picture
     from exactspline.errors import FormulaError
     from exactspline.geometry.bisectors.point_and_curve import point_bisector
     from exactspline.geometry.bisectors.trimmed import trimmed_bisector

@@ -99,7 +99,7 @@ def words(
     out: Output, term: Annotated[list[str] | None, Argument(help="Words or signs; without any, all of them.")] = None
 ) -> None:
     """Explain the words and signs of the tables: nominal, true, minimal, k, m, j, X, P, every verdict."""
-    from exactspline.display.glossary import glossary, meaning
+    from exactspline.display.console import glossary, meaning
 
     topics = {"": {each: meaning(each) for each in term}} if term else glossary()
     cells = [(each, explained) for terms in topics.values() for each, explained in terms.items()]

@@ -136,8 +136,8 @@ def errata(
     """List the errors of the paper: the printed words with their place, what is true, why, a witness, and a check that
     can be pasted into Python.
     """
-    from exactspline.display.errata import errata_sheet, erratum_data, print_errata
     from exactspline.display.numbers import Numbers
+    from exactspline.display.tables import errata_sheet, erratum_data, print_errata
     from exactspline.papers import named_papers
     from exactspline.verification.combined import computed_once
     from exactspline.verification.errata import errata as errors

@@ -107,7 +107,7 @@ def _inspected(
 
 def _drawn(found: SurfaceInspection, plot: str) -> None:
     """A picture, or an interactive page."""
-    from exactspline.display.plot.in_space import picture
+    from exactspline.display.plot.anything import picture
 
     if plot.lower().endswith(".html"):
         from exactspline.atomic_write import write_text

@@ -8,7 +8,7 @@ from enum import StrEnum
 from functools import cache
 from operator import itemgetter
 from types import NoneType, SimpleNamespace
-from typing import Any, get_args, get_type_hints
+from typing import TYPE_CHECKING, Any, get_args, get_type_hints
 
 from exactspline.bivariate.answers import SurfacePlaces
 from exactspline.display import bisector_data, surface_data
@@ -16,6 +16,7 @@ from exactspline.display.bisector_data import FORMS_OF_POINT, MISSING, PAIRS, PA
 from exactspline.display.forms import (
     BOX,
     DIGITS,
+    FLAG,
     INTEGER,
     INTERVAL,
     REAL,
@@ -29,9 +30,10 @@ from exactspline.display.forms import (
     pair_of,
     picked,
     plain,
+    real_text,
     record,
 )
-from exactspline.display.pair_data import DISTANCE, INTERSECTIONS
+from exactspline.display.numbers import polynomial_text
 from exactspline.display.serialize import (
     CURVE,
     DERIVED,
@@ -41,12 +43,14 @@ from exactspline.display.serialize import (
     NAMED_NUMBERS,
     NEAREST_POINT,
     PLANAR_PIECE,
+    POINT,
     SPLINE,
     Located,
     Net,
     described_form,
     located,
 )
+from exactspline.display.sheet import Sheet
 from exactspline.display.surface_data import places_on_surface
 from exactspline.errors import ShapeError, a_kind, as_integer
 from exactspline.geometry.analysis.curves import QUESTIONS
@@ -62,7 +66,7 @@ from exactspline.geometry.curves.kinds import Feature, FeatureKind
 from exactspline.geometry.curves.planarity import Plane
 from exactspline.geometry.derived.derive import Derived
 from exactspline.geometry.pairs.distance import Distance
-from exactspline.geometry.pairs.intersections import IntersectionKind, Intersections
+from exactspline.geometry.pairs.intersections import Intersection, IntersectionKind, Intersections, Overlap
 from exactspline.geometry.pairs.nearest import Nearest, NearestPoint
 from exactspline.geometry.recognition.pieces import RecognizedPiece
 from exactspline.geometry.recognition.shapes import ShapeKind
@@ -79,6 +83,85 @@ from exactspline.roots.answers import CurvePiece, Places
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.type_checks import curve_of
+
+if TYPE_CHECKING:
+    from exactspline.geometry.analysis.pairs import CurvePair
+
+
+# ---- what two curves have in common
+
+
+_OVERLAP = record(
+    first=pair_of(REAL),
+    second=pair_of(REAL),
+    reversed=FLAG,
+    of_second=FLAG,
+    numerator=or_null(list_of(TEXT)),
+    denominator=or_null(list_of(TEXT)),
+)
+_INTERSECTION = record(
+    kind=one_of(IntersectionKind),
+    first=REAL,
+    second=REAL,
+    multiplicity=or_null(INTEGER),
+    at_knot=pair_of(FLAG),
+    point=POINT,
+)
+#: The points and arcs that two curves have in common.
+INTERSECTIONS = lists(points=list_of(_INTERSECTION), everywhere=list_of(_OVERLAP), undecided=list_of(TEXT))
+DISTANCE = lists(
+    points=(list_of(record(first=REAL, second=REAL)), "pairs"),
+    everywhere=list_of(_OVERLAP),
+    lower=or_null(TEXT),
+    undecided=list_of(TEXT),
+    squared=REAL,
+    value=REAL,
+)
+
+
+def pair_sheet(pair: CurvePair, title: str, digits: int = DIGITS) -> Sheet:
+    """The points, arcs and nearest pairs, one per row."""
+    common = pair.intersections
+
+    def number(x: Real | mpq) -> str:
+        return real_text(x, digits)
+
+    def along(arc: Overlap) -> list[str]:
+        return [f"[{', '.join(map(number, ends))}]" for ends in (arc.first, arc.second)]
+
+    made = Sheet("what", "s", "t", "point", "remark", title=title, prose=["remark"], lists=["s", "t", "point"])
+    for point in common:
+        at = ", ".join(map(number, point.point))
+        made.add_row(point.kind, number(point.first), number(point.second), f"({at})", _remark(point))
+    for arc in common.everywhere:
+        made.add_row("common arc", *along(arc), "", _map_of(arc))
+    if not made.rows:
+        distance = pair.distance
+        value = f"distance {number(distance.value)}"
+        for nearest in distance.pairs:
+            made.add_row("nearest", number(nearest.first), number(nearest.second), "", value)
+        for arc in distance.everywhere:
+            made.add_row("nearest arc", *along(arc), "", ", ".join(filter(None, (value, _map_of(arc)))))
+    return made
+
+
+def _remark(point: Intersection) -> str:
+    times = point.multiplicity
+    knots = [name for name, here in zip("st", point.at_knot, strict=True) if here]
+    parts = [
+        f"multiplicity {times}" if times and times > 1 else "",
+        f"{' and '.join(knots)} at a knot" if knots else "",
+    ]
+    return ", ".join(filter(None, parts))
+
+
+def _map_of(arc: Overlap) -> str:
+    if arc.numerator is None or arc.denominator is None:
+        return ""
+    value, variable = ("t", "s") if arc.of_second else ("s", "t")
+    top, bottom = (polynomial_text([mpq(x) for x in each], variable) for each in (arc.numerator, arc.denominator))
+    return f"{value} = {top}" if bottom == "1" else f"{value} = ({top})/({bottom})"
+
 
 TEXTS = list_of(TEXT)
 

@@ -9,8 +9,8 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from exactspline.atomic_write import write_text
+from exactspline.display.plot.anything import picture
 from exactspline.display.plot.canvas import PlotError, save
-from exactspline.display.plot.in_space import picture
 from exactspline.hooks import named
 from exactspline.papers import default_papers
 

@@ -16,9 +16,8 @@ from exactspline.language.vector import Vector
 from exactspline.numbers.exact import mpq, text
 from exactspline.papers import find
 from exactspline.readings.degree import Degree
-from exactspline.readings.jet import Jet, polynomial_text
+from exactspline.readings.jet import Jet, JetFraction, polynomial_text
 from exactspline.readings.printing import print_latex
-from exactspline.readings.rational_jet import JetFraction
 from exactspline.readings.tree import Node
 from exactspline.roots.root import Root
 from exactspline.splines.bspline import BSpline

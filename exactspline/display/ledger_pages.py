@@ -11,8 +11,8 @@ from datetime import UTC, datetime
 from hashlib import sha256
 from html import escape
 
+from exactspline.display.console import explained
 from exactspline.display.evidence import curve_of_witness, values_there, written_out
-from exactspline.display.glossary import explained
 from exactspline.display.latex_prose import parts
 from exactspline.display.ledger import claimed, closing, found, headline, section, summary, witness, words_of
 from exactspline.display.page import cells, definitions, page, table

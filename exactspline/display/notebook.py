@@ -8,7 +8,6 @@ from html import escape
 from io import BytesIO
 from typing import Any, cast
 
-from exactspline.display.errata import found_text, true_text
 from exactspline.display.evidence import worded
 from exactspline.display.latex import fraction, mathematics
 from exactspline.display.latex_prose import quoted
@@ -18,7 +17,7 @@ from exactspline.display.plot.canvas import in_words, settle
 from exactspline.display.reading_along import ReadingAlong, along_html
 from exactspline.display.records import answer_table
 from exactspline.display.svg import curve_picture, graph_picture
-from exactspline.display.tables import Grid, Verdicts, breakable
+from exactspline.display.tables import Grid, Verdicts, breakable, found_text, true_text
 from exactspline.errors import ExactSplineError, counted
 from exactspline.geometry.analysis.ask import kind_of
 from exactspline.geometry.analysis.curves import Analysis

@@ -8,9 +8,9 @@ from math import comb, ulp
 from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias
 
 from exactspline.errors import ShapeError, a_kind, as_instance, counted, shown
+from exactspline.interchange.format import homogeneous, pen_segments
 from exactspline.interchange.numbers import MOST_ULPS, doubles, exact, exact_rows, periodic
 from exactspline.interchange.pens import ContourPen
-from exactspline.interchange.writing import homogeneous, pen_segments
 from exactspline.numbers.exact import double, mpq
 from exactspline.splines.blossom import with_smooth_knots
 from exactspline.splines.bspline import BSpline

@@ -8,10 +8,10 @@ from itertools import cycle, islice
 from typing import Any, NamedTuple, TypeVar
 
 from exactspline.errors import CurveFileError, ExactSplineError, ShapeError, counted, nearest
+from exactspline.interchange.format import homogeneous
 from exactspline.interchange.numbers import decimal
 from exactspline.interchange.records import LARGER, NamedCurve, Reading, Skipped, Source, work
 from exactspline.interchange.segments import Point, Segment, distance_text, joined_segments, moved
-from exactspline.interchange.writing import homogeneous
 from exactspline.numbers.exact import mpq
 from exactspline.splines.control_points import projected
 from exactspline.splines.nurbs import Nurbs

@@ -24,11 +24,10 @@ from exactspline.errors import (
 )
 from exactspline.interchange import own_json
 from exactspline.interchange.examples import example_text, examples
-from exactspline.interchange.format import Format
+from exactspline.interchange.format import Format, Spline
 from exactspline.interchange.formats import formats
 from exactspline.interchange.numbers import NumberText
 from exactspline.interchange.records import Limits, NamedCurve, Piece, Reading, Source
-from exactspline.interchange.writing import Spline
 from exactspline.numbers.exact import Number, mpq, rational
 from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.surface import NurbsSurface

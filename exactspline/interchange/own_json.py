@@ -24,10 +24,9 @@ from exactspline.interchange.curve_files import (
     surface_data,
     surface_from_data,
 )
-from exactspline.interchange.format import Format
+from exactspline.interchange.format import Format, Spline
 from exactspline.interchange.numbers import NumberText
 from exactspline.interchange.records import Limits, Reading, Source
-from exactspline.interchange.writing import Spline
 from exactspline.splines.knots import KnotVector
 from exactspline.splines.surface import NurbsSurface
 

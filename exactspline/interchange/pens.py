@@ -7,10 +7,10 @@ from itertools import pairwise
 from typing import TYPE_CHECKING
 
 from exactspline.errors import ShapeError, counted
+from exactspline.interchange.format import pen_segments
 from exactspline.interchange.numbers import exact, finite_double
 from exactspline.interchange.records import LARGER
 from exactspline.interchange.segments import joined_segments, polynomial
-from exactspline.interchange.writing import pen_segments
 from exactspline.numbers.exact import mpq
 from exactspline.splines.nurbs import Nurbs
 

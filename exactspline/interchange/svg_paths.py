@@ -6,11 +6,12 @@ import re
 from dataclasses import dataclass, field
 
 from exactspline.errors import ExactSplineError, NumberError
-from exactspline.interchange.affine import APPROXIMATE, Affine
 from exactspline.interchange.numbers import decimal, root_below, square_root
 from exactspline.interchange.records import Limits
 from exactspline.interchange.segments import (
+    APPROXIMATE,
     DEGREES,
+    Affine,
     Segment,
     arc_around_origin,
     mapped,

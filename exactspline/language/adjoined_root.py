@@ -1,6 +1,6 @@
 """Adjoined square roots: ``a + b σ`` with ``σ² = S``, over any reading with division.
 
-Over the quotients of differential polynomials (`exactspline.readings.rational_jet`) this is an algebraic extension of
+Over the quotients of differential polynomials (`exactspline.readings.jet`) this is an algebraic extension of
 that field: with σ = ‖γ′‖, the root of γ′·γ′, unit vectors and Frenet frames are elements of it, and an equality there
 is a proof for all curves. Extensions can be repeated: ρ = ‖γ′ × γ″‖ is adjoined to the extension by σ. The derivative
 follows from σ² = S: ``σ′ = S′ / (2 S) · σ``.
@@ -20,7 +20,7 @@ from exactspline.one_line import one_line
 class Adjoined(FieldOperand):
     """``plain + rooted · σ``; `square` is S, an operand of the base reading that is not a square there.
     >>> from exactspline.language.kinds import CURVE
-    >>> from exactspline.readings.rational_jet import RationalJetReading
+    >>> from exactspline.readings.jet import RationalJetReading
     >>> c = RationalJetReading(2).argument(CURVE, 2)
     >>> sigma = root_of(norm2(c.gamma.d(1)))
     >>> sigma * sigma == sigma.lifted(norm2(c.gamma.d(1)))
@@ -125,7 +125,7 @@ class FramedCurve(Accompanied[Adjoined]):
 def framed(curve: Curve[T]) -> FramedCurve:
     """A curve of a reading with division (jets, Taylor series, sympy), with the roots of its frame adjoined.
     >>> from exactspline.language.kinds import CURVE
-    >>> from exactspline.readings.rational_jet import RationalJetReading
+    >>> from exactspline.readings.jet import RationalJetReading
     >>> c = framed(RationalJetReading(3).argument(CURVE, 2))
     >>> tangent = c.gamma.d(1) / c.sigma
     >>> norm2(tangent) == c.sigma.constant(1)

@@ -49,7 +49,7 @@ def complex_quotient(a: Vector[S], b: Vector[S]) -> object:
     """``a / b = a b̄ / (b b̄)``, a quotient over the squared length of b.
 
     >>> from exactspline.language.kinds import PLANE
-    >>> from exactspline.readings.rational_jet import RationalJetReading
+    >>> from exactspline.readings.jet import RationalJetReading
     >>> c = RationalJetReading(1).argument(PLANE, 2)
     >>> complex_quotient(complex_product(c.p, c.p.d(1)), c.p) == c.p.d(1)
     True

@@ -12,7 +12,7 @@ class InOtherParameter(FieldOperand):
     """An operand of a reading with division, differentiated with respect to another parameter.
 
     >>> from exactspline.language.kinds import kind_of
-    >>> from exactspline.readings.rational_jet import RationalJetReading
+    >>> from exactspline.readings.jet import RationalJetReading
     >>> c = RationalJetReading(2).argument(kind_of("plane with rho"), 2)
     >>> InOtherParameter(c.p[0], c.rho).d(2).value == c.p[0].d(2) * c.rho * c.rho
     True

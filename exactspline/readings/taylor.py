@@ -6,13 +6,15 @@ Coefficients have the type of numbers in the expansion of the curve: ``mpq`` (ex
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from math import factorial
 from typing import Any, Protocol, Self, cast
 
 from exactspline.errors import FormulaError, as_instance, as_integer, counted
-from exactspline.language.arguments import Curve, T
-from exactspline.language.operand import Constant, FieldOperand, Scalar
+from exactspline.language.arguments import Curve, Evaluated, T
+from exactspline.language.formula import Reading
+from exactspline.language.kinds import Kind
+from exactspline.language.operand import Constant, FieldOperand, Parameter, Scalar
 from exactspline.numbers.exact import Number, mpq
 from exactspline.numbers.sides import Side
 from exactspline.one_line import one_line
@@ -125,3 +127,148 @@ def series_curve(curve: Curve[T], t: Number, terms: int, side: Side | str = Side
     terms = as_integer(terms, "a number of terms", 1)
     expanded: Curve[Series] = curve.mapped(lambda spline: taylor(cast(Function, spline), t, terms, side))
     return expanded
+
+
+# ---- surfaces
+#
+# It gives values and partial derivatives of any formula there, without splines or quotient rules.
+
+
+#: Nonzero coefficients by the exponents of the two variables: exact numbers, or what can be calculated with like them.
+Coefficients = dict[tuple[int, int], mpq]
+
+
+class DoubleSeries(FieldOperand):
+    """``Σ a_ij h^i k^j`` with exact coefficients, known for ``i + j < terms``.
+
+    >>> h, k = DoubleSeries({(1, 0): mpq(1)}, 3), DoubleSeries({(0, 1): mpq(1)}, 3)
+    >>> (1 / (1 - h * k - h)).coefficients
+    {(0, 0): mpq(1,1), (1, 0): mpq(1,1), (1, 1): mpq(1,1), (2, 0): mpq(1,1)}
+    """
+
+    __slots__ = ("coefficients", "terms")
+    degree = 0
+
+    def __init__(self, coefficients: Mapping[tuple[int, int], mpq], terms: int) -> None:
+        known = {place: a for place, a in coefficients.items() if a and sum(place) < terms}
+        self.coefficients, self.terms = dict(sorted(known.items())), terms
+
+    @staticmethod
+    def number(value: Constant) -> mpq:
+        """A constant as a coefficient."""
+        return mpq(value)
+
+    def constant(self, value: Constant) -> Self:
+        """An exact constant."""
+        return type(self)({(0, 0): self.number(value)}, self.terms)
+
+    def _plus(self, right: Self) -> Self:
+        total = dict(self.coefficients)
+        for place, a in right.coefficients.items():
+            total[place] = total[place] + a if place in total else a
+        return type(self)(total, min(self.terms, right.terms))
+
+    def _times(self, right: Self) -> Self:
+        product, terms = Coefficients(), min(self.terms, right.terms)
+        others = [(m, n, b) for (m, n), b in right.coefficients.items() if m + n < terms]
+        for (i, j), a in self.coefficients.items():
+            for m, n, b in others:
+                if i + j + m + n < terms:
+                    place = i + m, j + n
+                    product[place] = product[place] + a * b if place in product else a * b
+        return type(self)(product, terms)
+
+    def reciprocal(self) -> Self:
+        """``1 / a``; raises `FormulaError` if the constant term is zero."""
+        if not self.value:
+            raise FormulaError("division by a series that vanishes at this point", remedy="expand at another point")
+        inverse = self.constant(1 / self.value)
+        rest, power, total = 1 - self * inverse, self.constant(1), self.constant(1)
+        for _ in range(1, self.terms):
+            power = power * rest
+            total = total + power
+        return total * inverse
+
+    def scaled(self, constant: Constant) -> Self:
+        """The series times an exact constant."""
+        return type(self)({place: a * self.number(constant) for place, a in self.coefficients.items()}, self.terms)
+
+    def d(self, order: int = 1, *, by: str | None = None) -> Self:
+        """The derivative with respect to one of the two parameters, with `order` fewer terms.
+
+        Raises `FormulaError` if no parameter is named, and for derivatives beyond the known terms.
+        """
+        if by not in (Parameter.U, Parameter.V):
+            raise FormulaError(
+                f"a derivative with respect to {by!r} of a function of u and v", remedy='write d(1, by="u")'
+            )
+        if order >= self.terms:
+            raise FormulaError(
+                f"a derivative of order {order} of a series of {self.terms} terms", remedy="expand further"
+            )
+        which, derived = (0 if by == Parameter.U else 1), Coefficients()
+        for place, a in self.coefficients.items():
+            if (n := place[which]) >= order:
+                lowered = tuple(e - order if k == which else e for k, e in enumerate(place))
+                derived[lowered[0], lowered[1]] = a * (factorial(n) // factorial(n - order))
+        return type(self)(derived, self.terms - order)
+
+    @property
+    def value(self) -> mpq:
+        """The value at the point."""
+        return self.coefficients.get((0, 0), self.number(0))
+
+    @property
+    def is_zero(self) -> bool:
+        """Whether all known coefficients vanish."""
+        return not self.coefficients
+
+    @one_line
+    def __repr__(self) -> str:
+        return f"DoubleSeries({self.coefficients}, {self.terms})"
+
+
+class FunctionOfTwo(Protocol):
+    """A function of two parameters that can be expanded."""
+
+    def partial(self, i: int, j: int) -> Self:
+        """The derivative of order i in the first and j in the second parameter."""
+
+    def __call__(self, s: Number, t: Number) -> mpq:
+        """The value at two parameters."""
+
+
+def double_taylor(spline: FunctionOfTwo, u: Number, v: Number, terms: int) -> DoubleSeries:
+    """The expansion of a spline in two parameters at a point (at a knot, from the right).
+
+    >>> from exactspline import TensorSpline
+    >>> f = TensorSpline((1, 1), [0, 0, 1, 1], [0, 0, 1, 1], [[0, 0], [0, 1]])
+    >>> double_taylor(f, "1/2", 0, 3).coefficients
+    {(0, 1): mpq(1,2), (1, 1): mpq(1,1)}
+    """
+    places = [(i, j) for i in range(terms) for j in range(terms - i)]
+    known = {(i, j): spline.partial(i, j)(u, v) / (factorial(i) * factorial(j)) for i, j in places}
+    return DoubleSeries(known, terms)
+
+
+class DoubleTaylorReading(Reading):
+    """A surface made of splines, expanded at a point to this many terms.
+
+    >>> from exactspline import example
+    >>> from exactspline.language.kinds import SURFACE
+    >>> from exactspline.papers import find
+    >>> sphere = DoubleTaylorReading(example("sphere"), "1/3", "1/4", 3).argument(SURFACE, 3)
+    >>> find("surfaces:gaussian_curvature")(sphere).value
+    mpq(1,1)
+    """
+
+    name = "series in two variables"
+
+    def __init__(self, given: Evaluated, u: Number, v: Number, terms: int) -> None:
+        self.given, self.place, self.terms = given, (u, v), terms
+
+    def argument(self, kind: Kind, dimension: int, *, polynomial: bool = False) -> Evaluated:
+        """The expansion of the given surface."""
+        u, v = self.place
+        # the operands of the given argument are functions
+        return self.given.mapped(lambda operand: double_taylor(cast(FunctionOfTwo, operand), u, v, self.terms))

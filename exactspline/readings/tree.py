@@ -17,8 +17,7 @@ from exactspline.language.rational import level
 from exactspline.language.ruled import joined, ruled
 from exactspline.language.vector import Vector, cross, det, dot, generalized_cross, join, perp
 from exactspline.one_line import one_line
-from exactspline.readings.expression import Expression, Operation
-from exactspline.readings.printing import print_text
+from exactspline.readings.printing import Expression, Operation, print_text
 
 #: Products of vectors whose value is a vector.
 VECTOR_PRODUCTS = {Operation.CROSS, Operation.PERP, Operation.GENERALIZED_CROSS, Operation.JOIN}

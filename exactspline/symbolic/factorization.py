@@ -28,9 +28,8 @@ from exactspline.polynomials.cost import Budget, Priced, drawing_on
 from exactspline.polynomials.factors import Factorization, factorize, multiplied, power_text
 from exactspline.readings.degree import Degree, DegreeReading
 from exactspline.readings.differential_order import is_polynomial, order_of
-from exactspline.readings.jet import Jet, JetReading, JetRing, Terms, polynomial_text, terms_of
+from exactspline.readings.jet import Jet, JetReading, JetRing, RationalJetReading, Terms, polynomial_text, terms_of
 from exactspline.readings.printing import POWER, SUM, print_text, symbol_text
-from exactspline.readings.rational_jet import RationalJetReading
 from exactspline.readings.tree import speaks_of_gamma_alone, trace
 from exactspline.symbolic.substitution import substitute
 

@@ -18,7 +18,7 @@ from exactspline.language.formula import Formula
 from exactspline.language.ruled import RuledSurface, Value, differences, split
 from exactspline.language.vector import Vector
 from exactspline.papers import find as find_anywhere
-from exactspline.readings.rational_jet import JetFraction
+from exactspline.readings.jet import JetFraction
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.tensor import TensorSpline
 from exactspline.symbolic.factorization import find_factor

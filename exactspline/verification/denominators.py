@@ -11,8 +11,8 @@ from exactspline.language.operand import CONSTANTS
 from exactspline.language.vector import Vector
 from exactspline.numbers.exact import content, from_flint, mpq, sign, to_fmpq
 from exactspline.polynomials.factors import Factored, Factorization, factorize
-from exactspline.readings.expression import Operation
-from exactspline.readings.rational_jet import JetFraction
+from exactspline.readings.jet import JetFraction
+from exactspline.readings.printing import Operation
 from exactspline.readings.tree import Node, applied
 
 

@@ -16,9 +16,8 @@ from exactspline.errors import ExactSplineError, FormulaError, ReachError
 from exactspline.language.arguments import Evaluated
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import Kind
-from exactspline.readings.expression import Operation
-from exactspline.readings.printing import print_text
-from exactspline.readings.rational_jet import JetFraction
+from exactspline.readings.jet import JetFraction
+from exactspline.readings.printing import Operation, print_text
 from exactspline.readings.tree import Node, nodes, trace
 from exactspline.symbolic.assumptions import assumption
 from exactspline.symbolic.factorization import jets_for

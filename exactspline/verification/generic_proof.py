@@ -20,7 +20,7 @@ from exactspline.polynomials.cost import Budget, at_its_cost, drawing_on
 from exactspline.readings.degree import Degree
 from exactspline.readings.differential_order import order_of
 from exactspline.readings.jet import Jet
-from exactspline.readings.taylor_surface import DoubleTaylorReading
+from exactspline.readings.taylor import DoubleTaylorReading
 from exactspline.symbolic.assumptions import Assumption, zero_free
 from exactspline.symbolic.covariants import degree_at, generic_degree, truncated, without_content
 from exactspline.symbolic.factorization import POLYNOMIAL, Factor, find_factor, jets_for, naming

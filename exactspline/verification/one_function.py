@@ -17,9 +17,8 @@ from exactspline.language.operand import Operand
 from exactspline.language.ruled import split
 from exactspline.polynomials.cost import Budget, drawing_on
 from exactspline.readings.differential_order import order_of
-from exactspline.readings.jet import Jet, JetRing
+from exactspline.readings.jet import Jet, JetFraction, JetRing
 from exactspline.readings.other_parameter import InOtherParameter
-from exactspline.readings.rational_jet import JetFraction
 from exactspline.symbolic.factorization import jets_for
 from exactspline.symbolic.substitution import substitute
 from exactspline.verification.check_arguments import argument

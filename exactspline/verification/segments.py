@@ -17,8 +17,7 @@ from exactspline.language.arguments import BARRED, COORDINATES, PARAMETERS, Eval
 from exactspline.language.kind import Kind, Rule, Symbol
 from exactspline.language.kinds import HodographKind, PairKind
 from exactspline.numbers.exact import mpq, to_fmpq
-from exactspline.readings.jet import JetRing
-from exactspline.readings.rational_jet import JetFraction
+from exactspline.readings.jet import JetFraction, JetRing
 from exactspline.splines.bspline import BSpline, in_powers
 from exactspline.splines.nurbs import Nurbs
 from exactspline.verification.check_arguments import with_hodograph

@@ -20,8 +20,7 @@ from exactspline.language.operand import Counting, Parameter
 from exactspline.one_line import OneLine, one_line
 from exactspline.papers import find
 from exactspline.readings.degree import Degree, DegreeReading
-from exactspline.readings.expression import Operation
-from exactspline.readings.printing import print_latex, print_text, symbol_text
+from exactspline.readings.printing import Operation, print_latex, print_text, symbol_text
 from exactspline.readings.tree import Node, nodes, trace
 from exactspline.symbolic.factorization import Factor, named_by, naming_formulas
 from exactspline.verification.claim import Claim

@@ -22,9 +22,8 @@ from exactspline.language.kinds import FramedKind
 from exactspline.language.ruled import Value, split
 from exactspline.numbers.exact import mpq
 from exactspline.polynomials.factors import Factorization, factorize
-from exactspline.readings.expression import Operation
-from exactspline.readings.jet import Jet, JetRing, terms_of
-from exactspline.readings.rational_jet import JetFraction
+from exactspline.readings.jet import Jet, JetFraction, JetRing, terms_of
+from exactspline.readings.printing import Operation
 from exactspline.readings.tree import Node, nodes, trace
 from exactspline.symbolic.assumptions import Assumption, zero_free
 from exactspline.symbolic.factorization import Factor, Named, factored, naming_formulas

@@ -14,8 +14,8 @@ from exactspline import examples
 from exactspline.bivariate.zero_curve import Shape
 from exactspline.cli.commands import leaves
 from exactspline.cli.schema import schema_of, schemas
+from exactspline.display.console import meaning, terms
 from exactspline.display.evidence import worded
-from exactspline.display.glossary import meaning, terms
 from exactspline.display.ledger import WORDS
 from exactspline.display.ledger_pages import ledger_page
 from exactspline.display.numbers import Numbers

@@ -6,7 +6,7 @@ from exactspline import example
 from exactspline.language.kinds import SURFACE
 from exactspline.language.vector import Vector, cross, det, norm2
 from exactspline.papers import find
-from exactspline.readings.taylor_surface import DoubleTaylorReading
+from exactspline.readings.taylor import DoubleTaylorReading
 from tests.formulas.test_surface_formulas import CURVED, PLACES, at, inside, partials
 
 FORMS = ("point_bisector_of_surface", *(f"point_bisector_of_surface_{n}" for n in ("reduced", "lifted", "divided")))

@@ -20,12 +20,10 @@ from exactspline.language.operand import Parameter
 from exactspline.language.vector import Vector, cross, dot, norm2
 from exactspline.papers import find, load_paper
 from exactspline.readings.degree import DegreeReading
-from exactspline.readings.jet import JetReading
+from exactspline.readings.jet import JetReading, RationalJetReading
 from exactspline.readings.leading_terms import LeadingTermsReading
-from exactspline.readings.rational_jet import RationalJetReading
 from exactspline.readings.sympy_expression import SympyReading
-from exactspline.readings.taylor import Series
-from exactspline.readings.taylor_surface import DoubleTaylorReading, double_taylor
+from exactspline.readings.taylor import DoubleTaylorReading, Series, double_taylor
 from exactspline.symbolic.reduction import reduce
 from exactspline.verification.claims import claims_of
 from exactspline.verification.ledger import audit

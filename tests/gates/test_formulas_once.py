@@ -24,9 +24,8 @@ from exactspline.language.vector import det, norm2
 from exactspline.numbers.exact import mpq
 from exactspline.papers import papers
 from exactspline.readings.differential_order import order_of
-from exactspline.readings.rational_jet import RationalJetReading
-from exactspline.readings.taylor import Series
-from exactspline.readings.taylor_surface import DoubleSeries
+from exactspline.readings.jet import RationalJetReading
+from exactspline.readings.taylor import DoubleSeries, Series
 from exactspline.verification.claims import claims_in
 from tests.support.import_graph import imported, nodes, trees
 from workshop.mutation.formulas import every_formula, home, reached, spoken_of

@@ -67,7 +67,7 @@ def loose_signatures() -> set[str]:
 
 #: Formulas keep their plain form: nothing in them is annotated, so no checker knows what one returns. It depends on its
 #: body (a scalar, a vector, a ruled surface) and on the reading of its argument. Nor what a table names by a text.
-UNTYPED = {"language/formula.py: Formula.__call__", "hooks.py: named", "display/plot/in_space.py: picture"}
+UNTYPED = {"language/formula.py: Formula.__call__", "hooks.py: named", "display/plot/anything.py: picture"}
 #: Likewise what is written once for numbers, points, curves and surfaces, and for doubles and rational numbers.
 OF_SEVERAL = re.compile(
     r"geometry/recognition/shapes\.py: (\w+\.(margins|parts|p|w)|cross_product|scalar)"

@@ -10,8 +10,7 @@ from hypothesis import strategies as st
 
 from exactspline.constructors import arc, circle, conic, ellipse
 from exactspline.errors import ShapeError
-from exactspline.interchange.affine import Affine
-from exactspline.interchange.segments import DEGREES, RADIANS, quarter_turns
+from exactspline.interchange.segments import DEGREES, RADIANS, Affine, quarter_turns
 
 numbers = st.builds(mpq, st.integers(-20, 20), st.integers(1, 7))
 circle_points = st.one_of(

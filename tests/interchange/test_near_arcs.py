@@ -9,9 +9,18 @@ from hypothesis import strategies as st
 
 from exactspline.errors import ShapeError
 from exactspline.interchange import read
-from exactspline.interchange.affine import Affine, axes, dot
 from exactspline.interchange.collector import whole
-from exactspline.interchange.segments import DEGREES, RADIANS, Round, on_circle, through_ends, turn_near
+from exactspline.interchange.segments import (
+    DEGREES,
+    RADIANS,
+    Affine,
+    Round,
+    axes,
+    dot,
+    on_circle,
+    through_ends,
+    turn_near,
+)
 from tests.support.interchange_seeds import dxf
 
 numbers = st.fractions(-50, 50, max_denominator=40).map(lambda x: mpq(x.numerator, x.denominator))

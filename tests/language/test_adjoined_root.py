@@ -16,7 +16,7 @@ from exactspline.language.kinds import CURVE, PLANE, PLANE_POINT, kind_of
 from exactspline.language.vector import cross, det, norm2
 from exactspline.papers import find
 from exactspline.papers.chen_riesenfeld_cohen_2007 import frames
-from exactspline.readings.rational_jet import RationalJetReading
+from exactspline.readings.jet import RationalJetReading
 from exactspline.readings.sympy_expression import SympyReading
 from exactspline.verification.claims import all_claims
 from exactspline.verification.judges import Sympy

@@ -15,10 +15,9 @@ from exactspline.language.vector import cross, dot, norm2
 from exactspline.papers import all_formulas, find
 from exactspline.readings.degree import DegreeReading, parse_degree
 from exactspline.readings.differential_order import Order, order_of
-from exactspline.readings.jet import JetReading
+from exactspline.readings.jet import JetReading, RationalJetReading
 from exactspline.readings.leading_terms import generic_true_degree
 from exactspline.readings.printing import print_latex, print_text
-from exactspline.readings.rational_jet import RationalJetReading
 from exactspline.readings.taylor import taylor
 from exactspline.readings.tree import trace
 from exactspline.symbolic.substitution import substitute

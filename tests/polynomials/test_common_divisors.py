@@ -13,7 +13,7 @@ from exactspline.polynomials import factors
 from exactspline.polynomials.cost import Budget, drawing_on
 from exactspline.polynomials.factors import bounded_product, greatest_common_divisor
 from exactspline.polynomials.over_root import OverRoot
-from exactspline.readings.rational_jet import JetFraction, RationalJetReading
+from exactspline.readings.jet import JetFraction, RationalJetReading
 
 NAMES = [f"x{i}" for i in range(8)]
 RING = fmpq_mpoly_ctx.get(NAMES, Ordering.degrevlex)

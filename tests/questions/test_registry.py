@@ -11,7 +11,7 @@ import exactspline as xs
 from exactspline.batch.inspections import LISTED, asked_by_sweeps, checked_names, inspected
 from exactspline.cli import app
 from exactspline.cli.schema import answers, schema_of
-from exactspline.display.glossary import glossary
+from exactspline.display.console import glossary
 from exactspline.errors import ReachError, ShapeError
 from exactspline.geometry.analysis import curves as analysis
 from exactspline.geometry.analysis import surfaces as inspection

@@ -30,7 +30,7 @@ from exactspline.geometry.analysis.ask import asked_of
 from exactspline.cli import app
 from exactspline.cli.schema import schema_of
 from exactspline.display.features import feature_sheet
-from exactspline.display.glossary import glossary
+from exactspline.display.console import glossary
 from exactspline.geometry.analysis.inspection import inspect_curve
 
 def told(*arguments):
@@ -81,7 +81,7 @@ import exactspline as xs
 from click.testing import CliRunner
 from exactspline.cli import app
 from exactspline.cli.schema import schema_of
-from exactspline.display.glossary import glossary
+from exactspline.display.console import glossary
 from exactspline.geometry.analysis.pairs import CurvePair
 from exactspline.interchange.files import write
 from exactspline.questions.entry import Of

@@ -7,8 +7,7 @@ from types import SimpleNamespace
 import pytest
 from gmpy2 import mpq
 
-from exactspline.readings.expression import Operation
-from exactspline.readings.printing import print_text, without_units
+from exactspline.readings.printing import Operation, print_text, without_units
 from exactspline.readings.tree import Node, nodes
 from exactspline.verification.denominators import Evaluation
 

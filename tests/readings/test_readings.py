@@ -20,9 +20,8 @@ from exactspline.language.vector import det, generalized_cross, norm2
 from exactspline.papers import all_formulas
 from exactspline.readings.degree import Degree, DegreeReading
 from exactspline.readings.differential_order import Order, order_of
-from exactspline.readings.expression import ATOMS
 from exactspline.readings.jet import Jet, JetReading
-from exactspline.readings.printing import print_latex, print_text
+from exactspline.readings.printing import ATOMS, print_latex, print_text
 from exactspline.readings.taylor import Series, series_curve, taylor
 from exactspline.readings.tree import TreeReading, trace
 from exactspline.verification.denominators import Evaluation

@@ -17,14 +17,12 @@ from exactspline.readings.degree import Degree, DegreeReading, equal_from, parse
 from exactspline.readings.differential_order import is_polynomial, order_of
 from exactspline.readings.factored_jet import divided_out
 from exactspline.readings.generic_bezier import GenericReading
-from exactspline.readings.jet import JetReading, JetRing, derivative_mark, polynomial_text
+from exactspline.readings.jet import JetReading, JetRing, RationalJetReading, derivative_mark, polynomial_text
 from exactspline.readings.leading_terms import LeadingTermsReading, common_roots
 from exactspline.readings.other_parameter import InOtherParameter
 from exactspline.readings.printing import print_latex, print_text, symbol_text
-from exactspline.readings.rational_jet import RationalJetReading
 from exactspline.readings.sympy_expression import FIRST, Fractions, exact_quotient
-from exactspline.readings.taylor import Series
-from exactspline.readings.taylor_surface import DoubleSeries
+from exactspline.readings.taylor import DoubleSeries, Series
 from exactspline.readings.tree import TreeReading
 
 T = BSpline.identity(0, 1)

@@ -31,7 +31,7 @@ TABLES = {
     "cli.commands",
     "cli.common",
     "display.notebook",
-    "display.plot.in_space",
+    "display.plot.anything",
     "interchange.formats",
     "verification.judges",
 }

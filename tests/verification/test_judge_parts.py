@@ -17,7 +17,7 @@ from exactspline.language.vector import Vector, join
 from exactspline.numbers.intervals import Interval
 from exactspline.papers import find
 from exactspline.readings.degree import Degree
-from exactspline.readings.rational_jet import JetFraction, RationalJetReading
+from exactspline.readings.jet import JetFraction, RationalJetReading
 from exactspline.roots.zero_set import zeros
 from exactspline.splines.tensor import TensorSpline
 from exactspline.symbolic.assumptions import Assumption

@@ -16,7 +16,7 @@ from exactspline.language.ruled import ruled, split
 from exactspline.language.vector import Vector
 from exactspline.papers import find, load_paper
 from exactspline.readings.degree import parse_degree
-from exactspline.readings.rational_jet import RationalJetReading
+from exactspline.readings.jet import RationalJetReading
 from exactspline.readings.tree import trace
 from exactspline.splines.tensor import TensorSpline
 from exactspline.symbolic.assumptions import Assumption

@@ -8,9 +8,9 @@ from exactspline.language.formula import formula
 from exactspline.language.kinds import SPACE
 from exactspline.language.vector import Vector, cross, det, dot, norm2
 from exactspline.papers import load_paper
-from exactspline.readings import rational_jet
+from exactspline.readings import jet
 from exactspline.readings.differential_order import is_polynomial, order_of
-from exactspline.readings.rational_jet import RationalJetReading
+from exactspline.readings.jet import RationalJetReading
 from exactspline.verification.claims import claims_of
 from exactspline.verification.combined import combined
 from exactspline.verification.verdict import PROVED, REFUTED
@@ -20,7 +20,7 @@ from tests.verification.test_own_paper import written
 
 @pytest.fixture
 def all_are_long(monkeypatch):
-    monkeypatch.setattr(rational_jet, "LONG", 0)
+    monkeypatch.setattr(jet, "LONG", 0)
 
 
 def vectors():
@@ -37,7 +37,7 @@ def test_products_of_a_vector_and_its_derivatives_are_what_they_are(all_are_long
         return [det(v, v.d(1), v.d(2)), *cross(v.d(1), v.d(2)), norm2(v.d(1)), *cross(v, v.d(1))]
 
     ours = found()
-    monkeypatch.setattr(rational_jet, "LONG", 10**9)
+    monkeypatch.setattr(jet, "LONG", 10**9)
     assert ours == found()
 
 
@@ -57,7 +57,7 @@ def test_what_is_not_a_vector_with_its_derivatives_is_multiplied_out(all_are_lon
         ]
 
     ours = found()
-    monkeypatch.setattr(rational_jet, "LONG", 10**9)
+    monkeypatch.setattr(jet, "LONG", 10**9)
     assert ours == found()
 
 

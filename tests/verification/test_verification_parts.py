@@ -7,8 +7,8 @@ import pytest
 from gmpy2 import mpq
 
 from exactspline import BSpline, Nurbs
-from exactspline.display.errata import erratum_data
 from exactspline.display.evidence import worded
+from exactspline.display.tables import erratum_data
 from exactspline.interchange.examples import example
 from exactspline.language.kinds import PAIR, PLANE_POINT, POINT_IN_SPACE, SURFACE, kind_of
 from exactspline.language.surface_kind import Surface

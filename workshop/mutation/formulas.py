@@ -24,8 +24,8 @@ from exactspline.numbers.exact import mpq
 from exactspline.papers import papers
 from exactspline.readings.degree import DegreeReading
 from exactspline.readings.differential_order import order_of, orders
-from exactspline.readings.rational_jet import RationalJetReading
-from exactspline.readings.taylor_surface import DoubleSeries
+from exactspline.readings.jet import RationalJetReading
+from exactspline.readings.taylor import DoubleSeries
 from exactspline.verification.claim import Claim
 from exactspline.verification.claims import claims_in
 from exactspline.verification.kinds.equality import Identity

@@ -23,7 +23,7 @@ from exactspline.extras.coq.emission import ROOT, Stated, claims_header, library
 from exactspline.extras.coq.formulas import Formulas, body, calls, surface
 from exactspline.language.formula import Formula
 from exactspline.papers import Paper, find, papers
-from exactspline.readings.expression import Operation
+from exactspline.readings.printing import Operation
 from exactspline.readings.tree import Derivation, Node
 from exactspline.verification.claim import Claim
 from exactspline.verification.kinds.equality import Identity

@@ -31,7 +31,7 @@ from exactspline.language.formula import Formula
 from exactspline.language.ruled import split
 from exactspline.papers import Paper, Table, paper
 from exactspline.readings.differential_order import order_of
-from exactspline.readings.rational_jet import RationalJetReading
+from exactspline.readings.jet import RationalJetReading
 from exactspline.verification.claim import Claim
 from exactspline.verification.claims import claim_of, claims_of
 from exactspline.verification.ledger import decide, tasks

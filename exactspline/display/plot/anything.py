@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from exactspline.display.plot.canvas import axes_for, check_names
 from exactspline.display.plot.curves import plot_curve, plot_quotient
 from exactspline.display.plot.functions import plot_function
-from exactspline.display.plot.in_space import HOMES, picture
 from exactspline.errors import ShapeError
 from exactspline.geometry.analysis.surfaces import SurfaceInspection
 from exactspline.geometry.bisectors.point_and_curve import PointBisector, RuledPiece
@@ -28,6 +27,28 @@ from exactspline.splines.type_checks import of_file
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
+
+
+# ---- the table of pictures in space
+
+
+HOMES = {
+    "surface": "exactspline.extras.pictures3d.surfaces:plot_surface",
+    "ruled surface": "exactspline.extras.pictures3d.surfaces:plot_ruled_surface",
+    "bisector": "exactspline.extras.pictures3d.surfaces:plot_bisector",
+    "inspected surface": "exactspline.extras.pictures3d.patches:surface_figure",
+    "page of an inspected surface": "exactspline.extras.pictures3d.turning_surface:inspected_page",
+    "page": "exactspline.extras.pictures3d.html:turning_page",
+    "bisector of plane curves": "exactspline.extras.pictures3d.bisectors:plot_plane_bisector",
+    "bisector of curves": "exactspline.extras.pictures3d.bisectors:plot_curve_bisector",
+    "bisector of a point": "exactspline.extras.pictures3d.bisectors:plot_point_bisector",
+    "trimmed bisector": "exactspline.extras.pictures3d.bisectors:plot_trimmed_bisector",
+}
+
+
+def picture(what: str, *of: object, **how: object) -> Any:
+    """Draw a picture of the table."""
+    return named(HOMES[what])(*of, **how)
 
 
 def plot(*things: object, ax: Axes | None = None, **how: object) -> Axes:

@@ -15,13 +15,11 @@ from collections.abc import Sequence
 from typing import Any
 
 from exactspline.errors import CurveFileError
-from exactspline.interchange.affine import Affine
 from exactspline.interchange.collector import Collector, domain, used
-from exactspline.interchange.format import Format
+from exactspline.interchange.format import Format, Spline
 from exactspline.interchange.numbers import NumberText, Tokens, finite_double, last_digit
 from exactspline.interchange.records import Reading, Source
-from exactspline.interchange.segments import RADIANS, RIGHT, Round, Segment, bezier_knots, polynomial
-from exactspline.interchange.writing import Spline
+from exactspline.interchange.segments import RADIANS, RIGHT, Affine, Round, Segment, bezier_knots, polynomial
 from exactspline.numbers.exact import mpq
 from exactspline.splines.nurbs import Nurbs
 

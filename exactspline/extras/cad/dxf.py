@@ -15,13 +15,25 @@ from itertools import pairwise
 
 from exactspline.errors import CurveFileError, ShapeError
 from exactspline.extras.cad import NAMES
-from exactspline.interchange.affine import Affine, axes, cross, dot, unit
 from exactspline.interchange.collector import UNREAD, Collector
-from exactspline.interchange.format import Format
+from exactspline.interchange.format import Format, Spline
 from exactspline.interchange.numbers import NumberText, decimal, last_digit, whole
 from exactspline.interchange.records import Reading, Source
-from exactspline.interchange.segments import DEGREES, RADIANS, ZERO, Round, Segment, bulged, mapped, polynomial
-from exactspline.interchange.writing import Spline
+from exactspline.interchange.segments import (
+    DEGREES,
+    RADIANS,
+    ZERO,
+    Affine,
+    Round,
+    Segment,
+    axes,
+    bulged,
+    cross,
+    dot,
+    mapped,
+    polynomial,
+    unit,
+)
 from exactspline.numbers.exact import mpq
 
 CLOSED, PERIODIC, RATIONAL, PLANAR = 1, 2, 4, 8

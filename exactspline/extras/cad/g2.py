@@ -14,10 +14,9 @@ from math import prod
 
 from exactspline.extras.cad import NAMES
 from exactspline.interchange.collector import Collector
-from exactspline.interchange.format import Format
+from exactspline.interchange.format import Format, Spline
 from exactspline.interchange.numbers import NumberText, Tokens
 from exactspline.interchange.records import Reading, Source
-from exactspline.interchange.writing import Spline
 from exactspline.numbers.exact import mpq
 
 CURVE, SURFACE, POINTS, LINES, VOLUME = 100, 200, 400, 410, 700

@@ -14,11 +14,10 @@ from typing import Any
 from exactspline.errors import CurveFileError, ExactSplineError
 from exactspline.interchange.collector import Collector
 from exactspline.interchange.curve_files import parsed
-from exactspline.interchange.format import Format
+from exactspline.interchange.format import Format, Spline
 from exactspline.interchange.formats.control_points import complete
 from exactspline.interchange.numbers import NumberText, whole
 from exactspline.interchange.records import Reading, Source
-from exactspline.interchange.writing import Spline
 from exactspline.numbers.exact import mpq
 
 

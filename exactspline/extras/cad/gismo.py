@@ -8,10 +8,9 @@ from collections.abc import Sequence
 
 from exactspline.errors import CurveFileError, counted
 from exactspline.interchange.collector import Collector
-from exactspline.interchange.format import Format
+from exactspline.interchange.format import Format, Spline
 from exactspline.interchange.numbers import NumberText, whole
 from exactspline.interchange.records import Reading, Source
-from exactspline.interchange.writing import Spline
 from exactspline.interchange.xml_tree import Element, attribute, parse
 from exactspline.numbers.exact import mpq
 

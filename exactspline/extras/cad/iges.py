@@ -17,13 +17,11 @@ from typing import Any
 
 from exactspline.errors import CurveFileError, counted
 from exactspline.extras.cad import NAMES
-from exactspline.interchange.affine import Affine
 from exactspline.interchange.collector import UNREAD, Collector, domain, used
-from exactspline.interchange.format import Format
+from exactspline.interchange.format import Format, Spline
 from exactspline.interchange.numbers import NumberText, decimal, whole, with_point
 from exactspline.interchange.records import Limits, Reading, Source
-from exactspline.interchange.segments import RIGHT, Round, Segment, conic_arc, mapped, polynomial, through_ends
-from exactspline.interchange.writing import Spline
+from exactspline.interchange.segments import RIGHT, Affine, Round, Segment, conic_arc, mapped, polynomial, through_ends
 from exactspline.numbers.exact import mpq
 from exactspline.splines.nurbs import Nurbs
 

@@ -15,11 +15,10 @@ from typing import Any
 
 from exactspline.errors import CurveFileError, counted
 from exactspline.interchange.collector import Collector
-from exactspline.interchange.format import Format
+from exactspline.interchange.format import Format, Spline
 from exactspline.interchange.numbers import Nested, NumberText, decimal, is_decimal, nested, whole
 from exactspline.interchange.records import Reading, Source
 from exactspline.interchange.segments import bezier_knots
-from exactspline.interchange.writing import Spline
 from exactspline.numbers.exact import mpq
 
 Node = list[Nested]

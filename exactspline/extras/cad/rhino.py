@@ -21,13 +21,11 @@ from pathlib import Path
 from typing import Any
 
 from exactspline.errors import CurveFileError, counted
-from exactspline.interchange.affine import Affine
 from exactspline.interchange.collector import UNREAD, Collector
-from exactspline.interchange.format import Format
+from exactspline.interchange.format import Format, Spline
 from exactspline.interchange.numbers import NumberText
 from exactspline.interchange.records import LARGER, Reading, Source
-from exactspline.interchange.segments import RADIANS, RIGHT, Round
-from exactspline.interchange.writing import Spline
+from exactspline.interchange.segments import RADIANS, RIGHT, Affine, Round
 from exactspline.numbers.exact import mpq, rational
 from exactspline.system import LIMITS, OUT_OF_TIME
 

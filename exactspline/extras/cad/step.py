@@ -29,10 +29,9 @@ from exactspline.extras.cad.step_edges import (
 )
 from exactspline.extras.cad.step_records import StepFile, StepText, keywords, parts
 from exactspline.interchange.collector import Collector
-from exactspline.interchange.format import Format
+from exactspline.interchange.format import Format, Spline
 from exactspline.interchange.numbers import NumberText
 from exactspline.interchange.records import Reading, Source
-from exactspline.interchange.writing import Spline
 
 #: How the sets of curves and of surfaces are represented.
 WIREFRAME = "GEOMETRICALLY_BOUNDED_WIREFRAME_SHAPE_REPRESENTATION"

@@ -9,22 +9,26 @@ from typing import Any, TypeAlias
 
 from exactspline.errors import CurveFileError, ShapeError, counted
 from exactspline.extras.cad.step_records import StepFile, StepText, Value, keywords, name_of, parts, string
-from exactspline.interchange.affine import Affine, axes, dot, minus, unit
 from exactspline.interchange.collector import used
+from exactspline.interchange.format import Spline
 from exactspline.interchange.numbers import decimal, last_digit, whole
 from exactspline.interchange.records import NamedCurve
 from exactspline.interchange.segments import (
     DEGREES,
     RADIANS,
     RIGHT,
+    Affine,
     Round,
     Segment,
+    axes,
+    dot,
     ellipse,
+    minus,
     moved,
     polynomial,
     quarter_turns,
+    unit,
 )
-from exactspline.interchange.writing import Spline
 from exactspline.numbers.exact import mpq
 from exactspline.splines.nurbs import Nurbs
 

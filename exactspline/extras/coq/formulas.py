@@ -16,7 +16,7 @@ from exactspline.language.operand import Constant
 from exactspline.language.surface_kind import FormsKind, SurfaceCurveKind, SurfaceKind
 from exactspline.numbers.exact import rational, text
 from exactspline.papers import Paper
-from exactspline.readings.expression import Operation
+from exactspline.readings.printing import Operation
 from exactspline.readings.tree import Node, Traced, nodes
 
 # ---- terms

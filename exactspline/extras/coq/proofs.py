@@ -12,9 +12,8 @@ from exactspline.extras.coq.formulas import Writer
 from exactspline.extras.coq.settings import Setting
 from exactspline.numbers.exact import from_flint, mpq, over_one_denominator
 from exactspline.polynomials.factors import Factored, Factorization, prime_factors
-from exactspline.readings.expression import Operation
-from exactspline.readings.jet import Jet
-from exactspline.readings.rational_jet import JetFraction
+from exactspline.readings.jet import Jet, JetFraction
+from exactspline.readings.printing import Operation
 from exactspline.readings.tree import Node
 from exactspline.verification.denominators import Evaluation, factored
 

@@ -16,9 +16,8 @@ from exactspline.language.arguments import COORDINATES, POINT, Accompanied, Curv
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import CURVE, POINT_IN_SPACE, CurveKind, FramedKind, ImplicitKind, Kind, Symbol, kind_of
 from exactspline.language.vector import Vector
-from exactspline.readings.expression import Operation
-from exactspline.readings.jet import JetRing
-from exactspline.readings.rational_jet import JetFraction
+from exactspline.readings.jet import JetFraction, JetRing
+from exactspline.readings.printing import Operation
 from exactspline.readings.tree import Node
 from exactspline.verification.claim import Claim
 from exactspline.verification.denominators import Evaluation, factored

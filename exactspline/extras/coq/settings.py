@@ -28,9 +28,8 @@ from exactspline.language.surface_kind import FormsKind, SurfaceCurveKind, Surfa
 from exactspline.language.vector import Vector, cross, norm2
 from exactspline.numbers.exact import from_flint
 from exactspline.numbers.once import cached_property
-from exactspline.readings.expression import Operation
-from exactspline.readings.jet import Jet, JetRing
-from exactspline.readings.rational_jet import JetFraction
+from exactspline.readings.jet import Jet, JetFraction, JetRing
+from exactspline.readings.printing import Operation
 from exactspline.readings.tree import Node, nodes
 
 #: The names in the base of kinds that are not curves alone, in the plane and in space.

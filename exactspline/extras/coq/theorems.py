@@ -21,8 +21,8 @@ from exactspline.language.vector import Vector
 from exactspline.numbers.exact import rational
 from exactspline.papers import find
 from exactspline.readings.differential_order import order_of
-from exactspline.readings.expression import Operation
-from exactspline.readings.rational_jet import JetFraction
+from exactspline.readings.jet import JetFraction
+from exactspline.readings.printing import Operation
 from exactspline.readings.tree import Derivation, Node
 from exactspline.symbolic.assumptions import Assumption
 from exactspline.verification.claim import Claim

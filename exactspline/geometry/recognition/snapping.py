@@ -9,8 +9,7 @@ from itertools import pairwise
 from exactspline.errors import ShapeError
 from exactspline.geometry.recognition.pieces import RecognizedPiece, near, recognized, signs, small_distance
 from exactspline.geometry.recognition.shapes import Circle, Line, Point, Shape, ShapeKind, minus, scalar
-from exactspline.interchange.affine import Affine
-from exactspline.interchange.segments import Segment, arc_around_origin, joined_segments, mapped, polynomial
+from exactspline.interchange.segments import Affine, Segment, arc_around_origin, joined_segments, mapped, polynomial
 from exactspline.language.wronskians import wronskians
 from exactspline.numbers.exact import Number, mpq
 from exactspline.numbers.sides import Side

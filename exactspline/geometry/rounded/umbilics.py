@@ -28,7 +28,7 @@ from exactspline.numbers.exact import Number, mpq, to_fmpq
 from exactspline.numbers.intervals import Box, Interval, ball_around, ball_ends
 from exactspline.one_line import OneLine
 from exactspline.polynomials.patch_forms import clusters
-from exactspline.readings.taylor_surface import DoubleSeries
+from exactspline.readings.taylor import DoubleSeries
 from exactspline.splines.knots import KnotVector
 from exactspline.splines.precision import distance
 from exactspline.splines.surface import NurbsSurface

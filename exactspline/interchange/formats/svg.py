@@ -19,15 +19,13 @@ from dataclasses import dataclass, replace
 from itertools import pairwise
 
 from exactspline.errors import ExactSplineError, NumberError, ShapeError, counted
-from exactspline.interchange.affine import Affine
 from exactspline.interchange.collector import Collector
-from exactspline.interchange.format import Format
+from exactspline.interchange.format import Format, Spline, pen_segments
 from exactspline.interchange.numbers import NumberText, decimal
 from exactspline.interchange.records import Limits, Reading, Source
-from exactspline.interchange.segments import DEGREES, RIGHT, Segment, ellipse, mapped, polynomial, quarter_turns
+from exactspline.interchange.segments import DEGREES, RIGHT, Affine, Segment, ellipse, mapped, polynomial, quarter_turns
 from exactspline.interchange.svg_paths import Subpath, least_size, subpaths
 from exactspline.interchange.svg_styles import HIDING, MOVING, NAMES, ORIGIN, SHAPING, Sheet, declarations, in_words
-from exactspline.interchange.writing import Spline, pen_segments
 from exactspline.interchange.xml_tree import Element, attribute, parse
 from exactspline.numbers.exact import mpq, text
 

@@ -12,7 +12,7 @@ from exactspline.language.formula import Formula
 from exactspline.language.ruled import split
 from exactspline.polynomials.cost import at_its_cost
 from exactspline.readings.differential_order import order_of
-from exactspline.readings.rational_jet import JetFraction, RationalJetReading
+from exactspline.readings.jet import JetFraction, RationalJetReading
 from exactspline.verification.claim import Claim, count_from, formula_name, one_of, read
 from exactspline.verification.claim_fields import claim_kind
 from exactspline.verification.evaluation import Evaluation

@@ -14,8 +14,7 @@ from exactspline.language.formula import Formula
 from exactspline.language.kinds import POINT_IN_SPACE, Kind, kind_of
 from exactspline.language.ruled import split
 from exactspline.readings.differential_order import order_of
-from exactspline.readings.jet import Jet
-from exactspline.readings.rational_jet import RationalJetReading
+from exactspline.readings.jet import Jet, RationalJetReading
 from exactspline.splines.tensor import TensorSpline
 from exactspline.symbolic.factorization import Factor, jets_for, without_denominator
 from exactspline.verification.claim import Claim, formula_name, read

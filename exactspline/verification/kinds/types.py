@@ -14,7 +14,7 @@ from exactspline.language.kinds import FRAMED, FRAMED_PLANE, FRAMED_SPACE, Curve
 from exactspline.language.ruled import joined, split
 from exactspline.polynomials.cost import at_its_cost
 from exactspline.polynomials.factors import factorize_square_free
-from exactspline.readings.rational_jet import JetFraction
+from exactspline.readings.jet import JetFraction
 from exactspline.splines.nurbs import Nurbs
 from exactspline.symbolic.factorization import jets_for
 from exactspline.verification.claim import Claim, any_formula, formula_name, one_of, read
