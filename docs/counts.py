@@ -11,7 +11,7 @@ from textwrap import fill
 from exactspline.display.console import glossary
 from exactspline.papers import papers
 from exactspline.verification.claims import claims_of
-from exactspline.verification.rows import recorded_counts
+from exactspline.verification.ledger import recorded_counts
 from exactspline.verification.vocabulary import Status
 
 PAGE = Path(__file__).parent / "concepts.md"

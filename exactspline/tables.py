@@ -30,10 +30,9 @@ from exactspline.splines.lowest_terms import control_point_count
 from exactspline.splines.tensor import surface_pair
 from exactspline.symbolic.factorization import jets_for
 from exactspline.verification.curve_check import table_1_splines
-from exactspline.verification.degree_tables import measurable, measure
+from exactspline.verification.degree_tables import measurable, measure, patch_table, variants_table
 from exactspline.verification.errata import errata
 from exactspline.verification.generic_proof import factor_of, table_1_degrees
-from exactspline.verification.patch_degrees import patch_table, variants_table
 from exactspline.verification.statement import statements
 
 __all__ = [

@@ -18,7 +18,7 @@ from exactspline.geometry.bisectors.trimmed import trimmed_bisector
 from exactspline.geometry.bisectors.two_curves import curve_bisector
 from exactspline.interchange.examples import example, example_names
 from exactspline.papers import find
-from exactspline.verification.check_arguments import point_beside
+from exactspline.verification.evaluation import point_beside
 
 SPACE = [name for name in example_names() if example(name).dimension == 3]
 TWISTED = [name for name in SPACE if not find("D1_D2_D3")(example(name)).is_zero]

@@ -142,7 +142,7 @@ def _on_patches(out: Output, paper: list[str], trust: bool, names: list[str], pa
     """The formulas of surfaces on patches of given degrees: counted, proved and attained."""
     from exactspline.display.formulas import patch_sheet
     from exactspline.papers import named_papers
-    from exactspline.verification.patch_degrees import patch_table
+    from exactspline.verification.degree_tables import patch_table
 
     parts = [part.strip() for part in patch.split(",")]
     if len(parts) != 2 or not all(part.isdecimal() and len(part) < 3 for part in parts):
@@ -365,7 +365,7 @@ def conditioning(
     each.
     """
     from exactspline.display.formulas import comparison_data, comparison_sheet, print_comparisons
-    from exactspline.verification.conditioning.compare import conditioning as compared
+    from exactspline.verification.conditioning import conditioning as compared
 
     chosen, good = loaded(curve or WITNESSES)
     found = tracked([partial(compared, c, construction) for c in chosen], "comparing")

@@ -17,9 +17,8 @@ from exactspline.numbers.exact import text
 from exactspline.roots.root import Root
 from exactspline.splines.nurbs import Nurbs
 from exactspline.symbolic.reduction import Part, Reduction
-from exactspline.verification.conditioning.compare import Conditioning, FormAtRoot, RootConditions
-from exactspline.verification.degree_tables import DegreeRow, FormulaDegrees, GenericRow
-from exactspline.verification.patch_degrees import PatchRow
+from exactspline.verification.conditioning import Conditioning, FormAtRoot, RootConditions
+from exactspline.verification.degree_tables import DegreeRow, FormulaDegrees, GenericRow, PatchRow
 
 NOTHING, ZERO = "–", "zero"
 

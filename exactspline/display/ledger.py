@@ -21,7 +21,7 @@ from exactspline.verification.errata import claimed_relation, true_relation
 from exactspline.verification.evidence import DegreeHere, ExactQuotient, WrongDegree
 from exactspline.verification.kinds.degree import DegreeClaim
 from exactspline.verification.kinds.equality import Identity, Vanishing
-from exactspline.verification.rows import Counts, Row, count_statements, error_of
+from exactspline.verification.ledger import Counts, Row, count_statements, error_of
 from exactspline.verification.statement import Statement
 from exactspline.verification.verdict import INAPPLICABLE, PROVED, REFUTED, VACUOUS, VERIFIED
 from exactspline.verification.vocabulary import ArgumentKind, Status, Verdict
@@ -281,7 +281,7 @@ def summary(found: Mapping[Status, Counts]) -> str:
     """The counts in a sentence: of the printed statements, of the corrected ones, of our own.
 
     >>> from exactspline.verification.claims import select
-    >>> from exactspline.verification.rows import recorded_counts
+    >>> from exactspline.verification.ledger import recorded_counts
     >>> summary(recorded_counts(select(["C4.2b"])))
     '2 statements of the paper: 1 holds, 1 is refuted (1 error); 1 corrected statement: 1 holds.'
     """

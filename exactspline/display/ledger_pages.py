@@ -25,7 +25,7 @@ from exactspline.release import all_releases
 from exactspline.verification.claim import Claim
 from exactspline.verification.claims import claims_of
 from exactspline.verification.kinds.not_asked import NotAsked
-from exactspline.verification.rows import Row, count_statements
+from exactspline.verification.ledger import Row, count_statements
 from exactspline.verification.verdict import REFUTED
 
 _LEDGER_STYLE = """

@@ -30,11 +30,11 @@ from exactspline.display.sheet import Sheet
 from exactspline.errors import command_name, counted
 from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.surface import NurbsSurface
-from exactspline.verification.check_arguments import is_tried_whole
 from exactspline.verification.claim import Claim
 from exactspline.verification.errata import numbered
+from exactspline.verification.evaluation import is_tried_whole
+from exactspline.verification.ledger import Row
 from exactspline.verification.paper_curves import own_curves
-from exactspline.verification.rows import Row
 from exactspline.verification.verdict import REFUTED
 
 

@@ -39,7 +39,7 @@ from exactspline.splines.lowest_terms import control_point_count
 from exactspline.splines.nurbs import Nurbs
 from exactspline.verification.claim import Claim
 from exactspline.verification.errata import Erratum
-from exactspline.verification.rows import Row
+from exactspline.verification.ledger import Row
 from exactspline.verification.statement import Side, Statement, sides
 
 #: How many numbers of a list are written out, and the number of control points above which a vector is described

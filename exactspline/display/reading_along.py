@@ -21,7 +21,7 @@ from exactspline.papers import Paper, default_papers
 from exactspline.papers.passages import Passage, passages, sections_of
 from exactspline.verification.claims import claims_of
 from exactspline.verification.errata import numbered
-from exactspline.verification.rows import Counts, count_statements
+from exactspline.verification.ledger import Counts, count_statements
 from exactspline.verification.statement import Statement, statement
 from exactspline.verification.verdict import PROVED
 from exactspline.verification.vocabulary import Status

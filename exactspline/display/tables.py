@@ -28,8 +28,7 @@ from exactspline.verification.degree_tables import construction_table, generic_t
 from exactspline.verification.errata import Erratum, Holds, Refuted
 from exactspline.verification.kinds.degree import DegreeClaim
 from exactspline.verification.kinds.examples import Count
-from exactspline.verification.ledger import audit, decide
-from exactspline.verification.rows import Row
+from exactspline.verification.ledger import Row, audit, decide
 from exactspline.verification.statement import Statement, statement
 from exactspline.verification.verdict import CONTRADICTION, PROVED, REFUTED, VERIFIED
 from exactspline.verification.vocabulary import Status, Verdict

@@ -26,10 +26,9 @@ from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.surface import NurbsSurface
 from exactspline.symbolic.assumptions import ASSUMPTIONS, Assumption, assumption, stated_assumption
 from exactspline.symbolic.factorization import sharing
-from exactspline.verification.check_arguments import free_operands, too_long
 from exactspline.verification.claim_fields import claim_kind, declared
 from exactspline.verification.decision import Statement
-from exactspline.verification.evaluation import Evaluation, evaluation
+from exactspline.verification.evaluation import Evaluation, evaluation, free_operands, too_long
 from exactspline.verification.evidence import (
     AnyOperands,
     Evidence,

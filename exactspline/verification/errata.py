@@ -24,8 +24,8 @@ from exactspline.verification.generic_proof import factor_of
 from exactspline.verification.kinds.degree import DegreeClaim
 from exactspline.verification.kinds.equality import Identity, Vanishing
 from exactspline.verification.kinds.examples import Count
+from exactspline.verification.ledger import error_of
 from exactspline.verification.notation import WEIGHTS, factor_parts
-from exactspline.verification.rows import error_of
 from exactspline.verification.statement import letters_of_factor
 from exactspline.verification.verdict import PROVED, REFUTED, VERIFIED, Finding
 from exactspline.verification.vocabulary import Extent, Measure, Name, Scope, Status, Verdict

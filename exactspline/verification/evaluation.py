@@ -2,25 +2,198 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from contextlib import contextmanager
 from contextvars import ContextVar
 from itertools import pairwise, product
-from typing import Any
+from typing import Any, NamedTuple
 
-from exactspline.language.arguments import PARAMETERS, Evaluated, Operands
-from exactspline.language.kinds import PairKind, kind_of
+from exactspline.errors import InapplicableError, counted
+from exactspline.language.arguments import PARAMETERS, Accompanied, Curve, Evaluated, Operands, Pair
+from exactspline.language.formula import Formula
+from exactspline.language.kinds import (
+    PLANAR_MAP,
+    SURFACE,
+    CurveKind,
+    HodographKind,
+    PairKind,
+    curve_of_hodograph,
+    kind_of,
+)
+from exactspline.language.vector import Vector
+from exactspline.numbers.exact import mpq
 from exactspline.numbers.intervals import Interval
 from exactspline.numbers.once import cached_property
 from exactspline.polynomials.isolation import zero_on_segment
+from exactspline.readings.degree import DegreeReading
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.surface import NurbsSurface
 from exactspline.splines.tensor import TensorSpline, surface_pair
 from exactspline.symbolic.assumptions import Assumption
-from exactspline.verification.check_arguments import Given, argument, moved_copy
-from exactspline.verification.evidence import AssumptionFails, At, Between, OnAllOf, OnPatch, OnWholePatch, Place
-from exactspline.verification.vocabulary import ArgumentKind
+from exactspline.verification.evidence import (
+    AnyOperands,
+    AssumptionFails,
+    At,
+    Between,
+    Chosen,
+    Evidence,
+    Fact,
+    OnAllOf,
+    OnPatch,
+    OnWholePatch,
+    Place,
+    TooLong,
+)
+from exactspline.verification.vocabulary import ArgumentKind, Name
+
+# ---- the arguments
+
+
+#: Values of constants on one curve, chosen arbitrarily.
+CONSTANTS = tuple(mpq(p, q) for p, q in ((37, 29), (-53, 41), (61, 17), (19, 67), (-71, 83), (97, 47)))
+
+
+def point_beside(curve: Nurbs) -> tuple[mpq, ...]:
+    """A point off the curve: the mean of its control points, moved by unequal fractions of their extent.
+
+    >>> from exactspline.interchange.examples import example
+    >>> point_beside(example("circle"))
+    (mpq(1,3), mpq(4,11))
+    """
+    point = []
+    for i, column in enumerate(zip(*curve.control_points, strict=True)):
+        extent = max(column) - min(column)
+        point.append(sum(column) / len(column) + (extent or 1) * mpq(i + 1, 2 * i + 9))
+    return tuple(point)
+
+
+def moved_copy(curve: Nurbs) -> Curve[BSpline]:
+    """The curve with its coordinates exchanged cyclically and moved by the vector of its test point."""
+    move = point_beside(curve)
+    p = Vector(*[curve.p[(i + 1) % curve.dimension] + curve.w * move[i] for i in range(curve.dimension)])
+    return Curve(p, curve.w, polynomial=curve.polynomial)
+
+
+def beginning(curve: Curve[BSpline]) -> Curve[BSpline]:
+    """The first segment of a curve: more would show nothing new of a pair, and the number of patches is the product."""
+    a, b, *_ = curve.w.breakpoints
+    return Curve(Vector(*[x.restrict(a, b) for x in curve.p]), curve.w.restrict(a, b), polynomial=curve.polynomial)
+
+
+def pair_with(curve: Nurbs, other: Curve[BSpline] | None = None) -> Pair[TensorSpline]:
+    """The first segments of two curves, or of a curve and its moved copy."""
+    return surface_pair(beginning(curve), beginning(moved_copy(curve) if other is None else other))
+
+
+def with_hodograph(curve: Nurbs, constants: Mapping[str, BSpline]) -> Accompanied[BSpline]:
+    """The Pythagorean-hodograph curve whose u, v and h are the numerators and the denominator of a plane curve, with
+    constants.
+    """
+    u, v = curve.p
+    x, y = ((f * curve.w).integral() for f in (u * u - v * v, u * v + u * v))
+    return curve_of_hodograph({"x": x, "y": y, "u": u, "v": v, "h": curve.w, **constants}, x.constant(1), constants)
+
+
+#: The largest number of patches of a surface on which claims are multiplied out.
+PATCHES = 16
+
+
+def is_tried_whole(surface: NurbsSurface) -> bool:
+    """Whether claims are checked on all patches of a surface, and not only on the first."""
+    m, n = surface.patches
+    return m * n <= PATCHES
+
+
+class Given(NamedTuple):
+    """The argument of formulas of a kind on one curve or surface; a description of the additional operands; and which
+    part of all such arguments it is, where there are others (None where it is the only one).
+    """
+
+    argument: Evaluated
+    beside: Evidence | None = None
+    part: Evidence | None = None
+
+
+def argument(kind: str, curve: Nurbs | NurbsSurface) -> Given:
+    """The argument of formulas of a kind on one curve or surface.
+
+    Raises `InapplicableError` for a kind of which a single curve or surface is not an example.
+    """
+    asked = kind_of(kind)
+    if isinstance(curve, NurbsSurface):
+        if asked not in (SURFACE, PLANAR_MAP):
+            raise InapplicableError(
+                f"one surface is not an example of {str(kind)!r}", remedy="such claims are decided for all"
+            )
+        if is_tried_whole(curve):
+            return Given(curve)
+        (a, b, *_), (c, d, *_) = (mesh.breaks for mesh in curve.meshes)
+        return Given(curve.mapped(lambda f: f.restrict((a, b), (c, d))), Fact.FIRST_PATCH, Fact.FIRST_PATCH)
+    if isinstance(asked, PairKind):
+        return Given(pair_with(curve), Fact.FIRST_SEGMENTS, Fact.FIRST_SEGMENTS)
+    if not isinstance(asked, (CurveKind, HodographKind)):
+        raise InapplicableError(
+            f"one curve is not an example of {str(kind)!r}", remedy="such claims are decided for all curves"
+        )
+    handed: Curve[BSpline] = curve
+    point: tuple[mpq, ...] = ()
+    values: dict[str, mpq] = {}
+    if isinstance(asked, CurveKind) and asked.with_point:
+        point = point_beside(curve)
+        handed = curve.with_point(point)
+    if asked.constants:
+        values = dict(zip(asked.constants, CONSTANTS, strict=False))
+        if len(values) < len(asked.constants):
+            raise InapplicableError(
+                f"{counted(len(asked.constants), 'constant')}", remedy=f"at most {len(CONSTANTS)} are tried"
+            )
+    constants = {name: curve.w.constant(value) for name, value in values.items()}
+    chosen = Chosen(point, tuple((Name(name), value) for name, value in values.items())) if point or values else None
+    if isinstance(asked, HodographKind):
+        return Given(with_hodograph(curve, constants), Fact.AS_HODOGRAPH, chosen)
+    if constants:
+        handed = Accompanied(handed, constants)
+    return Given(handed, chosen, chosen)
+
+
+def free_operands(kind: str) -> AnyOperands | None:
+    """The free operands next to the curve in arguments of a kind; None where there are none.
+
+    >>> for kind in ("plane pair", "plane point", "plane with delta"):
+    ...     print(free_operands(kind))
+    with any second curve
+    with any point
+    with any δ
+    """
+    asked = kind_of(kind)
+    if isinstance(asked, PairKind):
+        return AnyOperands(second_curve=True)
+    with_point = isinstance(asked, CurveKind) and asked.with_point
+    if not with_point and not asked.constants:
+        return None
+    return AnyOperands(point=with_point, constants=tuple(map(Name, asked.constants)))
+
+
+#: The largest degree in a parameter to which formulas are multiplied out on single surfaces.
+LARGEST = 100
+
+
+def too_long(formulas: Iterable[Formula], surface: NurbsSurface) -> TooLong | None:
+    """The first formula whose value as written has too high a degree on a surface; None where there is none.
+
+    >>> from exactspline.papers import find
+    >>> from exactspline.interchange.examples import example_surface
+    >>> print(too_long([find("surfaces:E"), find("surfaces:brioschi")], example_surface("torus")))
+    brioschi as written has degree 208 in u there, too high to be multiplied out
+    """
+    for formula in formulas:
+        for parameter, d in zip(formula.kind.counted, surface.degree, strict=True):
+            reading = DegreeReading(parameter=parameter)
+            degree = reading.count(formula, surface.dimension, polynomial=surface.polynomial)
+            if (n := degree.at(dict.fromkeys(degree.names, d))) > LARGEST:
+                return TooLong(Name(formula.name), n, parameter)
+    return None
 
 
 class Evaluation:

@@ -25,7 +25,7 @@ from exactspline.symbolic.assumptions import Assumption, zero_free
 from exactspline.symbolic.covariants import degree_at, generic_degree, truncated, without_content
 from exactspline.symbolic.factorization import POLYNOMIAL, Factor, find_factor, jets_for, naming
 from exactspline.symbolic.reduction import Reduction, counted_in, reduce, reduction
-from exactspline.verification.check_arguments import argument
+from exactspline.verification.evaluation import argument
 from exactspline.verification.vocabulary import Name
 
 if TYPE_CHECKING:

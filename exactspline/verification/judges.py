@@ -20,8 +20,8 @@ from exactspline.verification.claim import Claim
 from exactspline.verification.combined import fitting
 from exactspline.verification.evidence import Fact, JudgesDisagree
 from exactspline.verification.kinds.equality import Identity
+from exactspline.verification.ledger import Row
 from exactspline.verification.notation import factor_formulas
-from exactspline.verification.rows import Row
 from exactspline.verification.verdict import CONTRADICTION, PROVED, REFUTED, UNDECIDED, Finding, undecided, worst_case
 from exactspline.verification.vocabulary import Extent, Name
 

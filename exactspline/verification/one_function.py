@@ -21,7 +21,7 @@ from exactspline.readings.jet import Jet, JetFraction, JetRing
 from exactspline.readings.other_parameter import InOtherParameter
 from exactspline.symbolic.factorization import jets_for
 from exactspline.symbolic.substitution import substitute
-from exactspline.verification.check_arguments import argument
+from exactspline.verification.evaluation import argument
 
 #: A rational and a polynomial example on which values are compared, by dimension: curves and surfaces.
 CURVES = {2: ("rational_cubic", "cubic_s"), 3: ("rational_space_cubic", "flat_point")}

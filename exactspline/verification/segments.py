@@ -20,7 +20,7 @@ from exactspline.numbers.exact import mpq, to_fmpq
 from exactspline.readings.jet import JetFraction, JetRing
 from exactspline.splines.bspline import BSpline, in_powers
 from exactspline.splines.nurbs import Nurbs
-from exactspline.verification.check_arguments import with_hodograph
+from exactspline.verification.evaluation import with_hodograph
 from exactspline.verification.evidence import At, On
 
 #: The parameters minus those at which a segment begins; names that no operand has.

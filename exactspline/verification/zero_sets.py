@@ -27,7 +27,7 @@ from exactspline.readings.printing import Operation
 from exactspline.readings.tree import Node, nodes, trace
 from exactspline.symbolic.assumptions import Assumption, zero_free
 from exactspline.symbolic.factorization import Factor, Named, factored, naming_formulas
-from exactspline.verification.denominators import Evaluation
+from exactspline.verification.divisors import Evaluation
 from exactspline.verification.evidence import MayVanish
 from exactspline.verification.vocabulary import Name
 

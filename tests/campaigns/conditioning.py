@@ -13,7 +13,7 @@ from exactspline.geometry.derived.constructions import Variant
 from exactspline.numbers.exact import mpq
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.nurbs import Nurbs
-from exactspline.verification.conditioning.compare import conditioning
+from exactspline.verification.conditioning import conditioning
 
 #: The zero-set constructions included in the search.
 SEARCHED = ("zero_curvature", "critical_curvature")

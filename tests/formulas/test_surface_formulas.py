@@ -26,8 +26,8 @@ from exactspline.readings.sympy_expression import SympyReading
 from exactspline.readings.taylor import DoubleTaylorReading, Series, double_taylor
 from exactspline.symbolic.reduction import reduce
 from exactspline.verification.claims import claims_of
+from exactspline.verification.degree_tables import patch_table, variants_table
 from exactspline.verification.ledger import audit
-from exactspline.verification.patch_degrees import patch_table, variants_table
 from exactspline.verification.verdict import PROVED, REFUTED
 
 SOURCE = paper("surfaces")

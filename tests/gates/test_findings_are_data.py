@@ -27,9 +27,8 @@ from exactspline.verification.claims import claims_in, select
 from exactspline.verification.evidence import Evidence, ExactQuotient, JudgesDisagree, WrongDegree
 from exactspline.verification.judges import Sympy, agreed, second_opinion
 from exactspline.verification.kinds.equality import Identity
-from exactspline.verification.ledger import audit, decide
+from exactspline.verification.ledger import Row, audit, decide
 from exactspline.verification.questions import Proof
-from exactspline.verification.rows import Row
 from exactspline.verification.verdict import CONTRADICTION, PROVED, REFUTED, UNDECIDED, VERIFIED, Finding
 from exactspline.verification.vocabulary import Name, Reason
 

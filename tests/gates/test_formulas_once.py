@@ -70,8 +70,7 @@ MAKERS = {
     "papers": "a function of a user's file",
     "papers.formula_check": "a function of a user's file",
     "symbolic.assumptions": "the polynomial of an assumption, for its order",
-    "verification.questions": "a function typed at the prompt",
-    "verification.one_line": "a formula typed in one line",
+    "verification.questions": "a function, or a formula in one line, typed at the prompt",
     "verification.generic_proof": "a formula of a pair with its curves exchanged",
 }
 
@@ -322,7 +321,7 @@ ALLOWED = {
     "interchange.bridges:read_scipy": "a function or a curve is read",
     "programs.inputs:operands_of": "whether there is a program",
     "readings.bernstein_term:every_coefficient": "a proof about values of its own reading",
-    "verification.denominators:factored": "a denominator in factors, a number or a fraction",
+    "verification.divisors:factored": "a denominator in factors, a number or a fraction",
     "extras.coq.settings:flat": "fractions with and without roots",
     "extras.coq.proofs:_whole": "what is assumed of a fraction",
     "extras.coq.proofs:met": "what is assumed of a fraction",

@@ -323,9 +323,9 @@ ROUNDED = {
     "reals/digits.py: Digits.__format__": "writes a number that is rounded exactly",
     "reals/real.py: RationalNumber.double": "rounds to a double, on request",
     "roots/answers.py: OneNumber.__float__": "rounds to a double, on request",
-    "verification/conditioning/compare.py: _at_root": "what is measured is the error of doubles",
+    "verification/conditioning.py: _at_root": "what is measured is the error of doubles",
     "verification/minimality.py: witness": "chooses by a seed",
-    "verification/patch_degrees.py: _witness_patch": "chooses by a seed",
+    "verification/degree_tables.py: _witness_patch": "chooses by a seed",
 }
 ROUNDS = {
     "float": "def f(x):\n    return float(x) > 0",

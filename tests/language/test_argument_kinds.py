@@ -19,7 +19,7 @@ from exactspline.readings.leading_terms import LeadingTermsReading, generic_true
 from exactspline.readings.sympy_expression import SympyReading
 from exactspline.readings.taylor import taylor
 from exactspline.readings.tree import trace
-from exactspline.verification.check_arguments import CONSTANTS, argument
+from exactspline.verification.evaluation import CONSTANTS, argument
 from exactspline.verification.questions import prove
 
 READINGS = [JetReading(3), SympyReading()]

@@ -21,8 +21,8 @@ from exactspline.readings.printing import print_latex, print_text
 from exactspline.readings.taylor import taylor
 from exactspline.readings.tree import trace
 from exactspline.symbolic.substitution import substitute
-from exactspline.verification.check_arguments import moved_copy, pair_with, point_beside
-from exactspline.verification.denominators import Evaluation
+from exactspline.verification.divisors import Evaluation
+from exactspline.verification.evaluation import moved_copy, pair_with, point_beside
 
 FORMULAS = {name: f for name, f in all_formulas().items() if f.curve in ("pair", "point", "plane point")}
 over_formulas = pytest.mark.parametrize("name", FORMULAS)

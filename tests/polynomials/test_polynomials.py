@@ -24,7 +24,7 @@ from exactspline.polynomials.factors import (
 )
 from exactspline.polynomials.over_root import OverRoot, large_primes
 from exactspline.roots.of_polynomials import check_isolation
-from exactspline.verification.denominators import factored
+from exactspline.verification.divisors import factored
 
 CONTEXT = fmpz_mpoly_ctx.get(["s", "t"], Ordering.lex)
 S, T = CONTEXT.gens()

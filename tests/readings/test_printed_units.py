@@ -9,7 +9,7 @@ from gmpy2 import mpq
 
 from exactspline.readings.printing import Operation, print_text, without_units
 from exactspline.readings.tree import Node, nodes
-from exactspline.verification.denominators import Evaluation
+from exactspline.verification.divisors import Evaluation
 
 
 def random_tree(chance, depth):

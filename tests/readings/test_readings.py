@@ -24,7 +24,7 @@ from exactspline.readings.jet import Jet, JetReading
 from exactspline.readings.printing import ATOMS, print_latex, print_text
 from exactspline.readings.taylor import Series, series_curve, taylor
 from exactspline.readings.tree import TreeReading, trace
-from exactspline.verification.denominators import Evaluation
+from exactspline.verification.divisors import Evaluation
 from tests.support.sampled import FULL, sample
 
 #: The formulas of one curve; those of two curves, or of a curve and a point, are in test_pairs.py.

@@ -10,8 +10,7 @@ from exactspline.verification import degree_tables, errata
 from exactspline.verification.claims import claims_of
 from exactspline.verification.combined import Proofs, computed_once
 from exactspline.verification.errata import Erratum
-from exactspline.verification.ledger import audit
-from exactspline.verification.rows import Row
+from exactspline.verification.ledger import Row, audit
 
 
 @cache

@@ -19,12 +19,11 @@ from exactspline.readings.tree import trace
 from exactspline.symbolic.covariants import true_degree
 from exactspline.symbolic.reduction import reduction
 from exactspline.verification import judges
-from exactspline.verification.check_arguments import with_hodograph
 from exactspline.verification.claims import all_claims, claims_of
 from exactspline.verification.degree_tables import construction_table, formula_degrees
 from exactspline.verification.divisors import divisors
 from exactspline.verification.errata import check, unrecorded
-from exactspline.verification.evaluation import Evaluation
+from exactspline.verification.evaluation import Evaluation, with_hodograph
 from exactspline.verification.evidence import Fact
 from exactspline.verification.kinds.coefficients import Coefficients, is_decided
 from exactspline.verification.kinds.contact import Contact

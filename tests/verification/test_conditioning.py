@@ -22,10 +22,22 @@ from exactspline.interchange.curve_files import curve_data
 from exactspline.interchange.examples import example
 from exactspline.polynomials.bernstein import from_bezier
 from exactspline.roots.zero_set import zeros
-from exactspline.verification.conditioning import compare, double_precision
-from exactspline.verification.conditioning.compare import Conditioning, FormAtRoot, RootConditions, conditioning
-from exactspline.verification.conditioning.condition_number import WIDTH, condition_number, local, quotient
-from exactspline.verification.conditioning.double_precision import Double, double_precision_root
+from exactspline.verification.conditioning import (
+    WIDTH,
+    Conditioning,
+    Double,
+    FormAtRoot,
+    RootConditions,
+    bisected,
+    bracket,
+    condition_number,
+    conditioning,
+    double_precision_root,
+    local,
+    quotient,
+    segment_with,
+    to_doubles,
+)
 from tests.campaigns.conditioning import Tally, search_witnesses
 
 small = st.integers(-9, 9)
@@ -358,19 +370,19 @@ def test_a_tally_counts_what_it_is_given():
 def test_a_bracket_reaches_halfway_to_the_next_zeros_and_ends():
     f = BSpline.bezier([-1, 5]) * BSpline.bezier([-1, 1]) * BSpline.bezier([-3, 1])  # zeros at 1/6, 1/2, 3/4
     middle = next(r for r in zeros(f) if r == mpq(1, 2))
-    low, high = compare.bracket(f.forms[0], f.degree, middle, zeros(f))
+    low, high = bracket(f.forms[0], f.degree, middle, zeros(f))
     assert abs(low - mpq(1, 3)) < mpq(1, 10**20)
     assert abs(high - mpq(5, 8)) < mpq(1, 10**20)
     first = next(r for r in zeros(f) if r == mpq(1, 6))
-    assert compare.bracket(f.forms[0], f.degree, first, zeros(f))[0] == 0
+    assert bracket(f.forms[0], f.degree, first, zeros(f))[0] == 0
     on_two = BSpline(1, [0, 0, 3, 5, 5], [-1, -1, 1])
     (only,) = zeros(on_two)
-    assert compare.segment_with(on_two, only) == 1
-    assert compare.bracket(on_two.forms[1], 1, only, zeros(on_two)) == (0, 1)
+    assert segment_with(on_two, only) == 1
+    assert bracket(on_two.forms[1], 1, only, zeros(on_two)) == (0, 1)
     ended = BSpline.bezier([0, -1, 2])  # a zero at the start and one inside
     inner = next(r for r in zeros(ended) if not r.at_knot)
     x = local(inner)[0]
-    assert compare.bracket(ended.forms[0], 2, inner, zeros(ended)) == (x / 2, 1)
+    assert bracket(ended.forms[0], 2, inner, zeros(ended)) == (x / 2, 1)
 
 
 def test_double_precision_finds_what_doubles_can_hold():
@@ -401,16 +413,16 @@ def test_the_condition_number_of_an_irrational_zero_is_enclosed(k):
     [(1, -1, 0.5), (-1, 3, 0.25), (3, -1, 0.75), (1, -3, 0.25), (-3, 1, 0.75), (-0.5, 1.5, 0.25), (0.5, -1.5, 0.25)],
 )
 def test_bisection_ends_where_the_value_is_zero(first, last, found):
-    assert double_precision.bisected([first, last], 0.0, 1.0) == found
+    assert bisected([first, last], 0.0, 1.0) == found
 
 
 @pytest.mark.parametrize(("first", "last"), [(0, 1), (0, -1), (1, 0), (-1, 0), (1, 1), (-1, -1), (0, 0)])
 def test_bisection_needs_two_signs(first, last):
-    assert double_precision.bisected([first, last], 0.0, 1.0) is None
+    assert bisected([first, last], 0.0, 1.0) is None
 
 
 def test_bisection_ends_between_neighbouring_doubles():
-    low = double_precision.bisected([-1, 2], 0.0, 1.0)
+    low = bisected([-1, 2], 0.0, 1.0)
     assert mpq(low) <= mpq(1, 3) <= mpq(nextafter(low, 1))
 
 
@@ -418,8 +430,8 @@ def test_a_bracket_ends_with_its_segment():
     """Zeros at 1/10 of the first segment and 1/5 of the second."""
     f = BSpline(1, [0, 0, 1, 2, 2], [-1, 9, -36])
     first, second = zeros(f)
-    assert compare.bracket(f.forms[0], 1, first, zeros(f)) == (0, 1)
-    assert compare.bracket(f.forms[1], 1, second, zeros(f)) == (0, 1)
+    assert bracket(f.forms[0], 1, first, zeros(f)) == (0, 1)
+    assert bracket(f.forms[1], 1, second, zeros(f)) == (0, 1)
 
 
 def test_a_bracket_is_one_of_the_local_parameter():
@@ -429,18 +441,18 @@ def test_a_bracket_is_one_of_the_local_parameter():
         [3] * 4 + [7] * 4,
         (BSpline.bezier([-1, 5]) * BSpline.bezier([-1, 1]) * BSpline.bezier([-3, 1])).control_points,
     )
-    low, high = compare.bracket(f.forms[0], 3, zeros(f)[1], zeros(f))
+    low, high = bracket(f.forms[0], 3, zeros(f)[1], zeros(f))
     assert abs(low - mpq(1, 3)) < mpq(1, 10**20)
     assert abs(high - mpq(5, 8)) < mpq(1, 10**20)
 
 
 def test_points_are_scaled_to_the_range_of_doubles():
     points = [mpq(1, 3) * mpq(2) ** 1500, mpq(-1, 7) * mpq(2) ** 1490]
-    told = double_precision.to_doubles(points)
+    told = to_doubles(points)
     assert 2.0**998 <= max(map(abs, told)) <= 2.0**1002
     assert told[0] / told[1] == pytest.approx(-7 * 1024 / 3, rel=1e-15)
-    assert double_precision.to_doubles([mpq(0), mpq(1)]) == [0, double_precision.to_doubles([mpq(1)])[0]]
-    assert double_precision.to_doubles([mpq(1), mpq(1, 2**2100)]) is None
+    assert to_doubles([mpq(0), mpq(1)]) == [0, to_doubles([mpq(1)])[0]]
+    assert to_doubles([mpq(1), mpq(1, 2**2100)]) is None
 
 
 def test_quotients_of_forms_are_forms_of_the_difference_of_degrees():

@@ -11,8 +11,8 @@ import pytest
 from exactspline.display.evidence import worded
 from exactspline.papers import load_paper
 from exactspline.splines.nurbs import Nurbs
-from exactspline.verification.check_arguments import CONSTANTS, point_beside
 from exactspline.verification.claims import claims_of
+from exactspline.verification.evaluation import CONSTANTS, point_beside
 from exactspline.verification.kinds import KINDS
 from exactspline.verification.ledger import audit, decide
 from exactspline.verification.paper_curves import one_patch_surfaces

@@ -24,7 +24,7 @@ from exactspline.verification.claims import claims_of, select, stands_at
 from exactspline.verification.combined import Proofs, combined, computed_once
 from exactspline.verification.curve_check import table_1_splines
 from exactspline.verification.decision import DirectrixOf, Equation
-from exactspline.verification.degree_tables import construction_table
+from exactspline.verification.degree_tables import construction_table, patch_table
 from exactspline.verification.divisors import divided_by, divisors
 from exactspline.verification.errata import check, true_relation
 from exactspline.verification.evaluation import Evaluation
@@ -44,10 +44,8 @@ from exactspline.verification.kinds.degree import held_against
 from exactspline.verification.kinds.equality import IsoCurve
 from exactspline.verification.kinds.invariance import with_article
 from exactspline.verification.kinds.types import on_cubics
-from exactspline.verification.ledger import decide
-from exactspline.verification.patch_degrees import patch_table
+from exactspline.verification.ledger import Counts, decide
 from exactspline.verification.questions import verify
-from exactspline.verification.rows import Counts
 from exactspline.verification.segments import on_segments
 from exactspline.verification.verdict import (
     CONTRADICTION,

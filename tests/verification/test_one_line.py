@@ -5,7 +5,7 @@ import pytest
 import exactspline as xs
 from exactspline.errors import ExactSplineError, FormulaError
 from exactspline.papers import find
-from exactspline.verification.one_line import formula_of_line
+from exactspline.verification.questions import formula_of_line
 from tests.support.command import invoke
 from tests.verification.test_own_paper import plane_formulas, written
 

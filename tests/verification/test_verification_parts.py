@@ -19,7 +19,6 @@ from exactspline.splines.tensor import TensorSpline
 from exactspline.symbolic.covariants import degree_at
 from exactspline.symbolic.reduction import reduce, reduction
 from exactspline.verification import judges
-from exactspline.verification.check_arguments import beginning, moved_copy, pair_with, point_beside
 from exactspline.verification.claims import all_claims, matches
 from exactspline.verification.curve_check import extra_zero, where_it_differs
 from exactspline.verification.degree_tables import (
@@ -30,12 +29,13 @@ from exactspline.verification.degree_tables import (
     formula_table,
     measurable,
     measure,
+    measured_degrees,
 )
 from exactspline.verification.errata import numbered, remarks, symbol_or_name
+from exactspline.verification.evaluation import beginning, moved_copy, pair_with, point_beside
 from exactspline.verification.evidence import At, Between, OnAllOf, Relating
 from exactspline.verification.generic_proof import joined_degree, table_1_degrees
 from exactspline.verification.notation import degree_latex, factor_latex
-from exactspline.verification.patch_degrees import measured_degrees
 from exactspline.verification.statement import sides
 from exactspline.verification.verdict import REFUTED
 from tests.support.claims import claim

@@ -29,10 +29,9 @@ from exactspline.readings.taylor import DoubleSeries
 from exactspline.verification.claim import Claim
 from exactspline.verification.claims import claims_in
 from exactspline.verification.kinds.equality import Identity
-from exactspline.verification.ledger import decide, tasks
+from exactspline.verification.ledger import Row, decide, tasks
 from exactspline.verification.notation import WEIGHTS, factor_of_text, factor_parts
 from exactspline.verification.paper_curves import own_curves
-from exactspline.verification.rows import Row
 from exactspline.verification.vocabulary import Scope, Verdict
 from workshop.mutation.forked import Result, forked
 from workshop.mutation.mutants import Mutant, live, mutants

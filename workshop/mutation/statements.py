@@ -34,9 +34,8 @@ from exactspline.readings.differential_order import order_of
 from exactspline.readings.jet import RationalJetReading
 from exactspline.verification.claim import Claim
 from exactspline.verification.claims import claim_of, claims_of
-from exactspline.verification.ledger import decide, tasks
+from exactspline.verification.ledger import Row, decide, tasks
 from exactspline.verification.notation import factor_parts
-from exactspline.verification.rows import Row
 from exactspline.verification.vocabulary import Status, ValueType, Verdict
 from workshop.mutation.forked import Result, forked
 from workshop.mutation.formulas import CURVES, degrees_counted, in_the_jets, quick, refuted, speaking

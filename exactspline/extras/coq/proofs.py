@@ -15,7 +15,7 @@ from exactspline.polynomials.factors import Factored, Factorization, prime_facto
 from exactspline.readings.jet import Jet, JetFraction
 from exactspline.readings.printing import Operation
 from exactspline.readings.tree import Node
-from exactspline.verification.denominators import Evaluation, factored
+from exactspline.verification.divisors import Evaluation, factored
 
 #: A denominator with more terms is not factored.
 LARGE = 100

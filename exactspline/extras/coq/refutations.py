@@ -20,7 +20,7 @@ from exactspline.readings.jet import JetFraction, JetRing
 from exactspline.readings.printing import Operation
 from exactspline.readings.tree import Node
 from exactspline.verification.claim import Claim
-from exactspline.verification.denominators import Evaluation, factored
+from exactspline.verification.divisors import Evaluation, factored
 from exactspline.verification.segments import with_explicit_curve
 from exactspline.verification.vocabulary import Scope
 

@@ -26,7 +26,7 @@ from exactspline.readings.printing import Operation
 from exactspline.readings.tree import Derivation, Node
 from exactspline.symbolic.assumptions import Assumption
 from exactspline.verification.claim import Claim
-from exactspline.verification.denominators import Evaluation, factored
+from exactspline.verification.divisors import Evaluation, factored
 from exactspline.verification.kinds.equality import Identity, IsoCurve, SameSurface, Vanishing
 from exactspline.verification.notation import WEIGHTS, factor_parts
 from exactspline.verification.vocabulary import Scope

@@ -246,7 +246,7 @@ def _share_segments(one: ZeroSet, other: ZeroSet) -> bool:
 
 def _condition(f: BSpline, root: Root) -> Enclosure:
     """The condition number of a zero; at a knot it is 0, since the end coefficient is zero and does not change."""
-    from exactspline.verification.conditioning.condition_number import condition_number
+    from exactspline.verification.conditioning import condition_number
 
     if root.at_knot:
         return Interval.point(mpq(0))
