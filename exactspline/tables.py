@@ -22,7 +22,7 @@ from exactspline.display.tables import (
     symbolic_table,
     verdicts,
 )
-from exactspline.geometry.curves.curvature import curvature_function
+from exactspline.geometry.curves.values import curvature_function
 from exactspline.geometry.derived.constructions import Variant, construction
 from exactspline.geometry.derived.ruled_surfaces import as_tensor_product, is_developable, ruled_surface
 from exactspline.splines.control_points import greville_abscissae

@@ -15,7 +15,7 @@ from exactspline.display.sheet import Sheet
 from exactspline.errors import ExactSplineError, counted
 from exactspline.geometry.analysis.curves import QUESTIONS, questions_about
 from exactspline.geometry.analysis.inspection import Report
-from exactspline.geometry.curves import balls
+from exactspline.geometry.curves import angles
 from exactspline.geometry.curves import values as values_along
 from exactspline.geometry.curves.angles import Angle
 from exactspline.geometry.curves.joints import Joint
@@ -192,7 +192,7 @@ def _turn(angle: Angle | None, digits: int) -> str:
     exact = [closed_form_data(x)["exact"] for x in (angle.cosine, angle.sine)]
     is_short = all(isinstance(x, str) and len(x) <= READABLE for x in exact)
     exactly = f" (cos = {exact[0]}, sin = {exact[1]})" if is_short else ""
-    return f"turns by {real_text(balls.degrees(angle), digits)}°{exactly}".replace("-", "−")
+    return f"turns by {real_text(angles.degrees(angle), digits)}°{exactly}".replace("-", "−")
 
 
 def _remark(joint: Joint, digits: int) -> str:

@@ -29,7 +29,7 @@ from exactspline.display.forms import (
 from exactspline.errors import ExactSplineError, as_instance
 from exactspline.geometry.analysis.curve_values import axes
 from exactspline.geometry.analysis.curves import analyse
-from exactspline.geometry.curves import balls
+from exactspline.geometry.curves import angles
 from exactspline.geometry.curves import values as values_along
 from exactspline.geometry.curves.joints import Joint
 from exactspline.geometry.curves.kinds import Feature, FeatureKind, JointKind
@@ -51,7 +51,7 @@ from exactspline.splines.lowest_terms import SplineVector
 from exactspline.splines.nurbs import Nurbs
 
 #: An angle: its cosine and sine, and in degrees.
-ANGLE = or_null(record(cosine=REAL, sine=REAL, degrees=(REAL, balls.degrees)))
+ANGLE = or_null(record(cosine=REAL, sine=REAL, degrees=(REAL, angles.degrees)))
 
 
 def by_name(form: Form) -> Form:

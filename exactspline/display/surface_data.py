@@ -39,7 +39,7 @@ from exactspline.display.sheet import Sheet
 from exactspline.errors import FormulaError, ReachError, counted
 from exactspline.geometry.analysis.planar_maps import MapInspection
 from exactspline.geometry.analysis.surfaces import PatchInspection, PatchKind, SurfaceInspection
-from exactspline.geometry.curves import balls
+from exactspline.geometry.curves import angles
 from exactspline.geometry.pairs.surface_meetings import LineMeeting, NearestOnSurface
 from exactspline.geometry.recognition.patches import RecognizedPart
 from exactspline.geometry.recognition.shapes import ShapeKind
@@ -367,7 +367,7 @@ def _of_umbilic(umbilic: Umbilic) -> str:
 
 def _of_joint(joint: SurfaceJoint) -> str:
     """The description of a joint."""
-    degrees = "" if joint.angle is None else real_text(balls.degrees(joint.angle), DIGITS_OF_ANGLES)
+    degrees = "" if joint.angle is None else real_text(angles.degrees(joint.angle), DIGITS_OF_ANGLES)
     parts = [
         "at the seam" if joint.at_seam else "at a knot",
         "the surface turns back" if joint.kind is SurfaceJointKind.FOLD else "",

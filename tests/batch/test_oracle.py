@@ -22,7 +22,7 @@ from exactspline.errors import ExactSplineError, OpenError
 from exactspline.geometry.analysis.ask import asked_of, check_question, questions
 from exactspline.geometry.analysis.pairs import CurvePair
 from exactspline.geometry.analysis.registry import REGISTRY
-from exactspline.geometry.curves.balls import degrees
+from exactspline.geometry.curves.angles import degrees
 from exactspline.geometry.curves.extent import coordinate_range
 from exactspline.geometry.measures.lengths import length
 from exactspline.questions.answers import NamedNumbers

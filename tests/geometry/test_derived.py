@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 from exactspline import BSpline, Nurbs
 from exactspline.display.serialize import derived_data
 from exactspline.errors import DomainError, ExactSplineError, FormulaError, ShapeError
-from exactspline.geometry.curves.curvature import curvature_function
+from exactspline.geometry.curves.values import curvature_function
 from exactspline.geometry.derived.constructions import Absence, Variant
 from exactspline.geometry.derived.derive import derive
 from exactspline.geometry.derived.domain import intervals_where

@@ -9,9 +9,8 @@ from gmpy2 import mpq
 from exactspline import BSpline, Nurbs
 from exactspline.geometry.analysis.curves import analyse
 from exactspline.geometry.curves import values as values_along
-from exactspline.geometry.curves.curvature import curvature_function
 from exactspline.geometry.curves.kinds import JointKind
-from exactspline.geometry.curves.values import curvature, torsion
+from exactspline.geometry.curves.values import curvature, curvature_function, torsion
 from exactspline.papers.chen_riesenfeld_cohen_2007.figures import compare_approaches
 from tests.support.command import invoke
 from tests.support.space_curves import power_curve

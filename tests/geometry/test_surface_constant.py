@@ -7,8 +7,7 @@ from gmpy2 import isqrt, mpq
 
 from exactspline import NurbsSurface, analyse, example
 from exactspline.bivariate.signs import Sign, sign_on_patch
-from exactspline.geometry.surfaces.constant import constant_curvature, has_curvature
-from exactspline.geometry.surfaces.forms import SurfaceForms
+from exactspline.geometry.surfaces.forms import SurfaceForms, constant_curvature, has_curvature
 from exactspline.language.arguments import Operands
 from exactspline.language.kinds import FORMS, SURFACE
 from exactspline.language.operand import Parameter

@@ -18,7 +18,7 @@ from exactspline.geometry.analysis.curves import analyse
 from exactspline.geometry.analysis.pairs import CurvePair
 from exactspline.geometry.bisectors.common import Bisector
 from exactspline.geometry.bisectors.plane_curves import PlaneBisector
-from exactspline.geometry.curves import balls
+from exactspline.geometry.curves import angles
 from exactspline.geometry.curves import values as values_along
 from exactspline.geometry.curves.joints import Joint
 from exactspline.geometry.curves.kinds import Feature
@@ -193,7 +193,7 @@ def _piece(what: str, piece: CurvePiece) -> NamedNumbers:
 def _joint(joint: Joint) -> NamedNumbers:
     values = {"parameter": real(joint.parameter)}
     if joint.angle is not None:
-        values |= {"degrees": balls.degrees(joint.angle), "cosine": joint.angle.cosine, "sine": joint.angle.sine}
+        values |= {"degrees": angles.degrees(joint.angle), "cosine": joint.angle.cosine, "sine": joint.angle.sine}
     if joint.gap is not None:
         values["gap"] = joint.gap
     if joint.curvatures is not None:

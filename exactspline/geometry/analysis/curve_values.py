@@ -13,8 +13,7 @@ from exactspline.geometry.curves.extent import coordinate_range, slope_zeros
 from exactspline.geometry.curves.space_features import SpaceFacts
 from exactspline.geometry.derived.derive import Derived, derive
 from exactspline.geometry.measures import lengths
-from exactspline.geometry.measures.integrals import number
-from exactspline.geometry.measures.moments import centroid, moment, named_moments
+from exactspline.geometry.measures.integrals import centroid, moment, named_moments, number
 from exactspline.language.rational import Rational
 from exactspline.language.vector import Vector, cross
 from exactspline.numbers.exact import Number, mpq, rational

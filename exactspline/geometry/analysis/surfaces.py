@@ -19,9 +19,8 @@ from exactspline.geometry.analysis.surface_meetings import SurfaceMeetings
 from exactspline.geometry.recognition.patches import RecognizedPart, recognized_surface
 from exactspline.geometry.recognition.shapes import ShapeKind
 from exactspline.geometry.rounded.umbilics import NearbyUmbilic, umbilics_nearby
-from exactspline.geometry.surfaces.constant import constant_curvature
 from exactspline.geometry.surfaces.degenerate import Pole, is_point, pole_at
-from exactspline.geometry.surfaces.forms import Reduced, SurfaceForms, on_patch, sides_of
+from exactspline.geometry.surfaces.forms import Reduced, SurfaceForms, constant_curvature, on_patch, sides_of
 from exactspline.geometry.surfaces.joints import SurfaceJoint, joints
 from exactspline.geometry.surfaces.ridges import Ridges, ridges_of_surface
 from exactspline.geometry.surfaces.singular import Line, SingularPoints, singular_points

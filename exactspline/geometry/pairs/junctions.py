@@ -8,8 +8,7 @@ from collections.abc import Iterator
 from typing import NamedTuple
 
 from exactspline.errors import ShapeError
-from exactspline.geometry.curves.angles import Angle
-from exactspline.geometry.curves.balls import degrees
+from exactspline.geometry.curves.angles import Angle, degrees
 from exactspline.geometry.curves.facts import facts_of
 from exactspline.geometry.curves.joints import (
     Jet,

@@ -10,8 +10,7 @@ from itertools import combinations
 from exactspline.errors import ShapeError, as_items
 from exactspline.geometry.curves.facts import facts_of
 from exactspline.geometry.curves.planarity import in_the_plane
-from exactspline.geometry.measures.integrals import Terms, number
-from exactspline.geometry.measures.moments import centroid, moment, named_moments
+from exactspline.geometry.measures.integrals import Terms, centroid, moment, named_moments, number
 from exactspline.geometry.pairs.intersections import intersections, self_intersections
 from exactspline.geometry.pairs.winding import FillRule, Position, contains, winding_number
 from exactspline.hooks import Displayed
