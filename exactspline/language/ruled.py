@@ -8,7 +8,7 @@ from exactspline.hooks import Displayed
 from exactspline.language.operand import Constant, Counted, D, HasDegree, Operand, OwnVectors, R
 from exactspline.language.rational import Rational
 from exactspline.language.vector import Vector, cross, det
-from exactspline.numbers.immutable import Immutable, fill
+from exactspline.numbers.once import Immutable, fill
 from exactspline.one_line import OneLine
 
 T_co = TypeVar("T_co", covariant=True)

@@ -21,7 +21,7 @@ import flint
 from gmpy2 import gcd, iroot, is_square, isqrt, lcm, mpq, mpz
 
 from exactspline.errors import NumberError, as_items, counted, shown
-from exactspline.numbers.immutable import Immutable
+from exactspline.numbers.once import Immutable
 
 __all__ = [
     "DEEPEST",

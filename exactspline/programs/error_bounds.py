@@ -10,8 +10,7 @@ from math import comb
 
 from exactspline.errors import FormulaError
 from exactspline.polynomials.roundings import ROUNDING, UNDERFLOW
-from exactspline.programs.compiled import needed
-from exactspline.programs.instructions import UNIT, Instruction
+from exactspline.programs.instructions import UNIT, Instruction, needed
 from exactspline.programs.program import Program
 
 #: A factor that covers the rounding of the bounds themselves and the quadratic terms of (1 + ROUNDING)^K, for K below

@@ -31,7 +31,7 @@ class _TermAtTrueDegree(Term, OwnWronskians):
     derivative ``∂v − ∂u`` is ``∂v/u``: the numerator of F′/F has its true degree, too.
 
     >>> from exactspline.papers import find
-    >>> from exactspline.programs.inputs import operands_of
+    >>> from exactspline.programs.program import operands_of
     >>> from exactspline.programs.program import program_of
     >>> from exactspline.interchange.examples import example
     >>> lifted, curve = find("critical_curvature_lifted"), example("rational_cubic")

@@ -12,10 +12,9 @@ from exactspline.language.operand import CONSTANTS, Constant
 from exactspline.language.provenance import DERIVATIVE, DIFFERENCE, MULTIPLE, PRODUCT, SUM, UNIT, Provenance, same
 from exactspline.language.rational import RingOperand
 from exactspline.numbers.exact import mpq, rational
-from exactspline.programs.compiled import Multiplier
 from exactspline.programs.denominators import ONE, Denominator, OfOperand, WidthNumerator
 from exactspline.programs.instructions import UNIT as ONE_POLYNOMIAL
-from exactspline.programs.instructions import ZERO, Instructions
+from exactspline.programs.instructions import ZERO, Instructions, Multiplier
 from exactspline.splines.knots import SMOOTH
 
 #: The order of the derivative of each operand (−1: none), constants last.

@@ -15,8 +15,8 @@ from flint import arb_poly, ctx, fmpz, fmpz_poly
 
 from exactspline.errors import OpenError, ReachError
 from exactspline.numbers.exact import mpq, mpz, rational, to_fmpq
-from exactspline.numbers.immutable import fill
 from exactspline.numbers.intervals import Interval, ball_around
+from exactspline.numbers.once import fill
 from exactspline.polynomials.elimination import changes_sign, irreducible_factors, linear, sign_of_value, square_free
 from exactspline.polynomials.factors import greatest_common_divisor
 from exactspline.reals.digits import SUSPICIOUS, Digits

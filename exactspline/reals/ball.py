@@ -10,8 +10,8 @@ from flint import arb, ctx, fmpz_poly
 
 from exactspline.errors import OpenError
 from exactspline.numbers.exact import mpq
-from exactspline.numbers.immutable import fill
 from exactspline.numbers.intervals import Interval, ball_ends
+from exactspline.numbers.once import fill
 from exactspline.reals.algebraic import OPEN, Algebraic
 from exactspline.reals.real import UNASKED, RationalNumber, Real
 

@@ -11,8 +11,8 @@ from typing import TYPE_CHECKING, cast, overload
 
 from exactspline.errors import OpenError, ReachError, as_integer
 from exactspline.numbers.exact import Rounding, decimal_unit, double_between, mpq, mpz
-from exactspline.numbers.immutable import Immutable
 from exactspline.numbers.intervals import Interval, shifted
+from exactspline.numbers.once import Immutable
 from exactspline.one_line import LONGEST_NUMBER
 
 if TYPE_CHECKING:

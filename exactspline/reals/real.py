@@ -32,8 +32,8 @@ from exactspline.numbers.exact import (
     text,
     to_fmpq,
 )
-from exactspline.numbers.immutable import fill
 from exactspline.numbers.intervals import Interval, ball_around, ball_ends
+from exactspline.numbers.once import fill
 from exactspline.polynomials import elimination
 from exactspline.polynomials.cost import LONGEST_LOOP, check_reach
 from exactspline.polynomials.elimination import QuotientModulo, linear

@@ -12,9 +12,8 @@ from flint import arb, ctx, fmpz_poly
 from exactspline.errors import NumberError, ShapeError, shown
 from exactspline.hooks import Displayed
 from exactspline.numbers.exact import Rounding, mpq, mpz, rational, to_fmpq
-from exactspline.numbers.immutable import fill
 from exactspline.numbers.intervals import Interval, ball_ends
-from exactspline.numbers.once import cached_property
+from exactspline.numbers.once import cached_property, fill
 from exactspline.polynomials.bernstein import in_parameter
 from exactspline.polynomials.elimination import linear, primitive
 from exactspline.polynomials.isolation import LocalPolynomial, LocalZero, Zero

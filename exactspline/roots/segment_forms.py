@@ -9,8 +9,8 @@ from typing import cast
 from flint import ctx, fmpz, fmpz_poly
 
 from exactspline.numbers.exact import Rounding, lcm, mpq
-from exactspline.numbers.immutable import fill
 from exactspline.numbers.intervals import Interval, ball_ends
+from exactspline.numbers.once import fill
 from exactspline.polynomials.bernstein import ONE, value
 from exactspline.polynomials.bezout import PlaneForms
 from exactspline.polynomials.common_arcs import Image, Local, RationalMap

@@ -14,8 +14,8 @@ from flint import fmpq_poly, fmpz_poly
 
 from exactspline.errors import DomainError
 from exactspline.numbers.exact import Number, mpq, mpz, rational, sign, text
-from exactspline.numbers.immutable import fill
 from exactspline.numbers.intervals import Interval, quotient, rounded_outwards
+from exactspline.numbers.once import fill
 from exactspline.numbers.sides import Side
 from exactspline.polynomials import elimination
 from exactspline.polynomials.bernstein import over_common_denominator

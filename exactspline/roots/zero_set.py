@@ -11,8 +11,8 @@ from exactspline.certificates import certificate as written
 from exactspline.errors import ShapeError, as_flag, as_items, counted
 from exactspline.hooks import Displayed
 from exactspline.numbers.exact import mpq, ratio, text
-from exactspline.numbers.immutable import Immutable, fill
 from exactspline.numbers.intervals import Interval
+from exactspline.numbers.once import Immutable, fill
 from exactspline.one_line import one_line, short_text
 from exactspline.polynomials.isolation import Isolation, isolate
 from exactspline.roots.answers import OneNumber

@@ -15,8 +15,8 @@ from flint import fmpz
 
 from exactspline.errors import DomainError, KnotError, ShapeError, as_items, counted
 from exactspline.numbers.exact import Number, mpq, rational, text, to_fmpz
-from exactspline.numbers.immutable import Immutable, fill
 from exactspline.numbers.intervals import Interval
+from exactspline.numbers.once import Immutable, fill
 from exactspline.one_line import one_line, short_text
 from exactspline.splines.inputs import exact_row
 

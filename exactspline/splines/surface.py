@@ -18,8 +18,8 @@ from exactspline.language.rational import Rational
 from exactspline.language.surface_kind import BOTH, Surface
 from exactspline.language.vector import Vector, cross
 from exactspline.numbers.exact import Number, mpq, rational
-from exactspline.numbers.immutable import Immutable, fill
 from exactspline.numbers.intervals import UNIT, Box
+from exactspline.numbers.once import Immutable, fill
 from exactspline.one_line import one_line
 from exactspline.polynomials.patch_forms import PatchForm, Sized, halved
 from exactspline.reals.real import Real

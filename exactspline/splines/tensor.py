@@ -21,8 +21,8 @@ from exactspline.language.operand import CONSTANTS, Constant, Parameter, checked
 from exactspline.language.provenance import DIFFERENCE, MULTIPLE, PRODUCT, SUM, Provenance, leaf
 from exactspline.language.rational import RingOperand
 from exactspline.numbers.exact import Number, mpq, over_one_denominator, rational, to_fmpz
-from exactspline.numbers.immutable import Immutable, fill, setters
 from exactspline.numbers.intervals import Box, Interval
+from exactspline.numbers.once import Immutable, fill, setters
 from exactspline.one_line import one_line, short_text
 from exactspline.polynomials import tensor_bernstein
 from exactspline.polynomials.bernstein import common_denominators, raiser, without_content

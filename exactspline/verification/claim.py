@@ -18,7 +18,7 @@ from exactspline.language.kinds import HodographKind, Kind, PairKind, TableKind,
 from exactspline.language.rational import Rational
 from exactspline.language.ruled import RuledSurface
 from exactspline.numbers.exact import mpq, rational, text
-from exactspline.numbers.immutable import Immutable
+from exactspline.numbers.once import Immutable
 from exactspline.one_line import one_line
 from exactspline.papers import Paper, paper_named
 from exactspline.readings.differential_order import order_of

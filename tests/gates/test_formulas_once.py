@@ -319,7 +319,7 @@ ALLOWED = {
     "geometry.analysis.floats:_of_surface": "a surface or a function at parameters, rounded",
     "interchange.bridges:_joined": "a function or a curve is read",
     "interchange.bridges:read_scipy": "a function or a curve is read",
-    "programs.inputs:operands_of": "whether there is a program",
+    "programs.program:operands_of": "whether there is a program",
     "readings.bernstein_term:every_coefficient": "a proof about values of its own reading",
     "verification.divisors:factored": "a denominator in factors, a number or a fraction",
     "extras.coq.settings:flat": "fractions with and without roots",

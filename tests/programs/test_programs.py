@@ -19,10 +19,8 @@ from exactspline.language.ruled import joined
 from exactspline.language.vector import det
 from exactspline.papers import find, papers
 from exactspline.programs import evaluated, program_for
-from exactspline.programs.compiled import needed
-from exactspline.programs.inputs import operands_of
-from exactspline.programs.instructions import Instruction, Instructions
-from exactspline.programs.program import program_of, values
+from exactspline.programs.instructions import Instruction, Instructions, needed
+from exactspline.programs.program import operands_of, program_of, values
 from exactspline.splines.tensor import surface_pair
 from tests.support.sampled import sample
 from workshop.bench.inputs import curve as bench_curve

@@ -23,8 +23,7 @@ from exactspline.language.ruled import split
 from exactspline.language.vector import Vector, det
 from exactspline.language.wronskians import logarithmic_numerator, osculating, wronskian, wronskians
 from exactspline.papers import find
-from exactspline.programs.inputs import operands_of
-from exactspline.programs.program import program_of
+from exactspline.programs.program import operands_of, program_of
 from exactspline.splines.knots import Mesh
 from exactspline.splines.lowest_terms import primitive, primitive_part, true_degree, without_factor
 from exactspline.splines.refinement import over

@@ -55,7 +55,7 @@ from exactspline.one_line import OneLine
 from exactspline.polynomials.bernstein import ONE, variations
 from exactspline.polynomials.factors import certainly_coprime
 from exactspline.programs import program
-from exactspline.programs.inputs import Given, operands_of
+from exactspline.programs.program import Given, operands_of
 from exactspline.questions.entry import CURVES, Answered, Fact, Remembers, question
 from exactspline.roots.answers import CurvePiece, Places
 from exactspline.roots.root import Root, knot_root
