@@ -57,9 +57,9 @@ from exactspline.numbers.intervals import Box, Interval, hull, joined
 from exactspline.polynomials.patch_forms import clusters
 from exactspline.reals.real import Real
 from exactspline.roots.of_polynomials import Parameter, enclosing
+from exactspline.splines.lowest_terms import surface_in_lowest_terms
 from exactspline.splines.surface import Along, NurbsSurface
 from exactspline.splines.tensor import TensorSpline
-from exactspline.splines.tensor_lowest_terms import in_lowest_terms
 
 #: The common properties of poles along one line.
 _PoleKey = tuple[Along, mpq, tuple[mpq, ...] | None, Gap]
@@ -236,7 +236,7 @@ def surface_value_data(formula: Formula, surface: NurbsSurface, name: str) -> Da
         )
     value = surface.remembering().calls(formula)
     if isinstance(value, Rational):
-        reduced = in_lowest_terms(value)
+        reduced = surface_in_lowest_terms(value)
         top, bottom = reduced.numerator, reduced.denominator
         splines: list[TensorSpline] = [*(top if isinstance(top, Vector) else [top]), bottom]
         layout = "quotient"

@@ -28,7 +28,7 @@ from exactspline.symbolic.assumptions import ASSUMPTIONS, Assumption, assumption
 from exactspline.symbolic.factorization import sharing
 from exactspline.verification.claim_fields import claim_kind, declared
 from exactspline.verification.decision import Statement
-from exactspline.verification.evaluation import Evaluation, evaluation, free_operands, too_long
+from exactspline.verification.evaluation import Evaluation, evaluation, free_operands, on_segments, too_long
 from exactspline.verification.evidence import (
     AnyOperands,
     Evidence,
@@ -42,7 +42,6 @@ from exactspline.verification.evidence import (
 from exactspline.verification.notation import WEIGHTS, spelled
 from exactspline.verification.one_function import expect_functions, expect_functions_on
 from exactspline.verification.paper_curves import check_curve_name, curve_named, curve_names, one_patch_surfaces
-from exactspline.verification.segments import on_segments
 from exactspline.verification.verdict import (
     CONTRADICTION,
     NOT_ASKED,

@@ -13,8 +13,7 @@ pytest.importorskip("matplotlib")
 from exactspline import BSpline, Nurbs
 from exactspline.display.evidence import worded
 from exactspline.display.latex import fraction, latex, unicode_latex
-from exactspline.display.notebook import html, short
-from exactspline.display.svg import curve_picture, graph_picture
+from exactspline.display.notebook import curve_picture, graph_picture, html, short
 from exactspline.display.tables import (
     Grid,
     degree_table,

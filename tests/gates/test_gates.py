@@ -45,7 +45,7 @@ BY_SENTENCES = {
     "extras/teaching/display/triangles.py: scheme_data": "the name of an algorithm",
     "papers/__init__.py: find": "the name of a paper, written before that of its formula",
     "verification/claims.py: located": "a user searches in the statements",
-    "extras/coq/refutations.py: _Attempt.text": "a type of Coq",
+    "extras/coq/emission.py: _Attempt.text": "a type of Coq",
     "verification/errata.py: numbered": "a number that a statement tells already is not told again",
 }
 SENTENCES = {

@@ -13,8 +13,7 @@ from exactspline.display.serialize import derived_data
 from exactspline.errors import DomainError, ExactSplineError, FormulaError, ShapeError
 from exactspline.geometry.curves.values import curvature_function
 from exactspline.geometry.derived.constructions import Absence, Variant
-from exactspline.geometry.derived.derive import derive
-from exactspline.geometry.derived.domain import intervals_where
+from exactspline.geometry.derived.derive import derive, intervals_where
 from exactspline.interchange.examples import example
 from exactspline.language.ruled import numerator
 from exactspline.papers import all_formulas, find

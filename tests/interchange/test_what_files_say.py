@@ -7,7 +7,7 @@ import pytest
 
 from exactspline.errors import CurveFileError, ShapeError
 from exactspline.interchange import Limits, read
-from exactspline.interchange.svg_styles import Sheet
+from exactspline.interchange.formats.svg import Sheet
 from exactspline.interchange.xml_tree import Element, parse
 from exactspline.numbers.exact import mpq
 from tests.support.interchange_seeds import SPLINE, STEP, dxf, truetype

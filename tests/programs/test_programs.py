@@ -8,7 +8,7 @@ from exactspline import BSpline, Nurbs, rational
 from exactspline.errors import FormulaError
 from exactspline.formulas.lifted import critical_curvature_lifted, tangent_lifted
 from exactspline.geometry.curves.facts import TOGETHER
-from exactspline.geometry.derived.domain import part
+from exactspline.geometry.derived.derive import part
 from exactspline.interchange.examples import example
 from exactspline.language import Vector
 from exactspline.language.arguments import Curve, Operands

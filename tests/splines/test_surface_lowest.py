@@ -16,8 +16,8 @@ from hypothesis import strategies as st
 from exactspline.errors import ReductionError
 from exactspline.language import Vector
 from exactspline.language.rational import Rational
+from exactspline.splines.lowest_terms import CONTEXT, as_mpoly, as_packed, surface_in_lowest_terms
 from exactspline.splines.tensor import TensorSpline
-from exactspline.splines.tensor_lowest_terms import CONTEXT, as_mpoly, as_packed, in_lowest_terms
 from tests.support import oracles
 from tests.support.strategies import DOMAINS, numbers, positive_numbers, tensor_splines
 
@@ -63,14 +63,14 @@ def test_the_same_function_in_lowest_terms(given_quotient):
     numerators, below, factor = given_quotient
     plain = Rational(Vector(*numerators), below)
     value = Rational(Vector(*[x * factor for x in numerators]), below * factor)
-    lowest = in_lowest_terms(value)
+    lowest = surface_in_lowest_terms(value)
     assert lowest == plain
-    assert lowest == in_lowest_terms(plain)
-    assert lowest.degree == in_lowest_terms(plain).degree
+    assert lowest == surface_in_lowest_terms(plain)
+    assert lowest.degree == surface_in_lowest_terms(plain).degree
     assert_lowest(lowest)
     for s, t in oracles.surface_places(below):
         assert lowest(s, t) == plain(s, t)
-    scalar = in_lowest_terms(Rational(numerators[0] * factor, below * factor))
+    scalar = surface_in_lowest_terms(Rational(numerators[0] * factor, below * factor))
     assert scalar == Rational(numerators[0], below)
     assert_lowest(scalar)
 
@@ -78,7 +78,7 @@ def test_the_same_function_in_lowest_terms(given_quotient):
 def test_operands_over_different_meshes_of_as_many_patches():
     f = TensorSpline((0, 0), [0, "1/3", 1], [0, 1], [[1], [2]])
     g = TensorSpline((0, 0), [0, "1/2", 1], [0, 1], [[3], [5]])
-    lowest = in_lowest_terms(Rational(f, g))
+    lowest = surface_in_lowest_terms(Rational(f, g))
     assert [lowest(s, 0) for s in ("1/4", "2/5", "3/4")] == [mpq(1, 3), mpq(2, 3), mpq(2, 5)]
     assert lowest == Rational(f, g)
 
@@ -87,7 +87,7 @@ def test_factors_at_the_ends_of_the_patch_and_at_infinity():
     """(1 − s) t cancels, though in z = v/u one of them is a missing degree; a raised degree is lowered."""
     f = TensorSpline((1, 1), [0, 0, 1, 1], [0, 0, 1, 1], [[0, 1], [0, 0]])
     g = TensorSpline((1, 1), [0, 0, 1, 1], [0, 0, 1, 1], [[1, 2], [3, 5]])
-    lowest = in_lowest_terms(Rational((f * g).elevate_degree(2, 1), (f * (g + 1)).elevate_degree(2, 1)))
+    lowest = surface_in_lowest_terms(Rational((f * g).elevate_degree(2, 1), (f * (g + 1)).elevate_degree(2, 1)))
     assert lowest.degree == (1, 1)
     assert lowest("1/3", "1/2") == g("1/3", "1/2") / (g("1/3", "1/2") + 1)
     assert_lowest(lowest)
@@ -95,7 +95,7 @@ def test_factors_at_the_ends_of_the_patch_and_at_infinity():
 
 def test_numerator_zero():
     one = TensorSpline((1, 1), [0, 0, 1, 1], [0, 0, 1, 1], [[1, 2], [3, 5]])
-    lowest = in_lowest_terms(Rational(Vector(one - one, one * 0), one))
+    lowest = surface_in_lowest_terms(Rational(Vector(one - one, one * 0), one))
     assert lowest.degree == (0, 0)
     assert lowest("1/3", "1/2") == (0, 0)
 
@@ -103,7 +103,7 @@ def test_numerator_zero():
 def test_a_denominator_that_vanishes_names_the_patch():
     step = TensorSpline((0, 0), [0, "1/2", 1], [0, 1, 2], [[1, 1], [1, 0]])
     with pytest.raises(ReductionError, match=r"\[1/2, 1\] × \[1, 2\]"):
-        in_lowest_terms(Rational(step.constant(1), step))
+        surface_in_lowest_terms(Rational(step.constant(1), step))
 
 
 def test_packed_patches_are_polynomials_in_two_variables():

@@ -27,7 +27,7 @@ from exactspline.verification.decision import DirectrixOf, Equation
 from exactspline.verification.degree_tables import construction_table, patch_table
 from exactspline.verification.divisors import divided_by, divisors
 from exactspline.verification.errata import check, true_relation
-from exactspline.verification.evaluation import Evaluation
+from exactspline.verification.evaluation import Evaluation, on_segments
 from exactspline.verification.evidence import (
     At,
     DegreeFound,
@@ -46,7 +46,6 @@ from exactspline.verification.kinds.invariance import with_article
 from exactspline.verification.kinds.types import on_cubics
 from exactspline.verification.ledger import Counts, decide
 from exactspline.verification.questions import verify
-from exactspline.verification.segments import on_segments
 from exactspline.verification.verdict import (
     CONTRADICTION,
     INAPPLICABLE,

@@ -13,8 +13,8 @@ from exactspline.papers import load_paper, paper
 from exactspline.papers.folder import Table
 from exactspline.readings.jet import JetReading
 from exactspline.verification.claims import all_claims, claim_of, claims_of
+from exactspline.verification.evaluation import on_segments
 from exactspline.verification.ledger import decide
-from exactspline.verification.segments import on_segments
 from exactspline.verification.verdict import REFUTED, UNDECIDED, VACUOUS, VERIFIED
 from tests.support.claims import refusal
 from tests.verification.test_own_paper import plane_formulas, written

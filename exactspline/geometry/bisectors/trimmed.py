@@ -46,9 +46,8 @@ from exactspline.roots.values import exact_place, sign_at, value_at
 from exactspline.roots.zero_set import zeros
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.knots import Mesh
-from exactspline.splines.lowest_terms import common_factor, lowest_terms
+from exactspline.splines.lowest_terms import CONTEXT, as_mpoly, as_packed, common_factor, lowest_terms
 from exactspline.splines.nurbs import Nurbs
-from exactspline.splines.tensor_lowest_terms import CONTEXT, as_mpoly, as_packed
 from exactspline.splines.type_checks import curve_of
 
 # ---- conditions

@@ -15,7 +15,7 @@ from exactspline.errors import ReachError, ShapeError
 from exactspline.geometry.bisectors.common import COPLANAR, PARALLEL, STILL, Bisector, is_zero_on
 from exactspline.geometry.bisectors.components import LineComponent, PlaneComponent, PoleCurve, SinglePair, SpecialPairs
 from exactspline.geometry.bisectors.special_pairs import special_pairs
-from exactspline.geometry.derived.domain import part
+from exactspline.geometry.derived.derive import part
 from exactspline.language.rational import Rational
 from exactspline.language.vector import cross
 from exactspline.numbers.exact import Number, mpq, rational
@@ -24,9 +24,9 @@ from exactspline.one_line import one_line, short_text
 from exactspline.papers import find
 from exactspline.polynomials.cost import PATCH, QUESTION, Budget, drawing_on
 from exactspline.questions.entry import Answered, Fact, Inspected, Of, question
+from exactspline.splines.lowest_terms import surface_in_lowest_terms
 from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.tensor import TensorSpline, surface_pair
-from exactspline.splines.tensor_lowest_terms import in_lowest_terms
 from exactspline.splines.type_checks import curve_of
 from exactspline.words import choice
 
@@ -219,7 +219,7 @@ def _surface(
         value = find(CURVE_FORMS[variant])(part_pair)
         if variant is SurfaceVariant.MINIMAL:
             try:
-                value = in_lowest_terms(value)
+                value = surface_in_lowest_terms(value)
             except ReachError as error:
                 unreduced.append(f"lowest terms of the surface on {sides.shortly}: {error.problem}")
         patches.append(BisectorPatch(sides, value))

@@ -25,7 +25,7 @@ from exactspline.formulas.lifted import (
 )
 from exactspline.geometry.curves.facts import Facts
 from exactspline.geometry.curves.values import refuse_singular, segment_at
-from exactspline.geometry.derived.domain import part
+from exactspline.geometry.derived.derive import part
 from exactspline.language.arguments import Curve
 from exactspline.language.rational import Rational
 from exactspline.numbers.exact import mpq, text

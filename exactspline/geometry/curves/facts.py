@@ -43,7 +43,7 @@ from exactspline.geometry.curves.joints import (
 )
 from exactspline.geometry.curves.kinds import Feature, FeatureKind, JointKind
 from exactspline.geometry.derived.constructions import Variant, construction
-from exactspline.geometry.derived.domain import plane, space
+from exactspline.geometry.derived.derive import plane, space
 from exactspline.language.arguments import Curve
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import PLANE, SPACE, Kind

@@ -16,7 +16,7 @@ from flint import fmpz, fmpz_mat
 
 from exactspline.errors import ShapeError
 from exactspline.geometry.curves.facts import facts_of
-from exactspline.geometry.derived.domain import space
+from exactspline.geometry.derived.derive import space
 from exactspline.numbers.exact import common_divisor, mpq, primitive, ratio, text
 from exactspline.one_line import OneLine
 from exactspline.polynomials.bernstein import Form, over_common_denominator

@@ -14,7 +14,7 @@ from exactspline.geometry.curves.facts import Facts, ZeroForm, among
 from exactspline.geometry.curves.joints import Point, limit_direction, same_direction
 from exactspline.geometry.curves.kinds import Feature, FeatureKind, JointKind
 from exactspline.geometry.derived.constructions import Variant
-from exactspline.geometry.derived.domain import space
+from exactspline.geometry.derived.derive import space
 from exactspline.language.rational import Rational
 from exactspline.language.vector import norm2
 from exactspline.numbers.exact import mpq

@@ -10,7 +10,7 @@ from exactspline.errors import DomainError, ShapeError
 from exactspline.formulas.derivatives import across
 from exactspline.geometry.curves.facts import facts_of
 from exactspline.geometry.curves.planarity import in_the_plane
-from exactspline.geometry.derived.domain import part, plane, segments, space
+from exactspline.geometry.derived.derive import part, plane, segments, space
 from exactspline.language.arguments import Curve
 from exactspline.language.rational import Rational
 from exactspline.language.vector import Vector, cross, det, norm2, perp

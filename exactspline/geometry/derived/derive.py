@@ -5,14 +5,16 @@ Parameters and coordinates are unitless exact numbers.
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from typing import Any, overload
+from itertools import pairwise, starmap
+from typing import Any, TypeVar, overload
 
 from exactspline.errors import DomainError, FormulaError, ShapeError, counted, shown
 from exactspline.formulas.lifted import binormal_lifted, inflections_lifted, tangent_lifted, torsion_zeros_lifted
 from exactspline.geometry.derived.constructions import Absence, Construction, Variant, all_constructions, construction
-from exactspline.geometry.derived.domain import intervals_where, part
 from exactspline.hooks import Written
+from exactspline.language.arguments import Curve
 from exactspline.language.formula import Formula, expect_formula
 from exactspline.language.kinds import CURVE, PLANE, SPACE, kind_of
 from exactspline.language.rational import Rational
@@ -20,6 +22,7 @@ from exactspline.language.ruled import RuledSurface, joined, numerator, split
 from exactspline.language.vector import Vector
 from exactspline.numbers.exact import Number, mpq, rational
 from exactspline.numbers.intervals import Interval
+from exactspline.numbers.intervals import joined as joined_intervals
 from exactspline.numbers.once import cached_property
 from exactspline.one_line import one_line, short_text
 from exactspline.papers import formula_of
@@ -27,9 +30,59 @@ from exactspline.polynomials.cost import bounded
 from exactspline.roots.root import Root
 from exactspline.roots.zero_set import zeros
 from exactspline.splines.bspline import BSpline
+from exactspline.splines.knots import Mesh
 from exactspline.splines.lowest_terms import control_point_count, in_lowest_terms, true_degree
 from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.type_checks import curve_of
+
+# ---- parts of the domain
+
+
+C = TypeVar("C", bound=Curve[BSpline])
+
+
+def part(curve: Nurbs, a: mpq, b: mpq) -> Curve[BSpline]:
+    """The curve over [a, b], as operands for formulas."""
+    whole = curve.domain == (a, b)
+    restricted = Curve(
+        curve.p if whole else Vector(*[x.restrict(a, b) for x in curve.p]),
+        curve.w if whole else curve.w.restrict(a, b),
+        polynomial=curve.polynomial,
+    )
+    restricted.domain = (a, b)  # type: ignore[attr-defined]  # a plain curve is given its domain, a Nurbs has one
+    return restricted
+
+
+def segments(curve: Curve[BSpline]) -> Iterator[tuple[Interval, Curve[BSpline]]]:
+    """The segments of a curve one by one, as operands for formulas, in time linear in their number."""
+    breaks = curve.w.breakpoints
+
+    def only(f: BSpline, i: int, mesh: Mesh) -> BSpline:
+        return BSpline.from_forms(f.degree, mesh, (), [(f.numerators[i], f.denominators[i])])
+
+    for i, interval in enumerate(starmap(Interval, pairwise(breaks))):
+        mesh = Mesh(interval)
+        p = Vector(*[only(x, i, mesh) for x in curve.p])
+        yield interval, Curve(p, only(curve.w, i, mesh), polynomial=curve.polynomial)
+
+
+def intervals_where(breaks: Sequence[mpq], holds: Sequence[bool]) -> list[Interval]:
+    """The maximal intervals made of segments on which something holds."""
+    return joined_intervals(interval for interval, here in zip(pairwise(breaks), holds, strict=True) if here)
+
+
+def plane(curve: C) -> C:
+    """The curve itself if it is in the plane; raises `ShapeError` otherwise."""
+    if curve.dimension != 2:
+        raise ShapeError(f"a curve in R{curve.dimension}", remedy="this needs a curve in the plane")
+    return curve
+
+
+def space(curve: C) -> C:
+    """The curve itself if it is in space; raises `ShapeError` otherwise."""
+    if curve.dimension != 3:
+        raise ShapeError(f"a curve in R{curve.dimension}", remedy="this needs a curve in space")
+    return curve
 
 
 @dataclass(frozen=True)

@@ -12,7 +12,7 @@ from typing import Any, TypeVar, cast
 
 from exactspline.errors import DomainError, ShapeError, shown
 from exactspline.geometry.derived.constructions import Variant, construction
-from exactspline.geometry.derived.domain import space
+from exactspline.geometry.derived.derive import space
 from exactspline.language.operand import Operand
 from exactspline.language.rational import Rational
 from exactspline.language.ruled import RuledSurface, development, differences, numerator, split

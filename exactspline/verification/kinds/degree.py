@@ -20,9 +20,9 @@ from exactspline.readings.degree import Degree, DegreeReading, equal_from, parse
 from exactspline.readings.differential_order import order_of
 from exactspline.readings.jet import Jet, JetReading
 from exactspline.readings.leading_terms import generic_true_degree
+from exactspline.splines.lowest_terms import surface_in_lowest_terms
 from exactspline.splines.lowest_terms import true_degree as true_degree_of_splines
 from exactspline.splines.tensor import TensorSpline
-from exactspline.splines.tensor_lowest_terms import in_lowest_terms
 from exactspline.splines.tensor_patches import Degrees
 from exactspline.symbolic.covariants import degree_at, generic_degree, graded, true_degree, truncated, without_content
 from exactspline.symbolic.reduction import Reduction
@@ -231,7 +231,7 @@ class DegreeClaim(Claim):
         if all(x.is_zero for x in components):
             return -1
         if denominator is not None:
-            components, denominator = split(in_lowest_terms(value))
+            components, denominator = split(surface_in_lowest_terms(value))
         parts = components if denominator is None else [*components, denominator]
         return max(self._own(x.true_degree) for x in parts)
 

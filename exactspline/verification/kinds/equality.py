@@ -21,7 +21,7 @@ from exactspline.verification.claim import Claim, formula_name, read
 from exactspline.verification.claim_fields import claim_kind
 from exactspline.verification.curve_check import common_zeros, extra_zero
 from exactspline.verification.decision import DirectrixOf, Equation, OneRuledSurface, Outcome, Statement, Zero
-from exactspline.verification.evaluation import Evaluation, evaluation
+from exactspline.verification.evaluation import Evaluation, evaluation, on_segments
 from exactspline.verification.evidence import (
     ExactQuotient,
     Fact,
@@ -34,7 +34,6 @@ from exactspline.verification.evidence import (
 from exactspline.verification.generic_proof import factor_of, harmful
 from exactspline.verification.notation import WEIGHTS, factor_latex, factor_parts
 from exactspline.verification.paper_curves import curve_names
-from exactspline.verification.segments import on_segments
 from exactspline.verification.verdict import REFUTED, VACUOUS, VERIFIED, Finding
 from exactspline.verification.vocabulary import ArgumentKind, Name
 

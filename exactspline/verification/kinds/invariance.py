@@ -27,10 +27,9 @@ from exactspline.symbolic.motions import MAPS, Map
 from exactspline.verification.claim import Claim, formula_name, one_of, read
 from exactspline.verification.claim_fields import claim_kind
 from exactspline.verification.decision import Changed
-from exactspline.verification.evaluation import Evaluation
+from exactspline.verification.evaluation import Evaluation, OnSegment, on_segments
 from exactspline.verification.evidence import DifferUnder, Evidence, UndefinedAt, UnderEvery, UnderMap, Weight
 from exactspline.verification.one_function import unwrapped
-from exactspline.verification.segments import OnSegment, on_segments
 from exactspline.verification.verdict import PROVED, REFUTED, VACUOUS, VERIFIED, Finding, vacuous
 from exactspline.verification.vocabulary import Group, Name
 

@@ -20,7 +20,7 @@ from exactspline.symbolic.factorization import jets_for
 from exactspline.verification.claim import Claim, any_formula, formula_name, one_of, read
 from exactspline.verification.claim_fields import claim_kind
 from exactspline.verification.decision import Equation
-from exactspline.verification.evaluation import Evaluation
+from exactspline.verification.evaluation import Evaluation, on_segments
 from exactspline.verification.evidence import (
     Evidence,
     Fact,
@@ -36,7 +36,6 @@ from exactspline.verification.evidence import (
 )
 from exactspline.verification.generic_proof import SHOWN
 from exactspline.verification.paper_curves import curve_names
-from exactspline.verification.segments import on_segments
 from exactspline.verification.verdict import PROVED, REFUTED, UNDECIDED, VERIFIED, Finding, inapplicable, left, vacuous
 from exactspline.verification.vocabulary import ArgumentKind, Extent, Name, ValueType
 
