@@ -14,10 +14,10 @@ if TYPE_CHECKING:
 LONGEST, LONGEST_NUMBER, FEW = 120, 40, 4
 
 
-def shortened(text: str) -> str:
+def _shortened(text: str) -> str:
     """A text in one line; of a long one the beginning, with an ellipsis and the bracket at its end.
 
-    >>> len(shortened(f"<{'very ' * 50}long>")), shortened(f"<{'very ' * 50}long>")[-6:]
+    >>> len(_shortened(f"<{'very ' * 50}long>")), _shortened(f"<{'very ' * 50}long>")[-6:]
     (120, 'y ve…>')
     """
     line = " ".join(text.split("\n"))
@@ -27,7 +27,7 @@ def shortened(text: str) -> str:
 
 def one_line(written: Callable[..., str]) -> Callable[..., str]:
     """What writes a value, kept to one line."""
-    return wraps(written)(lambda value: shortened(written(value)))
+    return wraps(written)(lambda value: _shortened(written(value)))
 
 
 def short_text(value: mpq) -> str:

@@ -86,7 +86,7 @@ class JsonLines(Results):
         # open as long as the results are in use: `close` closes it
         self._file = _reporting(place, lambda: open(place, "a+b", buffering=0))  # noqa: SIM115
         try:
-            locked(self._file.fileno(), place)
+            _locked(self._file.fileno(), place)
             new = os.fstat(self._file.fileno()).st_size == 0
             self.check_settings(place.with_name(place.name + ".settings.json"), new=new)
             _repair(self._file)
@@ -144,7 +144,7 @@ def _repair(stream: IO[bytes]) -> None:
         stream.truncate(keep)
 
 
-def locked(handle: int | None, place: Path) -> None:
+def _locked(handle: int | None, place: Path) -> None:
     """Keep others from writing to the same results until the file is closed or the process ends, where the system
     supports it.
 
@@ -198,7 +198,7 @@ class Parquet(Results):
                 f"no folder can be made there ({error.strerror})", where=str(place), remedy="name another folder"
             ) from None
         try:
-            locked(self._handle, place)
+            _locked(self._handle, place)
             self.check_settings(place / "_settings.json", new=not any(place.iterdir()))
             for torn in place.glob(".part-*"):
                 torn.unlink()

@@ -192,7 +192,9 @@ class ZeroOnPatch:
         """Whether the resultant has no other root in the projection of a region."""
         found, _, rest = self.eliminated
         side = _projected_side(region, found.slope)
-        return bool(on_interval(rest, side).sign) and (found.minimal.degree() == 1 or has_one_root(found.minimal, side))
+        return bool(on_interval(rest, side).sign) and (
+            found.minimal.degree() == 1 or _has_one_root(found.minimal, side)
+        )
 
     def _is_crossed(self, pair: Sequence[PatchForm]) -> bool:
         signs = [[_sign(form.edge(k, end)) for end in (0, 1)] for k, form in enumerate(pair)]
@@ -247,7 +249,7 @@ def on_interval(p: fmpz_poly, side: Interval) -> PatchForm:
     return as_form(lifted(p, 0)).part(Box(side, UNIT.second))
 
 
-def has_one_root(p: fmpz_poly, side: Interval) -> bool:
+def _has_one_root(p: fmpz_poly, side: Interval) -> bool:
     """Whether a polynomial certainly has one root in an interval, by Descartes' rule."""
     values = [x for x in on_interval(p, side).entries if x]
     return (

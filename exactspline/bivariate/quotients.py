@@ -41,15 +41,15 @@ class MonotoneArc(NamedTuple):
     inner: Place
 
 
-def monotone_arcs(p: fmpz_mpoly) -> tuple[list[MonotoneArc], list[CommonZero]]:
+def _monotone_arcs(p: fmpz_mpoly) -> tuple[list[MonotoneArc], list[CommonZero]]:
     """The zeros of an irreducible polynomial: the arcs between points of the border and zeros at which a derivative
     vanishes; and these zeros, single points among them. A polynomial in one parameter vanishes along whole lines.
 
     >>> from exactspline.polynomials.two_parameters import S, T
-    >>> ((arc,), turning) = monotone_arcs(2 * S * S - T)
+    >>> ((arc,), turning) = _monotone_arcs(2 * S * S - T)
     >>> arc.start, arc.end[0].minimal_polynomial(), arc.end[1], turning
     ((mpq(0,1), mpq(0,1)), [-1, 0, 2], mpq(1,1), [<common zero near 0.000000 and 0.000000>])
-    >>> monotone_arcs((2 * S - 1) ** 2 + (3 * T - 1) ** 2)
+    >>> _monotone_arcs((2 * S - 1) ** 2 + (3 * T - 1) ** 2)
     ([], [<common zero near 0.500000 and 0.333333>])
 
     Raises `ReachError` where this would take too long.
@@ -179,7 +179,7 @@ class Quotient:
         arcs = list[tuple[fmpz_mpoly, MonotoneArc]]()
         for base in factorize(shared).bases:
             if as_form(base).sign is None:
-                own, turning = monotone_arcs(base)
+                own, turning = _monotone_arcs(base)
                 pair = [as_form(base), as_form(base.derivative(0) * base.derivative(1))]
                 points += [(zero, pair) for zero in turning if zero.is_inside]
                 arcs += [(base, arc) for arc in own]

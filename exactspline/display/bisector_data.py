@@ -273,7 +273,7 @@ _END = or_null(pair_of(REAL))
 PAIRS = record(piece=one_of(PairsKind), start=_END, end=_END, sides=or_null(pair_of(pair_of(REAL))))
 
 
-def plane_bisector_data(bisector: PlaneBisector, digits: int) -> Data:
+def _plane_bisector_data(bisector: PlaneBisector, digits: int) -> Data:
     """The pairs of the bisector of two plane curves."""
     data: Data = record(pieces=(list_of(PAIRS), pairs_of), ends=ENDS).write(bisector, digits)
     missing = [{"sides": plain(sides), "reason": "the pairs are not decided"} for sides in bisector.missing]
@@ -316,7 +316,7 @@ FORMS_OF_POINT: dict[type, Form] = {
 MISSING = record(interval=(INTERVAL, itemgetter(0)), reason=(TEXT, itemgetter(1)))
 
 
-def point_bisector_data(bisector: PointBisector, digits: int) -> Data:
+def _point_bisector_data(bisector: PointBisector, digits: int) -> Data:
     """The pieces of the ruled bisector of a point and a curve: directrix and generator by homogeneous control
     points.
     """
@@ -327,7 +327,7 @@ def point_bisector_data(bisector: PointBisector, digits: int) -> Data:
     return {"kind": "ruled bisector"} | data
 
 
-def trimmed_data(bisector: TrimmedBisector, digits: int) -> Data:
+def _trimmed_data(bisector: TrimmedBisector, digits: int) -> Data:
     """The pieces of the true bisector of a point and a plane curve."""
     pieces = list_of(FORMS_OF_POINT[TrimmedPiece])
     form = record(pieces=pieces, ends=ENDS, missing=_TEXTS, undecided=_TEXTS)
@@ -337,16 +337,16 @@ def trimmed_data(bisector: TrimmedBisector, digits: int) -> Data:
 
 #: How bisectors in one part are written, by their types.
 WRITTEN: dict[type, Callable[[Any, int], Data]] = {
-    PlaneBisector: plane_bisector_data,
-    PointBisector: point_bisector_data,
-    TrimmedBisector: trimmed_data,
+    PlaneBisector: _plane_bisector_data,
+    PointBisector: _point_bisector_data,
+    TrimmedBisector: _trimmed_data,
 }
 
 
 # ---- as text
 
 
-def degree_of(value: SplineVector | Rational[TensorSpline]) -> str:
+def _degree_of(value: SplineVector | Rational[TensorSpline]) -> str:
     """The degree of a piece, as text."""
     d = value.degree
     return f"{d[0]} × {d[1]}" if isinstance(d, tuple) else str(d)
@@ -474,7 +474,7 @@ def _surface_row(patch: BisectorPatch) -> Row:
     if max(patch.value.degree) == 0:
         point = patch.value.point(patch.sides[0][0], patch.sides[1][0])
         remark = f"one point: ({', '.join(map(short_text, point))})"
-    return Row("surface", patch.sides.shortly, degree_of(patch.value), remark)
+    return Row("surface", patch.sides.shortly, _degree_of(patch.value), remark)
 
 
 def _line_row(line: LineComponent, digits: int) -> Row:

@@ -54,7 +54,7 @@ from exactspline.splines.nurbs import Nurbs
 ANGLE = or_null(record(cosine=REAL, sine=REAL, degrees=(REAL, angles.degrees)))
 
 
-def by_name(form: Form) -> Form:
+def _by_name(form: Form) -> Form:
     """The form of values by their names."""
 
     def leaves(values: Mapping[str, Any]) -> Iterator[Leaf]:
@@ -69,7 +69,7 @@ def by_name(form: Form) -> Form:
 
 
 #: Numbers, points and vectors by their names.
-NUMBERS = by_name(list_of(REAL))
+NUMBERS = _by_name(list_of(REAL))
 #: A point by its coordinates.
 POINT = replace(list_of(REAL), leaves=lambda point: zip(axes(len(point)), point, strict=True))
 
@@ -160,7 +160,7 @@ INTERVALS = replace(list_of(INTERVAL, 1).of("parts"), leaves=INTERVAL.leaves)
 PLANAR_PIECE = record(intervals=(INTERVALS, itemgetter(0)), plane=(TEXT, itemgetter(1)))
 
 #: Numbers by their names, with what they are numbers of.
-NAMED_NUMBERS = record(what=TEXT, values=by_name(REAL), facts=by_name(Form({"type": ["integer", "string"]})))
+NAMED_NUMBERS = record(what=TEXT, values=_by_name(REAL), facts=_by_name(Form({"type": ["integer", "string"]})))
 NEAREST_POINT = record(parameter=REAL, distance=REAL, point=POINT)
 
 

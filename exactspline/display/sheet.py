@@ -39,7 +39,7 @@ def hanging(text: str, width: int, indent: int = 2, first: int = 0) -> list[str]
     """
     lines, current = [], " " * first
     empty = True
-    for word in words_in(visible(text)):
+    for word in _words_in(visible(text)):
         rest = word
         if not empty and cell_len(current) + 1 + cell_len(rest) > width:
             lines.append(current)
@@ -63,10 +63,10 @@ def visible(text: str) -> str:
     return STEERING.sub(lambda match: match[0].encode("unicode_escape").decode(), text)
 
 
-def words_in(text: str) -> Iterator[str]:
+def _words_in(text: str) -> Iterator[str]:
     """The words of a text, separated by blanks.
 
-    >>> list(words_in("2d − 3 points"))
+    >>> list(_words_in("2d − 3 points"))
     ['2d − 3', 'points']
     """
     held = ""
@@ -243,7 +243,7 @@ class Sheet:
         least = list(map(max, cells, headings))
         for i, name in enumerate(self.columns):
             if name in self.prose | self.lists:
-                longest = max((cell_len(word) for row in self.rows for word in words_in(row[i])), default=0)
+                longest = max((cell_len(word) for row in self.rows for word in _words_in(row[i])), default=0)
                 least[i] = min(least[i], max(NARROWEST if name in self.prose else 0, longest, headings[i]))
         spare = free - sum(least)
         if spare < 0:

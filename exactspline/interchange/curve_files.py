@@ -45,7 +45,7 @@ OPTIONAL = ("weights", "name", "source", "note")
 CURVE, SURFACE = "a curve", "a surface"
 
 
-def check_fields(data: Mapping[str, object], what: str) -> None:
+def _check_fields(data: Mapping[str, object], what: str) -> None:
     """Raise `CurveFileError` unless these are the fields of a curve or of a surface (`what`)."""
     remedy = f"{what} has {', '.join(REQUIRED)} and may have {', '.join(OPTIONAL)}"
     for field in REQUIRED:
@@ -55,7 +55,7 @@ def check_fields(data: Mapping[str, object], what: str) -> None:
         raise CurveFileError(f"the field {unknown[0]!r} is unknown", remedy=remedy)
 
 
-def points_of(rows: Sequence[object], place: str = "control_points", limits: Limits = USUAL) -> list[Iterable[Number]]:
+def _points_of(rows: Sequence[object], place: str = "control_points", limits: Limits = USUAL) -> list[Iterable[Number]]:
     """Points are lists of numbers, directions are objects: ``{"vector": [x, y]}``; errors name the `place`."""
     points: list[Iterable[Number]] = []
     for i, row in enumerate(rows):
@@ -76,11 +76,11 @@ def points_of(rows: Sequence[object], place: str = "control_points", limits: Lim
 
 
 def numbers_of(values: Sequence[object], place: str, limits: Limits = USUAL) -> list[Number]:
-    """The numbers of a list (see `number_of`); errors name their places in it."""
-    return [number_of(value, f"{place}[{i}]", limits) for i, value in enumerate(values)]
+    """The numbers of a list (see `_number_of`); errors name their places in it."""
+    return [_number_of(value, f"{place}[{i}]", limits) for i, value in enumerate(values)]
 
 
-def whole_degree(degree: object) -> int:
+def _whole_degree(degree: object) -> int:
     """A degree as written in JSON: an int if it is an integer, otherwise its text, which is rejected later."""
     if not isinstance(degree, _Decimal):
         return cast(int, degree)
@@ -92,7 +92,7 @@ class _Decimal(str):
     """The digits of a JSON number, unchanged."""
 
 
-def number_of(value: object, where: str = "", limits: Limits = USUAL) -> Number:
+def _number_of(value: object, where: str = "", limits: Limits = USUAL) -> Number:
     """The text of a JSON number, so that no digit is lost; anything else is checked later.
 
     Raises `NumberError` for null, and for a text that is longer, or an exponent that is larger, than the limits allow:
@@ -150,7 +150,7 @@ def _refuse(word: str) -> NoReturn:
     raise CurveFileError(f"{word} is not a number", remedy="write finite numbers")
 
 
-def written_point(point: tuple[mpq, ...]) -> dict[str, list[str]] | list[str]:
+def _written_point(point: tuple[mpq, ...]) -> dict[str, list[str]] | list[str]:
     """A control point as JSON data: a list of exact coordinates, or an object for a direction."""
     coordinates = [text_of(x) for x in point]
     return {"vector": coordinates} if isinstance(point, Direction) else coordinates
@@ -169,11 +169,11 @@ def curve_from_data(given: Mapping[str, object], name: str = "", limits: Limits 
         data = _one_piece(data)
     if "kind" in data:
         return _curve_of_piece(data, name, limits)
-    check_fields(data, CURVE)
+    _check_fields(data, CURVE)
     listed = {field: _list(data[field], field) for field in SIZED if data.get(field) is not None or field != "weights"}
     own = numbers_of(listed["weights"], "weights", limits) if "weights" in listed else None
-    knots, points = numbers_of(listed["knots"], "knots", limits), points_of(listed["control_points"], limits=limits)
-    return Nurbs(whole_degree(data["degree"]), knots, points, own, **_labels(data, name))
+    knots, points = numbers_of(listed["knots"], "knots", limits), _points_of(listed["control_points"], limits=limits)
+    return Nurbs(_whole_degree(data["degree"]), knots, points, own, **_labels(data, name))
 
 
 def _labels(data: Mapping[str, object], name: str) -> dict[str, str]:
@@ -214,7 +214,7 @@ def _curve_of_piece(piece: dict[str, Any], name: str, limits: Limits) -> Nurbs:
         raise CurveFileError("is not a list of points", where=field, remedy=remedy)
     read = [numbers_of(row, f"{field}[{i}]", limits) for i, row in enumerate(net)]
     rows = exact_points(read, least=3 if rational_piece else 2)
-    degree, knots = whole_degree(piece["degree"]), KnotVector(numbers_of(listed, "knots", limits))
+    degree, knots = _whole_degree(piece["degree"]), KnotVector(numbers_of(listed, "knots", limits))
     knots.check(checked_degree(degree))
     low, high = _ends(piece, knots.domain(degree), limits)
     *p, last = [BSpline(degree, knots, column).restrict(low, high) for column in zip(*rows, strict=True)]
@@ -243,7 +243,7 @@ def _end(end: Any, key: str, limits: Limits) -> mpq:
 
 
 def _rational(value: object, key: str, limits: Limits) -> mpq:
-    number = number_of(value, key, limits)
+    number = _number_of(value, key, limits)
     try:
         return rational(number)
     except NumberError as error:
@@ -263,13 +263,13 @@ def surface_from_data(given: Mapping[str, object], name: str = "", limits: Limit
     data = dict(given)
     if NET in data and "control_points" not in data:
         data["control_points"] = data.pop(NET)
-    check_fields(data, SURFACE)
-    degree = [whole_degree(n) for n in _list(data["degree"], "degree", 2)]
+    _check_fields(data, SURFACE)
+    degree = [_whole_degree(n) for n in _list(data["degree"], "degree", 2)]
     knots = [_list(row, f"knots[{i}]") for i, row in enumerate(_list(data["knots"], "knots", 2))]
     net = []
     for i, row in enumerate(_list(data["control_points"], "control_points")):
         place = f"control_points[{i}]"
-        net.append(points_of(_list(row, place), place, limits))
+        net.append(_points_of(_list(row, place), place, limits))
     weights = data.get("weights")
     own = None if weights is None else _numbers(weights, limits)
     u, v = (numbers_of(row, f"knots[{i}]", limits) for i, row in enumerate(knots))
@@ -294,13 +294,13 @@ def _numbers(rows: object, limits: Limits) -> list[list[Number]]:
 
 def curve_data(curve: Nurbs) -> dict[str, object]:
     """The data of a curve file, with numbers as exact text."""
-    points = [written_point(point) for point in curve.control_points]
+    points = [_written_point(point) for point in curve.control_points]
     return _data(curve, curve.degree, _texts(curve.knots), points, _texts(curve.weights))
 
 
 def surface_data(surface: NurbsSurface) -> dict[str, object]:
     """The data of a surface file, with numbers as exact text."""
-    net = [[written_point(point) for point in row] for row in surface.control_points]
+    net = [[_written_point(point) for point in row] for row in surface.control_points]
     knots, weights = ([_texts(row) for row in rows] for rows in (surface.knots, surface.weights))
     return _data(surface, list(surface.degree), knots, net, weights)
 

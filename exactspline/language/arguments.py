@@ -231,7 +231,7 @@ V = TypeVar("V")
 Made = Callable[[Mapping[str, Operand]], dict[str, object]]
 
 
-def nothing_made(operands: Mapping[str, object]) -> dict[str, object]:
+def _nothing_made(operands: Mapping[str, object]) -> dict[str, object]:
     """No further values."""
     return {}
 
@@ -247,7 +247,7 @@ class Accompanied(Curve[T], Generic[T]):
     x′·δ
     """
 
-    def __init__(self, curve: Curve[T], additional: Mapping[str, T], made: Made = nothing_made) -> None:
+    def __init__(self, curve: Curve[T], additional: Mapping[str, T], made: Made = _nothing_made) -> None:
         super().__init__(curve.p, curve.w, polynomial=curve.polynomial, gamma=curve.gamma, point=curve.point)
         self.additional, self.made = dict(additional), made
         vars(self).update(self.additional | made(self.operands()))

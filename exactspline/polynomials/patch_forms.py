@@ -103,7 +103,7 @@ class PatchForm:
 
     def halves(self, direction: int) -> tuple[PatchForm, PatchForm]:
         """The form on the two halves of the square (direction 0: in x), with a common constant."""
-        matrix, (first, second) = self.matrix, halving(self.degree[direction])
+        matrix, (first, second) = self.matrix, _halving(self.degree[direction])
         if direction == 0:
             return PatchForm(first * matrix), PatchForm(second * matrix)
         return PatchForm(matrix * first.transpose()), PatchForm(matrix * second.transpose())
@@ -340,7 +340,7 @@ def _from_powers(n: int) -> fmpz_mat:
 
 
 @lru_cache(maxsize=256)
-def halving(n: int) -> tuple[fmpz_mat, fmpz_mat]:
+def _halving(n: int) -> tuple[fmpz_mat, fmpz_mat]:
     """The matrices to Bernstein coefficients on the left and on the right half, times 2ⁿ."""
     left = [[comb(i, k) << (n - i) if k <= i else 0 for k in range(n + 1)] for i in range(n + 1)]
     return fmpz_mat(left), fmpz_mat([row[::-1] for row in left[::-1]])
@@ -372,7 +372,7 @@ def _restriction(n: int, a: mpq, b: mpq) -> fmpz_mat:
 
 
 @lru_cache(maxsize=64)
-def restriction_rounded(n: int, a: mpq, b: mpq, bits: int) -> fmpz_mat:
+def _restriction_rounded(n: int, a: mpq, b: mpq, bits: int) -> fmpz_mat:
     """The weights with which coefficients over [a, b] are means, times ``2^bits`` and rounded down."""
     bottom = fmpz(int(lcm(a.denominator, b.denominator))) ** n
     return fmpz_mat(n + 1, n + 1, [(x << bits) // bottom for x in _restriction(n, a, b).entries()])
@@ -450,7 +450,7 @@ class RoundedForm(PatchForm):
             return rounded(form, boxes[0]), rounded(form, boxes[1])
         n = self.degree[direction]
         halves = []
-        for by, half in zip(halving(n), boxes, strict=True):
+        for by, half in zip(_halving(n), boxes, strict=True):
             product = by * self.matrix if direction == 0 else self.matrix * by.transpose()
             means = fmpz_mat(*self._shape, [x >> n for x in product.entries()])
             halves.append(RoundedForm(means, self.error + 1, (form, half)))
@@ -510,6 +510,6 @@ def _restricted(form: PatchForm, box: Box, dropped: int, bits: int) -> fmpz_mat:
     """
     m, n = form.degree
     scale = bits + max(m, n).bit_length() + 4
-    left, right = (restriction_rounded(k, *side, scale) for k, side in zip((m, n), box, strict=True))
+    left, right = (_restriction_rounded(k, *side, scale) for k, side in zip((m, n), box, strict=True))
     middle = _shifted(left * _shifted(form.matrix, dropped), scale)
     return _shifted(middle * right.transpose(), scale)

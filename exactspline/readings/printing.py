@@ -308,7 +308,7 @@ def _letters(n: Expression) -> tuple[Expression, str]:
     return n, letters
 
 
-def named_binding(n: Expression) -> int:
+def _named_binding(n: Expression) -> int:
     """The precedence of the symbol of a named formula: a symbol that ends in a power needs parentheses before another
     power.
     """
@@ -382,7 +382,7 @@ class TextPrinter(Printer):
         if n.op is Operation.NUMBER:
             return number(n.value)
         if n.op is Operation.NAMED:
-            return _barred(symbol_text(n.value.symbol), n.value.barred), named_binding(n)
+            return _barred(symbol_text(n.value.symbol), n.value.barred), _named_binding(n)
         nabla, name, index, barred = leaf(n.value)
         shown = constant_text(f"{name}{index}") if index.isdigit() else constant_text(name) + f"_{index}" * bool(index)
         return nabla + _barred(shown, barred), ATOM
@@ -459,7 +459,7 @@ class LatexPrinter(Printer):
             top, slash, bottom = text.partition("/")
             return (rf"\tfrac{{{top}}}{{{bottom}}}" if slash else text), binding
         if n.op is Operation.NAMED:
-            return (rf"\bar{{{n.value.symbol}}}" if n.value.barred else n.value.symbol), named_binding(n)
+            return (rf"\bar{{{n.value.symbol}}}" if n.value.barred else n.value.symbol), _named_binding(n)
         nabla, name, index, barred = leaf(n.value)
         symbol = _letter(name) + (f"_{{{index}}}" if index else "")
         return (rf"\bar{{{symbol}}}" if barred else rf"\nabla {symbol}" if nabla else symbol), ATOM

@@ -48,7 +48,7 @@ def expect_one_function(formula: Formula, c: Evaluated) -> None:
     """
     if formula.checked:
         return
-    expect_same_again(formula, c)
+    _expect_same_again(formula, c)
     found = split(formula(c))[0]
     rings = [x.ring for x in map(_inner, c.operands().values()) if isinstance(x, JetFraction)]
     try:
@@ -61,7 +61,7 @@ def expect_one_function(formula: Formula, c: Evaluated) -> None:
         raise _several(formula) from None
 
 
-def expect_same_again(formula: Formula, c: Evaluated) -> None:
+def _expect_same_again(formula: Formula, c: Evaluated) -> None:
     """Refuse a formula that nobody read and that has another value when it is evaluated again, or a plain number.
 
     Raises `FormulaError`, naming the formula.
@@ -83,7 +83,7 @@ def expect_functions_on(formulas: Iterable[Formula], c: Evaluated | None, dimens
             if several := _refusal(each, dimension, polynomial):
                 raise several
             if c is not None:
-                expect_same_again(each, c)
+                _expect_same_again(each, c)
 
 
 @cache

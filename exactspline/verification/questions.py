@@ -88,10 +88,10 @@ def formula_of_line(text: str, named: Callable[[str], Formula]) -> Formula:
     return _checked(text, code, used)
 
 
-def not_looked_up(text: str, *, functions: bool) -> list[str]:
+def _not_looked_up(text: str, *, functions: bool) -> list[str]:
     """The names in a line that have no place and mean operands, or `functions` of the language.
 
-    >>> not_looked_up("a.py:w = det(γ', γ'')/w", functions=True), not_looked_up("det(p, p')", functions=False)
+    >>> _not_looked_up("a.py:w = det(γ', γ'')/w", functions=True), _not_looked_up("det(p, p')", functions=False)
     (['det', 'w', 'γ'], ['p'])
     """
     known = OPERANDS | (LANGUAGE.keys() if functions else set())
@@ -316,7 +316,7 @@ def proof_of(text: str, *, trust: bool = False, dimension: int | None = None) ->
 
 def _expect_operands(text: str, trust: bool) -> None:
     """Refuse a name without a place that means an operand, where a formula in one of the places has it too."""
-    for place, name in product(dict.fromkeys(PLACE.findall(text)), not_looked_up(text, functions=not trust)):
+    for place, name in product(dict.fromkeys(PLACE.findall(text)), _not_looked_up(text, functions=not trust)):
         try:
             resolve(f"{place}:{name}", trust=trust)
         except FormulaError:

@@ -46,7 +46,7 @@ _EDGE = re.compile(
 _SECTION = re.compile(r"^(Curve2ds|Curves) (\d{1,9})[ \t]*\r?$", re.M)
 
 
-def looks_like(head: bytes) -> bool:
+def _looks_like(head: bytes) -> bool:
     """Whether the file begins with a header of Open CASCADE."""
     return b"CASCADE Topology V" in head
 
@@ -198,4 +198,4 @@ def _shapes(curves: Sequence[Nurbs]) -> list[str]:
     return [*lines, "Co", "", "1100000", f"{edges} *".strip(), "", "+1 0 "]
 
 
-FORMAT = Format("brep", "Open CASCADE BRep text", (".brep", ".brp"), looks_like, read, write)
+FORMAT = Format("brep", "Open CASCADE BRep text", (".brep", ".brp"), _looks_like, read, write)

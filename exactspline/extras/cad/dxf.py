@@ -57,7 +57,7 @@ class _Entity:
         return [value for group, value in self.pairs if group == code]
 
 
-def looks_like(head: bytes) -> bool:
+def _looks_like(head: bytes) -> bool:
     """Whether a file begins with group code 0 and SECTION, possibly after comments, or like binary DXF."""
     lines = [line.strip() for line in head.split(b"\n")]
     while lines[:1] == [b"999"]:
@@ -308,4 +308,4 @@ def write(splines: Sequence[Spline], numbers: NumberText) -> bytes:
     return "".join(f"{code:>3}\n{value}\n" for code, value in pairs).encode()
 
 
-FORMAT = Format("dxf", "DXF text", (".dxf",), looks_like, read, write, parts=True)
+FORMAT = Format("dxf", "DXF text", (".dxf",), _looks_like, read, write, parts=True)

@@ -26,7 +26,7 @@ _BEGINNING = re.compile(rb"\s*(\d+)\s+[01]\s+\d+\s+\d+\s")
 _HEADER = re.compile(r"^[ \t]*([1-9]\d\d)[ \t]+([01])[ \t]+([09])[ \t]+(\d+)(?:[ \t]+\d+){0,4}[ \t]*\r?$", re.M)
 
 
-def looks_like(head: bytes) -> bool:
+def _looks_like(head: bytes) -> bool:
     """Whether a file begins with the header of a known class."""
     found = _BEGINNING.match(head)
     return found is not None and found[1].decode() in NAMES["g2"]
@@ -86,4 +86,4 @@ def write(splines: Sequence[Spline], numbers: NumberText) -> bytes:
     return "\n".join(lines).encode()
 
 
-FORMAT = Format("g2", "SISL and GoTools text", (".g2",), looks_like, read, write, surfaces=True)
+FORMAT = Format("g2", "SISL and GoTools text", (".g2",), _looks_like, read, write, surfaces=True)

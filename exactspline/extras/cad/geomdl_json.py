@@ -21,7 +21,7 @@ from exactspline.interchange.records import Reading, Source
 from exactspline.numbers.exact import mpq
 
 
-def looks_like(head: bytes) -> bool:
+def _looks_like(head: bytes) -> bool:
     """Whether a file begins like one written by geomdl."""
     return head.lstrip().startswith(b"{") and bool(re.search(rb'"(?:shape|controlpoints|knotvector)"\s*:', head))
 
@@ -119,4 +119,4 @@ def write(splines: Sequence[Spline], numbers: NumberText) -> bytes:
     return f'{{"shape": {{"type": "{kind}", "count": {len(entries)}, "data": [\n{body}\n]}}}}\n'.encode()
 
 
-FORMAT = Format("geomdl", "geomdl JSON", (".json",), looks_like, read, write, surfaces=True)
+FORMAT = Format("geomdl", "geomdl JSON", (".json",), _looks_like, read, write, surfaces=True)

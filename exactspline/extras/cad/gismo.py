@@ -18,7 +18,7 @@ CURVES = ("BSpline", "Nurbs")
 SURFACES = ("TensorBSpline2", "TensorNurbs2")
 
 
-def looks_like(head: bytes) -> bool:
+def _looks_like(head: bytes) -> bool:
     """Whether a file begins like one written by G+Smo."""
     return b"<Geometry" in head or (b"<xml" in head and b"<Multipatch" in head)
 
@@ -101,4 +101,4 @@ def _basis(spline: Spline, numbers: NumberText) -> list[str]:
     return [' <Basis type="TensorBSplineBasis2">', *bases, " </Basis>"]
 
 
-FORMAT = Format("gismo", "G+Smo XML", (".xml",), looks_like, read, write, surfaces=True)
+FORMAT = Format("gismo", "G+Smo XML", (".xml",), _looks_like, read, write, surfaces=True)

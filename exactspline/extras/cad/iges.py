@@ -108,7 +108,7 @@ def _parameters(text: str, separator: str, ending: str, limits: Limits) -> list[
     raise CurveFileError("a record is not terminated", remedy=f"records end with {ending!r}")
 
 
-def unit_of(text: str) -> str:
+def _unit_of(text: str) -> str:
     """The unit of length given in the global section, "" if there is none."""
     separator, ending, rest = _delimiters(_sections(text)["G"])
     try:
@@ -120,7 +120,7 @@ def unit_of(text: str) -> str:
     return name if flag == "3" else str(NAMES["iges units"].get(flag, ""))
 
 
-def entries(text: str, limits: Limits) -> list[DirectoryEntry]:
+def _entries(text: str, limits: Limits) -> list[DirectoryEntry]:
     """All directory entries with their parameters."""
     lines = _sections(text)
     if len(lines["D"]) % 2:
@@ -181,7 +181,7 @@ CURVES = (106, 112, 130, 308, 320, 408, 412, 414, 420)
 PARAMETER_SPACE = "05"
 
 
-def looks_like(head: bytes) -> bool:
+def _looks_like(head: bytes) -> bool:
     """Whether column 73 of the first line is S, followed by a number."""
     return bool(re.match(rb"[^\r\n]{72}S[ 0]*1\b", head))
 
@@ -216,8 +216,8 @@ class _Values:
 def read(source: Source) -> Reading:
     """The curves of a file."""
     collector = Collector("iges", source)
-    directory = {entry.number: entry for entry in entries(source.text, source.limits)}
-    collector.unit(unit_of(source.text))
+    directory = {entry.number: entry for entry in _entries(source.text, source.limits)}
+    collector.unit(_unit_of(source.text))
     # what is made of other curves comes last
     for entry in sorted(directory.values(), key=lambda entry: entry.kind == COMPOSITE):
         where = entry.place
@@ -377,4 +377,4 @@ def write(splines: Sequence[Spline], numbers: NumberText) -> bytes:
     return formatted(entities, f"{what} written by exactspline: every number is exact unless rounding was asked for.")
 
 
-FORMAT = Format("iges", "IGES text", (".igs", ".iges"), looks_like, read, write, surfaces=True)
+FORMAT = Format("iges", "IGES text", (".igs", ".iges"), _looks_like, read, write, surfaces=True)

@@ -31,7 +31,7 @@ PARAMETERS = {"CURVE": 1, "SURFACE": 2}
 SKIPPED = ("TRIVAR", "MULTIVAR", "TRISRF", "POLYGON", "POLYLINE", "POINTLIST", "MODEL", "TRIMSRF")
 
 
-def looks_like(head: bytes) -> bool:
+def _looks_like(head: bytes) -> bool:
     """Whether there is an IRIT object near the beginning of a file."""
     return bool(re.search(rb"\[\s*OBJECT\b|\[\s*CURVE\s+(BSPLINE|BEZIER)\b", head))
 
@@ -120,4 +120,4 @@ def write(splines: Sequence[Spline], numbers: NumberText) -> bytes:
     return "\n".join([*lines, ""]).encode()
 
 
-FORMAT = Format("itd", "IRIT text", (".itd",), looks_like, read, write, surfaces=True)
+FORMAT = Format("itd", "IRIT text", (".itd",), _looks_like, read, write, surfaces=True)

@@ -36,7 +36,7 @@ CURVES = ("InstanceReference", "Curve", "PolyCurve", "ArcCurve", "LineCurve", "P
 MISSING = "the first and last knots, which openNURBS omits, repeat their neighbours"
 
 
-def looks_like(head: bytes) -> bool:
+def _looks_like(head: bytes) -> bool:
     """Whether the file begins with the header of openNURBS."""
     return head.startswith(b"3D Geometry File Format")
 
@@ -153,4 +153,4 @@ def _archive(model: Any) -> bytes:
         return place.read_bytes()
 
 
-FORMAT = Format("3dm", "openNURBS archive", (".3dm",), looks_like, read, write, surfaces=True)
+FORMAT = Format("3dm", "openNURBS archive", (".3dm",), _looks_like, read, write, surfaces=True)

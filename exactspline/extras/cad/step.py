@@ -45,7 +45,7 @@ _CONVERSION = re.compile(r"\bCONVERSION_BASED_UNIT\s*\(\s*'([^']{1,40})'")
 _REFERENCE = re.compile(r"#(\d{1,12})", re.ASCII)
 
 
-def looks_like(head: bytes) -> bool:
+def _looks_like(head: bytes) -> bool:
     """Whether a file begins with the header of part 21."""
     return head.lstrip().startswith(b"ISO-10303-21")
 
@@ -132,4 +132,4 @@ def write(splines: Sequence[Spline], numbers: NumberText) -> bytes:
     return text.encoded()
 
 
-FORMAT = Format("step", "STEP part 21", (".stp", ".step", ".p21"), looks_like, read, write, surfaces=True)
+FORMAT = Format("step", "STEP part 21", (".stp", ".step", ".p21"), _looks_like, read, write, surfaces=True)

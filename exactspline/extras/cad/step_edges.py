@@ -77,7 +77,7 @@ ANY_SURFACE = frozenset((KEYWORDS[SURFACE].spline, KEYWORDS[SURFACE].rational, *
 FACES = ("ADVANCED_FACE", "FACE_SURFACE", "CURVE_BOUNDED_SURFACE", "RECTANGULAR_TRIMMED_SURFACE")
 
 
-def built_curve(file: StepFile, entity: dict[str, list[Value]], where: str) -> NamedCurve:
+def _built_curve(file: StepFile, entity: dict[str, list[Value]], where: str) -> NamedCurve:
     """The spline curve of an instance."""
     return file.collector.built(where, **_spline(file, CURVE, entity, where))
 
@@ -310,7 +310,7 @@ class Edges:
         where = where or reference
         entity = parts(self.file.instances[int(reference[1:])], self.file.limits)
         if POLYLINE not in entity:
-            return built_curve(self.file, entity, where)
+            return _built_curve(self.file, entity, where)
         given = entity[POLYLINE]
         points = [self.file.point(each) for each in self.file.texts(given[-1] if given else "")]
         knots = [mpq(max(0, min(i - 1, len(points) - 1))) for i in range(len(points) + 2)]

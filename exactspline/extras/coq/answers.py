@@ -94,7 +94,7 @@ def theorem_of(curve: Nurbs) -> str:
         "Import ListNotations.\nLocal Open Scope Q_scope.\n",
         definition("this_curve", curve),
         "(** The domain of the curve, on which the theorems speak of it. *)\n"
-        f"Theorem this_curve_has_the_domain : domain this_curve = ({', '.join(map(number_in_q, curve.domain))}).\n"
+        f"Theorem this_curve_has_the_domain : domain this_curve = ({', '.join(map(_number_in_q, curve.domain))}).\n"
         "Proof. vm_cast_no_check (eq_refl (domain this_curve)). Qed.\n",
         "Lemma this_curve_sound : sound this_curve = true.\nProof. vm_cast_no_check (eq_refl true). Qed.\n",
         "(** Numerators and denominator between two knots are the B-splines by the recursion of Cox and de Boor. *)\n"
@@ -130,13 +130,13 @@ def _homogeneous_columns(curve: Nurbs) -> list[list[mpq]]:
 
 def _theorem(curve: Nurbs, answer: Answer, formulas: Formulas) -> str:
     form = formulas.named(answer.formula)
-    low, high = number_in_q(answer.cells[0][0].low), number_in_q(answer.cells[-1][-1].high)
-    cells = ";\n  ".join("[" + "; ".join(map(cell_text, own)) + "]" for own in answer.cells)
+    low, high = _number_in_q(answer.cells[0][0].low), _number_in_q(answer.cells[-1][-1].high)
+    cells = ";\n  ".join("[" + "; ".join(map(_cell_text, own)) + "]" for own in answer.cells)
     pieces = ";\n  ".join(
-        f"({number_in_q(own[-1].high)}, {coefficients_text(f)})"
+        f"({_number_in_q(own[-1].high)}, {_coefficients_text(f)})"
         for f, own in zip(answer.polynomials, answer.cells, strict=True)
     )
-    points, stretches = pairs_text(answer.points), pairs_text(answer.stretches)
+    points, stretches = _pairs_text(answer.points), _pairs_text(answer.stretches)
     places = counted(len(answer.points), "point")
     places += f" and {counted(len(answer.stretches), 'stretch')}" if answer.stretches else ""
     return (
@@ -157,22 +157,22 @@ def _theorem(curve: Nurbs, answer: Answer, formulas: Formulas) -> str:
     )
 
 
-def number_in_q(value: object) -> str:
+def _number_in_q(value: object) -> str:
     """An exact number in the scope of Q."""
     exact = mpq(value)
     return f"{exact.numerator}" if exact.denominator == 1 else f"{exact.numerator} # {exact.denominator}"
 
 
 def _list(values: Iterable[object]) -> str:
-    return "[" + "; ".join(map(number_in_q, values)) + "]"
+    return "[" + "; ".join(map(_number_in_q, values)) + "]"
 
 
-def pairs_text(pairs: Iterable[tuple[mpq, mpq]]) -> str:
+def _pairs_text(pairs: Iterable[tuple[mpq, mpq]]) -> str:
     """Pairs of exact numbers as a list of Coq."""
-    return "[" + "; ".join(f"({number_in_q(a)}, {number_in_q(b)})" for a, b in pairs) + "]"
+    return "[" + "; ".join(f"({_number_in_q(a)}, {_number_in_q(b)})" for a, b in pairs) + "]"
 
 
-def coefficients_text(f: fmpq_poly) -> str:
+def _coefficients_text(f: fmpq_poly) -> str:
     """A polynomial as the list of its coefficients."""
     return _list(from_flint(c) for c in f.coeffs())
 
@@ -182,15 +182,15 @@ def boolean(value: bool) -> str:
     return "true" if value else "false"
 
 
-def cell_text(cell: Cell) -> str:
+def _cell_text(cell: Cell) -> str:
     """A cell as a term of Coq."""
-    ends = f"({number_in_q(cell.low)}) ({number_in_q(cell.high)})"
+    ends = f"({_number_in_q(cell.low)}) ({_number_in_q(cell.high)})"
     if cell.sign is None:
         return f"Null {ends}"
     if cell.factor is not None and cell.rest is not None:
         return (
-            f"Multiple {ends} {coefficients_text(cell.factor)} {boolean(cell.sign)} {cell.power} "
-            f"{coefficients_text(cell.rest)} {boolean(cell.rest_sign)}"
+            f"Multiple {ends} {_coefficients_text(cell.factor)} {boolean(cell.sign)} {cell.power} "
+            f"{_coefficients_text(cell.rest)} {boolean(cell.rest_sign)}"
         )
     return f"{'One' if cell.one else 'Sign'} {ends} {boolean(cell.sign)}"
 
@@ -255,7 +255,7 @@ def meeting_theorem(first: Nurbs, second: Nurbs) -> str:
     pieces = [f"(curve_piece {name} {j})" for name, j in zip(("first_curve", "second_curve"), spans, strict=True)]
     boxes = [(x.first, x.second) for x in places if x.first is not None]
     listed = "; ".join(f"({_interval(s)}, {_interval(t)})" for s, t in boxes)
-    ends = " ".join(f"({number_in_q(t)})" for c in (first, second) for t in c.domain)
+    ends = " ".join(f"({_number_in_q(t)})" for c in (first, second) for t in c.domain)
     named = ", ".join(comment(c.name or "a curve") for c in (first, second))
     return "\n".join(
         [
@@ -266,14 +266,14 @@ def meeting_theorem(first: Nurbs, second: Nurbs) -> str:
             "Import ListNotations.\nLocal Open Scope Q_scope.\n",
             *[definition(name, c) for name, c in zip(("first_curve", "second_curve"), (first, second), strict=True)],
             _elimination_text(found),
-            "Definition the_cells : list cell := [\n  " + ";\n  ".join(map(cell_text, cells)) + "\n].\n",
+            "Definition the_cells : list cell := [\n  " + ";\n  ".join(map(_cell_text, cells)) + "\n].\n",
             "Definition the_places : list ((Q * Q) * place) := [\n  "
             + ";\n  ".join(f"({_interval(x.second)}, {_place_text(x)})" for x in places)
             + "\n].\n",
             f"(** The curves meet at exactly {counted(len(boxes), 'point')}, one in each box. *)\n"
             f"Theorem the_curves_meet :\n  hold_exactly (same_point {' '.join(pieces)})\n    {ends}\n    [{listed}].\n"
             "Proof.\n  apply (curves_meet_exactly _ _ the_elimination _ _ _ _ the_cells the_places).\n"
-            f"  vm_cast_no_check (eq_refl (true, ({pairs_text(x.second for x in places)} : list (Q * Q))%Q,\n"
+            f"  vm_cast_no_check (eq_refl (true, ({_pairs_text(x.second for x in places)} : list (Q * Q))%Q,\n"
             f"    ([{listed}] : list box)%Q)).\nQed.\n",
         ]
     )
@@ -435,18 +435,18 @@ def _sign(f: fmpq_poly, side: Interval) -> bool | None:
 
 
 def _interval(side: Interval) -> str:
-    return f"({number_in_q(side.low)}, {number_in_q(side.high)})"
+    return f"({_number_in_q(side.low)}, {_number_in_q(side.high)})"
 
 
 def _rows(rows: Iterable[fmpq_poly]) -> str:
-    return "[" + "; ".join(map(coefficients_text, rows)) + "]"
+    return "[" + "; ".join(map(_coefficients_text, rows)) + "]"
 
 
 def _elimination_text(found: Elimination) -> str:
     names = ("of_resultant", "of_line", "first_form", "second_form")
     pairs = (f"{n} := ({_rows(f)}, {_rows(g)})" for n, (f, g) in zip(names, found.combinations, strict=True))
     polynomials = (
-        f"{n} := {coefficients_text(p)}"
+        f"{n} := {_coefficients_text(p)}"
         for n, p in (("resultant", found.eliminant), ("slope", found.slope), ("offset", found.offset))
     )
     own = ";\n  ".join([*polynomials, f"exponent := {found.exponent}", *pairs])
@@ -456,4 +456,4 @@ def _elimination_text(found: Elimination) -> str:
 def _place_text(place: _BoxedPoint) -> str:
     if place.first is None:
         return f"Outside {boolean(place.sign)} {boolean(place.above)}"
-    return f"Inside {boolean(place.sign)} ({number_in_q(place.first.low)}) ({number_in_q(place.first.high)})"
+    return f"Inside {boolean(place.sign)} ({_number_in_q(place.first.low)}) ({_number_in_q(place.first.high)})"

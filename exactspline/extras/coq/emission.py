@@ -50,7 +50,7 @@ from exactspline.verification.vocabulary import Extent, Scope, Verdict
 Difference = tuple[Node, str, str]
 
 
-def refutation(claim: Claim, dimension: int, named: Callable[[Formula], str]) -> str:
+def _refutation(claim: Claim, dimension: int, named: Callable[[Formula], str]) -> str:
     """The theorem that a claim fails.
 
     Raises `ClaimError` where none of the curves tried is a counterexample.
@@ -160,8 +160,8 @@ class _Attempt(Statement[Iterator[Difference]]):
         text = difference.value if difference.op is Operation.LEAF else self.writer(difference)
         curve = self.curve.term(self.kind, "t", "number")
         holds = ["w c <> zero K", *[f"{self.writer.at(node, 1)} <> zero K" for node in self.premises]]
-        keys = list(map(coefficients_of, self.units.atoms))
-        atoms = [polynomial_term(key, "var 1", "num") for key in keys]
+        keys = list(map(_coefficients_of, self.units.atoms))
+        atoms = [_polynomial_term(key, "var 1", "num") for key in keys]
         unit = "{ apply (unit_nonzero K l explicit_rules R [] I atoms known N). vm_cast_no_check (eq_refl true). }"
         lines = [
             "intros K t Hz Ht.",
@@ -232,10 +232,10 @@ Coefficients = tuple[int, ...]
 RING = JetRing(with_explicit_curve(CURVE, both=False), 2, 0)
 
 
-def explicit_function(coefficients: Coefficients) -> JetFraction:
+def _explicit_function(coefficients: Coefficients) -> JetFraction:
     """A polynomial in t.
 
-    >>> t = explicit_function((0, 1))
+    >>> t = _explicit_function((0, 1))
     >>> (1 / t).d() == -1 / (t * t)
     True
     """
@@ -243,7 +243,7 @@ def explicit_function(coefficients: Coefficients) -> JetFraction:
     return JetFraction(RING, polynomial, RING.context.constant(1))
 
 
-def coefficients_of(polynomial: fmpq_mpoly | int) -> Coefficients:
+def _coefficients_of(polynomial: fmpq_mpoly | int) -> Coefficients:
     """The integer coefficients of a polynomial in t."""
     if isinstance(polynomial, int):
         return (polynomial,)
@@ -266,13 +266,13 @@ class ExplicitCurve:
         functions |= {name: (value,) for name, value in zip(POINT, self.point, strict=False)}
 
         def operand(symbol: Symbol) -> JetFraction:
-            return explicit_function(functions.get(symbol.name, ()))
+            return _explicit_function(functions.get(symbol.name, ()))
 
         if isinstance(kind, FramedKind):
-            plain = CURVE.argument(dimension, operand, explicit_function((1,)))
+            plain = CURVE.argument(dimension, operand, _explicit_function((1,)))
             assert isinstance(plain, Curve)
-            return Accompanied(plain, {name: explicit_function(value) for name, value in self.beside.items()})
-        made = kind.argument(dimension, operand, explicit_function((1,)))
+            return Accompanied(plain, {name: _explicit_function(value) for name, value in self.beside.items()})
+        made = kind.argument(dimension, operand, _explicit_function((1,)))
         assert isinstance(made, Curve)  # explicit curves exist only for kinds of one curve
         return made
 
@@ -280,13 +280,13 @@ class ExplicitCurve:
         """The argument as a term of Coq in t, with this function symbol for numbers."""
 
         def beside(*names: str) -> str:
-            return f"[{'; '.join(polynomial_term(self.beside.get(name, (0,)), t, number) for name in names)}]"
+            return f"[{'; '.join(_polynomial_term(self.beside.get(name, (0,)), t, number) for name in names)}]"
 
-        parts = "; ".join(polynomial_term(key, t, number) for key in self.numerators)
+        parts = "; ".join(_polynomial_term(key, t, number) for key in self.numerators)
         point = "; ".join(f"number {integer(value)}" for value in self.point)
-        curve = f"rational_curve s [{parts}] ({polynomial_term(self.denominator, t, number)}) [{point}]"
+        curve = f"rational_curve s [{parts}] ({_polynomial_term(self.denominator, t, number)}) [{point}]"
         if isinstance(kind, FramedKind):
-            roots = (polynomial_term(self.beside.get(root, (0,)), t, number) for root in ("sigma", "rho"))
+            roots = (_polynomial_term(self.beside.get(root, (0,)), t, number) for root in ("sigma", "rho"))
             return f"Framed ({curve}) ({') ('.join(roots)})"
         if isinstance(kind, ImplicitKind):
             axes = COORDINATES[: len(self.numerators)]
@@ -297,10 +297,10 @@ class ExplicitCurve:
         return curve
 
 
-def polynomial_term(coefficients: Coefficients, t: str, number: str) -> str:
+def _polynomial_term(coefficients: Coefficients, t: str, number: str) -> str:
     """A polynomial in t as a term.
 
-    >>> polynomial_term((1, 0, -2), "t", "number")
+    >>> _polynomial_term((1, 0, -2), "t", "number")
     'number 1 - number 2 * t ^ 2'
     """
     return sum_of_products(((c, [(t, k)] if k else []) for k, c in enumerate(coefficients) if c), number)
@@ -457,7 +457,7 @@ def _stated(claim: Claim, paper: Paper, formulas: Formulas) -> list[Stated]:
     kind = kind_of(claim.curve)
     if not written_for(kind):
         return [Stated(claim, "", "", FormulaError(f"arguments of the kind {kind.name!r} are not written"))]
-    make = refutation if claim.expected == Verdict.REFUTED else theorem
+    make = _refutation if claim.expected == Verdict.REFUTED else theorem
     theorems = []
     for dimension in kind.dimensions:
         try:

@@ -50,7 +50,7 @@ class AnswerError(ExactSplineError):
     """An answer that cannot be read."""
 
 
-def cleaned(answer: str) -> str:
+def _cleaned(answer: str) -> str:
     """The answer with uniform minus signs and brackets, without names of numbers; raises `AnswerError` if it is too
     long, or a bracket is missing.
     """
@@ -67,7 +67,7 @@ def negative(answer: str) -> bool:
     >>> [negative(each) for each in ("none", "No, it is not.", "∅", "0")]
     [True, True, True, False]
     """
-    return bool(re.match(r"(none|no|∅|\(\s*\))(\W|$)", cleaned(answer), re.IGNORECASE))
+    return bool(re.match(r"(none|no|∅|\(\s*\))(\W|$)", _cleaned(answer), re.IGNORECASE))
 
 
 def numbers(answer: str) -> Point:
@@ -80,7 +80,7 @@ def numbers(answer: str) -> Point:
 
     Raises `AnswerError` for anything else.
     """
-    return tuple(map(_number, re.sub("[(),]", " ", cleaned(answer)).split()))
+    return tuple(map(_number, re.sub("[(),]", " ", _cleaned(answer)).split()))
 
 
 def points(answer: str, dimension: int) -> tuple[Point, ...]:
@@ -93,7 +93,7 @@ def points(answer: str, dimension: int) -> tuple[Point, ...]:
     """
     if dimension == 1:
         return tuple((x,) for x in numbers(answer))
-    bare = cleaned(answer)
+    bare = _cleaned(answer)
     if "(" not in bare:
         return tuple(numbers(row) for row in bare.splitlines() if row.strip())
     if rest := _GROUP.sub(" ", bare).translate(str.maketrans("(),", "   ")).strip():
@@ -109,7 +109,7 @@ def polynomials(answer: str) -> tuple[Polynomial, ...]:
 
     Raises `AnswerError` for anything else.
     """
-    parts = [part for part in re.split(r"[,\n]", _without_outer_brackets(cleaned(answer))) if part.strip()]
+    parts = [part for part in re.split(r"[,\n]", _without_outer_brackets(_cleaned(answer))) if part.strip()]
     return tuple(_polynomial(part) for part in parts)
 
 

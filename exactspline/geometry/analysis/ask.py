@@ -142,7 +142,7 @@ def check_question(question: str, *of: Of) -> None:
         read_as(found, question)
     elif name in REGISTRY[Of.TWO_CURVES] and {*of} & {*ALL_CURVES}:
         entry = REGISTRY[Of.TWO_CURVES][name]
-        read_as(entry, question, form_for_a_curve(entry))
+        read_as(entry, question, _form_for_a_curve(entry))
     else:
         raise _not_asked(name, *of)
 
@@ -171,10 +171,10 @@ def kind_of(facts: Remembers) -> Of:
     return KINDS[type(facts)]
 
 
-def form_for_a_curve(entry: Entry) -> str:
+def _form_for_a_curve(entry: Entry) -> str:
     """How a question about two curves is asked of one of them: the other one stands before what it takes.
 
-    >>> form_for_a_curve(REGISTRY[Of.TWO_CURVES]["intersections_within"])
+    >>> _form_for_a_curve(REGISTRY[Of.TWO_CURVES]["intersections_within"])
     'intersections_within:CURVE,1/1000000'
     """
     argument = entry.about.argument
@@ -184,7 +184,7 @@ def form_for_a_curve(entry: Entry) -> str:
 def _of_two(curve: Nurbs, question: str) -> Asked:
     """A question of this curve and another one, which stands before what the question takes."""
     entry = REGISTRY[Of.TWO_CURVES][name_of(question)]
-    form = form_for_a_curve(entry)
+    form = _form_for_a_curve(entry)
     given, _ = read_as(entry, question, form)
     other, *argument = given.rsplit(",", len(entry.about.argument.split(",")) if entry.about.argument else 0)
     if not other:
@@ -227,4 +227,4 @@ def questions() -> list[Listed]:
     found = [Listed(entry.name, entry.form, entry.about.of, entry.meaning) for entry in entries.values()]
     # a question that is also asked of one curve alone takes something else there
     pairs = [entry for entry in REGISTRY[Of.TWO_CURVES].values() if entry.name not in QUESTIONS]
-    return found + [Listed(entry.name, form_for_a_curve(entry), CURVES, entry.meaning) for entry in pairs]
+    return found + [Listed(entry.name, _form_for_a_curve(entry), CURVES, entry.meaning) for entry in pairs]

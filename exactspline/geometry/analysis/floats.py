@@ -179,7 +179,7 @@ def _values(
             raise ShapeError("a left side of a surface", remedy="on knot lines limits are those from inside u+, v+")
         rows = _of_surface(given, grids, of, order, rounding)
     else:
-        places = [place_of(t, given.domain) for t in grids[0].flat]
+        places = [_place_of(t, given.domain) for t in grids[0].flat]
         rows = _of_curve(given, places, of, checked_order(cast(int, order)), rounding, side)
     vectors = isinstance(given, Nurbs | NurbsSurface) and of not in SCALARS
     axes = (given.dimension,) if isinstance(given, Nurbs | NurbsSurface) and vectors else ()
@@ -246,7 +246,7 @@ def _of_surface(
 ) -> list[list[float]]:
     """The doubles of one quantity of a surface, or of a function of two parameters."""
     places = [
-        tuple(rational(cast(mpq, place_of(t, side))) for t, side in zip(place, given.domain, strict=True))
+        tuple(rational(cast(mpq, _place_of(t, side))) for t, side in zip(place, given.domain, strict=True))
         for place in zip(*[grid.flat for grid in grids], strict=True)
     ]
     pair = order if isinstance(order, tuple) else (order, order)
@@ -283,7 +283,7 @@ def _rounded_root(sign: int, top: int, bottom: int, rounding: str) -> float:
         return sign * inf
 
 
-def place_of(t: object, domain: Interval) -> mpq | Real:
+def _place_of(t: object, domain: Interval) -> mpq | Real:
     """A parameter in a domain. A float counts with its binary value; where that is outside the domain, the double
     nearest to an end is this end.
     """

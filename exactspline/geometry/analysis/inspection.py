@@ -31,7 +31,7 @@ from exactspline.splines.type_checks import curve_of
 # ---- prominence
 
 
-def prominences(curve: Nurbs) -> tuple[tuple[Feature, Real | None], ...]:
+def _prominences(curve: Nurbs) -> tuple[tuple[Feature, Real | None], ...]:
     """The extrema of the curvature of a curve, each with half of the smaller difference between κ there and at its
     neighbours: the extrema on both sides (in space also points with κ = 0), knots at which the tangent or κ jumps, the
     ends of the domain.
@@ -40,7 +40,7 @@ def prominences(curve: Nurbs) -> tuple[tuple[Feature, Real | None], ...]:
     by as much has none. None where κ has a pole at both neighbours.
 
     >>> from exactspline import example
-    >>> [(found.kind.value, str(least)) for found, least in prominences(example("ellipse"))][:2]
+    >>> [(found.kind.value, str(least)) for found, least in _prominences(example("ellipse"))][:2]
     [('maximum', '7/8'), ('minimum', '7/8')]
 
     Raises `ShapeError` for a curve that is neither in the plane nor in space.
@@ -126,7 +126,7 @@ class Report(OneLine):
         """The stability of features, with the prominence of each extremum of the curvature."""
         if not self.with_stability:
             return ()
-        least: dict[Real, Real | None] = {found.root: x for found, x in prominences(self.curve)}
+        least: dict[Real, Real | None] = {found.root: x for found, x in _prominences(self.curve)}
         return tuple((found, least.get(found.place)) for found in self.analysis.stability)
 
     @property

@@ -77,11 +77,11 @@ from exactspline.splines.nurbs import Nurbs
 WITHOUT_FIRST = Conditions.SECOND | Conditions.MIDDLE
 
 
-def standing(system: System) -> SpecialPairs:
+def _standing(system: System) -> SpecialPairs:
     """The exceptional pairs of two segments of which at least one is a point."""
     first, second = system.first, system.second
     if not first.stands_still:
-        return standing(system.transposed()).transposed()
+        return _standing(system.transposed()).transposed()
     if second.stands_still:
         solutions = Solutions.PLANE if any(system.chord) else Solutions.SPACE
         return SpecialPairs(planes=(PlaneComponent(solutions, Cause.BOTH_STILL, system.sides, None),))
@@ -96,7 +96,7 @@ def standing(system: System) -> SpecialPairs:
 def _planes_over_a_point(system: System) -> tuple[PlaneComponent, ...]:
     """Where the second curve passes through the single point of the first, and at its cusps."""
     side = system.second.interval
-    meetings, cusps = roots_in(in_one(greatest_common_divisor(system.chord), 1), *side), cusps_of(system.second)
+    meetings, cusps = roots_in(in_one(greatest_common_divisor(system.chord), 1), *side), _cusps_of(system.second)
     planes = [
         _plane_at(Solutions.SPACE if t in cusps else Solutions.PLANE, Cause.FIRST_STILL, system, t) for t in meetings
     ]
@@ -104,7 +104,7 @@ def _planes_over_a_point(system: System) -> tuple[PlaneComponent, ...]:
     return tuple(planes)
 
 
-def cusps_of(own: SegmentOfCurve) -> list[Root]:
+def _cusps_of(own: SegmentOfCurve) -> list[Root]:
     """The parameters of a segment at which γ′ = 0."""
     return [root for q in own.cusps for root in roots_in(q, *own.interval)]
 
@@ -114,7 +114,7 @@ def _plane_at(solutions: Solutions, cause: Cause, system: System, t: Root) -> Pl
     return PlaneComponent(solutions, cause, system.sides, equation, of=1, fixed=exactly(t))
 
 
-def over_cusps(system: System) -> SpecialPairs:
+def _over_cusps(system: System) -> SpecialPairs:
     """Lines over the second curve at the cusps of the first, and the pairs at which it passes through one."""
     pairs = SpecialPairs()
     for q in system.first.cusps:
@@ -125,14 +125,14 @@ def over_cusps(system: System) -> SpecialPairs:
 
 def _over_cusp(system: System, equation: fmpz_mpoly, s: Parameter) -> SpecialPairs:
     second = system.second
-    found = lines_at(system, s, Cause.FIRST_CUSP, PairEquation.of(equation), WITHOUT_FIRST)
+    found = _lines_at(system, s, Cause.FIRST_CUSP, PairEquation.of(equation), WITHOUT_FIRST)
     meetings, undecided = _meetings(system, equation, s)
-    cusps = cusps_of(second)
+    cusps = _cusps_of(second)
     pairs = [SinglePair(*x, Solutions.PLANE, Cause.FIRST_CUSP, system) for x in meetings if x[1] not in cusps]
     return found + SpecialPairs(pairs=tuple(pairs), undecided=undecided)
 
 
-def lines_at(
+def _lines_at(
     system: System, s: Parameter, cause: Cause, equation: PairEquation, conditions: Conditions
 ) -> SpecialPairs:
     """The lines over all of the second curve at one parameter of the first; none where the planes are parallel."""
@@ -163,7 +163,7 @@ def over_both_cusps(system: System) -> SpecialPairs:
     """The pairs at which neither curve has a tangent: the plane between the points, or all of space."""
     pairs: list[SinglePair] = []
     undecided: list[str] = []
-    for s, t in product(*[map(exactly, cusps_of(own)) for own in (system.first, system.second)]):
+    for s, t in product(*[map(exactly, _cusps_of(own)) for own in (system.first, system.second)]):
         meet = vanish_together(list(system.chord), s, t)
         if meet is None:
             undecided.append(f"whether the cusps at {brief((s, t))} coincide")
@@ -229,13 +229,13 @@ def branches(g: fmpz_mpoly, sides: Box) -> list[Branch]:
     return branches_of_equation
 
 
-def nodes(g: fmpz_mpoly, sides: Box) -> list[Place]:
+def _nodes(g: fmpz_mpoly, sides: Box) -> list[Place]:
     """The singular pairs of an irreducible equation that need not be limits of branches: where the Hessian is negative
     two branches cross. Raises `ReachError` where this would take too long.
 
     >>> from exactspline.polynomials.two_parameters import S, T
     >>> side = Interval(mpq(-1, 2), mpq(1, 2))
-    >>> nodes(S**3 - S * S - T * T, Box(side, side))
+    >>> _nodes(S**3 - S * S - T * T, Box(side, side))
     [(mpq(0,1), mpq(0,1))]
     """
     first, second = g.derivative(0), g.derivative(1)
@@ -280,8 +280,8 @@ def special_pairs(first: Nurbs, second: Nurbs, budget: Budget | None = None) -> 
 
 def _of_system(system: System) -> SpecialPairs:
     if system.first.stands_still or system.second.stands_still:
-        return standing(system)
-    pairs = over_cusps(system) + over_cusps(system.transposed()).transposed() + over_both_cusps(system)
+        return _standing(system)
+    pairs = _over_cusps(system) + _over_cusps(system.transposed()).transposed() + over_both_cusps(system)
     others = f"lines, planes and poles on {system.sides.shortly} except those at cusps"
     return pairs + _in_reach(others, lambda: _with_tangents(system))
 
@@ -394,7 +394,7 @@ def _along_fixed(system: System, g: fmpz_mpoly) -> SpecialPairs:
     pairs, equation = SpecialPairs(), PairEquation.of(g)
     if _kind(system, g) == Solutions.LINE:
         for root in roots_in(in_one(g, 0), *system.first.interval):
-            pairs += lines_at(system, exactly(root), Cause.DEPENDENT, equation, ALL)
+            pairs += _lines_at(system, exactly(root), Cause.DEPENDENT, equation, ALL)
     return pairs
 
 
@@ -407,7 +407,7 @@ def _along_algebraic(system: System, g: fmpz_mpoly) -> SpecialPairs:
     found_branches, borders = branches(g, sides), border_pairs(g, sides)
     singular, undecided = list[Place](), tuple[str, ...]()
     try:
-        singular = nodes(g, sides)
+        singular = _nodes(g, sides)
     except ReachError:
         undecided = (f"isolated real pairs of {equation.short_text} on {sides.shortly}, if there are any",)
     real = RealZeros(tuple(found_branches), tuple(borders), tuple(singular))
@@ -496,7 +496,7 @@ def runs_on(curve: Nurbs, t: mpq) -> bool:
         before, behind = piece(curve, i - 1), piece(curve, i)
     except ReachError:  # the special pairs there are in `undecided`, so that none can be listed twice
         return False
-    stops = [one.stands_still or t in cusps_of(one) for one in (before, behind)]
+    stops = [one.stands_still or t in _cusps_of(one) for one in (before, behind)]
     if any(stops):
         return all(stops)
     (a, b, c), (x, y, z) = ([from_flint(f(to_fmpq(t))) for f in one.tangent] for one in (before, behind))

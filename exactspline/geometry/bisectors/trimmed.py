@@ -77,19 +77,19 @@ class _Family:
 
     def certain(self, e: fmpz_poly, n: int, parts: list[Interval]) -> bool:
         """Whether it certainly holds on all of the given parts."""
-        if _of_one_sign(self.below, self.whole) or all(holds_certainly(self.rows, e, n, part) for part in parts):
+        if _of_one_sign(self.below, self.whole) or all(_holds_certainly(self.rows, e, n, part) for part in parts):
             return True
         if self.rest is None:
             return False
         rows, degree = self.rest
-        return all(holds_certainly(rows, e, n, part, degree) for part in parts)
+        return all(_holds_certainly(rows, e, n, part, degree) for part in parts)
 
     def of_certain_sign(self, n: int, parts: list[Interval]) -> bool:
         """Whether it certainly has one sign on each of the given parts, whatever the sign of e: the condition then
         changes only at zeros of e.
         """
         rows, m = (self.rows, n) if self.rest is None else self.rest
-        return all(keeps_sign(rows, m, part, 1) or keeps_sign(rows, m, part, -1) for part in parts)
+        return all(_keeps_sign(rows, m, part, 1) or _keeps_sign(rows, m, part, -1) for part in parts)
 
 
 def _without_foot(whole: fmpz_poly, stride: int, n: int, degree: int) -> tuple[list[fmpz_poly], int] | None:
@@ -141,7 +141,7 @@ class Conditions:
         first: dict[int, _Family] = {}
         while True:
             first |= {j: build(j) for j in asked}
-            open_parts = possible_parts([family.rows for family in first.values()], e, n)
+            open_parts = _possible_parts([family.rows for family in first.values()], e, n)
             if not open_parts:
                 return []
             asked = {self._most_against(forms, n, (low + high) / 2) for low, high in open_parts} - first.keys()
@@ -152,7 +152,7 @@ class Conditions:
             family = first.get(j) or build(j)
             if not family.certain(e, n, open_parts):
                 unclear[j] = family
-        open_parts = possible_parts([family.rows for family in (first | unclear).values()], e, n)
+        open_parts = _possible_parts([family.rows for family in (first | unclear).values()], e, n)
         a, b = segment
         intervals: list[tuple[Parameter, Parameter]] = [(a + (b - a) * x, a + (b - a) * y) for x, y in open_parts]
         for family in unclear.values():
@@ -284,11 +284,11 @@ def _intersection(
 DEPTH, DEPTH_OF_BOTH = 10, 10
 
 
-def possible_parts(families: Sequence[Sequence[fmpz_poly]], e: fmpz_poly, n: int) -> list[Interval]:
+def _possible_parts(families: Sequence[Sequence[fmpz_poly]], e: fmpz_poly, n: int) -> list[Interval]:
     """The parts of [0, 1] on which no family is certainly of the other sign than e at the beginning or in the middle
     of its range, neighbours joined; parts with a zero of e only where all families could have one sign.
 
-    >>> possible_parts([[fmpz_poly([-1, 3])]], fmpz_poly([1, 1]), 1)
+    >>> _possible_parts([[fmpz_poly([-1, 3])]], fmpz_poly([1, 1]), 1)
     [Interval(255/1024, 1)]
     """
     samples = [form for rows in families for form in (rows[0], _total(rows))]
@@ -330,7 +330,7 @@ def _has_sign(form: fmpz_poly, sign: int) -> bool:
     return any(x * sign > 0 for x in form.coeffs())
 
 
-def holds_certainly(
+def _holds_certainly(
     rows: Sequence[fmpz_poly], e: fmpz_poly, n: int, interval: Interval, degree: int | None = None
 ) -> bool:
     """Whether a family has the sign of e, or is zero, all over a part: by coefficients on smaller and smaller boxes.
@@ -338,13 +338,13 @@ def holds_certainly(
     Its rows have the degree n of e, or another degree.
     """
     sign = _sign(restrict((e, ONE), n, *interval)[0], n)
-    return bool(sign) and keeps_sign(rows, n if degree is None else degree, interval, sign)
+    return bool(sign) and _keeps_sign(rows, n if degree is None else degree, interval, sign)
 
 
-def keeps_sign(rows: Sequence[fmpz_poly], m: int, interval: Interval, sign: int) -> bool:
+def _keeps_sign(rows: Sequence[fmpz_poly], m: int, interval: Interval, sign: int) -> bool:
     """Whether a family of degree m in z has a sign, or is zero, all over a part; certainly, as above.
 
-    >>> keeps_sign([fmpz_poly([1, -1]), fmpz_poly([2, 1])], 1, Interval(mpq(0), mpq(1, 4)), 1)
+    >>> _keeps_sign([fmpz_poly([1, -1]), fmpz_poly([2, 1])], 1, Interval(mpq(0), mpq(1, 4)), 1)
     True
     """
     todo = [(0, PatchForm.of_rows(rows, m).part(Box(interval, UNIT.second)))]

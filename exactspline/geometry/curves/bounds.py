@@ -114,7 +114,7 @@ def _inside(form: BSpline) -> list[Place]:
     return [exact_place(root) for root in zeros(form) if not root.at_knot]
 
 
-def form_on(facts: Facts, size: Size, i: int) -> Form | None:
+def _form_on(facts: Facts, size: Size, i: int) -> Form | None:
     """The function on a segment; None where it is not defined there."""
 
     def form() -> Form | None:
@@ -136,7 +136,7 @@ def largest(facts: Facts, sizes: Mapping[int, Size]) -> tuple[NamedNumbers, ...]
     Raises `ShapeError` for a curve of a dimension in which there is no such f.
     """
     size = _of(sizes, facts)
-    forms = {i: form for i in range(len(facts.breaks) - 1) if (form := form_on(facts, size, i))}
+    forms = {i: form for i in range(len(facts.breaks) - 1) if (form := _form_on(facts, size, i))}
     if poles := [(i, exact_place(root)) for i, form in forms.items() for root in zeros(form.bottom)]:
         return tuple(_at_points(facts, "unbounded near", poles, {}))
     found = [(i, t, form.at(t)) for i, form in forms.items() for t in _extreme(form)]
@@ -197,7 +197,7 @@ def derivative_by_arc_length(facts: Facts, place: Place, side: Side) -> Real:
     size = _of(CURVATURE_DERIVATIVE, facts)
     i = segment_at(facts.curve, place, side)
     refuse_singular(facts.curve, i, place, side)
-    form, squared = form_on(facts, size, i), form_on(facts, _of(CURVATURE, facts), i)
+    form, squared = _form_on(facts, size, i), _form_on(facts, _of(CURVATURE, facts), i)
     if form is None or squared is None or sign_at(form.bottom, place) == 0:
         raise DomainError("dκ/ds has a pole at this parameter", remedy="choose another parameter")
     value = form.at(place)
@@ -218,7 +218,7 @@ def parts_above(facts: Facts, bound: mpq) -> tuple[NamedNumbers, ...]:
     """
     if bound < 0:
         raise ShapeError(f"a curvature of at most {text(bound)}", remedy="give a number that is not negative")
-    forms = [form_on(facts, _of(CURVATURE, facts), i) for i in range(len(facts.breaks) - 1)]
+    forms = [_form_on(facts, _of(CURVATURE, facts), i) for i in range(len(facts.breaks) - 1)]
     over = [None if x is None else x.top - x.bottom.scaled(bound * bound) for x in forms]
     parts: list[tuple[Real, Real]] = []
     runs_on = False

@@ -250,7 +250,7 @@ def _curvature_on(c: Curve[BSpline], interval: Interval) -> CurvaturePiece:
     if turning.is_zero:
         return CurvaturePiece(interval, 1, turning.constant(0))
     squared = in_lowest_terms(find("curvature_squared")(c))
-    roots = [polynomial_root(part) for part in (squared.numerator, squared.denominator)]
+    roots = [_polynomial_root(part) for part in (squared.numerator, squared.denominator)]
     if None in roots:
         return CurvaturePiece(
             interval, 0, None, "‖γ′‖² is not a constant times a square: the curve is not a Pythagorean hodograph here"
@@ -268,10 +268,10 @@ def _curvature_on(c: Curve[BSpline], interval: Interval) -> CurvaturePiece:
     return CurvaturePiece(interval, radicand, n.scaled(sign * coefficient) / m)
 
 
-def polynomial_root(f: BSpline) -> tuple[BSpline, mpq] | None:
+def _polynomial_root(f: BSpline) -> tuple[BSpline, mpq] | None:
     """A spline r and a constant c with ``f = c r²``, for a spline f of one segment; None where they do not exist.
 
-    >>> polynomial_root(BSpline.bezier([2, -4, 8]))
+    >>> _polynomial_root(BSpline.bezier([2, -4, 8]))
     (BSpline(1, [0, 0, 1, 1], [-1, 2]), mpq(2,1))
     """
     c, m = without_content(f.forms[0])

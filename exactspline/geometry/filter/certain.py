@@ -51,12 +51,12 @@ class Jump(NamedTuple):
     before: int
 
 
-def is_straight(operands: Sequence[fmpz_poly], degree: int) -> bool:
+def _is_straight(operands: Sequence[fmpz_poly], degree: int) -> bool:
     """Whether a segment lies on a line, exactly: its two coordinates and its weight function are linearly dependent.
 
-    >>> is_straight([fmpz_poly([0, 3, 6, 3]), fmpz_poly([1, 3, 3, 1])], 3)
+    >>> _is_straight([fmpz_poly([0, 3, 6, 3]), fmpz_poly([1, 3, 3, 1])], 3)
     True
-    >>> is_straight([fmpz_poly([0, 2, 2]), fmpz_poly([0, 2, 1])], 2)
+    >>> _is_straight([fmpz_poly([0, 2, 2]), fmpz_poly([0, 2, 1])], 2)
     False
     """
     x, y = operands[:2]
@@ -93,7 +93,7 @@ def jumps(
             yield Jump(CRITICAL, i, 1 if left[4 * CRITICAL + 2] > 0 else -1)
 
 
-def on_runs(curve: Nurbs, left: Set[int]) -> tuple[list[Feature], list[Feature]] | None:
+def _on_runs(curve: Nurbs, left: Set[int]) -> tuple[list[Feature], list[Feature]] | None:
     """The zeros of κ and of κ′ on some segments of a curve and at their ends, by exact arithmetic on these segments
     and one more on both sides. None where the whole curve must be decided: at a seam, where γ′ or a form vanishes on a
     whole segment, and where there are many such segments.
@@ -281,7 +281,7 @@ def certain(facts: Facts) -> Certain | None:
         if slow:
             left.add(i)
         elif open_:
-            (straight if is_straight([fmpz_poly(list(c)) for c in rows[i][0]], curve.degree) else left).add(i)
+            (straight if _is_straight([fmpz_poly(list(c)) for c in rows[i][0]], curve.degree) else left).add(i)
     left |= _entangled(found.zeros) - straight
     if left:
         # all once more: the results for different segments are compared, so that they must be in one unit
@@ -294,7 +294,7 @@ def certain(facts: Facts) -> Certain | None:
         left |= _entangled(found.zeros) - straight
     zeros: tuple[list[Found], list[Found]] = ([], [])
     if left:
-        exactly = on_runs(curve, left)
+        exactly = _on_runs(curve, left)
         if exactly is None:
             return None
         zeros[CURVATURE].extend(exactly[CURVATURE])

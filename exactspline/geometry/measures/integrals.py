@@ -169,7 +169,7 @@ def number(terms: Terms) -> Real:
     >>> number(integral(fmpq_poly([4]), fmpq_poly([1, 0, 1]), 1))
     <Real π>
     """
-    by_balls, angles = partial(sum_in_balls, terms), defaultdict[tuple[mpq, int, int], list[tuple[mpq, mpq]]](list)
+    by_balls, angles = partial(_sum_in_balls, terms), defaultdict[tuple[mpq, int, int], list[tuple[mpq, mpq]]](list)
     constant, of_pi, arcs = Real(0), Real(0), list[tuple[Real, Real]]()
     for term in terms:
         angle = term.of and term.of.angle()
@@ -192,7 +192,7 @@ def number(terms: Terms) -> Real:
         return constant
     with ctx.workprec(200):
         # what is not 0 is transcendental
-        may_vanish = sum_in_balls(tuple(term for term in terms if term.of), 200).contains(0)
+        may_vanish = _sum_in_balls(tuple(term for term in terms if term.of), 200).contains(0)
     return InBalls(by_balls) if may_vanish else WithAngles(by_balls, constant, of_pi, tuple(arcs))
 
 
@@ -213,7 +213,7 @@ def _together(numbers: Sequence[tuple[mpq, mpq]], c: int) -> tuple[mpq, Real | N
     return rational((rest / arb.pi()).unique_fmpz() or 0), tangent
 
 
-def sum_in_balls(terms: Terms, bits: int) -> arb:
+def _sum_in_balls(terms: Terms, bits: int) -> arb:
     """A sum, enclosed in the present precision."""
     return sum((term.ball() for term in terms), start=arb(0))
 

@@ -50,9 +50,9 @@ class Segments:
     def boxes(self, shift: int, margin: int = 0) -> BoxTree:
         """The tree of their boxes; without a margin it is kept."""
         if margin:
-            return BoxTree([box_of(segment, shift, margin) for segment in self.rows])
+            return BoxTree([_box_of(segment, shift, margin) for segment in self.rows])
         if shift not in self._trees:
-            self._trees[shift] = BoxTree([box_of(segment, shift) for segment in self.rows])
+            self._trees[shift] = BoxTree([_box_of(segment, shift) for segment in self.rows])
         return self._trees[shift]
 
 
@@ -66,12 +66,12 @@ def shift_for(*curves: Segments) -> int:
     return max(0, BITS - max(own.size for own in curves))
 
 
-def box_of(segment: Segment, shift: int, margin: int = 0) -> IntegerBox:
+def _box_of(segment: Segment, shift: int, margin: int = 0) -> IntegerBox:
     """Integers that enclose ``2^shift`` times every coordinate on a segment, by its control points, with a margin on
     each side; None where their weights have different signs.
 
     >>> from flint import fmpz_poly
-    >>> box_of((1, [fmpz_poly([0, 1]), fmpz_poly([3, 3])]), 2)
+    >>> _box_of((1, [fmpz_poly([0, 1]), fmpz_poly([3, 3])]), 2)
     ((0, 2),)
     """
     n, (*coordinates, w) = segment

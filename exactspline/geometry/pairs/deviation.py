@@ -125,7 +125,7 @@ class OneWay:
         s = _affine(side.local(start.at), side.local(end.at))
         for j, t in pairs:
             squared, weight = (_along(rows, s, _affine(*t)) for rows in self.rows(i, j))
-            if never_positive(squared - weight * to_fmpq(bound)):
+            if _never_positive(squared - weight * to_fmpq(bound)):
                 return True
         return False
 
@@ -170,11 +170,11 @@ def _along(rows: Sequence[fmpz_poly], s: fmpq_poly, t: fmpq_poly) -> fmpq_poly:
     return reduce(lambda value, row: value * t + fmpq_poly(row)(s), reversed(rows), fmpq_poly())
 
 
-def never_positive(p: fmpq_poly) -> bool:
+def _never_positive(p: fmpq_poly) -> bool:
     """Whether coefficients show that a polynomial is not positive from −1 to 1: the first one with those of even powers
     that are positive, and the absolute values of the others.
 
-    >>> never_positive(fmpq_poly([-2, 1, 1])), never_positive(fmpq_poly([-2, 3]))
+    >>> _never_positive(fmpq_poly([-2, 1, 1])), _never_positive(fmpq_poly([-2, 3]))
     (True, False)
     """
     first, *rest = p.coeffs() or [fmpq(0)]

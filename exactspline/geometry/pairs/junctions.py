@@ -85,7 +85,7 @@ class Sides(NamedTuple):
         return 1 if self.jump is None or self.jump > epsilon else 2
 
 
-def pairs_of_ends(first: Nurbs, second: Nurbs) -> list[Sides]:
+def _pairs_of_ends(first: Nurbs, second: Nurbs) -> list[Sides]:
     """The pairs of an end of each curve, the nearest first; none where one of them is closed.
 
     Raises `ShapeError` for curves of different dimensions, and outside plane and space.
@@ -118,7 +118,7 @@ def junctions(first: Nurbs, second: Nurbs) -> tuple[NamedNumbers, ...]:
     >>> nearest, nearest.facts
     (<ends: first 1, second 0, gap 0, angle 0, curvature jump 0>, {'geometric': 3, 'parametric': 0})
     """
-    return tuple(pair.described for pair in pairs_of_ends(first, second))
+    return tuple(pair.described for pair in _pairs_of_ends(first, second))
 
 
 def junctions_within(first: Nurbs, second: Nurbs, epsilon: mpq) -> tuple[NamedNumbers, ...]:
@@ -133,5 +133,5 @@ def junctions_within(first: Nurbs, second: Nurbs, epsilon: mpq) -> tuple[NamedNu
     """
     if epsilon <= 0:
         raise ShapeError(f"within {text(epsilon)}", remedy="give a positive number, such as 1/1000")
-    pairs = pairs_of_ends(first, second)
+    pairs = _pairs_of_ends(first, second)
     return tuple(NamedNumbers("ends", pair.named, {"geometric": pair.order_within(epsilon)}) for pair in pairs)

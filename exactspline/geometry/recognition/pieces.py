@@ -48,7 +48,7 @@ def proved_distance(
 ) -> mpq | None:
     """A distance from a shape that is proved, up to a limit: 0 where all points are on it, otherwise the least of a few
     that are above one that was found; then of larger ones, as it may be farther away elsewhere. None where none was
-    proved. `never_negative` decides it of a function on the curve or the surface.
+    proved. `_never_negative` decides it of a function on the curve or the surface.
     """
     if shape.holds(of):
         return mpq(0)
@@ -60,11 +60,11 @@ def proved_distance(
     return None
 
 
-def never_negative(f: BSpline) -> bool:
+def _never_negative(f: BSpline) -> bool:
     """Whether a function of one parameter is nowhere negative.
 
     >>> t = BSpline.identity(-1, 1)
-    >>> never_negative(t * t), never_negative(t)
+    >>> _never_negative(t * t), _never_negative(t)
     (True, False)
     """
     return signs(f) <= {0, 1}
@@ -308,7 +308,7 @@ def _proved(run: _Run, shape: Shape, limit: mpq) -> RecognizedPiece | None:
     """The run near this shape, with a distance that is proved, or None."""
     if isinstance(shape, CurveShape) and not _runs_once(run, shape):
         return None
-    within = proved_distance(shape, run.curve, upper_square_root(farthest(shape, run.points)), limit, never_negative)
+    within = proved_distance(shape, run.curve, upper_square_root(farthest(shape, run.points)), limit, _never_negative)
     if within is None:
         return None
     piece = CurvePiece((run.curve.domain,))

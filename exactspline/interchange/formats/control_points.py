@@ -18,7 +18,7 @@ from exactspline.interchange.segments import bezier_knots
 from exactspline.numbers.exact import mpq, rational
 
 
-def looks_like(head: bytes) -> bool:
+def _looks_like(head: bytes) -> bool:
     """Always False: rows of numbers occur in many formats, so that only the suffix can decide."""
     return False
 
@@ -51,4 +51,4 @@ def complete(
     collector.add("control points", where, degree, knots, points, weights, homogeneous=homogeneous, notes=notes)
 
 
-FORMAT = Format("cptw", "control points only", (".cptw", ".cpt"), looks_like, read)
+FORMAT = Format("cptw", "control points only", (".cptw", ".cpt"), _looks_like, read)

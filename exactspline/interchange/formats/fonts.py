@@ -32,7 +32,7 @@ SCALED_OFFSET, OVERLAP_COMPOUND, OVERLAP_SIMPLE = 0x0800, 0x0400, 0x40
 OTHER_OUTLINES = ("VARC", "SVG ", "COLR", "CBDT", "sbix", "EBDT")
 
 
-def looks_like(head: bytes) -> bool:
+def _looks_like(head: bytes) -> bool:
     """Whether a file begins with the signature of a TrueType or OpenType font."""
     return head[:4] in MAGIC
 
@@ -191,5 +191,5 @@ class _Glyph:
 
 
 FORMAT = Format(
-    "font", "TrueType and CFF outlines", (".ttf", ".otf", ".ttc"), looks_like, read, pieces=pieces, parts=True
+    "font", "TrueType and CFF outlines", (".ttf", ".otf", ".ttc"), _looks_like, read, pieces=pieces, parts=True
 )

@@ -17,7 +17,7 @@ from exactspline.interchange.xml_tree import Element, parse
 TYPES = {None: None, "offcurve": None, "move": "move", "line": "line", "curve": "curve", "qcurve": "qcurve"}
 
 
-def looks_like(head: bytes) -> bool:
+def _looks_like(head: bytes) -> bool:
     """Whether a file is XML with a glyph element."""
     return b"<glyph" in head[:2000] and b"<svg" not in head[:2000]
 
@@ -64,4 +64,4 @@ def _add(points: object, point: Element, source: Source) -> None:
     points.addPoint(place, TYPES[given.get("type")], given.get("smooth") == "yes")  # type: ignore[attr-defined]  # a pen
 
 
-FORMAT = Format("glif", "GLIF glyph of a UFO", (".glif",), looks_like, read)
+FORMAT = Format("glif", "GLIF glyph of a UFO", (".glif",), _looks_like, read)

@@ -145,10 +145,10 @@ def _property(name: str) -> str:
     return ANY_PROPERTY if "\\" in name else name.strip().lower()
 
 
-def declarations(text: str) -> dict[str, str]:
+def _declarations(text: str) -> dict[str, str]:
     """The properties that a `style` attribute sets, and their values.
 
-    >>> declarations("fill: url(a;b); TRANSFORM : none !important;")
+    >>> _declarations("fill: url(a;b); TRANSFORM : none !important;")
     {'fill': 'url(a;b)', 'transform': 'none'}
     """
     values: dict[str, str] = {}
@@ -162,10 +162,10 @@ def declarations(text: str) -> dict[str, str]:
     return values
 
 
-def in_words(properties: Iterable[str]) -> str:
+def _in_words(properties: Iterable[str]) -> str:
     """A list of properties as text.
 
-    >>> in_words({"r", "d"})
+    >>> _in_words({"r", "d"})
     'd, r'
     """
     return ", ".join(sorted("any property" if name == ANY_PROPERTY else name for name in properties))
@@ -308,7 +308,7 @@ class _Place:
     inside: bool = False
 
 
-def looks_like(head: bytes) -> bool:
+def _looks_like(head: bytes) -> bool:
     """Whether an element svg begins near the start of the file."""
     return bool(re.search(rb"<(\w+:)?svg[\s>]", head))
 
@@ -413,7 +413,7 @@ class _Drawing:
 
     def _placed(self, element: Element, place: _Place) -> _Place:
         """The place where the content of an element is drawn."""
-        style, sheet = declarations(element.attributes.get("style", "")), self.sheet.may_set(element)
+        style, sheet = _declarations(element.attributes.get("style", "")), self.sheet.may_set(element)
         is_root = element is self.root
         if element.tag == "svg" and not is_root and {"x", "y", "viewBox"} & element.attributes.keys():
             raise ShapeError("an inner svg with a viewBox", remedy="flatten the drawing")
@@ -425,10 +425,10 @@ class _Drawing:
                 self.collector.note("the outermost svg is moved on the page: not applied")
             return replace(place, notes=self._hidden(element, style, sheet))
         if given := (SHAPING.get(element.tag, frozenset()) | {"all"}) & {*style, *sheet}:
-            raise ShapeError(f"CSS sets {in_words(given)}", remedy="write attributes")
+            raise ShapeError(f"CSS sets {_in_words(given)}", remedy="write attributes")
         moving = {name for name in MOVING & style.keys() if style[name].lower() != "none"} | MOVING & sheet
         if moving or ORIGIN & sheet:
-            raise ShapeError(f"a transform in CSS ({in_words(moving | ORIGIN & sheet)})", remedy="write an attribute")
+            raise ShapeError(f"a transform in CSS ({_in_words(moving | ORIGIN & sheet)})", remedy="write an attribute")
         local = IDENTITY
         if "transform" not in style:
             local = transform(element.attributes.get("transform", ""), self.collector.limits)
@@ -452,7 +452,7 @@ class _Drawing:
             for name, value in given.items()
             if value not in ("", "none", "visible", "inline", "block", "auto", "inherit")
         ]
-        remarks += [f"a style sheet may hide it ({in_words(may)})"] if may else []
+        remarks += [f"a style sheet may hide it ({_in_words(may)})"] if may else []
         return tuple(remarks)
 
     def _copied(self, use: Element, place: _Place) -> tuple[Element, _Place]:
@@ -578,4 +578,4 @@ def _pair(numbers: NumberText, point: Sequence[mpq]) -> str:
     return ",".join(map(numbers, point))
 
 
-FORMAT = Format("svg", "SVG paths and shapes", (".svg",), looks_like, read, write, LOSES, parts=True)
+FORMAT = Format("svg", "SVG paths and shapes", (".svg",), _looks_like, read, write, LOSES, parts=True)

@@ -25,7 +25,7 @@ from exactspline.verification.vocabulary import Name, Sign
 SIGNS = {"≤": Sign.NONPOSITIVE, "<": Sign.NEGATIVE, "≥": Sign.NONNEGATIVE, ">": Sign.POSITIVE}
 
 
-def compared_with(claim: Claim, name: str, value: str) -> tuple[str, mpq]:
+def _compared_with(claim: Claim, name: str, value: str) -> tuple[str, mpq]:
     """A relation and a number.
 
     Raises `ClaimError` for any other text.
@@ -37,7 +37,7 @@ def compared_with(claim: Claim, name: str, value: str) -> tuple[str, mpq]:
 
 
 def _bound(claim: Claim, name: str, value: str) -> str:
-    relation, bound = compared_with(claim, name, value)
+    relation, bound = _compared_with(claim, name, value)
     return f"{relation} {text(bound)}"
 
 
@@ -120,7 +120,7 @@ class Bound(ExampleClaim):
 
     def examine(self, argument: Evaluated, own: Evaluation) -> Finding:
         """The sign of the value less its bound; of a length that of the squares."""
-        relation, bound = compared_with(self, "bound", self.bound)
+        relation, bound = _compared_with(self, "bound", self.bound)
         parts, below = split(continued(self.find(self.formula)(argument)))
         top, is_length = parts[0], len(parts) > 1
         below = top.constant(1) if below is None else below
@@ -153,7 +153,7 @@ class DistanceClaim(ExampleClaim):
 
     def examine(self, argument: Evaluated, own: Evaluation) -> Finding:
         """The squared distance, which is algebraic, compared with the square of the bound."""
-        relation, bound = compared_with(self, "bound", self.bound)
+        relation, bound = _compared_with(self, "bound", self.bound)
         found = distance(own.curve, self.curve_named(self.other))
         if found.undecided:
             return undecided(ReachError("; ".join(found.undecided)))
