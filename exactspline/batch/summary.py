@@ -84,7 +84,7 @@ class Summary:
         self.seconds += line.seconds
         if line.degree is not None:
             self.degrees[line.degree] += 1
-        name = _curve_name(line)
+        name = ": ".join(dict.fromkeys(filter(None, (line.source, line.curve)))) or f"curve {line.index}"
         if line.error is not None:
             self.errors[line.error.kind] += 1
             if not line.error.bad_input:
@@ -161,8 +161,3 @@ def _set_aside(line: Line) -> Iterator[str]:
         yield FALLBACK
     if any(each.verdict == UNDECIDED for each in line.claims):
         yield OPEN
-
-
-def _curve_name(line: Line) -> str:
-    """A curve by its source and its name."""
-    return ": ".join(dict.fromkeys(filter(None, (line.source, line.curve)))) or f"curve {line.index}"

@@ -104,10 +104,6 @@ def _is(n: Expression, value: int) -> bool:
     return n.op is Operation.NUMBER and n.value == value
 
 
-def _is_integer(n: Expression) -> bool:
-    return n.op is Operation.NUMBER and n.value == int(n.value)
-
-
 def _number(value: Number) -> Expression:
     return Expression(Operation.NUMBER, value=value)
 
@@ -146,7 +142,7 @@ def _product(n: Expression, a: Expression, b: Expression) -> Expression:
             return _negative(other)
         if unit.op is Operation.NEGATIVE and other.op is not Operation.NUMBER:
             return _negative(_product(n, unit.args[0], other) if unit is a else _product(n, other, unit.args[0]))
-    if _is_integer(b) and a.op is not Operation.NUMBER and not a.is_vector:
+    if b.op is Operation.NUMBER and b.value == int(b.value) and a.op is not Operation.NUMBER and not a.is_vector:
         return _in_front(b, a)
     return n if a is n.args[0] and b is n.args[1] else _made(Operation.TIMES, a, b)
 

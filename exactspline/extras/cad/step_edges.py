@@ -77,11 +77,6 @@ ANY_SURFACE = frozenset((KEYWORDS[SURFACE].spline, KEYWORDS[SURFACE].rational, *
 FACES = ("ADVANCED_FACE", "FACE_SURFACE", "CURVE_BOUNDED_SURFACE", "RECTANGULAR_TRIMMED_SURFACE")
 
 
-def _built_curve(file: StepFile, entity: dict[str, list[Value]], where: str) -> NamedCurve:
-    """The spline curve of an instance."""
-    return file.collector.built(where, **_spline(file, CURVE, entity, where))
-
-
 def add_surface(file: StepFile, entity: dict[str, list[Value]], where: str) -> None:
     """Add the spline surface of an instance."""
     file.collector.add_spline(SURFACE, where, **_spline(file, SURFACE, entity, where))
@@ -310,7 +305,7 @@ class Edges:
         where = where or reference
         entity = parts(self.file.instances[int(reference[1:])], self.file.limits)
         if POLYLINE not in entity:
-            return _built_curve(self.file, entity, where)
+            return self.file.collector.built(where, **_spline(self.file, CURVE, entity, where))
         given = entity[POLYLINE]
         points = [self.file.point(each) for each in self.file.texts(given[-1] if given else "")]
         knots = [mpq(max(0, min(i - 1, len(points) - 1))) for i in range(len(points) + 2)]

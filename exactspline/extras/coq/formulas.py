@@ -156,7 +156,7 @@ class Writer:
 
         Raises `FormulaError` for a tree that depends on two of them.
         """
-        parts = _paths(node)
+        parts = {f"{path}." if path else "" for path in (name.rpartition(".")[0] for name in leaves(node))}
         if len(parts) > 1:
             raise FormulaError(
                 "a derivative of a value that depends on two parameters", remedy="name the parameter: d(1, by=…)"
@@ -210,11 +210,6 @@ def sum_of_products(terms: Iterable[tuple[int, Sequence[tuple[str, int]]]], numb
 def leaves(tree: Node) -> set[str]:
     """The operands that occur in a tree, by name."""
     return {node.value for node in nodes(tree) if node.op is Operation.LEAF}
-
-
-def _paths(node: Node) -> set[str]:
-    """The parts of the argument whose operands occur in a tree."""
-    return {f"{path}." if path else "" for path in (name.rpartition(".")[0] for name in leaves(node))}
 
 
 class _Called(NamedTuple):
