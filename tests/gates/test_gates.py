@@ -235,7 +235,6 @@ BARE_LISTS = {
     "geometry/analysis/surfaces.py: SurfaceInspection.umbilics_below_rounding": "some of the points of an answer",
     "bivariate/borders.py: roots_along": "a step of a search",
     "bivariate/quotients.py: border_pairs": "a step of a search",
-    "geometry/filter/certain.py: _on_runs": "what belongs to some segments, joined with the points of the others",
     "geometry/bisectors/components.py: LinePiece.poles": "its denominator does not vanish throughout",
     "geometry/curves/facts.py: Facts.regular": "some of the roots given",
     "geometry/curves/facts.py: Facts.regular_pairs": "some of the roots given",
