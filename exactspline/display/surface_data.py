@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from math import prod
 from operator import itemgetter
 from typing import Any
@@ -127,7 +128,7 @@ def _hull(piece: Piece) -> Box:
 
 
 _PATCH = pair_of(INTEGER)
-_PATCHES = record(patches=list_of(_PATCH))
+_PATCHES = record(patches=replace(list_of(_PATCH), leaves=lambda found: [("", ", ".join(map(str, found)))]))
 _SIDES = BOX.of("sides")
 #: A part of a surface all of whose points belong to an answer.
 _PART = record(record(patch=_PATCH), _SIDES)
