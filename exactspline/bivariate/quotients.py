@@ -11,7 +11,7 @@ from flint import arb, fmpq_poly, fmpz_mpoly, fmpz_poly
 
 from exactspline.bivariate.borders import Patch
 from exactspline.bivariate.common_zeros import Column, CommonZero, common_zeros, projected, zeros_of
-from exactspline.numbers.exact import lcm, mpq, to_fmpq, to_fmpz
+from exactspline.numbers.exact import lcm, mpq, rational, to_fmpq, to_fmpz
 from exactspline.numbers.intervals import UNIT, Box, ball_around
 from exactspline.numbers.once import cached_property
 from exactspline.polynomials.bernstein import over_common_denominator
@@ -130,6 +130,7 @@ class Quotient:
 
     def __init__(self, top: fmpz_mpoly, bottom: fmpz_mpoly, sides: Box) -> None:
         self.top, self.bottom, self.sides = top, bottom, sides
+        self._lines = dict[tuple[int, mpq], list[fmpq_poly]]()
 
     @cached_property
     def slopes(self) -> list[fmpz_mpoly]:
@@ -152,10 +153,13 @@ class Quotient:
         """The value at parameters of which one is rational."""
         k, known, other = (0, s, t) if not isinstance(s, Root) else (1, t, s)
         assert not isinstance(known, Root)
-        top, bottom = (
-            fmpq_poly([row(to_fmpq(known)) for row in rows_of(p if k == 0 else p.compose(T, S))])
-            for p in (self.top, self.bottom)
-        )
+        if (k, known) not in self._lines:
+            x = to_fmpq(known)
+            rows = [rows_of(p if k == 0 else p.compose(T, S)) for p in (self.top, self.bottom)]
+            self._lines[k, known] = [fmpq_poly([row(x) for row in own]) for own in rows]
+        top, bottom = self._lines[k, known]
+        if not isinstance(other, Root):
+            return Real(rational(top(to_fmpq(other)) / bottom(to_fmpq(other))))
         return _in_one_parameter(top, bottom, mpq(1), other)
 
     def at(self, zero: CommonZero, pair: Sequence[PatchForm] = ()) -> Real:

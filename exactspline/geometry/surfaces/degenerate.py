@@ -89,4 +89,6 @@ def _common_point(surface: NurbsSurface, nets: Sequence[list[mpq]]) -> tuple[mpq
 def closed_along(surface: NurbsSurface, along: Along) -> bool:
     """Whether the first and the last isoparametric line across a parameter are the same curve."""
     (a, b), other = surface.domain[along.direction], Along.V if along is Along.U else Along.U
-    return surface.isocurve(other, a) == surface.isocurve(other, b)
+    ends = [(t, surface.domain[1 - along.direction].low)[:: -1 if along.direction else 1] for t in (a, b)]
+    # two points tell most surfaces that are not
+    return surface(*ends[0]) == surface(*ends[1]) and surface.isocurve(other, a) == surface.isocurve(other, b)
