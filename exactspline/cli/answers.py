@@ -14,6 +14,7 @@ if TYPE_CHECKING:
     from exactspline.display.sheet import Sheet
     from exactspline.geometry.analysis.ask import About
     from exactspline.geometry.analysis.pairs import CurvePair
+    from exactspline.geometry.analysis.surface_pairs import SurfacePair
     from exactspline.questions.entry import Of
     from exactspline.splines.surface import NurbsSurface
 
@@ -23,10 +24,10 @@ DIGITS = 1000
 _Asked = Sequence[tuple[Mapping[str, object], "About"]]
 
 
-def refuse_with_ask(options: Mapping[str, object]) -> None:
-    """See that no option is given that has no effect beside a question."""
+def refuse_with_ask(options: Mapping[str, object], what: str = "--ask") -> None:
+    """See that no option is given that has no effect beside a question, or beside something else."""
     if refused := next((option for option, value in options.items() if value), ""):
-        raise OptionsError(f"{refused} and --ask", remedy=f"give {refused} in a command without --ask")
+        raise OptionsError(f"{refused} and {what}", remedy=f"give {refused} in a command without {what}")
 
 
 def answer_about_curves(
@@ -46,11 +47,14 @@ def answer_about_curves(
     _answer(out, given, asked, digits, (Of.REGION,) if region else ALL_CURVES, certificates=certificates, good=good)
 
 
-def answer_about_pair(out: Output, pair: CurvePair, asked: list[str], digits: int) -> None:
-    """Answer questions about two curves."""
-    from exactspline.questions.entry import Of
+def answer_about_pair(out: Output, pair: CurvePair | SurfacePair, asked: list[str], digits: int) -> None:
+    """Answer questions about two curves, or two surfaces."""
+    from exactspline.geometry.analysis.ask import kind_of
+    from exactspline.geometry.analysis.pairs import CurvePair
 
-    _answer(out, [({"curve": " and ".join(c.name for c in pair.curves)}, pair)], asked, digits, (Of.TWO_CURVES,))
+    of = {"curve": pair.curves} if isinstance(pair, CurvePair) else {"surface": pair.surfaces}
+    given = {what: " and ".join(each.name for each in both) for what, both in of.items()}
+    _answer(out, [(given, pair)], asked, digits, (kind_of(pair),))
 
 
 def answer_about_surfaces(

@@ -1,4 +1,4 @@
-"""``between``: what two curves have in common."""
+"""``between``: what two curves have in common, or how two surfaces meet along their borders."""
 
 from __future__ import annotations
 
@@ -13,19 +13,22 @@ from exactspline.cli.common import (
     check_distance,
     check_output,
     load_curve,
+    only_one,
+    reading_of,
     tell_written,
     with_distance,
     write_theorems,
 )
 from exactspline.cli.output import Output, printing
 from exactspline.cli.parameters import Argument, Option
+from exactspline.cli.surfaces import surfaces_among, surfaces_in
 
 
 @printing
 def between(
     out: Output,
     curve: Annotated[str, Argument(help=CURVE_HELP)],
-    other: Annotated[str, Argument(help="A second curve, of the same dimension.")],
+    other: Annotated[str, Argument(help="A second curve, of the same dimension; or two surfaces.")],
     ask: Annotated[
         list[str] | None,
         Option(
@@ -58,17 +61,25 @@ def between(
     ] = "",
 ) -> None:
     """All points that two curves have in common, exactly, with multiplicities; the arcs along which they run together;
-    or, if there are none, the pairs of points at the least distance.
+    or, if there are none, the pairs of points at the least distance. Of two surfaces: the arcs that their borders have
+    in common, and how they meet there (common_borders).
     """
     from exactspline.display import console
     from exactspline.display.answer_forms import FORMS_BESIDE, answers_data, pair_sheet
     from exactspline.display.features import common_points_sheet
     from exactspline.geometry.analysis.pairs import CurvePair
+    from exactspline.geometry.analysis.surface_pairs import SurfacePair
 
     refuse_with_ask({"--plot": plot, "--emit-coq": emit_coq} if ask else {})
     check_output(plot, curve, other)
     check_output(emit_coq, curve, other)
-    first, second = load_curve(curve), load_curve(other)
+    readings = [(name, reading_of(name)) for name in (curve, other)]
+    if len(found := surfaces_among(readings, requested=False)) == len(readings):
+        refuse_with_ask({"--plot": plot, "--emit-coq": emit_coq, "--epsilon": epsilon}, "surfaces")
+        surfaces = [only_one(surfaces_in(*each), "surface", each[0], "--surfaces ") for each in found]
+        answer_about_pair(out, SurfacePair(*surfaces), ask or ["common_borders"], digits)
+        return
+    first, second = (load_curve(*each) for each in readings)
     if emit_coq:
         write_theorems(emit_coq, first, second)
     if epsilon:

@@ -84,9 +84,9 @@ def claims_of_papers(names: Sequence[str] | None, trust: bool) -> tuple[Claim, .
     return claims_in(sources)
 
 
-def load_curve(name: str) -> Nurbs:
-    """The one curve that a name, a file or standard input (``-``) means."""
-    return only_one(_curves_in(name, reading_of(name))[0], "curve", name)
+def load_curve(name: str, reading: Reading | None = None) -> Nurbs:
+    """The one curve that a name, a file or standard input (``-``) means; of what was read there, where it was."""
+    return only_one(_curves_in(name, reading or reading_of(name))[0], "curve", name)
 
 
 def only_one(found: Sequence[C], what: str, name: str, options: str = "") -> C:

@@ -91,6 +91,7 @@ class Of(StrEnum):
     CURVE = "curve of another dimension"
     PAIR = "pair of space curves"
     TWO_CURVES = "two curves"
+    TWO_SURFACES = "two surfaces in space"
     REGION = "region of several curves"
 
 

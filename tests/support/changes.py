@@ -5,17 +5,19 @@ where parameters and points go: made of knots and control points alone, so that 
 from dataclasses import dataclass
 from functools import partial
 from itertools import pairwise
+from random import Random
 
 from gmpy2 import mpq
 
 from exactspline import BSpline, Nurbs
 from exactspline.geometry.analysis.curves import analyse
 from exactspline.geometry.analysis.pairs import CurvePair
+from exactspline.geometry.analysis.surface_pairs import SurfacePair
 from exactspline.geometry.bisectors.two_curves import CurveBisector
 from exactspline.geometry.pairs.regions import Region
 from exactspline.questions.entry import Of
 from exactspline.splines.surface import NurbsSurface
-from tests.support.images import Image, Motion, Way
+from tests.support.images import BothImages, Image, Motion, Way
 
 #: How near a knot is put to what was found.
 NEAR = mpq(1, 2**300)
@@ -467,6 +469,38 @@ OF_SURFACES = {
     "exchanged": exchanged_surface,
 }
 
+# ---- two surfaces
+
+
+def of_one_surface(change, pair, random):
+    """One of two surfaces written otherwise."""
+    k = random.randrange(2)
+    found = change(pair.surfaces[k], random)
+    if not found or not found[0]:
+        return None
+    surfaces, images = list(pair.surfaces), [Image(), Image()]
+    surfaces[k], images[k] = found
+    return SurfacePair(*surfaces), BothImages(tuple(images))
+
+
+def move_surfaces(kind, pair, random):
+    """Both surfaces moved by one motion."""
+    seed = random.randrange(1 << 30)
+    moved = [move_surface(kind, each, Random(seed)) for each in pair.surfaces]
+    return SurfacePair(*(each for each, _ in moved)), BothImages(motion=moved[0][1].motion)
+
+
+def exchanged_surfaces(pair, random):
+    """The second surface first."""
+    return SurfacePair(*pair.surfaces[::-1]), BothImages(exchanged=True)
+
+
+OF_SURFACE_PAIRS = {
+    **{f"{name} of one": partial(of_one_surface, x) for name, x in OF_SURFACES.items() if name not in MOTIONS},
+    **{name: partial(move_surfaces, kind) for name, kind in MOTIONS.items()},
+    "exchanged": exchanged_surfaces,
+}
+
 #: The changes of each kind of object, by their names.
 CHANGES = {
     Of.PLANE_CURVE: OF_CURVES,
@@ -475,5 +509,6 @@ CHANGES = {
     Of.PAIR: OF_BISECTORS,
     Of.REGION: OF_REGIONS,
     Of.SURFACE: OF_SURFACES,
+    Of.TWO_SURFACES: OF_SURFACE_PAIRS,
     Of.PLANAR_MAP: OF_SURFACES,
 }

@@ -9,6 +9,7 @@ from gmpy2 import mpq
 from exactspline import Nurbs
 from exactspline.geometry.analysis.curves import analyse
 from exactspline.geometry.analysis.pairs import CurvePair
+from exactspline.geometry.analysis.surface_pairs import SurfacePair
 from exactspline.geometry.analysis.surfaces import PatchKind
 from exactspline.geometry.bisectors.two_curves import CurveBisector
 from exactspline.geometry.pairs.regions import Region
@@ -16,6 +17,7 @@ from exactspline.interchange.examples import example
 from exactspline.questions.entry import Of
 from exactspline.splines.surface import NurbsSurface
 from exactspline.splines.tensor import TensorSpline
+from tests.campaigns.common_borders import FAMILIES, drawn
 from tests.support.changes import MOTIONS, from_seam, moved_curve
 from tests.support.dials import DIALS
 
@@ -203,6 +205,11 @@ def net(random, dimension, degree):
     return net(random, dimension, degree) if bare else made
 
 
+def surface_pair(random):
+    """Two surfaces that have a border in common, of small degree, in every way of meeting there."""
+    return SurfacePair(*drawn(random.choice(list(FAMILIES)), random.choice(CHOSEN), random.randrange(1 << 30)))
+
+
 def planar_map(random):
     """A map of the unit square into the plane, regular or folded."""
     if random.random() < 0.3:
@@ -248,5 +255,6 @@ DRAWN = {
     Of.PAIR: light_bisector,
     Of.REGION: region,
     Of.SURFACE: surface,
+    Of.TWO_SURFACES: surface_pair,
     Of.PLANAR_MAP: planar_map,
 }

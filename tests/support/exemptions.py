@@ -52,6 +52,12 @@ EXEMPTIONS = [
     (CURVES, ("length_between",), ("other seam",), "what is between two parameters goes with the seam"),
     (CURVES, ("turning_points", "bounding_box", "at_coordinate"), ("rotated",), "a turned coordinate is none"),
     ((Of.TWO_CURVES,), ("junctions_within",), ("scaled",), "one number bounds lengths, angles and curvatures"),
+    (
+        (Of.TWO_SURFACES,),
+        ("common_borders",),
+        ("moebius of one",),
+        "of borders whose parameters are no linear functions of each other the order is not told",
+    ),
     (IN_THE_PLANE, ("moments",), ("rotated",), "a turned coordinate is none"),
     ((Of.SURFACE,), ("bounding_box",), ("rotated",), "a turned coordinate is none"),
     ((Of.SURFACE,), ("patches",), OF_SURFACES, "a part of a patch may be of one kind"),

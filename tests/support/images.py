@@ -10,6 +10,7 @@ from gmpy2 import mpq
 from exactspline import Nurbs
 from exactspline.errors import OpenError, ReachError
 from exactspline.geometry.analysis.pairs import CurvePair
+from exactspline.geometry.analysis.surface_pairs import SurfacePair
 from exactspline.geometry.bisectors.two_curves import CurveBisector
 from exactspline.geometry.pairs.regions import Region
 from exactspline.reals.real import Real
@@ -179,6 +180,23 @@ class Image:
         return sum(flips) % 2 == 1
 
 
+@dataclass(frozen=True)
+class BothImages:
+    """Where the parameters of each of two surfaces go, whether the surfaces are exchanged, and where points go."""
+
+    images: tuple[Image, Image] = (Image(), Image())
+    exchanged: bool = False
+    motion: Motion = Motion()
+
+    def then(self, other):
+        """This one, then another."""
+        images = other.images[::-1] if self.exchanged else other.images
+        joined = tuple(own.then(image) for own, image in zip(self.images, images, strict=True))
+        return BothImages(joined, self.exchanged != other.exchanged, self.motion.then(other.motion))
+
+    turns = turns_over = False
+
+
 class Ring(NamedTuple):
     """The domain of one parameter, and its knots; whether its ends are one point."""
 
@@ -203,6 +221,8 @@ def rings(thing):
         return (Ring(*thing.domain, thing.closed, tuple(thing.breakpoints)),) * 2
     if isinstance(thing, CurvePair | CurveBisector | Region):
         return tuple(rings(curve)[0] for curve in thing.curves)
+    if isinstance(thing, SurfacePair):
+        return tuple(map(rings, thing.surfaces))
     assert isinstance(thing, NurbsSurface)
     return tuple(
         Ring(*thing.domain[along.direction], closed_in(thing, along), breaks_of(thing, along)) for along in Along

@@ -19,6 +19,7 @@ from exactspline.geometry.analysis.ask import asked_of
 from exactspline.geometry.analysis.curves import analyse
 from exactspline.geometry.analysis.pairs import CurvePair
 from exactspline.geometry.analysis.registry import REGISTRY
+from exactspline.geometry.analysis.surface_pairs import SurfacePair
 from exactspline.geometry.bisectors.two_curves import CurveBisector
 from exactspline.geometry.pairs.regions import Region
 from exactspline.questions import takes
@@ -29,7 +30,7 @@ from exactspline.splines.surface import NurbsSurface
 from tests.support.changes import CHANGES
 from tests.support.drawn import DRAWN
 from tests.support.exemptions import DEAR, EXEMPTIONS, NOT_TRANSPORTED, WHERE_DECIDED
-from tests.support.images import Image, rings
+from tests.support.images import BothImages, Image, rings
 from tests.support.transport import NUMBERS, POWERS, Refused, To, rows, same, shown
 
 #: Several curves that are asked together.
@@ -44,7 +45,8 @@ def kind_of(thing):
         return Of.PLANE_CURVE if thing.dimension == 2 else Of.SPACE_CURVE
     if isinstance(thing, NurbsSurface):
         return Of.PLANAR_MAP if thing.dimension == 2 else Of.SURFACE
-    return {CurveBisector: Of.PAIR, Region: Of.REGION, CurvePair: Of.TWO_CURVES}[type(thing)]
+    kinds = {CurveBisector: Of.PAIR, Region: Of.REGION, CurvePair: Of.TWO_CURVES, SurfacePair: Of.TWO_SURFACES}
+    return kinds[type(thing)]
 
 
 class Itself:
@@ -63,7 +65,7 @@ class Itself:
 @lru_cache(maxsize=64)
 def facts_of(itself):
     """What is known of a thing, kept between its questions."""
-    return itself.thing if isinstance(itself.thing, WITH_CURVES) else analyse(itself.thing)
+    return itself.thing if isinstance(itself.thing, (*WITH_CURVES, SurfacePair)) else analyse(itself.thing)
 
 
 def ask(thing, name, given=()):
@@ -381,7 +383,7 @@ def applied(thing, letters):
 @lru_cache(maxsize=64)
 def _applied(itself, letters):
     thing = itself.thing
-    image, made = Image(), ()
+    image, made = BothImages() if isinstance(thing, SurfacePair) else Image(), ()
     for each in letters:
         found = CHANGES[kind_of(thing)][each.name](thing, Random(each.seed))
         if found:
@@ -423,6 +425,8 @@ def described(thing):
     """A thing as it can be written down again."""
     if isinstance(thing, WITH_CURVES):
         return " and ".join(map(described, thing.curves))
+    if isinstance(thing, SurfacePair):
+        return " and ".join(map(described, thing.surfaces))
     if isinstance(thing, Nurbs):
         data = [list(map(str, thing.knots)), [[*map(str, p)] for p in thing.control_points], [*map(str, thing.weights)]]
         return f"Nurbs({thing.degree}, {', '.join(map(str, data))})"
@@ -433,6 +437,8 @@ def described(thing):
 
 def dimension_of(thing):
     """The number of coordinates."""
+    if isinstance(thing, SurfacePair):
+        return 3
     return thing.curves[0].dimension if isinstance(thing, WITH_CURVES) else thing.dimension
 
 
@@ -446,7 +452,8 @@ def differing(thing, entry, given, letters, asking=ask):
     flipped = turned[0] if turned else dimension == 2 and image.turns
     to = To(thing, image, rings(changed), dimension, name, given, flipped)
     expected = rows(asking(thing, name, given), to)
-    found = rows(asking(changed, other_name, others), To(changed, Image(), rings(changed), dimension, name, others))
+    same_place = type(image)()
+    found = rows(asking(changed, other_name, others), To(changed, same_place, rings(changed), dimension, name, others))
     if same(found, expected) or (name in WHERE_DECIDED and any(map(undecided, (found, expected)))):
         return None
     return shown(found), shown(expected)

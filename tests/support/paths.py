@@ -17,6 +17,7 @@ from exactspline.geometry.analysis.ask import asked_of
 from exactspline.geometry.analysis.many_curves import features_of_curves
 from exactspline.geometry.analysis.pairs import CurvePair
 from exactspline.geometry.analysis.registry import REGISTRY
+from exactspline.geometry.analysis.surface_pairs import SurfacePair
 from exactspline.geometry.pairs.regions import Region
 from exactspline.interchange.files import write
 from exactspline.programs import accelerator, certain_pairs
@@ -35,6 +36,8 @@ def again(thing):
     """The same curve, pair of curves, or surface, of which nothing is known."""
     if isinstance(thing, CurvePair):
         return CurvePair(*map(again, thing.curves))
+    if isinstance(thing, SurfacePair):
+        return SurfacePair(*map(again, thing.surfaces))
     if isinstance(thing, Region):
         return Region(map(again, thing.curves), thing.rule)
     if isinstance(thing, NurbsSurface):

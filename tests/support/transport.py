@@ -472,6 +472,24 @@ def as_offset_part(found, values, to):
     return ["corner"], [to.parameter(values["corner"]), *first, *last]
 
 
+def as_common_border(found, values, to):
+    """An arc of two borders, or a point of it, by the parameters of both: the surface that is first then first."""
+    borders, numbers = [], []
+    for k, name in enumerate(("first", "second")):
+        own = to.rings[1 - k if to.image.exchanged else k]
+        one = To(to.asked.surfaces[k], to.image.images[k], own, 3)
+        letter, value = found.facts[f"{name} border"].split(" = ")
+        way = "uv".index(letter)
+        moved = [one.parameter(x, 1 - way) for key, x in values.items() if key.split()[0] == name]
+        borders.append(f"{one.along(Along(letter))} = {one.image.ways[way].to(mpq(value))}")
+        numbers.append(moved)
+    if to.image.exchanged:
+        borders, numbers = borders[::-1], numbers[::-1]
+    pairs = sorted(zip(*numbers, strict=True), key=lambda pair: pair[0].low)
+    angle = [values["angle"]] if "angle" in values else []
+    return (found.what, *borders, str(found.facts.get("order"))), [*(x for pair in pairs for x in pair), *angle]
+
+
 #: How the numbers go that answer a question.
 NUMBERS = {
     "offset_parts": as_offset_part,
@@ -484,6 +502,7 @@ NUMBERS = {
     "curvature_at_most": as_bounded,
     "junctions": as_junction,
     "junctions_within": as_junction,
+    "common_borders": as_common_border,
     "value": as_point,
     "derivative": as_derivative,
     "curvature": as_curvature,

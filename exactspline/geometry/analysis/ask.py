@@ -1,4 +1,4 @@
-"""``ask``: any question, given as text, of a curve, a surface, a map of the plane or two curves."""
+"""``ask``: any question, given as text, of a curve, a surface, a map of the plane, two curves or surfaces."""
 
 from __future__ import annotations
 
@@ -11,6 +11,7 @@ from exactspline.geometry.analysis.curves import QUESTIONS, Analysis, analyse, k
 from exactspline.geometry.analysis.pairs import CurvePair
 from exactspline.geometry.analysis.planar_maps import MapInspection
 from exactspline.geometry.analysis.registry import REGISTRY
+from exactspline.geometry.analysis.surface_pairs import SurfacePair
 from exactspline.geometry.analysis.surfaces import SurfaceInspection
 from exactspline.geometry.bisectors.two_curves import CurveBisector
 from exactspline.geometry.curves.planarity import in_common_plane
@@ -28,12 +29,13 @@ from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.surface import NurbsSurface
 
 #: What questions are asked of: an object, or what is known of it.
-About: TypeAlias = Nurbs | NurbsSurface | tuple[Nurbs, Nurbs] | Remembers
+About: TypeAlias = Nurbs | NurbsSurface | tuple[Nurbs, Nurbs] | tuple[NurbsSurface, NurbsSurface] | Remembers
 #: The kinds of objects by what is known of them.
 KINDS: dict[type, Of] = {
     SurfaceInspection: Of.SURFACE,
     MapInspection: Of.PLANAR_MAP,
     CurvePair: Of.TWO_CURVES,
+    SurfacePair: Of.TWO_SURFACES,
     CurveBisector: Of.PAIR,
     Region: Of.REGION,
 }
@@ -60,7 +62,7 @@ class Asked(OneLine):
 
 
 def ask(about: About, question: str) -> object:
-    """The exact answer to a question, given as text, of a curve, of a surface, or of two curves.
+    """The exact answer to a question, given as text, of a curve, of a surface, of two curves, or of two surfaces.
 
     The questions are those of ``exactspline list questions``. The same answers are attributes and methods of what
     `analyse` returns.
@@ -156,7 +158,9 @@ def facts_about(about: About) -> Remembers:
     """
     if isinstance(about, Remembers):
         return about
-    return CurvePair(*about) if isinstance(about, tuple) else analyse(about)
+    if not isinstance(about, tuple):
+        return analyse(about)
+    return (SurfacePair if isinstance(about[0], NurbsSurface) else CurvePair)(*about)
 
 
 def kind_of(facts: Remembers) -> Of:
@@ -205,7 +209,7 @@ def _either(kinds: Sequence[Of]) -> str:
     """Kinds of objects as words."""
     of_all = set(ALL_CURVES) <= {*kinds}
     rest = [kind for kind in kinds if not (of_all and kind in ALL_CURVES)]
-    return " or ".join(["a curve"] * of_all + [kind if kind is Of.TWO_CURVES else f"a {kind}" for kind in rest])
+    return " or ".join(["a curve"] * of_all + [kind if kind.startswith("two ") else f"a {kind}" for kind in rest])
 
 
 class Listed(NamedTuple):

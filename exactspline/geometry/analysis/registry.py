@@ -9,13 +9,14 @@ from collections.abc import Container
 from exactspline.geometry.analysis.curves import Analysis
 from exactspline.geometry.analysis.pairs import CurvePair
 from exactspline.geometry.analysis.planar_maps import MapInspection
+from exactspline.geometry.analysis.surface_pairs import SurfacePair
 from exactspline.geometry.analysis.surfaces import SurfaceInspection
 from exactspline.geometry.bisectors.two_curves import CurveBisector
 from exactspline.geometry.pairs.regions import Region
 from exactspline.questions.entry import Entry, Of, questions_of
 
 #: The classes whose properties are questions.
-ASKED = (Analysis, SurfaceInspection, MapInspection, CurveBisector, CurvePair, Region)
+ASKED = (Analysis, SurfaceInspection, MapInspection, CurveBisector, CurvePair, SurfacePair, Region)
 #: The questions by the kind of object that they are asked of, and by their names.
 REGISTRY: dict[Of, dict[str, Entry]] = {
     of: {name: entry for owner in ASKED for name, entry in questions_of(owner).items() if of in entry.about.of}

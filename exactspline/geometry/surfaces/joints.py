@@ -14,21 +14,27 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from enum import StrEnum
-from functools import reduce
 from itertools import count, pairwise, starmap
-from operator import add
 
 from exactspline.bivariate.borders import Patch
 from exactspline.geometry.curves.angles import Angle
 from exactspline.geometry.surfaces.degenerate import line_points
 from exactspline.geometry.surfaces.forms import SurfaceForms
+from exactspline.language.vector import Vector, cross, dot
 from exactspline.numbers.exact import mpq
 from exactspline.numbers.intervals import Interval
 from exactspline.one_line import OneLine
+from exactspline.reals.real import Real
+from exactspline.roots.root import Root
+from exactspline.roots.values import sign_at
 from exactspline.roots.zero_set import zeros
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.surface import Along, NurbsSurface
 from exactspline.splines.tensor import TensorSpline
+
+#: What there is at a single point of a crease, or of an edge with one tangent plane, by the sign of the product of the
+#: normals, which are parallel there.
+SPECIAL = {1: "one tangent plane", -1: "fold", 0: "no tangent plane"}
 
 
 class SurfaceJointKind(StrEnum):
@@ -48,14 +54,7 @@ class SurfaceJointKind(StrEnum):
 
 
 #: The order of geometric continuity of each kind: −1 for none, 2 for 2 or higher.
-ORDERS: dict[SurfaceJointKind, int | None] = {
-    SurfaceJointKind.TORN: -1,
-    SurfaceJointKind.CREASE: 0,
-    SurfaceJointKind.FOLD: 0,
-    SurfaceJointKind.SINGULAR: None,
-    SurfaceJointKind.CURVATURE_JUMP: 1,
-    SurfaceJointKind.CONTINUOUS: 2,
-}
+ORDERS: dict[SurfaceJointKind, int | None] = dict(zip(SurfaceJointKind, (-1, 0, 0, None, 1, 2), strict=True))
 
 
 @dataclass(frozen=True, repr=False)
@@ -80,9 +79,11 @@ class SurfaceJoint(OneLine):
         return ORDERS[self.kind]
 
 
-def joints(forms: SurfaceForms, closed: Sequence[Along]) -> tuple[SurfaceJoint, ...]:
+def joints(
+    forms: SurfaceForms, closed: Sequence[Along], across: Sequence[Along] = tuple(Along)
+) -> tuple[SurfaceJoint, ...]:
     """The knot lines inside the domain, and the seams in the parameters in which a surface is closed; neighbouring
-    edges with equal properties are joined.
+    edges with equal properties are joined. Those `across` one parameter alone where it is given.
 
     >>> from exactspline import NurbsSurface
     >>> net = [[(0, 0, 0), (0, 1, 0)], [(1, 0, 0), (1, 1, 0)], [(1, 0, 1), (1, 1, 1)]]
@@ -91,7 +92,7 @@ def joints(forms: SurfaceForms, closed: Sequence[Along]) -> tuple[SurfaceJoint, 
     [('crease', 0, '1', mpf('90.0'))]
     """
     merged: list[SurfaceJoint] = []
-    for one in _edges(forms, closed):
+    for one in _edges(forms, closed, across):
         last = merged[-1] if merged else None
         if last and replace(last, interval=one.interval) == one:  # the next on the same line
             merged[-1] = replace(one, interval=Interval(last.interval.low, one.interval.high))
@@ -100,10 +101,10 @@ def joints(forms: SurfaceForms, closed: Sequence[Along]) -> tuple[SurfaceJoint, 
     return tuple(merged)
 
 
-def _edges(forms: SurfaceForms, closed: Sequence[Along]) -> Iterator[SurfaceJoint]:
+def _edges(forms: SurfaceForms, closed: Sequence[Along], parameters: Sequence[Along]) -> Iterator[SurfaceJoint]:
     """The joints of all pairs of neighbouring patches."""
     surface = forms.surface
-    for across in Along:
+    for across in parameters:
         k = across.direction
         pairs = list(pairwise(range(surface.patches[k])))
         if across in closed:
@@ -113,6 +114,13 @@ def _edges(forms: SurfaceForms, closed: Sequence[Along]) -> Iterator[SurfaceJoin
                 before, behind = ((i, other), (j, other)) if k == 0 else ((other, i), (other, j))
                 kind, angle = _Meeting(forms, before, behind, k).kind_and_angle()
                 yield SurfaceJoint(across, surface.meshes[k].breaks[j], interval, kind, j == 0, angle)
+
+
+def special_places(forms: SurfaceForms) -> Iterator[tuple[Real, str]]:
+    """The points of the first knot line across u, by v, at which two tangent planes are one, and those without one."""
+    for j, interval in enumerate(starmap(Interval, pairwise(forms.surface.meshes[1].breaks))):
+        found = _Meeting(forms, (0, j), (1, j), 0).special_places()
+        yield from {interval.low + t * interval.width: kind for t, kind in found.items()}.items()
 
 
 class _Meeting:
@@ -126,20 +134,34 @@ class _Meeting:
         first, last = (BSpline.bezier(line_points(f, *side)) for side in self.sides)
         return first, last
 
+    @property
+    def normals(self) -> tuple[Vector[BSpline], Vector[BSpline]]:
+        """The normals of both sides, up to factors without zeros."""
+        before, behind = zip(*[self._both(f) for f in self.forms.normal], strict=True)
+        return Vector(*before), Vector(*behind)
+
+    def special_places(self) -> dict[Root, str]:
+        """The points of a crease at which the normals are parallel, and those at which one of them is zero; none where
+        all are.
+        """
+        before, behind = self.normals
+        product, parallel = dot(before, behind), cross(before, behind)
+        form = product if parallel.is_zero else dot(parallel, parallel)
+        return {} if form.is_zero else {t: SPECIAL[sign_at(product, t)] for t in zeros(form)}
+
     def kind_and_angle(self) -> tuple[SurfaceJointKind, Angle | None]:
         """The kind of joint; for a crease also the angle, where it is constant."""
         if not _fit(self.forms.surface, *self.sides):
             return SurfaceJointKind.TORN, None
-        normals = [self._both(f) for f in self.forms.normal]
-        before, behind = ([pair[k] for pair in normals] for k in (0, 1))
-        if _is_zero(before) or _is_zero(behind):
+        before, behind = self.normals
+        if before.is_zero or behind.is_zero:
             return SurfaceJointKind.SINGULAR, None
-        if not _is_zero([before[i] * behind[j] - before[j] * behind[i] for i, j in ((0, 1), (1, 2), (2, 0))]):
+        if not cross(before, behind).is_zero:
             return SurfaceJointKind.CREASE, _constant_angle(before, behind)
-        if not _keeps_positive(_dot(before, behind)):
+        if not _keeps_positive(dot(before, behind)):
             return SurfaceJointKind.FOLD, None
         (h, h_behind), (w, w_behind) = self._both(self.forms.minimality), self._both(self.forms.surface.w)
-        n, n_behind = next(pair for pair in normals if not pair[0].is_zero)
+        n, n_behind = next(pair for pair in zip(before, behind, strict=True) if not pair[0].is_zero)
         same = w_behind * h_behind * n**3 == w * h * n_behind**3
         return (SurfaceJointKind.CONTINUOUS if same else SurfaceJointKind.CURVATURE_JUMP), None
 
@@ -152,14 +174,6 @@ def _fit(surface: NurbsSurface, before: tuple[Patch, int, int], behind: tuple[Pa
     return all(x * v == y * w for x, y in zip(p, q, strict=True))
 
 
-def _dot(a: Sequence[BSpline], b: Sequence[BSpline]) -> BSpline:
-    return reduce(add, [x * y for x, y in zip(a, b, strict=True)])
-
-
-def _is_zero(v: Sequence[BSpline]) -> bool:
-    return all(f.is_zero for f in v)
-
-
 def _keeps_positive(f: BSpline) -> bool:
     """Whether a polynomial that is not zero is nowhere negative on the edge."""
     return f(_apart_from_zeros(f)) > 0 and not any(root.sign_change for root in zeros(f))
@@ -170,9 +184,9 @@ def _apart_from_zeros(f: BSpline) -> mpq:
     return next(t for n in count(2) if f(t := mpq(1, n)))
 
 
-def _constant_angle(before: Sequence[BSpline], behind: Sequence[BSpline]) -> Angle | None:
+def _constant_angle(before: Vector[BSpline], behind: Vector[BSpline]) -> Angle | None:
     """The angle between normals that are not parallel, where it is the same all along the edge."""
-    product, first, second = _dot(before, behind), _dot(before, before), _dot(behind, behind)
+    product, first, second = dot(before, behind), dot(before, before), dot(behind, behind)
     at = _apart_from_zeros(first * second)
     lengths = first * second
     if product * product * lengths(at) != lengths * product(at) ** 2 or any(r.sign_change for r in zeros(product)):
