@@ -52,10 +52,8 @@ def check_backend(name: str) -> None:
     if as_text(name, "the name of a backend") not in BACKENDS:
         raise BackendError(f"there is no backend called {name!r}", remedy=nearest(name, BACKENDS))
     if (needed := BACKENDS[name]) and find_spec(needed) is None:
-        raise BackendError(
-            f"the backend {name} needs {needed}, which is not installed",
-            remedy=f"pip install {needed}, or use another backend",
-        )
+        problem = f"the backend {name} needs {needed}, which is not installed"
+        raise BackendError(problem, remedy=f"pip install {needed}, or use another backend")
 
 
 def mapped(

@@ -104,11 +104,8 @@ class JsonLines(Results):
                 except (ValueError, KeyError, TypeError, AssertionError):
                     whole = False
                 if not whole:
-                    raise ResultsError(
-                        f"line {index + 1} is not a line as written by a sweep",
-                        where=str(self.place),
-                        remedy="restore the file",
-                    )
+                    problem = f"line {index + 1} is not a line as written by a sweep"
+                    raise ResultsError(problem, where=str(self.place), remedy="restore the file")
                 yield line
 
     def add(self, line: Line) -> None:
@@ -223,11 +220,8 @@ class Parquet(Results):
                             yield line
                             index += 1
             except (pa.ArrowInvalid, ValueError, KeyError, TypeError):
-                raise ResultsError(
-                    f"is not the part that begins at row {index}, as written by a sweep",
-                    where=str(part),
-                    remedy="restore the folder",
-                ) from None
+                problem = f"is not the part that begins at row {index}, as written by a sweep"
+                raise ResultsError(problem, where=str(part), remedy="restore the folder") from None
 
     def add(self, line: Line) -> None:
         """One more row, written with its part."""

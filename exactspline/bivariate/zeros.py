@@ -131,10 +131,8 @@ class CommonZeros(SurfacePlaces[CommonZero]):
         Raises `ReachError` where something is `undecided` or `everywhere`, and where the proof is too long.
         """
         if not self.functions or self.everywhere or self.undecided:
-            raise ReachError(
-                "a certificate where functions vanish together along a curve, or something is undecided",
-                remedy="divide by the common factor; ask for the points",
-            )
+            problem = "a certificate where functions vanish together along a curve, or something is undecided"
+            raise ReachError(problem, remedy="divide by the common factor; ask for the points")
         return common_zeros_certificate(self.functions, [(x.place, x.patches) for x in self.points])
 
 

@@ -86,11 +86,8 @@ def _coordinates(point: str) -> list[str]:
     from exactspline.errors import ShapeError
 
     if not point:
-        raise ShapeError(
-            "neither a second curve nor a point",
-            where="bisector",
-            remedy="name a second curve, or give --point x,y[,z]",
-        )
+        problem = "neither a second curve nor a point"
+        raise ShapeError(problem, where="bisector", remedy="name a second curve, or give --point x,y[,z]")
     return [x.strip() for x in point.split(",")]
 
 
@@ -140,10 +137,8 @@ def _of_point(c: Nurbs, point: list[str], variant: str, digits: int) -> Answer:
         rows, notes = bisector_data.of_point_in_space(ruled, digits)
         return Answer(data, rows, notes, title, partial(picture, "bisector of a point", ruled, c, point))
     if variant:
-        raise FormulaError(
-            f"the variant {variant!r} of a planar bisector",
-            remedy="leave the variant out: it is trimmed, in lowest terms",
-        )
+        problem = f"the variant {variant!r} of a planar bisector"
+        raise FormulaError(problem, remedy="leave the variant out: it is trimmed, in lowest terms")
     found = trimmed_bisector(c, point)
     data, title = head | bisector_answer(found, digits), f"{title}, trimmed"
     rows, notes = bisector_data.of_point_in_plane(found, digits)

@@ -178,11 +178,8 @@ def _curves_in(name: str, reading: Reading) -> tuple[list[Nurbs], bool]:
     error. The note of a single curve of our own JSON stands in it.
     """
     if reading.surfaces and not (reading.curves or reading.skipped):
-        raise CurveFileError(
-            f"holds {counted(len(reading.surfaces), 'surface')}, where a curve is expected",
-            where=name,
-            remedy=f"`{command_name()} inspect` reads surfaces",
-        )
+        problem = f"holds {counted(len(reading.surfaces), 'surface')}, where a curve is expected"
+        raise CurveFileError(problem, where=name, remedy=f"`{command_name()} inspect` reads surfaces")
     tell_skipped(reading, name)
     if reading.format != "json" or len(reading.curves) > 1:
         tell_notes(reading)

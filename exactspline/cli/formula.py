@@ -112,10 +112,8 @@ def _of_papers(
     tables = [(c, tracked(formula_table(c, formulas, limit), c.name)) for c in also_in_their_planes(chosen)]
     if good and not any(rows for _, rows in tables):
         names_of_curves = ", ".join(c.name for c, _ in tables)
-        raise FormulaError(
-            f"none of these formulas applies to {names_of_curves}",
-            remedy="ask for all curves with --generic, for surfaces with --patch 3,3",
-        )
+        problem = f"none of these formulas applies to {names_of_curves}"
+        raise FormulaError(problem, remedy="ask for all curves with --generic, for surfaces with --patch 3,3")
     _give(out, [(c, rows) for c, rows in tables if rows])
     if not good:
         raise Exit(2)
@@ -324,11 +322,8 @@ def _guarded(name: str, call: Any) -> Any:
     except ExactSplineError:
         raise
     except (Exception, SystemExit) as error:
-        raise FormulaError(
-            f"{type(error).__name__}: {' '.join(str(error).split())}",
-            where=name,
-            remedy="a formula is a function of one curve c",
-        ) from None
+        problem = f"{type(error).__name__}: {' '.join(str(error).split())}"
+        raise FormulaError(problem, where=name, remedy="a formula is a function of one curve c") from None
 
 
 def _print(out: Output, sheet: Sheet, explained: list[str]) -> None:

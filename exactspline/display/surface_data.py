@@ -231,10 +231,8 @@ def surface_value_data(formula: Formula, surface: NurbsSurface, name: str) -> Da
     Raises `FormulaError` for a formula that is not about such a surface.
     """
     if surface.dimension not in formula.kind.dimensions or formula.kind.name not in ("surface", "planar map"):
-        raise FormulaError(
-            f"{formula.name} of a surface in R{surface.dimension}",
-            remedy=f"it is defined for a {formula.kind.name} in R{formula.kind.dimensions[0]}",
-        )
+        problem = f"{formula.name} of a surface in R{surface.dimension}"
+        raise FormulaError(problem, remedy=f"it is defined for a {formula.kind.name} in R{formula.kind.dimensions[0]}")
     value = surface.remembering().calls(formula)
     if isinstance(value, Rational):
         reduced = surface_in_lowest_terms(value)

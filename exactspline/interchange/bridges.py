@@ -106,10 +106,8 @@ def read_scipy(spline: Piecewise | InTwo, *, literal: bool = False) -> ReadSplin
         counts = [len(given.c) - 1 - order] * len(pieces)
         return _joined(breaks, pieces, counts, periodic=order >= 0 and given.extrapolate == "periodic")
     if not isinstance(given, si.BSpline):
-        raise ShapeError(
-            f"{shown(spline)} is not a scipy spline in one parameter or two",
-            remedy="give a BSpline, PPoly or BPoly of scipy.interpolate, or (t, c, k)",
-        )
+        problem = f"{shown(spline)} is not a scipy spline in one parameter or two"
+        raise ShapeError(problem, remedy="give a BSpline, PPoly or BPoly of scipy.interpolate, or (t, c, k)")
     degree, knots = int(given.k), [exact(t) for t in given.t]
     # scipy allows more coefficients than the knots require
     c = given.c[: len(knots) - degree - 1]

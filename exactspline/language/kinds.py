@@ -439,10 +439,8 @@ def common_kind(kinds: Iterable[Kind]) -> Kind:
         takes_all = (kind for kind in known if kind and all(kind.takes(k, n) for k in given for n in kind.dimensions))
         common = next(takes_all, None)
         if common is None:
-            raise FormulaError(
-                f"formulas of the kinds {', '.join(dict.fromkeys(repr(kind.name) for kind in given))}",
-                remedy="name formulas of one kind of argument",
-            )
+            problem = f"formulas of the kinds {', '.join(dict.fromkeys(repr(kind.name) for kind in given))}"
+            raise FormulaError(problem, remedy="name formulas of one kind of argument")
         return common
     first = next((kind for kind in special if getattr(kind, "with_point", False)), special[0])
     return with_constants(first, constants) or first

@@ -159,10 +159,8 @@ class Operand(Displayed, ABC):
 
         Raises `FormulaError` in a reading that cannot decide this.
         """
-        raise FormulaError(
-            f"whether a {type(self).__name__} vanishes cannot be decided",
-            remedy="use a reading that has values, such as jets or splines",
-        )
+        problem = f"whether a {type(self).__name__} vanishes cannot be decided"
+        raise FormulaError(problem, remedy="use a reading that has values, such as jets or splines")
 
     @property
     def vanishes_somewhere(self) -> bool:
@@ -272,10 +270,8 @@ class Operand(Displayed, ABC):
         Raises `FormulaError` for another one.
         """
         if by not in (None, self.parameter):
-            raise FormulaError(
-                f"a derivative with respect to {by!r} of a function of {self.parameter!r}",
-                remedy="name a parameter of the function",
-            )
+            problem = f"a derivative with respect to {by!r} of a function of {self.parameter!r}"
+            raise FormulaError(problem, remedy="name a parameter of the function")
 
 
 class FieldOperand(Operand):
@@ -419,7 +415,5 @@ class Letter(FieldOperand):
 def refuse_letter(by: str | None, parameters: tuple[str, ...]) -> None:
     """Raise `FormulaError` for a parameter that an argument does not have."""
     if by is not None and by not in parameters:
-        raise FormulaError(
-            f"a derivative with respect to {str(by)!r} of a function of {' and '.join(parameters)}",
-            remedy=f"write d(1, by={str(parameters[0])!r})",
-        )
+        problem = f"a derivative with respect to {str(by)!r} of a function of {' and '.join(parameters)}"
+        raise FormulaError(problem, remedy=f"write d(1, by={str(parameters[0])!r})")

@@ -298,10 +298,8 @@ def det(*rows: Vector[S]) -> S:
         (a0, a1), (b0, b1) = rows[0].components, rows[1].components
         return a0 * b1 - a1 * b0
     if n < 3 or any(len(row) != n for row in rows):
-        raise ShapeError(
-            f"determinant of {n} vectors of {sorted({len(row) for row in rows})} components",
-            remedy="pass n ≥ 2 vectors of n components",
-        )
+        problem = f"determinant of {n} vectors of {sorted({len(row) for row in rows})} components"
+        raise ShapeError(problem, remedy="pass n ≥ 2 vectors of n components")
     return dot(cross(rows[0], rows[1]), rows[2]) if n == 3 else dot(generalized_cross(*rows[:-1]), rows[-1])
 
 

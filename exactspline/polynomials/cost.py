@@ -69,11 +69,8 @@ class Budget:
     def deduct(self, nanoseconds: int, what: Callable[[], str]) -> None:
         """Deduct an estimate; raises `ReachError` if it exceeds what remains."""
         if nanoseconds > self.remaining:
-            raise ReachError(
-                f"{what()} ({_duration(nanoseconds)}) exceeds what remains of the bound on the whole answer",
-                remedy=REMEDY,
-                seconds=_seconds(nanoseconds),
-            )
+            problem = f"{what()} ({_duration(nanoseconds)}) exceeds what remains of the bound on the whole answer"
+            raise ReachError(problem, remedy=REMEDY, seconds=_seconds(nanoseconds))
         self.remaining -= nanoseconds
 
     @property

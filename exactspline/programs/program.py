@@ -348,10 +348,8 @@ def program_for(formula: Formula, argument: Evaluated) -> Program:
     """
     given = operands_of(formula.kind, argument)
     if given is None:
-        raise FormulaError(
-            f"{formula.name} as a program on a {type(argument).__name__}",
-            remedy="a curve, or operands of Table 1, over one list of breakpoints",
-        )
+        problem = f"{formula.name} as a program on a {type(argument).__name__}"
+        raise FormulaError(problem, remedy="a curve, or operands of Table 1, over one list of breakpoints")
     return program_of(formula, given.signature)
 
 

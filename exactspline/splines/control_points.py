@@ -78,11 +78,8 @@ def exact_points(rows: Iterable[Iterable[Number]], least: int = 2) -> tuple[Poin
     sizes = set(map(len, points))
     if len(sizes) > 1:
         i, point = next((i, point) for i, point in enumerate(points) if len(point) != len(points[0]))
-        raise ShapeError(
-            f"{counted(len(point), 'coordinate')} where control_points[0] has {len(points[0])}",
-            where=f"control_points[{i}]",
-            remedy="use one dimension",
-        )
+        problem = f"{counted(len(point), 'coordinate')} where control_points[0] has {len(points[0])}"
+        raise ShapeError(problem, where=f"control_points[{i}]", remedy="use one dimension")
     if min(sizes) < least:
         raise ShapeError(
             counted(min(sizes), "coordinate"), where="control_points[0]", remedy=f"at least {least} are needed"
@@ -96,11 +93,8 @@ def exact_weights(weights: Iterable[Number] | None, points: Sequence[Point]) -> 
         return tuple([NONE if type(point) is Direction else ONE for point in points])
     exact = exact_row(weights, "weights")
     if len(exact) != len(points):
-        raise ShapeError(
-            f"{counted(len(exact), 'weight')} for {counted(len(points), 'control point')}",
-            where="weights",
-            remedy="give one weight per control point",
-        )
+        problem = f"{counted(len(exact), 'weight')} for {counted(len(points), 'control point')}"
+        raise ShapeError(problem, where="weights", remedy="give one weight per control point")
     for i, point in enumerate(points):
         if type(point) is Direction and exact[i]:
             raise ShapeError(

@@ -156,22 +156,15 @@ class KnotVector(Immutable):
         """Raise `ShapeError` unless a spline of the given degree has this many control points."""
         needed = len(self.knots) - degree - 1
         if points != needed:
-            raise ShapeError(
-                f"{points} control points for {counted(len(self.knots), 'knot')} of degree {degree}",
-                where="control_points",
-                remedy=f"there must be {needed} (knots − degree − 1)",
-            )
+            problem = f"{points} control points for {counted(len(self.knots), 'knot')} of degree {degree}"
+            raise ShapeError(problem, where="control_points", remedy=f"there must be {needed} (knots − degree − 1)")
 
 
 def _check_order(knots: Sequence[mpq]) -> None:
     for i, (a, b) in enumerate(pairwise(knots)):
         if b < a:
-            raise KnotError(
-                f"{text(b)} after {text(a)}: knots decrease",
-                where=f"knots[{i + 1}]",
-                remedy="knots must not decrease",
-                knot=b,
-            )
+            problem = f"{text(b)} after {text(a)}: knots decrease"
+            raise KnotError(problem, where=f"knots[{i + 1}]", remedy="knots must not decrease", knot=b)
 
 
 def _keep(knots: tuple[mpq, ...]) -> dict[int, MeshOf | None]:
@@ -228,12 +221,8 @@ class Mesh(Immutable):
         breaks = self.breaks
         if not breaks[0] <= t <= breaks[-1]:
             a, b = self.domain
-            raise DomainError(
-                f"the parameter {short_text(t)} is outside the domain [{text(a)}, {text(b)}]",
-                remedy="stay inside",
-                parameter=t,
-                domain=(a, b),
-            )
+            problem = f"the parameter {short_text(t)} is outside the domain [{text(a)}, {text(b)}]"
+            raise DomainError(problem, remedy="stay inside", parameter=t, domain=(a, b))
         i = bisect_right(breaks, t) - 1
         if left and i > 0 and breaks[i] == t:
             i -= 1
@@ -261,10 +250,8 @@ class Mesh(Immutable):
         """The breakpoints of both; raises `DomainError` when the domains differ."""
         if self.domain != other.domain:
             (a, b), (c, d) = self.domain, other.domain
-            raise DomainError(
-                f"operands over different domains, [{text(a)}, {text(b)}] and [{text(c)}, {text(d)}]",
-                remedy="restrict or reparametrize one of them first",
-            )
+            problem = f"operands over different domains, [{text(a)}, {text(b)}] and [{text(c)}, {text(d)}]"
+            raise DomainError(problem, remedy="restrict or reparametrize one of them first")
         return Mesh(sorted({*self.breaks, *other.breaks}))
 
 

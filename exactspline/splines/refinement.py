@@ -160,11 +160,8 @@ def inner(mesh: Mesh, given: Number) -> mpq:
     """A parameter inside the domain."""
     (a, b), t = mesh.domain, rational(given)
     if not a < t < b:
-        raise DomainError(
-            f"{short_text(t)} is not inside the domain ({text(a)}, {text(b)})",
-            remedy="choose a parameter inside the domain",
-            parameter=t,
-        )
+        problem = f"{short_text(t)} is not inside the domain ({text(a)}, {text(b)})"
+        raise DomainError(problem, remedy="choose a parameter inside the domain", parameter=t)
     return t
 
 
@@ -195,11 +192,8 @@ def remove_knot(f: S, t: Number, times: int = 1) -> S:
     t = inner(f.mesh, t)
     multiplicity = max(f.degree - f.continuity[f.mesh.breaks.index(t) - 1], 0) if t in f.mesh.breaks else 0
     if type(times) is not int or not 1 <= times <= multiplicity:
-        raise KnotError(
-            f"{shown(times)} of {multiplicity} knots at {text(t)} to remove",
-            remedy="remove at least one, and no more than there are",
-            knot=t,
-        )
+        problem = f"{shown(times)} of {multiplicity} knots at {text(t)} to remove"
+        raise KnotError(problem, remedy="remove at least one, and no more than there are", knot=t)
     position = f.mesh.breaks.index(t) - 1
     required, have = f.continuity[position] + times, continuity_at(f, t)
     if have < min(required, f.degree):
@@ -253,11 +247,8 @@ def restrict(f: S, a: Number, b: Number) -> S:
     a, b = rational(a), rational(b)
     low, high = f.domain
     if not low <= a < b <= high:
-        raise DomainError(
-            f"[{text(a)}, {text(b)}] is not part of the domain [{text(low)}, {text(high)}]",
-            remedy="give a < b inside the domain",
-            domain=f.domain,
-        )
+        problem = f"[{text(a)}, {text(b)}] is not part of the domain [{text(low)}, {text(high)}]"
+        raise DomainError(problem, remedy="give a < b inside the domain", domain=f.domain)
     first, last = f.mesh.locate(a), f.mesh.locate(b, left=True)
     mesh = Mesh([a, *f.mesh.breaks[first + 1 : last + 1], b])
     return type(f).from_forms(f.degree, mesh, f.continuity[first:last], _parts(f, mesh))

@@ -53,12 +53,8 @@ def _check_weight(w: TensorSpline) -> None:
             raise _zero(w.patch(i, j).part(box), certain)
         if sign and found != sign:
             place = w.patch(i, j)
-            raise WeightError(
-                f"the denominator w changes sign by a jump into the patch {place}",
-                where="weights",
-                remedy="w must keep its sign on the domain",
-                witness=place,
-            )
+            problem = f"the denominator w changes sign by a jump into the patch {place}"
+            raise WeightError(problem, where="weights", remedy="w must keep its sign on the domain", witness=place)
         sign = found
 
 
@@ -407,11 +403,8 @@ def _checked_net(given: object, counts: tuple[int, int]) -> Net:
     dimension = len(net[0][0])
     for i, points in enumerate(net):
         if len(points[0]) != dimension:
-            raise ShapeError(
-                f"{counted(len(points[0]), 'coordinate')} where control_points[0] has {dimension}",
-                where=f"control_points[{i}]",
-                remedy="use one dimension",
-            )
+            problem = f"{counted(len(points[0]), 'coordinate')} where control_points[0] has {dimension}"
+            raise ShapeError(problem, where=f"control_points[{i}]", remedy="use one dimension")
     return tuple(net)
 
 
@@ -421,11 +414,8 @@ def _checked_weights(given: object, net: Net) -> Weights:
         return tuple(exact_weights(None, row) for row in net)
     rows = [] if isinstance(given, str) or not isinstance(given, Iterable) else list(given)
     if len(rows) != len(net):
-        raise ShapeError(
-            f"{counted(len(rows), 'row')} of weights for {counted(len(net), 'row')} of control points",
-            where="weights",
-            remedy="give one weight per control point, in rows along u",
-        )
+        problem = f"{counted(len(rows), 'row')} of weights for {counted(len(net), 'row')} of control points"
+        raise ShapeError(problem, where="weights", remedy="give one weight per control point, in rows along u")
     found = []
     for i, (row, points) in enumerate(zip(rows, net, strict=True)):
         place = f"weights[{i}]"

@@ -32,10 +32,8 @@ def curve_of(given: object) -> Nurbs:
     if isinstance(given, BSpline):
         raise ShapeError("a function, where a curve is expected", remedy="exactspline.graph(f) is its graph")
     if isinstance(given, Rational | Vector) and given.is_vector:
-        raise ShapeError(
-            f"{a_kind(given)} of splines, where a curve is expected",
-            remedy="Nurbs.from_splines(numerator, denominator) makes the curve of a quotient",
-        )
+        problem = f"{a_kind(given)} of splines, where a curve is expected"
+        raise ShapeError(problem, remedy="Nurbs.from_splines(numerator, denominator) makes the curve of a quotient")
     raise _refused(given, "a curve", 'give a Nurbs, such as exactspline.example("circle")')
 
 

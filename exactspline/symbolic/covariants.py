@@ -97,10 +97,8 @@ def true_degree(jets: Jet | Iterable[Jet], parameter: Parameter = Parameter.FIRS
         raise FormulaError("the zero polynomial has no degree", remedy="give a nonzero polynomial")
     gradings = {grading(jet, parameter) for jet in parts}
     if len(gradings) > 1:
-        raise FormulaError(
-            f"components with the gradings {sorted(gradings)}",
-            remedy="a vector has degree and weight only if those of all components agree",
-        )
+        problem = f"components with the gradings {sorted(gradings)}"
+        raise FormulaError(problem, remedy="a vector has degree and weight only if those of all components agree")
     return _true_degree(parts, gradings.pop(), parameter)
 
 

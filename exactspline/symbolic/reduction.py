@@ -369,10 +369,8 @@ def _parts(value: Any, name: str) -> list[tuple[str, Any]]:
     if isinstance(value, RuledSurface):
         return [(DIRECTRIX, value.directrix), (GENERATOR, value.generator)]
     if not isinstance(value, (Operand, Vector)):
-        raise FormulaError(
-            f"{name} returns {type(value).__name__}",
-            remedy="a formula returns a scalar, a vector, a quotient or a ruled surface",
-        )
+        problem = f"{name} returns {type(value).__name__}"
+        raise FormulaError(problem, remedy="a formula returns a scalar, a vector, a quotient or a ruled surface")
     return [(VALUE, value)]
 
 

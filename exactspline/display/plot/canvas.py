@@ -100,11 +100,8 @@ def axes_for(ax: Axes | None, dimension: int = 2) -> Axes:
             f"{a_kind(ax)}, where axes of matplotlib are expected", remedy="leave them out for a new figure"
         )
     if (ax.name == "3d") != (dimension == 3):
-        raise PlotError(
-            f"axes that do not fit R{dimension}",
-            where="ax",
-            remedy="projection='3d' is for curves in space, and only for them",
-        )
+        problem = f"axes that do not fit R{dimension}"
+        raise PlotError(problem, where="ax", remedy="projection='3d' is for curves in space, and only for them")
     axes: Axes = ax
     return axes
 
@@ -242,11 +239,8 @@ def save(figure_or_ax: Figure | Axes, path: str | os.PathLike[str]) -> None:
     place = Path(path)
     suffix = place.suffix.lower()
     if suffix not in SUFFIXES:
-        raise PlotError(
-            "is neither SVG nor PNG nor PDF",
-            where=str(place),
-            remedy=f"use a name that ends in {' or '.join(SUFFIXES)}",
-        )
+        problem = "is neither SVG nor PNG nor PDF"
+        raise PlotError(problem, where=str(place), remedy=f"use a name that ends in {' or '.join(SUFFIXES)}")
     figure: Any = figure_or_ax if hasattr(figure_or_ax, "savefig") else figure_or_ax.figure
     description = "Subject" if suffix == ".pdf" else "Description"
     metadata = dict.fromkeys(SUFFIXES[suffix]) | {description: in_words(figure)}

@@ -189,10 +189,8 @@ def _quotient(value: object) -> Rational[BSpline]:
     """A vector of splines as a quotient; raises `ShapeError` for other values."""
     components, _ = split(cast(Any, value))
     if not isinstance(value, Rational | Vector) or not all(isinstance(x, BSpline) for x in components):
-        raise ShapeError(
-            f"{a_kind(value)}, where a vector or a quotient of splines is expected",
-            remedy="evaluate a formula on a curve, or use curve.gamma",
-        )
+        problem = f"{a_kind(value)}, where a vector or a quotient of splines is expected"
+        raise ShapeError(problem, remedy="evaluate a formula on a curve, or use curve.gamma")
     quotient: Rational[BSpline] = value if isinstance(value, Rational) else value / components[0].constant(1)
     return quotient
 

@@ -257,10 +257,8 @@ def tensor_mesh(surface: Vector[TensorSpline] | Rational[TensorSpline], box: Box
     """
     numerator, w = (surface.numerator, surface.denominator) if isinstance(surface, Rational) else (surface, None)
     if not isinstance(numerator, Vector) or len(numerator) != 3 or not isinstance(numerator[0], TensorSpline):
-        raise ShapeError(
-            "expected a surface of splines in two parameters",
-            remedy="give a vector of three TensorSplines, or a quotient of such",
-        )
+        problem = "expected a surface of splines in two parameters"
+        raise ShapeError(problem, remedy="give a vector of three TensorSplines, or a quotient of such")
     sampled = _Sampled([*numerator, *([] if w is None else [w])], w is not None)
     grids = [_grid(mesh.breaks) for mesh in numerator[0].meshes]
     places = [[sampled(s, t) for t in grids[1]] for s in grids[0]]

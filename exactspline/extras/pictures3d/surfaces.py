@@ -245,10 +245,8 @@ def _argument(curve: Curve[BSpline], other: Any) -> tuple[Kind, str, Any]:
         return PAIR, "bisector_symmetric", surface_pair(curve, other)
     point = tuple(map(rational, as_items(other, "the coordinates of a point")))
     if len(point) != curve.dimension or len(point) not in (2, 3):
-        raise ShapeError(
-            f"a point of {counted(len(point), 'coordinate')} with a curve in R{curve.dimension}",
-            remedy="both in the plane or both in space",
-        )
+        problem = f"a point of {counted(len(point), 'coordinate')} with a curve in R{curve.dimension}"
+        raise ShapeError(problem, remedy="both in the plane or both in space")
     kind, default = (
         (PLANE_POINT, "plane_bisector_polynomial") if len(point) == 2 else (POINT_IN_SPACE, "point_bisector_direct_z")
     )

@@ -44,10 +44,8 @@ class SurfaceValues(Inspected):
         """See that no knot line inside of the surface goes through a place: derivatives of its sides may differ."""
         for t, mesh, name in zip(place, self.surface.meshes, "uv", strict=True):
             if t in mesh.breaks[1:-1]:
-                raise QuestionError(
-                    f"{name} = {t} is a knot, where derivatives of the two sides may differ",
-                    remedy="ask inside a patch",
-                )
+                problem = f"{name} = {t} is a knot, where derivatives of the two sides may differ"
+                raise QuestionError(problem, remedy="ask inside a patch")
 
 
 class CurvatureValues(SurfaceValues):

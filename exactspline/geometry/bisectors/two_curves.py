@@ -157,10 +157,8 @@ class CurveBisector(Inspected, Bisector):
         for patch in self.patches:
             if all(a <= x <= b for x, (a, b) in zip((u, v), patch.sides, strict=True)):
                 return patch.value.point(u, v)
-        raise ShapeError(
-            f"there is no surface at ({short_text(u)}, {short_text(v)})",
-            remedy="; ".join(reason for _, reason in self.missing),
-        )
+        problem = f"there is no surface at ({short_text(u)}, {short_text(v)})"
+        raise ShapeError(problem, remedy="; ".join(reason for _, reason in self.missing))
 
 
 def curve_bisector(

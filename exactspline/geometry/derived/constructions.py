@@ -163,10 +163,8 @@ def _power_of_w(form: str, construction: str, first: str, dimension: int) -> int
     jets = jets_for((form, first), dimension)
     factor = find_factor(find(form)(jets), find(first)(jets))
     if factor is None or not factor.names <= {"w"} or factor.constant < 0:
-        raise FormulaError(
-            f"the form {form!r} of {construction} is not the first form times a power of w",
-            remedy="its sign cannot be derived from the first form's",
-        )
+        problem = f"the form {form!r} of {construction} is not the first form times a power of w"
+        raise FormulaError(problem, remedy="its sign cannot be derived from the first form's")
     return next((e for _, e in factor.powers), 0)
 
 
@@ -199,10 +197,8 @@ def construction(name: str) -> Construction:
     Raises `FormulaError` naming those that exist.
     """
     if as_text(name, "the name of a construction") not in all_constructions():
-        raise FormulaError(
-            f"there is no construction called {name!r}",
-            remedy=nearest(name, all_constructions(), listed_by="list formulas"),
-        )
+        problem = f"there is no construction called {name!r}"
+        raise FormulaError(problem, remedy=nearest(name, all_constructions(), listed_by="list formulas"))
     return all_constructions()[name]
 
 

@@ -138,10 +138,8 @@ def _check_generator(surface: SplineSurface) -> None:
     for i, parts in enumerate(zip(*[c.numerators for c in split(surface.generator)[0]], strict=True)):
         if not any(parts):
             a, b = split(surface.generator)[0][0].breakpoints[i : i + 2]
-            raise ShapeError(
-                f"the generator vanishes on all of [{text(a)}, {text(b)}]: there is no ruled surface",
-                remedy="leave this segment out",
-            )
+            problem = f"the generator vanishes on all of [{text(a)}, {text(b)}]: there is no ruled surface"
+            raise ShapeError(problem, remedy="leave this segment out")
 
 
 def same_surface(a: SplineSurface, b: SplineSurface) -> RulingRelation | None:
