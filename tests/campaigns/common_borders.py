@@ -4,10 +4,10 @@ python -m tests.campaigns.common_borders 30 1
 python -m tests.campaigns.common_borders 1 4711 --family bent --dial doubles     one case again
 
 The oracle shares no code with the library: points and derivatives are those of de Boor's algorithm and of differences
-of control points, in fractions. At samples of an arc that is told, the points of both surfaces must be equal, the
-normals parallel or not, of one direction or of opposite ones, and the curvatures equal or not, as told; what is told of
+of control points, in fractions. At samples of an arc that is reported, the points of both surfaces must be equal, the
+normals parallel or not, of one direction or of opposite ones, and the curvatures equal or not, as reported; what is points of
 single points must hold to forty digits, and where the determinant of both normals and the tangent changes its sign
-between samples, a point must be told. Pairs of borders of equal parametrization are known from the construction. Some
+between samples, a point must be reported. Pairs of borders of equal parametrization are known from the construction. Some
 second surfaces are run through in other directions, of higher degree, or have other weights.
 """
 
@@ -260,24 +260,24 @@ def differs_pair(surfaces, *, nothing):
     """What is wrong with the answer about two surfaces, "" where nothing is; they may have `nothing` in common."""
     found = ask(surfaces, "common_borders")
     if not found and not nothing:
-        return "nothing is told"
+        return "nothing is reported"
     oracles = [Oracle(surface) for surface in surfaces]
-    arcs, told = {}, {}
+    arcs, points = {}, {}
     for row in found:
         edges = tuple(
             edge_of(s, row.facts[f"{name} border"]) for s, name in zip(surfaces, ("first", "second"), strict=True)
         )
-        (arcs if "order" in row.facts else told).setdefault(edges, []).append(row)
+        (arcs if "order" in row.facts else points).setdefault(edges, []).append(row)
     for edges, rows in arcs.items():
         for row in rows:
-            if wrong := differs_arc(oracles, edges, row, told.get(edges, [])):
+            if wrong := differs_arc(oracles, edges, row, points.get(edges, [])):
                 return f"{row}, {row.facts}: {wrong}"
-    if set(told) - set(arcs):
+    if set(points) - set(arcs):
         return "points without an arc"
     borders = list(product((0, 1), (0, 1)))
     for edges in product(borders, borders):
         if same_border(oracles, edges) and edges not in arcs:
-            return f"the borders {edges} are not told"
+            return f"the borders {edges} are not reported"
         if edges in arcs and same_border(oracles, edges):
             a, b = surfaces[0].domain[1 - edges[0][0]]
             ends = sorted((x.values["first from"].exact, x.values["first to"].exact) for x in arcs[edges])
@@ -300,7 +300,7 @@ def same_border(oracles, edges):
     )
 
 
-def differs_arc(oracles, edges, row, told):
+def differs_arc(oracles, edges, row, points):
     """What is wrong with an arc."""
     ends = [row.values[f"{name} {end}"] for name in ("first", "second") for end in ("from", "to")]
     a, b, c, d = (near(x) for x in ends)
@@ -309,7 +309,7 @@ def differs_arc(oracles, edges, row, told):
         return "the ends are apart" if gaps else ""
     a, b, c, d = (Fraction(str(x.exact)) for x in ends)
     sign = 1 if d > c else -1
-    places = [near(x.values["first"]) for x in told]
+    places = [near(x.values["first"]) for x in points]
     signs, parts = [], []
     for k in range(1, SAMPLES):
         t = a + (b - a) * Fraction(2 * k * SAMPLES + 1, 2 * SAMPLES * SAMPLES)
@@ -350,8 +350,8 @@ def differs_arc(oracles, edges, row, told):
         jumps = [*knots[0], *[a + (s - c) / rate for s in knots[1]]]
         for (t, x), (s, y) in pairwise(signs):
             if x * y < 0 and not any(t < place < s for place in (*places, *jumps)):
-                return f"no point is told between {float(t)} and {float(s)}"
-    return next(filter(None, (differs_place(oracles, edges, x, (a, b, c, d)) for x in told)), "")
+                return f"no point is reported between {float(t)} and {float(s)}"
+    return next(filter(None, (differs_place(oracles, edges, x, (a, b, c, d)) for x in points)), "")
 
 
 def gap(oracles, edges, t, s):

@@ -1,4 +1,4 @@
-"""How two surfaces meet along common borders: what is told, and a sample of the campaign."""
+"""How two surfaces meet along common borders: what is shown, and a sample of the campaign."""
 
 import json
 
@@ -17,8 +17,8 @@ FLAT = NurbsSurface((1, 1), UNIT, UNIT, [[(0, 0, 0), (0, 1, 0)], [(1, 0, 0), (1,
 TWISTED = NurbsSurface((1, 1), UNIT, UNIT, [[(1, 1, 0), (1, 0, 0)], [(2, 1, 1), (2, 0, -1)]])
 
 
-def told(*surfaces):
-    """What is told, as text."""
+def shown(*surfaces):
+    """What is reported, as text."""
     return [str(found) for found in ask(surfaces, "common_borders")]
 
 
@@ -39,12 +39,12 @@ def test_the_angle_of_a_crease_where_it_is_constant():
 def test_a_part_of_a_border_is_common():
     """Of a patch twice as wide, the half beside the other one; the other half is none."""
     wide = NurbsSurface((1, 1), UNIT, [0, 0, 2, 2], [[(1, -1, 0), (1, 1, 0)], [(3, -1, 0), (3, 1, 0)]])
-    assert told(FLAT, wide) == ["<continuous curvature: first from 0, first to 1, second from 1, second to 2>"]
+    assert shown(FLAT, wide) == ["<continuous curvature: first from 0, first to 1, second from 1, second to 2>"]
 
 
 def test_the_same_side_is_a_fold():
     back = NurbsSurface((1, 1), UNIT, UNIT, [[(1, 0, 0), (1, 1, 0)], [("1/2", 0, 0), ("1/2", 1, 0)]])
-    assert told(FLAT, back)[0] == "<fold: first from 0, first to 1, second from 0, second to 1>"
+    assert shown(FLAT, back)[0] == "<fold: first from 0, first to 1, second from 0, second to 1>"
 
 
 def test_knots_and_weights_do_not_matter():

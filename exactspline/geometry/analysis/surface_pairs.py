@@ -13,7 +13,7 @@ from typing import NamedTuple
 
 from exactspline.bivariate.borders import EDGES, Edge, line_of
 from exactspline.errors import ReachError
-from exactspline.geometry.curves.balls import degrees
+from exactspline.geometry.curves.angles import degrees
 from exactspline.geometry.pairs.intersections import intersections
 from exactspline.geometry.surfaces.forms import SurfaceForms
 from exactspline.geometry.surfaces.joints import SurfaceJointKind, joints, special_places
@@ -56,7 +56,7 @@ class SurfacePair(Inspected):
         and for a crease with the angle between the tangent planes, in degrees, where it is constant. The points of the
         arc follow at which a crease has one tangent plane, or folds back, and those at which a surface has none. Where
         the parameters are not linear functions of each other, the order is 0 or more, and a `common arc` is all that is
-        told. Borders that are points are left out.
+        reported. Borders that are points are left out.
 
         >>> from exactspline import example
         >>> from exactspline.geometry.analysis.surface_pairs import SurfacePair
