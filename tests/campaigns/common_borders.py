@@ -5,10 +5,10 @@ python -m tests.campaigns.common_borders 1 4711 --family bent --dial doubles    
 
 The oracle shares no code with the library: points and derivatives are those of de Boor's algorithm and of differences
 of control points, in fractions. At samples of an arc that is reported, the points of both surfaces must be equal, the
-normals parallel or not, of one direction or of opposite ones, and the curvatures equal or not, as reported; what is points of
-single points must hold to forty digits, and where the determinant of both normals and the tangent changes its sign
-between samples, a point must be reported. Pairs of borders of equal parametrization are known from the construction. Some
-second surfaces are run through in other directions, of higher degree, or have other weights.
+normals parallel or not, of one direction or of opposite ones, and the curvatures equal or not, as reported; what is
+reported of single points must hold to forty digits, and where the determinant of both normals and the tangent changes
+its sign between samples, a point must be reported. Pairs of borders of equal parametrization are known from the
+construction. Some second surfaces are run through in other directions, of higher degree, or have other weights.
 """
 
 import sys
