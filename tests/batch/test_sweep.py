@@ -464,7 +464,7 @@ def test_bad_words_are_errors_of_the_input(arguments):
 
 
 def test_a_verdict_that_is_not_as_recorded_is_named(monkeypatch):
-    monkeypatch.setattr(xs.verification.rows.Row, "as_recorded", property(lambda row: False))
+    monkeypatch.setattr(xs.verification.ledger.Row, "as_recorded", property(lambda row: False))
     done = run("rational_cubic", "--claim", "C4.1a")
     assert done.exit_code == 1
     assert "not as expected" in done.stdout
