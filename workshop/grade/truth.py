@@ -53,6 +53,8 @@ def _numbers(values: list[Real]) -> Answer:
 
 def _interval(value: Real) -> list[str]:
     digits = DIGITS
+    if value.exact is not None:
+        return [text(value.exact)] * 2
     while True:
         low, high = value.enclosure(digits)
         # of a tiny number as many significant digits, as far as it is known not to be 0

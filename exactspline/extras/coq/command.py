@@ -39,7 +39,7 @@ def coq(
         console.lines(shown, f"{each.claim.key}: no theorem, {each.why}")
 
 
-def _see_that_coq_can_name(path: str) -> None:
+def see_that_coq_can_name(path: str) -> None:
     """See that a file has a name that Coq accepts as that of a module."""
     import re
 
@@ -59,5 +59,5 @@ def write_theorems(path: str, *curves: Nurbs) -> None:
     from exactspline.atomic_write import write_text
     from exactspline.extras.coq.answers import meeting_theorem, theorem_of
 
-    _see_that_coq_can_name(path)
+    see_that_coq_can_name(path)
     write_text(path, (theorem_of if len(curves) == 1 else meeting_theorem)(*curves))

@@ -140,6 +140,7 @@ def _crossings(segment: SegmentForms, delta: tuple[mpq, ...]) -> int | Place:
     which the segment passes through the point.
 
     >>> from exactspline import example
+    >>> from exactspline.roots.segment_forms import segment_forms
     >>> [_crossings(segment_forms(example("circle"), i), (mpq(0), mpq(1, 2))) for i in range(4)]
     [1, 0, 0, 0]
     """

@@ -340,7 +340,7 @@ def test_what_has_no_theorem_says_so(tmp_path: Path) -> None:
     assert run("between", *names, "--emit-coq", tmp_path / "3.v").returncode == 2
 
 
-PAIRS = """
+PLANE_PAIRS = """
 @formula("e", on="plane pair")
 def turned(c):
     return det(c.first.gamma.d(1, by="s"), c.second.gamma.d(1, by="s̄"))
@@ -354,7 +354,7 @@ def lifted(c):
 def theorem_about_plane_pairs(tmp_path: Path, **fields: str) -> str:
     """The theorem of a claim about formulas of two plane curves, with their definitions."""
     claim = {"id": "1", "kind": "identity", "statement": "s", "curve": "plane pair", "left": "turned"}
-    own = load_paper(written(tmp_path / "p", PAIRS, [claim | {"right": "lifted"} | fields]))
+    own = load_paper(written(tmp_path / "p", PLANE_PAIRS, [claim | {"right": "lifted"} | fields]))
     formulas = Formulas((*papers(), own))
     (one,) = claims_of(own)
     text = theorem(one, 2, lambda formula: formulas.named(formula, own))
