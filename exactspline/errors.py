@@ -159,7 +159,7 @@ class DomainError(ExactSplineError):
 
 
 class ReductionError(ExactSplineError):
-    """A degree, a knot or a composition that cannot be reduced or formed exactly."""
+    """A degree that cannot be lowered, a knot that cannot be removed, a composition that cannot be formed exactly."""
 
 
 class WeightError(ExactSplineError):

@@ -17,6 +17,7 @@ from exactspline.cli.common import (
     claims_of_papers,
     each_read,
     loaded,
+    tell_written,
 )
 from exactspline.cli.output import OptionsError, Output, leave_out, printing, tracked
 from exactspline.cli.parameters import Exit, Option
@@ -128,6 +129,7 @@ def prove(
         from exactspline.display.ledger_pages import report as referee_report
 
         write_text(report, referee_report(claims, found))
+        tell_written(report)
     if tex:
         proved = [theorem(stated(row.claim, row.reading, row.finding)) for row in found if not row.curve]
         write_text(tex, "\n\n".join([PREAMBLE, *proved]) + "\n")

@@ -36,7 +36,7 @@ def plain(value: object) -> object:
 
 
 def picked(of: object, *names: str) -> Data:
-    """Some attributes of an object; of an attribute of an attribute the last name is taken.
+    """Some attributes of an object by name; ``a.b`` is given as ``b``.
 
     >>> picked(mpq(1, 2), "numerator", "denominator")["denominator"]
     mpz(2)

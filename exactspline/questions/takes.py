@@ -41,9 +41,7 @@ def parts_of(asked: str, forms: Mapping[str, str], optional: Container[str] = ()
     fits = given if argument else name in optional or ":" not in form
     if not fits or given > (":" in form) or bool(place) != ("@" in form):
         others = [form, *(x for k, x in forms.items() if k.startswith(f"{name}_") and "@" in asked and "@" in x)]
-        raise QuestionError(
-            f"the question {asked!r}", remedy=f"write it like {' or '.join(map(repr, [form, *others]))}"
-        )
+        raise QuestionError(f"the question {asked!r}", remedy=f"write it like {' or '.join(map(repr, others))}")
     return name, argument[1:], place
 
 

@@ -75,7 +75,7 @@ def _sign_or_box(form: PatchForm) -> int | tuple[Box, bool]:
 
 
 def zero_at_corners(part: Sized) -> Box | None:
-    """A corner of a part that is a zero, or a small box between corners of both signs, which contains one."""
+    """A corner of a part that is a zero, or a small box between corners of both signs, which contains a zero."""
     while True:
         for value, (x, y) in zip(part.forms[0].corners, product(*part.box), strict=True):
             if value == 0:

@@ -106,6 +106,20 @@ def test_python_blocks_of_a_page_run(page, tmp_path):
 
 
 @in_the_checkout
+@pytest.mark.parametrize("name", ["check-a-formula", "nearest-point-of-a-surface", "ray-meets-a-surface"])
+def test_the_commands_of_a_how_to_run(name, tmp_path, monkeypatch):
+    """As they are copied: the first block of Python is the file that they name, where they name one."""
+    page = README.parent / f"docs/how-to/{name}.md"
+    lines = [line for block in blocks_of(page, "sh") for line in block.splitlines()]
+    monkeypatch.chdir(tmp_path)
+    for file in set(re.findall(r"\w+\.py", " ".join(lines))):
+        (tmp_path / file).write_text(blocks_of(page, "python")[0], encoding="utf-8")
+    for line in lines:
+        command, *arguments = shlex.split(line, comments=True)
+        assert (command, run(*arguments).returncode) == ("./run", 0), line
+
+
+@in_the_checkout
 def test_the_page_of_commands_names_every_command():
     text = COMMANDS.read_text(encoding="utf-8")
     missing = [name for name in leaves() if f"`./run {name}" not in text and f"`{name.split()[-1]}`" not in text]

@@ -33,7 +33,7 @@ from exactspline.formulas.derivatives import towards_centre
 from exactspline.geometry.analysis.curves import analyse
 from exactspline.geometry.curves import values as values_along
 from exactspline.geometry.curves.kinds import FeatureKind
-from exactspline.language.vector import Vector, det
+from exactspline.language.vector import Vector, det, norm2, perp
 from exactspline.numbers.exact import is_square, mpq, text
 from exactspline.papers import find
 from exactspline.splines.bspline import BSpline
@@ -173,9 +173,13 @@ def osculating(rng: Random) -> Drawn:
     square = sum(((a - b) ** 2 for a, b in zip(centre, curve(t), strict=True)), mpq(0))
     words = ". Find the osculating circle at %: the coordinates of its centre and the square of its radius."
     task = (*given_bezier(curve), *sentence(words, Math("t", (t,))))
+    first, second = (Vector(*curve.derivative(k, t)) for k in (1, 2))
+    length, area, normal = norm2(first), det(first, second), tuple(perp(first))
     solution = sentence(
-        "With the derivatives % and % at the point % the centre is %, a point of the evolute.",
-        *(Math("", (at,)) for at in (curve.derivative(1, t), curve.derivative(2, t), curve(t), centre)),
+        "The derivatives are % and %. The first one has the squared length % and is %, turned to the left; the "
+        "determinant of both is %. The centre is % + %/% · % = %, a point of the evolute.",
+        *(Math("", (x,)) for x in (tuple(first), tuple(second), length, normal, area)),
+        *(Math("", (x,)) for x in (curve(t), length, area, normal, centre)),
     )
     return task, Numbers(("centre x", "centre y", "radius²"), (*centre, square)), solution
 

@@ -185,8 +185,8 @@ class _Remembered:
 def recognized(curve: Nurbs, epsilon: Number | None = None) -> tuple[RecognizedPiece, ...]:
     """The pieces of a curve that run along a line, a circle or a conic, within the distance epsilon; without it, within
     10⁻⁹ of the curve's size. Pieces begin and end at knots; of several shapes that fit, the simplest is given. A single
-    segment of degree 2, which is always a conic, is left out where the curve has more. Of a space curve also the other
-    pieces that are near a plane but not in one.
+    segment of degree 2, which is always a conic, is left out unless it is the whole curve. Of a space curve also the
+    other pieces that are near a plane but not in one.
 
     >>> from exactspline import Nurbs, example
     >>> (found,) = recognized(example("circle"))
