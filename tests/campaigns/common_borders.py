@@ -368,8 +368,8 @@ def differs_place(oracles, edges, row, ends):
         return ""
     if abs(c + (t - a) * (d - c) / (b - a) - s) > EXACT * abs(d - c):
         return f"{row}: not one point"
-    low, high = (each.domain[1 - edge[0]] for each, edge in zip(oracles, edges, strict=True))
-    t, s = min(max(t, low[0]), low[1]), min(max(s, high[0]), high[1])
+    # at a knot at which the tangents jump, on the side of the arc
+    t, s = inside(t, a, b), inside(s, *sorted((c, d)))
     n = oracles[0].beside(edges[0], t, out=True, sign=1)[1]
     m = oracles[1].beside(edges[1], s, out=False, sign=1 if d > c else -1)[1]
     # by the size that normals have elsewhere
@@ -383,6 +383,12 @@ def differs_place(oracles, edges, row, ends):
     if dot(turn, turn) > EXACT * size * own:
         return f"{row}: two tangent planes"
     return "" if (dot(n, m) > 0) == (row.what == "one tangent plane") else f"{row}: the other direction"
+
+
+def inside(t, a, b):
+    """A parameter, at least by a tiny part of an interval away from its ends."""
+    little = (b - a) / 10**45
+    return min(max(t, a + little), b - little)
 
 
 # ---- campaigns
