@@ -101,10 +101,10 @@ def test_a_command_says_the_same_at_every_width(command):
     full = CliRunner().invoke(app, arguments, env={"COLUMNS": ""})
     assert full.exit_code == 0, full.output
     # every width of every table of a command: below
-    shown = CliRunner().invoke(app, arguments, env={"COLUMNS": str(WIDTHS[0])}).output
-    missing = words(full.output) - words(shown)
+    shown = CliRunner().invoke(app, arguments, env={"COLUMNS": str(WIDTHS[0])}).stdout
+    missing = words(full.stdout) - words(shown)
     assert set(missing) <= HEADINGS
-    assert_whole(shown, " ".join(word for word in full.output.split() if word not in HEADINGS), WIDTHS[0])
+    assert_whole(shown, " ".join(word for word in full.stdout.split() if word not in HEADINGS), WIDTHS[0])
 
 
 def test_lines_of_errata_fit():

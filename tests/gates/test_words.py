@@ -67,6 +67,8 @@ READ = {
     r"curves of one dimension": "curves of the same dimension",
 }
 FOLDERS = ("exactspline/", "workshop/")
+#: Folders that are not of the project.
+OTHERS = {".venv", "build", "node_modules"}
 TEXTS = ("*.py", "*.pyi", "*.md", "*.ipynb", "*.js", "*.html")
 
 
@@ -84,7 +86,7 @@ def texts() -> list[Path]:
     """Every file with words for people, but the history and this list itself."""
     listed = subprocess.run(["git", "ls-files", "-z", *TEXTS], cwd=ROOT, capture_output=True, text=True, check=False)
     files = [ROOT / name for name in listed.stdout.split("\0") if name] or [
-        path for form in TEXTS for path in ROOT.rglob(form)
+        path for form in TEXTS for path in ROOT.rglob(form) if not OTHERS & {*path.relative_to(ROOT).parts}
     ]
     return [path for path in files if path.exists() and path.name != "CHANGELOG.md" and path != Path(__file__)]
 

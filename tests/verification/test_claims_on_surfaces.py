@@ -100,7 +100,7 @@ def test_the_command(tmp_path):
     write(example("biquadratic"), path)
     told = CliRunner().invoke(app, ["prove", "--surface", str(path), "--surface", "paraboloid", "--json"])
     assert told.exit_code == 0
-    rows = json.loads(told.output)["rows"]
+    rows = json.loads(told.stdout)["rows"]
     assert {row["curve"] for row in rows} == {"biquadratic", "paraboloid"}
     assert len({row["key"] for row in rows}) == len(rows)
     text = CliRunner().invoke(app, ["prove", "--paper", "surfaces", "--claim", "S3", "--surface", "cone", "-q"])
