@@ -189,7 +189,7 @@ class ReachError(ExactSplineError):
 
 
 class CurveFileError(ExactSplineError):
-    """A curve file that is missing, too large, not JSON, or lacks a field."""
+    """A curve file that is missing, too large or not JSON, or lacks a field."""
 
 
 # ---- what a public function was handed, or the error that says what it takes instead

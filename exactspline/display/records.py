@@ -66,7 +66,7 @@ def _records(form: Form, value: object, what: str) -> Iterator[Record]:
 
 
 def answer_sheet(title: str, found: list[Record], digits: int) -> Sheet:
-    """An answer as a table: a number in a row, exactly where that is short, and as the nearest double; words in one."""
+    """An answer as a table: a row for each number, exact if short, and as the nearest double; one row for words."""
     made = Sheet("what", "name", "value", "double", title=title, name=title, prose=["value"])
     for each in found:
         words = list[str]()

@@ -38,8 +38,8 @@ class Whole(NamedTuple):
 def whole(degree: int, knots: Sequence[mpq], count: int, periodic: bool = False) -> Whole:
     """The full knot vector of a curve of which a file lists some knots and `count` control points.
 
-    A closed curve may be listed by one period, the first and the last knot e times each: count + e knots. Or its knots
-    are all there, and of its control points those that are repeated are left out. What is neither stays as it is.
+    A closed curve may be listed by one period, the first and the last knot e times each: count + e knots. Or all
+    its knots are listed, and repeated control points are left out. What is neither stays as it is.
 
     >>> whole(3, [mpq(t) for t in range(5)], 4)  # doctest: +ELLIPSIS
     Whole(knots=[mpq(-3,1), ..., mpq(7,1)], more=3, notes=('periodic, listed by one period: ...',))

@@ -102,7 +102,7 @@ def elliptic_arc(
     >>> [len(elliptic_arc((one, zero), (zero, one), (one, one), zero, large, True)) for large in (False, True)]
     [1, 3]
 
-    Raises `NumberError` if the centre or the axes are irrational, and nothing near is allowed.
+    Raises `NumberError` if the centre or the axes are irrational and no approximation is allowed.
     """
     if not sweep:
         return [segment[::-1] for segment in reversed(elliptic_arc(end, start, radii, degrees, large, True, within))]

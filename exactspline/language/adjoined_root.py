@@ -18,7 +18,7 @@ from exactspline.one_line import one_line
 
 
 class Adjoined(FieldOperand):
-    """``plain + rooted · σ``; `square` is S, an operand of the base reading that is not a square there.
+    """``plain + rooted · σ`` with σ² = `square`, an operand of the base reading that is not a square there.
     >>> from exactspline.language.kinds import CURVE
     >>> from exactspline.readings.jet import RationalJetReading
     >>> c = RationalJetReading(2).argument(CURVE, 2)

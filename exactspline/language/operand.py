@@ -91,7 +91,7 @@ class Counted(Ring, Protocol):
 
     @property
     def vanishes_somewhere(self) -> bool:
-        """Whether it is identically zero, if only on one segment of its domain."""
+        """Whether it is identically zero on at least one segment."""
 
     def elevated_to(self, other: Self, /) -> Self:
         """The same function, elevated to at least the degree of another operand."""
@@ -164,7 +164,7 @@ class Operand(Displayed, ABC):
 
     @property
     def vanishes_somewhere(self) -> bool:
-        """Whether it is identically zero, if only on one segment of its domain."""
+        """Whether it is identically zero on at least one segment."""
         return bool(self.is_zero)
 
     def hash_of_quotient(self, numerator: Self) -> int:

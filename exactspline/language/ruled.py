@@ -54,7 +54,7 @@ class RuledSurface(OneLine, Immutable, Displayed, Generic[T_co]):
 
     @property
     def degree(self: RuledSurface[HasDegree[D]]) -> D:
-        """The degree in s of directrix + ζ generator for a constant ζ, counted as in Table 1."""
+        """The degree in s of directrix + ζ generator for a constant ζ, counted as in Table 1 of the 2007 paper."""
         return self.joined.degree
 
     @property

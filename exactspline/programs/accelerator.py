@@ -182,8 +182,8 @@ def _in_c(program: Program, rational: bool) -> _Program | None:
 
 
 def signs(program: Program, rows: Sequence[tuple[Sequence[Sequence[int]], int]], *, rational: bool) -> Signs | None:
-    """What is certain of the outputs of a program (the last of which must have no zero) on segments, each given by the
-    integers of its operands and their denominator; where it is rational, the last operand is a weight function. None
+    """The certain signs of the outputs of a program (the last of which must have no zero) on segments, each given by
+    the integers of its operands and their denominator; if `rational`, the last operand is a weight function. None
     without the extension, and where the numbers are too large for it.
     """
     prepared = _in_c(program, rational) if filter_curve is not None else None

@@ -465,7 +465,7 @@ def _divides(b: fmpq_mpoly, a: fmpq_mpoly) -> bool:
 
 
 class RationalJetReading(IndeterminateReading):
-    """The argument with indeterminate operands, whose quotients are in lowest terms."""
+    """Arguments with indeterminate operands; quotients are in lowest terms."""
 
     name = "rational jet"
 

@@ -22,6 +22,8 @@ from exactspline.reals.real import UNASKED, RationalNumber, Real, zero_of
 
 #: The precision of the balls around a zero.
 PRECISION = 128
+#: Bits that are more than those of an interval that doubles make certain, so that a part of it has other ends.
+INSIDE = 72
 
 
 class LazyForm(Protocol):
@@ -372,9 +374,11 @@ class Root(Real, Displayed):
         a, b = self.segment
         width = b - a
         bits = int(width * scale + 1).bit_length()
-        near = self._zero.shrunk.near(bits) if isinstance(self._zero, LazyRoot) and self._is_wide(scale) else None
-        if near:
+        lazy = self._zero if isinstance(self._zero, LazyRoot) and self._is_wide(scale) else None
+        if lazy and (near := lazy.shrunk.near(max(bits, INSIDE))):
             self.narrow_to(a + width * near.low, a + width * near.high)
+            if progress is not None:
+                progress(_digits(self.high - self.low, digits))
         while self._is_wide(scale):
             changing, before = self._zero.changing
             low, high = self._reached
@@ -404,8 +408,8 @@ class Root(Real, Displayed):
         return self.refine(digits)
 
     def double(self, rounding: str = Rounding.NEAREST) -> float:
-        """The correctly rounded double, as of other numbers: where the root is certain in doubles, from a ball around
-        it, whatever else is known of it.
+        """The correctly rounded double: from a ball around the root where doubles isolate it, otherwise as for any
+        number.
         """
         found = None
         if isinstance(self._zero, LazyRoot) and self.segment is not None:

@@ -2,6 +2,7 @@
 curves of many segments.
 """
 
+from contextlib import suppress
 from fractions import Fraction
 from random import Random
 
@@ -11,6 +12,7 @@ from gmpy2 import mpq
 from exactspline import Nurbs, example, intersections, self_intersections
 from exactspline.errors import ShapeError
 from exactspline.geometry.pairs.intersections import CollectedPoints
+from exactspline.geometry.pairs.lazy_intersections import PairForm
 from exactspline.numbers.exact import rational
 from tests.campaigns.intersections import FAMILIES, above_ceiling, bezier_rows, campaign, curve, multiplied
 from tests.support.bisector_oracle import bezier
@@ -463,3 +465,22 @@ def test_a_curve_that_runs_on_is_not_searched(monkeypatch):
     monkeypatch.setattr(CollectedPoints, "runs_on", lambda *_: False)
     assert found == [repr(self_intersections(c)) for c in curves]
     assert len(set(found)) > 20
+
+
+def test_an_interrupt_while_points_are_listed_repeats_none(monkeypatch):
+    """Before: asked again, six points were listed as eight."""
+    drawn, knots = Random(1), [0] * 4 + [1] * 3 + [2] * 3 + [3] * 4
+    points = [[(drawn.randint(-99, 99), drawn.randint(-99, 99)) for _ in range(10)] for _ in "ab"]
+    found = intersections(*(Nurbs(3, knots, each) for each in points))
+    made, calls = PairForm.of, []
+
+    def interrupted(*given, **more):
+        calls.append(given)
+        if len(calls) == 3:
+            raise KeyboardInterrupt
+        return made(*given, **more)
+
+    monkeypatch.setattr(PairForm, "of", interrupted)
+    with suppress(KeyboardInterrupt):
+        list(found)
+    assert len(list(found)) == len(found) == len({pair.first for pair in found})

@@ -7,6 +7,7 @@ import sys
 import pytest
 from flint import fmpz_poly
 
+from exactspline import Nurbs, analyse
 from exactspline.numbers.exact import mpq
 from exactspline.numbers.intervals import Interval
 from exactspline.polynomials.isolation import LocalPolynomial, LocalZero, isolate
@@ -104,6 +105,7 @@ def test_no_zeros_are_isolated_where_that_is_not_needed(p):
 #: Promises of a zero of 1 − 3z + z² that are not kept: no zero, one from − to +, one that is elsewhere.
 BROKEN = """
 from flint import fmpz_poly
+from exactspline import Nurbs, analyse
 from exactspline.numbers.exact import mpq
 from exactspline.numbers.intervals import Interval
 from exactspline.polynomials.isolation import LocalPolynomial
@@ -131,3 +133,13 @@ def test_a_zero_that_changes_its_sign_in_another_way_than_promised_is_an_error()
     """It was told with the signs that were promised."""
     with pytest.raises(AssertionError, match="change of sign"):
         LazyRoot(Given(Z**2 - 3 * Z + 1), 0, -1, (0.25, 0.3)).exactly  # noqa: B018  # what raises
+
+
+def test_few_digits_come_from_balls_and_are_reported():
+    """Before: to seven digits the form was isolated exactly, and `progress` was not called."""
+    curve = Nurbs(3, [0] * 4 + [1] * 4, [(0, 0), (1, 3), (2, -2), (3, 1)])
+    for digits in (3, 7, 20):
+        (found,), seen = analyse(Nurbs(3, curve.knots, curve.control_points)).inflections, []
+        low, high = found.root.refine(digits, seen.append)
+        assert (high - low <= mpq(1, 10**digits), seen) == (True, [digits])
+        assert low < found.root.exact < high

@@ -95,7 +95,7 @@ class CurveBisector(Inspected, Bisector):
 
     @question(Of.PAIR, answered=Answered.SOLUTIONS)
     def patches(self) -> tuple[BisectorPatch, ...]:
-        """The patches of the bisector surface: the points of the pairs that have one point.
+        """The bisector surface in patches: the points of those pairs of parameters that have exactly one.
 
         >>> from exactspline import bisector, example
         >>> found = bisector(example("rational_space_cubic"), example("twisted_cubic"))

@@ -218,8 +218,8 @@ def deviation(first: Nurbs, second: Nurbs) -> Iterator[NamedNumbers]:
     <first from second: low 1, high 10099/10000, at 1/2, nearest 1/2>
     <second from first: low √3/2, high ...>
 
-    Raises `ShapeError` for curves of different dimensions, and outside plane and space, and `ReachError` where it is
-    out of reach whether they have arcs in common.
+    Raises `ShapeError` for curves of different dimensions, and outside plane and space, and `ReachError` where it
+    cannot be decided whether they have arcs in common.
     """
     for what, way in _ways(first, second):
         *_, farthest = way.halvings()

@@ -11,6 +11,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from enum import StrEnum
 from functools import partial
+from itertools import starmap
 from typing import Any, NamedTuple
 
 from exactspline.bivariate.common_zeros import common_zeros, multiplicity
@@ -378,13 +379,13 @@ class CollectedPoints:
         return Intersections.late(count, make, tuple(self.arcs), undecided=tuple(self.undecided), curves=curves)
 
     def _in_order(self, at_knots: list[Intersection]) -> tuple[Intersection, ...]:
-        """All common points, in the order of the first curve."""
+        """All common points, in the order of the first curve. An interrupt changes nothing."""
+        inner = [*self.inner]
         for pair, found in self.certain:
             alone = self.alone and pair[0] == pair[1]
             forms = PairForm.of(self.segments[0][pair[0]], self.segments[-1][pair[1]], alone=alone)
-            self.inner += [(pair, forms.meeting(each)) for each in found]
-        self.certain = []
-        points = [*at_knots, *(self._inside(*found) for found in self.inner)]
+            inner += [(pair, forms.meeting(each)) for each in found]
+        points = [*at_knots, *starmap(self._inside, inner)]
         return tuple(sorted(points, key=lambda point: point.first) if len(points) > 1 else points)
 
     def _inside(self, pair: tuple[int, int], point: Meeting) -> Intersection:

@@ -100,8 +100,8 @@ def features_nearby(curve: Nurbs, epsilon: Number) -> tuple[NearbyFeature, ...]:
 
 
 def singular_points_nearby(curve: Nurbs, epsilon: Number) -> tuple[NearbyFeature, ...]:
-    """Where curves near a curve may have singular points, such as cusps: no curve whose coordinates and, for a
-    rational curve, weights differ by at most epsilon has one elsewhere. In the order of the parameter.
+    """Where curves near this one may have singular points, such as cusps; elsewhere none has one, if its coordinates
+    and, for a rational curve, weights differ by at most epsilon from the given ones. In the order of the parameter.
 
     >>> from exactspline import Nurbs, example
     >>> nearly = Nurbs(3, [0] * 4 + [1] * 4, [(0, 0), (1, 1), ("-1/1000", 1), (1, 0)])

@@ -132,7 +132,7 @@ class DegreeClaim(Claim):
         return not silent and super().applies_to(dimension, polynomial, surface=surface)
 
     def for_all(self) -> tuple[Name, Finding]:
-        """The reading is that of the measure."""
+        """Decide it for all curves, in the reading of the measure."""
         reading = {Measure.NOMINAL: "degree", Measure.TRUE: "infinity"}.get(self.measure, "covariant")
         return Name(reading), super().for_all()[1]
 

@@ -230,9 +230,9 @@ class Existence(Claim):
         return with_constants(framed, own.constants) or own
 
     def validate(self) -> None:
-        """Reject a formula that is its own definition: any formula is a quotient of polynomials."""
+        """Reject a formula given as its own definition, which would always be rational."""
         if self.formula == self.definition:
-            problem = f"{self.formula!r} is said to be what it is"
+            problem = f"{self.formula!r} is given as its own definition"
             raise ClaimError(problem, where="definition", remedy="name the formula that defines it")
 
     def decide(self, dimension: int, polynomial: bool) -> Finding:
