@@ -30,6 +30,8 @@ from exactspline.splines.surface import NurbsSurface
 
 #: What questions are asked of: an object, or what is known of it.
 About: TypeAlias = Nurbs | NurbsSurface | tuple[Nurbs, Nurbs] | tuple[NurbsSurface, NurbsSurface] | Remembers
+#: What is asked of two objects of one kind.
+PAIRS = (Of.TWO_CURVES, Of.TWO_SURFACES)
 #: The kinds of objects by what is known of them.
 KINDS: dict[type, Of] = {
     SurfaceInspection: Of.SURFACE,
@@ -209,7 +211,7 @@ def _either(kinds: Sequence[Of]) -> str:
     """Kinds of objects as words."""
     of_all = set(ALL_CURVES) <= {*kinds}
     rest = [kind for kind in kinds if not (of_all and kind in ALL_CURVES)]
-    return " or ".join(["a curve"] * of_all + [kind if kind.startswith("two ") else f"a {kind}" for kind in rest])
+    return " or ".join(["a curve"] * of_all + [kind if kind in PAIRS else f"a {kind}" for kind in rest])
 
 
 class Listed(NamedTuple):

@@ -47,9 +47,8 @@ def _prominences(curve: Nurbs) -> tuple[tuple[Feature, Real | None], ...]:
     """
     given = curve_of(curve)
     if given.dimension not in (2, 3):
-        raise ShapeError(
-            f"prominences of a curve in R{given.dimension}", remedy="this needs a curve in the plane or in space"
-        )
+        problem = f"prominences of a curve in R{given.dimension}"
+        raise ShapeError(problem, remedy="this needs a curve in the plane or in space")
     facts = analyse(given)
     ends = [*map(real, given.domain), *[real(x.parameter) for x in facts.joints if x.kind is not JointKind.CONTINUOUS]]
     extrema = facts.curvature_extrema
