@@ -1,1 +1,1 @@
-"""The geometry of a curve: constructions, features, ruled surfaces, bisectors."""
+"""The geometry of curves, pairs of curves and surfaces: features, constructions, bisectors, measures, recognition."""

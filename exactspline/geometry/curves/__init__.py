@@ -1,1 +1,1 @@
-"""What one curve has: its facts, joints, features, planarity, poles, and its values at a parameter."""
+"""One curve: its facts, joints, features, planarity and poles, and its values at a parameter."""

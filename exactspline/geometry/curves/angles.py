@@ -26,8 +26,9 @@ if TYPE_CHECKING:
 def degrees(angle: Angle) -> Real:
     """An angle in degrees, in (−180, 180].
 
-    It is rational only for multiples of 30 and 45 degrees: cos² is rational, so Niven's theorem holds for twice the
-    angle. Otherwise it is transcendental, by the theorem of Gelfond and Schneider: ``(−1)^(angle/180)`` is algebraic.
+    The number of degrees is rational only for multiples of 30 and 45: cos² is rational, so Niven's theorem holds for
+    twice the angle. Otherwise the number is transcendental, by the theorem of Gelfond and Schneider:
+    ``(−1)^(angle/180)`` is algebraic.
 
     >>> from exactspline.geometry.curves.angles import Angle
     >>> from exactspline.numbers.exact import mpq
@@ -47,10 +48,10 @@ def _angle_ball(angle: Angle, bits: int) -> arb:
 
 
 class Angle:
-    """The angle from one rational direction to another, both nonzero, given exactly by its cosine and sine; in the
-    plane positive to the left. They are computed when first needed: many angles are only counted.
+    """The angle from one nonzero rational direction to another, given exactly by its cosine and sine, which are
+    computed when first needed. In the plane an angle to the left is positive.
 
-    In space it is unsigned: between 0° and 180°.
+    In space an angle is between 0° and 180°.
 
     >>> angle = Angle((mpq(1), mpq(0)), (mpq(1), mpq(-1)))
     >>> print(angle.cosine, angle.sine, angle.degrees(10))
@@ -64,7 +65,7 @@ class Angle:
 
     @cached_property
     def cosine(self) -> Real:
-        """The cosine."""
+        """The cosine of the angle."""
         a, b = self._directions
         product = dot(a, b)
         size = square_root(product * product / self._lengths)
@@ -72,14 +73,14 @@ class Angle:
 
     @cached_property
     def sine(self) -> Real:
-        """The sine."""
+        """The sine of the angle."""
         a, b = self._directions
         size = square_root(1 - dot(a, b) ** 2 / self._lengths)
         return -size if len(a) == 2 and a[0] * b[1] < a[1] * b[0] else size
 
     @property
     def _lengths(self) -> mpq:
-        """The product of the squared lengths."""
+        """The product of the squared lengths of the two directions."""
         a, b = self._directions
         return dot(a, a) * dot(b, b)
 

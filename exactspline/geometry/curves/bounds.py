@@ -1,9 +1,9 @@
 """Bounds of a function on a whole curve, by the zeros of forms: the largest speed, |κ|, |dκ/ds| and |τ|, where they are
 attained, and where |κ| is above a number.
 
-On each segment such a function, or its square, is a quotient of splines in lowest terms, so that singular points at
-which it has a limit are points like any other. At a knot both limits count. Where a denominator vanishes the function
-is not bounded.
+On each segment such a function, or its square, is a quotient of splines in lowest terms, so that a singular point at
+which the function has a limit needs no special treatment. At a knot both limits count. Where a denominator vanishes,
+the function is not bounded.
 """
 
 from __future__ import annotations
@@ -44,8 +44,8 @@ Place = mpq | Real
 
 @dataclass(frozen=True)
 class Size:
-    """A function on curves, whose absolute value is bounded: its name, and how it, or its square, is computed on a
-    segment.
+    """A function on curves, whose absolute value is bounded: its name, and the computation of the function, or of its
+    square, on a segment.
     """
 
     name: str
@@ -72,7 +72,7 @@ def _derivative_in_space(c: Curve[BSpline]) -> Any:
     return space_critical_curvature_lifted(c) ** 2 * c.w**8 / (4 * speed**6 * bending)
 
 
-#: By the dimension of a curve.
+#: The functions that are bounded, by the dimension of the curve.
 SPEED = dict.fromkeys((2, 3), Size("speed", _speed_squared))
 CURVATURE = {2: Size("curvature", curvature_squared_lifted), 3: Size("curvature", space_curvature_squared_lifted)}
 CURVATURE_DERIVATIVE = {
@@ -110,7 +110,7 @@ def _extreme(form: Form) -> list[Place]:
 
 
 def _inside(form: BSpline) -> list[Place]:
-    """The zeros of the form of a segment that are inside of it."""
+    """The zeros of the form of a segment strictly inside the segment."""
     return [exact_place(root) for root in zeros(form) if not root.at_knot]
 
 
@@ -125,15 +125,15 @@ def _form_on(facts: Facts, size: Size, i: int) -> Form | None:
 
 
 def largest(facts: Facts, sizes: Mapping[int, Size]) -> tuple[NamedNumbers, ...]:
-    """The least upper bound of |f| with each parameter and each piece at which it is attained; or the parameters near
-    which there is none. Nothing where f is defined nowhere.
+    """The maximum of |f|, with each parameter and each piece at which it is attained; or, if |f| is unbounded, the
+    parameters of its poles. The result is empty if f is defined nowhere.
 
     >>> from exactspline import example
     >>> from exactspline.geometry.curves.facts import facts_of
     >>> largest(facts_of(example("circle")), CURVATURE)
     (<largest curvature on a piece: curvature 1, start 0, end 4>,)
 
-    Raises `ShapeError` for a curve of a dimension in which there is no such f.
+    Raises `ShapeError` for a curve of a dimension in which f is not defined.
     """
     size = _of(sizes, facts)
     forms = {i: form for i in range(len(facts.breaks) - 1) if (form := _form_on(facts, size, i))}
@@ -153,7 +153,7 @@ def largest(facts: Facts, sizes: Mapping[int, Size]) -> tuple[NamedNumbers, ...]
 
 
 def _pieces(facts: Facts, among: set[int]) -> list[CurvePiece]:
-    """The pieces that these segments make."""
+    """The maximal pieces made of these segments."""
     holds = [i in among for i in range(len(facts.breaks) - 1)]
     found = runs(holds, [facts.closed, *[True] * (len(holds) - 1)])
     return [CurvePiece(intervals_of(facts.breaks, *run)) for run in found]
@@ -164,14 +164,14 @@ def _ends(start: Real, end: Real) -> dict[str, Real]:
 
 
 def _once(facts: Facts, t: Place) -> Place:
-    """A parameter, the seam of a closed curve at the start of the domain."""
+    """The parameter; at the seam of a closed curve the start of the domain."""
     return facts.breaks[0] if facts.closed and t == facts.breaks[-1] else t
 
 
 def _at_points(
     facts: Facts, what: str, hits: list[tuple[int, Place]], values: dict[str, Real]
 ) -> Iterator[NamedNumbers]:
-    """Each parameter once, in order, with the side of a knot whose other side is not among them."""
+    """Each parameter once, in order; at a knot with the side, if only the limit from one side is among the hits."""
     inside = [t for i, t in hits if t not in facts.breaks[i : i + 2]]
     sides: dict[Place, list[Side]] = {}
     for i, t in hits:
@@ -185,7 +185,8 @@ def _at_points(
 
 
 def derivative_by_arc_length(facts: Facts, place: Place, side: Side) -> Real:
-    """dκ/ds at a parameter: in the plane of the signed curvature; where κ = 0 in space its limit from the side.
+    """dκ/ds at a parameter. In the plane κ is the signed curvature; in space the value where κ = 0 is the limit from
+    the side.
 
     >>> from exactspline import example
     >>> from exactspline.geometry.curves.facts import facts_of
@@ -208,8 +209,8 @@ def derivative_by_arc_length(facts: Facts, place: Place, side: Side) -> Real:
 
 
 def parts_above(facts: Facts, bound: mpq) -> tuple[NamedNumbers, ...]:
-    """Whether |κ| is at most a number, and the parts of the curve where it is not; one that runs across the seam of a
-    closed curve ends below its start.
+    """Whether |κ| is at most a number, and the parts of the curve where it is larger; the end of a part across the seam
+    of a closed curve is below its start.
 
     >>> from exactspline import example
     >>> from exactspline.geometry.curves.facts import facts_of

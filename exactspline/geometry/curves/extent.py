@@ -24,7 +24,7 @@ def slope(curve: Nurbs, axis: int) -> BSpline:
 
 
 def slope_zeros(curve: Nurbs, axis: int | str) -> ZeroSet:
-    """The zeros of that derivative; raises `ShapeError` for a coordinate that the curve does not have."""
+    """The zeros of the derivative of a coordinate; raises `ShapeError` for a coordinate that the curve does not have."""
     return zeros(slope(curve, _number_of(curve, axis)), periodic=curve.closed)
 
 
@@ -36,13 +36,15 @@ def _number_of(curve: Nurbs, axis: int | mpq | str) -> int:
 
 
 def value_zeros(curve: Nurbs, axis: int | mpq, value: mpq) -> ZeroSet:
-    """Where a coordinate has a value; raises `ShapeError` for a coordinate that the curve does not have."""
+    """The parameters at which a coordinate has a given value; raises `ShapeError` for a coordinate that the curve does
+    not have.
+    """
     return zeros(curve.p[_number_of(curve, axis)] - curve.w.scaled(value), periodic=curve.closed)
 
 
 def at_coordinate(curve: Nurbs, axis: int | mpq, value: mpq) -> Places[Feature]:
-    """Where a coordinate crosses a value, also by a jump (``level crossing``), or has it without crossing it (``level
-    touch``); and the pieces on which it has it.
+    """The parameters at which a coordinate crosses a value, also by a jump (``level crossing``), or reaches the value
+    without crossing it (``level touch``); and the pieces on which the coordinate has this value.
 
     Raises `ShapeError` for a coordinate that the curve does not have.
     """
@@ -52,8 +54,8 @@ def at_coordinate(curve: Nurbs, axis: int | mpq, value: mpq) -> Places[Feature]:
 
 
 def turning_points(curve: Nurbs, axis: int | str) -> Places[Feature]:
-    """Where a coordinate changes from increasing to decreasing (``maximum``) or back (``minimum``), at a single
-    parameter; and the pieces on which it is constant.
+    """The parameters at which a coordinate changes from increasing to decreasing (``maximum``) or back (``minimum``);
+    and the pieces on which the coordinate is constant.
 
     Raises `ShapeError` for a coordinate that the curve does not have.
     """

@@ -1,8 +1,7 @@
-"""The facts of one curve, each computed once, when it is first needed: the forms whose zeros its
-features are, these zeros, its joints and its singular points.
+"""The facts of one curve, each computed once, when first needed: the forms whose zeros are the features of the curve,
+these zeros, the joints and the singular points.
 
-Nothing here is recomputed, and everything takes time linear in the segments (sorting apart). This module does not
-depend on the parameter of a form: it uses the zero sets.
+Every computation takes time linear in the number of segments, apart from sorting.
 """
 
 from __future__ import annotations
@@ -127,7 +126,7 @@ class ZeroForm(OneLine):
 
 
 def located(zeros: ZeroSet) -> list[tuple[Root, bool]]:
-    """The roots of a zero set and its changes of sign by a jump, in order, each with whether it is a jump."""
+    """The roots of a zero set and its changes of sign by a jump, in order, each with True if it is a jump."""
     jumps = [(jump_root(jump), True) for jump in zeros.jumps if jump.sign_change]
     if not jumps:
         return [(root, False) for root in zeros]
@@ -135,7 +134,7 @@ def located(zeros: ZeroSet) -> list[tuple[Root, bool]]:
 
 
 def among(roots: Sequence[Root], others: Sequence[Root]) -> list[bool]:
-    """Which of some roots are also among others; both sequences in the order of the parameter."""
+    """For each of some roots whether it is also among the others; both sequences are in the order of the parameter."""
     contained, j = [], 0
     for root in roots:
         while j < len(others) and others[j] < root:
@@ -145,8 +144,9 @@ def among(roots: Sequence[Root], others: Sequence[Root]) -> list[bool]:
 
 
 class Kept(Remembers):
-    """What is known of one curve, and weak references to the objects that answer questions about it, as the curve it
-    is and as a part of space. (With strong ones neither would be freed before the garbage collector runs.)
+    """The results computed for one curve, and weak references to the objects that answer questions about it, as a
+    parametrized curve and as a point set. (With strong references neither would be freed before the garbage collector
+    runs.)
     """
 
     def __init__(self) -> None:
@@ -154,7 +154,7 @@ class Kept(Remembers):
         self._readers: dict[str, Callable[[], object]] = {}
 
     def reader(self, make: Callable[[Kept], F], of: str = "") -> F:
-        """The object that answers questions, made where there is none."""
+        """The object that answers questions, created if there is none yet."""
         with _LOCK.held():
             found = self._readers.get(of, lambda: None)()
             if found is None:
@@ -164,7 +164,7 @@ class Kept(Remembers):
 
 
 def kept_by(curve: Nurbs) -> Kept:
-    """What a curve keeps of itself: it belongs to the curve, and is no part of its value."""
+    """The results stored with a curve, which are not part of its value."""
     with _LOCK.held():
         if curve.kept_analysis is None:
             curve.kept_analysis = Kept()
@@ -173,8 +173,8 @@ def kept_by(curve: Nurbs) -> Kept:
 
 
 class Facts(Remembers):
-    """The facts of one curve from which its features are read. What was computed is kept in `known`, which refers
-    neither to the curve nor to this object: both are freed when nothing else refers to them.
+    """The facts of one curve, from which its features are derived. Results are stored in `known`, which has no
+    reference to the curve or to this object: both are freed when nothing else refers to them.
     """
 
     def __init__(self, curve: Nurbs, known: Remembers | None = None) -> None:
@@ -183,7 +183,7 @@ class Facts(Remembers):
 
     @property
     def again(self) -> Callable[[], Facts]:
-        """What makes those of an equal curve, and holds neither this curve nor what is known of it."""
+        """A function that makes the facts of an equal curve, and holds no reference to this curve or to its results."""
         make, data = self.curve.__reduce__()
         return partial(_facts_again, make, *data)
 
@@ -198,7 +198,7 @@ class Facts(Remembers):
 
     @Fact
     def closed(self) -> bool:
-        """Whether its ends agree."""
+        """Whether the two ends of the curve agree."""
         return self.curve.closed
 
     @property
@@ -285,7 +285,7 @@ class Facts(Remembers):
 
     @Fact
     def standing(self) -> tuple[bool, ...]:
-        """Segment by segment, whether the curve stands still."""
+        """For each segment whether the curve is constant there."""
         return tuple([not any(parts) for parts in zip(*[x.numerators for x in self.velocity], strict=True)])
 
     @Fact
@@ -359,8 +359,8 @@ class Facts(Remembers):
         return self._joint(i).same_curvature
 
     def _tangents(self, before: int, behind: int) -> tuple[tuple[fmpz, ...], tuple[fmpz, ...]] | None:
-        """The directions of two segments that certainly meet, where these differ and γ′ ≠ 0 on both sides; None proves
-        nothing.
+        """The tangent directions of two segments that certainly meet, if the directions differ and γ′ ≠ 0 on both
+        sides; None proves nothing.
         """
         if before >= 0 and self.curve.p[0].continuity[before]:
             return None
@@ -394,7 +394,7 @@ class Facts(Remembers):
         """The points with γ′ = 0.
 
         ``cusp``, ``stop`` or ``corner``: the direction of the curve is reversed, kept, or turned by another angle;
-        ``rest``: an end of an interval on which the curve stands still; ``singular end``: the domain ends there.
+        ``rest``: an end of an interval on which the curve is constant; ``singular end``: the domain ends there.
 
         >>> from exactspline import analyse, example
         >>> [(f.kind.value, f.root.exact) for f in analyse(example("cusp")).singular_points]
@@ -494,7 +494,7 @@ class Facts(Remembers):
     # ---- pieces
 
     def pieces_where_zero(self, zero_form: ZeroForm) -> list[CurvePiece]:
-        """The pieces on which a form vanishes and the curve does not stand still, cut where its curvature jumps."""
+        """The pieces on which a form vanishes and the curve is not constant, cut where its curvature jumps."""
         if not zero_form.zeros.intervals:
             return []
         vanishes = zero_form.vanishes_on(self.breaks)
@@ -523,7 +523,7 @@ class Facts(Remembers):
 
     @question(*CURVES, answered=Answered.PIECES, of_piece="stands still")
     def standing_pieces(self) -> tuple[CurvePiece, ...]:
-        """The pieces on which the curve stands still."""
+        """The pieces on which the curve is constant."""
         if not any(self.standing):
             return ()
         joined = [joint.kind is JointKind.STILL for joint in self.joints]
@@ -536,7 +536,7 @@ class Facts(Remembers):
 
 
 def _facts_again(make: Callable[..., Nurbs], *data: object) -> Facts:
-    """The facts of a curve that is made again."""
+    """The facts of a curve, which is made from its data again."""
     return facts_of(make(*data))
 
 

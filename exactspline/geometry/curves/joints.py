@@ -43,10 +43,10 @@ ORDER = 3
 class Joint(OneNumber):
     """A knot inside the domain, or the seam of a closed curve (at the start of the domain), and how the two sides meet.
 
-    `order` is that of geometric continuity: −1 for a gap, at most 3 (then "at least"); None where the curve stands
-    still or only the direction of its tangent is known (a singular joint without a corner). `angle` is the angle by
+    `order` is the order of geometric continuity: −1 for a gap, 3 for an order of at least 3; None where the curve is
+    constant or only the direction of its tangent is known (a singular joint without a corner). `angle` is the angle by
     which the tangent turns, None where it does not. `gap` is the distance of the two sides, None where they meet.
-    `curvatures` are κ on both sides where the tangent is continuous and κN is not. ``float(joint)`` is its parameter as
+    `curvatures` are κ on both sides where the tangent is continuous and κN is not. ``float(joint)`` is the parameter as
     a double.
 
     >>> from exactspline import analyse, example
@@ -184,8 +184,8 @@ def geometric_order(left: Jet, right: Jet) -> int:
 
 
 def order_of(left: Jet, right: Jet, angle: Angle | None) -> int | None:
-    """The order of geometric continuity of two sides, of which one may have γ′ = 0; None where their
-    directions alone agree.
+    """The order of geometric continuity of two sides, of which one may have γ′ = 0; None where only their directions
+    agree.
     """
     if left[0] != right[0] or (any(left[1]) and any(right[1])):
         return geometric_order(left, right)
@@ -193,7 +193,7 @@ def order_of(left: Jet, right: Jet, angle: Angle | None) -> int | None:
 
 
 def parametric_order(left: Jet, right: Jet) -> int:
-    """The number of derivatives, from −1 to 3, that two sides have in common, their points being the first.
+    """The order of parametric continuity of two sides: −1 for different points, 3 for an order of at least 3.
 
     >>> a, b = [((0, 0), (1, 0), (0, k), (0, 0)) for k in (0, 1)]
     >>> parametric_order(a, a), parametric_order(a, b)
@@ -203,7 +203,7 @@ def parametric_order(left: Jet, right: Jet) -> int:
 
 
 def reversed_jet(jet: Jet) -> Jet:
-    """The jet of the curve run through in the other direction."""
+    """The jet of the reversed curve."""
     point, first, second, third = jet
     return point, _negative(first), second, _negative(third)
 
@@ -232,7 +232,7 @@ def curvature_of(jet: Jet) -> Real:
 
 
 def curvature_vector(jet: Jet) -> Point:
-    """κN of a jet with γ′ ≠ 0: from the curve towards the centre of curvature, as long as |κ|.
+    """κN of a jet with γ′ ≠ 0: it points from the curve towards the centre of curvature and has the length |κ|.
 
     >>> curvature_vector(((0, 0), (0, 2), (-4, 0), (0, 0)))
     (mpq(-1,1), mpq(0,1))

@@ -18,7 +18,7 @@ class FeatureKind(StrEnum):
     CORNER = "corner"
     #: γ′ = 0 where the domain of an open curve ends.
     SINGULAR_END = "singular end"
-    #: An end of an interval on which the curve stands still.
+    #: An end of an interval on which the curve is constant.
     REST = "rest"
     #: κ = 0, and its sign (in space the direction of κN) changes, is kept, or the domain ends there.
     INFLECTION = "inflection"
@@ -34,7 +34,7 @@ class FeatureKind(StrEnum):
     TORSION_ZERO = "torsion zero"
     TORSION_TOUCH = "torsion touch"
     TORSION_END = "torsion end"
-    #: A coordinate has a value: its difference from it changes its sign, or keeps it, or the domain ends there.
+    #: A coordinate has a given value: the difference changes its sign, or keeps its sign, or the domain ends there.
     CROSSING = "level crossing"
     TOUCH = "level touch"
 
@@ -53,7 +53,7 @@ _SINGULAR = (FeatureKind.CUSP, FeatureKind.STOP, FeatureKind.CORNER, FeatureKind
 
 
 def kind_name(kind: FeatureKind) -> str:
-    """The kind of a feature, and of what it is an extremum.
+    """The name of a kind of feature; for an extremum with the name of the function.
 
     >>> kind_name(FeatureKind.MAXIMUM), kind_name(FeatureKind.STOP), kind_name(FeatureKind.INFLECTION)
     ('maximum of κ', 'singular point, no cusp', 'inflection')
@@ -71,7 +71,7 @@ class JointKind(StrEnum):
     CORNER = "corner"
     #: γ′ = 0 on one side at least.
     SINGULAR = "singular"
-    #: The curve stands still on both sides.
+    #: The curve is constant on both sides.
     STILL = "standing still"
     #: In space: one tangent, two osculating planes.
     TURN = "jump of the osculating plane"
@@ -85,7 +85,7 @@ class JointKind(StrEnum):
 class Feature(OneNumber):
     """A point of the curve: its kind, its parameter as a certified root, and how it was detected. `by_jump` says that a
     sign changes at a knot without a zero on both sides; `of_absolute` is the kind of extremum of the absolute
-    curvature, None where it has none. Its parameter as a double is ``float(feature)``.
+    curvature, None where |κ| has no extremum. ``float(feature)`` is the parameter as a double.
 
     >>> from exactspline import analyse, example
     >>> found = analyse(example("cubic_s")).inflections[0]

@@ -57,8 +57,8 @@ class Plane(OneLine):
 
     @property
     def across(self) -> int:
-        """The number of the first coordinate that is not constant along the normal. Without it points of the plane have
-        two coordinates, an affine image of the plane as it is seen from the tip of the normal (`seen`).
+        """The number of the first coordinate that is not constant along the normal. Without this coordinate, points of
+        the plane have two coordinates: an affine image of the plane as seen from the tip of the normal (`seen`).
         """
         return next(i for i, k in enumerate(self.normal) if k)
 
@@ -72,8 +72,8 @@ class Plane(OneLine):
 
 
 def plane_of(curve: Nurbs) -> Plane | None:
-    """The plane in which a space curve lies, None when there is none; for a straight curve a coordinate plane (or one
-    parallel to it) where it lies in one, otherwise None.
+    """The plane in which a space curve lies, None when there is none; for a straight curve a coordinate plane, or a
+    plane parallel to one, if it contains the curve, otherwise None.
 
     >>> from exactspline.interchange.examples import example
     >>> print(plane_of(example("planar_in_space"))), plane_of(example("twisted_cubic"))
@@ -94,8 +94,8 @@ def plane_of(curve: Nurbs) -> Plane | None:
 
 
 def in_common_plane(*curves: Nurbs) -> tuple[Plane, list[Nurbs]] | None:
-    """A plane in which curves in space lie, and their images in two of its coordinates (`Plane.seen`); None where there
-    is none.
+    """A plane that contains all given space curves, and their images in two coordinates of the plane (`Plane.seen`);
+    None if there is no such plane.
 
     >>> from exactspline.interchange.examples import example
     >>> plane, (curve,) = in_common_plane(example("planar_in_space"))
@@ -109,7 +109,7 @@ def in_common_plane(*curves: Nurbs) -> tuple[Plane, list[Nurbs]] | None:
 
 
 def _span_of(*curves: Nurbs) -> Rows:
-    """The span of the Bézier points of curves in space; all of it as soon as they lie in no plane."""
+    """The span of the Bézier points of curves in space; the whole space as soon as they lie in no plane."""
     points: Rows = []
     segments = chain.from_iterable(_rows(space(curve)) for curve in curves)
     while len(points) < 4 and (segment := next(segments, None)):
@@ -121,7 +121,7 @@ def planar_pieces(curve: Nurbs) -> list[tuple[CurvePiece, Plane]]:
     """The longest pieces on each of which a space curve lies in one plane (τ ≡ 0) without being straight, with their
     planes; on a closed curve they continue across the seam.
 
-    Two of them can share a straight piece.
+    Two such pieces can share a straight piece.
 
     >>> from exactspline.interchange.examples import example
     >>> [str(piece) for piece, _ in planar_pieces(example("planar_in_space"))]
@@ -240,7 +240,7 @@ def _seen_in(plane: Plane, curve: Nurbs) -> Nurbs:
 
 
 def in_the_plane(curve: Nurbs) -> Nurbs:
-    """A space curve whose z vanishes, as most of those in files of drawings, as a plane curve; another curve itself.
+    """A space curve with z = 0, as most curves in files of drawings, as a plane curve; any other curve unchanged.
 
     >>> from exactspline import Nurbs
     >>> in_the_plane(Nurbs(1, [0, 0, 1, 1], [(1, 2, 0), (3, 4, 0)])).control_points
@@ -252,7 +252,7 @@ def in_the_plane(curve: Nurbs) -> Nurbs:
 
 
 def in_one_plane(first: Nurbs, second: Nurbs) -> tuple[Nurbs, Nurbs]:
-    """Two curves as plane curves where the z of each that is in space vanishes; otherwise as they are.
+    """Two curves as plane curves if each is in the plane or has z = 0 in space; otherwise the curves unchanged.
 
     >>> from exactspline.interchange.examples import example
     >>> [curve.dimension for curve in in_one_plane(example("ellipse_in_space"), example("circle"))]
@@ -278,7 +278,7 @@ def check_in_one_space(first: Nurbs, second: Nurbs) -> None:
 
 
 def with_plane_curves(curves: Iterable[Nurbs]) -> list[Nurbs]:
-    """The curves; each one with a constant coordinate is followed by itself as a plane curve.
+    """The curves, where each space curve with a constant coordinate is followed by its plane curve.
 
     >>> from exactspline.interchange.examples import example
     >>> len(with_plane_curves([example("planar_in_space"), example("circle")]))

@@ -1,6 +1,6 @@
 """Inflections, curvature extrema and special pieces of a plane curve, from its facts. All are zeros of a form of the
-curve (see `exactspline.geometry.derived.constructions`), found by `exactspline.roots`; a zero where γ′ vanishes is a
-singular point and nothing else. On a closed curve the seam is a knot like any other and counts once.
+curve (see `exactspline.geometry.derived.constructions`), found by `exactspline.roots`; a zero at which γ′ = 0 is
+reported as a singular point only. On a closed curve the seam is a knot like any other and counts once.
 """
 
 from __future__ import annotations

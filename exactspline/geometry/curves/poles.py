@@ -1,9 +1,8 @@
-"""Curves that pass through infinity, such as the evolute of a curve with an inflection: their poles, and what they have
-between them.
+"""Curves that pass through infinity, such as the evolute of a curve with an inflection: their poles, and their features
+between the poles.
 
-A pole is a zero of the denominator, as a rule an irrational number. The curve is analysed on pieces with rational ends
-that come so close to the poles that nothing it has lies between: the forms from whose zeros its features are read have
-none there but the pole itself.
+A pole is a zero of the denominator, usually an irrational number. The curve is analysed on pieces with rational ends so
+close to the poles that no feature is lost: between a piece and a pole, the forms whose zeros are features have no zero.
 """
 
 from __future__ import annotations
@@ -36,9 +35,9 @@ FIRST_DIGITS, MOST_DIGITS = 6, 4096
 
 @dataclass(frozen=True, repr=False)
 class BetweenPoles(OneLine, Displayed):
-    """A plane curve in pieces without poles, and the poles, each with an interval in which nothing else happens.
+    """A plane curve in pieces without poles, and the poles, each with an interval that contains no feature.
 
-    Features at the poles themselves are not named: there is no point there.
+    Features at the poles are not reported: the curve has no point there.
     """
 
     poles: tuple[Root, ...]

@@ -2,7 +2,7 @@
 
 In space κ ≥ 0. Where κ = 0 (γ′ × γ″ = 0 at a regular point) it has a minimum: these points are listed by their own
 kinds, and not again among the extrema. The form [D1 D2 D3] of the torsion vanishes there whether or not τ does, so that
-τ itself, in lowest terms, decides. A zero where γ′ vanishes is a singular point and nothing else.
+τ itself, in lowest terms, decides. A zero at which γ′ = 0 is reported as a singular point only.
 """
 
 from __future__ import annotations

@@ -1,1 +1,1 @@
-"""What is derived from a curve by a formula: constructions in all their variants, ruled surfaces."""
+"""Objects derived from a curve by a formula: constructions in all their variants, ruled surfaces."""

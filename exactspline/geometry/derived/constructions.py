@@ -1,8 +1,8 @@
-"""The constructions of the paper, and the forms in which each can be computed.
+"""The constructions of the paper (Chen, Riesenfeld and Cohen 2007), and the forms in which each can be computed.
 
-A construction is a name with formulas: ``naive`` as the algorithm computes it, ``paper`` as the paper reduces it, other
-variants by their names, ``lifted`` from the lifts of the curve. ``minimal`` is the lifted form after division by all
-common factors on the given curve: the naive variant in lowest terms.
+A construction is a name with variants, each of which is a formula: ``naive`` as the algorithm computes it, ``paper`` as
+the paper reduces it, ``lifted`` from the lifts of the curve, others by their own names. ``minimal`` is the lifted form
+after division by all common factors on the given curve: the naive variant in lowest terms.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ from exactspline.splines.lowest_terms import SplineValue, SplineVector, in_lowes
 from exactspline.symbolic.factorization import find_factor, jets_for
 from exactspline.words import Word, choice
 
-#: What evaluates formulas on a curve.
+#: A function that evaluates formulas on a curve.
 Values = Callable[[Formula], SplineValue]
 
 
@@ -51,7 +51,7 @@ class Absence(StrEnum):
     STRAIGHT = "straight"
     PLANAR = "planar"
     STILL = "still"
-    #: For no reason that is known.
+    #: The reason is not known.
     DENOMINATOR = "denominator"
 
     @property
@@ -121,8 +121,8 @@ class Construction:
         value_of: Values | None = None,
         lowest_of: Values | None = None,
     ) -> BSpline | SplineVector:
-        """The object on a curve: of a zero-set problem its form, otherwise its value, of which the minimal one is
-        reduced segment by segment. `value_of` evaluates formulas on the curve, and `lowest_of` at their true degree.
+        """The form of a zero-set problem on a curve, or the value of another construction; the minimal value is reduced
+        segment by segment. `value_of` evaluates formulas on the curve, `lowest_of` at their true degree.
         """
         if self.zero_set:
             return self.form_on(curve, variant, value_of, lowest_of)
@@ -143,8 +143,8 @@ class Construction:
         return cast(BSpline, numerator(value_of(self.formula(variant))))
 
     def _minimal_form(self, curve: Curve[BSpline], value_of: Values) -> BSpline:
-        """The form with the sign of the first one, whatever the sign of w, without the factors it shares with w; where
-        there are none its continuity is that of the lifted form.
+        """The form with the sign of the first variant, whatever the sign of w, without factors in common with w; where
+        there are no such factors, its continuity is that of the lifted form.
         """
         power, form = self.power_of_w(Variant.MINIMAL), value_of(self.formula(Variant.MINIMAL))
         assert isinstance(form, BSpline)

@@ -1,4 +1,5 @@
-"""The user's interface to the derived objects of a curve, in any variant; the places where they do not exist are named.
+"""The user's interface to the derived objects of a curve, in any variant; the places where they do not exist are
+reported.
 
 Parameters and coordinates are unitless exact numbers.
 """
@@ -130,7 +131,7 @@ class Derived(Written):
 
     @cached_property
     def poles(self) -> tuple[Root, ...]:
-        """The parameters at which it has no value: the zeros of its denominator in lowest terms, in order.
+        """The parameters at which the object has no value: the zeros of its denominator in lowest terms, in order.
 
         >>> from exactspline.interchange.examples import example
         >>> [pole.exact for pole in derive("evolute", example("cubic_s")).poles]
@@ -141,7 +142,7 @@ class Derived(Written):
 
     @property
     def existence(self) -> str:
-        """Where it exists, and where it does not and why, in words.
+        """A text that says where the object exists, and where it does not exist and why.
 
         >>> from exactspline.interchange.examples import example
         >>> print(derive("evolute", example("straight_between_arcs")).existence)
@@ -161,8 +162,9 @@ class Derived(Written):
     @overload
     def __call__(self, t: Number) -> mpq | tuple[mpq, ...]: ...
     def __call__(self, t: Number | None = None) -> Derived | mpq | tuple[mpq, ...]:
-        """Value at a parameter, by the first piece that contains it; raises `ShapeError` where there is none, and
-        `DomainError` at a pole. Without one itself: ``curve.evolute()`` is ``curve.evolute``.
+        """The value at a parameter, from the first piece that contains the parameter; raises `ShapeError` where no
+        piece does, and `DomainError` at a pole. Without a parameter the object itself: ``curve.evolute()`` is
+        ``curve.evolute``.
         """
         if t is None:
             return self
@@ -190,17 +192,17 @@ def derive(what: str | Formula, curve: Nurbs, variant: Variant | str = Variant.M
     """A construction or a formula on a curve.
 
     `what` is the name of a construction (``evolute`` of a plane curve; of a space curve ``focal_curve``, the centres of
-    its osculating spheres, ``circle_centres``, those of its osculating circles, ``torsion``, …), a formula, or the name
-    of a formula (``f2``, ``g0``, …). The result is in lowest terms, if no other variant is asked for: of a formula
-    ``naive``, as written. Where an object does not exist (the evolute of a straight piece) the other pieces are
-    returned and the missing ones named.
+    its osculating spheres, ``circle_centres``, the centres of its osculating circles, ``torsion``, …), a formula, or
+    the name of a formula (``f2``, ``g0``, …). The result is in lowest terms unless another variant is requested; the
+    variant ``naive`` of a formula is the formula as written. Where an object does not exist (the evolute of a straight
+    piece), the other pieces are returned and the missing intervals listed.
 
     >>> from exactspline.interchange.examples import example
     >>> derive("evolute", example("circle"))("1/2")
     (mpq(0,1), mpq(0,1))
 
-    Raises `FormulaError` for an unknown name or variant, `ShapeError` for a curve of the wrong dimension or where it
-    exists nowhere.
+    Raises `FormulaError` for an unknown name or variant, `ShapeError` for a curve of the wrong dimension and if the
+    object exists nowhere.
     """
     curve = curve_of(curve)
     name = what if isinstance(what, str) else expect_formula(what).name
@@ -245,7 +247,7 @@ def derive(what: str | Formula, curve: Nurbs, variant: Variant | str = Variant.M
 
 
 def _nonnegative(value: Any) -> Any:
-    """A zero spline whose formal degree is negative, alone or as a component, as the constant 0."""
+    """The value, in which each zero spline of negative formal degree is replaced by the constant 0."""
     if isinstance(value, Rational):
         return Rational(_nonnegative(value.numerator), value.product)
     if isinstance(value, Vector):
@@ -254,7 +256,7 @@ def _nonnegative(value: Any) -> Any:
 
 
 def _exists(value: Any) -> list[bool]:
-    """Segment by segment, whether a denominator, and the generator of a ruled surface, are not identically zero."""
+    """For each segment whether a denominator, and the generator of a ruled surface, are not identically zero."""
     if isinstance(value, RuledSurface):
         ends = [_exists(part) for part in (value.directrix, value.generator)]
         generator = zip(*[c.numerators for c in numerator(value.generator)], strict=True)

@@ -1,5 +1,5 @@
-"""Questions about ruled surfaces on a curve: points, degrees, developability, and whether two of them are the same
-surface.
+"""Questions about ruled surfaces on a curve: points, degrees, developability, and whether two ruled surfaces are the
+same surface.
 
 A `RuledSurface` is ``δ(s) + ζ G(s)``: directrix δ, generator G, ruling parameter ζ. Here both are splines (vectors of
 them, or vector quotients).
@@ -46,8 +46,8 @@ class RulingRelation(OneLine):
 
 
 def ruled_surface(name: str, curve: Nurbs, variant: Variant | str = Variant.MINIMAL) -> SplineSurface:
-    """A ruled surface of §5 on a space curve: naive, as in the paper, or minimal (see
-    `exactspline.splines.lowest_terms.in_lowest_terms`).
+    """A ruled surface of §5 of the paper (Chen, Riesenfeld and Cohen 2007) on a space curve: naive, as in the paper, or
+    minimal (see `exactspline.splines.lowest_terms.in_lowest_terms`).
 
     >>> from exactspline.interchange.examples import example
     >>> curve = example("rational_space_cubic")
@@ -84,8 +84,8 @@ def as_tensor_product(surface: SplineSurface, a: Number, b: Number) -> Vector[Te
     """The surface between the ruling parameters a and b as a tensor-product B-spline: a `Vector` of `TensorSpline`, or
     a `Rational` of them.
 
-    Degree 1 in the ruling parameter, and in s that of the surface; all components are over the same knots, so that
-    their control points, with those of the denominator as weights, are the net of a NURBS surface in homogeneous
+    The degree is 1 in the ruling parameter, and in s that of the surface; all components are over the same knots, so
+    that their control points, with those of the denominator as weights, are the net of a NURBS surface in homogeneous
     coordinates.
 
     >>> from exactspline.interchange.examples import example
@@ -143,8 +143,8 @@ def _check_generator(surface: SplineSurface) -> None:
 
 
 def same_surface(a: SplineSurface, b: SplineSurface) -> RulingRelation | None:
-    """The relation between the ruling parameters ζ of `a` and λ of `b` when both are one surface with the same rulings
-    for the same s, else None.
+    """The relation between the ruling parameters ζ of `a` and λ of `b` when both are the same surface with the same
+    rulings for the same s, else None.
 
     Where ``ζ = shift + scale λ``, the points are the same: ``a(s, ζ) = b(s, λ)``.
 

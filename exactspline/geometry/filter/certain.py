@@ -1,6 +1,6 @@
-"""Inflections and curvature extrema of one plane curve where all of them are certain in doubles, by the optional
-extension: how many there are is known at once; the objects that describe them are made when they are asked for, and
-the numbers in them are exact.
+"""Inflections and curvature extrema of one plane curve, decided in doubles with proved bounds by the optional
+extension. Their number is known at once; the objects that describe them are created on demand, and the numbers in these
+are exact.
 """
 
 from __future__ import annotations
@@ -70,10 +70,10 @@ def jumps(
     facts: Facts, ends: Sequence[Sequence[float]], weights: Sequence[Sequence[float]], others: Set[int]
 ) -> Iterator[Jump]:
     """The changes of sign of κ and κ′ by a jump at the knots of a plane curve, except at the ends of `others`: straight
-    segments (a zero at an end of a straight piece belongs to the piece), and those that are decided exactly.
+    segments (a zero at an end of a straight piece belongs to the piece), and the segments decided exactly.
 
-    `ends`: for every segment and output the ordinates at both ends, each followed by a bound of its error; these signs
-    are certain, and γ′ ≠ 0. `weights`: the weight function at both ends.
+    `ends`: for every segment and output the ordinates at both ends, each followed by a bound of its error; the signs of
+    the ordinates are certain, and γ′ ≠ 0. `weights`: the weight function at both ends.
     """
     continuity = mesh_of(facts.curve.knots, facts.curve.degree)[1]
     for i in range(0 if facts.closed else 1, len(ends)):
@@ -117,15 +117,15 @@ def _on_runs(curve: Nurbs, left: Set[int]) -> tuple[list[Feature], list[Feature]
 
 
 def _differ(left: Sequence[float], right: Sequence[float], v: float, w: float) -> bool:
-    """Whether the curvatures of two sides, of one sign, certainly differ: κ² is ``K² w⁶ / S³`` for the forms K of κ and
-    S of the speed, whatever the parameter, up to a factor that both sides share.
+    """Whether the curvatures of two sides, which have the same sign, certainly differ: κ² is ``K² w⁶ / S³`` for the
+    forms K of κ and S of the speed, whatever the parameter, up to a factor that both sides share.
     """
     first, second = _squared(left, Side.LEFT, v), _squared(right, Side.RIGHT, w)
     return bool(first and second and (first[1] < second[0] or second[1] < first[0]))
 
 
 def _squared(end: Sequence[float], side: Side, w: float) -> tuple[float, float] | None:
-    """The squared curvature at an end of a segment between two numbers."""
+    """Bounds of the squared curvature at an end of a segment."""
     at = 2 if side is Side.LEFT else 0
     k, error = abs(end[4 * CURVATURE + at]), end[4 * CURVATURE + at + 1]
     s, off = end[4 * SPEED + at], end[4 * SPEED + at + 1]
@@ -172,19 +172,19 @@ class _SegmentForm:
 
     @cached_property
     def form(self) -> LocalPolynomial:
-        """Its integers."""
+        """The form as an integer polynomial."""
         return LocalPolynomial(self.segment.outputs[self.output])
 
     @cached_property
     def inner(self) -> list[LocalZero]:
-        """Its zeros inside the segment, by exact arithmetic."""
+        """The zeros of the form inside the segment, by exact arithmetic."""
         return isolate(self.form.polynomial, self.segment.program.terms[self.output].degrees[0]).inner
 
 
 @dataclass
 class Certain:
-    """What is certain of a plane curve: its zeros of κ and κ′ at regular points, in the order of the parameter; it has
-    no others, and no arc of a circle. Those on segments that are not certain in doubles are exact features.
+    """All zeros of κ and κ′ of a plane curve without circular arcs at its regular points, in the order of the
+    parameter. Zeros on segments that are not decided in doubles are exact features.
     """
 
     degree: int
@@ -205,7 +205,7 @@ class Certain:
 
     @property
     def critical_points(self) -> Places[Feature]:
-        """The extrema of the curvature, and the points where κ′ = 0 without one."""
+        """The extrema of the curvature, and the points where κ′ = 0 without an extremum."""
         return self._places(CRITICAL)
 
     @property
@@ -256,8 +256,8 @@ class Certain:
 
 
 def certain(facts: Facts) -> Certain | None:
-    """What is certain of a curve; None where exact arithmetic must decide, as without the extension for all curves but
-    polygons.
+    """The zeros of κ and κ′ decided in doubles; None where exact arithmetic must decide: without the extension for all
+    curves except polygons.
 
     >>> from exactspline import analyse, example
     >>> known = certain(analyse(example("six_segment_cubic")))
@@ -284,7 +284,7 @@ def certain(facts: Facts) -> Certain | None:
             (straight if _is_straight([fmpz_poly(list(c)) for c in rows[i][0]], curve.degree) else left).add(i)
     left |= _entangled(found.zeros) - straight
     if left:
-        # all once more: the results for different segments are compared, so that they must be in one unit
+        # all segments once more: results for different segments are compared, so that they must have the same unit
         nearer = [_moved(*row, rational=rational) if i in left else row for i, row in enumerate(rows)]
         found = signs(program, nearer, rational=rational)
         if found is None:
@@ -329,7 +329,7 @@ def _moved(operands: Sequence[Sequence[int]], below: int, *, rational: bool) -> 
 
 
 def _polygon(facts: Facts) -> Certain | None:
-    """What is certain of a curve of degree 1 that nowhere stands still."""
+    """The zeros of κ and κ′ of a curve of degree 1 that is constant on no segment."""
     segments = range(facts.curve.segments)
     if not all(any(end_direction(facts.operands, i, Side.LEFT)) for i in segments):
         return None
@@ -337,8 +337,8 @@ def _polygon(facts: Facts) -> Certain | None:
 
 
 def _place(breaks: Sequence[mpq], zero: Found) -> tuple[int, float]:
-    """In the order of the parameter: a knot before what is on the segment behind it. Features are alone on their
-    segments, in order.
+    """The sorting key by parameter: a knot comes before the zeros on the segment that it begins. Features are alone on
+    their segments, in order.
     """
     if isinstance(zero, Feature):
         return bisect_right(breaks, zero.root.low) - 1, 0 if zero.at_knot else 1

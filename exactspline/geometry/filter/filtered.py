@@ -1,5 +1,5 @@
-"""The forms of κ and κ′ of many segments in doubles, and their zeros: what is certified, and which segments must be
-decided in exact arithmetic. This module loads numpy.
+"""The forms of κ and κ′ of many segments in doubles: the certified zeros, and the segments that must be decided in
+exact arithmetic. This module loads numpy.
 
 Derivation: docs/certified-filter.md.
 """
@@ -36,8 +36,9 @@ class Form(NamedTuple):
 
 
 class _Filtered(NamedTuple):
-    """κ and κ′ up to positive factors on many segments, and ‖γ′‖²; the segments on which something is not certified:
-    `open` of these, a sign that decides a zero, or `slow`, that γ′ has no zero and all weights are positive.
+    """κ and κ′ up to positive factors on many segments, and ‖γ′‖²; the segments that are not certified: on the `open`
+    ones a sign that decides a zero is uncertain, on the `slow` ones it is uncertain that γ′ has no zero and all weights
+    are positive.
     """
 
     curvature: Form
@@ -48,9 +49,9 @@ class _Filtered(NamedTuple):
 
 
 def filtered(degree: int, operands: list[Floats]) -> _Filtered | None:
-    """What is certified for segments of one degree, from the scaled coefficients of their components and, for rational
-    ones, of their weight functions, rounded at most twice; no Bézier ordinate is larger than 1. None where doubles
-    cannot hold the forms.
+    """The certified results for segments of one degree, from the scaled coefficients of their components and, for
+    rational segments, of their weight functions, rounded at most twice; no Bézier ordinate is larger than 1. None where
+    the forms exceed the range of doubles.
 
     >>> done = filtered(3, [np.array([[0.0, 1, 2, 1]]) / 4, np.array([[0.0, 3, -3, 1]]) / 4])
     >>> done.curvature.zeros.row.tolist(), done.open.tolist()

@@ -1,5 +1,5 @@
-"""The forms of κ, κ′ and the speed of segments as a program, which runs over doubles, balls and integers; in space that
-of τ, too.
+"""The forms of κ, κ′ and the speed of segments as a program, which runs over doubles, balls and integers; in space also
+the form of τ.
 """
 
 from __future__ import annotations

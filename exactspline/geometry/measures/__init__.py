@@ -1,1 +1,3 @@
-"""What is measured of a curve: arc lengths and the parameters at them, the area inside it, its moments and centroid."""
+"""Measures of a curve: arc lengths and the parameters at arc lengths, the area inside the curve, its moments and its
+centroid.
+"""

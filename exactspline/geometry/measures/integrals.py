@@ -1,5 +1,5 @@
-"""Integrals of rational functions over [0, 1], in closed form where the denominator has rational zeros and pairs of
-complex quadratic ones, without logarithms: those of circular and elliptic arcs are ``a + b θ`` with angles θ.
+"""Integrals of rational functions over [0, 1], in closed form where no logarithms occur and the zeros of the
+denominator are rational or complex quadratic: integrals of circular and elliptic arcs are ``a + b θ`` with angles θ.
 
 Sources: Bronstein, Symbolic Integration I, §2.2 (Hermite's reduction); Baker, Transcendental Number Theory, Theorem 2.2
 (a sum of logarithms of algebraic numbers with algebraic coefficients is 0 or transcendental).
@@ -43,7 +43,7 @@ ONE_FACTOR, SEVERAL, LONG = 60, 90, 800
 
 
 def separate(p: fmpz_poly) -> bool:
-    """Whether the different complex zeros are separated in arithmetic of a bounded number of bits."""
+    """Whether the distinct complex zeros are separated by arithmetic with a bounded number of bits."""
     if p.degree() * p.height_bits() <= NEAR:
         return True
     simple = p // greatest_common_divisor([p, p.derivative()])
@@ -56,7 +56,7 @@ def separate(p: fmpz_poly) -> bool:
 
 
 def too_much(what: str) -> OpenError:
-    """The error for a number of which no enclosure is in reach."""
+    """The error for a number whose enclosure takes too much work."""
     return OpenError(f"{what} takes too much work", remedy="ask for fewer digits, or for parts of the curve")
 
 
@@ -70,7 +70,9 @@ class Logarithmic:
     bottom: tuple[mpq, ...]
 
     def ball(self) -> arb:
-        """It, enclosed in the present precision; raises `OpenError` where the zeros are out of reach."""
+        """The integral, enclosed in the present precision; raises `OpenError` where isolating the zeros takes too much
+        work.
+        """
         top, bottom = (fmpq_poly([to_fmpq(c) for c in p]) for p in (self.top, self.bottom))
         if not separate(bottom.numer()):
             raise too_much("an integral")
@@ -79,7 +81,9 @@ class Logarithmic:
         return sum((residues(z) / slope(z) * (1 - 1 / z).log() for z, _ in roots), start=acb(0)).real
 
     def angle(self) -> tuple[mpq, mpq, mpq, int] | None:
-        """f, x, y, c such that it is ``f √c`` times the argument of ``x + y √−c``; None where there are logarithms."""
+        """f, x, y, c such that the integral is ``f √c`` times the argument of ``x + y √−c``; None where logarithms
+        occur.
+        """
         if len(self.bottom) != 3 or len(self.top) != 1:
             return None
         low, middle, high = self.bottom
@@ -100,12 +104,12 @@ class Term:
     of: Logarithmic | None = None
 
     def times(self, factor: mpq, radicand: int = 1) -> Term:
-        """A multiple."""
+        """The term times a factor and a square root."""
         root, own = square_root_parts(mpq(self.radicand * radicand))
         return Term(self.factor * factor * root, own, self.of)
 
     def ball(self) -> arb:
-        """Its value, enclosed in the present precision."""
+        """The value of the term, enclosed in the present precision."""
         return arb(to_fmpq(self.factor)) * arb(self.radicand).sqrt() * (arb(1) if self.of is None else self.of.ball())
 
 
@@ -129,7 +133,7 @@ def integral(top: fmpq_poly, base: fmpq_poly, n: int) -> Terms:
     >>> [term.of.angle() for term in integral(fmpq_poly([4]), fmpq_poly([1, 0, 1]), 1)]
     [(mpq(4,1), mpq(1,1), mpq(1,1), 1)]
 
-    Raises `ReachError` if that may take too long.
+    Raises `ReachError` if the integral may take too long.
     """
     bottom, powers = base**n, list(factorize(base.numer()).powers)
     size = bottom.degree() * bottom.numer().height_bits()
@@ -164,7 +168,8 @@ def _reduced(part: fmpq_poly, p: fmpq_poly, times: int) -> tuple[mpq, fmpq_poly]
 
 
 def number(terms: Terms) -> Real:
-    """The sum as a number: in closed form where only finitely many angles are in it, otherwise by enclosures.
+    """The sum of terms as a number: in closed form if it contains angles only, and not too many, otherwise by
+    enclosures.
 
     >>> number(integral(fmpq_poly([4]), fmpq_poly([1, 0, 1]), 1))
     <Real π>
@@ -191,15 +196,16 @@ def number(terms: Terms) -> Real:
     if not arcs and of_pi == 0:
         return constant
     with ctx.workprec(200):
-        # what is not 0 is transcendental
+        # a sum that is not 0 is transcendental
         may_vanish = _sum_in_balls(tuple(term for term in terms if term.of), 200).contains(0)
     return InBalls(by_balls) if may_vanish else WithAngles(by_balls, constant, of_pi, tuple(arcs))
 
 
 def _together(numbers: Sequence[tuple[mpq, mpq]], c: int) -> tuple[mpq, Real | None]:
-    """The sum of the arguments of numbers ``x + y √−c``: a multiple of π, and the tangent of the rest, if there is one.
-    It is a rational multiple of π if and only if the 12th power of their product z is real: ``z/z̄`` is a root of unity
-    in an imaginary quadratic field then. The integers are certain: there are few angles.
+    """The sum of the arguments of numbers ``x + y √−c``: a multiple of π, and the tangent of the rest, if the rest is
+    not 0. The sum is a rational multiple of π if and only if the 12th power of the product z of the numbers is real:
+    then ``z/z̄`` is a root of unity in an imaginary quadratic field. The integers are certain, because there are few
+    angles.
     """
     x, y, total, root = mpq(1), mpq(0), arb(0), arb(c).sqrt()
     for a, b in numbers:
@@ -224,7 +230,7 @@ def _sum_in_balls(terms: Terms, bits: int) -> arb:
 def moment(facts: Facts, i: int, j: int) -> Terms:
     """The terms of ``∬ xⁱ yʲ = ∮ xⁱ yʲ (x dy − y dx) / (i + j + 2)``.
 
-    Raises `ShapeError` for a curve that is not closed and in the plane, and for one with a gap.
+    Raises `ShapeError` for a curve that is not closed, not in the plane, or has a gap.
     """
     _check_closed(facts)
     n, terms = i + j + 2, list[Term]()
@@ -252,7 +258,7 @@ def centroid(moment_of: Callable[[int, int], Terms]) -> tuple[NamedNumbers, ...]
 
 
 def _quotient(top: Real, bottom: Real) -> Real:
-    """The quotient, rational where both numbers are ``a + b π`` and one is a multiple of the other."""
+    """The quotient; it is a rational number if both numbers are ``a + b π`` and one is a multiple of the other."""
     if isinstance(top, WithAngles) and isinstance(bottom, WithAngles) and not top.arcs and not bottom.arcs:
         ratio = top.of_pi / bottom.of_pi
         if top.constant == ratio * bottom.constant:

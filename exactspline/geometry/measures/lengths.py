@@ -1,5 +1,5 @@
-"""Arc lengths of curves, and the parameters at them: exactly where the speed is a polynomial, or rational with an
-integral in closed form, otherwise enclosed by FLINT's integration.
+"""Arc lengths of curves, and the parameters at given arc lengths. They are exact where the speed is a polynomial, or
+rational with an integral in closed form; otherwise they are enclosed by FLINT's integration.
 """
 
 from __future__ import annotations
@@ -31,15 +31,15 @@ from exactspline.splines.nurbs import Nurbs
 WHAT = "the arc length"
 #: The work allowed for one enclosure of an arc length, as `Budget` counts it: a few seconds.
 MOST_WORK = 4_000_000
-#: The bits from which a parameter is found with half of them first, and how many of them the result lacks.
+#: From this number of bits on a parameter is first computed with half of them; and the number of bits lost by this.
 FIRST_BITS, MARGIN = 200, 35
 #: A segment: the common factor g of the components of γ′, h, and w, with ``‖γ′‖ = |g| √h / w²`` and h > 0.
 Speed: TypeAlias = tuple[fmpq_poly, fmpq_poly, fmpq_poly]
 
 
 class Budget:
-    """The remaining work for one enclosure: every evaluation of the integrand is counted before it is made, inside
-    FLINT's integration loop, which ends when an evaluation fails.
+    """The remaining work for one enclosure: inside FLINT's integration loop every evaluation of the integrand is
+    counted before it is made; the loop ends when an evaluation fails.
     """
 
     def __init__(self, bits: int) -> None:
@@ -73,7 +73,7 @@ def length(curve: Nurbs) -> Real:
 
 
 def length_between(curve: Nurbs, first: mpq | Real, second: mpq | Real) -> Real:
-    """The arc length between two parameters, whichever of them is the smaller one.
+    """The arc length between two parameters, in either order.
 
     >>> from exactspline import example
     >>> length_between(example("circle"), mpq(1, 2), mpq(0)).double()
@@ -96,7 +96,7 @@ def at_length(curve: Nurbs, distance: mpq) -> Real:
     >>> at_length(Nurbs(1, [0, 0, 1, 1], [(0, 0), (3, 4)]), mpq(2)), at_length(example("circle"), mpq(1)).double()
     (<Real 2/5>, 0.5463024898437905)
 
-    Raises `DomainError` for a negative length and for one longer than the curve.
+    Raises `DomainError` for a negative length and for a length greater than that of the curve.
     """
     total = length(curve)
     if not 0 <= distance <= total:
@@ -120,7 +120,7 @@ def equally_spaced(curve: Nurbs, parts: int) -> list[Real]:
 
 
 def _places(curve: Nurbs, at: list[tuple[mpq, mpq]]) -> list[Real]:
-    """The parameters at arc lengths: each a number and a share of the whole one, one of which is 0."""
+    """The parameters at arc lengths, each given as a number plus a fraction of the whole length; one of the two is 0."""
     known = _travelled(curve)
     if known is None:
         return [InBalls(partial(_place_ball, curve, *each)) for each in at]
@@ -134,7 +134,7 @@ def _places(curve: Nurbs, at: list[tuple[mpq, mpq]]) -> list[Real]:
 
 
 def _zero_of(increasing: BSpline) -> Real:
-    """The first zero of an increasing spline that has one."""
+    """The first zero of an increasing spline, which has a zero."""
     found = zeros(increasing)
     return Real(found.intervals[0].low) if found.intervals else real(exact_place(found.roots[0]))
 
@@ -143,7 +143,7 @@ def _zero_of(increasing: BSpline) -> Real:
 
 
 def _rational_speeds(curve: Nurbs) -> list[tuple[mpq, fmpq_poly, fmpq_poly, mpq]] | None:
-    """Width, w, f and k of each segment with ``‖γ′‖ = √k f / w²``, where f ≥ 0; None where there are none."""
+    """Width, w, f and k of each segment with ``‖γ′‖ = √k f / w²``, where f ≥ 0; None if they do not exist."""
     found = []
     try:
         for (a, b), (common, squared, weight) in zip(pairwise(curve.breakpoints), _speeds(curve), strict=True):
@@ -152,13 +152,13 @@ def _rational_speeds(curve: Nurbs) -> list[tuple[mpq, fmpq_poly, fmpq_poly, mpq]
             if any(a < stop < b for stop in facts_of(curve).speed.zeros):
                 return None
             found.append((b - a, weight, speed if speed(fmpq(1, 2)) > 0 else -speed, rational(factor)))
-    except (NoRoot, ValueError, OpenError):  # no square, by FLINT's wrapper either error; or out of reach
+    except (NoRoot, ValueError, OpenError):  # not a square (FLINT's wrapper raises either error), or too much work
         return None
     return found
 
 
 def _travelled(curve: Nurbs) -> tuple[BSpline, mpq] | None:
-    """A spline f and a number k such that ``√k f`` is the arc length from the start on; None where there are none."""
+    """A spline f and a number k such that ``√k f`` is the arc length from the start; None if they do not exist."""
     speeds = [each[2:] for each in (_rational_speeds(curve) if curve.polynomial else None) or ()]
     square = next((k for f, k in speeds if f), mpq(1))
     roots = [square_root_parts(k / square) if f else (mpq(1), 1) for f, k in speeds]
@@ -177,7 +177,7 @@ def _travelled(curve: Nurbs) -> tuple[BSpline, mpq] | None:
 
 
 def _speeds(curve: Nurbs) -> list[Speed]:
-    """The segments, computed once; raises `OpenError` where that is out of reach."""
+    """The segments, computed once; raises `OpenError` where this takes too much work."""
     found: list[Speed] = facts_of(curve).once("speeds", partial(_computed_speeds, curve))
     return found
 
@@ -206,7 +206,7 @@ def _length_ball(curve: Nurbs, low: mpq | Real, high: mpq | Real, bits: int) -> 
 
 
 def _on_segment(curve: Nurbs, i: int, low: mpq | Real, high: mpq | Real, budget: Budget) -> arb:
-    """The arc length on a segment between two parameters, which may be outside of it, to the present precision."""
+    """The arc length on a segment between two parameters, which may be outside the segment, to the present precision."""
     common, squared, weight = _speeds(curve)[i]
     a, b = curve.breakpoints[i : i + 2]
     start, end = low if low > a else a, high if high < b else b
@@ -229,13 +229,13 @@ def _marks(curve: Nurbs, bits: int) -> list[arb]:
 
 
 def _place_ball(curve: Nurbs, distance: mpq, share: mpq, bits: int) -> arb:
-    """The parameter at an arc length plus a share of the whole one, by Newton's method for intervals: the mean value
+    """The parameter at an arc length plus a fraction of the whole length, by the interval Newton method: the mean value
     theorem holds also across knots, with the hull of the speeds on all segments between the ends.
     """
     marks, budget, breaks, (low, high) = _marks(curve, bits), Budget(bits), curve.breakpoints, curve.domain
     goal = marks[-1] * to_fmpq(share) + to_fmpq(distance)
     if bits > FIRST_BITS:
-        # each step doubles the bits: the last one costs as much as all before
+        # each step doubles the bits: the last step costs as much as all before
         with ctx.workprec(bits // 2 + MARGIN):
             ends = ball_ends(_place_ball(curve, distance, share, bits // 2 + MARGIN))
         low, high = max(low, ends.low), min(high, ends.high)
@@ -250,7 +250,7 @@ def _place_ball(curve: Nurbs, distance: mpq, share: mpq, bits: int) -> arb:
         return max(ends.low, step.low), min(ends.high, step.high)
 
     while (width := high - low) > mpq(1, 1 << (bits - MARGIN)):
-        # at the second one where the sign at the first is not decided
+        # at the second point if the sign at the first is not decided
         tried = (narrowed(cut) for cut in (mpq(1, 2), mpq(1, 3)))
         found = next((ends for ends in tried if ends[1] - ends[0] < width * 3 / 4), None)
         if found is None:
@@ -260,7 +260,7 @@ def _place_ball(curve: Nurbs, distance: mpq, share: mpq, bits: int) -> arb:
 
 
 def _speed_on(curve: Nurbs, i: int, low: mpq, high: mpq) -> arb:
-    """The speeds on the part of an interval that is on a segment."""
+    """An enclosure of the speeds on the part of an interval within a segment."""
     a, b = curve.breakpoints[i : i + 2]
     local = ball_around((max(low, a) - a) / (b - a), (min(high, b) - a) / (b - a))
     common, squared, weight = (arb_poly(p)(local) for p in _speeds(curve)[i])
@@ -284,13 +284,13 @@ def _integral(common: fmpq_poly, squared: fmpq_poly, weight: fmpq_poly, low: arb
         return acb.integral(speed, acb(low), acb(high), rel_tol=arb((1, -bits)), eval_limit=20_000).real
 
 
-#: A square root as a function of a complex ball, analytic where this is asked for.
+#: A square root as a function of a complex ball, analytic if this is requested.
 Root: TypeAlias = Callable[[acb, bool], acb]
 
 
 def _rooted(squared: fmpq_poly, budget: Budget) -> Root:
-    """The faster one: ``√squared`` as a constant times roots of factors (z − a)² + b², each of which FLINT encloses
-    narrowly.
+    """The faster of two functions: ``√squared`` as a constant times roots of factors (z − a)² + b², each of which FLINT
+    encloses narrowly.
     """
     integers = squared.numer()
     # measured, of Bézier curves: 80 to 400 nanoseconds for the cube of the degree, and more for long integers
@@ -311,7 +311,9 @@ def _rooted(squared: fmpq_poly, budget: Budget) -> Root:
 
 
 def _expanded(squared: fmpq_poly, budget: Budget) -> Root:
-    """The one whose cost does not depend on the zeros: ``√squared`` by the Taylor expansion at the centre of a ball."""
+    """The function whose cost does not depend on the zeros: ``√squared`` by the Taylor expansion at the centre of a
+    ball.
+    """
 
     def root(z: acb, analytic: bool) -> acb:
         budget.take(squared.degree() ** 2)

@@ -1,5 +1,5 @@
-"""The segments of a curve, prepared once for all that is asked of it and others; pairs of segments that may meet: boxes
-around segments in a binary tree, in time linear in the pairs whose boxes meet.
+"""The segments of a curve, prepared once for all questions about the curve and other curves. The pairs of segments that
+may meet are found by boxes around segments in a binary tree, in time linear in the number of pairs whose boxes meet.
 """
 
 from __future__ import annotations
@@ -23,8 +23,8 @@ BITS = 30
 
 
 class Segments:
-    """The segments of a curve as integers, forms, doubles and boxes, each made once: they are kept with the curve, to
-    which they do not refer.
+    """The segments of a curve as integers, forms, doubles and boxes, each computed once. They are stored with the curve
+    and hold no reference to it.
     """
 
     def __init__(self, curve: Nurbs) -> None:
@@ -33,22 +33,22 @@ class Segments:
 
     @cached_property
     def forms(self) -> list[SegmentForms]:
-        """Their forms."""
+        """The forms of the segments."""
         return [*map(forms_of, self.rows)]
 
     @cached_property
     def table(self) -> array[float]:
-        """Their numbers for C."""
+        """The numbers of the segments for the C extension."""
         return table_of(self.rows)
 
     @cached_property
     def size(self) -> int:
-        """About the bits of the largest coordinate of the starting points before the binary point."""
+        """Roughly the number of bits before the binary point of the largest coordinate of a starting point."""
         sizes = (x[0].bit_length() - w[0].bit_length() for _, (*p, w) in self.rows for x in p if x[0])
         return max(sizes, default=0)
 
     def boxes(self, shift: int, margin: int = 0) -> BoxTree:
-        """The tree of their boxes; without a margin it is kept."""
+        """The tree of the boxes of the segments; a tree without a margin is stored."""
         if margin:
             return BoxTree([_box_of(segment, shift, margin) for segment in self.rows])
         if shift not in self._trees:
@@ -99,7 +99,7 @@ class BoxTree:
         self._join(0, len(self.boxes))
 
     def _join(self, first: int, last: int) -> IntegerBox:
-        """The box of the segments from one up to, and without, another."""
+        """The box of the segments from the first up to the last, excluding the last."""
         if last == first + 1:
             box = self.boxes[first]
         else:
@@ -132,7 +132,7 @@ def _meets(one: IntegerBox, other: IntegerBox) -> bool:
 
 
 def pairs_that_may_meet(first: BoxTree, second: BoxTree) -> Iterator[tuple[int, int]]:
-    """The indices of segments whose boxes meet; of a tree and itself every pair once, the smaller index first."""
+    """The pairs of indices of segments whose boxes meet; for a tree and itself each pair once, the smaller index first."""
     todo = [((0, len(first.boxes)), (0, len(second.boxes)))]
     while todo:
         one, other = todo.pop()
@@ -149,13 +149,13 @@ def pairs_that_may_meet(first: BoxTree, second: BoxTree) -> Iterator[tuple[int, 
             todo += [(one, (middle, other[1])), (one, (other[0], middle))]
 
 
-#: Two vectors: all between them, from the first counterclockwise to the second, by less than a half turn.
+#: Two vectors that bound a cone: counterclockwise from the first to the second, by less than a half turn.
 Cone = tuple[tuple[int, int], tuple[int, int]]
 
 
 def legs(segment: Segment) -> list[tuple[int, int]]:
-    """Positive multiples of the vectors from one control point of a segment in the plane to the next, without zeros;
-    none where weights vanish or have different signs.
+    """Positive multiples of the vectors from one control point of a segment in the plane to the next, without zero
+    vectors; the list is empty where weights vanish or have different signs.
 
     >>> from flint import fmpz_poly
     >>> legs((2, [fmpz_poly([0, 1, 2]), fmpz_poly([0, 1, 1]), fmpz_poly([1, 2, 1])]))
@@ -170,8 +170,8 @@ def legs(segment: Segment) -> list[tuple[int, int]]:
 
 
 def cone_around(vectors: Sequence[tuple[int, int]]) -> Cone | None:
-    """The least cone around vectors; None where there are none, or no open half plane contains all of them. If it
-    contains the legs of a segment, a curve of positive weights runs on in one direction.
+    """The least cone around vectors; None if there are no vectors, or if no open half plane contains all of them. A
+    curve with positive weights whose legs lie in a cone is monotone in a direction.
 
     >>> cone_around([(1, 0), (1, 1), (2, -1)]), cone_around([(1, 0), (0, 1), (-1, 0)])
     (((2, -1), (1, 1)), None)

@@ -1,14 +1,15 @@
-"""How far one curve is from another: bounds for the largest distance of its points from the other one, and whether it
-is at most a number. That has a direction: a part of a curve is nowhere far from the whole, and this may be far from it.
+"""The deviation of one curve from another: bounds for the largest distance of a point of the first curve from the
+second, and whether this distance is at most a given number. The deviation is not symmetric: a part of a curve does not
+deviate from the whole curve, but the whole curve may deviate from the part.
 
-Points of the curve have certified nearest points on the other one (`nearest`): their distances are lower bounds. A
-piece of the curve is within a distance where an affine map carries its parameters to those of a segment of the other
-curve so that a polynomial, the squared distance less the square of this one, is nowhere positive. Tried are the maps
-that carry its ends to their nearest points, and constant ones. Other pieces are halved, those with the farthest ends
-first. Pieces that run along the other curve are known from the arcs in common.
+Points of the first curve have certified nearest points on the second (`nearest`); their distances are lower bounds. A
+piece of the first curve is within a distance D if there is an affine map from its parameters to those of a segment of
+the second curve such that a polynomial, the squared distance of corresponding points minus D², is nowhere positive. The
+maps tried are constant maps and those that send the ends of the piece to their nearest points. All other pieces are
+halved, those with the farthest ends first. Pieces along which the curves coincide are known from the arcs in common.
 
-A largest distance that is exactly the number is decided by the parameters at which the number of points of a segment
-at this distance may change: between two neighbours among them every point has one within the distance, or none has.
+If the largest distance is exactly D, the decision uses the parameters at which the number of points of a segment at the
+distance D may change: between two neighbouring ones, either every point is within the distance or no point is.
 """
 
 from __future__ import annotations
@@ -41,7 +42,7 @@ from exactspline.reals.real import Real, between, real, square_root
 from exactspline.roots.of_polynomials import distinct, roots_in
 from exactspline.splines.nurbs import Nurbs
 
-#: How far the upper bound is above the lower one: by less than a hundredth; and less than the square of that.
+#: The ratio of the upper bound to the lower one, and a number below its square.
 RATIO, SQUARED = mpq(10099, 10000), mpq(10198, 10000)
 #: Halvings for each segment of both curves before a distance is decided exactly.
 HALVINGS = 10
@@ -51,8 +52,8 @@ DIGITS = 64
 
 @dataclass(frozen=True)
 class Foot:
-    """A parameter of a curve and that of the point of the other one that is nearest to it, with the squared distance,
-    and that to eight digits; and places on the other curve that are tried: segments with their local parameters.
+    """A parameter of a curve and the parameter of the nearest point of the other curve, with the squared distance,
+    exactly and to eight digits; and places on the other curve that are tried: segments with local parameters.
     """
 
     at: mpq
@@ -82,8 +83,9 @@ def foot_of(curve: Nurbs, point: tuple[mpq, ...], at: mpq) -> Foot:
 
 
 class OneWay:
-    """The distances of the points of a curve from another one, and the pieces of which it is not yet known that the
-    squares are at most the `bound`; without one, the square of what is a hundredth farther than a point that is known.
+    """The distances of the points of a curve from another curve, and the pieces not yet shown to have squared distances
+    of at most the `bound`. Without a bound, it is the square of a distance a hundredth larger than the largest distance
+    found.
     """
 
     def __init__(self, curve: Nurbs, other: Nurbs, bound: mpq | None = None) -> None:
@@ -104,7 +106,7 @@ class OneWay:
         heappush(self.queue, (-max(start.near, end.near), i, start.at, start, end))
 
     def halvings(self) -> Iterator[Foot]:
-        """Halve pieces, those with the farthest ends first; each time the farthest point that is known."""
+        """Halve pieces, those with the farthest ends first; after each step yield the farthest point found."""
         yield self.farthest
         while self.queue:
             _, i, _, start, end = heappop(self.queue)
@@ -134,7 +136,7 @@ class OneWay:
 
     @cached_property
     def shared(self) -> list[Interval]:
-        """The parts of the curve along which the other one runs."""
+        """The parts of the curve that lie on the other curve."""
         met = intersections(*self.curves)
         if met.undecided:
             raise ReachError(f"arcs in common: {met.undecided[0]}", remedy="take curves of lower degree")
@@ -150,8 +152,8 @@ class OneWay:
         return None
 
     def _samples(self, bound: mpq) -> Iterator[Foot]:
-        """A point between any two parameters at which the number of points at the distance may change, in the segments
-        with pieces that are left.
+        """A point between any two neighbouring parameters at which the number of points at the distance may change, in
+        the segments with undecided pieces.
         """
         for i in sorted({i for _, i, *_ in self.queue}):
             near = (self.forms(i, j) for j in range(self.curves[1].segments))
@@ -166,13 +168,13 @@ def _affine(a: mpq, b: mpq) -> fmpq_poly:
 
 
 def _along(rows: Sequence[fmpz_poly], s: fmpq_poly, t: fmpq_poly) -> fmpq_poly:
-    """A polynomial in both parameters where these are polynomials in one."""
+    """A polynomial in two parameters, each of which is a polynomial in one variable."""
     return reduce(lambda value, row: value * t + fmpq_poly(row)(s), reversed(rows), fmpq_poly())
 
 
 def _never_positive(p: fmpq_poly) -> bool:
-    """Whether coefficients show that a polynomial is not positive from −1 to 1: the first one with those of even powers
-    that are positive, and the absolute values of the others.
+    """Whether the coefficients show that a polynomial is not positive from −1 to 1: the sum of the constant term, the
+    positive coefficients of even powers and the absolute values of the coefficients of odd powers is not positive.
 
     >>> _never_positive(fmpq_poly([-2, 1, 1])), _never_positive(fmpq_poly([-2, 3]))
     (True, False)
@@ -183,7 +185,7 @@ def _never_positive(p: fmpq_poly) -> bool:
 
 def critical_places(p: fmpz_mpoly) -> list[fmpz_poly]:
     """Square-free polynomials with the parameters s at which the number of zeros t of ``p(s, t)`` in [0, 1] may change:
-    an end is one, or two of them meet.
+    an end of the interval is a zero, or two zeros coincide.
 
     >>> from exactspline.polynomials.two_parameters import S, T
     >>> critical_places(T * T - S)
@@ -196,8 +198,8 @@ def critical_places(p: fmpz_mpoly) -> list[fmpz_poly]:
 
 
 def between_zeros(polynomials: Iterable[fmpz_poly]) -> Iterator[mpq]:
-    """A rational number between any two neighbouring zeros of square-free polynomials in [0, 1], and before and behind
-    them.
+    """A rational number between any two neighbouring zeros of square-free polynomials in [0, 1], and one before the
+    first and behind the last.
 
     >>> list(between_zeros([fmpz_poly([-1, 2])]))
     [mpq(1,4), mpq(3,4)]
@@ -207,9 +209,9 @@ def between_zeros(polynomials: Iterable[fmpz_poly]) -> Iterator[mpq]:
 
 
 def deviation(first: Nurbs, second: Nurbs) -> Iterator[NamedNumbers]:
-    """Bounds for the largest distance of the points of each of two curves from the other one, the upper one at most a
-    hundredth above the lower one, which is the distance of the point `at` a parameter; and the `nearest` parameter.
-    Both bounds are 0 where a curve is a part of the other one.
+    """Bounds for the largest distance of a point of each of two curves from the other curve. The lower bound is the
+    distance of the point `at` a parameter from the point at the `nearest` parameter; the upper bound is at most a
+    hundredth larger. Both bounds are 0 if a curve is a part of the other curve.
 
     >>> from exactspline import Nurbs
     >>> parabola = Nurbs(2, [0, 0, 0, 1, 1, 1], [(-1, 1), (0, -1), (1, 1)])
@@ -218,8 +220,8 @@ def deviation(first: Nurbs, second: Nurbs) -> Iterator[NamedNumbers]:
     <first from second: low 1, high 10099/10000, at 1/2, nearest 1/2>
     <second from first: low √3/2, high ...>
 
-    Raises `ShapeError` for curves of different dimensions, and outside plane and space, and `ReachError` where it
-    cannot be decided whether they have arcs in common.
+    Raises `ShapeError` for curves of different dimensions, and outside plane and space, and `ReachError` if it is not
+    decided whether they have arcs in common.
     """
     for what, way in _ways(first, second):
         *_, farthest = way.halvings()
@@ -228,15 +230,16 @@ def deviation(first: Nurbs, second: Nurbs) -> Iterator[NamedNumbers]:
 
 
 def deviation_within(first: Nurbs, second: Nurbs, bound: mpq) -> Iterator[NamedNumbers]:
-    """Whether all points of each of two curves are within a distance from the other one; where they are not, a point
-    that is farther.
+    """Whether all points of each of two curves are within a distance of the other curve; if not, a point that is
+    farther away.
 
     >>> from exactspline import Nurbs
     >>> lines = [Nurbs(1, [0, 0, 1, 1], points) for points in ([(0, 0), (1, 0)], [(0, 1), (2, 1)])]
     >>> [found.facts["holds"] for found in deviation_within(*lines, mpq(1))]
     ['yes', 'no']
 
-    Raises `ShapeError` as `deviation` does, and for a negative distance; and `ReachError` where it is out of reach.
+    Raises `ShapeError` as `deviation` does, and for a negative distance; and `ReachError` where the decision takes too
+    much work.
     """
     if bound < 0:
         raise ShapeError(f"within {text(bound)}", remedy="give a number that is not negative, such as 1/1000")

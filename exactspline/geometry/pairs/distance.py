@@ -1,10 +1,11 @@
-"""The distance of two curves: the pairs of nearest points, each certified, and the arcs of such pairs.
+"""The distance of two curves: the certified pairs of nearest points, and the arcs along which the least distance is
+attained.
 
-A pair at the least distance is a common point, or has an end or a knot of one of the curves, or is a common zero of the
-two derivatives of the squared distance. Along the zeros of a common factor of both the distance is constant: they are
-arcs of such pairs, and single points (`exactspline.bivariate.quotients`). All others are isolated by boxes
-(`exactspline.bivariate.common_zeros`), where the distance is not above that of a pair already known. Distances that are
-near each other are compared exactly.
+A pair at the least distance is a common point, or contains an end or a knot of one of the curves, or is a common zero
+of the two partial derivatives of the squared distance. Along the zeros of a common factor of these derivatives the
+distance is constant; such zeros form arcs and single points (`exactspline.bivariate.quotients`). All other common zeros
+at which the distance is at most that of a known pair are isolated by boxes (`exactspline.bivariate.common_zeros`).
+Nearly equal distances are compared exactly.
 """
 
 from __future__ import annotations
@@ -41,13 +42,13 @@ from exactspline.splines.type_checks import curve_of
 
 V = TypeVar("V")
 Point = tuple[mpq, ...]
-#: How near a lower bound is brought to a bound: by a factor of 1 − 2^−k with k below this.
+#: A lower bound is raised to 1 − 2^−k times another bound, with k below this number.
 NARROW = 40
 
 
 @dataclass(frozen=True)
 class ClosestPair:
-    """A parameter of each curve, at the least distance."""
+    """A parameter of each curve; the distance of the two points is the least distance."""
 
     first: Real
     second: Real
@@ -60,13 +61,14 @@ class ClosestPair:
 
 @dataclass(frozen=True, repr=False)
 class Distance(OneNumber, Written):
-    """The least distance of two curves, and the pairs of points at it: exact numbers, and exactly equally near.
+    """The least distance of two curves, and all pairs of points at this distance, with exact parameters.
 
-    `everywhere` are the arcs all of whose points are at it, by their parameters on both curves: arcs in common, arcs
-    that stay at this distance (of parallel segments, of circles about one point), arcs of a circle about a point of the
-    other curve, and pieces that stand still (with an arc of a circle, all pairs of both). Their ends are among the
-    pairs, the points between are not listed. `undecided` names what would take too long to decide. Then the square of
-    the distance is at least `lower`, a rational number; otherwise `lower` is None.
+    `everywhere` are the arcs along which the least distance is attained, by their parameters on both curves: arcs in
+    common, arcs at this constant distance (of parallel segments, of concentric circles), arcs of a circle about a point
+    of the other curve, and pieces on which a curve is constant (with an arc of a circle, all pairs of both). The ends
+    of these arcs are among the pairs; points between the ends are not listed. `undecided` lists the decisions that
+    would take too long. If there are any, the square of the distance is at least `lower`, a rational number; otherwise
+    `lower` is None.
 
     >>> from exactspline import distance, example
     >>> float(distance(example("circle"), example("ellipse")))
@@ -116,7 +118,7 @@ def distance(first: Nurbs, second: Nurbs) -> Distance:
 
 
 def nearest_pairs(first: Nurbs, second: Nurbs, meeting: Intersections) -> Distance:
-    """The same of curves whose common points are known."""
+    """The distance of two curves whose common points are known, and the pairs of nearest points."""
     zero = Real(0)
     if meeting.points or meeting.everywhere:
         pairs = [ClosestPair(p.first, p.second, zero) for p in meeting]
@@ -135,7 +137,7 @@ def _ends(arc: Overlap, squared: Real, curves: tuple[Nurbs, Nurbs]) -> list[Clos
 
 
 def _at_seam(t: Real, curve: Nurbs) -> Real:
-    """A parameter, that of the seam of a closed curve as its start."""
+    """The parameter; at the seam of a closed curve its start."""
     return Real(curve.domain.low) if curve.closed and t == curve.domain.high else t
 
 
@@ -145,7 +147,7 @@ def _within(arc: Overlap, other: Overlap) -> bool:
 
 
 def _largest(arcs: Iterable[tuple[Overlap, Real]]) -> list[tuple[Overlap, Real]]:
-    """The arcs that are no parts of others, each once."""
+    """The arcs that are not parts of other arcs, each once."""
     kept: list[tuple[Overlap, Real]] = []
     for arc, squared in arcs:
         if not any(_within(arc, other) for other, _ in kept):
@@ -154,13 +156,13 @@ def _largest(arcs: Iterable[tuple[Overlap, Real]]) -> list[tuple[Overlap, Real]]
 
 
 def _between(pair: ClosestPair, arc: Overlap) -> bool:
-    """Whether a pair is no end of an arc, or of a piece with which all pairs count, but on it."""
+    """Whether a pair is on an arc, or on a piece all of whose pairs count, but not at its end."""
     sides = (pair.first, arc.first), (pair.second, arc.second)
     return all(low <= t <= high for t, (low, high) in sides) and any(t not in ends for t, ends in sides)
 
 
 def _each_once(pairs: Sequence[ClosestPair], undecided: list[str]) -> tuple[ClosestPair, ...]:
-    """Pairs without those that are there already; names what would take too long to compare."""
+    """The pairs without repetitions; comparisons that would take too long are reported as undecided."""
     each: list[ClosestPair] = []
     try:
         for pair in pairs:
@@ -190,7 +192,7 @@ class _Search:
                 self._inside(i, j)
 
     def _at_knots(self, k: int) -> Iterator[ClosestPair]:
-        """The points of curve k nearest to the ends and knots of the other one, and to its pieces that stand still."""
+        """The points of curve k nearest to the ends, the knots and the constant pieces of the other curve."""
         for place, centre in self._places(1 - k):
             around = nearest(self.curves[k], centre)
             arcs = [(part, point.squared) for point in around for part in [(point.parameter,) * 2]]
@@ -205,8 +207,8 @@ class _Search:
                 yield from _ends(arc, squared, self.curves)
 
     def _places(self, k: int) -> Iterator[tuple[Interval, Point]]:
-        """The pieces of a curve that stand still, and its ends and knots that belong to none of them, with the points:
-        two where the curve jumps.
+        """The constant pieces of a curve, and the ends and knots outside these pieces, with the points: two points
+        where the curve jumps.
         """
         curve, still = self.curves[k], dict[Point, list[Interval]]()
         for i, (degree, _) in enumerate(self.segments[k]):
@@ -237,7 +239,7 @@ class _Search:
         if forms.excess(self.bound).sign == 1:
             return
         try:
-            # pairs with an end are found otherwise
+            # pairs with an end are found elsewhere
             points, arcs, undecided = forms.critical(self.bound)
             self.found += [_pair(zero, forms, pair) for zero, pair in points]
             for factor, arc in arcs:
@@ -268,7 +270,7 @@ class _Search:
 
 
 def _bound(values: Sequence[Real]) -> tuple[int, mpq]:
-    """A bound of the least of some numbers, at most twice it, and the digits to which it is known."""
+    """An upper bound of the least of some numbers, at most twice this number, and the digits to which it is known."""
     digits = BOUND
     while True:
         low, high = (min(ends) for ends in zip(*[value.enclosure(digits) for value in values], strict=True))
@@ -285,8 +287,9 @@ def _overlap(factor: fmpz_mpoly, arc: MonotoneArc, sides: Box) -> Overlap:
 
 
 def _map(p: fmpz_mpoly) -> tuple[tuple[int, ...] | None, tuple[int, ...] | None, bool]:
-    """Numerator and denominator of the parameter of one curve as a function of the other's where a polynomial in both
-    vanishes that is linear in it, and whether it is that of the second; None where there is no such function.
+    """For a polynomial in both parameters that is linear in one of them: this parameter as a function of the other one
+    where the polynomial vanishes, by numerator and denominator, and whether it is the parameter of the second curve.
+    None if there is no such function.
     """
     for of_second, q in enumerate((p.compose(T, S), p)):
         rows = rows_of(q)
@@ -298,15 +301,15 @@ def _map(p: fmpz_mpoly) -> tuple[tuple[int, ...] | None, tuple[int, ...] | None,
 
 
 def _squared_gap(one: IntegerBox, other: IntegerBox) -> int:
-    """A lower bound of the squared distance of what is in two boxes."""
+    """A lower bound of the squared distance between points of two boxes."""
     if one is None or other is None:
         return 0
     return sum(max(c - b, a - d, 0) ** 2 for (a, b), (c, d) in zip(one, other, strict=True))
 
 
 class Forms(Quotient):
-    """The squared distance of two segments over these sides as a quotient, and its derivatives: polynomials in s and t,
-    which are here the local parameters of the segments.
+    """The squared distance of two segments over these sides as a quotient, and its derivatives, as polynomials in the
+    local parameters s and t of the segments.
     """
 
     def __init__(self, first: SegmentForms, second: SegmentForms, sides: Box) -> None:
@@ -320,7 +323,7 @@ class Forms(Quotient):
         ]
 
     def least(self, boxes: Sequence[Box], bound: mpq) -> mpq:
-        """A lower bound of the squared distance on all boxes, near to a bound if that is possible."""
+        """A lower bound of the squared distance on all boxes, close to the given bound if possible."""
         least = mpq(0)
         for k in range(1, NARROW):
             closer = bound * (1 - mpq(1, 1 << k))
@@ -336,7 +339,7 @@ def _total(terms: list[V]) -> V:
 
 
 def _pair(zero: CommonZero, forms: Forms, pair: Sequence[PatchForm]) -> ClosestPair:
-    """A critical pair, a zero that two forms have in common: its numbers are enclosed by boxes, and computed exactly
-    when that is asked for.
+    """A critical pair, which is a common zero of two forms: its numbers are enclosed by boxes, and computed exactly on
+    demand.
     """
     return ClosestPair(*zero.on(forms.sides).numbers, forms.at(zero, pair))

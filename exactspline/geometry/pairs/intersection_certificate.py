@@ -1,4 +1,4 @@
-"""The proof of all common points of two plane curves, as JSON data for `exactspline.certificates`."""
+"""The proof that the common points of two plane curves are complete, as JSON data for `exactspline.certificates`."""
 
 from __future__ import annotations
 
@@ -89,7 +89,9 @@ def _extent(curve: PlaneForms, axis: int) -> tuple[mpq, mpq]:
 
 
 def _zero(found: Elimination, place: Place) -> dict[str, str]:
-    """A place around a zero of the determinant on which the entries of the adjugate have the signs that are claimed."""
+    """An interval around a zero of the determinant on which the entries of the adjugate have the signs that are
+    claimed.
+    """
     partner = found.partner(Place(place.zero))
     if partner is SEVERAL:
         raise ReachError("a certificate of a point through which a curve passes several times", remedy=REMEDY)
@@ -108,7 +110,7 @@ def _zero(found: Elimination, place: Place) -> dict[str, str]:
 
 
 def _is_isolated(place: Place, low: mpq, high: mpq) -> bool:
-    """Whether the factor changes its sign between two numbers at which it is not zero."""
+    """Whether the factor has different signs, neither of them zero, at two numbers."""
     factor = place.zero.factor.polynomial
     part, _ = restrict((factor, ONE), factor.degree(), low, high)
     return bool(part[0] * part[factor.degree()] < 0)

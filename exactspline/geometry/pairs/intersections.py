@@ -1,5 +1,5 @@
 """The common points of two curves, and of a curve and itself: every pair of parameters, exactly, with its multiplicity,
-and the arcs that they have in common.
+and the common arcs.
 
 Segments that cannot meet are excluded by boxes; each remaining pair is decided by Bézout's matrix
 (`exactspline.polynomials.plane_pairs`). Space curves are projected to a plane, and the third coordinate is compared
@@ -47,15 +47,15 @@ from exactspline.splines.type_checks import curve_of
 class IntersectionKind(StrEnum):
     """How two curves meet at a point."""
 
-    #: Each changes from one side of the other to the other side.
+    #: Each curve passes from one side of the other curve to its other side.
     CROSSING = "crossing"
-    #: They stay on their sides.
+    #: Each curve stays on one side of the other.
     TOUCHING = "touching"
     #: One of the curves ends there.
     END = "end"
-    #: At a knot of one of them; it is not decided whether they cross.
+    #: The point is at a knot of one of the curves; it is not decided whether they cross.
     KNOT = "knot"
-    #: In space, where curves have no sides; of offsets, where it is not decided whether they cross.
+    #: In space, where curves have no sides; for offsets, where it is not decided whether they cross.
     SPACE = "common point"
 
 
@@ -64,8 +64,8 @@ class Intersection:
     """One common point: a parameter of each curve.
 
     `multiplicity` is the intersection multiplicity: 1 where the tangents differ, k + 1 where the curves have contact of
-    order k. At knots it is the least of those of the segments that meet there. It is None in space, and where two arcs
-    of one algebraic curve continue each other.
+    order k. At knots it is the least multiplicity of the segments that meet there. It is None in space, and where two
+    arcs of one algebraic curve continue each other.
     """
 
     first: Real
@@ -79,7 +79,7 @@ class Intersection:
     @property
     def point(self) -> tuple[mpq | Real, ...]:
         """The coordinates, exactly."""
-        # a zero, and before it a rational number, is simpler than the value of a map at a zero
+        # rational numbers, and after them zeros, are simpler than the value of a map at a zero
         k = min((0, 1), key=lambda k: _unknown((self.first, self.second)[k]))
         return evaluate(self.curves[k], (self.first, self.second)[k])
 
@@ -101,8 +101,8 @@ def _unknown(parameter: Real) -> tuple[bool, bool]:
 
 @dataclass(frozen=True)
 class Overlap:
-    """An arc that two curves have in common: the parameters of both at its ends, in the order of the second. Both are
-    monotone along it.
+    """An arc that two curves have in common: the parameters of both curves at its ends, in the order of the second
+    parameter. Both parameters are monotone along the arc.
 
     `numerator` and `denominator` are the coefficients, constant term first, of polynomials N and D such that the
     parameter of the first curve is ``N(t)/D(t)`` at the parameter t of the second (or the other way round with
@@ -128,9 +128,9 @@ class Overlap:
 
 @dataclass(frozen=True, repr=False)
 class Intersections(Answer[Intersection, Overlap], Displayed):
-    """All common points of two curves in the order of the parameter of the first, and `everywhere` the arcs that they
-    have in common, whose points are not listed one by one. `undecided` names the pairs of segments that were out of
-    reach; an answer with such a pair is not "nowhere".
+    """All common points of two curves in the order of the parameter of the first, and `everywhere` the common arcs,
+    whose points are not listed singly. `undecided` lists the pairs of segments that would take too much work; if there
+    are any, an empty list of points does not mean that the curves do not meet.
     """
 
     undecided: tuple[str, ...] = ()
@@ -140,8 +140,9 @@ class Intersections(Answer[Intersection, Overlap], Displayed):
         return super().__bool__() or bool(self.undecided)
 
     def certificate(self) -> dict[str, object]:
-        """A proof, as JSON data with exact strings, that these are all (see `exactspline.certificates`): of two plane
-        curves without arcs in common, of which none passes several times through a common point.
+        """A proof, as JSON data with exact strings, that these are all common points (see `exactspline.certificates`).
+        It exists for two plane curves without arcs in common, neither of which passes several times through a common
+        point.
 
         >>> from exactspline import Nurbs, check_certificate
         >>> first, second = (Nurbs(1, [0, 0, 1, 1], [(0, y), (1, 1 - y)]) for y in (0, 1))
@@ -159,7 +160,7 @@ class Intersections(Answer[Intersection, Overlap], Displayed):
 
 
 def intersections(first: Nurbs, second: Nurbs) -> Intersections:
-    """All common points of two curves, in the plane or in space (`exactspline.intersections` says more).
+    """All common points of two curves, in the plane or in space (see `exactspline.intersections`).
 
     >>> from exactspline import Nurbs, example
     >>> intersections(example("ellipse"), Nurbs(1, [0, 0, 1, 1], [(-4, 0), (4, 0)]))
@@ -173,8 +174,8 @@ def intersections(first: Nurbs, second: Nurbs) -> Intersections:
 
 def self_intersections(curve: Nurbs) -> Intersections:
     """The points through which a plane curve passes more than once, each as a pair of parameters s < t; neighbouring
-    segments, and the ends of a closed curve, do not meet in their common knot. All parameters between which the curve
-    stands still count as one.
+    segments, and the ends of a closed curve, do not meet in their common knot. All parameters of an interval on which
+    the curve is constant count as one.
 
     >>> from exactspline import Nurbs
     >>> loop = Nurbs(3, [0] * 4 + [1] * 4, [(0, 0), (3, 3), (-2, 3), (1, 0)])
@@ -214,7 +215,8 @@ class CollectedPoints:
 
     def __init__(self, first: Nurbs, second: Nurbs, *, alone: bool = False) -> None:
         plane = in_common_plane(first, second) if first.dimension == 3 else None
-        #: The curves, and what is computed with: of curves in a plane of space their images in two coordinates.
+        #: The curves, and the curves used in the computation: for curves in a plane in space their images in two
+        #: coordinates.
         self.given, self.curves = (first, second), (first, second) if plane is None else plane[1]
         self.alone, self.in_space = alone, self.curves[0].dimension == 3
         prepared = [segments_of(curve) for curve in self.curves[: 2 - alone]]
@@ -238,8 +240,8 @@ class CollectedPoints:
                         self._collect(i, j)
 
     def runs_on(self, i: int, j: int) -> bool:
-        """Whether one curve certainly runs on in one direction on a segment, or from one to the next: then it meets
-        itself there in their common knot at most.
+        """Whether a curve is certainly monotone in a direction on a segment, or on two adjacent segments: then it does
+        not meet itself there, except in the common knot.
         """
         curve, last = self.curves[0], len(self.segments[0]) - 1
         if j > i + 1 and not (i == 0 and j == last and curve.closed):
@@ -280,8 +282,8 @@ class CollectedPoints:
         self._add(found, i, j)
 
     def _collect_by_chord(self, i: int, j: int) -> None:
-        """The common points of two plane segments as common zeros of the coordinates of their chord, which takes no
-        determinant where boxes show that there are none. Raises `ReachError`, also where an arc may be in common.
+        """The common points of two plane segments as common zeros of the coordinates of their chord; no determinant is
+        needed where boxes show that there are none. Raises `ReachError`, also where an arc may be in common.
         """
         if self.in_space:
             raise ReachError("segments in space")
@@ -329,8 +331,8 @@ class CollectedPoints:
         return [self._different_knots(k) for k in range(2)]
 
     def _different_knots(self, k: int) -> list[int]:
-        """For each knot the first one that is the same: at the seam of a closed curve, and, of a curve and itself, the
-        knots between which it stands still.
+        """For each knot the first knot at the same point: at the seam of a closed curve and, for a curve and itself, at
+        the ends of an interval on which the curve is constant.
         """
         indices, segments = list(range(self.curves[k].segments + 1)), self.segments[0] if self.alone else []
         for i, segment in enumerate(segments):
@@ -339,13 +341,13 @@ class CollectedPoints:
         return [0 if self.curves[k].closed and index == indices[-1] else index for index in indices]
 
     def _is_joint(self, rest: Rest, i: int, j: int) -> bool:
-        """Whether a segment on which a curve stands still is met by the same one or a neighbour, in their knot."""
+        """Whether a segment on which the curve is constant meets itself or a neighbour, in their knot."""
         still, other = (j, i) if rest.exchanged else (i, j)
         others = self._knots[0][other : other + 2] if rest.place is None else [self._knot(0, other, rest.place)]
         return any(knot in self._knots[0][still : still + 2] for knot in others)
 
     def _knot(self, k: int, i: int, local: Local) -> int | None:
-        """The index of the knot that a parameter on segment i is; the first one of those that are the same."""
+        """The index of the knot at a parameter on segment i; of equal knots the first one."""
         if not isinstance(local, Place) or local.exact not in (0, 1):
             return None
         return self._knots[k][i + int(local.exact)]
@@ -367,7 +369,7 @@ class CollectedPoints:
             group.append(point)
 
     def answer(self) -> Intersections:
-        """All of it, in order."""
+        """All common points and arcs, in order."""
         at_knots = [
             self._at_knot(group)
             for groups in self.at_knots.values()
@@ -398,7 +400,7 @@ class CollectedPoints:
 
     def _ends_an_arc(self, point: _Found) -> bool:
         place = tuple(self._at(k, point) for k in (0, 1))
-        # with the seam of a closed curve as its start, the parameters of a curve and itself may change their order
+        # the seam of a closed curve becomes its start: this may change the order of the two parameters
         places = (place, place[::-1]) if self.alone else (place,)
         return any(
             (self._from_seam(0, x), self._from_seam(1, y)) in places
@@ -407,7 +409,7 @@ class CollectedPoints:
         )
 
     def _from_seam(self, k: int, t: Real) -> Real:
-        """A parameter, that of the end of a closed curve as its start."""
+        """The parameter; at the end of a closed curve its start."""
         low, high = self.curves[k].domain
         return Real(low) if self.curves[k].closed and t == high else t
 
@@ -449,7 +451,9 @@ class CollectedPoints:
         return IntersectionKind.CROSSING if crosses else IntersectionKind.TOUCHING
 
     def _cross_at_knot(self, k: int, knot: int, other: int) -> bool | None:
-        """Whether curve k, which has a knot here, changes its side of a segment of the other one, which has none."""
+        """Whether curve k, which has a knot here, changes sides with respect to a segment of the other curve, which has
+        no knot here.
+        """
         before, behind = self._form(k, self._before(k, knot)), self._form(k, knot)
         return changes_side(self._form(1 - k, other), before, behind)
 
@@ -478,7 +482,7 @@ def _overlap(arc: Arc, first: Interval, second: Interval) -> Overlap:
         return Overlap(one, other, None, None)
     sides = (second, first) if arc.exchanged else (first, second)
     top, bottom = segment_polynomials(image_splines(arc.map, *sides), 0)
-    # in lowest terms up to a constant already
+    # already in lowest terms up to a constant
     common = common_divisor([top.content(), bottom.content()]) * (-1 if bottom.leading_coefficient() < 0 else 1)
     coefficients = [tuple(int(x // common) for x in p.coeffs()) for p in (top, bottom)]
     return Overlap(one, other, coefficients[0], coefficients[1], arc.exchanged)

@@ -1,5 +1,5 @@
-"""How two curves meet at their ends: as segments of one curve do at a knot, the first curve run through towards one of
-its ends and the second one away from one of its own.
+"""How two curves meet at their ends, as two segments of a curve meet at a knot: the first curve is traversed towards
+one of its ends, the second curve away from one of its ends.
 """
 
 from __future__ import annotations
@@ -30,8 +30,8 @@ from exactspline.splines.nurbs import Nurbs
 
 
 class Sides(NamedTuple):
-    """Two ends: their parameters, their jets and the directions of their tangents, along the way from the first curve
-    to the second.
+    """Two ends: their parameters, their jets and the directions of their tangents, traversed from the first curve to
+    the second.
     """
 
     places: tuple[mpq, mpq]
@@ -46,7 +46,7 @@ class Sides(NamedTuple):
 
     @property
     def angle(self) -> Angle | None:
-        """The angle of the tangents, None where they have one direction or one of them has none."""
+        """The angle between the tangents; None where they have the same direction or a tangent does not exist."""
         return turned(*self.directions)
 
     @property
@@ -58,12 +58,12 @@ class Sides(NamedTuple):
 
     @property
     def named(self) -> dict[str, Real]:
-        """The parameters by their names."""
+        """The two parameters as named numbers."""
         return {"first": Real(self.places[0]), "second": Real(self.places[1])}
 
     @property
     def described(self) -> NamedNumbers:
-        """How they meet, exactly."""
+        """The exact description of the junction."""
         angle, jump = self.angle, self.jump
         values = self.named | {"gap": self.gap}
         if all(map(any, self.directions)):
@@ -86,7 +86,7 @@ class Sides(NamedTuple):
 
 
 def _pairs_of_ends(first: Nurbs, second: Nurbs) -> list[Sides]:
-    """The pairs of an end of each curve, the nearest first; none where one of them is closed.
+    """The pairs of an end of each curve, the nearest pair first; no pairs if one of the curves is closed.
 
     Raises `ShapeError` for curves of different dimensions, and outside plane and space.
     """
@@ -102,7 +102,7 @@ def _pairs_of_ends(first: Nurbs, second: Nurbs) -> list[Sides]:
 
 
 def _towards_ends(curve: Nurbs) -> Iterator[tuple[mpq, Jet, Point]]:
-    """The parameters of both ends, with jets and directions of the curve run through towards them."""
+    """The parameters of both ends, with jets and directions of the curve traversed towards them."""
     facts, (a, b) = facts_of(curve), curve.domain
     start = limit_direction(facts.velocity, a, Side.RIGHT)
     yield a, reversed_jet(facts.ends.jet(0, Side.RIGHT)), tuple(-x for x in start)
@@ -110,7 +110,7 @@ def _towards_ends(curve: Nurbs) -> Iterator[tuple[mpq, Jet, Point]]:
 
 
 def junctions(first: Nurbs, second: Nurbs) -> tuple[NamedNumbers, ...]:
-    """How each end of a curve meets each end of another one.
+    """How each end of a curve meets each end of another curve.
 
     >>> from exactspline import Nurbs
     >>> lines = [Nurbs(1, [0, 0, 1, 1], points) for points in ([(0, 0), (1, 0)], [(1, 0), (3, 0)])]
@@ -122,7 +122,7 @@ def junctions(first: Nurbs, second: Nurbs) -> tuple[NamedNumbers, ...]:
 
 
 def junctions_within(first: Nurbs, second: Nurbs, epsilon: mpq) -> tuple[NamedNumbers, ...]:
-    """To which order the ends of two curves meet within a number.
+    """The order to which the ends of two curves meet, up to differences of at most ε.
 
     >>> from exactspline import Nurbs
     >>> lines = [Nurbs(1, [0, 0, 1, 1], points) for points in ([(0, 0), (1, 0)], [(1, "1/9"), (3, 0)])]

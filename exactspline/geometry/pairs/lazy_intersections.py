@@ -1,6 +1,4 @@
-"""The common points of two segments that are certain in doubles: exact numbers, of which more is computed when it is
-asked for.
-"""
+"""The common points of two segments that are decided in doubles: exact numbers, which are refined on demand."""
 
 from __future__ import annotations
 
@@ -27,18 +25,18 @@ class PairForm:
 
     first: PlaneForms
     second: PlaneForms
-    #: Whether both are one segment, of which pairs of equal parameters are no common points.
+    #: Whether both are the same segment, so that pairs of equal parameters are not common points.
     alone: bool = False
 
     @classmethod
     def of(cls, first: SegmentRows, second: SegmentRows, *, alone: bool = False) -> PairForm:
-        """Of two segments in the degrees in which they are given."""
+        """The form of two segments in the degrees in which they are given."""
         one, other = (PlaneForms(n, *(fmpz_poly([*c]) for c in rows)) for n, rows in (first, second))
         return cls(one, other, alone)
 
     @property
     def exchanged(self) -> bool:
-        """Whether the parameter of the second, the one of lower degree, is eliminated."""
+        """Whether the parameter of the second segment, which has the lower degree, is eliminated."""
         return self.first.degree > self.second.degree
 
     @cached_property
@@ -56,12 +54,12 @@ class PairForm:
 
     @cached_property
     def inner(self) -> list[LocalZero]:
-        """Its zeros inside the segment, by exact arithmetic."""
+        """The zeros of the determinant inside the segment, by exact arithmetic."""
         return self.elimination.isolation.inner
 
     @property
     def map(self) -> RationalMap:
-        """The parameter that was eliminated as a function of the other."""
+        """The eliminated parameter as a function of the other parameter."""
         return self.elimination.map
 
     def near(self, place: Place, bits: int) -> arb | None:
@@ -70,7 +68,7 @@ class PairForm:
 
     @cached_property
     def _forms(self) -> list[tuple[fmpz_poly, fmpz_poly]]:
-        """The six forms, those of the first segment before those of the second, with their derivatives."""
+        """The six forms with their derivatives, first the forms of the first segment."""
         return [(f, f.derivative()) for segment in (self.first, self.second) for f in segment.forms]
 
     def _closer(self, box: list[arb]) -> list[arb]:

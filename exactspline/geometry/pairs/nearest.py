@@ -1,8 +1,8 @@
-"""The points of a curve nearest to a point: all of them, and the least distance, exactly.
+"""All points of a curve nearest to a given point, and the least distance, exactly.
 
-Such a point is an end, a knot, or a zero of the derivative of the squared distance where that becomes positive.
-Segments whose boxes are farther away than a point that is known are left out. The squared distances
-of the rest are compared in ball arithmetic, and exactly where that does not decide.
+A nearest point is an end, a knot, or a zero of the derivative of the squared distance at which the derivative becomes
+positive. Segments whose boxes are farther away than a known point are skipped. The squared distances of the other
+candidates are compared in ball arithmetic, and exactly where this does not decide.
 """
 
 from __future__ import annotations
@@ -38,7 +38,7 @@ from exactspline.splines.type_checks import curve_of
 
 @dataclass(frozen=True)
 class NearestPoint(OneNumber):
-    """A point of a curve at the least distance, by its parameter; where the curve jumps, seen from this `side`."""
+    """A point of a curve at the least distance, by its parameter; where the curve jumps, the limit from this `side`."""
 
     parameter: Real
     curve: Nurbs
@@ -68,8 +68,8 @@ class NearestPoint(OneNumber):
 
 
 class Nearest(Answer[NearestPoint, CurvePiece], Displayed):
-    """All points of a curve at the least distance from a point, and `everywhere` the pieces all of whose points are:
-    arcs of circles around it.
+    """All points of a curve at the least distance from a point, and `everywhere` the pieces at this constant distance:
+    arcs of circles around the point.
     """
 
 
@@ -116,7 +116,7 @@ def nearest(curve: Nurbs, point: Iterable[Number]) -> Nearest:
 
 
 def over_the_seam(curve: Nurbs, arcs: list[Interval]) -> tuple[CurvePiece, ...]:
-    """Arcs as pieces of a curve; the last and the first of a closed one are one piece where both end at the seam.
+    """Arcs as pieces of a curve; on a closed curve the last and the first arc are one piece if both end at the seam.
 
     >>> from exactspline import example
     >>> over_the_seam(example("circle"), [Interval(mpq(0), mpq(1)), Interval(mpq(3), mpq(4))])
@@ -129,7 +129,7 @@ def over_the_seam(curve: Nurbs, arcs: list[Interval]) -> tuple[CurvePiece, ...]:
 
 
 def exact_point(curve: Nurbs, point: Iterable[Number]) -> tuple[mpq, ...]:
-    """The coordinates of a point; raises `ShapeError` for a point of another dimension than the curve."""
+    """The coordinates of a point; raises `ShapeError` if the dimensions of point and curve differ."""
     exact = tuple(rational(x) for x in as_items(point, "a point"))
     if len(exact) != curve_of(curve).dimension:
         raise ShapeError(f"a point with {counted(len(exact), 'coordinate')}", remedy=f"give {curve.dimension}")
@@ -146,7 +146,7 @@ def _near_segments(segments: Segments, delta: tuple[mpq, ...]) -> list[int]:
 
 
 def _bounds(box: IntegerBox, point: list[mpq]) -> tuple[mpq, mpq | None]:
-    """Bounds of the squared distance of a point from what is in a box."""
+    """Bounds of the squared distance between a point and the points of a box."""
     if box is None:
         return mpq(0), None
     near = far = mpq(0)

@@ -1,15 +1,17 @@
-"""The true parts of the offset of a simple closed plane curve: of the points at a distance d from its points, on
-their normals or about corners, the ones to which no point of the curve is nearer.
+"""The true parts of the offset of a simple closed plane curve. A point of the offset lies on the normal at a point of
+the curve, its foot, or on a circle about a corner, at the distance d; it is true if no point of the curve is nearer to
+it.
 
-The offset is cut where it meets itself, the arcs of circles about the corners that turn away from it included. Between
-two such places all points are true, or none is: the true ones are a closed set, and at an end of it another point of
-the curve is as near. This is no neighbour of the foot: where the curvature passes through 1/d the circle about the
-point crosses the curve at the foot, so that the point is not true, and none next to it. So a rational parameter decides
-for all between two cuts: by the sign of a polynomial between its zeros, and about corners by the nearest point.
+The offset is cut where it meets itself, including the arcs of circles about the corners that turn away from it. Between
+two cuts all points are true, or no point is: the true points form a closed set, and at an end of this set another point
+of the curve is equally near. The other point is not close to the foot: where the curvature passes through 1/d, the
+circle about the offset point crosses the curve at the foot, so that neither this point nor its neighbours are true. So
+a rational parameter decides for all points between two cuts: by the sign of a polynomial between its zeros, and on arcs
+about corners by the nearest point.
 
-There is a part if and only if some point on this side of the curve is farther from it than d. Such points are an open
-set with infinitely many points on its border; these are true, and all but finitely many of them lie in parts.
-Conversely, beyond a point of a part to which its foot alone is nearest there are points that are farther.
+There is a true part if and only if some point on this side of the curve is farther from it than d. Such points form an
+open set with infinitely many boundary points; the boundary points are true, and all except finitely many of them lie in
+parts. Conversely, beyond a point of a part whose only nearest point is its foot there are points farther than d.
 """
 
 from __future__ import annotations
@@ -43,8 +45,8 @@ from exactspline.splines.nurbs import Nurbs
 
 
 def offset_parts(curve: Nurbs, d: mpq) -> tuple[NamedNumbers, ...]:
-    """The parts by the parameters of the curve at their ends, in order, one that runs on across the seam ending below
-    its start; then the arcs about corners, counterclockwise.
+    """The parts by the parameters of the curve at their ends, in order (the end of a part across the seam is below its
+    start); then the arcs about corners, counterclockwise.
 
     >>> square = Nurbs(1, [0, 0, 1, 2, 3, 4, 4], [(0, 0), (4, 0), (4, 4), (0, 4), (0, 0)])
     >>> offset_parts(square, mpq(1))[0]
@@ -53,7 +55,7 @@ def offset_parts(curve: Nurbs, d: mpq) -> tuple[NamedNumbers, ...]:
     [4, 0, 5]
 
     Raises `ShapeError` for a curve that is not simple, closed and in the plane, or turns back at a corner, and for the
-    distance 0; and `ReachError` where parts of the offset may run along each other or be single points.
+    distance 0; and `ReachError` where parts of the offset may coincide or be single points.
     """
     turns = {x.parameter: (x.angle.sine * d).sign for x in facts_of(curve).joints if x.angle is not None}
     if curve.dimension != 2 or not curve.closed or 0 in (d, *turns.values()) or self_intersections(curve):
@@ -94,9 +96,9 @@ def _functions(curve: Nurbs, j: int, point: Sequence[mpq]) -> tuple[fmpq_poly, f
 
 
 def _nearer(velocity: Vector[Any], chord: Vector[fmpq_poly], w: fmpq_poly, d: mpq) -> tuple[fmpq_poly, fmpq_poly]:
-    """Polynomials of which the first is negative and the second positive where one point is nearer than its foot to the
-    point of the offset of the other one, with the tangent v at the foot and the vector c/w from there: where
-    ``‖v‖ c² < 2 d [v, c] w``.
+    """Two polynomials: the first is negative and the second positive where a point of the curve is nearer to a point of
+    the offset than its foot. With the tangent v at the foot and the vector c/w from the foot to the other point, this
+    is ``‖v‖ c² < 2 d [v, c] w``.
     """
     across = det(velocity, chord) * w * to_fmpq(2 * d)
     return norm2(chord) ** 2 * norm2(velocity) - across * across, across
@@ -121,7 +123,7 @@ def _zeros_on(curve: Nurbs, j: int, polynomials: Iterable[fmpz_poly]) -> list[Re
 
 
 def _kept(curve: Nurbs, cuts: Iterable[Real], is_true: Callable[[mpq], bool]) -> tuple[CurvePiece, ...]:
-    """The parts of a closed curve between cuts that are true at a parameter, those that meet joined."""
+    """The parts of a closed curve between cuts that are true at a parameter; adjacent parts are joined."""
     marks = sorted([*map(Real, curve.breakpoints), *cuts])
     cells = [cell for cell in pairwise(marks) if cell[0] < cell[1] and is_true(between(*cell))]
     return over_the_seam(curve, joined(cells))  # type: ignore[arg-type]  # real numbers in the place of rational ones

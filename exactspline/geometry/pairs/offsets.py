@@ -1,10 +1,10 @@
 """The common points of the offsets of two plane curves, and those at which the offset of a curve meets itself: pairs of
 parameters whose normals meet, at the distances of the offsets.
 
-They are common zeros of two polynomials, one for each distance; where the distances are equal, one says that both
-points are equally far from where the normals meet. For a curve and itself both vanish where s = t; they are divided by
-s − t. Where the normals are parallel the polynomials vanish whether or not the offsets meet; there it is decided by the
-length of the chord.
+These pairs are common zeros of two polynomials, one for each distance; if the distances are equal, one polynomial
+vanishes where both points are equally far from the intersection of the normals. For a curve and itself both polynomials
+vanish where s = t, and are divided by s − t. Where the normals are parallel, the polynomials vanish whether or not the
+offsets meet; there the length of the chord decides.
 """
 
 from __future__ import annotations
@@ -47,11 +47,12 @@ from exactspline.splines.type_checks import curve_of
 
 @dataclass(frozen=True, repr=False)
 class OffsetIntersection(Intersection):
-    """A common point of the offsets of two curves, or of one, at signed `distances` (positive to the left); both
-    parameters are those of the curves. The multiplicity is None, and the kind a common point, where the normals are
+    """A common point of the offsets of two curves, or of a curve and itself, at signed `distances` (positive to the
+    left), by the parameters of the curves. The multiplicity is None, and the kind a common point, where the normals are
     parallel.
 
-    At a corner an offset has two ends: `sides` tells from which side of each parameter it arrives (right elsewhere).
+    At a corner an offset has two ends: `sides` are the sides of each parameter from which the point is the limit (right
+    elsewhere).
     """
 
     distances: tuple[mpq, mpq] = (mpq(), mpq())
@@ -85,18 +86,18 @@ def intersections(first: Nurbs, second: Nurbs, *, offset: Number | tuple[Number,
     >>> intersections(parabola, parabola.restrict("1/2", 1).reverse())
     everywhere on <overlap of [1, 1/2] and [1/2, 1], reversed>
 
-    With `offset`, a signed distance (positive to the left) or one for each curve, those of the offsets of two plane
-    curves, by the parameters of the curves themselves.
+    With `offset`, a signed distance (positive to the left) or one for each curve, the result is the common points of
+    the offsets of two plane curves, by the parameters of the curves themselves.
 
     >>> intersections(example("ellipse"), line, offset=("1/4", 0))
     [<knot at 0 and 23/32>, <knot at 2 and 9/32>]
 
-    The work is limited to about ten seconds (somewhat more for many pairs of segments); what exceeds this is named in
-    ``undecided``; of offsets also segments with points without a tangent, and those whose offsets are one point or may
-    run along each other.
+    The work is limited to about ten seconds (somewhat more for many pairs of segments); pairs of segments that exceed
+    it are listed in ``undecided``. For offsets, segments with points without a tangent and segments whose offsets are a
+    single point or may coincide are listed there, too.
 
     Raises `ShapeError` for curves of different dimensions, outside plane and space, for offsets in space, and for more
-    than two of them.
+    than two distances.
 
     Source: Bézout's matrix as in Manocha and Demmel, Algorithms for intersecting parametric and algebraic curves I,
     ACM Transactions on Graphics 1994.
@@ -117,16 +118,17 @@ def self_intersections(curve: Nurbs, *, offset: Number = 0) -> Intersections:
     >>> self_intersections(loop)
     [<crossing at (2 - √3)/4 and (2 + √3)/4>]
 
-    With `offset`, a signed distance (positive to the left), those of the offset curve at it, by the parameters of the
-    curve itself. Its cusps are not among them (`analyse(curve).offset_cusps` has them).
+    With `offset`, a signed distance (positive to the left), the result is the self-intersections of the offset curve at
+    this distance, by the parameters of the curve itself. The cusps of the offset are not among them (see
+    `analyse(curve).offset_cusps`).
 
     >>> parabola = Nurbs(2, [0, 0, 0, 1, 1, 1], [(-2, 4), (0, -4), (2, 4)])  # y = x²
     >>> (found,) = self_intersections(parabola, offset=1)
     >>> found, [x.exact for x in found.point]
     (<crossing at (4 - √3)/8 and (4 + √3)/8>, [mpq(0,1), mpq(5,4)])
 
-    The work is limited as for `intersections`; pairs of segments that exceed it, segments with points without a
-    tangent, and those whose offsets are one point or may run along each other are named in ``undecided``.
+    The work is limited as for `intersections`; pairs of segments that exceed the limit, segments with points without a
+    tangent, and segments whose offsets are a single point or may coincide are listed in ``undecided``.
 
     Raises `ShapeError` for a curve that is not in the plane.
     """
@@ -135,7 +137,7 @@ def self_intersections(curve: Nurbs, *, offset: Number = 0) -> Intersections:
 
 
 class _Search:
-    """The pairs of segments, and what is found; `alone`: of a curve and itself."""
+    """The search over pairs of segments, with its results; `alone` means a curve and itself."""
 
     def __init__(self, curves: tuple[Nurbs, Nurbs], distances: tuple[mpq, mpq], *, alone: bool = False) -> None:
         for curve in curves:
@@ -147,11 +149,11 @@ class _Search:
 
     @cached_property
     def met(self) -> Intersections:
-        """Where the curves themselves meet."""
+        """The common points of the curves themselves."""
         return self_intersections_of_curve(self.curves[0]) if self.alone else intersections_of_curves(*self.curves)
 
     def answer(self) -> Intersections:
-        """All of it, in order."""
+        """All common points of the offsets, in order."""
         pairs = self._pairs()
         with drawing_on(Budget(QUESTION + PATCH * max(len(pairs) - 1, 0))):
             for pair in pairs:
@@ -178,8 +180,8 @@ class _Search:
         return Box(*(Interval(*curve.breakpoints[k : k + 2]) for curve, k in zip(self.curves, pair, strict=True)))
 
     def _from_seam(self, point: OffsetIntersection) -> OffsetIntersection:
-        """A point with the start of a closed curve instead of its end, where there is no corner; of a curve and itself
-        the start comes first.
+        """The point with the start of a closed curve in place of its end, unless there is a corner; for a curve and
+        itself the start comes first.
         """
         for k, curve in enumerate(self.curves):
             low, high = curve.domain
@@ -198,7 +200,7 @@ def _where(point: OffsetIntersection) -> tuple[Real, Real, tuple[Side, Side]]:
 
 
 def _once(found: Sequence[OffsetIntersection]) -> OffsetIntersection:
-    """One point of the pairs of segments that meet in a knot, with the least of their multiplicities."""
+    """The common point of several pairs of segments that meet in a knot, with the least of their multiplicities."""
     times = [point.multiplicity for point in found if point.multiplicity is not None]
     return replace(found[0], multiplicity=min(times, default=None))
 
@@ -216,7 +218,7 @@ class _OfSegments:
         a, b, e = pair.a, pair.b, pair.chord
         one, other = search.distances
         first, second = ((dot(b, e), a, one), (dot(a, e), b, other))
-        #: Zero where the normals meet at the distances.
+        #: Zero where the normals meet at the given distances.
         self.equations = [self._distance(*first), self._distance(*second)]
         if abs(one) == abs(other):
             self.equations[1] = pair.equidistant
@@ -226,7 +228,7 @@ class _OfSegments:
         self.triangle = self._triangle()
 
     def _distance(self, f: fmpz_mpoly, velocity: Vector[fmpz_mpoly], d: mpq) -> fmpz_mpoly:
-        """Zero where the normals meet at a distance from one of the points."""
+        """A polynomial that is zero where the normals meet at a given distance from one of the points."""
         if not d:
             return f
         reached: fmpz_mpoly = self.pair.across * self.pair.weight * int(d.numerator)
@@ -234,15 +236,15 @@ class _OfSegments:
         return value
 
     def _chord(self, d: mpq) -> fmpz_mpoly:
-        """Zero where the chord has a length."""
+        """A polynomial that is zero where the chord has a given length."""
         weight: fmpz_mpoly = self.pair.weight
         value: fmpz_mpoly = self.square * int(d.denominator) ** 2 - weight**2 * int(d.numerator) ** 2
         return value
 
     def _triangle(self) -> fmpz_mpoly:
-        """Zero where the chord is the third side of a triangle whose two others have the lengths of the distances and
-        are normals of the curves (law of cosines). It is not zero at most common normals and common points of the
-        curves, at which both equations vanish.
+        """A polynomial that is zero where the chord is the third side of a triangle whose other sides are normals of
+        the curves with the lengths of the distances (law of cosines). Unlike the two equations, it is usually not zero
+        at common normals and at common points of the curves.
         """
         one, other = self.search.distances
         m = int(one.denominator * other.denominator)
@@ -253,7 +255,7 @@ class _OfSegments:
         return value
 
     def points(self) -> Iterator[OffsetIntersection]:
-        """All points."""
+        """All common points of the two offsets."""
         q, p = self.equations
         if not (p and q):
             self._check_circles()
@@ -271,8 +273,8 @@ class _OfSegments:
                     yield self._point(zero, None)
 
     def _check_circles(self) -> None:
-        """Where an equation is zero everywhere: an arc of a circle whose radius is its distance, or two arcs of one
-        circle or line at one distance, whose offsets meet only where the arcs do.
+        """Handle an equation that is zero everywhere: an arc of a circle whose radius is its distance, or two arcs of
+        the same circle or line at the same distance, whose offsets meet only where the arcs meet.
         """
         one, other = self.search.distances
         if not self.equations[0] or abs(one) != abs(other):
@@ -282,13 +284,13 @@ class _OfSegments:
             raise ReachError("arcs of one circle or line, of curves that meet")
 
     def _run_along(self) -> bool:
-        """Whether the offsets may run along each other since the curves do so."""
+        """Whether the offsets may coincide along an arc because the curves do."""
         met = self.search.met
         arcs = [arc for arc in met.everywhere if not self._between(-1 if arc.reversed else 1)]
         return bool(met.undecided) or any(self._reached(arc.first, arc.second, inside=True) for arc in arcs)
 
     def _reached(self, one: tuple[Real, Real], other: tuple[Real, Real], *, inside: bool = False) -> bool:
-        """Whether two ranges of parameters meet the segments, `inside`: in more than their ends."""
+        """Whether two ranges of parameters meet the segments; with `inside`, not only in their ends."""
         pairs = ((one, other), (other, one)) if self.search.alone else ((one, other),)
         return any(
             all(
@@ -300,13 +302,13 @@ class _OfSegments:
         )
 
     def _between(self, same: int) -> mpq:
-        """By how much the offsets are apart where the tangents have the same direction (1), or opposite ones (−1)."""
+        """The distance between the offsets where the tangents have the same direction (1) or opposite directions (−1)."""
         one, other = self.search.distances
         return one - same * other
 
     def _on(self, factor: fmpz_mpoly) -> list[CommonZero]:
-        """The pairs at which both equations vanish along a curve, and the chord is a common normal with the length by
-        which the offsets are apart.
+        """The pairs at which both equations vanish along a curve, and the chord is a common normal whose length is the
+        distance between the offsets.
         """
         if divmod(self.pair.across, factor)[1]:
             self._exclude(factor)
@@ -318,7 +320,7 @@ class _OfSegments:
             raise ReachError("offsets that may run along each other")
 
     def _on_common_normals(self, factor: fmpz_mpoly, same: int) -> list[CommonZero]:
-        """Those where the tangents have the same direction (1), or opposite ones (−1)."""
+        """The pairs at which the tangents have the same direction (1) or opposite directions (−1)."""
         apart = self._between(same)
         signs = [(self.along, same), (self.normal, sign_of(apart))]
         if any(required and as_form(f).part(self.sides).sign == -required for f, required in signs):
@@ -338,15 +340,15 @@ class _OfSegments:
         return zeros + common_zeros([along, ends[0] * ends[1]], self.sides)
 
     def _is_met(self, zero: CommonZero) -> bool:
-        """Whether the normals of a pair, of a curve and itself the first parameter below the second, meet on the sides
-        of the offsets at their distances.
+        """Whether the normals of a pair meet on the sides of the offsets at their distances; for a curve and itself the
+        first parameter must also be below the second.
         """
         s, t = zero.place
         if self.search.alone and (not s < t or (self.curves[0].closed and (s, t) == self.curves[0].domain)):
             return False
         if not _vanishes(self.pair.across, zero):
             return all(_sign(f, zero) > 0 for f in self.beside)
-        # the normals are parallel: the offsets meet on the common normal, or where the curves do
+        # the normals are parallel: the offsets meet on the common normal, or where the curves meet
         apart = self._between(_sign(self.along, zero))
         if not apart:
             return _vanishes(self.square, zero)
@@ -368,7 +370,7 @@ class _OfSegments:
         return OffsetIntersection(first, second, kind, times, self.curves, at_knot, distances, (one, other))
 
     def _side(self, k: int, x: Parameter) -> Side:
-        """Left where a parameter is the end of its segment, and a corner."""
+        """The side of a parameter: left if it is the end of its segment and a corner."""
         curve = self.curves[k]
         is_end = x == self.sides[k].high != curve.domain[1]
         is_corner = is_end and not facts_of(curve).tangent_continuous(self.segments[k] + 1)

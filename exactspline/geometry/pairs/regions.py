@@ -1,5 +1,6 @@
-"""The region that several closed plane curves bound together, as the contours of a glyph, with its holes: its area and
-moments, and which points are inside, by the rule ``nonzero`` or ``even-odd``: entries of the registry of questions.
+"""The region bounded by several closed plane curves, such as the contours of a glyph with its holes: its area and
+moments, and whether a point is inside, by the rule ``nonzero`` or ``even-odd``. The methods are entries of the registry
+of questions.
 """
 
 from __future__ import annotations
@@ -97,7 +98,7 @@ class Region(Inspected, Displayed):
         >>> [found.values["moment"] for found in Region([square]).moments(1)]
         [<Real 16>, <Real 32>, <Real 32>]
 
-        Raises `ShapeError` for a curve that is not closed and in the plane, and where curves meet each other or
+        Raises `ShapeError` for a curve that is not closed or not in the plane, and for curves that meet each other or
         themselves, and `QuestionError` for an order above 8.
         """
         return named_moments(self._moment, order)
@@ -121,7 +122,7 @@ class Region(Inspected, Displayed):
         return tuple(term.times(mpq(sign)) for x, sign in signs if sign for term in moment(facts_of(x), i, j))
 
     def _signs(self) -> list[int]:
-        """Whether the moments inside each curve are added (1), subtracted (−1) or left out (0)."""
+        """For each curve whether the moments of its interior are added (1), subtracted (−1) or ignored (0)."""
         areas = [number(moment(facts_of(curve), 0, 0)) for curve in self.curves]
         for met in (x.name for x in self.curves if self_intersections(x)):
             raise ShapeError("a contour that meets itself", where=met, remedy=OVERLAPS)
@@ -131,7 +132,7 @@ class Region(Inspected, Displayed):
         for i, curve in enumerate(self.curves):
             turn = 1 if areas[i] > 0 else -1
             around = winding_number([*self.curves[:i], *self.curves[i + 1 :]], curve(curve.domain[0]))
-            # on one side the number of the others, on the inner one that of this curve more
+            # outside, the winding number of the other curves; inside, that of this curve is added
             signs.append((self._is_filled(around + turn) - self._is_filled(around)) * turn)
         return signs
 

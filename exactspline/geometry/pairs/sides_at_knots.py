@@ -1,4 +1,4 @@
-"""Whether two curves change sides at a common point at which one of them, or both, have a knot."""
+"""Whether two curves change sides at a common point that is a knot of one or both curves."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ Ray = tuple[fmpz, fmpz]
 
 def changes_side(through: PlaneForms, before: PlaneForms, behind: PlaneForms) -> bool | None:
     """Whether the segments before and behind a knot are on different sides of a segment that passes through the knot;
-    None if one of them runs along it, or if it passes several times.
+    None if one of them coincides with it along an arc, or if it passes several times.
     """
     passing = without_common_factor(through)
     left, right = elimination(passing, before), elimination(passing, behind)
@@ -43,21 +43,24 @@ def _forward_ray(curve: PlaneForms) -> Ray:
 
 
 class _HalfBranch(NamedTuple):
-    """One side of a curve at a point: the direction in which it leaves, and its segment, from the point on."""
+    """A half branch of a curve at a point: the direction in which it leaves the point, and its segment, which begins at
+    the point.
+    """
 
     ray: Ray
     curve: PlaneForms
 
 
 def half_branches(before: PlaneForms, behind: PlaneForms) -> tuple[_HalfBranch, _HalfBranch]:
-    """Both sides of a curve at a knot, by the segments before and behind it."""
+    """The two half branches of a curve at a knot, from the segments before and behind the knot."""
     back = PlaneForms(before.degree, *[backwards(form, before.degree) for form in before.forms])
     return _HalfBranch(_forward_ray(back), back), _HalfBranch(_forward_ray(behind), behind)
 
 
 def interlace(one: tuple[_HalfBranch, _HalfBranch], other: tuple[_HalfBranch, _HalfBranch]) -> bool | None:
-    """Whether the sides of two curves alternate around their common point; None if that is not decided: a side is a
-    single point, or has a cusp there and the tangent of another, or runs along another.
+    """Whether the half branches of two curves alternate around their common point. None if this is not decided: a half
+    branch is a single point, or has a cusp there and the tangent of another one, or coincides with another one along an
+    arc.
 
     >>> from flint import fmpz_poly
     >>> def branch(x, y, bend=0):
@@ -109,7 +112,8 @@ def _half_plane(ray: Ray) -> int:
 
 
 def _height(curve: PlaneForms, ray: Ray, terms: int) -> list[fmpq] | None:
-    """The distance to the left of a ray as a power series in that along it, at the start of a segment; None at a cusp.
+    """The distance to the left of a ray as a power series in the distance along the ray, at the start of a segment;
+    None at a cusp.
 
     Two segments of degrees m and n that agree in more than mn terms are arcs of one curve, by Bézout's theorem.
     """
@@ -127,7 +131,7 @@ def _height(curve: PlaneForms, ray: Ray, terms: int) -> list[fmpq] | None:
 
 @contextmanager
 def _series_length(terms: int) -> Iterator[None]:
-    """FLINT's power series have this many terms."""
+    """A context in which FLINT's power series have this many terms."""
     before, ctx.cap = ctx.cap, terms
     try:
         yield

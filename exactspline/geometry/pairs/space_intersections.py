@@ -1,5 +1,5 @@
-"""The common points of two segments in space: those of their projections to a plane at which the third coordinates
-agree, too.
+"""The common points of two segments in space: the common points of their projections to a plane at which the third
+coordinates agree, too.
 """
 
 from __future__ import annotations
@@ -42,21 +42,21 @@ class SpaceForms(NamedTuple):
         return PlaneForms(self.degree, self.x + self.z * a, self.y + self.z * b, self.w)
 
     def in_lowest_terms(self) -> SpaceForms:
-        """Without a common factor of the four forms: of degree 0 for a single point."""
+        """The curve without common factors of the four forms; it has degree 0 if it is a single point."""
         common = greatest_common_divisor(list(self[1:]))
         forms = [form // common for form in self[1:]]
         return SpaceForms(max(form.degree() for form in forms), *forms)
 
 
 def space_meetings(first: SpaceForms, second: SpaceForms) -> Meetings:
-    """All common points and arcs of two segments in space; the multiplicities are left open.
+    """All common points and arcs of two segments in space; the multiplicities are not determined.
 
     >>> x, one = fmpz_poly([0, 1]), fmpz_poly([1, 1])
     >>> axis = SpaceForms(1, x, NAUGHT, NAUGHT, one)
     >>> [len(space_meetings(axis, SpaceForms(1, NAUGHT, x, z, one)).points) for z in (NAUGHT, one)]
     [1, 0]
 
-    Raises `ReachError` for what would take too long.
+    Raises `ReachError` where this would take too long.
     """
     projections = []
     for shear in SHEARS:
@@ -83,13 +83,13 @@ def _agreeing(projected: Meetings, first: SpaceForms, second: SpaceForms) -> Mee
 
 
 def _minors(point: SpaceForms, curve: SpaceForms) -> list[fmpz_poly]:
-    """What vanishes where a curve passes through a point, a curve of degree 0."""
+    """Polynomials that vanish where a curve passes through a point, which is given as a curve of degree 0."""
     pairs = (point.x, curve.x), (point.y, curve.y), (point.z, curve.z)
     return [moving * point.w - curve.w * fixed for fixed, moving in pairs]
 
 
 def _is_one_to_one(shear: tuple[int, int], first: SpaceForms, second: SpaceForms) -> bool:
-    """Whether a projection takes no two points of two curves to one because both are in a plane that it keeps."""
+    """Whether a projection is injective on two curves because both lie in a plane on which the projection is injective."""
     rows = [[form[i] for form in forms] for n, *forms in (first, second) for i in range(n + 1)]
     a, b = shear
     return int(fmpz_mat([*rows, [-a, -b, 1, 0]]).rank()) > int(fmpz_mat(rows).rank())

@@ -1,7 +1,8 @@
 """A surface with a point, a line, a plane: the nearest points, the common points, the section; and its bounding box.
 
 The nearest points of a surface S to a point P are at common zeros of ``(S − P)·S_u`` and ``(S − P)·S_v``, on borders,
-knot lines or at corners (`exactspline.bivariate.minima`). A line meets a surface where two planes through it do.
+knot lines or at corners (`exactspline.bivariate.minima`). A line meets a surface in the points at which two planes
+through the line meet the surface.
 """
 
 from __future__ import annotations
@@ -32,8 +33,8 @@ from exactspline.splines.tensor import TensorSpline
 
 @dataclass(frozen=True, repr=False)
 class NearestOnSurface(SurfacePlaces[Place], OneNumber):
-    """All points of a surface at the least distance from a point: single ones, and everywhere on patches, edges, lines
-    and curves whose points all are.
+    """All points of a surface at the least distance from a point: single points, and patches, edges, lines and curves
+    all of whose points have this distance.
     """
 
     _number = "distance"
@@ -47,7 +48,7 @@ class NearestOnSurface(SurfacePlaces[Place], OneNumber):
 
     @property
     def feet(self) -> tuple[tuple[Real, ...], ...]:
-        """The single points by their coordinates."""
+        """The coordinates of the single points."""
         p, w = self.surface.p, self.surface.w
         return tuple(tuple(quotient_on(at.patches[0], x, w).at(at.zero) for x in p) for at in self.points)
 
@@ -57,8 +58,8 @@ class NearestOnSurface(SurfacePlaces[Place], OneNumber):
 
 @dataclass(frozen=True)
 class LineMeeting(OneNumber):
-    """A common point of a line and a surface: its parameters u and v, and the parameter of the line. It is touching
-    where the line is a tangent, and at points without a tangent plane.
+    """A common point of a line and a surface: its parameters u and v, and the parameter of the line. The point is
+    `touching` where the line is tangent to the surface, and at points without a tangent plane.
     """
 
     zero: CommonZero
@@ -70,7 +71,7 @@ class LineMeeting(OneNumber):
 
 
 def nearest(surface: NurbsSurface, point: Iterable[Number], closed: Sequence[Along] = ()) -> NearestOnSurface:
-    """The points of a surface that are nearest to a point; `closed` are the parameters in which it is closed.
+    """The points of a surface that are nearest to a point; `closed` are the parameters in which the surface is closed.
 
     >>> from exactspline import example
     >>> found = nearest(example("hyperbolic_paraboloid"), (mpq(0), mpq(0), mpq(3)))
@@ -88,7 +89,7 @@ def _from(surface: NurbsSurface, point: Iterable[Number]) -> list[TensorSpline]:
 
 
 def bounding_box(surface: NurbsSurface) -> tuple[NamedNumbers, ...]:
-    """The smallest and the largest value of every coordinate. Raises `ReachError` where that would take too long.
+    """The smallest and the largest value of every coordinate. Raises `ReachError` where this would take too long.
 
     >>> from exactspline import example
     >>> bounding_box(example("torus"))[2].values
@@ -118,13 +119,13 @@ def line_meetings(
     closed: Sequence[Along] = (),
 ) -> SurfacePlaces[LineMeeting]:
     """The common points of a surface and the line ``start + t direction``, or its part with t between two `ends`,
-    in the order of t; and `everywhere` the parts on which the surface is in the line.
+    in the order of t; and `everywhere` the parts of the surface that lie on the line.
 
     >>> from exactspline import example
     >>> line_meetings(example("sphere"), (mpq(0), mpq(0), mpq(0)), (mpq(1), mpq(0), mpq(0)), (mpq(0), None), [Along.U])
     [<zero at 0 and 1> and 1 of the line]
 
-    Raises `ShapeError` for a part of a line of which a piece is in the surface.
+    Raises `ShapeError` for a part of a line if a piece of the line lies in the surface.
     """
     k = max(range(3), key=lambda i: abs(direction[i]))
     chord = _from(surface, start)
@@ -135,7 +136,7 @@ def line_meetings(
         raise ShapeError(
             "part of a line that has a piece in the surface", remedy=f"line_intersections:{line} has the piece"
         )
-    # the tangent plane of a tangent is one of the planes through it, possibly of these two
+    # the tangent plane at a tangent line contains the line, and may be one of these two planes
     zeros = [replace(x, kind=ZeroKind.TOUCHING) if x.kind is ZeroKind.MULTIPLE else x for x in found]
     met = [LineMeeting(x, _parameter(x, planes, chord[k], below)) for x in zeros]
     kept = [x for x in met if (low is None or x.parameter >= low) and (high is None or x.parameter <= high)]

@@ -1,9 +1,9 @@
-"""How often closed plane curves wind around a point, and whether it is inside: exactly; a point on a
-curve is named.
+"""How often closed plane curves wind around a point, and whether the point is inside, decided exactly; a point on a
+curve is reported as such.
 
-The crossings of the curves with the ray from the point in the direction of x are counted with their signs: zeros of the
-coordinate y at which its sign changes, where x is greater than that of the point. A ray that passes through a vertex,
-or along a segment, counts as if it were moved down by less than any number.
+The crossings of the curves with the ray from the point in the direction of x are counted with their signs: zeros of y −
+b at which its sign changes and x > a, for the point (a, b). A ray that passes through a vertex, or along a segment, is
+treated as if it were moved down by an infinitesimal amount.
 """
 
 from __future__ import annotations
@@ -34,16 +34,16 @@ from exactspline.words import Word, choice
 
 
 class FillRule(Word):
-    """Which winding numbers are inside."""
+    """The rule for which winding numbers are inside."""
 
-    #: All but 0.
+    #: All winding numbers except 0.
     NONZERO = "nonzero"
-    #: The odd ones.
+    #: The odd winding numbers.
     EVEN_ODD = "even-odd"
 
 
 class Position(Word):
-    """Where a point is."""
+    """The position of a point."""
 
     INSIDE = "inside"
     OUTSIDE = "outside"
@@ -61,8 +61,8 @@ def winding_number(curves: Nurbs | Iterable[Nurbs], point: Iterable[Number]) -> 
     2
 
     Raises `DomainError` for a point on a curve, with its parameter, and `ShapeError` for curves that are not closed,
-    not in one plane or not connected. In another plane of space than z = 0 it is counterclockwise as seen from the tip
-    of the normal whose first nonzero coordinate is positive.
+    not in one plane or not connected. In a plane of space other than z = 0, counterclockwise is as seen from the tip of
+    the normal whose first nonzero coordinate is positive.
 
     Source: Hormann and Agathos, The point in polygon problem for arbitrary polygons, 2001 (for polygons).
     """
@@ -128,7 +128,7 @@ def _check_closed_in_the_plane(curve: Nurbs) -> None:
 
 
 def _check_connected(segments: list[SegmentForms]) -> None:
-    """Raise `ShapeError` where a segment does not begin at the end of the one before."""
+    """Raise `ShapeError` where a segment does not begin at the end of the previous segment."""
     for (n, before), (_, behind) in pairwise(segments):
         end, start = [c[n] for c in before], [c[0] for c in behind]
         if any(a * start[-1] != b * end[-1] for a, b in zip(end, start, strict=True)):
@@ -152,10 +152,10 @@ def _crossings(segment: SegmentForms, delta: tuple[mpq, ...]) -> int | Place:
     if w[0] < 0:
         x, y = -x, -y
     if x and _one_sign(x, n):
-        # to the right of the point only the ends matter, where a zero of y counts as positive
+        # to the right of the point only the ends matter; a zero of y there counts as positive
         return int(y[n] >= 0) - int(y[0] >= 0) if x[0] > 0 else 0
     if not y:
-        # on the line of the ray it crosses it nowhere
+        # a segment on the line of the ray crosses the ray nowhere
         return next(iter(places(isolate(x, n))), 0) if x else at(mpq(0), 1)
     isolation, total = isolate(y, n), 0
     for place in places(isolation):
@@ -169,7 +169,7 @@ def _crossings(segment: SegmentForms, delta: tuple[mpq, ...]) -> int | Place:
 
 
 def _one_sign(form: fmpz_poly, n: int) -> bool:
-    """Whether all coefficients are positive, or all are negative, but for inner ones that may be 0."""
+    """Whether all coefficients are positive, or all are negative; inner coefficients may also be 0."""
     return bool(form[0] != 0 and form.degree() == n and variations(form) == 0)
 
 
