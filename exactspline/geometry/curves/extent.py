@@ -24,7 +24,9 @@ def slope(curve: Nurbs, axis: int) -> BSpline:
 
 
 def slope_zeros(curve: Nurbs, axis: int | str) -> ZeroSet:
-    """The zeros of the derivative of a coordinate; raises `ShapeError` for a coordinate that the curve does not have."""
+    """The zeros of the derivative of a coordinate; raises `ShapeError` for a coordinate that the curve does not
+    have.
+    """
     return zeros(slope(curve, _number_of(curve, axis)), periodic=curve.closed)
 
 

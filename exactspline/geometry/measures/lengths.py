@@ -120,7 +120,9 @@ def equally_spaced(curve: Nurbs, parts: int) -> list[Real]:
 
 
 def _places(curve: Nurbs, at: list[tuple[mpq, mpq]]) -> list[Real]:
-    """The parameters at arc lengths, each given as a number plus a fraction of the whole length; one of the two is 0."""
+    """The parameters at arc lengths, each given as a number plus a fraction of the whole length; one of the two is
+    0.
+    """
     known = _travelled(curve)
     if known is None:
         return [InBalls(partial(_place_ball, curve, *each)) for each in at]
@@ -206,7 +208,9 @@ def _length_ball(curve: Nurbs, low: mpq | Real, high: mpq | Real, bits: int) -> 
 
 
 def _on_segment(curve: Nurbs, i: int, low: mpq | Real, high: mpq | Real, budget: Budget) -> arb:
-    """The arc length on a segment between two parameters, which may be outside the segment, to the present precision."""
+    """The arc length on a segment between two parameters, which may be outside the segment, to the present
+    precision.
+    """
     common, squared, weight = _speeds(curve)[i]
     a, b = curve.breakpoints[i : i + 2]
     start, end = low if low > a else a, high if high < b else b

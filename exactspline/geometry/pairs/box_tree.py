@@ -132,7 +132,9 @@ def _meets(one: IntegerBox, other: IntegerBox) -> bool:
 
 
 def pairs_that_may_meet(first: BoxTree, second: BoxTree) -> Iterator[tuple[int, int]]:
-    """The pairs of indices of segments whose boxes meet; for a tree and itself each pair once, the smaller index first."""
+    """The pairs of indices of segments whose boxes meet; for a tree and itself each pair once, the smaller index
+    first.
+    """
     todo = [((0, len(first.boxes)), (0, len(second.boxes)))]
     while todo:
         one, other = todo.pop()

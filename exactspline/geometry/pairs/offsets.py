@@ -302,7 +302,9 @@ class _OfSegments:
         )
 
     def _between(self, same: int) -> mpq:
-        """The distance between the offsets where the tangents have the same direction (1) or opposite directions (−1)."""
+        """The distance between the offsets where the tangents have the same direction (1) or opposite directions
+        (−1).
+        """
         one, other = self.search.distances
         return one - same * other
 

@@ -89,7 +89,9 @@ def _minors(point: SpaceForms, curve: SpaceForms) -> list[fmpz_poly]:
 
 
 def _is_one_to_one(shear: tuple[int, int], first: SpaceForms, second: SpaceForms) -> bool:
-    """Whether a projection is injective on two curves because both lie in a plane on which the projection is injective."""
+    """Whether a projection is injective on two curves because both lie in a plane on which the projection is
+    injective.
+    """
     rows = [[form[i] for form in forms] for n, *forms in (first, second) for i in range(n + 1)]
     a, b = shear
     return int(fmpz_mat([*rows, [-a, -b, 1, 0]]).rank()) > int(fmpz_mat(rows).rank())
