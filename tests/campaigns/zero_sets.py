@@ -18,7 +18,7 @@ from exactspline.verification.combined import combined
 from tests.verification.test_own_paper import written
 
 #: The sentence of the documentation that is judged.
-COMPARED = ("all have one zero set, where what is assumed has no zero",)
+COMPARED = ("all formulas have the same zeros, wherever the assumptions hold",)
 V, A, J = "c.gamma.d(1)", "c.gamma.d(2)", "c.gamma.d(3)"
 F = f"det({V}, {A})"
 EVOLUTE = f"(c.gamma + perp({V}) * (norm2({V}) / {F})).d(1)"
