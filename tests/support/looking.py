@@ -110,38 +110,54 @@ def look_side_by_side(address: str, pages: list[str], ready: Ready | None = None
 
 
 def _context(browser: Any) -> Any:
-    context = browser.new_context(reduced_motion="reduce")
+    size = {"width": WIDE, "height": HEIGHT}
+    context = browser.new_context(reduced_motion="reduce", viewport=size, color_scheme="light")
     context.set_default_timeout(PATIENCE)
     return context
 
 
 def _opened(tab: Any, address: str, page: str) -> Any:
-    """The tab, in which a page begins to load; the last one is not laid out again for the wide window."""
-    tab.goto("about:blank")
-    tab.set_viewport_size({"width": WIDE, "height": HEIGHT})
-    tab.emulate_media(color_scheme="light")
+    """The tab, in which a page begins to load."""
     tab.goto(f"{address}/{page}", wait_until="commit")
     return tab
 
 
 def looked_at(page: str, tab: Any, seen: Seen, ready: Ready | None = None) -> Any:
-    """Note what is seen on the page of a tab, and leave the tab to another."""
+    """Note what is seen on the page of a tab, and leave the tab to another. A tab keeps the width and the colours in
+    which the last page was seen, and begins with these: to lay a page out again takes longest.
+    """
     tab.wait_for_load_state("load")
     if ready:
         ready(tab, page)
     tab.evaluate(SCRIPT)
     tab.evaluate("looking.settled()")
-    for scheme, checks in (("light", (*ONCE, *BY_WIDTH, *BY_COLOUR)), ("dark", BY_COLOUR)):
-        tab.emulate_media(color_scheme=scheme)
-        for check, lines in _asked(tab, checks).items():
-            seen.note(check, page, lines, f"{scheme}: " if check in BY_COLOUR else "")
-    tab.set_viewport_size({"width": NARROW, "height": HEIGHT})
+    for check, lines in _asked(tab, ONCE).items():
+        seen.note(check, page, lines)
+    _note_by_width(tab, page, seen)
+    _note_by_colour(tab, page, seen)
+    tab.emulate_media(color_scheme="light" if _is_dark(tab) else "dark")
+    _note_by_colour(tab, page, seen)
+    tab.set_viewport_size({"width": NARROW if tab.viewport_size["width"] != NARROW else WIDE, "height": HEIGHT})
     tab.evaluate("looking.settled()")
-    for check, lines in _asked(tab, BY_WIDTH).items():
-        seen.note(check, page, lines, f"at {NARROW}: ")
+    _note_by_width(tab, page, seen)
     seen.links[page], anchors = tab.evaluate("[looking.links(), looking.anchors()]")
     seen.anchors[page] = set(anchors)
     return tab
+
+
+def _is_dark(tab: Any) -> bool:
+    return bool(tab.evaluate("matchMedia('(prefers-color-scheme: dark)').matches"))
+
+
+def _note_by_width(tab: Any, page: str, seen: Seen) -> None:
+    for check, lines in _asked(tab, BY_WIDTH).items():
+        seen.note(check, page, lines, f"at {tab.viewport_size['width']}: ")
+
+
+def _note_by_colour(tab: Any, page: str, seen: Seen) -> None:
+    scheme = "dark" if _is_dark(tab) else "light"
+    for check, lines in _asked(tab, BY_COLOUR).items():
+        seen.note(check, page, lines, f"{scheme}: ")
 
 
 def _asked(tab: Any, checks: Iterable[str]) -> dict[str, list[str]]:
