@@ -10,6 +10,7 @@ from exactspline.cli.parameters import Argument, Exit, Option
 from exactspline.display.forms import picked
 from exactspline.display.sheet import COLOURS, Sheet
 from exactspline.errors import ClaimError, command_name, nearest
+from exactspline.verification.verdict import NOT_ASKED
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -46,7 +47,6 @@ def show(
     from exactspline.display.ledger import fields, statement_data
     from exactspline.verification.claims import located
     from exactspline.verification.statement import statement
-    from exactspline.verification.verdict import NOT_ASKED
 
     claims = claims_of_papers(paper, trust)
     if not claim:
@@ -144,7 +144,7 @@ def errata(
     from exactspline.verification.errata import left_open, remarks
 
     numbers = Numbers(digits, exact)
-    sources = named_papers(paper or [], trust=trust)
+    sources = named_papers(paper or [], trust=trust, partly=True)
     with computed_once():
         found = list(errors(sources))
         entries = _chosen([*found, *remarks(sources)], error or [], sources)
@@ -156,6 +156,8 @@ def errata(
         [errata_sheet(entries, numbers)],
         lambda: print_errata(entries, found, numbers, undecided, quiet=out.quiet),
     )
+    if any(verdict == NOT_ASKED != claim.expected for claim, verdict in undecided):
+        raise Exit(2)
 
 
 def _chosen(entries: list[Erratum], requested: list[str], sources: Sequence[Paper]) -> list[Erratum]:

@@ -322,7 +322,7 @@ def print_errata(
     entries: Sequence[Erratum],
     errors: Sequence[Erratum],
     numbers: Numbers,
-    undecided: Sequence[tuple[str, Verdict]] = (),
+    undecided: Sequence[tuple[Claim, Verdict]] = (),
     *,
     quiet: bool,
 ) -> None:
@@ -339,7 +339,7 @@ def print_errata(
     statements = sum(len(entry.statements) for entry in listed)
     console.lines(shown, f"{counted(len(listed), 'error')} of the paper, {counted(statements, 'statement')} refuted")
     if undecided:
-        keys = ", ".join(f"{key} ({verdict})" for key, verdict in undecided)
+        keys = ", ".join(f"{claim.key} ({verdict})" for claim, verdict in undecided)
         console.lines(shown, f"neither proved nor refuted: {keys}")
     if not quiet:
         console.legend(shown, [*dict.fromkeys(verdict for _, verdict in undecided), "PROVED", "VERIFIED"])

@@ -130,8 +130,8 @@ def unrecorded(claims: Iterable[Claim]) -> Iterator[Erratum]:
             yield Erratum(claim.paper, error_of(claim), claim.statement, (found,), (), why)
 
 
-def left_open(sources: Iterable[Paper]) -> Iterator[tuple[str, Verdict]]:
-    """Claims of papers whose every claim `errata` decides that neither hold nor fail: their keys and verdicts.
+def left_open(sources: Iterable[Paper]) -> Iterator[tuple[Claim, Verdict]]:
+    """Claims of papers whose every claim `errata` decides that neither hold nor fail, with their verdicts.
 
     >>> from exactspline.papers import named_papers
     >>> list(left_open(named_papers(["levien_parallel_curves"])))
@@ -140,7 +140,7 @@ def left_open(sources: Iterable[Paper]) -> Iterator[tuple[str, Verdict]]:
     for claim in (each for source in sources if not source.default for each in claims_of(source)):
         verdict = combined(claim)[1].verdict
         if verdict not in (PROVED, VERIFIED, REFUTED):
-            yield claim.key, verdict
+            yield claim, verdict
 
 
 def _refuted(claim: Claim) -> Refuted | None:

@@ -204,3 +204,25 @@ def test_a_file_of_claims_that_cannot_be_read_hides_no_other(tmp_path, text):
     assert [row["verdict"] for row in rows] == ["PROVED", "REFUTED", "NOT ASKED"]
     assert "later.toml" in rows[2]["witness"]
     assert invoke("prove", "--paper", folder).exit_code == 2
+
+
+def test_a_refused_formula_hides_no_error_of_a_paper(tmp_path):
+    """Before, `errata` ended at the formula, and listed nothing."""
+    folder = written(tmp_path / "p", FORMULAS + plane_formulas(h="c.nothing"), [GOOD, FALSE])
+    done = invoke("errata", "--paper", folder)
+    assert done.exit_code == 2
+    assert "which says: g is 3 f" in done.output
+    assert "h-not-asked-3 (NOT ASKED)" in done.output
+
+
+def test_a_statement_that_its_author_does_not_ask_is_no_bad_input_of_errata(tmp_path):
+    own = {"id": "3", "kind": "not asked", "statement": "an integral", "why": "no kind expresses it"}
+    assert invoke("errata", "--paper", folder_with(tmp_path, FALSE, own)).exit_code == 0
+
+
+def test_a_degree_that_no_curve_of_a_kind_has_is_refused_for_that_reason(tmp_path):
+    """Before, the remedy was a degree "in numbers alone", which was refused, too."""
+    claim = {"id": "1", "kind": "degree", "statement": "s", "curve": "curve on a surface", "formula": "f"}
+    formula = "@formula('e', on='curve on a surface')\ndef f(c):\n    return c.gamma.d(1)\n"
+    rows = rows_of("--paper", written(tmp_path / "p", formula, [claim | {"claimed": "2d"}]))
+    assert "'curve on a surface' has no degrees" in rows[0]["witness"]

@@ -51,7 +51,8 @@ def _degree_text(claim: Claim, name: str, value: str) -> str:
     names = _degree_names(kind_of(claim.curve))
     if unknown := parse_degree(value).names - names:
         problem = f"the degree {value!r} contains {sorted(unknown)[0]!r}"
-        raise ClaimError(problem, where=name, remedy=f"write it in {' and '.join(sorted(names)) or 'numbers alone'}")
+        written = f"write it in {' and '.join(sorted(names))}" if names else f"{claim.curve!r} has no degrees"
+        raise ClaimError(problem, where=name, remedy=written)
     return str(value)
 
 
