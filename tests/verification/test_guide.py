@@ -171,3 +171,8 @@ def test_an_assumption_about_a_quotient_says_no_more_than_it_says(tmp_path):
     assert [decide(claim).verdict for claim in own] == [PROVED, REFUTED, REFUTED]
     curve = own[0].curve_named("straight_line")
     assert own[0].check(curve).verdict == INAPPLICABLE
+
+
+def test_the_kinds_of_claims_on_framed_arguments_are_those_of_the_guide():
+    [listed] = re.findall(r"Claims on `framed` arguments are of the kinds (.*?):", DOCS.read_text(encoding="utf-8"), re.DOTALL)
+    assert set(re.findall(r"`([^`]+)`", listed)) == {name for name, kind in KINDS.items() if kind.of_frames}
