@@ -13,12 +13,11 @@ from flint import arb, ctx
 from gmpy2 import mpq
 
 import exactspline as xs
-from exactspline.batch.corpus import Family
+from exactspline import ExactSplineError, Family, check_certificate
 from exactspline.batch.inspections import entry_of
-from exactspline.certificates import check_certificate
 from exactspline.cli import app
 from exactspline.display.forms import real_data
-from exactspline.errors import ExactSplineError, OpenError
+from exactspline.errors import OpenError
 from exactspline.geometry.analysis.ask import asked_of, check_question, questions
 from exactspline.geometry.analysis.pairs import CurvePair
 from exactspline.geometry.analysis.registry import REGISTRY

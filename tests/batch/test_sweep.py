@@ -16,9 +16,10 @@ import pytest
 from click.testing import CliRunner
 
 import exactspline as xs
+from exactspline import ExactSplineError, Family, read
 from exactspline.batch import backends, results
 from exactspline.batch import sweep as sweeping
-from exactspline.batch.corpus import Family, Problem, items
+from exactspline.batch.corpus import Problem, items
 from exactspline.batch.inspections import asked_by_sweeps, enclosed, inspected
 from exactspline.batch.lines import line_schema
 from exactspline.batch.results import JsonLines, ResultsError
@@ -26,9 +27,9 @@ from exactspline.batch.summary import Summary
 from exactspline.batch.sweep import Where, sweep_into_file
 from exactspline.batch.work import Work
 from exactspline.cli import app
-from exactspline.errors import CurveFileError, ExactSplineError
+from exactspline.errors import CurveFileError
 from exactspline.interchange.curve_files import curve_data
-from exactspline.interchange.files import read, read_in_pieces
+from exactspline.interchange.files import read_in_pieces
 from exactspline.numbers.exact import mpq
 from exactspline.questions.takes import QuestionError
 from exactspline.verification.ledger import audit

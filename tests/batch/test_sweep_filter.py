@@ -14,9 +14,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import exactspline as xs
-from exactspline import Nurbs
+from exactspline import Family, Nurbs
 from exactspline.batch import backends, inspections, work
-from exactspline.batch.corpus import Family, items
+from exactspline.batch.corpus import items
 from exactspline.batch.lines import Way
 from exactspline.batch.results import JsonLines
 from exactspline.batch.summary import Summary

@@ -11,7 +11,8 @@ from pathlib import Path
 import pytest
 
 import exactspline as xs
-from exactspline.batch.corpus import Family, Problem
+from exactspline import Family
+from exactspline.batch.corpus import Problem
 from exactspline.batch.results import ResultsError
 from exactspline.batch.summary import Summary
 from exactspline.batch.sweep import Where, sweep_into_file

@@ -3,10 +3,10 @@
 import pytest
 from flint import arb
 
+from exactspline import Real
 from exactspline.bivariate.quotients import keep_least
 from exactspline.errors import ReachError
 from exactspline.reals.ball import InBalls
-from exactspline.reals.real import Real
 
 
 def out_of_reach():

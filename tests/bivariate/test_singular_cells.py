@@ -5,12 +5,12 @@ from random import Random
 import pytest
 from flint import fmpz_poly
 
+from exactspline import Root
 from exactspline.bivariate.singular_points import Crossing, interval_around, kind_on, singular_cells
 from exactspline.numbers.exact import mpq
 from exactspline.numbers.intervals import UNIT, Box, Interval
 from exactspline.polynomials.two_parameters import S, T, as_form
 from exactspline.roots.of_polynomials import exactly, roots_in
-from exactspline.roots.root import Root
 
 
 def test_intervals_around_numbers_keep_from_others():

@@ -7,14 +7,12 @@ import pytest
 from click.testing import CliRunner
 from gmpy2 import mpq
 
-from exactspline import Nurbs, bisector
+from exactspline import Nurbs, bisector, example, read
 from exactspline.cli import app
 from exactspline.display import bisector_data
 from exactspline.display.bisector_data import Pairs, PairsKind
 from exactspline.geometry.bisectors.two_curves import curve_bisector
 from exactspline.interchange.curve_files import curve_data, write_json
-from exactspline.interchange.examples import example
-from exactspline.interchange.files import read
 from exactspline.numbers.intervals import Interval
 from tests.support.bisector_oracle import FAMILIES
 from tests.support.command import run

@@ -255,7 +255,7 @@ def test_the_generic_degree_table():
 
 
 def test_certificates_from_the_command_line():
-    from exactspline.certificates import check_certificate
+    from exactspline import check_certificate
 
     chosen = ["--curve", "ellipse_skew", "--curve", "circle"]
     rows = json.loads(CliRunner().invoke(app, ["formula", "degrees", "--certify", *chosen]).stdout)["rows"]

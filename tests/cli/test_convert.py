@@ -9,9 +9,10 @@ import pytest
 from click.testing import CliRunner
 
 import exactspline as xs
+from exactspline import read
 from exactspline.cli import app
 from exactspline.errors import CurveFileError, NumberError
-from exactspline.interchange import Limits, files, read
+from exactspline.interchange import Limits, files
 from tests.support.interchange_seeds import G2, SVG, dxf, truetype
 
 

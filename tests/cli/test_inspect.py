@@ -7,10 +7,8 @@ import re
 
 import pytest
 
-from exactspline.geometry.analysis.curves import analyse
+from exactspline import analyse, rational, read
 from exactspline.geometry.curves.kinds import JointKind
-from exactspline.interchange.files import read
-from exactspline.numbers.exact import rational
 from tests.geometry.test_shared_curves import FILES
 from tests.support.command import invoke
 

@@ -7,9 +7,7 @@ import sys
 
 import pytest
 
-from exactspline.geometry.derived.derive import derive
-from exactspline.interchange.examples import example
-from exactspline.interchange.files import read
+from exactspline import derive, example, read
 from tests.support.command import run
 
 CURVE = {"degree": 2, "knots": [0, 0, 0, 1, 1, 1], "control_points": [[0, 0], [1, 1], [2, 0]]}

@@ -6,14 +6,15 @@ import re
 import pytest
 from click.testing import CliRunner
 
+from exactspline import example
 from exactspline.cli import app
 from exactspline.display.latex_prose import in_mathematics, prose
 from exactspline.display.theorem import theorem
-from exactspline.interchange.examples import example
 from exactspline.papers import papers
+from exactspline.tables import statements
 from exactspline.verification.claims import claims_in, select
 from exactspline.verification.evidence import Fact
-from exactspline.verification.statement import Statement, definitions, sides, statements
+from exactspline.verification.statement import Statement, definitions, sides
 from exactspline.verification.verdict import PROVED, REFUTED, UNDECIDED, VERIFIED, Finding
 
 runner = CliRunner()

@@ -7,11 +7,10 @@ import re
 import jsonschema
 import pytest
 
-from exactspline import example
+from exactspline import example, read, write
 from exactspline.batch.lines import line_schema
 from exactspline.cli.schema import schema_of
-from exactspline.interchange import read
-from exactspline.interchange.files import encoded, write
+from exactspline.interchange.files import encoded
 from tests.support.command import run
 
 

@@ -10,7 +10,7 @@ from importlib.metadata import version
 import jsonschema
 import pytest
 
-from exactspline import examples
+from exactspline import example, examples
 from exactspline.bivariate.zero_curve import Shape
 from exactspline.cli.commands import leaves
 from exactspline.cli.schema import schema_of, schemas
@@ -29,7 +29,6 @@ from exactspline.geometry.recognition.shapes import ShapeKind
 from exactspline.geometry.surfaces.degenerate import Gap
 from exactspline.geometry.surfaces.joints import SurfaceJointKind
 from exactspline.interchange.curve_files import curve_data
-from exactspline.interchange.examples import example
 from exactspline.numbers.exact import mpq
 from exactspline.programs import accelerator
 from exactspline.verification.claims import select

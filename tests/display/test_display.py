@@ -10,31 +10,30 @@ from gmpy2 import mpq
 
 pytest.importorskip("matplotlib")
 
-from exactspline import BSpline, Nurbs
+from exactspline import BSpline, Nurbs, derive, example, latex, zeros
 from exactspline.display.evidence import worded
-from exactspline.display.latex import fraction, latex, unicode_latex
+from exactspline.display.latex import fraction, unicode_latex
 from exactspline.display.notebook import curve_picture, graph_picture, html, short
-from exactspline.display.tables import (
+from exactspline.interchange.examples import example_names
+from exactspline.language import Vector
+from exactspline.language.kinds import CURVE
+from exactspline.papers import all_formulas, find, papers
+from exactspline.readings import DegreeReading, JetReading, parse_degree
+from exactspline.readings.degree import Degree
+from exactspline.tables import (
     Grid,
+    construction,
+    control_point_count,
     degree_table,
     measured,
     printed_numbers,
     reduction_table,
+    statements,
     symbolic_table,
     verdicts,
 )
-from exactspline.geometry.derived.constructions import construction
-from exactspline.geometry.derived.derive import derive
-from exactspline.interchange.examples import example, example_names
-from exactspline.language import Vector
-from exactspline.language.kinds import CURVE
-from exactspline.papers import all_formulas, find, papers
-from exactspline.readings.degree import Degree, DegreeReading, parse_degree
-from exactspline.readings.jet import JetReading
-from exactspline.roots.zero_set import zeros
-from exactspline.splines.lowest_terms import control_point_count
 from exactspline.verification.claims import all_claims, claims_of, select
-from exactspline.verification.statement import sides, statements
+from exactspline.verification.statement import sides
 from exactspline.verification.verdict import REFUTED
 from tests.support.decided import errors_in_print
 

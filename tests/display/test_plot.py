@@ -14,19 +14,16 @@ from gmpy2 import mpq
 pytest.importorskip("matplotlib")
 
 import exactspline as xs
-from exactspline import BSpline, Nurbs
+from exactspline import BSpline, ExactSplineError, Nurbs, example, write, zeros
 from exactspline.display import plot
 from exactspline.display.plot import canvas, curves
 from exactspline.display.plot.canvas import PlotError
 from exactspline.display.plot.comparisons import inspect_figure
-from exactspline.errors import DomainError, ExactSplineError, ShapeError
+from exactspline.errors import DomainError, ShapeError
 from exactspline.geometry.analysis.inspection import solved
-from exactspline.geometry.derived.constructions import construction
-from exactspline.interchange.examples import example, example_names
-from exactspline.interchange.files import write
+from exactspline.interchange.examples import example_names
 from exactspline.language import Rational, Vector
-from exactspline.roots.zero_set import zeros
-from exactspline.splines.control_points import greville_abscissae
+from exactspline.tables import construction, greville_abscissae
 from tests.support import command
 
 ZIGZAG = BSpline(1, [0, 0, 1, 2, 2], [1, -1, 1])

@@ -5,10 +5,11 @@ from collections import Counter
 
 import pytest
 
-from exactspline.display.reading_along import along_html, reading_along
+from exactspline import paper
+from exactspline.display.reading_along import along_html
 from exactspline.errors import ClaimError
-from exactspline.papers import paper
 from exactspline.papers.passages import passages, reading_of, sections_of
+from exactspline.tables import reading_along
 from exactspline.verification.claims import claims_of
 from exactspline.verification.vocabulary import Status
 

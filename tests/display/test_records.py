@@ -9,13 +9,13 @@ import numpy as np
 import pytest
 
 import exactspline as xs
+from exactspline import Real
 from exactspline.display.records import answer_data, answer_sheet, records
 from exactspline.display.sheet import Sheet
 from exactspline.geometry.analysis.ask import asked_of, facts_about, kind_of
 from exactspline.geometry.analysis.registry import REGISTRY
 from exactspline.hooks import Written
 from exactspline.questions.entry import Of
-from exactspline.reals.real import Real
 from tests.support.command import run
 
 OBJECTS = {

@@ -11,22 +11,22 @@ from click.testing import CliRunner
 from gmpy2 import isqrt, mpq
 
 import exactspline as xs
-from exactspline import example, paper
+from exactspline import ExactSplineError, example, paper
 from exactspline.cli import app
-from exactspline.errors import ClaimError, ExactSplineError, FormulaError
+from exactspline.errors import ClaimError, FormulaError
 from exactspline.language.arguments import Curve
 from exactspline.language.kinds import CURVE_ON_SURFACE, FORMS, SURFACE
 from exactspline.language.operand import Parameter
 from exactspline.language.vector import Vector, cross, dot, norm2
 from exactspline.papers import find, load_paper
-from exactspline.readings.degree import DegreeReading
-from exactspline.readings.jet import JetReading, RationalJetReading
+from exactspline.readings import DegreeReading, JetReading
+from exactspline.readings.jet import RationalJetReading
 from exactspline.readings.leading_terms import LeadingTermsReading
 from exactspline.readings.sympy_expression import SympyReading
 from exactspline.readings.taylor import DoubleTaylorReading, Series, double_taylor
 from exactspline.symbolic.reduction import reduce
+from exactspline.tables import patch_table, variants_table
 from exactspline.verification.claims import claims_of
-from exactspline.verification.degree_tables import patch_table, variants_table
 from exactspline.verification.ledger import audit
 from exactspline.verification.verdict import PROVED, REFUTED
 

@@ -10,15 +10,14 @@ from random import Random
 import pytest
 from gmpy2 import mpq
 
-from exactspline import Nurbs
+from exactspline import Nurbs, analyse, example
 from exactspline.errors import ShapeError
-from exactspline.geometry.analysis.curves import analyse
 from exactspline.geometry.analysis.inspection import inspect_curve, solved
 from exactspline.geometry.curves import facts as facts_module
 from exactspline.geometry.curves import space_features
 from exactspline.geometry.curves.joints import Ends
 from exactspline.geometry.derived.constructions import Construction
-from exactspline.interchange.examples import example, example_names
+from exactspline.interchange.examples import example_names
 from exactspline.papers.chen_riesenfeld_cohen_2007.figures import compare_approaches
 from exactspline.polynomials import isolation as isolation_module
 from exactspline.programs import accelerator
@@ -91,7 +90,7 @@ def test_everything_is_computed_once_and_in_linear_time(monkeypatch, dimension):
 
 def test_roots_are_compared_a_bounded_number_of_times_a_segment(monkeypatch):
     """Comparisons grow as those of a binary search at most, not with the number of segments."""
-    from exactspline.roots.root import Root
+    from exactspline import Root
 
     counts = {}
     for segments in (100, 1000):

@@ -3,9 +3,8 @@
 import pytest
 from gmpy2 import mpq
 
-from exactspline.geometry.analysis.curves import analyse
-from exactspline.interchange.examples import example, example_names
-from exactspline.interchange.files import read
+from exactspline import analyse, example, read
+from exactspline.interchange.examples import example_names
 from exactspline.papers import find
 from exactspline.papers.chen_riesenfeld_cohen_2007.figures import compare_approaches
 from tests.geometry.test_shared_curves import FILES

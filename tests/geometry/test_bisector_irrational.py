@@ -12,7 +12,7 @@ from click.testing import CliRunner
 from flint import fmpq_poly, fmpz_poly
 from gmpy2 import mpq
 
-from exactspline import BSpline
+from exactspline import BSpline, zeros
 from exactspline.cli import app
 from exactspline.display.answer_forms import bisector_answer
 from exactspline.errors import ReachError
@@ -24,7 +24,6 @@ from exactspline.polynomials.elimination import resultant
 from exactspline.polynomials.over_root import OverRoot, by_powers
 from exactspline.polynomials.two_parameters import S, T, least_value, rows_of
 from exactspline.roots.of_polynomials import as_splines, roots_in
-from exactspline.roots.zero_set import zeros
 from tests.support.bisector_oracle import bezier, curve_of, point_and_tangent, spans
 from tests.support.vectors import cross, dot
 

@@ -9,13 +9,12 @@ from gmpy2 import mpq
 from hypothesis import given
 from hypothesis import strategies as st
 
-from exactspline import Nurbs
+from exactspline import Nurbs, example, zeros
 from exactspline.errors import FormulaError, ShapeError
 from exactspline.geometry.bisectors.point_and_curve import AXES, point_bisector
 from exactspline.geometry.bisectors.two_curves import CURVE_FORMS, curve_bisector
-from exactspline.interchange.examples import example, example_names
+from exactspline.interchange.examples import example_names
 from exactspline.papers import find
-from exactspline.roots.zero_set import zeros
 from tests.support.bisector_oracle import mapped
 from tests.support.dials import factors, over_dials
 from tests.support.strategies import nurbs

@@ -7,10 +7,8 @@ import mpmath
 import pytest
 from gmpy2 import mpq
 
-from exactspline import Nurbs
-from exactspline.geometry.analysis.curves import analyse
+from exactspline import Nurbs, analyse, read
 from exactspline.geometry.curves.kinds import JointKind
-from exactspline.interchange.files import read
 from tests.geometry.test_shared_curves import FILES
 from tests.support.answers import places
 from tests.support.chains import EQUAL, as_curve, closed_chain, curvature_at, cut_and_rotated, expected_pieces, meeting

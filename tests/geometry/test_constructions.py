@@ -8,14 +8,14 @@ from functools import cache
 import pytest
 from gmpy2 import mpq
 
-from exactspline import BSpline, Nurbs
+from exactspline import BSpline, Nurbs, example
 from exactspline.errors import FormulaError, ReductionError
-from exactspline.geometry.derived.constructions import Variant, all_constructions, construction
+from exactspline.geometry.derived.constructions import all_constructions
 from exactspline.geometry.derived.ruled_surfaces import same_surface
-from exactspline.interchange.examples import example
 from exactspline.language.ruled import split
 from exactspline.papers import find
 from exactspline.splines.lowest_terms import in_lowest_terms, lowest_terms, true_degree
+from exactspline.tables import Variant, construction
 from exactspline.verification.generic_proof import symbolic_minimum
 
 DIMENSION = {"plane": 2, "space": 3}

@@ -8,15 +8,13 @@ from gmpy2 import mpq
 from hypothesis import given
 from hypothesis import strategies as st
 
-from exactspline import BSpline, Nurbs
-from exactspline.display.serialize import derived_data
-from exactspline.errors import DomainError, ExactSplineError, FormulaError, ShapeError
-from exactspline.geometry.curves.values import curvature_function
-from exactspline.geometry.derived.constructions import Absence, Variant
-from exactspline.geometry.derived.derive import derive, intervals_where
-from exactspline.interchange.examples import example
+from exactspline import BSpline, ExactSplineError, Nurbs, derive, example
+from exactspline.errors import DomainError, FormulaError, ShapeError
+from exactspline.geometry.derived.constructions import Absence
+from exactspline.geometry.derived.derive import intervals_where
 from exactspline.language.ruled import numerator
 from exactspline.papers import all_formulas, find
+from exactspline.tables import Variant, curvature_function, derived_data
 from tests.support.command import run
 from workshop.vectors.items import items
 

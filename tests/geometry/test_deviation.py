@@ -3,11 +3,10 @@
 import pytest
 from gmpy2 import mpq
 
-from exactspline import Nurbs, ask, example
+from exactspline import Nurbs, ask, example, square_root
 from exactspline.errors import ReachError, ShapeError
 from exactspline.geometry.analysis.pairs import CurvePair
 from exactspline.geometry.pairs import deviation as engine
-from exactspline.reals.real import square_root
 from tests.campaigns import deviation as campaign
 from tests.support.dials import ALWAYS
 

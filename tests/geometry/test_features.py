@@ -8,14 +8,10 @@ from gmpy2 import mpq
 from hypothesis import given
 from hypothesis import strategies as st
 
-from exactspline import BSpline, Nurbs
-from exactspline.certificates import check_certificate
+from exactspline import BSpline, Nurbs, analyse, check_certificate, curvature, example
 from exactspline.errors import ShapeError
-from exactspline.geometry.analysis.curves import analyse
 from exactspline.geometry.curves.angles import Angle
 from exactspline.geometry.curves.joints import curvature_of
-from exactspline.geometry.curves.values import curvature
-from exactspline.interchange.examples import example
 from exactspline.papers.chen_riesenfeld_cohen_2007.figures import compare_approaches
 from exactspline.verification.claims import select
 from exactspline.verification.ledger import audit

@@ -15,10 +15,9 @@ from gmpy2 import mpq
 from mpmath import libmp, mp
 
 import exactspline as xs
-from exactspline.errors import ExactSplineError, FormulaError, NumberError, ShapeError
-from exactspline.interchange.examples import example
+from exactspline import ExactSplineError, example, square_root
+from exactspline.errors import FormulaError, NumberError, ShapeError
 from exactspline.numbers.exact import Rounding, double, is_float
-from exactspline.reals.real import square_root
 from exactspline.roots.values import signed_root, value_at
 from tests.support.vectors import cross
 

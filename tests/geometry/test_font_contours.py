@@ -10,8 +10,7 @@ from pathlib import Path
 
 import pytest
 
-from exactspline import Nurbs
-from exactspline.geometry.analysis.curves import analyse
+from exactspline import Nurbs, analyse
 from tests.support.contour_oracle import Piece, features
 
 pytest.importorskip("fontTools")

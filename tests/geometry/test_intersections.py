@@ -9,11 +9,10 @@ from random import Random
 import pytest
 from gmpy2 import mpq
 
-from exactspline import Nurbs, example, intersections, self_intersections
+from exactspline import Nurbs, example, intersections, rational, self_intersections
 from exactspline.errors import ShapeError
 from exactspline.geometry.pairs.intersections import CollectedPoints
 from exactspline.geometry.pairs.lazy_intersections import PairForm
-from exactspline.numbers.exact import rational
 from tests.campaigns.intersections import FAMILIES, above_ceiling, bezier_rows, campaign, curve, multiplied
 from tests.support.bisector_oracle import bezier
 from tests.support.dials import factors, over_dials

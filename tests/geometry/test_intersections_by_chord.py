@@ -7,10 +7,9 @@ from itertools import pairwise
 
 import pytest
 
-from exactspline import Nurbs, intersections, self_intersections
+from exactspline import Nurbs, example, intersections, self_intersections
 from exactspline.errors import ReachError
 from exactspline.geometry.pairs import intersections as module
-from exactspline.interchange.examples import example
 
 #: Of small integers, of fractions, and of doubles of 17 digits.
 DIAL = [lambda r: r.randint(-5, 5), lambda r: f"{r.randint(-99, 99)}/7", lambda r: repr(r.uniform(-3, 3))]

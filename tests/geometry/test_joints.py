@@ -3,8 +3,7 @@
 import pytest
 from gmpy2 import mpq
 
-from exactspline import Nurbs
-from exactspline.geometry.analysis.curves import analyse
+from exactspline import Nurbs, analyse
 from exactspline.geometry.curves.joints import geometric_order
 
 

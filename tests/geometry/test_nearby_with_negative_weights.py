@@ -6,14 +6,13 @@ import pytest
 from gmpy2 import mpq
 
 import exactspline as xs
-from exactspline import Nurbs, NurbsSurface
+from exactspline import Direction, Nurbs, NurbsSurface
 from exactspline.errors import ShapeError
 from exactspline.geometry.rounded.features import features_nearby
 from exactspline.geometry.rounded.intersections import intersections_nearby
 from exactspline.geometry.rounded.stability import stability
 from exactspline.geometry.rounded.umbilics import umbilics_nearby
 from exactspline.interchange.examples import example_surface
-from exactspline.splines.control_points import Direction
 from tests.support.command import run
 
 POINTS = [(0, 0), (1, 2), (2, -2), (3, 1)]

@@ -6,8 +6,8 @@ import pytest
 from mpmath import mp
 
 import exactspline as xs
+from exactspline import analyse
 from exactspline.errors import ShapeError
-from exactspline.geometry.analysis.curves import analyse
 from exactspline.numbers.exact import mpq
 from workshop.vectors.items import items
 

@@ -3,9 +3,8 @@
 import pytest
 from gmpy2 import mpq
 
-from exactspline import Nurbs, analyse, ask, example
+from exactspline import Nurbs, analyse, ask, example, square_root
 from exactspline.errors import ReachError, ShapeError
-from exactspline.reals.real import square_root
 from tests.campaigns import offset_parts as campaign
 from tests.support.dials import ALWAYS
 

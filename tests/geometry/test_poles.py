@@ -4,10 +4,9 @@ from math import isclose
 
 import pytest
 
-from exactspline import Nurbs, analyse, example
+from exactspline import Nurbs, analyse, derive, example
 from exactspline.errors import ShapeError
 from exactspline.geometry.curves.poles import between_poles
-from exactspline.geometry.derived.derive import derive
 
 
 def test_the_evolute_of_figure_1_has_a_cusp_at_every_extremum_and_a_pole_at_every_inflection():

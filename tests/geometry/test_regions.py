@@ -5,11 +5,10 @@ import random
 import pytest
 from gmpy2 import mpq
 
-from exactspline import Nurbs, example
+from exactspline import Nurbs, example, read
 from exactspline.errors import ShapeError
 from exactspline.geometry.pairs.regions import Region
 from exactspline.geometry.pairs.winding import Position
-from exactspline.interchange import read
 
 
 def square(x, y, size, *, clockwise=False):

@@ -6,12 +6,11 @@ import mpmath
 import pytest
 from gmpy2 import mpq
 
-from exactspline import BSpline, Nurbs
-from exactspline.geometry.analysis.curves import analyse
+from exactspline import BSpline, Nurbs, analyse, curvature, torsion
 from exactspline.geometry.curves import values as values_along
 from exactspline.geometry.curves.kinds import JointKind
-from exactspline.geometry.curves.values import curvature, curvature_function, torsion
 from exactspline.papers.chen_riesenfeld_cohen_2007.figures import compare_approaches
+from exactspline.tables import curvature_function
 from tests.support.command import invoke
 from tests.support.space_curves import power_curve
 from tests.support.vectors import mpf_of
@@ -125,7 +124,7 @@ def written(curve, folder):
 @pytest.mark.parametrize("scale", [mpq(10) ** 80, mpq(1, 10**80), mpq(1)], ids=["huge", "tiny", "as it is"])
 def test_digits_of_small_curvatures_are_their_own(scale):
     """An ellipse with the half axes 2s and s at irrational vertices: κ there is 2/s and 1/(4s), whatever s."""
-    from exactspline.interchange.examples import example
+    from exactspline import example
 
     skew = example("ellipse_skew")
     scaled = Nurbs(2, skew.knots, [(x * scale, y * scale) for x, y in skew.control_points], skew.weights)
@@ -174,7 +173,8 @@ def test_standing_still_across_the_seam():
 
 def test_the_sign_of_the_curvature_at_roots_of_other_forms():
     """Held against the value at a nearby parameter, and against the definition at knots."""
-    from exactspline.interchange.examples import example, example_names
+    from exactspline import example
+    from exactspline.interchange.examples import example_names
 
     for name in example_names():
         curve = example(name)

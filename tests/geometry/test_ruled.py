@@ -4,22 +4,17 @@ import pytest
 from gmpy2 import mpq
 from hypothesis import assume, given
 
-from exactspline import BSpline
+from exactspline import BSpline, example
 from exactspline.display.evidence import worded
 from exactspline.errors import DomainError, ReductionError, ShapeError
 from exactspline.geometry.derived.constructions import all_constructions
-from exactspline.geometry.derived.ruled_surfaces import (
-    as_tensor_product,
-    is_developable,
-    point_at,
-    ruled_surface,
-    same_surface,
-)
-from exactspline.interchange.examples import example, example_names
+from exactspline.geometry.derived.ruled_surfaces import point_at, same_surface
+from exactspline.interchange.examples import example_names
 from exactspline.language import Rational, Vector, cross
 from exactspline.language.ruled import RuledSurface
 from exactspline.papers import find
 from exactspline.splines.lowest_terms import in_lowest_terms, primitive_part
+from exactspline.tables import as_tensor_product, is_developable, ruled_surface
 from exactspline.verification.claims import all_claims
 from tests.support.strategies import splines_on_one_domain
 

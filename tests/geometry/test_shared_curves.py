@@ -7,13 +7,11 @@ from pathlib import Path
 
 import pytest
 
-from exactspline.certificates import check_certificate
+from exactspline import check_certificate, derive, read
 from exactspline.display.evidence import worded
 from exactspline.errors import ShapeError
 from exactspline.geometry.curves.planarity import with_plane_curves
 from exactspline.geometry.derived.constructions import constructions_for
-from exactspline.geometry.derived.derive import derive
-from exactspline.interchange.files import read
 from exactspline.splines.lowest_terms import true_degree
 from exactspline.verification.claims import all_claims
 from exactspline.verification.generic_proof import symbolic_minimum

@@ -10,22 +10,17 @@ from click.testing import CliRunner
 from gmpy2 import mpq
 from hypothesis import assume, given
 
-from exactspline import BSpline, Nurbs
+from exactspline import BSpline, Nurbs, analyse, curvature, derive, distance, example, features_of_curves, torsion
 from exactspline.cli import app
 from exactspline.display.evidence import worded
 from exactspline.errors import DomainError, ShapeError
-from exactspline.geometry.analysis.curves import analyse
 from exactspline.geometry.analysis.inspection import inspect_curve
-from exactspline.geometry.analysis.many_curves import features_of_curves
 from exactspline.geometry.curves import values as values_along
 from exactspline.geometry.curves.kinds import JointKind
 from exactspline.geometry.curves.planarity import as_plane_curve, planar_pieces, plane_of
-from exactspline.geometry.curves.values import curvature, torsion
 from exactspline.geometry.derived.constructions import Absence
-from exactspline.geometry.derived.derive import derive
-from exactspline.geometry.pairs.distance import distance
 from exactspline.geometry.pairs.nearest import nearest
-from exactspline.interchange.examples import example, example_names
+from exactspline.interchange.examples import example_names
 from exactspline.papers import find
 from exactspline.verification.claims import all_claims
 from exactspline.verification.ledger import audit

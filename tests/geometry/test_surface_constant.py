@@ -14,7 +14,7 @@ from exactspline.language.operand import Parameter
 from exactspline.language.vector import Vector, cross, dot
 from exactspline.papers import find
 from exactspline.polynomials.patch_forms import PatchForm
-from exactspline.readings.jet import JetReading
+from exactspline.readings import JetReading
 from exactspline.readings.taylor import DoubleTaylorReading
 from exactspline.symbolic.covariants import degree_on_patch
 from tests.support.space_curves import TURNED

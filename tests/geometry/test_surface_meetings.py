@@ -6,12 +6,11 @@ from contextlib import suppress
 import pytest
 from gmpy2 import mpq
 
-from exactspline import NurbsSurface, TensorSpline, ask, example
+from exactspline import NurbsSurface, Real, TensorSpline, ask, example, square_root
 from exactspline.bivariate.zeros import ZeroKind
 from exactspline.errors import ReachError, ShapeError
 from exactspline.geometry.analysis.ask import questions
 from exactspline.questions.takes import QuestionError
-from exactspline.reals.real import Real, square_root
 from tests.campaigns import surface_meetings as campaign
 from tests.support.dials import ALWAYS
 

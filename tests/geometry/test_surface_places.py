@@ -3,7 +3,7 @@
 import pytest
 from gmpy2 import mpq
 
-from exactspline import BSpline, NurbsSurface, zeros
+from exactspline import BSpline, NurbsSurface, TensorSpline, zeros
 from exactspline.bivariate import common_zeros
 from exactspline.bivariate.across_borders import Place
 from exactspline.bivariate.borders import EDGES, vanishes_at
@@ -15,7 +15,6 @@ from exactspline.geometry.surfaces.singular import Line, SingularPoints, ZerosOf
 from exactspline.numbers.intervals import UNIT, Box, Interval
 from exactspline.polynomials.patch_forms import PatchForm
 from exactspline.polynomials.two_parameters import S, T, as_form
-from exactspline.splines.tensor import TensorSpline
 
 
 def test_a_patch_is_regular_where_its_normal_vanishes_along_edges_at_most():

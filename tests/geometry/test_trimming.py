@@ -10,15 +10,12 @@ from flint import Ordering, fmpz_mpoly_ctx, fmpz_poly
 from gmpy2 import mpq
 from mpmath import mp
 
-from exactspline import BSpline, Nurbs
+from exactspline import BSpline, Nurbs, Root, example, zeros
 from exactspline.errors import ShapeError
 from exactspline.geometry.bisectors import trimmed as module
 from exactspline.geometry.bisectors.trimmed import PieceKind, trimmed_bisector
-from exactspline.interchange.examples import example
 from exactspline.papers import find
 from exactspline.polynomials.elimination import discriminant
-from exactspline.roots.root import Root
-from exactspline.roots.zero_set import zeros
 from tests.support.dials import factors, over_dials
 from tests.support.vectors import mpf_of
 

@@ -7,12 +7,12 @@ from random import Random
 import numpy as np
 
 import exactspline as xs
+from exactspline import zeros
 from exactspline.errors import ReachError
 from exactspline.geometry.bisectors import plane_curves
 from exactspline.numbers.exact import sign
 from exactspline.numbers.intervals import UNIT, Box, Interval
 from exactspline.polynomials.patch_forms import PatchForm
-from exactspline.roots.zero_set import zeros
 from tests.support.bisector_oracle import bezier
 from tests.support.dials import over_dials
 from tests.support.vectors import dot

@@ -7,9 +7,8 @@ from random import Random
 import pytest
 from gmpy2 import mpq
 
-from exactspline import Nurbs, example
+from exactspline import Nurbs, contains, example, winding_number
 from exactspline.errors import DomainError, ShapeError
-from exactspline.geometry.pairs.winding import contains, winding_number
 
 SQUARE = Nurbs(1, [0, 0, 1, 2, 3, 4, 4], [(0, 0), (2, 0), (2, 2), (0, 2), (0, 0)])
 STAR = Nurbs(1, [0, 0, 1, 2, 3, 4, 5, 5], [(0, 3), (2, -3), (-3, 1), (3, 1), (-2, -3), (0, 3)])

@@ -8,7 +8,8 @@ from gmpy2 import mpq
 from hypothesis import assume, given
 from hypothesis import strategies as st
 
-from exactspline.constructors import arc, circle, conic, ellipse
+from exactspline import circle
+from exactspline.constructors import arc, conic, ellipse
 from exactspline.errors import ShapeError
 from exactspline.interchange.segments import DEGREES, RADIANS, Affine, quarter_turns
 

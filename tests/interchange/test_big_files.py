@@ -8,11 +8,10 @@ import time
 
 import pytest
 
-from exactspline.errors import ExactSplineError
-from exactspline.interchange import Limits, read
+from exactspline import ExactSplineError, Nurbs, read
+from exactspline.interchange import Limits
 from exactspline.interchange.collector import Collector
 from exactspline.interchange.files import encoded
-from exactspline.splines.nurbs import Nurbs
 from tests.interchange.test_shared_files import FOLDER, needs_files
 from tests.support.interchange_seeds import STEP, seeds
 

@@ -8,13 +8,11 @@ from gmpy2 import mpq
 from hypothesis import given
 from hypothesis import strategies as st
 
-from exactspline import BSpline, Nurbs, floats
+from exactspline import BSpline, Nurbs, example, floats
 from exactspline.errors import DomainError, NumberError, ShapeError
-from exactspline.interchange.bridges import from_matplotlib, to_matplotlib, to_mpmath, to_sympy
-from exactspline.interchange.examples import example
+from exactspline.interchange import Limits, from_matplotlib, to_matplotlib, to_mpmath, to_sympy
 from exactspline.interchange.numbers import NumberText, decimal, decimal_text, exact, finite_double, square_root
 from exactspline.interchange.pens import ContourPen, draw
-from exactspline.interchange.records import Limits
 from exactspline.numbers.exact import from_float
 from tests.support.interchange_seeds import ARC, CUBIC, SPACE, UNCLAMPED
 
@@ -90,7 +88,7 @@ def test_scipy_both_ways():
     np = pytest.importorskip("numpy")
     from scipy.interpolate import BSpline as SciPyBSpline
 
-    from exactspline.interchange.bridges import from_scipy, to_scipy
+    from exactspline import from_scipy, to_scipy
 
     for curve in (UNCLAMPED, Nurbs(2, [0, 0, 0, "1/4", 1, 1, 1], [(0, 0), (1, 2), (3, "1/8"), (4, 0)])):
         there = to_scipy(curve)
@@ -110,7 +108,7 @@ def test_scipy_both_ways():
 
 def test_geomdl_both_ways():
     pytest.importorskip("geomdl")
-    from exactspline.interchange.bridges import from_geomdl, to_geomdl
+    from exactspline.interchange import from_geomdl, to_geomdl
 
     for curve in (ARC, SPACE, UNCLAMPED):
         there = to_geomdl(curve)
@@ -191,7 +189,7 @@ def test_closed_curves_of_geomdl_are_closed(count):
     pytest.importorskip("geomdl")
     from geomdl import NURBS, BSpline
 
-    from exactspline.interchange.bridges import from_geomdl
+    from exactspline.interchange import from_geomdl
 
     for make in (BSpline.Curve, NURBS.Curve):
         given = make()
@@ -211,7 +209,7 @@ def test_closed_curves_of_geomdl_are_closed(count):
 
 def test_closed_curves_of_splinepy_are_closed():
     splinepy = pytest.importorskip("splinepy")
-    from exactspline.interchange.bridges import from_splinepy
+    from exactspline.interchange import from_splinepy
 
     np = pytest.importorskip("numpy")
     for count in (5, 6, 7):
@@ -225,7 +223,7 @@ def test_closed_curves_of_splinepy_are_closed():
 def test_splinepy_both_ways():
     splinepy = pytest.importorskip("splinepy")
     from exactspline.errors import ShapeError
-    from exactspline.interchange.bridges import from_splinepy, to_splinepy
+    from exactspline.interchange import from_splinepy, to_splinepy
 
     for name in ("six_segment_cubic", "circle", "twisted_cubic"):
         curve = example(name)

@@ -3,8 +3,8 @@
 import pytest
 from gmpy2 import mpq
 
+from exactspline import read
 from exactspline.extras.cad.iges import formatted
-from exactspline.interchange import read
 from tests.interchange.test_formats_and_features import step
 
 POINTS = "".join(

@@ -7,6 +7,7 @@ import pytest
 from gmpy2 import mpq
 
 import exactspline as xs
+from exactspline import interpolate
 from exactspline.constructors import (
     arc_through,
     catmull_rom,
@@ -14,10 +15,9 @@ from exactspline.constructors import (
     closed_spline,
     from_powers,
     hermite,
-    interpolate,
     joined,
     rotate,
-)  # fmt: skip
+)
 
 
 def drawn(chance, count, dimension=2):

@@ -9,8 +9,8 @@ from pathlib import Path
 import pytest
 from gmpy2 import mpq
 
+from exactspline import read
 from exactspline.extras.cad.iges import formatted
-from exactspline.interchange import read
 from tests.support.interchange_seeds import GLIF, dxf, truetype
 
 PAGE = Path(__file__).resolve().parents[2] / "docs" / "formats.md"

@@ -11,9 +11,9 @@ import tracemalloc
 
 import pytest
 
-from exactspline.errors import ExactSplineError
+from exactspline import ExactSplineError, read
 from exactspline.extras.cad import rhino
-from exactspline.interchange import Limits, read
+from exactspline.interchange import Limits
 from exactspline.interchange.files import encoded
 from tests.campaigns.readers import fuzz, originals
 from tests.support.interchange_seeds import CURVES

@@ -13,7 +13,7 @@ from pathlib import Path
 
 import pytest
 
-from exactspline.interchange import read
+from exactspline import read
 from exactspline.interchange.collector import Collector
 
 FILES = Path(os.environ.get("EXACTSPLINE_FILES", Path(__file__).resolve().parents[3] / "shared" / "files"))

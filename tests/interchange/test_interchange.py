@@ -9,11 +9,11 @@ from gmpy2 import mpq
 from hypothesis import given
 from hypothesis import strategies as st
 
-from exactspline import Nurbs
+from exactspline import ExactSplineError, Nurbs, example, read, write
 from exactspline.cli import app
-from exactspline.errors import CurveFileError, ExactSplineError, NumberError, ShapeError, WeightError
-from exactspline.interchange import Limits, read, write
-from exactspline.interchange.examples import example, example_names
+from exactspline.errors import CurveFileError, NumberError, ShapeError, WeightError
+from exactspline.interchange import Limits
+from exactspline.interchange.examples import example_names
 from exactspline.interchange.files import encoded
 from exactspline.interchange.formats import formats
 from exactspline.interchange.own_json import schema

@@ -7,8 +7,8 @@ from gmpy2 import mpq
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from exactspline import read
 from exactspline.errors import ShapeError
-from exactspline.interchange import read
 from exactspline.interchange.collector import whole
 from exactspline.interchange.segments import (
     DEGREES,

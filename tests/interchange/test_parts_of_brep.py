@@ -5,8 +5,7 @@ import math
 import pytest
 from gmpy2 import mpq
 
-from exactspline import Nurbs
-from exactspline.interchange import read
+from exactspline import Nurbs, read
 
 CUBIC = "7 0 0 3 4 2  0 0 1  1 2 1  3 2 1  4 0 1   0 4 1 4"
 #: A closed quadratic by one period of length 4, and the whole of it.

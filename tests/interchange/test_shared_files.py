@@ -8,8 +8,8 @@ from pathlib import Path
 
 import pytest
 
+from exactspline import read
 from exactspline.errors import NumberError
-from exactspline.interchange import read
 from exactspline.interchange.collector import Collector
 from exactspline.interchange.files import encoded
 from exactspline.interchange.formats import formats

@@ -7,10 +7,9 @@ from pathlib import Path
 
 import pytest
 
-from exactspline import NurbsSurface, example
+from exactspline import NurbsSurface, example, read, write
 from exactspline.errors import CurveFileError, NumberError
-from exactspline.interchange import read
-from exactspline.interchange.files import encoded, write
+from exactspline.interchange.files import encoded
 from tests.interchange.test_shared_files import needs_files, opened
 
 HALF = "1/2"

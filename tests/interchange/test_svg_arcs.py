@@ -6,8 +6,8 @@ from math import atan2, cos, hypot, pi, sin, sqrt
 
 import pytest
 
+from exactspline import read
 from exactspline.errors import NumberError
-from exactspline.interchange import read
 from tests.support.command import run
 from tests.support.sampled import sample
 

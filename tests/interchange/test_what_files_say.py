@@ -5,8 +5,9 @@ import tracemalloc
 
 import pytest
 
+from exactspline import read
 from exactspline.errors import CurveFileError, ShapeError
-from exactspline.interchange import Limits, read
+from exactspline.interchange import Limits
 from exactspline.interchange.formats.svg import Sheet
 from exactspline.interchange.xml_tree import Element, parse
 from exactspline.numbers.exact import mpq

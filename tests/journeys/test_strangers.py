@@ -11,18 +11,17 @@ import pytest
 from gmpy2 import mpq
 from mpmath import mp
 
+from exactspline import ExactSplineError, example, read
 from exactspline.cli.commands import leaves
 from exactspline.cli.common import load_curve
 from exactspline.display.evidence import worded
-from exactspline.errors import CurveFileError, DomainError, ExactSplineError, KnotError, NumberError
-from exactspline.extras.teaching.triangles import de_boor_triangle, insertion_triangle
+from exactspline.errors import CurveFileError, DomainError, KnotError, NumberError
+from exactspline.extras.teaching import de_boor_triangle, insertion_triangle
 from exactspline.interchange.curve_files import curve_data
-from exactspline.interchange.examples import example
-from exactspline.interchange.files import read
 from exactspline.interchange.formats import formats
 from exactspline.language.formula import formula
 from exactspline.papers import named_papers
-from exactspline.readings.tree import trace
+from exactspline.readings import trace
 from exactspline.verification.claims import claims_in, select
 from exactspline.verification.combined import combined
 from tests.support.command import invoke

@@ -8,9 +8,8 @@ from dataclasses import fields
 import pytest
 from gmpy2 import mpq
 
-from exactspline import prove, reduction
+from exactspline import decide, example, prove, reduction
 from exactspline.errors import ClaimError, FormulaError
-from exactspline.interchange.examples import example
 from exactspline.language.adjoined_root import Adjoined, framed, root_of
 from exactspline.language.kinds import CURVE, PLANE, PLANE_POINT, kind_of
 from exactspline.language.vector import cross, det, norm2
@@ -21,7 +20,6 @@ from exactspline.readings.sympy_expression import SympyReading
 from exactspline.verification.claims import all_claims
 from exactspline.verification.judges import Sympy
 from exactspline.verification.kinds.degree import DegreeClaim
-from exactspline.verification.ledger import decide
 from tests.support.numeric_reading import numeric_curve
 from tests.support.sampled import sample
 

@@ -6,21 +6,18 @@ What the readings say of them is held against curves and functions given by hand
 import pytest
 import sympy
 
+from exactspline import example, prove
 from exactspline.errors import FormulaError, InapplicableError
-from exactspline.interchange.examples import example
 from exactspline.language.complex_numbers import complex_product, complex_quotient, conjugate
 from exactspline.language.formula import formula
 from exactspline.language.kinds import HODOGRAPH, IMPLICIT, IMPLICIT_SURFACE, INTERSECTION, common_kind, kind_of
 from exactspline.language.vector import Vector, cross, det, dot, norm2, perp
 from exactspline.numbers.exact import mpq
-from exactspline.readings.degree import DegreeReading
-from exactspline.readings.jet import JetReading
+from exactspline.readings import DegreeReading, JetReading, trace
 from exactspline.readings.leading_terms import LeadingTermsReading, generic_true_degree
 from exactspline.readings.sympy_expression import SympyReading
 from exactspline.readings.taylor import taylor
-from exactspline.readings.tree import trace
 from exactspline.verification.evaluation import CONSTANTS, argument
-from exactspline.verification.questions import prove
 
 READINGS = [JetReading(3), SympyReading()]
 

@@ -13,9 +13,8 @@ from exactspline.errors import FormulaError, ShapeError
 from exactspline.language import Vector, cross, det, dot, generalized_cross, norm2, perp, triple, wronskian
 from exactspline.language.arguments import Curve
 from exactspline.language.kinds import CURVE
-from exactspline.readings.degree import Degree, DegreeReading
-from exactspline.readings.jet import JetReading
-from exactspline.readings.taylor import series_curve
+from exactspline.readings import DegreeReading, JetReading, series_curve
+from exactspline.readings.degree import Degree
 from exactspline.readings.tree import TreeReading
 from tests.support.strategies import numbers, splines_on_one_domain, vectors
 

@@ -13,13 +13,12 @@ from exactspline.language.rational import Rational
 from exactspline.language.ruled import RuledSurface, ruled
 from exactspline.language.vector import cross, dot, norm2
 from exactspline.papers import all_formulas, find
-from exactspline.readings.degree import DegreeReading, parse_degree
+from exactspline.readings import DegreeReading, JetReading, parse_degree, trace
 from exactspline.readings.differential_order import Order, order_of
-from exactspline.readings.jet import JetReading, RationalJetReading
+from exactspline.readings.jet import RationalJetReading
 from exactspline.readings.leading_terms import generic_true_degree
 from exactspline.readings.printing import print_latex, print_text
 from exactspline.readings.taylor import taylor
-from exactspline.readings.tree import trace
 from exactspline.symbolic.substitution import substitute
 from exactspline.verification.divisors import Evaluation
 from exactspline.verification.evaluation import moved_copy, pair_with, point_beside

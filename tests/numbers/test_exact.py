@@ -14,8 +14,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import exactspline
+from exactspline import from_floats, rational
 from exactspline.errors import NumberError
-from exactspline.numbers.exact import from_float, from_floats, ratio, rational, text, to_fmpq, to_fmpz
+from exactspline.numbers.exact import from_float, ratio, text, to_fmpq, to_fmpz
 from tests.support.strategies import numbers
 
 TAKEN = [

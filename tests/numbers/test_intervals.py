@@ -2,8 +2,8 @@
 
 from gmpy2 import mpq
 
+from exactspline import Real
 from exactspline.numbers.intervals import Interval, rounded_outwards
-from exactspline.reals.real import Real
 
 
 def test_enclosures_are_rounded_outwards_and_say_their_middle():

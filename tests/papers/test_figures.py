@@ -13,13 +13,11 @@ pytest.importorskip("matplotlib")
 
 from click.testing import CliRunner
 
+from exactspline import Nurbs, analyse, example
 from exactspline.cli import app
 from exactspline.display.figures import figures, folder, make
 from exactspline.display.plot.canvas import PlotError
 from exactspline.display.plot.comparisons import inspect_figure
-from exactspline.geometry.analysis.curves import analyse
-from exactspline.interchange.examples import example
-from exactspline.splines.nurbs import Nurbs
 from exactspline.verification.claims import all_claims
 from tests.support.looking import laid_out, unreadable
 

@@ -10,9 +10,9 @@ import pytest
 import sympy
 from sympy import Matrix, Rational, diff, sqrt, symbols
 
-from exactspline.papers import paper
+from exactspline import Verdict, paper
 from exactspline.verification.claims import claims_of
-from exactspline.verification.vocabulary import Status, Verdict
+from exactspline.verification.vocabulary import Status
 from tests.support.vectors import turn
 
 SOURCES = (

@@ -4,12 +4,11 @@ import random
 
 import pytest
 
-from exactspline import BSpline, Nurbs, rational
+from exactspline import BSpline, Nurbs, example, rational
 from exactspline.errors import FormulaError
 from exactspline.formulas.lifted import critical_curvature_lifted, tangent_lifted
 from exactspline.geometry.curves.facts import TOGETHER
 from exactspline.geometry.derived.derive import part
-from exactspline.interchange.examples import example
 from exactspline.language import Vector
 from exactspline.language.arguments import Curve, Operands
 from exactspline.language.formula import formula
@@ -21,7 +20,7 @@ from exactspline.papers import find, papers
 from exactspline.programs import evaluated, program_for
 from exactspline.programs.instructions import Instruction, Instructions, needed
 from exactspline.programs.program import operands_of, program_of, values
-from exactspline.splines.tensor import surface_pair
+from exactspline.tables import surface_pair
 from tests.support.sampled import sample
 from workshop.bench.inputs import curve as bench_curve
 

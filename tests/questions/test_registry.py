@@ -8,6 +8,7 @@ import pytest
 from click.testing import CliRunner
 
 import exactspline as xs
+from exactspline import analyse
 from exactspline.batch.inspections import LISTED, asked_by_sweeps, checked_names, inspected
 from exactspline.cli import app
 from exactspline.cli.schema import answers, schema_of
@@ -16,7 +17,7 @@ from exactspline.errors import ReachError, ShapeError
 from exactspline.geometry.analysis import curves as analysis
 from exactspline.geometry.analysis import surfaces as inspection
 from exactspline.geometry.analysis.ask import questions
-from exactspline.geometry.analysis.curves import QUESTIONS, Analysis, analyse, questions_about
+from exactspline.geometry.analysis.curves import QUESTIONS, Analysis, questions_about
 from exactspline.geometry.analysis.registry import REGISTRY
 from exactspline.geometry.curves.kinds import Feature
 from exactspline.questions.entry import ALL_CURVES, CURVES, Of, question, question_with, questions_of

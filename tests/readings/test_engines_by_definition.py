@@ -8,12 +8,11 @@ from gmpy2 import mpq
 from hypothesis import given
 from hypothesis import strategies as st
 
-from exactspline import Nurbs
+from exactspline import Nurbs, example
 from exactspline.display.evidence import worded
-from exactspline.interchange.examples import example
 from exactspline.language.kinds import CURVE
 from exactspline.papers import find
-from exactspline.readings.jet import JetReading
+from exactspline.readings import JetReading
 from exactspline.readings.leading_terms import LeadingTermsReading, common_roots
 from exactspline.symbolic.covariants import degree_of_product, true_degree
 from exactspline.symbolic.reduction import reduction

@@ -7,14 +7,13 @@ import random
 import pytest
 from gmpy2 import mpq
 
+from exactspline import derive, example, zeros
 from exactspline.errors import DomainError
 from exactspline.geometry.bisectors.point_and_curve import point_bisector
 from exactspline.geometry.bisectors.two_curves import curve_bisector
-from exactspline.geometry.derived.derive import derive
-from exactspline.interchange.examples import example, example_names
+from exactspline.interchange.examples import example_names
 from exactspline.papers import find
-from exactspline.readings.taylor import series_curve
-from exactspline.roots.zero_set import zeros
+from exactspline.readings import series_curve
 from tests.support.numeric_reading import arithmetic, number, numeric_curve
 from tests.support.sampled import sample
 from tests.support.vectors import cross, dot

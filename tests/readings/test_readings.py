@@ -9,21 +9,21 @@ from types import SimpleNamespace
 import pytest
 from gmpy2 import mpq
 
-from exactspline import BSpline, Nurbs
+from exactspline import BSpline, Nurbs, example
 from exactspline.errors import FormulaError
-from exactspline.interchange.examples import example
 from exactspline.language import Rational, Vector
 from exactspline.language.arguments import Curve
 from exactspline.language.kinds import CURVE, TABLE
 from exactspline.language.ruled import RuledSurface
 from exactspline.language.vector import det, generalized_cross, norm2
 from exactspline.papers import all_formulas
-from exactspline.readings.degree import Degree, DegreeReading
+from exactspline.readings import DegreeReading, JetReading, series_curve, trace
+from exactspline.readings.degree import Degree
 from exactspline.readings.differential_order import Order, order_of
-from exactspline.readings.jet import Jet, JetReading
+from exactspline.readings.jet import Jet
 from exactspline.readings.printing import ATOMS, print_latex, print_text
-from exactspline.readings.taylor import Series, series_curve, taylor
-from exactspline.readings.tree import TreeReading, trace
+from exactspline.readings.taylor import Series, taylor
+from exactspline.readings.tree import TreeReading
 from exactspline.verification.divisors import Evaluation
 from tests.support.sampled import FULL, sample
 

@@ -12,8 +12,8 @@ import pytest
 import sympy
 
 import exactspline as xs
+from exactspline import Real, square_root
 from exactspline.errors import OpenError
-from exactspline.reals.real import Real, square_root
 
 QUARTIC = xs.zeros(xs.BSpline.bezier([-1, 0, 1, 2, 5])).roots[0]
 LENGTH = xs.example("six_segment_cubic").length

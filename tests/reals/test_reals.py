@@ -25,15 +25,14 @@ from mpmath import mp
 from mpmath.libmp import to_rational
 
 import exactspline as xs
-from exactspline import BSpline, zeros
+from exactspline import BSpline, Real, Root, square_root, zeros
 from exactspline.errors import NumberError, OpenError, ReachError, ShapeError
 from exactspline.numbers.exact import to_fmpq
 from exactspline.numbers.intervals import Interval
 from exactspline.polynomials import elimination
 from exactspline.reals.ball import InBalls
 from exactspline.reals.digits import Digits
-from exactspline.reals.real import Extreme, Quadratic, RationalNumber, Real, between, real, square_root
-from exactspline.roots.root import Root
+from exactspline.reals.real import Extreme, Quadratic, RationalNumber, between, real
 from tests.support.dials import DIALS
 from tests.support.vectors import mpf_of
 

@@ -8,8 +8,8 @@ import pytest
 from gmpy2 import mpq
 
 import exactspline as xs
+from exactspline import square_root
 from exactspline.numbers.exact import double_between
-from exactspline.reals.real import square_root
 
 
 def line_root(value):

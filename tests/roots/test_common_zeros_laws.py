@@ -9,6 +9,7 @@ from random import Random
 import pytest
 from flint import arb_poly, ctx, fmpz_poly
 
+from exactspline import Root
 from exactspline.bivariate import common_zeros as solver
 from exactspline.bivariate.common_zeros import Column, common_zeros, multiplicity, projected, zeros_of
 from exactspline.errors import ReachError
@@ -27,7 +28,6 @@ from exactspline.polynomials.patch_forms import PatchForm
 from exactspline.polynomials.two_parameters import S, T, as_form, enclosed
 from exactspline.roots import vanishing
 from exactspline.roots.of_polynomials import as_splines, ball, distinct, exactly, roots_in
-from exactspline.roots.root import Root
 from exactspline.roots.vanishing import is_certainly_not_zero, vanish_at
 from tests.campaigns.common_zeros import FAMILIES
 from tests.support.local_algebra import local_dimension

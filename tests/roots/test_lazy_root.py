@@ -7,12 +7,12 @@ import sys
 import pytest
 from flint import fmpz_poly
 
-from exactspline import Nurbs, analyse
+from exactspline import Nurbs, Root, analyse
 from exactspline.numbers.exact import mpq
 from exactspline.numbers.intervals import Interval
 from exactspline.polynomials.isolation import LocalPolynomial, LocalZero, isolate
 from exactspline.polynomials.zero_places import enclosures
-from exactspline.roots.root import LazyRoot, Root
+from exactspline.roots.root import LazyRoot
 
 Z = fmpz_poly([0, 1])
 UNIT = Interval(mpq(0), mpq(1))

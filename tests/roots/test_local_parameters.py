@@ -5,14 +5,13 @@ import pickle
 import pytest
 from flint import fmpz_poly
 
-from exactspline import BSpline, Nurbs
+from exactspline import BSpline, Nurbs, ZeroSet, square_root, zeros
 from exactspline.errors import ShapeError
 from exactspline.numbers.exact import mpq, to_fmpq
 from exactspline.numbers.intervals import UNIT, Interval
 from exactspline.polynomials.common_arcs import Image, RationalMap
 from exactspline.polynomials.isolation import isolate
 from exactspline.polynomials.zero_places import Place, at
-from exactspline.reals.real import square_root
 from exactspline.roots.segment_forms import (
     image_of,
     image_splines,
@@ -22,7 +21,6 @@ from exactspline.roots.segment_forms import (
     segment_forms,
     segment_rows,
 )
-from exactspline.roots.zero_set import ZeroSet, zeros
 
 SIDES = [(0, 1), (2, 5), (-3, mpq(-5, 2)), (-1, mpq(1, 3)), (mpq(-1, 2), mpq(1, 6)), (0, 7)]
 

@@ -9,8 +9,7 @@ from pathlib import Path
 
 import pytest
 
-from exactspline import BSpline, Nurbs, certificates, zeros
-from exactspline.certificates import check_certificate
+from exactspline import BSpline, Nurbs, certificates, check_certificate, zeros
 from exactspline.certificates.zeros import product_of, sturm_count
 from exactspline.geometry.analysis.inspection import solved
 from exactspline.numbers.exact import mpq

@@ -10,11 +10,8 @@ import pytest
 from flint import fmpq_poly, fmpz_poly
 from gmpy2 import mpq, mpz
 
-from exactspline import BSpline
-from exactspline.certificates import check_certificate
+from exactspline import BSpline, Root, check_certificate, zeros
 from exactspline.numbers.exact import to_fmpq
-from exactspline.roots.root import Root
-from exactspline.roots.zero_set import zeros
 
 X = fmpz_poly([0, 1])
 

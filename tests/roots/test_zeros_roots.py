@@ -7,11 +7,10 @@ import pytest
 from flint import fmpz_poly
 from gmpy2 import mpq
 
-from exactspline import BSpline
+from exactspline import BSpline, zeros
 from exactspline.errors import NumberError
 from exactspline.roots.of_polynomials import as_splines
 from exactspline.roots.root import knot_root
-from exactspline.roots.zero_set import zeros
 
 T = BSpline.identity(0, 2)
 

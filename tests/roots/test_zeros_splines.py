@@ -8,10 +8,7 @@ from gmpy2 import mpq
 from hypothesis import given
 from hypothesis import strategies as st
 
-from exactspline import BSpline
-from exactspline.certificates import check_certificate
-from exactspline.errors import ExactSplineError
-from exactspline.roots.zero_set import zeros
+from exactspline import BSpline, ExactSplineError, check_certificate, zeros
 from tests.support.strategies import DOMAINS, TINY, splines
 
 

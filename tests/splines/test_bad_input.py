@@ -2,9 +2,8 @@
 
 import pytest
 
-from exactspline import BSpline, Nurbs
+from exactspline import BSpline, Nurbs, TensorSpline
 from exactspline.errors import KnotError, NumberError, ShapeError
-from exactspline.splines.tensor import TensorSpline
 
 GOOD = (2, [0, 0, 0, 1, 1, 1], [0, 1, 2])
 SPLINES = {

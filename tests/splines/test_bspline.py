@@ -6,8 +6,8 @@ import pytest
 from flint import fmpq_poly
 from gmpy2 import mpq
 
-from exactspline import BSpline, KnotVector
-from exactspline.errors import DomainError, ExactSplineError, KnotError, NumberError
+from exactspline import BSpline, ExactSplineError, KnotVector
+from exactspline.errors import DomainError, KnotError, NumberError
 from exactspline.numbers.exact import from_flint, to_fmpq
 from tests.support.strategies import JUMP, KINK, TINY
 

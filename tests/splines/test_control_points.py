@@ -5,10 +5,9 @@ import json
 import pytest
 from gmpy2 import mpq
 
-from exactspline import Direction, Nurbs, write
+from exactspline import Direction, Nurbs, read, write
 from exactspline.errors import CurveFileError, NumberError, ShapeError, WeightError
 from exactspline.interchange.curve_files import curve_data
-from exactspline.interchange.files import read
 
 KNOTS = [0, 0, 0, 1, 1, 1]
 POINTS = [(0, 0), (5, 7), (1, 0)]

@@ -5,10 +5,9 @@ from fractions import Fraction
 
 import pytest
 
-from exactspline import Nurbs, example, examples
+from exactspline import Nurbs, Side, example, examples
 from exactspline.errors import DomainError, NumberError
 from exactspline.numbers.exact import mpq
-from exactspline.numbers.sides import Side
 from exactspline.splines.evaluation import BITS
 
 

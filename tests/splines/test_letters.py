@@ -7,7 +7,7 @@ import pytest
 
 import exactspline as xs
 from exactspline.language.rational import MOST_FACTORS
-from exactspline.splines.tensor import surface_pair
+from exactspline.tables import surface_pair
 
 TORUS, CUBIC = xs.example("torus"), xs.example("rational_space_cubic")
 PAIR = surface_pair(xs.example("twisted_cubic"), CUBIC)

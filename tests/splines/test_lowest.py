@@ -10,12 +10,10 @@ from gmpy2 import mpq
 from hypothesis import given
 from hypothesis import strategies as st
 
-from exactspline import BSpline, Nurbs
+from exactspline import BSpline, Nurbs, analyse, derive, example
 from exactspline.errors import ShapeError
-from exactspline.geometry.analysis.curves import analyse
-from exactspline.geometry.derived.constructions import Variant, all_constructions, construction
-from exactspline.geometry.derived.derive import derive
-from exactspline.interchange.examples import example, example_names
+from exactspline.geometry.derived.constructions import all_constructions
+from exactspline.interchange.examples import example_names
 from exactspline.language import kinds
 from exactspline.language.arguments import Curve
 from exactspline.language.formula import formula
@@ -28,6 +26,7 @@ from exactspline.splines.knots import Mesh
 from exactspline.splines.lowest_terms import primitive, primitive_part, true_degree, without_factor
 from exactspline.splines.refinement import over
 from exactspline.symbolic.reduction import reduction
+from exactspline.tables import Variant, construction
 from exactspline.verification.generic_proof import minimum_at, symbolic_minimum
 from tests.support.sampled import sample
 from tests.support.strategies import nurbs, splines_on_one_domain

@@ -8,9 +8,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import exactspline as xs
+from exactspline import curvature, torsion
 from exactspline.errors import DomainError, FormulaError, KnotError, ShapeError, WeightError
-from exactspline.geometry.curves.values import curvature, torsion
-from exactspline.readings.taylor import series_curve
+from exactspline.readings import series_curve
 from tests.support.strategies import nurbs
 
 ARC = xs.Nurbs(2, [0, 0, 0, 1, 1, 1], [(1, 0), (1, 1), (0, 1)], weights=[1, 1, 2], name="arc")

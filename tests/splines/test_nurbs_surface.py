@@ -11,7 +11,7 @@ from gmpy2 import mpq
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from exactspline import Direction, ExactSplineError, Nurbs, NurbsSurface, example, examples, rational, write
+from exactspline import Direction, ExactSplineError, Nurbs, NurbsSurface, example, examples, rational, read, write
 from exactspline.errors import (
     CurveFileError,
     DomainError,
@@ -22,7 +22,6 @@ from exactspline.errors import (
     WeightError,
 )
 from exactspline.interchange.curve_files import surface_data
-from exactspline.interchange.files import read
 from exactspline.numbers.intervals import UNIT as SQUARE_OF_PARAMETERS
 from exactspline.polynomials.patch_forms import PatchForm, Sized
 from exactspline.splines.surface import DEPTH, zero_at_corners

@@ -6,13 +6,11 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from exactspline import BSpline, Nurbs, analyse, example, examples
+from exactspline import BSpline, Direction, KnotVector, Nurbs, analyse, example, examples
 from exactspline.errors import KnotError, ShapeError
 from exactspline.numbers.exact import mpq
 from exactspline.splines import blossom
 from exactspline.splines.common import splines_over, with_common_denominators
-from exactspline.splines.control_points import Direction
-from exactspline.splines.knots import KnotVector
 from tests.support.strategies import DOMAINS, knot_vectors, numbers
 
 

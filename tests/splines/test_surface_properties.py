@@ -9,9 +9,9 @@ from gmpy2 import mpq
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from exactspline import BSpline
+from exactspline import BSpline, TensorSpline
 from exactspline.errors import KnotError, ReductionError
-from exactspline.splines.tensor import TensorSpline, lifted
+from exactspline.splines.tensor import lifted
 from exactspline.splines.tensor_patches import lines
 from tests.support import oracles
 from tests.support.laws import check_ring_axioms

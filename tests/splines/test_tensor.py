@@ -3,9 +3,9 @@
 import pytest
 from gmpy2 import mpq
 
-from exactspline import BSpline
+from exactspline import BSpline, TensorSpline
 from exactspline.errors import DomainError, FormulaError, NumberError, ReductionError, ShapeError
-from exactspline.splines.tensor import TensorSpline, lifted
+from exactspline.splines.tensor import lifted
 from tests.support.strategies import HUGE, TINY
 
 

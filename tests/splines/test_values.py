@@ -17,11 +17,10 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import exactspline as xs
-from exactspline.errors import ExactSplineError
+from exactspline import ExactSplineError, Real, square_root
 from exactspline.hooks import LENT, QUESTIONS, first_guesses
 from exactspline.numbers.once import cached_property
 from exactspline.papers import find
-from exactspline.reals.real import Real, square_root
 from tests.support.strategies import nurbs, splines
 
 T = xs.BSpline.identity(-2, 2)

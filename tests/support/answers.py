@@ -1,6 +1,7 @@
 """The answers to all questions of the registry about one curve, for tests that compare two curves."""
 
-from exactspline.geometry.analysis.curves import analyse, questions_about
+from exactspline import analyse
+from exactspline.geometry.analysis.curves import questions_about
 from exactspline.questions.entry import Answered
 
 

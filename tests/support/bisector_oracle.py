@@ -8,8 +8,7 @@ from itertools import pairwise
 from flint import fmpq, fmpq_poly
 from gmpy2 import mpq
 
-from exactspline import Nurbs
-from exactspline.splines.control_points import Direction
+from exactspline import Direction, Nurbs
 from tests.support.vectors import dot
 
 

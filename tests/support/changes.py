@@ -9,14 +9,12 @@ from random import Random
 
 from gmpy2 import mpq
 
-from exactspline import BSpline, Nurbs
-from exactspline.geometry.analysis.curves import analyse
+from exactspline import BSpline, Nurbs, NurbsSurface, analyse
 from exactspline.geometry.analysis.pairs import CurvePair
 from exactspline.geometry.analysis.surface_pairs import SurfacePair
 from exactspline.geometry.bisectors.two_curves import CurveBisector
 from exactspline.geometry.pairs.regions import Region
 from exactspline.questions.entry import Of
-from exactspline.splines.surface import NurbsSurface
 from tests.support.images import BothImages, Image, Motion, Way
 
 #: How near a knot is put to what was found.

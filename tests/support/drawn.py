@@ -6,17 +6,13 @@ from functools import partial
 
 from gmpy2 import mpq
 
-from exactspline import Nurbs
-from exactspline.geometry.analysis.curves import analyse
+from exactspline import Nurbs, NurbsSurface, TensorSpline, analyse, example
 from exactspline.geometry.analysis.pairs import CurvePair
 from exactspline.geometry.analysis.surface_pairs import SurfacePair
 from exactspline.geometry.analysis.surfaces import PatchKind
 from exactspline.geometry.bisectors.two_curves import CurveBisector
 from exactspline.geometry.pairs.regions import Region
-from exactspline.interchange.examples import example
 from exactspline.questions.entry import Of
-from exactspline.splines.surface import NurbsSurface
-from exactspline.splines.tensor import TensorSpline
 from tests.campaigns.common_borders import FAMILIES, drawn
 from tests.support.changes import MOTIONS, from_seam, moved_curve
 from tests.support.dials import DIALS

@@ -2,8 +2,8 @@
 
 from itertools import pairwise
 
+from exactspline import zeros
 from exactspline.papers import find
-from exactspline.roots.zero_set import zeros
 
 #: Per mille of the curves of a family that may be left for no exact reason.
 CEILING = 1

@@ -7,14 +7,13 @@ from typing import NamedTuple
 
 from gmpy2 import mpq
 
-from exactspline import Nurbs
+from exactspline import Nurbs, NurbsSurface, Real
 from exactspline.errors import OpenError, ReachError
 from exactspline.geometry.analysis.pairs import CurvePair
 from exactspline.geometry.analysis.surface_pairs import SurfacePair
 from exactspline.geometry.bisectors.two_curves import CurveBisector
 from exactspline.geometry.pairs.regions import Region
-from exactspline.reals.real import Real
-from exactspline.splines.surface import Along, NurbsSurface
+from exactspline.splines.surface import Along
 
 #: Digits of numbers that are not rational; two of them agree where their enclosures overlap.
 DIGITS = 30

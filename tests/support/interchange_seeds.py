@@ -3,9 +3,8 @@
 import re
 from io import BytesIO
 
-from exactspline import Nurbs
+from exactspline import Nurbs, example
 from exactspline.extras.cad.iges import formatted
-from exactspline.interchange.examples import example
 from exactspline.interchange.files import encoded
 
 ARC = Nurbs(2, [0, 0, 0, 1, 1, 1], [(1, 0), (1, 1), (0, 1)], weights=[1, 1, 2], name="arc")

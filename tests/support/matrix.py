@@ -13,10 +13,8 @@ from types import UnionType
 
 from gmpy2 import mpq
 
-from exactspline import Nurbs
-from exactspline.errors import ExactSplineError
+from exactspline import ExactSplineError, Nurbs, NurbsSurface, Real, analyse
 from exactspline.geometry.analysis.ask import asked_of
-from exactspline.geometry.analysis.curves import analyse
 from exactspline.geometry.analysis.pairs import CurvePair
 from exactspline.geometry.analysis.registry import REGISTRY
 from exactspline.geometry.analysis.surface_pairs import SurfacePair
@@ -25,8 +23,6 @@ from exactspline.geometry.pairs.regions import Region
 from exactspline.questions import takes
 from exactspline.questions.answers import NamedNumbers
 from exactspline.questions.entry import Answered, Entry, Of
-from exactspline.reals.real import Real
-from exactspline.splines.surface import NurbsSurface
 from tests.support.changes import CHANGES
 from tests.support.drawn import DRAWN
 from tests.support.exemptions import DEAR, EXEMPTIONS, NOT_TRANSPORTED, WHERE_DECIDED

@@ -6,8 +6,7 @@ from math import comb
 from flint import fmpq, fmpq_mat
 from gmpy2 import mpq
 
-from exactspline import BSpline
-from exactspline.splines.tensor import TensorSpline
+from exactspline import BSpline, TensorSpline
 
 
 def basis(knots, n, i, t, side="right"):

@@ -10,19 +10,16 @@ from unittest import mock
 import numpy as np
 from gmpy2 import mpq
 
-from exactspline import Nurbs, sweep
+from exactspline import ExactSplineError, Nurbs, NurbsSurface, features_of_curves, sweep, write
 from exactspline.batch.inspections import LISTED
-from exactspline.errors import ExactSplineError, OpenError, ReachError
+from exactspline.errors import OpenError, ReachError
 from exactspline.geometry.analysis.ask import asked_of
-from exactspline.geometry.analysis.many_curves import features_of_curves
 from exactspline.geometry.analysis.pairs import CurvePair
 from exactspline.geometry.analysis.registry import REGISTRY
 from exactspline.geometry.analysis.surface_pairs import SurfacePair
 from exactspline.geometry.pairs.regions import Region
-from exactspline.interchange.files import write
 from exactspline.programs import accelerator, certain_pairs
 from exactspline.questions.entry import Of
-from exactspline.splines.surface import NurbsSurface
 from exactspline.tables import to_dict
 from tests.support.changes import moved_curve
 from tests.support.command import run

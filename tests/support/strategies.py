@@ -5,9 +5,9 @@ coordinates, coinciding points.
 from gmpy2 import mpq
 from hypothesis import strategies as st
 
-from exactspline import BSpline, Nurbs
+from exactspline import BSpline, Nurbs, TensorSpline
 from exactspline.language import Vector
-from exactspline.splines.tensor import TensorSpline, lifted
+from exactspline.splines.tensor import lifted
 
 KINK = BSpline(1, [0, 0, "1/2", 1, 1], [0, 1, 0])
 JUMP = BSpline(0, [0, "1/2", 1], [0, 1])

@@ -10,6 +10,7 @@ from types import NoneType
 
 from gmpy2 import gcd, lcm, mpq
 
+from exactspline import Nurbs, Real
 from exactspline.bivariate.across_borders import Place
 from exactspline.bivariate.answers import SurfacePart, SurfacePlaces
 from exactspline.bivariate.joined_curves import ZeroComponent
@@ -41,9 +42,7 @@ from exactspline.geometry.surfaces.joints import SurfaceJoint, SurfaceJointKind
 from exactspline.geometry.surfaces.ridges import Ridges
 from exactspline.geometry.surfaces.umbilics import Umbilic
 from exactspline.questions.answers import NamedNumbers
-from exactspline.reals.real import Real
 from exactspline.roots.answers import CurvePiece, Places
-from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.surface import Along
 from tests.support.images import Image, Known, Ring, closed_in, known
 

@@ -6,11 +6,11 @@ from functools import cache
 
 import pytest
 
-from exactspline import Nurbs
-from exactspline.interchange.examples import example, example_names
+from exactspline import Nurbs, example
+from exactspline.interchange.examples import example_names
 from exactspline.language.kinds import CURVE, PAIR, SPACE, kind_of
 from exactspline.papers import find
-from exactspline.readings.jet import JetReading
+from exactspline.readings import JetReading
 from exactspline.symbolic.assumptions import ASSUMPTIONS, assumption, zero_free
 from exactspline.symbolic.factorization import named_by
 from exactspline.verification.claims import all_claims

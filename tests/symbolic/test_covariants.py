@@ -16,8 +16,8 @@ from exactspline.language.arguments import Curve
 from exactspline.language.kinds import CURVE
 from exactspline.language.operand import Parameter
 from exactspline.papers import all_formulas, find, known_as
+from exactspline.readings import JetReading
 from exactspline.readings.differential_order import is_polynomial, order_of
-from exactspline.readings.jet import JetReading
 from exactspline.readings.leading_terms import LeadingTermsReading
 from exactspline.symbolic import covariants
 from exactspline.symbolic.covariants import TrueDegree, degree_of_product, generic_degree, graded, true_degree

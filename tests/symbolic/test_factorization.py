@@ -5,16 +5,10 @@ from gmpy2 import mpq
 from exactspline.language.kinds import SPACE
 from exactspline.language.vector import Vector, det, norm2
 from exactspline.papers import find
-from exactspline.readings.jet import JetReading
+from exactspline.readings import JetReading
 from exactspline.symbolic import factorization
-from exactspline.symbolic.factorization import (
-    Factor,
-    factors_of,
-    find_factor,
-    irreducible_on_a_line,
-    jets_for,
-    name_of_vector,
-)
+from exactspline.symbolic.factorization import Factor, factors_of, find_factor, irreducible_on_a_line, name_of_vector
+from exactspline.tables import jets_for
 
 
 def test_vectors_are_named_by_what_they_are_multiples_of():

@@ -5,15 +5,16 @@ have.
 import pytest
 from gmpy2 import mpq
 
+from exactspline import example
 from exactspline.errors import FormulaError, ReachError, ShapeError
-from exactspline.interchange.examples import example
 from exactspline.language import Vector, cross, det, dot, formula, norm2, perp
 from exactspline.language.kinds import CURVE, SPACE
 from exactspline.language.ruled import RuledSurface, ruled, split
 from exactspline.papers import all_formulas, find, known_as
+from exactspline.readings import JetReading
 from exactspline.readings.differential_order import order_of
 from exactspline.readings.factored_jet import FactoredJet, FactoredJetReading
-from exactspline.readings.jet import Jet, JetReading
+from exactspline.readings.jet import Jet
 from exactspline.splines.lowest_terms import in_lowest_terms
 from exactspline.symbolic.assumptions import ASSUMPTIONS
 from exactspline.symbolic.reduction import GENERATOR, reduce, reduction

@@ -3,11 +3,11 @@
 import pytest
 from gmpy2 import mpq
 
-from exactspline.interchange.examples import example
+from exactspline import example
 from exactspline.language.kinds import CURVE
 from exactspline.papers import find
+from exactspline.readings import JetReading
 from exactspline.readings.differential_order import order_of
-from exactspline.readings.jet import JetReading
 from exactspline.symbolic.substitution import substitute
 
 

@@ -4,14 +4,14 @@ import random
 
 import pytest
 
+from exactspline import decide
 from exactspline.papers import all_formulas, find
 from exactspline.symbolic import factorization, reduction
 from exactspline.symbolic.assumptions import zero_free
-from exactspline.symbolic.factorization import jets_for
+from exactspline.tables import jets_for
 from exactspline.verification import generic_proof
 from exactspline.verification.claims import all_claims
 from exactspline.verification.kinds.zeros import ZeroSet
-from exactspline.verification.ledger import decide
 from tests.support.sampled import sample
 
 #: Kinds whose proofs ask for factors; degrees only where a reduction decides.

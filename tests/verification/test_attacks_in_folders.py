@@ -12,19 +12,18 @@ from dataclasses import replace
 import pytest
 
 import exactspline as xs
+from exactspline import Nurbs, decide, example
 from exactspline.display.evidence import worded
 from exactspline.display.sheet import Sheet, code_lines, csv_of
 from exactspline.errors import ClaimError, FormulaError
 from exactspline.extras.coq.answers import theorem_of
-from exactspline.interchange.examples import example
 from exactspline.papers import find, load_paper, papers, resolve
-from exactspline.splines.nurbs import Nurbs
+from exactspline.tables import errata
 from exactspline.verification.claims import claims_of, select
 from exactspline.verification.combined import combined
-from exactspline.verification.errata import errata
 from exactspline.verification.judges import Sympy
 from exactspline.verification.kinds.equality import Vanishing
-from exactspline.verification.ledger import audit, decide
+from exactspline.verification.ledger import audit
 from exactspline.verification.verdict import PROVED, REFUTED, UNDECIDED
 from tests.support.claims import refusal
 from tests.support.command import invoke

@@ -7,13 +7,14 @@ from itertools import count
 import pytest
 
 import exactspline as xs
+from exactspline import decide
 from exactspline.errors import ReachError
 from exactspline.polynomials import cost
 from exactspline.readings.sympy_expression import vanishes
 from exactspline.verification import combined
 from exactspline.verification.claims import select
 from exactspline.verification.judges import Sympy, second_opinion
-from exactspline.verification.ledger import Proofs, audit, decide, tasks
+from exactspline.verification.ledger import Proofs, audit, tasks
 from tests.support.command import run
 
 FORMULAS = """from exactspline.language import formula, norm2

@@ -6,19 +6,18 @@ from dataclasses import replace
 import pytest
 from gmpy2 import mpq
 
-from exactspline import BSpline, Nurbs
+from exactspline import BSpline, Nurbs, decide, example
 from exactspline.display.evidence import worded
 from exactspline.errors import ClaimError
 from exactspline.interchange.curve_files import curve_data
-from exactspline.interchange.examples import example
 from exactspline.papers import find, load_paper
-from exactspline.readings.degree import DegreeReading, parse_degree
+from exactspline.readings import DegreeReading, parse_degree
 from exactspline.verification.claims import all_claims, claims_of
 from exactspline.verification.errata import check
 from exactspline.verification.evaluation import Evaluation
 from exactspline.verification.evidence import DegreeFound
 from exactspline.verification.kinds.degree import held_against
-from exactspline.verification.ledger import audit, decide
+from exactspline.verification.ledger import audit
 from exactspline.verification.statement import degree_of_cubic, dimension_of, sides
 from exactspline.verification.verdict import INAPPLICABLE, PROVED, REFUTED, UNDECIDED, VACUOUS, VERIFIED
 from tests.support.claims import claim

@@ -5,17 +5,16 @@ from time import perf_counter
 
 import pytest
 
-from exactspline import BSpline, Nurbs
+from exactspline import BSpline, Nurbs, decide, example
 from exactspline.display.evidence import worded
 from exactspline.errors import ClaimError, FormulaError
-from exactspline.interchange.examples import example
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import CURVE, PLANE, kind_of
 from exactspline.language.rational import Rational
 from exactspline.language.vector import Vector, join
 from exactspline.papers import all_formulas, find
+from exactspline.readings import trace
 from exactspline.readings.printing import print_text, symbol_text
-from exactspline.readings.tree import trace
 from exactspline.symbolic.covariants import true_degree
 from exactspline.symbolic.reduction import reduction
 from exactspline.verification import judges
@@ -32,7 +31,7 @@ from exactspline.verification.kinds.examples import Count
 from exactspline.verification.kinds.invariance import times_unit
 from exactspline.verification.kinds.types import Existence
 from exactspline.verification.kinds.zeros import SquareClass, ZeroSet
-from exactspline.verification.ledger import Proofs, checked, decide
+from exactspline.verification.ledger import Proofs, checked
 from exactspline.verification.questions import proof_of
 from exactspline.verification.statement import telling_tree
 from exactspline.verification.verdict import PROVED, REFUTED, UNDECIDED, VACUOUS, VERIFIED

@@ -5,8 +5,9 @@ from dataclasses import fields
 
 import pytest
 
+from exactspline import paper
 from exactspline.errors import ClaimError, nearest
-from exactspline.papers import Table, paper, papers
+from exactspline.papers import Table, papers
 from exactspline.verification.claims import claim_of
 from exactspline.verification.kinds import KINDS
 from tests.support.sampled import sample

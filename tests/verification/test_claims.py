@@ -4,12 +4,13 @@ from dataclasses import replace
 
 import pytest
 
+from exactspline import example
 from exactspline.display.evidence import worded
 from exactspline.errors import ClaimError
-from exactspline.interchange.examples import example
 from exactspline.papers import find, papers
-from exactspline.readings.degree import Degree, equal_from, parse_degree
-from exactspline.symbolic.factorization import jets_for
+from exactspline.readings import parse_degree
+from exactspline.readings.degree import Degree, equal_from
+from exactspline.tables import jets_for
 from exactspline.verification.claims import select
 from exactspline.verification.notation import factor_of_text
 from tests.support.decided import ledger

@@ -2,12 +2,12 @@
 
 import pytest
 
+from exactspline import example, paper
 from exactspline.display.evidence import worded
 from exactspline.errors import ClaimError
-from exactspline.interchange.examples import example
 from exactspline.language.formula import formula
 from exactspline.language.vector import det, dot, norm2
-from exactspline.papers import find, paper
+from exactspline.papers import find
 from exactspline.verification.combined import combined
 from exactspline.verification.kinds.contact import Contact
 from exactspline.verification.kinds.invariance import Invariance

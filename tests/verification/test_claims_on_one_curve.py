@@ -7,13 +7,12 @@ import json
 import pytest
 
 import exactspline
+from exactspline import Nurbs, decide, example
 from exactspline.display.evidence import worded
-from exactspline.interchange.examples import example
 from exactspline.papers import load_paper
-from exactspline.splines.nurbs import Nurbs
 from exactspline.verification.claims import claims_of
 from exactspline.verification.judges import Sympy
-from exactspline.verification.ledger import audit, decide
+from exactspline.verification.ledger import audit
 from exactspline.verification.verdict import NOT_ASKED, REFUTED, UNDECIDED, VACUOUS, VERIFIED
 from tests.campaigns import one_curve
 from tests.support.claims import refusal

@@ -8,7 +8,7 @@ from functools import cache
 import pytest
 from click.testing import CliRunner
 
-from exactspline import example, paper, write
+from exactspline import Verdict, example, paper, write
 from exactspline.cli import app
 from exactspline.cli.output import OptionsError
 from exactspline.display.evidence import worded
@@ -16,7 +16,6 @@ from exactspline.display.ledger import reasons
 from exactspline.verification.claims import claims_of
 from exactspline.verification.ledger import audit
 from exactspline.verification.verdict import CONTRADICTION, INAPPLICABLE, REFUTED, UNDECIDED, VACUOUS, VERIFIED
-from exactspline.verification.vocabulary import Verdict
 from tests.support.sampled import FULL
 
 CLAIMS = claims_of(paper("surfaces"))

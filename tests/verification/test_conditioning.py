@@ -14,14 +14,12 @@ from gmpy2 import mpq
 from hypothesis import assume, given
 from hypothesis import strategies as st
 
-from exactspline import BSpline
+from exactspline import BSpline, example, zeros
 from exactspline.cli import app
 from exactspline.errors import FormulaError, ShapeError
-from exactspline.geometry.derived.constructions import construction
 from exactspline.interchange.curve_files import curve_data
-from exactspline.interchange.examples import example
 from exactspline.polynomials.bernstein import from_bezier
-from exactspline.roots.zero_set import zeros
+from exactspline.tables import construction
 from exactspline.verification.conditioning import (
     WIDTH,
     Conditioning,

@@ -8,12 +8,14 @@ import pytest
 
 from docs.counts import PAGE, written
 from docs.ten_claims import CLAIMS
+from exactspline import decide, paper
 from exactspline.display.ledger import closing, headline, summary
-from exactspline.papers import default_papers, load_paper, paper, papers
+from exactspline.papers import default_papers, load_paper, papers
 from exactspline.papers.new import write_new_paper
+from exactspline.tables import errata
 from exactspline.verification.claims import all_claims, claims_in, claims_of
-from exactspline.verification.errata import errata, remarks
-from exactspline.verification.ledger import Counts, count_statements, decide, recorded_counts
+from exactspline.verification.errata import remarks
+from exactspline.verification.ledger import Counts, count_statements, recorded_counts
 from exactspline.verification.verdict import PROVED, REFUTED, UNDECIDED
 from exactspline.verification.vocabulary import Status
 from tests.support.decided import decided_once, errors_in_print, proofs

@@ -4,8 +4,8 @@ from contextlib import suppress
 
 import pytest
 
+from exactspline import ExactSplineError
 from exactspline.display.evidence import worded
-from exactspline.errors import ExactSplineError
 from exactspline.papers import load_paper, papers
 from exactspline.verification.claims import claims_of
 from exactspline.verification.generic_proof import reduction_of

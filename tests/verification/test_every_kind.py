@@ -6,8 +6,9 @@ import re
 
 import pytest
 
+from exactspline import example
 from exactspline.display.evidence import worded
-from exactspline.interchange.examples import example, example_surface
+from exactspline.interchange.examples import example_surface
 from exactspline.language.kinds import kind_of
 from exactspline.papers import load_paper
 from exactspline.verification.claims import claims_of

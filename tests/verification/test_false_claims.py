@@ -5,12 +5,12 @@ from dataclasses import replace
 import pytest
 from gmpy2 import mpq
 
-from exactspline import Nurbs
+from exactspline import Nurbs, example
 from exactspline.errors import FormulaError, ReachError
-from exactspline.interchange.examples import example
 from exactspline.language.ruled import split
 from exactspline.papers import find, load_paper
-from exactspline.readings.degree import Degree, parse_degree
+from exactspline.readings import parse_degree
+from exactspline.readings.degree import Degree
 from exactspline.verification.claims import all_claims, claims_of
 from exactspline.verification.evaluation import Evaluation
 from exactspline.verification.notation import factor_parts

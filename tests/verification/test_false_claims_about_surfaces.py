@@ -4,11 +4,12 @@ from dataclasses import replace
 
 import pytest
 
-from exactspline.papers import load_paper, paper
+from exactspline import decide, paper
+from exactspline.papers import load_paper
 from exactspline.papers.folder import Table
-from exactspline.readings.degree import Degree, parse_degree
+from exactspline.readings import parse_degree
+from exactspline.readings.degree import Degree
 from exactspline.verification.claims import claim_of, claims_of
-from exactspline.verification.ledger import decide
 from exactspline.verification.verdict import PROVED, REFUTED, VERIFIED
 from tests.support.sampled import sample
 from tests.verification.test_own_paper import written

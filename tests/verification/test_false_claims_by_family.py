@@ -8,13 +8,13 @@ from itertools import product
 
 import pytest
 
+from exactspline import Nurbs, decide
 from exactspline.display.evidence import worded
 from exactspline.papers import load_paper
-from exactspline.splines.nurbs import Nurbs
 from exactspline.verification.claims import claims_of
 from exactspline.verification.evaluation import CONSTANTS, point_beside
 from exactspline.verification.kinds import KINDS
-from exactspline.verification.ledger import audit, decide
+from exactspline.verification.ledger import audit
 from exactspline.verification.paper_curves import one_patch_surfaces
 from exactspline.verification.verdict import PROVED, VERIFIED
 from tests.verification.test_own_paper import written

@@ -6,6 +6,7 @@ import re
 
 import pytest
 
+from exactspline import decide
 from exactspline.display.evidence import worded
 from exactspline.papers import load_paper
 from exactspline.papers.new import write_new_paper
@@ -14,7 +15,6 @@ from exactspline.verification.claim import Claim
 from exactspline.verification.claim_fields import declared
 from exactspline.verification.claims import claims_of
 from exactspline.verification.kinds import KINDS
-from exactspline.verification.ledger import decide
 from exactspline.verification.verdict import INAPPLICABLE, NOT_ASKED, PROVED, REFUTED, UNDECIDED, VERIFIED
 from tests.support.command import invoke
 from tests.verification.test_own_paper import DOCS, text_of
@@ -174,5 +174,7 @@ def test_an_assumption_about_a_quotient_says_no_more_than_it_says(tmp_path):
 
 
 def test_the_kinds_of_claims_on_framed_arguments_are_those_of_the_guide():
-    [listed] = re.findall(r"Claims on `framed` arguments are of the kinds (.*?):", DOCS.read_text(encoding="utf-8"), re.DOTALL)
+    [listed] = re.findall(
+        r"Claims on `framed` arguments are of the kinds (.*?):", DOCS.read_text(encoding="utf-8"), re.DOTALL
+    )
     assert set(re.findall(r"`([^`]+)`", listed)) == {name for name, kind in KINDS.items() if kind.of_frames}

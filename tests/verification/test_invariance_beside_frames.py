@@ -2,7 +2,7 @@
 
 import pytest
 
-from exactspline.interchange.examples import example
+from exactspline import example
 from exactspline.papers import load_paper
 from exactspline.verification.claims import claims_of
 from exactspline.verification.combined import combined

@@ -4,17 +4,17 @@ from dataclasses import replace
 
 import pytest
 
+from exactspline import Nurbs, example, paper
 from exactspline.display.evidence import worded
 from exactspline.errors import ClaimError
-from exactspline.interchange.examples import example, example_names
+from exactspline.interchange.examples import example_names
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import kind_of
 from exactspline.language.ruled import RuledSurface
 from exactspline.language.vector import Vector, det, dot
-from exactspline.papers import find, load_paper, paper
+from exactspline.papers import find, load_paper
 from exactspline.papers.new import write_new_paper
 from exactspline.readings.leading_terms import generic_true_degree
-from exactspline.splines.nurbs import Nurbs
 from exactspline.symbolic.assumptions import ASSUMPTIONS, assumption
 from exactspline.verification.claims import all_claims, claims_of, select
 from exactspline.verification.combined import combined

@@ -6,9 +6,8 @@ from itertools import cycle
 import pytest
 from gmpy2 import mpq
 
-from exactspline import Nurbs, analyse
+from exactspline import Nurbs, TensorSpline, analyse, decide, example, zeros
 from exactspline.errors import ClaimError
-from exactspline.interchange.examples import example
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import CURVE
 from exactspline.language.operand import Parameter
@@ -18,8 +17,6 @@ from exactspline.numbers.intervals import Interval
 from exactspline.papers import find
 from exactspline.readings.degree import Degree
 from exactspline.readings.jet import JetFraction, RationalJetReading
-from exactspline.roots.zero_set import zeros
-from exactspline.splines.tensor import TensorSpline
 from exactspline.symbolic.assumptions import Assumption
 from exactspline.verification.claims import select, stands_at
 from exactspline.verification.decision import Equation, Outcome, decide_identity
@@ -30,7 +27,6 @@ from exactspline.verification.kinds.contact import partial_derivative, rank_of
 from exactspline.verification.kinds.degree import agreed_degree
 from exactspline.verification.kinds.examples import count_of_extrema
 from exactspline.verification.kinds.invariance import MAPS, image_of_point
-from exactspline.verification.ledger import decide
 from exactspline.verification.verdict import REFUTED, UNDECIDED, VACUOUS, VERIFIED, Finding, sampled
 from exactspline.verification.vocabulary import Reason
 

@@ -7,24 +7,21 @@ from dataclasses import replace
 import pytest
 from gmpy2 import mpq
 
-from exactspline import Nurbs
+from exactspline import Nurbs, TensorSpline, decide, example, verify
 from exactspline.errors import ClaimError, FormulaError
-from exactspline.interchange.examples import example
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import CURVE, PAIR, POINT_IN_SPACE, kind_of
 from exactspline.language.ruled import ruled, split
 from exactspline.language.vector import Vector
 from exactspline.papers import find, load_paper
-from exactspline.readings.degree import parse_degree
+from exactspline.readings import parse_degree, trace
 from exactspline.readings.jet import RationalJetReading
-from exactspline.readings.tree import trace
-from exactspline.splines.tensor import TensorSpline
 from exactspline.symbolic.assumptions import Assumption
+from exactspline.tables import patch_table, table_1_splines
 from exactspline.verification.claims import claims_of, select, stands_at
 from exactspline.verification.combined import Proofs, combined, computed_once
-from exactspline.verification.curve_check import table_1_splines
 from exactspline.verification.decision import DirectrixOf, Equation
-from exactspline.verification.degree_tables import construction_table, patch_table
+from exactspline.verification.degree_tables import construction_table
 from exactspline.verification.divisors import divided_by, divisors
 from exactspline.verification.errata import check, true_relation
 from exactspline.verification.evaluation import Evaluation, on_segments
@@ -44,8 +41,7 @@ from exactspline.verification.kinds.degree import held_against
 from exactspline.verification.kinds.equality import IsoCurve
 from exactspline.verification.kinds.invariance import with_article
 from exactspline.verification.kinds.types import on_cubics
-from exactspline.verification.ledger import Counts, decide
-from exactspline.verification.questions import verify
+from exactspline.verification.ledger import Counts
 from exactspline.verification.verdict import (
     CONTRADICTION,
     INAPPLICABLE,

@@ -11,13 +11,11 @@ import pytest
 from flint import fmpz, fmpz_poly, nmod_poly
 from gmpy2 import mpq
 
-from exactspline import BSpline, Nurbs
-from exactspline.certificates import check_certificate
+from exactspline import BSpline, Nurbs, check_certificate, example
 from exactspline.certificates.degrees import is_irreducible, is_prime
 from exactspline.certificates.numbers import integer
 from exactspline.errors import ReductionError, ShapeError
 from exactspline.geometry.derived.constructions import all_constructions
-from exactspline.interchange.examples import example
 from exactspline.verification.minimality import attained, bezout_combination, certificate, witness
 from tests.support.sampled import sample
 

@@ -9,11 +9,10 @@ import re
 
 import pytest
 
-from exactspline import write
+from exactspline import example, paper, write
 from exactspline.display.evidence import worded
 from exactspline.errors import ClaimError, FormulaError
-from exactspline.interchange.examples import example
-from exactspline.papers import Table, load_paper, paper
+from exactspline.papers import Table, load_paper
 from exactspline.verification.claims import claim_of, claims_of
 from exactspline.verification.ledger import audit
 from exactspline.verification.verdict import NOT_ASKED, PROVED, REFUTED

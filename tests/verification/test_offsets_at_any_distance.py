@@ -7,10 +7,10 @@ import pickle
 
 import pytest
 
+from exactspline import example
 from exactspline.display.evidence import worded
 from exactspline.errors import FormulaError
 from exactspline.extras.coq.formulas import type_of
-from exactspline.interchange.examples import example
 from exactspline.language.kinds import FRAMED, HODOGRAPH, common_kind, kind_of
 from exactspline.papers import load_paper
 from exactspline.verification.claims import claims_of

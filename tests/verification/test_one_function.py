@@ -6,15 +6,15 @@ from itertools import count
 import pytest
 
 import exactspline as xs
+from exactspline import decide, degree
 from exactspline.errors import FormulaError, ReachError
 from exactspline.language import formula
 from exactspline.language.vector import Vector
 from exactspline.papers import find, papers
-from exactspline.symbolic.factorization import jets_for
+from exactspline.tables import jets_for
 from exactspline.verification import one_function
 from exactspline.verification.claims import claims_of
-from exactspline.verification.ledger import audit, decide
-from exactspline.verification.questions import degree
+from exactspline.verification.ledger import audit
 from exactspline.verification.verdict import PROVED, UNDECIDED
 
 f1, f2 = find("f1"), find("f2")

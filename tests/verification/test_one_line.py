@@ -3,7 +3,8 @@
 import pytest
 
 import exactspline as xs
-from exactspline.errors import ExactSplineError, FormulaError
+from exactspline import ExactSplineError
+from exactspline.errors import FormulaError
 from exactspline.papers import find
 from exactspline.verification.questions import formula_of_line
 from tests.support.command import invoke

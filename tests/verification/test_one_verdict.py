@@ -6,19 +6,16 @@ from dataclasses import replace
 
 import pytest
 
+from exactspline import Nurbs, Verdict, decide, example, examples, verify
 from exactspline.display.ledger import row_data
 from exactspline.display.tables import Verdicts
 from exactspline.errors import FormulaError
-from exactspline.interchange.examples import example, examples
 from exactspline.papers import load_paper, papers
-from exactspline.splines.nurbs import Nurbs
 from exactspline.tables import verdicts
 from exactspline.verification.claims import all_claims, claims_in, claims_of, select
 from exactspline.verification.kinds.equality import Identity
-from exactspline.verification.ledger import audit, decide
-from exactspline.verification.questions import verify
+from exactspline.verification.ledger import audit
 from exactspline.verification.verdict import PROVED, VERIFIED
-from exactspline.verification.vocabulary import Verdict
 from tests.support.command import invoke
 from tests.support.decided import decided_once
 from tests.support.sampled import sample

@@ -14,15 +14,15 @@ from shutil import copytree, ignore_patterns
 import pytest
 
 import exactspline
+from exactspline import ExactSplineError, decide, example, paper
 from exactspline.display.evidence import worded
-from exactspline.errors import ClaimError, ExactSplineError, FormulaError
-from exactspline.interchange.examples import example
-from exactspline.papers import Table, load_paper, named_papers, paper, papers, resolve
+from exactspline.errors import ClaimError, FormulaError
+from exactspline.papers import Table, load_paper, named_papers, papers, resolve
 from exactspline.papers.new import write_new_paper
 from exactspline.symbolic.assumptions import Assumption
 from exactspline.verification.claims import claim_of, claims_of
 from exactspline.verification.evaluation import Evaluation
-from exactspline.verification.ledger import audit, decide
+from exactspline.verification.ledger import audit
 from exactspline.verification.verdict import PROVED, REFUTED, VERIFIED
 from tests.support.claims import refusal
 from tests.support.command import invoke

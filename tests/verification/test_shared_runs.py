@@ -3,8 +3,8 @@
 import pickle
 from concurrent.futures import ThreadPoolExecutor
 
+from exactspline import decide, example
 from exactspline.display.ledger import row_data
-from exactspline.interchange.examples import example
 from exactspline.papers import load_paper
 from exactspline.polynomials.cost import Budget
 from exactspline.symbolic.assumptions import ASSUMPTIONS
@@ -12,7 +12,7 @@ from exactspline.verification import combined
 from exactspline.verification.claims import all_claims, claims_of, select
 from exactspline.verification.combined import Proofs
 from exactspline.verification.evaluation import Evaluation
-from exactspline.verification.ledger import audit, decide
+from exactspline.verification.ledger import audit
 from exactspline.verification.verdict import PROVED, REFUTED, UNDECIDED
 from tests.verification.test_own_paper import plane_formulas, written
 

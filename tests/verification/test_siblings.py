@@ -4,7 +4,7 @@ import pytest
 from gmpy2 import mpq
 
 import exactspline as xs
-from exactspline import BSpline, Nurbs
+from exactspline import BSpline, Nurbs, decide
 from exactspline.bivariate.across_borders import Place
 from exactspline.bivariate.common_zeros import CommonZero
 from exactspline.display.evidence import worded
@@ -19,7 +19,7 @@ from exactspline.verification import combined, generic_proof
 from exactspline.verification.claims import all_claims, claims_of
 from exactspline.verification.degree_tables import construction_table, formula_degrees
 from exactspline.verification.kinds.degree import DegreeClaim
-from exactspline.verification.ledger import audit, decide
+from exactspline.verification.ledger import audit
 from exactspline.verification.verdict import REFUTED, UNDECIDED
 from tests.support.command import run
 from tests.support.squares import parameters

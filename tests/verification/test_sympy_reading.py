@@ -7,15 +7,15 @@ import pytest
 import sympy
 from click.testing import CliRunner
 
+from exactspline import ExactSplineError, decide
 from exactspline.cli import app
 from exactspline.display.evidence import worded
-from exactspline.errors import ClaimError, ExactSplineError, FormulaError
+from exactspline.errors import ClaimError, FormulaError
 from exactspline.language.kinds import CURVE, PAIR, POINT_IN_SPACE
 from exactspline.papers import find
 from exactspline.readings.sympy_expression import FIRST, SympyReading, vanishes
 from exactspline.verification.claims import all_claims, select
 from exactspline.verification.judges import Sympy, second_opinion
-from exactspline.verification.ledger import decide
 from tests.support import command
 from tests.support.sampled import FULL, sample
 from tests.verification.test_own_paper import plane_formulas, written

@@ -6,18 +6,17 @@ from types import SimpleNamespace
 import pytest
 from gmpy2 import mpq
 
-from exactspline import BSpline, Nurbs
+from exactspline import BSpline, Nurbs, TensorSpline, example
 from exactspline.display.evidence import worded
 from exactspline.display.tables import erratum_data
-from exactspline.interchange.examples import example
 from exactspline.language.kinds import PAIR, PLANE_POINT, POINT_IN_SPACE, SURFACE, kind_of
 from exactspline.language.surface_kind import Surface
 from exactspline.language.vector import Vector
 from exactspline.papers import all_formulas, find, known_as
-from exactspline.readings.jet import JetReading
-from exactspline.splines.tensor import TensorSpline
+from exactspline.readings import JetReading
 from exactspline.symbolic.covariants import degree_at
 from exactspline.symbolic.reduction import reduce, reduction
+from exactspline.tables import measurable, measure, table_1_degrees
 from exactspline.verification import judges
 from exactspline.verification.claims import all_claims, matches
 from exactspline.verification.curve_check import extra_zero, where_it_differs
@@ -27,14 +26,12 @@ from exactspline.verification.degree_tables import (
     bisected_pair,
     construction_table,
     formula_table,
-    measurable,
-    measure,
     measured_degrees,
 )
 from exactspline.verification.errata import numbered, remarks, symbol_or_name
 from exactspline.verification.evaluation import beginning, moved_copy, pair_with, point_beside
 from exactspline.verification.evidence import At, Between, OnAllOf, Relating
-from exactspline.verification.generic_proof import joined_degree, table_1_degrees
+from exactspline.verification.generic_proof import joined_degree
 from exactspline.verification.notation import degree_latex, factor_latex
 from exactspline.verification.statement import sides
 from exactspline.verification.verdict import REFUTED

@@ -4,17 +4,16 @@ from dataclasses import replace
 
 import pytest
 
+from exactspline import decide, example, paper
 from exactspline.display.evidence import worded
 from exactspline.errors import FormulaError
-from exactspline.interchange.examples import example
 from exactspline.language.kinds import kind_of
 from exactspline.numbers.exact import to_fmpq
-from exactspline.papers import load_paper, paper
+from exactspline.papers import load_paper
 from exactspline.papers.folder import Table
-from exactspline.readings.jet import JetReading
+from exactspline.readings import JetReading
 from exactspline.verification.claims import all_claims, claim_of, claims_of
 from exactspline.verification.evaluation import on_segments
-from exactspline.verification.ledger import decide
 from exactspline.verification.verdict import REFUTED, UNDECIDED, VACUOUS, VERIFIED
 from tests.support.claims import refusal
 from tests.verification.test_own_paper import plane_formulas, written

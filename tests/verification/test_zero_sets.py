@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 import exactspline
-from exactspline.interchange.examples import example
+from exactspline import example
 from exactspline.papers import load_paper
 from exactspline.verification.claims import claims_of
 from exactspline.verification.combined import combined

@@ -14,7 +14,7 @@ from exactspline.batch.sweep import Where
 from exactspline.display.plot.canvas import PlotError
 from exactspline.errors import FormulaError
 from exactspline.papers import find
-from exactspline.splines.tensor import surface_pair
+from exactspline.tables import surface_pair
 from workshop.bench import alone, features, forms, inline, inputs, memory, peers, picture, row, splines, sweeps, table
 from workshop.bench.__main__ import main
 from workshop.bench.row import OURS, Options, Row, bounded, compared

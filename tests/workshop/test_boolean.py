@@ -10,9 +10,9 @@ from pathlib import Path
 import pytest
 from gmpy2 import mpq
 
+from exactspline import read, winding_number
 from exactspline.errors import CurveFileError, ShapeError
-from exactspline.geometry.pairs.winding import FillRule, winding_number
-from exactspline.interchange import read
+from exactspline.geometry.pairs.winding import FillRule
 from workshop.boolean.__main__ import main
 from workshop.boolean.angles import confirms, suspects
 from workshop.boolean.grading import ENGINES, Outcome, graded, started

@@ -2,9 +2,7 @@
 
 import pytest
 
-from exactspline import Nurbs
-from exactspline.interchange import read
-from exactspline.interchange.examples import example
+from exactspline import Nurbs, example, read
 from exactspline.interchange.files import encoded
 from exactspline.interchange.formats import formats
 from exactspline.numbers.exact import from_float

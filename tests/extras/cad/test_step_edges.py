@@ -3,8 +3,7 @@
 import pytest
 from gmpy2 import mpq
 
-from exactspline.errors import ExactSplineError
-from exactspline.interchange import read
+from exactspline import ExactSplineError, read
 
 HEAD = """ISO-10303-21;\nHEADER;\nENDSEC;\nDATA;
 #1=CARTESIAN_POINT('',(5.,0.,2.));#2=CARTESIAN_POINT('',(0.,5.,2.));#3=CARTESIAN_POINT('',(0.,0.,2.));

@@ -22,7 +22,7 @@ import pytest
 from flint import fmpq, fmpq_poly
 
 from docs import ten_claims
-from exactspline import example, examples, intersections, write, zeros
+from exactspline import Nurbs, Verdict, example, examples, intersections, write, zeros
 from exactspline.display.evidence import opinion
 from exactspline.errors import ClaimError, FormulaError
 from exactspline.extras.coq import judge as coq_judge
@@ -32,9 +32,7 @@ from exactspline.extras.coq.formulas import THEORY, Formulas
 from exactspline.extras.coq.theorems import theorem
 from exactspline.interchange.curve_files import curve_data
 from exactspline.papers import find, load_paper, papers
-from exactspline.splines.nurbs import Nurbs
 from exactspline.verification.claims import claims_of, select
-from exactspline.verification.vocabulary import Verdict
 from tests.support.bisector_oracle import bezier
 from tests.support.command import run
 from tests.verification.test_own_paper import written

@@ -8,6 +8,7 @@ from dataclasses import replace
 
 import pytest
 
+from exactspline import Verdict
 from exactspline.errors import FormulaError
 from exactspline.extras.coq.emission import Stated, library
 from exactspline.extras.coq.theorems import STATED, theorem
@@ -16,7 +17,7 @@ from exactspline.papers import find, papers
 from exactspline.symbolic.assumptions import Assumption
 from exactspline.verification.claim import Claim
 from exactspline.verification.claims import claims_of
-from exactspline.verification.vocabulary import Status, Verdict
+from exactspline.verification.vocabulary import Status
 
 #: Failures whose correction is no equality, with what it is instead: another claim, or a sentence alone.
 CORRECTED_OTHERWISE = {"PB1d-third_derivative": ["count"], "C62f-tilted_plane_bisector_slope": []}

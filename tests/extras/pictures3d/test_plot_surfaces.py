@@ -7,7 +7,7 @@ from gmpy2 import mpq
 
 pytest.importorskip("matplotlib")
 
-from exactspline import BSpline
+from exactspline import BSpline, TensorSpline, example, zeros
 from exactspline.display.plot.canvas import PlotError, homogeneous, inside, new_figure, save
 from exactspline.display.plot.curves import plot_curve, plot_quotient
 from exactspline.display.plot.functions import plot_function, plot_roots
@@ -15,13 +15,11 @@ from exactspline.errors import FormulaError, ShapeError
 from exactspline.extras.pictures3d.html import Scene, scenes_data, turning_page
 from exactspline.extras.pictures3d.meshes import ruled_mesh, tensor_mesh
 from exactspline.extras.pictures3d.surfaces import plot_bisector, plot_mesh, plot_ruled_surface, plot_surface
-from exactspline.interchange.examples import example
 from exactspline.language import Rational, Vector, cross, dot
 from exactspline.language.ruled import RuledSurface
 from exactspline.papers import find
 from exactspline.papers.chen_riesenfeld_cohen_2007.figures import approaches_table, plot_approaches
-from exactspline.roots.zero_set import zeros
-from exactspline.splines.tensor import TensorSpline, surface_pair
+from exactspline.tables import surface_pair
 
 SADDLE = Vector(
     *[

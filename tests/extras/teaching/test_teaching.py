@@ -12,7 +12,9 @@ from xml.etree import ElementTree
 import pytest
 from click.testing import CliRunner
 
+from exactspline import Nurbs, example, rational
 from exactspline.cli import app
+from exactspline.extras.teaching import exercise
 from exactspline.extras.teaching.answers import (
     AnswerError,
     Circle,
@@ -37,12 +39,10 @@ from exactspline.extras.teaching.differences import (
 from exactspline.extras.teaching.display.exercises import html_page, latex_document, plain, text_lines
 from exactspline.extras.teaching.exercises import LARGEST
 from exactspline.extras.teaching.parts import Math
-from exactspline.extras.teaching.topics import HINTS, TOPICS, TopicError, about, exercise, exercises
+from exactspline.extras.teaching.topics import HINTS, TOPICS, TopicError, about, exercises
 from exactspline.interchange.curve_files import curve_data
-from exactspline.interchange.examples import example
-from exactspline.numbers.exact import mpq, point_text, rational
+from exactspline.numbers.exact import mpq, point_text
 from exactspline.papers import find
-from exactspline.splines.nurbs import Nurbs
 from tests.support.command import invoke
 
 COUNT = 20

@@ -10,21 +10,14 @@ from click.testing import CliRunner
 from hypothesis import given
 from hypothesis import strategies as st
 
+from exactspline import BSpline, Direction, ExactSplineError, Nurbs, example
 from exactspline.cli import app
-from exactspline.display.latex import mathematics
-from exactspline.errors import DomainError, ExactSplineError, KnotError, ShapeError
+from exactspline.errors import DomainError, KnotError, ShapeError
+from exactspline.extras.teaching import de_boor_triangle, elevation_triangles, insertion_triangle, product_tables
 from exactspline.extras.teaching.display.triangles import html_page, sheets
-from exactspline.extras.teaching.triangles import (
-    de_boor_triangle,
-    elevation_triangles,
-    insertion_triangle,
-    product_tables,
-)
-from exactspline.interchange.examples import example, example_names
+from exactspline.interchange.examples import example_names
 from exactspline.numbers.exact import mpq, text
-from exactspline.splines.bspline import BSpline
-from exactspline.splines.control_points import Direction
-from exactspline.splines.nurbs import Nurbs
+from exactspline.tables import mathematics
 
 SMALL = st.integers(-9, 9)
 CURVES = [example(name) for name in example_names()]
