@@ -14,6 +14,7 @@ from pathlib import Path
 import jsonschema
 import pytest
 from click.testing import CliRunner
+from gmpy2 import mpq
 
 import exactspline as xs
 from exactspline import ExactSplineError, Family, read
@@ -30,7 +31,6 @@ from exactspline.cli import app
 from exactspline.errors import CurveFileError
 from exactspline.interchange.curve_files import curve_data
 from exactspline.interchange.files import read_in_pieces
-from exactspline.numbers.exact import mpq
 from exactspline.questions.takes import QuestionError
 from exactspline.verification.ledger import audit
 from tests.support.interchange_seeds import SVG, truetype

@@ -10,6 +10,7 @@ from pathlib import Path
 
 import pytest
 from flint import fmpz_poly
+from gmpy2 import mpq
 from hypothesis import given
 from hypothesis import strategies as st
 
@@ -23,7 +24,6 @@ from exactspline.batch.summary import Summary
 from exactspline.batch.sweep import Where, sweep_into_file
 from exactspline.batch.work import Work
 from exactspline.geometry.analysis import curves as analysis
-from exactspline.numbers.exact import mpq
 from exactspline.polynomials.elimination import without_rational_zero
 from exactspline.polynomials.isolation import LocalPolynomial
 from exactspline.programs import accelerator

@@ -5,6 +5,7 @@ from random import Random
 
 import pytest
 from flint import fmpz_poly
+from gmpy2 import mpq
 
 from exactspline.bivariate.zero_lines import (
     common_factor,
@@ -15,7 +16,7 @@ from exactspline.bivariate.zero_lines import (
     square_free,
     without_powers,
 )
-from exactspline.numbers.exact import mpq, sign
+from exactspline.numbers.exact import sign
 from exactspline.polynomials.two_parameters import S, T, as_form, as_polynomial, value_at
 
 #: Irreducible factors: curves that cross the square, lines, and one without zeros.

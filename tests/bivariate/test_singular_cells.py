@@ -4,10 +4,10 @@ from random import Random
 
 import pytest
 from flint import fmpz_poly
+from gmpy2 import mpq
 
 from exactspline import Root
 from exactspline.bivariate.singular_points import Crossing, interval_around, kind_on, singular_cells
-from exactspline.numbers.exact import mpq
 from exactspline.numbers.intervals import UNIT, Box, Interval
 from exactspline.polynomials.two_parameters import S, T, as_form
 from exactspline.roots.of_polynomials import exactly, roots_in

@@ -9,6 +9,7 @@ from importlib.metadata import version
 
 import jsonschema
 import pytest
+from gmpy2 import mpq
 
 from exactspline import example, examples
 from exactspline.bivariate.zero_curve import Shape
@@ -29,7 +30,6 @@ from exactspline.geometry.recognition.shapes import ShapeKind
 from exactspline.geometry.surfaces.degenerate import Gap
 from exactspline.geometry.surfaces.joints import SurfaceJointKind
 from exactspline.interchange.curve_files import curve_data
-from exactspline.numbers.exact import mpq
 from exactspline.programs import accelerator
 from exactspline.verification.claims import select
 from exactspline.verification.evidence import Between

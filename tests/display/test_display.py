@@ -11,9 +11,10 @@ from gmpy2 import mpq
 pytest.importorskip("matplotlib")
 
 from exactspline import BSpline, Nurbs, derive, example, latex, zeros
+from exactspline.display import html, short
 from exactspline.display.evidence import worded
 from exactspline.display.latex import fraction, unicode_latex
-from exactspline.display.notebook import curve_picture, graph_picture, html, short
+from exactspline.display.notebook import curve_picture, graph_picture
 from exactspline.interchange.examples import example_names
 from exactspline.language import Vector
 from exactspline.language.kinds import CURVE

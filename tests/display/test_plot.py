@@ -16,8 +16,7 @@ pytest.importorskip("matplotlib")
 import exactspline as xs
 from exactspline import BSpline, ExactSplineError, Nurbs, example, write, zeros
 from exactspline.display import plot
-from exactspline.display.plot import canvas, curves
-from exactspline.display.plot.canvas import PlotError
+from exactspline.display.plot import PlotError, canvas, curves
 from exactspline.display.plot.comparisons import inspect_figure
 from exactspline.errors import DomainError, ShapeError
 from exactspline.geometry.analysis.inspection import solved

@@ -3,8 +3,8 @@
 import pytest
 
 from exactspline import example
+from exactspline.language import Vector, cross, det, norm2
 from exactspline.language.kinds import SURFACE
-from exactspline.language.vector import Vector, cross, det, norm2
 from exactspline.papers import find
 from exactspline.readings.taylor import DoubleTaylorReading
 from tests.formulas.test_surface_formulas import CURVED, PLACES, at, inside, partials

@@ -14,10 +14,10 @@ import exactspline as xs
 from exactspline import ExactSplineError, example, paper
 from exactspline.cli import app
 from exactspline.errors import ClaimError, FormulaError
+from exactspline.language import Vector, cross, dot, norm2
 from exactspline.language.arguments import Curve
 from exactspline.language.kinds import CURVE_ON_SURFACE, FORMS, SURFACE
 from exactspline.language.operand import Parameter
-from exactspline.language.vector import Vector, cross, dot, norm2
 from exactspline.papers import find, load_paper
 from exactspline.readings import DegreeReading, JetReading
 from exactspline.readings.jet import RationalJetReading

@@ -16,7 +16,7 @@ from hypothesis import strategies as st
 from exactspline import BSpline, Nurbs, Root
 from exactspline.geometry.bisectors.components import Solutions
 from exactspline.geometry.bisectors.two_curves import curve_bisector
-from exactspline.language.rational import Rational
+from exactspline.language import Rational
 from exactspline.numbers.exact import to_fmpq
 from tests.support.bisector_answers import of_family, of_random_pair, random_pair
 from tests.support.bisector_oracle import FAMILIES, bezier, dimension, holds, planes, point_and_tangent, spans

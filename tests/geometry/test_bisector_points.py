@@ -14,7 +14,7 @@ from gmpy2 import mpq
 from exactspline import Root
 from exactspline.geometry.bisectors.components import Solutions
 from exactspline.geometry.bisectors.two_curves import curve_bisector
-from exactspline.language.rational import Rational
+from exactspline.language import Rational
 from tests.support.bisector_answers import of_family, of_random_pair, random_pair
 from tests.support.bisector_oracle import FAMILIES, bezier, power_basis, spans
 from tests.support.sampled import FULL, sample

@@ -12,7 +12,7 @@ from exactspline import BSpline, ExactSplineError, Nurbs, derive, example
 from exactspline.errors import DomainError, FormulaError, ShapeError
 from exactspline.geometry.derived.constructions import Absence
 from exactspline.geometry.derived.derive import intervals_where
-from exactspline.language.ruled import numerator
+from exactspline.language import numerator
 from exactspline.papers import all_formulas, find
 from exactspline.tables import Variant, curvature_function, derived_data
 from tests.support.command import run

@@ -7,11 +7,11 @@ from collections import Counter
 from fractions import Fraction
 
 import pytest
+from gmpy2 import mpq
 
 from exactspline import Nurbs, analyse, example, examples
 from exactspline.batch.corpus import Family
 from exactspline.errors import ExactSplineError, NumberError, ShapeError
-from exactspline.numbers.exact import mpq
 from tests.campaigns import filter as campaign
 
 np = pytest.importorskip("numpy")

@@ -3,12 +3,12 @@
 from itertools import pairwise
 
 import pytest
+from gmpy2 import mpq
 from mpmath import mp
 
 import exactspline as xs
 from exactspline import analyse
 from exactspline.errors import ShapeError
-from exactspline.numbers.exact import mpq
 from workshop.vectors.items import items
 
 PLANE = [name for name in xs.examples("curves") if xs.example(name).dimension == 2]

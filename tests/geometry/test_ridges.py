@@ -9,12 +9,13 @@ from math import hypot
 from random import Random
 
 import pytest
+from gmpy2 import mpq
 from mpmath import mp, mpf
 
 from exactspline import NurbsSurface, analyse, example
 from exactspline.geometry.surfaces import ridges
 from exactspline.geometry.surfaces.ridges import RidgeSearch, bisected, other_family, principal_directions, winds_once
-from exactspline.numbers.exact import mpq, sign
+from exactspline.numbers.exact import sign
 from exactspline.numbers.intervals import UNIT, Box, Interval
 from exactspline.polynomials.cost import Budget, drawing_on
 from exactspline.polynomials.factors import greatest_common_divisor

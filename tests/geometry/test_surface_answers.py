@@ -8,6 +8,7 @@ import random
 from fractions import Fraction
 
 import pytest
+from gmpy2 import mpq
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
@@ -19,7 +20,6 @@ from exactspline.geometry.analysis.planar_maps import MapKind
 from exactspline.geometry.analysis.surfaces import PatchKind
 from exactspline.geometry.surfaces.degenerate import Gap
 from exactspline.geometry.surfaces.umbilics import UmbilicKind
-from exactspline.numbers.exact import mpq
 from exactspline.splines.surface import Along
 from tests.support.sampled import sample
 from tests.support.squares import parameters

@@ -8,10 +8,10 @@ from gmpy2 import isqrt, mpq
 from exactspline import NurbsSurface, analyse, example
 from exactspline.bivariate.signs import Sign, sign_on_patch
 from exactspline.geometry.surfaces.forms import SurfaceForms, constant_curvature, has_curvature
+from exactspline.language import Vector, cross, dot
 from exactspline.language.arguments import Operands
 from exactspline.language.kinds import FORMS, SURFACE
 from exactspline.language.operand import Parameter
-from exactspline.language.vector import Vector, cross, dot
 from exactspline.papers import find
 from exactspline.polynomials.patch_forms import PatchForm
 from exactspline.readings import JetReading

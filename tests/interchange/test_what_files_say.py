@@ -4,13 +4,13 @@ import time
 import tracemalloc
 
 import pytest
+from gmpy2 import mpq
 
 from exactspline import read
 from exactspline.errors import CurveFileError, ShapeError
 from exactspline.interchange import Limits
 from exactspline.interchange.formats.svg import Sheet
 from exactspline.interchange.xml_tree import Element, parse
-from exactspline.numbers.exact import mpq
 from tests.support.interchange_seeds import SPLINE, STEP, dxf, truetype
 
 

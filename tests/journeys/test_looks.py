@@ -11,7 +11,7 @@ from typing import Any
 
 import pytest
 
-from exactspline.display.plot.canvas import new_figure
+from exactspline.display.plot import new_figure
 from tests.support.command import run
 from tests.support.looking import (
     CHECKS,

@@ -19,7 +19,7 @@ from exactspline.errors import CurveFileError, DomainError, KnotError, NumberErr
 from exactspline.extras.teaching import de_boor_triangle, insertion_triangle
 from exactspline.interchange.curve_files import curve_data
 from exactspline.interchange.formats import formats
-from exactspline.language.formula import formula
+from exactspline.language import formula
 from exactspline.papers import named_papers
 from exactspline.readings import trace
 from exactspline.verification.claims import claims_in, select

@@ -10,9 +10,9 @@ from gmpy2 import mpq
 
 from exactspline import decide, example, prove, reduction
 from exactspline.errors import ClaimError, FormulaError
+from exactspline.language import cross, det, norm2
 from exactspline.language.adjoined_root import Adjoined, framed, root_of
 from exactspline.language.kinds import CURVE, PLANE, PLANE_POINT, kind_of
-from exactspline.language.vector import cross, det, norm2
 from exactspline.papers import find
 from exactspline.papers.chen_riesenfeld_cohen_2007 import frames
 from exactspline.readings.jet import RationalJetReading

@@ -5,14 +5,23 @@ What the readings say of them is held against curves and functions given by hand
 
 import pytest
 import sympy
+from gmpy2 import mpq
 
 from exactspline import example, prove
 from exactspline.errors import FormulaError, InapplicableError
-from exactspline.language.complex_numbers import complex_product, complex_quotient, conjugate
-from exactspline.language.formula import formula
+from exactspline.language import (
+    Vector,
+    complex_product,
+    complex_quotient,
+    conjugate,
+    cross,
+    det,
+    dot,
+    formula,
+    norm2,
+    perp,
+)
 from exactspline.language.kinds import HODOGRAPH, IMPLICIT, IMPLICIT_SURFACE, INTERSECTION, common_kind, kind_of
-from exactspline.language.vector import Vector, cross, det, dot, norm2, perp
-from exactspline.numbers.exact import mpq
 from exactspline.readings import DegreeReading, JetReading, trace
 from exactspline.readings.leading_terms import LeadingTermsReading, generic_true_degree
 from exactspline.readings.sympy_expression import SympyReading

@@ -6,12 +6,10 @@ import pytest
 from gmpy2 import mpq
 
 from exactspline import Nurbs
-from exactspline.language import Vector
+from exactspline.language import Rational, Vector, cross, dot, norm2, ruled
 from exactspline.language.arguments import Curve, Pair
 from exactspline.language.kinds import PAIR, POINT_IN_SPACE, kind_of
-from exactspline.language.rational import Rational
-from exactspline.language.ruled import RuledSurface, ruled
-from exactspline.language.vector import cross, dot, norm2
+from exactspline.language.ruled import RuledSurface
 from exactspline.papers import all_formulas, find
 from exactspline.readings import DegreeReading, JetReading, parse_degree, trace
 from exactspline.readings.differential_order import Order, order_of

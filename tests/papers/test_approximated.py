@@ -1,8 +1,9 @@
 """What the page on approximations says is what is found."""
 
+from gmpy2 import mpq
+
 from docs.approximated import PAGE, angle, approximation, found, least, table, within
 from exactspline import analyse
-from exactspline.numbers.exact import mpq
 
 
 def test_rows_of_the_page_are_computed():

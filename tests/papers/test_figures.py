@@ -16,7 +16,7 @@ from click.testing import CliRunner
 from exactspline import Nurbs, analyse, example
 from exactspline.cli import app
 from exactspline.display.figures import figures, folder, make
-from exactspline.display.plot.canvas import PlotError
+from exactspline.display.plot import PlotError
 from exactspline.display.plot.comparisons import inspect_figure
 from exactspline.verification.claims import all_claims
 from tests.support.looking import laid_out, unreadable

@@ -5,8 +5,8 @@ from random import Random
 
 import pytest
 from flint import fmpq, fmpz_poly
+from gmpy2 import mpq
 
-from exactspline.numbers.exact import mpq
 from exactspline.polynomials.bezout import PlaneForms
 from exactspline.polynomials.common_arcs import (
     Coordinate,

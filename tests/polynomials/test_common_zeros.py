@@ -5,6 +5,7 @@ import random
 from itertools import chain, pairwise, product
 
 import pytest
+from gmpy2 import mpq
 from hypothesis import given
 from hypothesis import strategies as st
 
@@ -12,7 +13,6 @@ from exactspline.bivariate.common_zeros import zeros_of
 from exactspline.bivariate.signs import Sign, sign_on_patch
 from exactspline.bivariate.zero_curve import Begun, Shape, ZeroCurve
 from exactspline.bivariate.zero_lines import common_factor, odd_part, rational_lines, without_powers
-from exactspline.numbers.exact import mpq
 from exactspline.numbers.intervals import UNIT, Box, Interval
 from exactspline.polynomials.certified_boxes import Isolated, contracting, isolate, simplest
 from exactspline.polynomials.patch_forms import PatchForm, Sized, clusters, of_powers, powers_of

@@ -6,8 +6,9 @@ from random import Random
 
 import pytest
 from flint import fmpq, fmpq_poly, fmpz_poly
+from gmpy2 import mpq
 
-from exactspline.numbers.exact import mpq, mpz
+from exactspline.numbers.exact import mpz
 from exactspline.polynomials import elimination, over_root
 from exactspline.polynomials.elimination import discriminant, resultant, through
 from exactspline.polynomials.isolation import isolate

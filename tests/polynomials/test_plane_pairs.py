@@ -5,10 +5,11 @@ from fractions import Fraction
 
 import pytest
 from flint import fmpq, fmpz, fmpz_poly
+from gmpy2 import mpq
 
 from exactspline import Nurbs
 from exactspline.errors import ReachError
-from exactspline.numbers.exact import mpq, to_fmpq
+from exactspline.numbers.exact import to_fmpq
 from exactspline.polynomials import bezout
 from exactspline.polynomials.bezout import PlaneForms, bezout_matrix, determinant, self_matrix
 from exactspline.polynomials.common_arcs import RationalMap, common_arcs

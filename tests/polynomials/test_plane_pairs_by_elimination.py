@@ -10,9 +10,10 @@ from random import Random
 
 import pytest
 from flint import arb, fmpz_poly
+from gmpy2 import mpq
 
 from exactspline import Nurbs
-from exactspline.numbers.exact import mpq, to_fmpq
+from exactspline.numbers.exact import to_fmpq
 from exactspline.numbers.intervals import UNIT, Interval
 from exactspline.polynomials.bezout import PlaneForms
 from exactspline.polynomials.common_arcs import RationalMap

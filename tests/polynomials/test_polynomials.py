@@ -7,10 +7,10 @@ from random import Random
 
 import pytest
 from flint import Ordering, fmpq, fmpq_mpoly_ctx, fmpq_poly, fmpz, fmpz_mpoly_ctx, fmpz_poly, nmod_poly
+from gmpy2 import mpq
 
 from exactspline.errors import ReachError
 from exactspline.extras.coq.proofs import Nonzero
-from exactspline.numbers.exact import mpq
 from exactspline.polynomials import elimination, factors
 from exactspline.polynomials.cost import Budget, affords, check_reach, drawing_on, height_bits
 from exactspline.polynomials.elimination import discriminant

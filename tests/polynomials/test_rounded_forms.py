@@ -6,8 +6,8 @@ import pickle
 from random import Random
 
 import pytest
+from gmpy2 import mpq
 
-from exactspline.numbers.exact import mpq
 from exactspline.numbers.intervals import UNIT, Box, Interval
 from exactspline.polynomials.cost import height_bits
 from exactspline.polynomials.patch_forms import BITS, KEPT, PatchForm, RoundedForm, rounded

@@ -10,10 +10,10 @@ from fractions import Fraction
 from random import Random
 
 import pytest
+from gmpy2 import mpq
 
 from exactspline import Nurbs, intersections
 from exactspline.geometry.pairs import lazy_intersections as late_meetings
-from exactspline.numbers.exact import mpq
 from exactspline.numbers.intervals import UNIT
 from exactspline.polynomials.plane_pairs import self_meetings
 from exactspline.programs.certain_pairs import (

@@ -19,12 +19,12 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from gmpy2 import mpq
 
 from exactspline import Nurbs, analyse, example
 from exactspline.geometry.analysis.curves import Analysis
 from exactspline.geometry.filter.certain import certain
 from exactspline.geometry.filter.plane_programs import plane_program
-from exactspline.numbers.exact import mpq
 from exactspline.programs import accelerator
 from exactspline.programs.certain_pairs import ARCH, LINE, OPEN, filter_pairs, segment_in_doubles
 from tests.campaigns import filter as campaign

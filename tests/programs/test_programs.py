@@ -9,13 +9,10 @@ from exactspline.errors import FormulaError
 from exactspline.formulas.lifted import critical_curvature_lifted, tangent_lifted
 from exactspline.geometry.curves.facts import TOGETHER
 from exactspline.geometry.derived.derive import part
-from exactspline.language import Vector
+from exactspline.language import Rational, Vector, det, formula
 from exactspline.language.arguments import Curve, Operands
-from exactspline.language.formula import formula
 from exactspline.language.kinds import PAIR, PLANE, SPACE, CurveKind, PairKind, TableKind
-from exactspline.language.rational import Rational
 from exactspline.language.ruled import joined
-from exactspline.language.vector import det
 from exactspline.papers import find, papers
 from exactspline.programs import evaluated, program_for
 from exactspline.programs.instructions import Instruction, Instructions, needed

@@ -11,11 +11,10 @@ from gmpy2 import mpq
 
 from exactspline import BSpline, Nurbs, example
 from exactspline.errors import FormulaError
-from exactspline.language import Rational, Vector
+from exactspline.language import Rational, Vector, det, generalized_cross, norm2
 from exactspline.language.arguments import Curve
 from exactspline.language.kinds import CURVE, TABLE
 from exactspline.language.ruled import RuledSurface
-from exactspline.language.vector import det, generalized_cross, norm2
 from exactspline.papers import all_formulas
 from exactspline.readings import DegreeReading, JetReading, series_curve, trace
 from exactspline.readings.degree import Degree

@@ -11,8 +11,8 @@ from hypothesis import strategies as st
 
 from exactspline import BSpline
 from exactspline.errors import FormulaError
+from exactspline.language import Vector, cross, det, dot, join, perp
 from exactspline.language.kinds import CURVE, PAIR, PLANE, SPACE, SURFACE, kind_of
-from exactspline.language.vector import Vector, cross, det, dot, join, perp
 from exactspline.readings import DegreeReading, JetReading, parse_degree
 from exactspline.readings.degree import Degree, equal_from
 from exactspline.readings.differential_order import is_polynomial, order_of

@@ -4,6 +4,7 @@ from random import Random
 
 import pytest
 from flint import fmpz_poly
+from gmpy2 import mpq
 
 from exactspline import NurbsSurface, analyse
 from exactspline.bivariate import common_zeros as solver
@@ -12,7 +13,6 @@ from exactspline.bivariate.common_zeros import Column, Found, common_zeros, mult
 from exactspline.bivariate.zero_curve import Shape, ZeroCurve
 from exactspline.errors import ReachError
 from exactspline.geometry.surfaces.umbilics import UmbilicKind
-from exactspline.numbers.exact import mpq
 from exactspline.numbers.intervals import UNIT, Box, Interval
 from exactspline.polynomials import certified_boxes
 from exactspline.polynomials.certified_boxes import Isolation

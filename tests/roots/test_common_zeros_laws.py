@@ -8,12 +8,12 @@ from random import Random
 
 import pytest
 from flint import arb_poly, ctx, fmpz_poly
+from gmpy2 import mpq
 
 from exactspline import Root
 from exactspline.bivariate import common_zeros as solver
 from exactspline.bivariate.common_zeros import Column, common_zeros, multiplicity, projected, zeros_of
 from exactspline.errors import ReachError
-from exactspline.numbers.exact import mpq
 from exactspline.numbers.intervals import UNIT, Box, Interval
 from exactspline.polynomials.certified_boxes import (
     Isolated,

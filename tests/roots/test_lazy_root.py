@@ -6,9 +6,9 @@ import sys
 
 import pytest
 from flint import fmpz_poly
+from gmpy2 import mpq
 
 from exactspline import Nurbs, Root, analyse
-from exactspline.numbers.exact import mpq
 from exactspline.numbers.intervals import Interval
 from exactspline.polynomials.isolation import LocalPolynomial, LocalZero, isolate
 from exactspline.polynomials.zero_places import enclosures

@@ -4,10 +4,11 @@ import pickle
 
 import pytest
 from flint import fmpz_poly
+from gmpy2 import mpq
 
 from exactspline import BSpline, Nurbs, ZeroSet, square_root, zeros
 from exactspline.errors import ShapeError
-from exactspline.numbers.exact import mpq, to_fmpq
+from exactspline.numbers.exact import to_fmpq
 from exactspline.numbers.intervals import UNIT, Interval
 from exactspline.polynomials.common_arcs import Image, RationalMap
 from exactspline.polynomials.isolation import isolate

@@ -8,11 +8,11 @@ from math import comb
 from pathlib import Path
 
 import pytest
+from gmpy2 import mpq
 
 from exactspline import BSpline, Nurbs, certificates, check_certificate, zeros
 from exactspline.certificates.zeros import product_of, sturm_count
 from exactspline.geometry.analysis.inspection import solved
-from exactspline.numbers.exact import mpq
 from tests.support.sampled import sample
 
 T = BSpline.identity(0, 1)

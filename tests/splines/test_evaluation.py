@@ -4,10 +4,10 @@ import random
 from fractions import Fraction
 
 import pytest
+from gmpy2 import mpq
 
 from exactspline import Nurbs, Side, example, examples
 from exactspline.errors import DomainError, NumberError
-from exactspline.numbers.exact import mpq
 from exactspline.splines.evaluation import BITS
 
 

@@ -14,12 +14,10 @@ from exactspline import BSpline, Nurbs, analyse, derive, example
 from exactspline.errors import ShapeError
 from exactspline.geometry.derived.constructions import all_constructions
 from exactspline.interchange.examples import example_names
-from exactspline.language import kinds
+from exactspline.language import Vector, det, formula, kinds, wronskian
 from exactspline.language.arguments import Curve
-from exactspline.language.formula import formula
 from exactspline.language.ruled import split
-from exactspline.language.vector import Vector, det
-from exactspline.language.wronskians import logarithmic_numerator, osculating, wronskian, wronskians
+from exactspline.language.wronskians import logarithmic_numerator, osculating, wronskians
 from exactspline.papers import find
 from exactspline.programs.program import operands_of, program_of
 from exactspline.splines.knots import Mesh

@@ -3,12 +3,12 @@
 import random
 
 import pytest
+from gmpy2 import mpq
 from hypothesis import given
 from hypothesis import strategies as st
 
 from exactspline import BSpline, Direction, KnotVector, Nurbs, analyse, example, examples
 from exactspline.errors import KnotError, ShapeError
-from exactspline.numbers.exact import mpq
 from exactspline.splines import blossom
 from exactspline.splines.common import splines_over, with_common_denominators
 from tests.support.strategies import DOMAINS, knot_vectors, numbers

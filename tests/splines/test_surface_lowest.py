@@ -15,8 +15,7 @@ from hypothesis import strategies as st
 
 from exactspline import TensorSpline
 from exactspline.errors import ReductionError
-from exactspline.language import Vector
-from exactspline.language.rational import Rational
+from exactspline.language import Rational, Vector
 from exactspline.splines.lowest_terms import CONTEXT, as_mpoly, as_packed, surface_in_lowest_terms
 from tests.support import oracles
 from tests.support.strategies import DOMAINS, numbers, positive_numbers, tensor_splines

@@ -9,12 +9,14 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from typing import Any, Protocol, cast
 
+from gmpy2 import mpq
+
 from exactspline import Nurbs, Side, rational
 from exactspline.errors import DomainError
+from exactspline.language import Vector
 from exactspline.language.arguments import Curve
 from exactspline.language.operand import CONSTANTS, Constant
-from exactspline.language.vector import Vector
-from exactspline.numbers.exact import Number, mpq
+from exactspline.numbers.exact import Number
 from exactspline.one_line import short_text
 from exactspline.readings.taylor import Coefficient, Series
 

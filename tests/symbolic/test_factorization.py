@@ -2,8 +2,8 @@
 
 from gmpy2 import mpq
 
+from exactspline.language import Vector, det, norm2
 from exactspline.language.kinds import SPACE
-from exactspline.language.vector import Vector, det, norm2
 from exactspline.papers import find
 from exactspline.readings import JetReading
 from exactspline.symbolic import factorization

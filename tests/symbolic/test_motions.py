@@ -6,7 +6,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from exactspline import BSpline
-from exactspline.language.vector import Vector, det, norm2
+from exactspline.language import Vector, det, norm2
 from exactspline.symbolic.motions import MAPS
 from exactspline.symbolic.motions import rotation_rows as rotation
 from exactspline.verification.kinds.invariance import image_of_point as image_of

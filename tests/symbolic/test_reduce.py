@@ -7,9 +7,9 @@ from gmpy2 import mpq
 
 from exactspline import example
 from exactspline.errors import FormulaError, ReachError, ShapeError
-from exactspline.language import Vector, cross, det, dot, formula, norm2, perp
+from exactspline.language import Vector, cross, det, dot, formula, norm2, perp, ruled
 from exactspline.language.kinds import CURVE, SPACE
-from exactspline.language.ruled import RuledSurface, ruled, split
+from exactspline.language.ruled import RuledSurface, split
 from exactspline.papers import all_formulas, find, known_as
 from exactspline.readings import JetReading
 from exactspline.readings.differential_order import order_of
@@ -258,7 +258,7 @@ def test_generators_lose_any_factor():
     """A generator times f2 is the same ruling: the factor is told, and dropped."""
 
     def surface(c):
-        from exactspline.language.ruled import ruled
+        from exactspline.language import ruled
 
         return ruled(c.gamma, c.gamma.d(1) * norm2(c.p))
 

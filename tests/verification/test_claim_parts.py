@@ -8,10 +8,9 @@ import pytest
 from exactspline import BSpline, Nurbs, decide, example
 from exactspline.display.evidence import worded
 from exactspline.errors import ClaimError, FormulaError
+from exactspline.language import Rational, Vector, join
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import CURVE, PLANE, kind_of
-from exactspline.language.rational import Rational
-from exactspline.language.vector import Vector, join
 from exactspline.papers import all_formulas, find
 from exactspline.readings import trace
 from exactspline.readings.printing import print_text, symbol_text

@@ -5,8 +5,7 @@ import pytest
 from exactspline import example, paper
 from exactspline.display.evidence import worded
 from exactspline.errors import ClaimError
-from exactspline.language.formula import formula
-from exactspline.language.vector import det, dot, norm2
+from exactspline.language import det, dot, formula, norm2
 from exactspline.papers import find
 from exactspline.verification.combined import combined
 from exactspline.verification.kinds.contact import Contact

@@ -5,8 +5,7 @@ from dataclasses import replace
 import pytest
 
 from exactspline import decide, paper
-from exactspline.papers import load_paper
-from exactspline.papers.folder import Table
+from exactspline.papers import Table, load_paper
 from exactspline.readings import parse_degree
 from exactspline.readings.degree import Degree
 from exactspline.verification.claims import claim_of, claims_of

@@ -8,10 +8,10 @@ from exactspline import Nurbs, example, paper
 from exactspline.display.evidence import worded
 from exactspline.errors import ClaimError
 from exactspline.interchange.examples import example_names
+from exactspline.language import Vector, det, dot
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import kind_of
 from exactspline.language.ruled import RuledSurface
-from exactspline.language.vector import Vector, det, dot
 from exactspline.papers import find, load_paper
 from exactspline.papers.new import write_new_paper
 from exactspline.readings.leading_terms import generic_true_degree

@@ -8,11 +8,11 @@ from gmpy2 import mpq
 
 from exactspline import Nurbs, TensorSpline, analyse, decide, example, zeros
 from exactspline.errors import ClaimError
+from exactspline.language import Vector, join
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import CURVE
 from exactspline.language.operand import Parameter
 from exactspline.language.ruled import split
-from exactspline.language.vector import Vector, join
 from exactspline.numbers.intervals import Interval
 from exactspline.papers import find
 from exactspline.readings.degree import Degree

@@ -9,10 +9,10 @@ from gmpy2 import mpq
 
 from exactspline import Nurbs, TensorSpline, decide, example, verify
 from exactspline.errors import ClaimError, FormulaError
+from exactspline.language import Vector, ruled
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import CURVE, PAIR, POINT_IN_SPACE, kind_of
-from exactspline.language.ruled import ruled, split
-from exactspline.language.vector import Vector
+from exactspline.language.ruled import split
 from exactspline.papers import find, load_paper
 from exactspline.readings import parse_degree, trace
 from exactspline.readings.jet import RationalJetReading

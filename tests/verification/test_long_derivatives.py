@@ -4,9 +4,8 @@ import re
 
 import pytest
 
-from exactspline.language.formula import formula
+from exactspline.language import Vector, cross, det, dot, formula, norm2
 from exactspline.language.kinds import SPACE
-from exactspline.language.vector import Vector, cross, det, dot, norm2
 from exactspline.papers import load_paper
 from exactspline.readings import jet
 from exactspline.readings.differential_order import is_polynomial, order_of

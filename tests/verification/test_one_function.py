@@ -8,8 +8,7 @@ import pytest
 import exactspline as xs
 from exactspline import decide, degree
 from exactspline.errors import FormulaError, ReachError
-from exactspline.language import formula
-from exactspline.language.vector import Vector
+from exactspline.language import Vector, formula
 from exactspline.papers import find, papers
 from exactspline.tables import jets_for
 from exactspline.verification import one_function

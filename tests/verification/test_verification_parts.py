@@ -9,9 +9,9 @@ from gmpy2 import mpq
 from exactspline import BSpline, Nurbs, TensorSpline, example
 from exactspline.display.evidence import worded
 from exactspline.display.tables import erratum_data
+from exactspline.language import Vector
 from exactspline.language.kinds import PAIR, PLANE_POINT, POINT_IN_SPACE, SURFACE, kind_of
 from exactspline.language.surface_kind import Surface
-from exactspline.language.vector import Vector
 from exactspline.papers import all_formulas, find, known_as
 from exactspline.readings import JetReading
 from exactspline.symbolic.covariants import degree_at

@@ -9,8 +9,7 @@ from exactspline.display.evidence import worded
 from exactspline.errors import FormulaError
 from exactspline.language.kinds import kind_of
 from exactspline.numbers.exact import to_fmpq
-from exactspline.papers import load_paper
-from exactspline.papers.folder import Table
+from exactspline.papers import Table, load_paper
 from exactspline.readings import JetReading
 from exactspline.verification.claims import all_claims, claim_of, claims_of
 from exactspline.verification.evaluation import on_segments

@@ -11,7 +11,7 @@ import pytest
 
 from docs.site import benchmarks
 from exactspline.batch.sweep import Where
-from exactspline.display.plot.canvas import PlotError
+from exactspline.display.plot import PlotError
 from exactspline.errors import FormulaError
 from exactspline.papers import find
 from exactspline.tables import surface_pair

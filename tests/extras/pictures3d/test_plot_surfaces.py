@@ -8,13 +8,13 @@ from gmpy2 import mpq
 pytest.importorskip("matplotlib")
 
 from exactspline import BSpline, TensorSpline, example, zeros
-from exactspline.display.plot.canvas import PlotError, homogeneous, inside, new_figure, save
-from exactspline.display.plot.curves import plot_curve, plot_quotient
-from exactspline.display.plot.functions import plot_function, plot_roots
+from exactspline.display.plot import PlotError, new_figure, plot_curve, plot_function, plot_quotient, plot_roots
+from exactspline.display.plot.canvas import homogeneous, inside, save
 from exactspline.errors import FormulaError, ShapeError
+from exactspline.extras.pictures3d import plot_bisector, plot_ruled_surface, plot_surface
 from exactspline.extras.pictures3d.html import Scene, scenes_data, turning_page
 from exactspline.extras.pictures3d.meshes import ruled_mesh, tensor_mesh
-from exactspline.extras.pictures3d.surfaces import plot_bisector, plot_mesh, plot_ruled_surface, plot_surface
+from exactspline.extras.pictures3d.surfaces import plot_mesh
 from exactspline.language import Rational, Vector, cross, dot
 from exactspline.language.ruled import RuledSurface
 from exactspline.papers import find

@@ -11,6 +11,7 @@ from xml.etree import ElementTree
 
 import pytest
 from click.testing import CliRunner
+from gmpy2 import mpq
 
 from exactspline import Nurbs, example, rational
 from exactspline.cli import app
@@ -41,7 +42,7 @@ from exactspline.extras.teaching.exercises import LARGEST
 from exactspline.extras.teaching.parts import Math
 from exactspline.extras.teaching.topics import HINTS, TOPICS, TopicError, about, exercises
 from exactspline.interchange.curve_files import curve_data
-from exactspline.numbers.exact import mpq, point_text
+from exactspline.numbers.exact import point_text
 from exactspline.papers import find
 from tests.support.command import invoke
 

@@ -7,6 +7,7 @@ from xml.etree import ElementTree
 
 import pytest
 from click.testing import CliRunner
+from gmpy2 import mpq
 from hypothesis import given
 from hypothesis import strategies as st
 
@@ -16,7 +17,7 @@ from exactspline.errors import DomainError, KnotError, ShapeError
 from exactspline.extras.teaching import de_boor_triangle, elevation_triangles, insertion_triangle, product_tables
 from exactspline.extras.teaching.display.triangles import html_page, sheets
 from exactspline.interchange.examples import example_names
-from exactspline.numbers.exact import mpq, text
+from exactspline.numbers.exact import text
 from exactspline.tables import mathematics
 
 SMALL = st.integers(-9, 9)
