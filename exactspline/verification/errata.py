@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from exactspline.errors import ClaimError, as_items
 from exactspline.hooks import Displayed
 from exactspline.language.kinds import kind_of
-from exactspline.language.operand import Parameter
+from exactspline.language.operand import Counting, Parameter
 from exactspline.one_line import OneLine, one_line
 from exactspline.papers import Paper, default_papers, known_as
 from exactspline.readings.printing import symbol_text
@@ -213,6 +213,18 @@ def _has_factor(claim: Identity, dimension: int) -> bool:
         return False
 
 
+#: What the checks import.
+FACTOR = "from exactspline.verification.generic_proof import factor_of"
+JETS = "from exactspline.symbolic.factorization import jets_for"
+LOWEST = "from exactspline.verification.generic_proof import lowest_degree"
+NOMINAL = "from exactspline.readings.degree import DegreeReading"
+#: What a degree is counted by; others are shown by their claim.
+DEGREES = {
+    (Measure.NOMINAL, Parameter.FIRST, Counting.TABLE_1): (NOMINAL, "DegreeReading().count"),
+    (Measure.LOWEST_TERMS, Parameter.FIRST, Counting.TABLE_1): (LOWEST, "lowest_degree"),
+}
+
+
 def check(claim: Claim) -> tuple[str, ...]:
     """A few lines of Python that show that the claim fails. Each line that prints names what it prints: lines that are
     printed for several claims (those that import) are dropped where they repeat.
@@ -231,42 +243,29 @@ def _loading(source: Paper) -> tuple[str, ...]:
 def _shown(claim: Claim) -> tuple[str, ...]:
     d, source = claim.dimensions[0], claim.source_paper
 
-    def named(formula: str) -> str:
-        """A formula by the name that `find` knows, or from the loaded folder."""
-        return repr(known_as(claim.find(formula))).replace("'", '"') if source.package else f"paper.find({formula!r})"
-
     def found(formula: str) -> str:
-        return f"find({named(formula)})" if source.package else named(formula)
+        """A formula by the name that `find` knows, or from the loaded folder."""
+        known = repr(known_as(claim.find(formula))).replace("'", '"')
+        return f"find({known})" if source.package else f"paper.find({formula!r})"
 
     finding = ("from exactspline.papers import find",) if source.package else ()
+    curves = f"{d}, polynomial=True" if claim.of == Scope.POLYNOMIAL else f"{d}"
     if isinstance(claim, Identity) and claim.on == Extent.ALL and _has_factor(claim, d):
+        loading, shown = FACTOR, f"factor_of({found(claim.left)}, {found(claim.right)}, {curves})"
+    elif isinstance(claim, Vanishing) and claim.on == Extent.ALL:
+        loading, shown = JETS, f"{found(claim.left)}(jets_for(({found(claim.left)},), {curves}))"
+    elif isinstance(claim, DegreeClaim) and claim.on == Extent.ALL and _counted(claim) in DEGREES:
+        loading, degree = DEGREES[_counted(claim)]
+        shown = f"{degree}({found(claim.formula)}, {curves})"
+    else:
+        chosen = repr(source.name).replace("'", '"') if source.package else "paper"
         return (
-            "from exactspline.verification.generic_proof import factor_of",
-            f"print(factor_of({named(claim.left)}, {named(claim.right)}, {d}))",
+            "from exactspline.verification.claims import claims_of",
+            f"(claim,) = [each for each in claims_of({chosen}) if each.key == {claim.key!r}]; "
+            "print(claim.refuted_on_examples().witness or claim.prove()[1].witness)",
         )
-    if isinstance(claim, Vanishing) and claim.on == Extent.ALL:
-        return (
-            "from exactspline.symbolic.factorization import jets_for",
-            *finding,
-            f"print({found(claim.left)}(jets_for(({named(claim.left)},), {d})))",
-        )
-    if isinstance(claim, DegreeClaim) and claim.measure == Measure.LOWEST_TERMS and claim.on == Extent.ALL:
-        return (
-            "from exactspline.verification.generic_proof import lowest_degree",
-            *finding,
-            f"print(lowest_degree({found(claim.formula)}, {d}))",
-        )
-    if isinstance(claim, DegreeClaim) and claim.on == Extent.ALL:
-        parameter = f'parameter="{claim.parameter}"' if claim.parameter != Parameter.FIRST else ""
-        return (
-            *finding,
-            "from exactspline.readings.degree import DegreeReading",
-            f"print(DegreeReading({parameter}).of({found(claim.formula)}, {d}, "
-            f"polynomial={claim.of == Scope.POLYNOMIAL}).degree)",
-        )
-    chosen = repr(source.name).replace("'", '"') if source.package else "paper"
-    return (
-        "from exactspline.verification.claims import claims_of",
-        f"(claim,) = [each for each in claims_of({chosen}) if each.key == {claim.key!r}]; "
-        "print(claim.refuted_on_examples().witness or claim.prove()[1].witness)",
-    )
+    return (*finding, loading, f"print({shown})")
+
+
+def _counted(claim: DegreeClaim) -> tuple[Measure, Parameter, Counting]:
+    return claim.measure, claim.parameter, claim.counting

@@ -21,6 +21,7 @@ from exactspline.papers import Table, load_paper, named_papers, papers, resolve
 from exactspline.papers.new import write_new_paper
 from exactspline.symbolic.assumptions import Assumption
 from exactspline.verification.claims import claim_of, claims_of
+from exactspline.verification.errata import check
 from exactspline.verification.evaluation import Evaluation
 from exactspline.verification.ledger import audit
 from exactspline.verification.verdict import PROVED, REFUTED, VERIFIED
@@ -491,3 +492,18 @@ def test_an_error_names_its_line_and_a_degree_that_is_not_known_is_not_shown(tru
     assert degree["verdict"] == "REFUTED", "where w = 1 the degree is known"
     text = invoke("prove", "--paper", str(folder), *["--trust"] * trust).output.split("On the")[0]
     assert not re.search(r"(^|\s), not ≤ 0", text)
+
+
+def test_the_check_of_a_degree_shows_the_degree_that_is_claimed(tmp_path, monkeypatch, capsys):
+    """Before, it printed the nominal degree whatever the measure, and that of rational curves in lowest terms."""
+    monkeypatch.chdir(tmp_path)
+    degree = {"kind": "degree", "statement": "s", "curve": "plane", "of": "polynomial", "expected": "REFUTED"}
+    told = {
+        "true": (degree | {"id": "1", "formula": "turn", "claimed": "2d - 3"}, "at d = 3: 2, not 3"),
+        "lowest terms": (degree | {"id": "2", "formula": "v", "claimed": "d"}, "d − 1"),
+    }
+    formulas = plane_formulas(turn="det(c.gamma.d(1), c.gamma.d(2))", v="c.gamma.d(1)")
+    folder = written(tmp_path / "p", formulas, [claim | {"measure": name} for name, (claim, _) in told.items()])
+    for claim, (_, shown) in zip(claims_of(load_paper(folder)), told.values(), strict=True):
+        exec("\n".join(check(claim)), {})
+        assert shown in capsys.readouterr().out

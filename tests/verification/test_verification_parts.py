@@ -289,7 +289,7 @@ def test_an_identity_is_told_with_the_names_of_its_sides():
     (power,) = [e for e in errors_in_print() if e.error == "power-of-w"]
     assert worded(power.statements[0].found) == "g1 = w⁸ · g0"
     assert power.statements[0].witness is None
-    assert power.statements[0].check[1] == 'print(factor_of("g1", "g0", 2))'
+    assert power.statements[0].check[-1] == 'print(factor_of(find("g1"), find("g0"), 2))'
     assert symbol_or_name(claim("C42b-g1-g0"), "g1") == "g1"
     assert symbol_or_name(claim("C43d-evolute_by_frenet-evolute"), "speed_squared") == "‖γ′‖²"
     assert symbol_or_name(claim("C42a-curvature_derivative_numerator-g0"), "curvature_derivative_numerator") == (
