@@ -31,8 +31,9 @@ from exactspline.splines.tensor import TensorSpline
 BITS, BOXES = (1, 2, 3, 4, 6, 8, 12, 16, 24, 32, 48, 64, 96, 128, 192, 256), 20_000
 #: The largest product of the degrees of two functions whose multiple zeros are proved (a few seconds to check).
 DEGREES = 150
-#: The bits of the coefficients of combinations.
-SHORT = 16
+#: The bits of the smaller coefficient of a combination of two functions; in a small region more by its own bits, and
+#: on boxes more where the fewer do not suffice.
+SHORT, LONG = 16, 64
 REMEDY = "ask for the points; they are exact also without a certificate"
 
 #: A zero of two functions, and the patches on which it was found.
@@ -46,8 +47,11 @@ def common_zeros_certificate(functions: Sequence[TensorSpline], found: Sequence[
     """
 
     def proved(patch: tuple[int, int]) -> dict[str, Any]:
-        places = [place for place, own in found if patch in own]
-        return _patch([f.patch_form(*patch) for f in functions], functions[0].patch(*patch), places)
+        forms = [f.patch_form(*patch) for f in functions]
+        degree = max(f.degree[0] for f in forms), max(f.degree[1] for f in forms)
+        raised = [form.elevated(degree) for form in forms]
+        nets = [[[str(x) for x in row] for row in form.matrix.tolist()] for form in raised]
+        return {"functions": nets} | proof_on_patch(raised, patch, functions[0].patch(*patch), found)
 
     return written(COMMON_ZEROS, on_each_patch(functions[0], proved))
 
@@ -61,13 +65,16 @@ def on_each_patch(function: TensorSpline, proved: Callable[[tuple[int, int]], di
     }
 
 
-def _patch(given: Sequence[PatchForm], sides: Box, places: Sequence[Place]) -> dict[str, Any]:
-    degree = max(f.degree[0] for f in given), max(f.degree[1] for f in given)
-    forms = [form.elevated(degree) for form in given]
-    zeros = [ZeroOnPatch(forms, sides, place) for place in places]
+def proof_on_patch(
+    forms: Sequence[PatchForm], patch: tuple[int, int], sides: Box, found: Iterable[Found]
+) -> dict[str, object]:
+    """The proof that the zeros found on a patch are all common zeros there of forms of one degree.
+
+    Raises `ReachError` where there are too many boxes, or the degrees are too high.
+    """
+    zeros = [ZeroOnPatch(forms, sides, place) for place, own in found if patch in own]
     regions = [zero.region(bits) for zero, bits in zip(zeros, _sizes(zeros), strict=True)]
     return {
-        "functions": [[[str(x) for x in row] for row in form.matrix.tolist()] for form in forms],
         "zeros": [zero.data(region) for zero, region in zip(zeros, regions, strict=True)],
         "boxes": list(_boxes(forms, regions)),
     }
@@ -162,7 +169,8 @@ class ZeroOnPatch:
         """Combinations that are nearly multiples of the distances in both parameters."""
         assert self.simple is not None
         i, j = self.simple
-        rows = _preconditioning(self.forms[i].part(region), self.forms[j].part(region))
+        bits = SHORT + int(1 / region.first.width).bit_length()
+        rows = _preconditioning(self.forms[i].part(region), self.forms[j].part(region), bits)
         return [_of_two(row, i, j, len(self.forms)) for row in rows]
 
     def _pair(self, region: Box) -> list[PatchForm]:
@@ -277,9 +285,9 @@ def _combination(forms: Sequence[PatchForm], coefficients: Sequence[int]) -> Pat
     return PatchForm(matrix)
 
 
-def _short(a: Any, b: Any) -> list[int]:
-    """Two integers in nearly the same ratio, of few bits."""
-    shift = max(0, max(int(a).bit_length(), int(b).bit_length()) - SHORT)
+def _short(a: Any, b: Any, bits: int) -> list[int]:
+    """Two integers in nearly the same ratio, the smaller one of few bits."""
+    shift = max(0, min(int(x).bit_length() for x in (a or b, b or a)) - bits)
     return [int(a) >> shift, int(b) >> shift]
 
 
@@ -310,14 +318,14 @@ def _candidates(forms: Sequence[PatchForm]) -> Iterator[list[int]]:
     """Combinations that may have one sign."""
     count = len(forms)
     yield from ([int(k == i) for k in range(count)] for i in range(count))
-    for i, j in combinations(range(count), 2):
-        for row in _preconditioning(forms[i], forms[j]):
+    for bits, (i, j) in product((SHORT, LONG), combinations(range(count), 2)):
+        for row in _preconditioning(forms[i], forms[j], bits):
             yield _of_two(row, i, j, count)
 
 
-def _preconditioning(f: PatchForm, g: PatchForm) -> list[list[int]]:
+def _preconditioning(f: PatchForm, g: PatchForm, bits: int) -> list[list[int]]:
     """The rows of the adjugate of the Jacobian, estimated from the corners."""
     (a, b), (c, d) = (
         (right + top - low - up, up + top - low - right) for low, up, right, top in (f.corners, g.corners)
     )
-    return [_short(d, -b), _short(-c, a)]
+    return [_short(d, -b, bits), _short(-c, a, bits)]

@@ -10,15 +10,20 @@ points: at most one point is a common zero there. That there is one is proved by
 all of this is proved by elimination (`exactspline.certificates.elimination`).
 """
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from fractions import Fraction
 from functools import reduce
 from itertools import combinations, pairwise, product
 from math import comb
 from typing import Any, TypeVar
 
-from exactspline.certificates.elimination import SINGLE_ZERO, check_single_zero, powers_of_net
-from exactspline.certificates.intersections import changes_sign, common_divisor
+from exactspline.certificates.elimination import (
+    SINGLE_ZERO,
+    changes_sign,
+    check_single_zero,
+    common_divisor,
+    powers_of_net,
+)
 from exactspline.certificates.numbers import count, each, fraction, integer, one_of, read, require, require_each_once
 from exactspline.certificates.zeros import halves_at, values_on
 
@@ -40,7 +45,7 @@ def check_common_zeros(certificate: Mapping[str, object]) -> dict[str, int]:
     """The number of common zeros that a certificate proves, one for each patch that has it; of two functions also the
     sum of the intersection multiplicities.
     """
-    found = on_each_patch(certificate, {"functions": [NET], "zeros": [_zero], "boxes": [_token]}, _on_patch)
+    found = on_each_patch(certificate, {"functions": [NET], **ZEROS}, _on_patch)
     counts = {count for count, _ in found}
     require(len(counts) == 1, "another number of functions on another patch")
     multiplicities = [times for _, own in found for times in own]
@@ -81,19 +86,30 @@ def _token(given: Any) -> Any:
     return read(given, [integer])
 
 
+#: What proves the common zeros of functions on a patch.
+ZEROS: dict[str, object] = {"zeros": [_zero], "boxes": [_token]}
+
+
 def _on_patch(patch: Mapping[str, Any]) -> tuple[int, list[int]]:
     """The number of functions on a patch, and the multiplicities of their zeros."""
     functions = patch["functions"]
     require(len(functions) >= 2, "fewer functions than two")
     sizes = {(len(net), len(row)) for net in functions for row in net}
     require(len(sizes) == 1 and all(map(all, sizes)) and all(functions), "functions of different degrees")
-    proved = each("zeros", lambda zero: _region(functions, zero), patch["zeros"])
+    return len(functions), multiplicities_on_patch(functions, patch["zeros"], patch["boxes"])
+
+
+def multiplicities_on_patch(
+    functions: Sequence[Net], zeros: Iterable[Mapping[str, object]], boxes: Sequence[object]
+) -> list[int]:
+    """The multiplicities of all common zeros of functions on the unit square, as `ZEROS` prove them."""
+    proved = each("zeros", lambda zero: _region(functions, zero), zeros)
     regions = [region for region, _ in proved]
     for one, other in combinations(regions, 2):
         apart = any(a[1] < b[0] or b[1] < a[0] for a, b in zip(one, other, strict=True))
         require(apart, "regions of two zeros that meet")
-    _check_boxes(functions, patch["boxes"], regions)
-    return len(functions), [times for _, times in proved]
+    _check_boxes(functions, boxes, regions)
+    return [times for _, times in proved]
 
 
 # ---- boxes
@@ -109,13 +125,7 @@ def _check_boxes(functions: Sequence[Net], tokens: Sequence[Any], regions: Seque
         require(bool(todo), "more boxes than the cuts leave")
         box, nets = todo.pop()
         if token in (FIRST, SECOND):
-            k = int(token == SECOND)
-            low, high = box[k]
-            middle = (low + high) / 2
-            pairs = [halves(net, k) for net in nets]
-            for end in (1, 0):
-                side = (low, middle) if end == 0 else (middle, high)
-                todo.append(((box[0], side) if k else (side, box[1]), [pair[end] for pair in pairs]))
+            todo += cut(box, nets, int(token == SECOND))
         elif type(token) is int:
             require(0 <= token < len(regions), "the number of a region that does not exist")
             inside = all(a <= low <= high <= b for (low, high), (a, b) in zip(box, regions[token], strict=True))
@@ -123,6 +133,15 @@ def _check_boxes(functions: Sequence[Net], tokens: Sequence[Any], regions: Seque
         else:
             require(sign_on(_combined(nets, token)) != 0, "a box on which the combination has not one sign")
     require(not todo, "boxes that are missing")
+
+
+def cut(box: Box, nets: Sequence[Net], direction: int) -> list[tuple[Box, list[Net]]]:
+    """The upper and the lower half of a box, with the functions there."""
+    low, high = box[direction]
+    middle, pairs = (low + high) / 2, [halves(net, direction) for net in nets]
+    sides = (middle, high), (low, middle)
+    boxes = [(box[0], side) if direction else (side, box[1]) for side in sides]
+    return [(half, [pair[end] for pair in pairs]) for half, end in zip(boxes, (1, 0), strict=True)]
 
 
 def halves(net: Net, direction: int) -> tuple[Net, Net]:

@@ -11,7 +11,7 @@ from math import comb, gcd, lcm
 from typing import Any, TypeVar
 
 from exactspline.certificates.numbers import count, fraction, integer, require
-from exactspline.certificates.zeros import Number, product_of
+from exactspline.certificates.zeros import Number, Zero, product_of, restricted
 
 Polynomial = list[int]
 Rows = list[Polynomial]
@@ -418,3 +418,57 @@ def integral(p: Sequence[Any]) -> Polynomial:
     numbers = [Fraction(c) for c in p]
     bottom = lcm(*(c.denominator for c in numbers))
     return trimmed([int(c * bottom) for c in numbers])
+
+
+def require_place(zero: Zero, a: Fraction, b: Fraction) -> None:
+    """Raise `ValueError` unless [a, b] has an isolated zero of a form, and no other one of its leaf."""
+    low, high, factor, *_ = zero
+    if low == high:
+        require(a == b == low, "another place than that of the zero")
+    elif a == b:
+        require(low < a < high and restricted(factor, a, a)[0] == 0, "a place that is not the zero")
+    else:
+        require(low <= a < b <= high, "a place outside the leaf of the zero")
+        require(changes_sign(factor, a, b), "a place without the zero")
+
+
+def changes_sign(form: Polynomial, a: Fraction, b: Fraction) -> bool:
+    """Whether a form has opposite signs at two parameters.
+
+    >>> changes_sign([-1, 1], Fraction(0), Fraction(1))
+    True
+    """
+    values = restricted(form, a, b)
+    return values[0] * values[-1] < 0
+
+
+def zero_at(form: Polynomial, factor: Polynomial, a: Fraction, b: Fraction) -> bool:
+    """Whether a form is zero at the only zero of the factor in [a, b].
+
+    >>> zero_at([-2, 1], [4, 0, -1], Fraction(1, 2), Fraction(1))  # at t/(1 − t) = 2
+    True
+    """
+    if a == b:
+        return restricted(form, a, b)[0] == 0
+    common = common_divisor(form, factor)
+    return len(common) > 1 and changes_sign(common, a, b)
+
+
+def common_divisor(p: Polynomial, q: Polynomial) -> Polynomial:
+    """A greatest common divisor of two polynomials; empty if both are zero.
+
+    >>> common_divisor([-1, 0, 1], [1, 2, 1])
+    [-1, -1]
+    """
+    p, q = trimmed(p), trimmed(q)
+    while q:
+        rest = list(p)
+        while len(rest) >= len(q):
+            top, shift = rest[-1], len(rest) - len(q)
+            rest = [x * q[-1] for x in rest]
+            for i, x in enumerate(q):
+                rest[shift + i] -= top * x
+            rest = trimmed(rest[:-1])
+        size = gcd(*rest) or 1
+        p, q = q, [x // size for x in rest]
+    return p

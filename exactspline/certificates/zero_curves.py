@@ -25,7 +25,7 @@ from exactspline.certificates.common_zeros import (
     Box,
     Net,
     Side,
-    halves,
+    cut,
     on_each_patch,
     part,
     sign_on,
@@ -36,6 +36,7 @@ from exactspline.certificates.elimination import (
     Polynomial,
     at_height,
     check_single_zero,
+    common_divisor,
     composed,
     integral,
     is_free,
@@ -43,14 +44,15 @@ from exactspline.certificates.elimination import (
     quotient_by,
     quotient_over,
     require_only_root,
+    require_place,
     sign_over,
     subresultant,
     total,
     trimmed,
     value_of,
     value_over,
+    zero_at,
 )
-from exactspline.certificates.intersections import common_divisor, require_place, zero_at
 from exactspline.certificates.numbers import count, each, fraction, integer, one_of, read, require, within
 from exactspline.certificates.zeros import ISOLATION, isolated_zeros, product_of, values_on
 
@@ -152,17 +154,13 @@ class _OnPatch:
         require(all(len(ends) > 1 and (ends[0], ends[-1]) == UNIT for ends in cuts), "cuts that miss the border")
         require(all(a < b for ends in cuts for a, b in pairwise(ends)), "cuts that do not ascend")
         boxes = [(first, second) for first in pairwise(cuts[0]) for second in pairwise(cuts[1])]
-        todo = [(box, part(self.net, box)) for box in boxes[::-1]]
+        todo = [(box, [part(self.net, box)]) for box in boxes[::-1]]
         seen = set[int]()
         for token in tokens:
             require(bool(todo), "more boxes than the cuts leave")
-            box, net = todo.pop()
+            box, (net,) = todo.pop()
             if token in (FIRST, SECOND):
-                k = int(token == SECOND)
-                low, high = box[k]
-                middle = (low + high) / 2
-                for net_of_half, side in zip(halves(net, k)[::-1], ((middle, high), (low, middle)), strict=True):
-                    todo.append(((box[0], side) if k else (side, box[1]), net_of_half))
+                todo += cut(box, [net], int(token == SECOND))
             elif token == SIGN:
                 require(sign_on(net) != 0, "a box on which the function has not one sign")
             elif token in ACROSS:

@@ -11,6 +11,7 @@ import json
 import sys
 from collections import Counter
 from fractions import Fraction
+from itertools import product
 from math import comb
 from operator import itemgetter
 from pathlib import Path
@@ -26,7 +27,6 @@ from tests.support.elimination_oracle import S, T, common_points, solutions
 
 #: Texts in certificates that are not numbers.
 WORDS = (
-    ("inside", "outside", "start", "end"),
     ("crossed", "point", "edge", "eliminated"),
     ("first", "second"),
     ("sign", "first monotone", "second monotone"),
@@ -192,16 +192,24 @@ def another(value, random):
 
 
 def points_of(certificate):
-    """The number of common points of all pairs of segments, None where two have a common component."""
-    curves = [
-        [
-            [tuple(Fraction(int(form[i]), comb(len(form) - 1, i)) for form in forms) for i in range(len(forms[0]))]
-            for forms in ([segment[name] for name in ("x", "y", "w")] for segment in certificate[side])
-        ]
-        for side in ("first", "second")
-    ]
-    found = [common_points(one, other) for one in curves[0] for other in curves[1]]
-    return None if any(shared for _, shared in found) else sum(len(points) for points, _ in found)
+    """The number of common points of all pairs of segments, None where two have an arc in common."""
+    curves = [[rows_of(segment) for segment in certificate[side]] for side in ("first", "second")]
+    counts = [number_of_points(*pair) for pair in product(*curves)]
+    return None if None in counts else sum(counts)
+
+
+def rows_of(segment):
+    """The control points of a segment, their coordinates times the weight, and this."""
+    return list(zip(*([Fraction(x) for x in segment[name]] for name in "xyw"), strict=True))
+
+
+def number_of_points(*rows):
+    """By elimination; where there is a common component, of which the segments may be arcs apart, by the library."""
+    points, shared = common_points(*rows)
+    if not shared:
+        return len(points)
+    found = intersections(*(curve([own]) for own in rows))
+    return None if found.everywhere else len(found)
 
 
 def zeros_of(certificate):

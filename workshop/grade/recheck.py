@@ -28,6 +28,7 @@ CHORDS = 24
 #: How much nearer parts of two curves may be, as a fraction of the largest coordinate, and the pairs of parts compared.
 CLOSER, PAIRS = 1e-8, 20_000
 Jet = list[list[Fraction]]
+Side = tuple[Fraction, Fraction]
 
 
 class Curve(NamedTuple):
@@ -435,24 +436,30 @@ def _meetings(curve: Curve, t: Fraction, question: str, answer: Answer) -> None:
     for name, each in zip(("first", "second"), curves, strict=True):
         _require(len(certificate[name]) == len(ends) - 1, "another number of segments")
         for segment, (a, b) in zip(certificate[name], pairwise(ends), strict=True):
-            _same_forms([list(map(int, segment[axis])) for axis in "xyw"], each, a, b)
+            _same_forms([_form(segment[axis]) for axis in "xyw"], each, a, b)
     pairs = [answer["numbers"][i : i + 2] for i in range(0, len(answer["numbers"]), 2)]
     named = [[(Fraction(low), Fraction(high)) for low, high in pair] for pair in pairs]
     for first, second in named:
         gap = _distance(*(_point(c, (low + high) / 2) for c, (low, high) in zip(curves, (first, second), strict=True)))
         _require(gap <= Fraction(1, 10**9) * max(abs(x) for row in curve.rows for x in row), "points that are apart")
     proved = [place for pair in certificate["pairs"] for place in _places_of(pair, ends)]
-    for index, low, high in proved:
-        _require(any(_overlap(both[index], (low, high), ends) for both in named), "a common point is missing")
-    for both in named:
-        found = any(_overlap(both[index], (low, high), ends) for index, low, high in proved)
-        _require(found, "a common point is invented")
-    # a single pair of segments has each of its common points once, and the seam of a closed curve is one point
-    at_ends = {index for index, low, high in proved if low == high == ends[0]} & {
-        index for index, low, high in proved if low == high == ends[-1]
-    }
-    seams = sum(_point(curves[index], ends[0]) == _point(curves[index], ends[-1]) for index in at_ends)
-    _require(len(ends) > 2 or len(named) == len(proved) - seams, "another number of common points")
+    found = [[k for k, region in enumerate(proved) if _agree(both, region, ends)] for both in named]
+    _require(all(found), "a common point is invented")
+    of_each = [k for own in found for k in own]
+    _require({*of_each} == {*range(len(proved))}, "a common point is missing")
+    if len(ends) == 2:
+        # a single pair of segments has each of its common points once, and the seam of a closed curve is one point
+        once = all(len(own) == 1 or _at_seam(both, ends) for own, both in zip(found, named, strict=True))
+        _require(once and len(of_each) == len(proved), "another number of common points")
+
+
+def _form(points: list[str]) -> list[int]:
+    """The form ``Σ c_i (1 − u)ⁿ⁻ⁱ uⁱ`` with these Bézier points."""
+    return [comb(len(points) - 1, i) * int(x) for i, x in enumerate(points)]
+
+
+def _at_seam(both: list[Side], ends: list[Fraction]) -> bool:
+    return any(low == high and low in (ends[0], ends[-1]) for low, high in both)
 
 
 def _same_forms(forms: list[list[int]], curve: Curve, a: Fraction, b: Fraction) -> None:
@@ -467,21 +474,27 @@ def _same_forms(forms: list[list[int]], curve: Curve, a: Fraction, b: Fraction) 
     _require(len(ratios) == 1 and min(ratios) > 0, "another curve")
 
 
-def _places_of(pair: dict[str, Any], ends: list[Fraction]) -> list[tuple[int, Fraction, Fraction]]:
-    """The common points of two segments: of which curve the parameter is known, and the interval around it."""
-    if "apart" in pair:
-        return []
-    index = 0 if pair["exchanged"] else 1
-    a, b = ends[pair["segments"][index] : pair["segments"][index] + 2]
-    found = [zero for zero in pair["zeros"] if zero["s"] != "outside"]
-    return [(index, a + (b - a) * Fraction(zero["low"]), a + (b - a) * Fraction(zero["high"])) for zero in found]
+def _places_of(pair: dict[str, Any], ends: list[Fraction]) -> list[list[Side]]:
+    """The intervals of both parameters around each common point of two segments."""
+    sides = [ends[k : k + 2] for k in pair["segments"]]
+    return [
+        [
+            (a + (b - a) * Fraction(low), a + (b - a) * Fraction(high))
+            for (low, high), (a, b) in zip(zero["region"], sides, strict=True)
+        ]
+        for zero in pair["zeros"]
+    ]
 
 
-def _overlap(one: tuple[Fraction, Fraction], other: tuple[Fraction, Fraction], ends: list[Fraction]) -> bool:
-    """Whether two intervals have a point in common, the seam of a closed curve being one point."""
-    if one[0] <= other[1] and other[0] <= one[1]:
+def _agree(both: list[Side], region: list[Side], ends: list[Fraction]) -> bool:
+    return all(_overlap(place, side, ends) for place, side in zip(both, region, strict=True))
+
+
+def _overlap(place: Side, region: Side, ends: list[Fraction]) -> bool:
+    """Whether an interval has a point of another one, the seam of a closed curve being one point."""
+    if place[0] <= region[1] and region[0] <= place[1]:
         return True
-    return {one[0], one[1]} <= {ends[0], ends[-1]} and bool({ends[0], ends[-1]} & set(other))
+    return _at_seam([place], ends) and any(region[0] <= end <= region[1] for end in (ends[0], ends[-1]))
 
 
 _CHECKS: dict[str, Callable[[Curve, Fraction, str, Answer], None]] = {

@@ -12,19 +12,22 @@ from dataclasses import dataclass, field
 from enum import StrEnum
 from functools import partial
 from itertools import starmap
+from math import comb
 from typing import Any, NamedTuple
 
 from exactspline.bivariate.common_zeros import common_zeros, multiplicity
+from exactspline.bivariate.common_zeros_certificate import REMEDY, proof_on_patch
+from exactspline.bivariate.zeros import common_zeros as common_zeros_of
+from exactspline.certificates import INTERSECTIONS, certificate
 from exactspline.errors import ReachError, ShapeError
 from exactspline.geometry.bisectors.plane_pair import PlanePair
 from exactspline.geometry.curves.planarity import check_in_one_space, in_common_plane
 from exactspline.geometry.pairs.box_tree import Cone, cone_around, legs, pairs_that_may_meet, segments_of, shift_for
-from exactspline.geometry.pairs.intersection_certificate import intersection_certificate
 from exactspline.geometry.pairs.lazy_intersections import PairForm
 from exactspline.geometry.pairs.sides_at_knots import changes_side, half_branches, interlace
 from exactspline.geometry.pairs.space_intersections import SpaceForms, space_meetings
 from exactspline.hooks import Displayed
-from exactspline.numbers.exact import common_divisor, mpq
+from exactspline.numbers.exact import common_divisor, mpq, over_one_denominator
 from exactspline.numbers.intervals import Box, Interval
 from exactspline.numbers.once import cached_property
 from exactspline.one_line import one_line
@@ -32,15 +35,25 @@ from exactspline.polynomials.bezout import PlaneForms
 from exactspline.polynomials.common_arcs import Arc, Local, Meeting, Meetings, Rest
 from exactspline.polynomials.cost import PATCH, QUESTION, Budget, drawing_on
 from exactspline.polynomials.factors import divided_out, greatest_common_divisor
+from exactspline.polynomials.patch_forms import PatchForm
 from exactspline.polynomials.plane_pairs import meetings, self_meetings
 from exactspline.polynomials.two_parameters import S, T
 from exactspline.polynomials.zero_places import Place
 from exactspline.programs.certain_pairs import certain_pairs
 from exactspline.reals.real import RationalNumber, Real, real
 from exactspline.roots.answers import Answer
-from exactspline.roots.segment_forms import ImageValue, image_splines, is_joined, is_point, parameter, segment_forms
+from exactspline.roots.segment_forms import (
+    ImageValue,
+    image_splines,
+    is_joined,
+    is_point,
+    parameter,
+    segment_forms,
+    segment_rows,
+)
 from exactspline.roots.values import evaluate, segment_polynomials
 from exactspline.splines.nurbs import Nurbs
+from exactspline.splines.tensor import surface_pair
 from exactspline.splines.type_checks import curve_of
 
 
@@ -140,23 +153,75 @@ class Intersections(Answer[Intersection, Overlap], Displayed):
         return super().__bool__() or bool(self.undecided)
 
     def certificate(self) -> dict[str, object]:
-        """A proof, as JSON data with exact strings, that these are all common points (see `exactspline.certificates`).
-        It exists for two plane curves without arcs in common, neither of which passes several times through a common
-        point.
+        """A proof, as JSON data with exact strings, that these are all common points, with their multiplicities (see
+        `exactspline.certificates`). It exists for two plane curves without arcs in common.
 
         >>> from exactspline import Nurbs, check_certificate
         >>> first, second = (Nurbs(1, [0, 0, 1, 1], [(0, y), (1, 1 - y)]) for y in (0, 1))
         >>> check_certificate(intersections(first, second).certificate())
-        {'points': 1}
+        {'points': 1, 'multiplicity': 1}
 
-        Raises `ShapeError` in space, and `ReachError` for other curves.
+        Raises `ShapeError` in space and for weights of different signs, and `ReachError` where arcs are in common, or
+        the proof is too long.
         """
         if self.curves is None:
             raise ShapeError("a certificate of a curve and itself", remedy="give two curves")
-        return intersection_certificate(*self.curves)
+        return _certificate(*self.curves)
 
     def _parts(self) -> list[str]:
         return super()._parts() + [f"undecided: {what}" for what in self.undecided]
+
+
+#: The largest number of pairs of segments of one certificate.
+PAIRS = 10_000
+
+
+def _certificate(first: Nurbs, second: Nurbs) -> dict[str, object]:
+    """The certificate of all common points of two plane curves: of the common zeros of the differences of their
+    coordinates, each times both weights.
+    """
+    if first.dimension != 2 or second.dimension != 2:
+        raise ShapeError("a certificate of points in space", remedy="give curves in the plane")
+    if first.segments * second.segments > PAIRS:
+        raise ReachError(f"a certificate of {first.segments * second.segments} pairs of segments", remedy=REMEDY)
+    one, other = (_homogeneous(curve) for curve in (first, second))
+    pair = surface_pair(first, second)
+    differences = [x * pair.second.w - y * pair.first.w for x, y in zip(pair.first.p, pair.second.p, strict=True)]
+    zeros = common_zeros_of(*differences)
+    if zeros.everywhere or zeros.undecided:
+        raise ReachError("a certificate of curves with arcs in common, or out of reach", remedy=REMEDY)
+    found = [(point.place, point.patches) for point in zeros.points]
+
+    def proved(i: int, j: int) -> dict[str, object]:
+        (*own, w), (*partner, v) = one[i], other[j]
+        forms = [
+            PatchForm.of_net([[x * q - y * p for y, q in zip(ys, v, strict=True)] for x, p in zip(xs, w, strict=True)])
+            for xs, ys in zip(own, partner, strict=True)
+        ]
+        return {"segments": [i, j]} | proof_on_patch(forms, (i, j), differences[0].patch(i, j), found)
+
+    written = {
+        name: [{x: list(map(str, row)) for x, row in zip("xyw", rows, strict=True)} for rows in curve]
+        for name, curve in (("first", one), ("second", other))
+    }
+    pairs = [proved(i, j) for i in range(len(one)) for j in range(len(other))]
+    return certificate(INTERSECTIONS, written | {"pairs": pairs})
+
+
+def _homogeneous(curve: Nurbs) -> list[list[list[int]]]:
+    """The coordinates of the Bézier points of each segment times their weights, and these, as integers; the weights are
+    positive.
+    """
+    found = []
+    for i in range(curve.segments):
+        n, rows = segment_rows(curve, i)
+        integers, _ = over_one_denominator([mpq(int(c), comb(n, k)) for row in rows for k, c in enumerate(row)])
+        sign = 1 if integers[-1] > 0 else -1
+        split = [[sign * x for x in integers[k : k + n + 1]] for k in range(0, len(integers), n + 1)]
+        if min(split[-1]) <= 0:
+            raise ShapeError("a certificate of a curve with weights of different signs", remedy=REMEDY)
+        found.append(split)
+    return found
 
 
 def intersections(first: Nurbs, second: Nurbs) -> Intersections:
