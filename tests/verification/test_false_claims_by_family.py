@@ -185,7 +185,9 @@ def first_segments():
 
 
 def contact_of_anything():
-    """Whatever is multiplied by ‖γ(s̄) − γ(s)‖², or by (x(s̄) − x(s))^k, vanishes there to any order: no object does."""
+    """Whatever is multiplied by ‖γ(s̄) − γ(s)‖², or by (x(s̄) − x(s))^k, vanishes there to any order: no object
+    does.
+    """
     factors = {
         "point": "norm2(c.second.gamma - c.first.gamma)",
         "twice": "norm2(c.second.gamma - c.first.gamma) * norm2(c.second.gamma - c.first.gamma)",

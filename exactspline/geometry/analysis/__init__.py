@@ -1,1 +1,1 @@
-"""What can be asked: the questions about curves, surfaces, maps and pairs, answered from all other rooms."""
+"""The questions about curves, surfaces, maps and pairs, with their answers from all other packages of the geometry."""

@@ -1,4 +1,6 @@
-"""``ask``: any question, given as text, of a curve, a surface, a map of the plane, two curves or surfaces."""
+"""``ask``: the answer to any question, given as text, about a curve, a surface, a map of the plane, two curves or
+surfaces.
+"""
 
 from __future__ import annotations
 
@@ -28,11 +30,11 @@ from exactspline.roots.zero_set import ZeroSet
 from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.surface import NurbsSurface
 
-#: What questions are asked of: an object, or what is known of it.
+#: The objects of questions: curves, surfaces, pairs of these, or their analyses.
 About: TypeAlias = Nurbs | NurbsSurface | tuple[Nurbs, Nurbs] | tuple[NurbsSurface, NurbsSurface] | Remembers
-#: What is asked of two objects of one kind.
+#: The kinds of questions about two objects of the same kind.
 PAIRS = (Of.TWO_CURVES, Of.TWO_SURFACES)
-#: The kinds of objects by what is known of them.
+#: The kinds of objects by the classes of their analyses.
 KINDS: dict[type, Of] = {
     SurfaceInspection: Of.SURFACE,
     MapInspection: Of.PLANAR_MAP,
@@ -45,7 +47,7 @@ KINDS: dict[type, Of] = {
 
 @dataclass(frozen=True, repr=False)
 class Asked(OneLine):
-    """A question of an object: its entry in the registry, and what it is asked with, as text."""
+    """A question about an object: its entry in the registry, and its arguments as text."""
 
     entry: Entry
     facts: Remembers
@@ -78,14 +80,14 @@ def ask(about: About, question: str) -> object:
     >>> ask(example("torus"), "umbilics")
     nowhere
 
-    Raises `QuestionError` for an unknown question and for one that is not asked of such an object, with what would be
-    right, and another `ExactSplineError` where it has no answer.
+    Raises `QuestionError` for an unknown question and for a question about other kinds of objects, with the right form,
+    and another `ExactSplineError` where the question has no answer.
     """
     return asked_of(about, question).answer
 
 
 def asked_of(about: About, question: str) -> Asked:
-    """A question of an object, found in the registry; raises `QuestionError` as `ask` does.
+    """A question about an object, found in the registry; raises `QuestionError` as `ask` does.
 
     >>> from exactspline import example
     >>> asked_of(example("cusp"), "derivative:2@cusps").entry.name
@@ -106,7 +108,9 @@ def asked_of(about: About, question: str) -> Asked:
 
 
 def read_as(entry: Entry, question: str, form: str = "") -> tuple[str, str]:
-    """What stands behind the colon and behind the @ of a question; raises `QuestionError` for too much or little."""
+    """The text behind the colon and the text behind the @ of a question; raises `QuestionError` for too much or too
+    little text.
+    """
     forms = {name: other.form for name, other in REGISTRY[entry.about.of[0]].items()} | {entry.name: form or entry.form}
     _, argument, place = parts_of(question, forms, (entry.name,) if entry.optional else ())
     return argument, place
@@ -136,7 +140,7 @@ def nearest(thing: Nurbs | NurbsSurface, point: Iterable[Number]) -> Nearest | N
 
 
 def check_question(question: str, *of: Of) -> None:
-    """See that a text is a question about one of these kinds of objects; raises `QuestionError` as `ask` does.
+    """Check that a text is a question about one of these kinds of objects; raises `QuestionError` as `ask` does.
 
     >>> check_question("derivative:1,2@0,1/3", Of.SURFACE)
     """
@@ -152,7 +156,7 @@ def check_question(question: str, *of: Of) -> None:
 
 
 def facts_about(about: About) -> Remembers:
-    """What is known of an object, which answers the questions about it.
+    """The analysis of an object, which answers the questions about it.
 
     >>> from exactspline import example
     >>> facts_about((example("circle"), example("ellipse")))
@@ -166,7 +170,7 @@ def facts_about(about: About) -> Remembers:
 
 
 def kind_of(facts: Remembers) -> Of:
-    """The kind of object of which something is known.
+    """The kind of object of an analysis.
 
     >>> from exactspline import analyse, example
     >>> [str(kind_of(analyse(example(name)))) for name in ("circle", "twisted_cubic", "torus")]
@@ -178,7 +182,8 @@ def kind_of(facts: Remembers) -> Of:
 
 
 def _form_for_a_curve(entry: Entry) -> str:
-    """How a question about two curves is asked of one of them: the other one stands before what it takes.
+    """The form of a question about two curves when it is asked of one of them: the other curve comes before the
+    arguments.
 
     >>> _form_for_a_curve(REGISTRY[Of.TWO_CURVES]["intersections_within"])
     'intersections_within:CURVE,1/1000000'
@@ -188,7 +193,7 @@ def _form_for_a_curve(entry: Entry) -> str:
 
 
 def _of_two(curve: Nurbs, question: str) -> Asked:
-    """A question of this curve and another one, which stands before what the question takes."""
+    """A question about this curve and another curve, which comes before the arguments of the question."""
     entry = REGISTRY[Of.TWO_CURVES][name_of(question)]
     form = _form_for_a_curve(entry)
     given, _ = read_as(entry, question, form)
@@ -215,7 +220,7 @@ def _either(kinds: Sequence[Of]) -> str:
 
 
 class Listed(NamedTuple):
-    """A question with the kinds of objects that it is asked of: its name, how it is asked as text, what is asked."""
+    """A question with the kinds of objects that it is asked of: its name, its form as text, its meaning."""
 
     name: str
     form: str
@@ -224,13 +229,13 @@ class Listed(NamedTuple):
 
 
 def questions() -> list[Listed]:
-    """All questions; one about two curves also in the form in which it is asked of one of them.
+    """All questions; a question about two curves is also listed in the form in which it is asked of one of them.
 
     >>> [each.form for each in questions() if each.name == "distance"]
     ['distance', 'distance:CURVE']
     """
     entries = {id(entry): entry for of in REGISTRY.values() for entry in of.values()}
     found = [Listed(entry.name, entry.form, entry.about.of, entry.meaning) for entry in entries.values()]
-    # a question that is also asked of one curve alone takes something else there
+    # a question that is also asked of a single curve takes other arguments there
     pairs = [entry for entry in REGISTRY[Of.TWO_CURVES].values() if entry.name not in QUESTIONS]
     return found + [Listed(entry.name, _form_for_a_curve(entry), CURVES, entry.meaning) for entry in pairs]

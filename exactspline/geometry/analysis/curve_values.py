@@ -1,4 +1,4 @@
-"""Questions about a curve whose answers are numbers by their names, or other control points of it: entries of the
+"""Questions about a curve whose answers are named numbers, or other control points of the curve: entries of the
 registry.
 """
 
@@ -51,9 +51,9 @@ class CurveValues(SpaceFacts):
     """The facts of one curve, and the questions about it whose answers are numbers or control points."""
 
     def parameters_of(self, name: str) -> tuple[mpq | Real, ...] | None:
-        """The parameters of the knots, or of the places that are the answer to a question; None for another name.
+        """The parameters of the knots, or of the places that answer a question; None for any other name.
 
-        Raises `QuestionError` where a whole piece is the answer.
+        Raises `QuestionError` if a whole piece is part of the answer.
         """
         if name == "knots":
             return self.breaks
@@ -69,7 +69,8 @@ class CurveValues(SpaceFacts):
 
     @question_with(PLACES, *ALL_CURVES, answered=Answered.NUMBERS)
     def value(self, places: Parameters) -> tuple[NamedNumbers, ...]:
-        """The point at a parameter; ``1/2-`` is the limit from the left, and at a knot 1/2 the one from the right.
+        """The point at a parameter; ``1/2-`` is the limit from the left, and ``1/2`` at a knot is the limit from the
+        right.
 
         >>> from exactspline import analyse, example
         >>> [point.values for point in analyse(example("circle")).value("1/2")]
@@ -101,9 +102,9 @@ class CurveValues(SpaceFacts):
 
     @question_with(PLACES, *CURVES, answered=Answered.NUMBERS)
     def curvature_derivative(self, places: Parameters) -> tuple[NamedNumbers, ...]:
-        """The derivative of the curvature by arc length at a parameter, in the plane of the signed one.
+        """The derivative of the curvature by arc length at a parameter, in the plane that of the signed curvature.
 
-        In space, where κ = 0, it is the limit from the side.
+        In space, where κ = 0, the derivative is the limit from the side.
 
         >>> from exactspline import analyse, example
         >>> analyse(example("cubic_s")).curvature_derivative("1/2")[0].values["curvature derivative"]
@@ -166,7 +167,7 @@ class CurveValues(SpaceFacts):
         >>> analyse(curve.insert_knot("1/2")).remove("1/2") == curve
         True
 
-        Raises `ReductionError` where that changes the curve.
+        Raises `ReductionError` if removing the knot changes the curve.
         """
         return changed(self.curve, lambda f: f.remove_knot(place, times))
 
@@ -239,7 +240,7 @@ class CurveValues(SpaceFacts):
     def largest_curvature(self) -> tuple[NamedNumbers, ...]:
         """The largest |κ|, and where it is attained; or the parameters near which it is not bounded.
 
-        Limits at a knot count from each side, and so do those at points with γ′ = 0 where they exist.
+        Limits from both sides of a knot count, and so do limits at points with γ′ = 0, if they exist.
 
         >>> from exactspline import analyse, example
         >>> [(str(x.values["curvature"]), x.values["parameter"]) for x in analyse(example("ellipse")).largest_curvature]
@@ -251,7 +252,8 @@ class CurveValues(SpaceFacts):
 
     @question(*CURVES, answered=Answered.NUMBERS, on_request=True)
     def largest_curvature_derivative(self) -> tuple[NamedNumbers, ...]:
-        """The largest |dκ/ds| by arc length between jumps of κ, and where it is attained, or not bounded.
+        """The largest |dκ/ds| between jumps of κ, and where it is attained; or the parameters near which it is not
+        bounded.
 
         >>> from exactspline import analyse, example
         >>> analyse(example("circle")).largest_curvature_derivative
@@ -261,7 +263,8 @@ class CurveValues(SpaceFacts):
 
     @question(Of.SPACE_CURVE, answered=Answered.NUMBERS, on_request=True)
     def largest_torsion(self) -> tuple[NamedNumbers, ...]:
-        """The largest |τ| of what is not straight, and where it is attained, or not bounded.
+        """The largest |τ| outside straight pieces, and where it is attained; or the parameters near which it is not
+        bounded.
 
         >>> from exactspline import analyse, example
         >>> analyse(example("twisted_cubic")).largest_torsion
@@ -271,9 +274,9 @@ class CurveValues(SpaceFacts):
 
     @question_with(BOUND, *CURVES, answered=Answered.NUMBERS)
     def curvature_at_most(self, bound: Number) -> tuple[NamedNumbers, ...]:
-        """Whether |κ| is at most a number on the whole curve, and the parts on which it is above.
+        """Whether |κ| is at most a number on the whole curve, and the parts on which it is larger.
 
-        A part that runs across the seam of a closed curve ends below its start.
+        The end of a part across the seam of a closed curve is below its start.
 
         >>> from exactspline import analyse, example
         >>> [x.facts for x in analyse(example("ellipse")).curvature_at_most(2)]
@@ -289,7 +292,7 @@ class CurveValues(SpaceFacts):
     def area(self) -> Real:
         """The signed area inside a closed curve: positive where it runs counterclockwise.
 
-        In closed form for polynomial curves and for arcs of circles and ellipses.
+        The area is in closed form for polynomial curves and for arcs of circles and ellipses.
 
         >>> from exactspline import Nurbs, analyse, example
         >>> analyse(Nurbs(1, [0, 0, 1, 2, 3, 3], [(0, 0), (1, 0), (0, 1), (0, 0)])).area
@@ -316,7 +319,7 @@ class CurveValues(SpaceFacts):
 
     @question(Of.PLANE_CURVE, answered=Answered.NUMBERS, on_request=True)
     def centroid(self) -> tuple[NamedNumbers, ...]:
-        """The centroid of what is inside a closed curve.
+        """The centroid of the region inside a closed curve.
 
         >>> from exactspline import Nurbs, analyse
         >>> analyse(Nurbs(1, [0, 0, 1, 2, 3, 3], [(0, 0), (1, 0), (0, 1), (0, 0)])).centroid
@@ -330,7 +333,7 @@ class CurveValues(SpaceFacts):
     def length(self) -> Real:
         """The arc length.
 
-        In closed form where the speed is a polynomial, and for circular arcs.
+        The length is in closed form if the speed is a polynomial, and for circular arcs.
 
         >>> from exactspline import Nurbs, analyse, example
         >>> analyse(Nurbs(1, [0, 0, 1, 1], [(0, 0), (3, 4)])).length, analyse(example("circle")).length
@@ -358,13 +361,13 @@ class CurveValues(SpaceFacts):
         >>> analyse(Nurbs(1, [0, 0, 1, 1], [(0, 0), (3, 4)])).at_length(2)
         <Real 2/5>
 
-        Raises `DomainError` for a negative length and for one longer than the curve.
+        Raises `DomainError` for a negative length and for a length greater than that of the curve.
         """
         return lengths.at_length(self.curve, distance)
 
     @question_with(INTEGER, *ALL_CURVES, answered=Answered.NUMBERS)
     def equally_spaced(self, parts: int) -> tuple[NamedNumbers, ...]:
-        """The parameters that divide it into parts of the same arc length, both ends included.
+        """The parameters that divide the curve into parts of the same arc length, both ends included.
 
         >>> from exactspline import Nurbs, analyse
         >>> [found.values["parameter"] for found in analyse(Nurbs(1, [0, 0, 1, 1], [(0, 0), (3, 4)])).equally_spaced(2)]
@@ -397,6 +400,6 @@ def coordinates(curve: Nurbs, t: mpq | Real, order: int = 0, side: Side = Side.R
 def _at(
     what: str, places: Parameters, values_at: Callable[[mpq | Real, Side], dict[str, Real]]
 ) -> tuple[NamedNumbers, ...]:
-    """Numbers at each parameter, with the side from which they are limits where one was named."""
+    """Numbers at each parameter, with the side of the limit if a side was given."""
     sides = [(t, side or Side.RIGHT, {"side": str(side)} if side else {}) for t, side in places]
     return tuple(NamedNumbers(what, {"parameter": real(t)} | values_at(t, side), facts) for t, side, facts in sides)

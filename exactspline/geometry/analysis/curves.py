@@ -1,7 +1,7 @@
-"""One curve, one analysis: everything known of a curve is read from one lazy object that belongs to it. `analyse` makes
-it at the first call and keeps it with the curve. Each fact is computed when it is first needed and then kept; several
-threads may share it. An analysis is not part of the curve's value: it is not compared, and a copied or pickled curve
-has none; a pickled analysis is that of its curve, computed anew.
+"""The analysis of a curve: an object that belongs to the curve and answers all questions about it. `analyse` makes it
+at the first call and stores it with the curve. Each fact is computed when first needed and then stored; several threads
+may share an analysis. An analysis is not part of the value of the curve: it is not compared, and a copied or pickled
+curve has no analysis. A pickled analysis is restored as a new analysis of its curve.
 """
 
 from __future__ import annotations
@@ -65,7 +65,7 @@ class Analysis(CurveValues, Displayed, FunctionsOutside):
     """Everything that can be computed of one curve in the plane or in space. Its questions are the entries of the
     registry (`exactspline.questions.entry.questions_of`).
 
-    All parameters are certified roots. A point where γ′ = 0 is a singular point and nothing else. On a closed curve the
+    All parameters are certified roots. A point where γ′ = 0 is reported as a singular point only. On a closed curve the
     seam is a knot like any other and counts once, at the start of the domain; no parameter is outside the domain.
 
     >>> from exactspline.interchange.examples import example
@@ -76,14 +76,16 @@ class Analysis(CurveValues, Displayed, FunctionsOutside):
 
     def __init__(self, curve: Nurbs, known: Remembers | None = None, in_space: Nurbs | None = None) -> None:
         super().__init__(curve, known)
-        #: The curve, in space where it is given there, though this is about it as a plane curve.
+        #: The curve as given, possibly in the plane z = 0 of space, where the analysis is about the plane curve.
         self.given = curve if in_space is None else in_space
 
     def __reduce__(self) -> tuple[object, ...]:
         return analyse, (self.given,)
 
     def asked_as(self, of: tuple[Of, ...]) -> Analysis:
-        """What is known of a curve in the plane z = 0, as a space curve for what is asked of space curves alone."""
+        """The analysis that answers a question about these kinds of objects: for a curve in the plane z = 0 that of the
+        space curve, if the question is about space curves only.
+        """
         return self if self.given is self.curve or Of.PLANE_CURVE in of else _analysis(self.given)
 
     @one_line
@@ -91,12 +93,14 @@ class Analysis(CurveValues, Displayed, FunctionsOutside):
         return f"<Analysis of {self.curve!r}>"
 
     def with_coordinate(self, axis: int | mpq) -> Nurbs:
-        """The curve, as it is given where it has this coordinate in space alone."""
+        """The curve with this coordinate: the curve as given in space if the plane curve does not have the
+        coordinate.
+        """
         return self.curve if axis < self.curve.dimension else self.given
 
     @property
     def in_space(self) -> bool:
-        """Whether it is a space curve; raises `ShapeError` when it is neither in the plane nor in space."""
+        """Whether the curve is a space curve; raises `ShapeError` if it is neither in the plane nor in space."""
         self.check_dimension()
         return self.curve.dimension == 3
 
@@ -109,10 +113,10 @@ class Analysis(CurveValues, Displayed, FunctionsOutside):
     def inflections(self) -> Places[Feature]:
         """The zeros of the curvature at regular points.
 
-        ``inflection``: the sign changes (in space: the direction of κN is reversed); ``undulation``: it does not;
-        ``flat end``: the domain ends there; ``flat point``: at a knot of a space curve, the osculating planes of the
-        two sides differ. At a knot with one tangent the curvature may change its sign by a jump (`by_jump`). Everywhere
-        on straight pieces.
+        ``inflection``: the sign changes (in space: the direction of κN is reversed); ``undulation``: the sign does not
+        change; ``flat end``: the domain ends there; ``flat point``: at a knot of a space curve, the osculating planes
+        of the two sides differ. At a knot with one tangent the curvature may change its sign by a jump (`by_jump`).
+        Straight pieces are in `everywhere`.
 
         >>> from exactspline import Nurbs, example
         >>> [f.kind.value for f in analyse(example("six_segment_cubic")).inflections]
@@ -131,19 +135,19 @@ class Analysis(CurveValues, Displayed, FunctionsOutside):
 
     @Fact
     def _certain(self) -> Certain | None:
-        """What is certain without exact arithmetic."""
+        """The zeros of κ and κ′ decided without exact arithmetic."""
         return None if self.in_space else certain(self)
 
     @property
     def decided_in_doubles(self) -> bool | None:
-        """Whether the certified filter decided the zeros of κ and of κ′; None where it was not asked."""
+        """Whether the certified filter decided the zeros of κ and of κ′; None if the filter was not used."""
         return self._certain is not None if "_certain" in self._known else None
 
     @question(*CURVES, proof=lambda facts: (facts.zero_form(facts.critical_form).zeros,))
     def critical_points(self) -> Places[Feature]:
         """The extrema of the curvature and the points where κ′ = 0 without an extremum (``stationary``).
 
-        Everywhere on pieces of constant curvature.
+        Pieces of constant curvature are in `everywhere`.
 
         >>> from exactspline import example
         >>> len(analyse(example("ellipse")).critical_points), analyse(example("circle")).critical_points
@@ -158,8 +162,8 @@ class Analysis(CurveValues, Displayed, FunctionsOutside):
     def curvature_extrema(self) -> Places[Feature]:
         """The extrema of the curvature (in space except those with κ = 0).
 
-        Inside segments, and at knots where κ is continuous and κ′ changes its sign, with or without a jump. Everywhere
-        on pieces of constant curvature.
+        They are inside segments, or at knots where κ is continuous and κ′ changes its sign, with or without a jump.
+        Pieces of constant curvature are in `everywhere`.
 
         >>> from exactspline import example
         >>> found = analyse(example("six_segment_cubic")).curvature_extrema
@@ -178,8 +182,8 @@ class Analysis(CurveValues, Displayed, FunctionsOutside):
     def torsion_zeros(self) -> Places[Feature]:
         """The zeros of the torsion at regular points.
 
-        ``torsion zero``: τ changes its sign; ``torsion touch``: it does not; ``torsion end``: the domain ends there. At
-        a knot with one osculating plane the sign may change by a jump. Everywhere on planar pieces.
+        ``torsion zero``: τ changes its sign; ``torsion touch``: it keeps its sign; ``torsion end``: the domain ends
+        there. At a knot with one osculating plane the sign may change by a jump. Planar pieces are in `everywhere`.
 
         >>> from exactspline import example
         >>> analyse(example("space_quartic")).torsion_zeros
@@ -195,8 +199,8 @@ class Analysis(CurveValues, Displayed, FunctionsOutside):
     def straight_pieces(self) -> tuple[CurvePiece, ...]:
         """The pieces on which the curve is straight.
 
-        They are cut at corners and where the curve stands still, and continue across the seam of a closed curve where
-        that is smooth.
+        The pieces are cut at corners and where the curve is constant, and continue across the seam of a closed curve if
+        the seam is smooth.
 
         >>> from exactspline import example
         >>> [str(piece) for piece in analyse(example("straight_between_arcs")).straight_pieces]
@@ -208,7 +212,8 @@ class Analysis(CurveValues, Displayed, FunctionsOutside):
     def constant_pieces(self) -> tuple[CurvePiece, ...]:
         """The pieces on which the curvature is constant.
 
-        Circular arcs and straight pieces, in space also other curves; cut where the curvature or the tangent jumps.
+        These are circular arcs and straight pieces, in space also other curves; they are cut where the curvature or the
+        tangent jumps.
 
         >>> from exactspline import example
         >>> [str(piece) for piece in analyse(example("circle")).constant_pieces]
@@ -242,13 +247,14 @@ class Analysis(CurveValues, Displayed, FunctionsOutside):
 
     @question_with(POINT, *CURVES, answered=Answered.SOLUTIONS)
     def bisector(self, point: Sequence[Number]) -> Bisector:
-        """The points equally far from the curve and a point: in the plane of the whole curve, in space on its normals.
+        """The points equally far from the curve and a point: in the plane by the least distance from the curve, in
+        space by distances along its normals.
 
         >>> from exactspline import Nurbs
         >>> analyse(Nurbs(1, [0, 0, 1, 1], [(-4, 0), (4, 0)])).bisector((0, 2)).pieces[0]
         <TrimmedPiece: arc>
 
-        Raises `ShapeError` for a point on the curve and for one of another dimension.
+        Raises `ShapeError` for a point on the curve and for a point of another dimension.
         """
         return bisector(self.with_coordinate(len(point) - 1), point)
 
@@ -272,7 +278,7 @@ class Analysis(CurveValues, Displayed, FunctionsOutside):
 
     @question(Of.SPACE_CURVE, answered=Answered.PLANE)
     def plane(self) -> Plane | None:
-        """The plane of a space curve that has one."""
+        """The plane of a planar space curve."""
         return plane_of(self.curve) if self.in_space and not any(self._twist.numerators) else None
 
     @question(*CURVES, answered=Answered.DESCRIBED)
@@ -289,7 +295,7 @@ class Analysis(CurveValues, Displayed, FunctionsOutside):
 
     @Fact
     def rounding(self) -> mpq:
-        """10⁻⁹ of the size of a curve that is within this distance of one circle, and not on it; 0 for another curve.
+        """10⁻⁹ of the size of a curve that is within this distance of a circle, but not on it; 0 for any other curve.
 
         >>> from exactspline import Nurbs, example
         >>> arc = Nurbs(2, [0, 0, 0, 1, 1, 1], [(1, 0), (1, 1), (0, 1)], [1, "0.70710678118654752", 1])
@@ -302,8 +308,8 @@ class Analysis(CurveValues, Displayed, FunctionsOutside):
         return small_distance(self.curve) if is_whole and circles[0].within else mpq(0)
 
     def below_rounding(self, feature: Feature) -> bool:
-        """Whether an inflection or an extremum of κ is what rounded numbers add to a circle: the curve is near one, and
-        not all curves within the distance `rounding` of it have the feature.
+        """Whether an inflection or an extremum of κ may come from the rounded numbers of a circle: the curve is within
+        the distance `rounding` of a circle, and it is not proved that all curves within this distance have the feature.
         """
         if not self.rounding or feature.kind.is_singular:
             return False
@@ -325,7 +331,8 @@ class Analysis(CurveValues, Displayed, FunctionsOutside):
 
     @question_with(WITHIN, *CURVES, answered=Answered.DESCRIBED, nearby=True)
     def features_within(self, epsilon: Number) -> tuple[NearbyFeature, ...]:
-        """What all curves have whose control points and weights differ by at most this, and what some of them may have.
+        """The features of all curves whose control points and weights differ by at most this number, and features that
+        only some of them may have.
 
         See `exactspline.geometry.rounded.features.features_nearby`.
 
@@ -341,8 +348,8 @@ class Analysis(CurveValues, Displayed, FunctionsOutside):
 
     @question_with(WITHIN, *CURVES, answered=Answered.DESCRIBED, nearby=True)
     def self_intersections_within(self, epsilon: Number) -> tuple[NearbyMeeting, ...]:
-        """Where all curves meet themselves whose control points and weights differ by at most this, and where some of
-        them may.
+        """The self-intersections of all curves whose control points and weights differ by at most this number, and
+        those that only some of them may have.
 
         See `exactspline.geometry.rounded.intersections.self_intersections_nearby`.
 
@@ -357,8 +364,8 @@ class Analysis(CurveValues, Displayed, FunctionsOutside):
 
     @question_with(WITHIN, *CURVES, answered=Answered.DESCRIBED, nearby=True)
     def cusps_within(self, epsilon: Number) -> tuple[NearbyFeature, ...]:
-        """Where curves whose control points and weights differ by at most this may have cusps or other singular points;
-        none of them has one elsewhere.
+        """The intervals outside which no curve whose control points and weights differ by at most this number has a
+        cusp or another singular point.
 
         See `exactspline.geometry.rounded.features.singular_points_nearby`.
 
@@ -373,7 +380,7 @@ class Analysis(CurveValues, Displayed, FunctionsOutside):
     @question(*CURVES, answered=Answered.DESCRIBED, on_request=True)
     def stability(self) -> tuple[StableFeature, ...]:
         """Inflections (in space: zeros of the torsion), extrema of the curvature and corners, and how far control
-        points and weights may be changed without one of them vanishing.
+        points and weights may be changed before one of these features vanishes.
 
         See `exactspline.geometry.rounded.stability.stability`.
 
@@ -389,7 +396,7 @@ class Analysis(CurveValues, Displayed, FunctionsOutside):
     def turning_points(self, axis: int) -> Places[Feature]:
         """The extrema of a coordinate (0 is x): where it changes from increasing to decreasing or back.
 
-        These are the places where type designers put points. Everywhere where the coordinate is constant.
+        Type designers put points at these places. Pieces on which the coordinate is constant are in `everywhere`.
 
         >>> from exactspline import example
         >>> [(f.kind.value, f.root.exact) for f in analyse(example("circle")).turning_points(1)]
@@ -401,10 +408,10 @@ class Analysis(CurveValues, Displayed, FunctionsOutside):
 
     @question_with(COORDINATE_VALUE, *CURVES, proof=lambda facts, at: (value_zeros(facts.with_coordinate(at[0]), *at),))
     def at_coordinate(self, at: tuple[mpq, mpq]) -> Places[Feature]:
-        """Where a coordinate (0 is x) has a value.
+        """The parameters at which a coordinate (0 is x) has a given value.
 
-        ``level crossing``: it crosses it, also by a jump; ``level touch``: it does not, or the domain ends there.
-        Everywhere where it is constant.
+        ``level crossing``: the coordinate crosses the value, also by a jump; ``level touch``: it does not cross the
+        value, or the domain ends there. Pieces on which the coordinate has the value are in `everywhere`.
 
         >>> from exactspline import analyse, example
         >>> [(f.kind.value, f.root.shortly()) for f in analyse(example("circle")).at_coordinate((0, "1/2"))]
@@ -433,10 +440,11 @@ class Analysis(CurveValues, Displayed, FunctionsOutside):
     @question_with(DISTANCE, Of.PLANE_CURVE, answered=Answered.NUMBERS)
     def offset_parts(self, distance: Number) -> tuple[NamedNumbers, ...]:
         """The parts of the offset of a simple closed curve, at a signed distance (positive to the left), to which no
-        point of the curve is nearer than this.
+        point of the curve is nearer than this distance.
 
-        They are the parts of the curve that they belong to, and arcs about corners. There is none if and only if no
-        point on this side is farther from the curve: the offset is empty, or single points.
+        They are given by the corresponding parts of the curve, and as arcs about corners. There is no part if and only
+        if no point on this side is farther from the curve than the distance: the offset is then empty, or consists of
+        single points.
 
         >>> from exactspline import Nurbs
         >>> square = Nurbs(1, [0, 0, 1, 2, 3, 4, 4], [(0, 0), (4, 0), (4, 4), (0, 4), (0, 0)])
@@ -444,7 +452,7 @@ class Analysis(CurveValues, Displayed, FunctionsOutside):
         (<part: start 1/4, end 3/4>, ())
 
         Raises `ShapeError` for a curve that is not closed or meets itself, and `ReachError` where parts of the offset
-        may run along each other or be single points.
+        may coincide or be single points.
         """
         return offset_parts(self.curve, rational(distance))
 
@@ -452,9 +460,9 @@ class Analysis(CurveValues, Displayed, FunctionsOutside):
     def offset_cusps(self, distance: Number) -> Places[Feature]:
         """The parameters of the cusps of the offset curve at a signed distance d (positive to the left): κ = 1/d.
 
-        ``cusp``: 1 − dκ, the ratio of the offset's speed to the curve's, changes its sign; ``stop``: it does not. At a
-        knot where κ jumps, 1 − dκ may vanish on one side alone, or change its sign without a zero (`by_jump`).
-        Everywhere on circular arcs of which the offset is the centre.
+        ``cusp``: 1 − dκ, the ratio of the offset's speed to the curve's, changes its sign; ``stop``: the ratio is 0
+        without changing its sign. At a knot where κ jumps, 1 − dκ may vanish on one side alone, or change its sign
+        without a zero (`by_jump`). Circular arcs whose offset is their centre are in `everywhere`.
 
         >>> from exactspline import example
         >>> [(f.kind.value, round(float(f.root), 3)) for f in analyse(example("ellipse")).offset_cusps(1)]
@@ -522,7 +530,7 @@ class Analysis(CurveValues, Displayed, FunctionsOutside):
 
     @property
     def flatness(self) -> ZeroForm:
-        """The form that vanishes where the curvature does, and its zeros."""
+        """The form whose zeros are those of the curvature, and its zeros."""
         return self.bending if self.in_space else self.zero_form("zero_curvature")
 
 
@@ -567,7 +575,7 @@ def _analysis(curve: Nurbs) -> Analysis:
     return kept_by(curve).reader(lambda kept: Analysis(curve, kept))
 
 
-#: The registry: what can be asked of a curve, by name.
+#: The registry of the questions about curves, by name.
 QUESTIONS: dict[str, Entry] = questions_of(Analysis)
 
 
@@ -588,7 +596,7 @@ def questions_about(curve: Nurbs) -> dict[str, Entry]:
 
 
 def kind_of_curve(curve: Nurbs) -> Of:
-    """Whether it is a curve in the plane, in space or in another dimension.
+    """The kind of a curve: in the plane, in space or in another dimension.
 
     >>> from exactspline.interchange.examples import example
     >>> str(kind_of_curve(example("circle")))

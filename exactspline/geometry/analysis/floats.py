@@ -49,16 +49,18 @@ if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
 
-#: Values with a correctly rounded double; a feature stands for its parameter.
+#: Values with a correctly rounded double; the value of a feature is its parameter.
 Exact: TypeAlias = Number | Real | Feature
-#: What is evaluated at parameters.
+#: The objects that are evaluated at parameters.
 Evaluated: TypeAlias = Nurbs | BSpline | NurbsSurface | TensorSpline
-#: The order of a derivative, by the only parameter or by both.
+#: The order of a derivative: a number, or one number for each of two parameters.
 Orders: TypeAlias = int | tuple[int, int]
 
 
 class Quantity(Word):
-    """What is asked at parameters: of a curve the first six, of a surface points, normals and the last two."""
+    """The quantities at parameters: the first six are defined for curves; points, normals and the last two for
+    surfaces.
+    """
 
     POINT = "point"
     TANGENT = "tangent"
@@ -74,7 +76,7 @@ SCALARS_OF_SURFACES = (Quantity.GAUSSIAN_CURVATURE, Quantity.MEAN_CURVATURE)
 SCALARS = (Quantity.CURVATURE, Quantity.TORSION, *SCALARS_OF_SURFACES)
 
 
-# text is one number here, though for a type checker it is a sequence of texts
+# a text is one number here, but for a type checker it is a sequence of texts
 @overload
 def floats(values: Exact, *, rounding: str = ...) -> float:  # type: ignore[overload-overlap]  # see above
     """The correctly rounded double of a number."""
@@ -82,19 +84,19 @@ def floats(values: Exact, *, rounding: str = ...) -> float:  # type: ignore[over
 
 @overload
 def floats(values: Iterable[Exact], *, rounding: str = ...) -> list[float]:  # type: ignore[overload-overlap]  # likewise
-    """Those of the numbers in a sequence."""
+    """The correctly rounded doubles of the numbers in a sequence."""
 
 
 @overload
 def floats(values: Iterable[Iterable[Exact]], *, rounding: str = ...) -> list[list[float]]:
-    """Those of the numbers in rows."""
+    """The correctly rounded doubles of the numbers in rows."""
 
 
 @overload
 def floats(
     values: Evaluated, *parameters: object, of: str = ..., order: Orders = ..., rounding: str = ..., side: str = ...
 ) -> NDArray[np.float64]:
-    """Those of a curve, a function or a surface at parameters."""
+    """The correctly rounded doubles of a curve, a function or a surface at parameters."""
 
 
 def floats(
@@ -108,20 +110,20 @@ def floats(
     """Correctly rounded doubles (``nearest``, ``down`` or ``up``): of numbers, and of a curve, a function or a surface
     at parameters, which may be doubles. ``curve.floats(ts)`` is ``floats(curve, ts)``.
 
-    Of a number, of the parameter of a feature, of every number in a sequence or in rows (knots, control points, zeros,
-    features) a double or lists of doubles:
+    The result is a double for a number or a feature (which means its parameter), and lists of doubles for a sequence or
+    rows of these (knots, control points, zeros, features):
 
     >>> from exactspline import analyse, example
     >>> curve = example("cubic_s")
     >>> floats(analyse(example("cusp")).cusps), floats(curve.control_points[1]), floats(mpq(1, 10), rounding="up") - 0.1
     ([0.5], [1.0, 2.0], 0.0)
 
-    Of a curve at parameters `ts` (of a surface `us`, `vs`, which are broadcast) an array of the shape of these, for
-    vectors with one more axis: the points, the derivatives of an `order` (of a surface a pair), or what `of` names:
-    ``tangent``, ``unit_tangent``, ``normal``, ``curvature``, ``torsion``, of a surface ``normal``,
-    ``gaussian_curvature``, ``mean_curvature``; NaN where that is not defined. A double among the parameters counts with
-    its binary value; where that is outside the domain, the double nearest to an end is this end. What is beyond the
-    largest double is rounded as IEEE 754 does.
+    For a curve at parameters `ts` (for a surface `us`, `vs`, which are broadcast) the result is an array of the same
+    shape, with one more axis for vectors. It contains the points, the derivatives of an `order` (for a surface a pair),
+    or the quantity `of`: ``tangent``, ``unit_tangent``, ``normal``, ``curvature``, ``torsion``; for a surface
+    ``normal``, ``gaussian_curvature``, ``mean_curvature``. It contains NaN where the quantity is not defined. A
+    parameter that is a double means its exact binary value; if this is outside the domain, the double nearest to an end
+    means this end. Numbers beyond the largest double are rounded as in IEEE 754.
 
     >>> circle = example("circle")
     >>> circle.floats([0.5, "1/3"]).tolist(), circle.floats(0.5, of="curvature").tolist()
@@ -133,8 +135,8 @@ def floats(
     >>> example("sphere").floats([[0.25], [0.5]], [0.25, 0.5, 0.75], of="gaussian_curvature").shape
     (2, 3)
 
-    Raises `NumberError` for anything that is not a number, `DomainError` outside the domain, `ShapeError` where the
-    quantity is of no such object, `OverflowError` for a number beyond the largest double.
+    Raises `NumberError` for anything that is not a number, `DomainError` outside the domain, `ShapeError` if the object
+    does not have the quantity, `OverflowError` for a number beyond the largest double.
     """
     given: object = of_file(values)
     if isinstance(given, Evaluated):
@@ -187,7 +189,7 @@ def _values(
 
 
 def _listed(ts: object) -> object:
-    """Parameters as numpy reads them: a set of zeros, and others that are no lists, as a list."""
+    """Parameters as numpy reads them: a set of zeros, or any other iterable that is not a list, as a list."""
     return list(ts) if isinstance(ts, Iterable) and not isinstance(ts, str) and not hasattr(ts, "dtype") else ts
 
 
@@ -224,7 +226,7 @@ def _vector(curve: Nurbs, place: mpq | Real, of: Quantity, order: int, side: Sid
 
 
 def _defined(value: Callable[[], Sequence[mpq | Real]], size: int, rounding: Rounding) -> list[float]:
-    """The doubles of a vector, NaN where it is not defined; its parameter is in the domain."""
+    """The doubles of a vector, NaN where the vector is not defined; its parameter is in the domain."""
     try:
         return [_rounded(x, rounding) for x in value()]
     except DomainError:
@@ -284,8 +286,8 @@ def _rounded_root(sign: int, top: int, bottom: int, rounding: str) -> float:
 
 
 def _place_of(t: object, domain: Interval) -> mpq | Real:
-    """A parameter in a domain. A float counts with its binary value; where that is outside the domain, the double
-    nearest to an end is this end.
+    """A parameter in a domain. A float means its exact binary value; if this is outside the domain, the double nearest
+    to an end means this end.
     """
     if isinstance(t, Feature):
         t = t.root

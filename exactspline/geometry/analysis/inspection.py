@@ -33,11 +33,11 @@ from exactspline.splines.type_checks import curve_of
 
 def _prominences(curve: Nurbs) -> tuple[tuple[Feature, Real | None], ...]:
     """The extrema of the curvature of a curve, each with half of the smaller difference between κ there and at its
-    neighbours: the extrema on both sides (in space also points with κ = 0), knots at which the tangent or κ jumps, the
-    ends of the domain.
+    neighbours. Neighbours are the extrema on both sides (in space also points with κ = 0), knots at which the tangent
+    or κ jumps, and the ends of the domain.
 
-    Every continuous function that differs from κ by less has such an extremum between the neighbours; one that differs
-    by as much has none. None where κ has a pole at both neighbours.
+    Every continuous function that differs from κ by less than this number has such an extremum between the neighbours;
+    some function that differs by this number does not. The number is None if κ has a pole at both neighbours.
 
     >>> from exactspline import example
     >>> [(found.kind.value, str(least)) for found, least in _prominences(example("ellipse"))][:2]
@@ -68,9 +68,9 @@ def _half_of_the_step(curve: Nurbs, place: Real, places: list[Real]) -> Real | N
 
 @dataclass(frozen=True, repr=False)
 class Report(OneLine):
-    """What is said of a curve: the answers to all questions that belong into a report, and what else is asked for: all
-    that curves within a distance have (`epsilon` as it is written, `within` as a number), how stable features are, and
-    the extrema of coordinates.
+    """The report on a curve: the answers to all questions that belong in a report and, on request, the features of all
+    curves within a distance (`epsilon` as written, `within` as a number), the stability of features, and the extrema of
+    coordinates.
     """
 
     curve: Nurbs
@@ -87,7 +87,7 @@ class Report(OneLine):
 
     @cached_property
     def answers(self) -> dict[str, object]:
-        """The answers by the names of their questions; shapes within the distance where one is given."""
+        """The answers by the names of their questions; with a distance, shapes are those within the distance."""
         entries = {name: entry for name, entry in questions_about(self.curve).items() if entry.about.reported}
         near = {} if self.within is None else {"shapes": self.analysis.shapes_within(self.within)}
         return {name: entry.answer(self.analysis) for name, entry in entries.items()} | near
@@ -107,17 +107,17 @@ class Report(OneLine):
 
     @property
     def joints(self) -> tuple[Joint, ...]:
-        """The joints."""
+        """The joints of the curve."""
         return self.analysis.joints
 
     @property
     def nearby(self) -> tuple[NearbyFeature, ...]:
-        """What all curves within the distance have, and what some of them may have."""
+        """The features of all curves within the distance, and those that only some of them may have."""
         return () if self.within is None else self.analysis.features_within(self.within)
 
     @property
     def meetings(self) -> tuple[NearbyMeeting, ...]:
-        """Where all curves within the distance meet themselves, and where some of them may."""
+        """The self-intersections of all curves within the distance, and those that only some of them may have."""
         return () if self.within is None else self.analysis.self_intersections_within(self.within)
 
     @cached_property
@@ -147,7 +147,7 @@ def inspect_curve(curve: Nurbs) -> Report:
     return Report(in_the_plane(curve))
 
 
-#: What is solved, in the words of the table of features.
+#: The equations that are solved, in the words of the table of features.
 SOLVED = {
     "zero_curvature": "κ = 0",
     "critical_curvature": "κ′ = 0",

@@ -2,9 +2,9 @@
 doubles, and of curves of any degrees and numbers of segments.
 
 For Bézier curves the forms are computed in doubles with proved bounds (`exactspline.programs.doubles`), their zeros are
-isolated where that is certified (`exactspline.polynomials.doubles`). Every answer is that of `exactspline.analyse` for
-the curve with exactly these doubles as data; those of all other curves, and of Bézier curves with equal ends, are asked
-of it, one by one. This module loads numpy.
+isolated where that is certified (`exactspline.polynomials.doubles`). Every answer equals that of `exactspline.analyse`
+for the curve with exactly these doubles as data. All other curves, and Bézier curves with equal ends, are passed to
+`analyse` one by one. This module loads numpy.
 """
 
 from __future__ import annotations
@@ -36,19 +36,20 @@ WHOLE = 2**53
 #: The bits of a double without its sign, and those of the smallest normal double, read as integers.
 SIZE, LEAST = 2**63 - 1, 2**52
 TINY = mpq(1, 2**1022)
-#: The width of an interval that is not refined, and the digits to which any other is.
+#: The width up to which an interval is not refined, and the digits to which wider intervals are refined.
 NARROW, DIGITS = mpq(1, 10**9), 15
-#: The rows of one curve or many: the index of the curve, kinds, both bounds, and which form vanishes.
+#: The rows of one or many curves: the index of the curve, the kinds, both bounds, and the index of the form that
+#: vanishes.
 Found = tuple[Integers, NDArray[np.str_], Floats, Floats, Integers]
 
 
 class ManyFeatures(NamedTuple):
     """Features of many curves: the index of the curve, the kind of the feature (the value of a `FeatureKind`), and an
     interval that contains its parameter; `exact` are the indices of the curves that were decided in exact arithmetic,
-    `refused` gives the reason why other curves have no features.
+    `refused` has the reasons why other curves have no features.
 
-    In the order of the curves; for each curve first the points with κ = 0, then those with κ′ = 0, in the order of the
-    parameter.
+    The features are in the order of the curves; for each curve first the points with κ = 0, then those with κ′ = 0, in
+    the order of the parameter.
     """
 
     curve: Integers
@@ -59,7 +60,7 @@ class ManyFeatures(NamedTuple):
     refused: Mapping[int, ExactSplineError] = MappingProxyType({})
 
     def __eq__(self, other: object) -> bool:
-        """Whether all rows, and the reasons for what is refused, are the same."""
+        """Whether all rows, and the reasons for refused curves, are the same."""
         if not isinstance(other, ManyFeatures):
             return NotImplemented
         reasons = [{i: (type(error), str(error)) for i, error in each.refused.items()} for each in (self, other)]
@@ -87,8 +88,8 @@ def features_of_curves(curves: Iterable[Nurbs] | ArrayLike, weights: ArrayLike |
     one degree also given as arrays of doubles: points of the shape (curves, degree + 1, 2), `weights` of the shape
     (curves, degree + 1).
 
-    Curves that are not in the plane, that have a number that is not finite or not a double, or whose denominator has a
-    zero, are refused; the others are computed.
+    A curve is refused if it is not in the plane, if a number is not finite or not a double, or if its denominator has a
+    zero; the other curves are computed.
 
     >>> from exactspline import example
     >>> features = features_of_curves([example("six_segment_cubic"), example("cubic_s")] * 2)
@@ -128,7 +129,7 @@ def _of_curves(curves: Sequence[Nurbs], start: int) -> ManyFeatures:
 
 
 def _plane(curve: Nurbs, i: int) -> Nurbs:
-    """A curve in the plane, the i-th; raises `ShapeError` for anything else."""
+    """The i-th curve, in the plane; raises `ShapeError` for anything else."""
     try:
         curve = in_the_plane(curve_of(curve))
         if curve.dimension != 2:
@@ -181,7 +182,7 @@ def features_in_parts(
 
 
 def _checked(points: ArrayLike, weights: ArrayLike | None) -> tuple[Floats, Floats | None, dict[int, ExactSplineError]]:
-    """The numbers as doubles, and by curve what is wrong with them; such numbers are replaced by zeros."""
+    """The numbers as doubles, and the errors by curve; wrong numbers are replaced by zeros."""
     p, inexact = _doubles(points, "points")
     if p.ndim != 3 or p.shape[1] < 2 or p.shape[2] != 2:
         raise ShapeError(f"points of the shape {p.shape}", where="points", remedy="(curves, degree + 1, 2)")
@@ -199,7 +200,7 @@ def _checked(points: ArrayLike, weights: ArrayLike | None) -> tuple[Floats, Floa
 
 
 def _doubles(given: ArrayLike, name: str) -> tuple[Floats, Flags]:
-    """Numbers as doubles, and which of them changed their value. A masked entry of an array is not a number."""
+    """Numbers as doubles, and which numbers changed their value. A masked entry of an array is not a number."""
     try:
         a = np.ma.filled(given, np.nan) if isinstance(given, np.ma.MaskedArray) else np.asarray(given)
     except (ValueError, TypeError) as error:
@@ -235,7 +236,7 @@ def _double(number: object, name: str) -> tuple[float, bool]:
 
 
 def _wrong(a: Floats, inexact: Flags, name: str) -> dict[int, ExactSplineError]:
-    """What is wrong with the numbers of each curve."""
+    """The errors in the numbers of each curve."""
     wrong: dict[int, ExactSplineError] = {}
     for bad, message, remedy in (
         (inexact, "is not a double", "write doubles, or use `analyse`"),
@@ -248,7 +249,7 @@ def _wrong(a: Floats, inexact: Flags, name: str) -> dict[int, ExactSplineError]:
 
 def _features(p: Floats, w: Floats | None, wrong: dict[int, ExactSplineError]) -> ManyFeatures:
     """The features of the curves of one part."""
-    # where the ends are equal they are a knot, at which signs change, too
+    # equal ends form a knot, at which signs may change, too
     alone = np.array(_subnormal(p).any(axis=(1, 2)) | (p[:, 0] == p[:, -1]).all(axis=1), dtype=bool)
     if w is not None:
         alone |= _subnormal(w).any(axis=1)
@@ -281,7 +282,7 @@ NONE: Found = (np.zeros(0, dtype=int), np.zeros(0, dtype=str), np.zeros(0), np.z
 
 
 def _subnormal(a: Floats) -> Flags:
-    """Which numbers are subnormal, so that a processor may treat them as zero; decided by their bits, since a
+    """Which numbers are subnormal, so that a processor may treat them as zero; decided by their bits, because a
     comparison may treat them as zero, too.
     """
     bits = np.ascontiguousarray(a).view(np.int64) & SIZE
@@ -327,7 +328,7 @@ def _found(i: int, analysis: Analysis) -> Found:
     lists = analysis.inflections, analysis.curvature_extrema
     features = [(which, feature) for which, own in enumerate(lists) for feature in own]
     roots = [feature.root for _, feature in features]
-    # the filter narrows as far as doubles allow, which is enough where few digits are lost
+    # the filter narrows intervals as far as doubles allow, which is enough if few digits are lost
     near = [root if root.high - root.low <= NARROW else root.refine(DIGITS) for root in roots]
     bounds = [outside(place.low, place.high) for place in near]
     return (

@@ -1,4 +1,4 @@
-"""What is asked of two curves: entries of the registry of questions."""
+"""The questions about two curves: entries of the registry of questions."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ class CurvePair(Inspected, Displayed):
 
     @question(Of.TWO_CURVES, answered=Answered.PAIRS)
     def intersections(self) -> Intersections:
-        """The points that two curves have in common, and the arcs.
+        """The common points of two curves, and their common arcs.
 
         >>> from exactspline import Nurbs, example
         >>> from exactspline.geometry.analysis.pairs import CurvePair
@@ -50,8 +50,8 @@ class CurvePair(Inspected, Displayed):
 
     @question_with(OFFSETS, Of.TWO_CURVES, answered=Answered.PAIRS)
     def offset_intersections(self, distances: tuple[Number, Number]) -> Intersections:
-        """The points that offsets of two plane curves have in common, each at its signed distance, positive to the
-        left; by the parameters of the curves.
+        """The common points of the offsets of two plane curves at signed distances (positive to the left), by the
+        parameters of the curves.
 
         >>> from exactspline import Nurbs, example
         >>> from exactspline.geometry.analysis.pairs import CurvePair
@@ -65,8 +65,8 @@ class CurvePair(Inspected, Displayed):
 
     @question_with(WITHIN, Of.TWO_CURVES, answered=Answered.DESCRIBED, nearby=True)
     def intersections_within(self, epsilon: Number) -> tuple[NearbyMeeting, ...]:
-        """The points that all curves near both have in common, and those that some may have: of all whose control
-        points and weights differ by at most this.
+        """The common points of all pairs of curves whose control points and weights differ from these two by at most
+        this number, and those that only some pairs may have.
 
         >>> from exactspline import Nurbs, example
         >>> from exactspline.geometry.analysis.pairs import CurvePair
@@ -89,9 +89,10 @@ class CurvePair(Inspected, Displayed):
 
     @question(Of.TWO_CURVES, answered=Answered.NUMBERS, on_request=True)
     def deviation(self) -> tuple[NamedNumbers, ...]:
-        """How far the points of each of two curves are from the other one at most (Hausdorff distance), in bounds.
+        """Bounds for the largest distance of a point of each of two curves from the other curve (Hausdorff distance).
 
-        The upper bound is at most a hundredth above the lower one, the distance of the two parameters.
+        The upper bound is at most a hundredth above the lower one, which is the distance of the points at the two
+        parameters.
 
         >>> from exactspline import Nurbs
         >>> from exactspline.geometry.analysis.pairs import CurvePair
@@ -99,13 +100,14 @@ class CurvePair(Inspected, Displayed):
         >>> CurvePair(*lines).deviation[1]
         <second from first: low 2, high 10099/5000, at 1, nearest 1>
 
-        Raises `ReachError` where it is out of reach whether the curves have arcs in common.
+        Raises `ReachError` if it would take too much work to decide whether the curves have arcs in common.
         """
         return tuple(deviation(*self.curves))
 
     @question_with(TOLERANCE, Of.TWO_CURVES, answered=Answered.NUMBERS)
     def deviation_within(self, tolerance: Number) -> tuple[NamedNumbers, ...]:
-        """Whether all points of each of two curves are within a distance from the other one; otherwise one that is not.
+        """Whether all points of each of two curves are within a distance of the other curve; if not, a point that is
+        farther away.
 
         >>> from exactspline import Nurbs
         >>> from exactspline.geometry.analysis.pairs import CurvePair
@@ -113,7 +115,7 @@ class CurvePair(Inspected, Displayed):
         >>> [found.facts["holds"] for found in CurvePair(*lines).deviation_within(1)]
         ['yes', 'no']
 
-        Raises `ShapeError` for a negative distance, and `ReachError` where it is out of reach.
+        Raises `ShapeError` for a negative distance, and `ReachError` if the decision takes too much work.
         """
         return tuple(deviation_within(*self.curves, rational(tolerance)))
 
@@ -121,8 +123,8 @@ class CurvePair(Inspected, Displayed):
     def junctions(self) -> tuple[NamedNumbers, ...]:
         """How the ends of two curves meet: gap, angle of the tangents, jump of the curvature, orders of continuity.
 
-        Each end of one with each of the other, the nearest first; a closed curve has no ends. The first curve is run
-        through towards its end, then the second one away from its own. Orders are at most 3.
+        Each end of the first curve is paired with each end of the second, the nearest pair first; a closed curve has no
+        ends. The first curve is traversed towards its end, the second away from its end. Orders are at most 3.
 
         >>> from exactspline import Nurbs
         >>> from exactspline.geometry.analysis.pairs import CurvePair
@@ -134,8 +136,8 @@ class CurvePair(Inspected, Displayed):
 
     @question_with(WITHIN, Of.TWO_CURVES, answered=Answered.NUMBERS)
     def junctions_within(self, epsilon: Number) -> tuple[NamedNumbers, ...]:
-        """The largest order, −1 to 2, to which the ends of two curves meet within a number: their points (0), unit
-        tangents (1) and curvature vectors κN (2) differ by vectors of at most that length.
+        """The largest order, from −1 to 2, to which the ends of two curves meet within a distance: points (0), unit
+        tangents (1) and curvature vectors κN (2) differ by vectors of at most this length.
 
         >>> from exactspline import Nurbs
         >>> from exactspline.geometry.analysis.pairs import CurvePair
@@ -147,7 +149,7 @@ class CurvePair(Inspected, Displayed):
 
     @question(Of.TWO_CURVES, answered=Answered.SOLUTIONS, on_request=True)
     def bisector(self) -> Bisector:
-        """The points equally far from both of two curves, on the normals of both.
+        """The points equally far from two curves, on normals of both.
 
         >>> from exactspline import Nurbs
         >>> from exactspline.geometry.analysis.pairs import CurvePair

@@ -1,5 +1,5 @@
-"""Maps of a rectangle into the plane: whether the determinant of the Jacobian keeps its sign, which isogeometric
-analysis requires of a parametrization.
+"""Maps of a rectangle into the plane: whether the Jacobian determinant has one sign, as isogeometric analysis requires
+of a parametrization.
 """
 
 from __future__ import annotations
@@ -32,7 +32,7 @@ from exactspline.splines.type_checks import surface_of
 
 
 class MapKind(StrEnum):
-    """What is proved of the Jacobian determinant on the whole closed rectangle."""
+    """The proved sign of the Jacobian determinant on the whole closed rectangle."""
 
     POSITIVE = "orientation kept: det > 0"
     NEGATIVE = "orientation reversed: det < 0"
@@ -43,8 +43,8 @@ class MapKind(StrEnum):
 
 
 class MapInspection(SurfaceValues, Displayed):
-    """Everything that can be computed of the sign of the Jacobian determinant of a map of the plane. Its questions are
-    entries of the registry (`exactspline.geometry.analysis.registry`).
+    """The analysis of the sign of the Jacobian determinant of a map of the plane. Its questions are entries of the
+    registry (`exactspline.geometry.analysis.registry`).
 
     Raises `ShapeError` for a surface that is not in the plane.
     """
@@ -71,7 +71,7 @@ class MapInspection(SurfaceValues, Displayed):
 
     @Fact
     def _signs(self) -> tuple[Point | None, Point | None]:
-        """Points at which it is positive and negative."""
+        """A point at which the determinant is positive, and a point at which it is negative."""
         places: dict[int, Point] = {}
         rows, columns = self.surface.patches
         for patch in product(range(rows), range(columns)):
@@ -90,7 +90,7 @@ class MapInspection(SurfaceValues, Displayed):
 
     @question(Of.PLANAR_MAP, answered=Answered.VALUE)
     def kind(self) -> MapKind:
-        """What is proved of the sign of the Jacobian determinant on the whole closed rectangle.
+        """The sign of the Jacobian determinant that is proved on the whole closed rectangle.
 
         >>> from exactspline import analyse, example
         >>> analyse(example("planar_map")).kind.value
@@ -109,7 +109,7 @@ class MapInspection(SurfaceValues, Displayed):
 
     @question(Of.PLANAR_MAP, answered=Answered.POINT)
     def positive(self) -> Point | None:
-        """A point at which the Jacobian determinant is positive, where one is found.
+        """A point at which the Jacobian determinant is positive, if one is found.
 
         >>> from exactspline import analyse, example
         >>> analyse(example("planar_map")).positive is not None
@@ -119,7 +119,7 @@ class MapInspection(SurfaceValues, Displayed):
 
     @question(Of.PLANAR_MAP, answered=Answered.POINT)
     def negative(self) -> Point | None:
-        """A point at which the Jacobian determinant is negative, where one is found.
+        """A point at which the Jacobian determinant is negative, if one is found.
 
         >>> from exactspline import analyse, example
         >>> analyse(example("planar_map")).negative is None
@@ -129,9 +129,10 @@ class MapInspection(SurfaceValues, Displayed):
 
     @question(Of.PLANAR_MAP)
     def zeros(self) -> SurfacePlaces[Place]:
-        """The points at which the Jacobian determinant is zero at that point alone.
+        """The isolated zeros of the Jacobian determinant.
 
-        Each with the patches from which it vanishes there; everywhere on patches on which it vanishes.
+        Each zero is listed with the patches on which the determinant vanishes there. Patches on which it vanishes
+        identically are in `everywhere`.
 
         >>> from exactspline import analyse, example
         >>> analyse(example("planar_map")).zeros
@@ -167,8 +168,8 @@ class MapInspection(SurfaceValues, Displayed):
 
     @question(Of.PLANAR_MAP)
     def cusps(self) -> SurfacePlaces[Place]:
-        """The zeros of the Jacobian determinant at which the map is not a fold: cusps, where the direction in which it
-        stands still is that of the curve of zeros, and points at which this curve is singular.
+        """The zeros of the Jacobian determinant at which the map is not a fold: cusps, where the kernel of the Jacobian
+        is tangent to the curve of zeros, and points at which this curve is singular.
 
         >>> from exactspline import analyse, example
         >>> analyse(example("folded_map")).cusps
@@ -193,7 +194,7 @@ class MapInspection(SurfaceValues, Displayed):
 
     @property
     def undecided(self) -> tuple[Box, ...]:
-        """The rectangles of parameters in which its zeros are not decided."""
+        """The rectangles of parameters in which the zeros of the determinant are not decided."""
         return self._zeros.undecided
 
     @property

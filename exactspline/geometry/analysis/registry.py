@@ -1,5 +1,5 @@
-"""The registry of all questions: what can be asked of a curve, a surface, a map of the plane, a pair of curves. An
-entry is defined where its exact answer is computed; this module only lists the classes that have entries.
+"""The registry of all questions about a curve, a surface, a map of the plane, or a pair of curves. An entry is defined
+where its exact answer is computed; this module only lists the classes that have entries.
 """
 
 from __future__ import annotations
@@ -25,8 +25,8 @@ REGISTRY: dict[Of, dict[str, Entry]] = {
 
 
 def terms_of_questions(other: Container[str] = ()) -> dict[str, str]:
-    """The meanings of the questions by their names; where two questions share a name, the one that is not about curves
-    is named with its object, as is a question with the name of another term.
+    """The meanings of the questions by their names; if two questions share a name, the question that is not about
+    curves is listed with its object, as is a question with the name of another term.
 
     >>> terms_of_questions()["umbilics"]
     'the points with a tangent plane at which the two principal curvatures are equal'

@@ -18,11 +18,11 @@ from exactspline.splines.surface import Along
 
 
 class SurfaceMeetings(CurvatureValues):
-    """A surface in space, and the questions that are asked of it with something else."""
+    """A surface in space, and the questions about the surface and a point, a line or a plane."""
 
     @Fact
     def closed(self) -> tuple[Along, ...]:
-        """The parameters in which it is closed."""
+        """The parameters in which the surface is closed."""
         return tuple(along for along in Along if closed_along(self.surface, along))
 
     @question_with(POINT_IN_SPACE, Of.SURFACE, answered=Answered.NEAREST)
@@ -43,7 +43,7 @@ class SurfaceMeetings(CurvatureValues):
         >>> [tuple(side.values.values()) for side in analyse(example("torus")).bounding_box]
         [(<Real -3>, <Real 3>), (<Real -3>, <Real 3>), (<Real -1>, <Real 1>)]
 
-        Raises `ReachError` where that would take too long.
+        Raises `ReachError` if this would take too long.
         """
         return surface_meetings.bounding_box(self.surface)
 

@@ -1,7 +1,7 @@
-"""What is asked of two surfaces in space: entries of the registry of questions.
+"""The questions about two surfaces in space: entries of the registry of questions.
 
-Where borders have an arc in common, the patches along it are made patches of one surface, with the arc as a knot line
-(`exactspline.geometry.surfaces.joints`).
+Where borders have an arc in common, the patches along the arc become patches of one surface, with the arc as a knot
+line (`exactspline.geometry.surfaces.joints`).
 """
 
 from __future__ import annotations
@@ -50,13 +50,13 @@ class SurfacePair(Inspected):
     @question(Of.TWO_SURFACES, answered=Answered.NUMBERS, on_request=True)
     def common_borders(self) -> tuple[NamedNumbers, ...]:
         """The arcs that borders of two surfaces have in common, and how the surfaces meet there: in a crease, folded
-        back, with one tangent plane, with one curvature.
+        back, with a common tangent plane, with common curvatures.
 
         Each arc is given by the parameters of both borders at its ends, with the order of geometric continuity up to 2,
-        and for a crease with the angle between the tangent planes, in degrees, where it is constant. The points of the
-        arc follow at which a crease has one tangent plane, or folds back, and those at which a surface has none. Where
-        the parameters are not linear functions of each other, the order is 0 or more, and a `common arc` is all that is
-        reported. Borders that are points are left out.
+        and for a crease with the angle between the tangent planes, in degrees, where it is constant. Then follow the
+        points of the arc at which the tangent planes of a crease agree, or the surface folds back, and the points at
+        which a surface has no tangent plane. If the parameters are not linear functions of each other, only a `common
+        arc` is reported, and the order is 0 or more. Borders that are points are ignored.
 
         >>> from exactspline import example
         >>> from exactspline.geometry.analysis.surface_pairs import SurfacePair
@@ -66,7 +66,7 @@ class SurfacePair(Inspected):
         >>> found.facts
         {'first border': 'v = 0', 'second border': 'v = 0', 'order': 2}
 
-        Raises `ReachError` where it is out of reach whether borders have an arc in common.
+        Raises `ReachError` if it would take too much work to decide whether borders have an arc in common.
         """
         borders = ([x for x in (_Border(each, edge) for edge in EDGES) if not x.is_point] for each in self.surfaces)
         return tuple(row for pair in product(*borders) for row in _along(*pair))
@@ -83,17 +83,17 @@ class _Border(NamedTuple):
 
     @property
     def curve(self) -> Nurbs:
-        """The curve that it is."""
+        """The border as a curve."""
         return self.surface.isocurve(line_of(self.edge), self.edge.value(self.surface.domain))
 
     @property
     def is_point(self) -> bool:
-        """Whether it is a single point."""
+        """Whether the border is a single point."""
         return len({*self.curve.control_points}) == 1
 
     def beside(self, ends: tuple[mpq, mpq], onto: Interval, *, last: bool) -> list[TensorSpline]:
-        """Coordinates and denominator of the segment along a part of it, on the unit interval times another one: there
-        the border is the last line, or the first one.
+        """Coordinates and denominator of the patch along a part of the border, on the unit interval times another
+        interval; the border is the last line or the first line.
         """
         (k, end), (p, w) = self.edge, (self.surface.p, self.surface.w)
         across = self.surface.meshes[k].breaks[-2:] if end else self.surface.meshes[k].breaks[1::-1]
@@ -104,7 +104,7 @@ class _Border(NamedTuple):
 
 
 def _run(ends: Sequence[mpq], onto: Interval, f: BSpline) -> BSpline:
-    """A part of a spline, run through from one end to the other, over an interval."""
+    """A part of a spline, traversed from one end to the other, over an interval."""
     part = f.restrict(min(ends), max(ends))
     return (part if ends[0] < ends[1] else part.reverse()).reparametrize(*onto)
 
@@ -114,8 +114,9 @@ ENDS = ("first from", "first to", "second from", "second to")
 
 
 def _common_arcs(first: _Border, second: _Border) -> list[list[Real]]:
-    """The arcs that two borders have in common, by the parameters at their ends (`ENDS`), those of the first rising.
-    They are found from knot to knot; neighbours along which the parameters change at one rate are joined.
+    """The arcs that two borders have in common, by the parameters at their ends (`ENDS`), with increasing parameters of
+    the first border. The arcs are found from knot to knot; neighbouring arcs with the same linear relation of the
+    parameters are joined.
     """
     found, arcs = intersections(first.curve, second.curve), list[list[Real]]()
     if found.undecided:

@@ -35,13 +35,15 @@ class SurfaceValues(Inspected):
         >>> analyse(example("hyperbolic_paraboloid")).derivative(("1/3", "1/2"), (1, 1))[0].values
         {'x': <Real 0>, 'y': <Real 0>, 'z': <Real 1>}
 
-        Raises `QuestionError` on a knot line inside of the surface.
+        Raises `QuestionError` on a knot line inside the surface.
         """
         self._check_inside(place)
         return (NamedNumbers("derivative", _by_axis(self.surface.partial(*orders, *place))),)
 
     def _check_inside(self, place: tuple[mpq, mpq]) -> None:
-        """See that no knot line inside of the surface goes through a place: derivatives of its sides may differ."""
+        """Raise `QuestionError` if a knot line inside the surface passes through a place, because the derivatives of
+        its sides may differ.
+        """
         for t, mesh, name in zip(place, self.surface.meshes, "uv", strict=True):
             if t in mesh.breaks[1:-1]:
                 problem = f"{name} = {t} is a knot, where derivatives of the two sides may differ"
@@ -49,7 +51,7 @@ class SurfaceValues(Inspected):
 
 
 class CurvatureValues(SurfaceValues):
-    """The same of a surface in space."""
+    """A surface in space, and the questions about its curvature at a place."""
 
     @question_with(PLACE_ON_SURFACE, Of.SURFACE, answered=Answered.NUMBERS)
     def curvature(self, place: tuple[mpq, mpq]) -> tuple[NamedNumbers, ...]:
@@ -59,7 +61,7 @@ class CurvatureValues(SurfaceValues):
         >>> analyse(example("sphere")).curvature(("1/3", "1/3"))[0].values["K"]
         <Real 1>
 
-        Raises `QuestionError` on a knot line inside of the surface, and where it has no tangent plane.
+        Raises `QuestionError` on a knot line inside the surface, and where the surface has no tangent plane.
         """
         self._check_inside(place)
         try:

@@ -39,7 +39,7 @@ from exactspline.splines.type_checks import surface_of
 
 
 class PatchKind(StrEnum):
-    """What is proved of the Gaussian curvature on a whole patch, except on edges that are listed."""
+    """The proved sign of the Gaussian curvature on a whole patch, except on edges that are listed."""
 
     PLANAR = "planar"
     DEVELOPABLE = "developable"
@@ -48,9 +48,9 @@ class PatchKind(StrEnum):
     HYPERBOLIC = "hyperbolic"
     #: K has both signs.
     MIXED = "elliptic and hyperbolic"
-    #: K has one sign except at parabolic points, across which it does not change its sign.
-    ELLIPTIC_BUT = "elliptic but for parabolic points"
-    HYPERBOLIC_BUT = "hyperbolic but for parabolic points"
+    #: K has one sign except at parabolic points, where it is zero without changing its sign.
+    ELLIPTIC_BUT = "elliptic except at parabolic points"
+    HYPERBOLIC_BUT = "hyperbolic except at parabolic points"
     UNDECIDED = "undecided"
     CURVE = "a curve"
     POINT = "a point"
@@ -66,7 +66,7 @@ _BY_SIGN = {
 }
 
 
-#: Digits of a point that is held against a line.
+#: The digits of a point that is compared with a line.
 DIGITS = 20
 
 _STRICT = {PatchKind.ELLIPTIC_BUT: PatchKind.ELLIPTIC, PatchKind.HYPERBOLIC_BUT: PatchKind.HYPERBOLIC}
@@ -86,12 +86,12 @@ class PatchInspection(OneLine):
     signs: Signs | None
     singular: SingularPoints
     umbilics: UmbilicsOfPatch
-    #: The Gaussian curvature where it is constant.
+    #: The Gaussian curvature, if it is constant.
     curvature: mpq | None = None
     #: Edges along which K vanishes, and isoparametric lines inside.
     parabolic_edges: tuple[Edge, ...] = ()
     parabolic_lines: tuple[tuple[Along, Parameter], ...] = ()
-    #: The connected parts of its other zeros; points without a tangent plane are not among them.
+    #: The connected parts of the other zeros of K; points without a tangent plane are not among them.
     parabolic: tuple[Part, ...] = ()
     curve: ZeroCurve | None = field(default=None, repr=False, compare=False)
 
@@ -133,8 +133,8 @@ class PatchInspection(OneLine):
 
 
 class SurfaceInspection(SurfaceMeetings, Displayed):
-    """Everything that can be computed of a surface in space. Its questions are entries of the registry
-    (`exactspline.geometry.analysis.registry`); each is answered when it is first asked.
+    """The analysis of a surface in space. Its questions are entries of the registry
+    (`exactspline.geometry.analysis.registry`); each question is answered when it is first asked.
 
     >>> from exactspline import example
     >>> found = SurfaceInspection(example("hyperbolic_paraboloid"))
@@ -155,7 +155,7 @@ class SurfaceInspection(SurfaceMeetings, Displayed):
 
     @question(Of.SURFACE, answered=Answered.PATCHES)
     def patches(self) -> tuple[PatchInspection, ...]:
-        """What is proved of every patch: the sign of the Gaussian curvature, and where it is constant its value.
+        """The proved sign of the Gaussian curvature on every patch, and its value where it is constant.
 
         >>> from exactspline import analyse, example
         >>> [one.kind.value for one in analyse(example("hyperbolic_paraboloid")).patches]
@@ -167,8 +167,8 @@ class SurfaceInspection(SurfaceMeetings, Displayed):
     def umbilics(self) -> SurfacePlaces[Umbilic]:
         """The points with a tangent plane at which the two principal curvatures are equal.
 
-        Each once, also where patches or the two ends of a closed surface meet. Everywhere on spheres and planes, and
-        along curves of umbilics.
+        Each umbilic is listed once, also where patches or the two ends of a closed surface meet. Spheres, planes and
+        curves of umbilics are in `everywhere`.
 
         >>> from exactspline import analyse, example
         >>> umbilics = analyse(example("ellipsoid")).umbilics
@@ -201,7 +201,7 @@ class SurfaceInspection(SurfaceMeetings, Displayed):
     def parabolic_curves(self) -> tuple[ZeroComponent, ...]:
         """The other curves along which the Gaussian curvature vanishes, on patches that are not developable.
 
-        Each is followed across borders of patches where K vanishes on both sides.
+        Each curve is followed across borders of patches where K vanishes on both sides.
 
         >>> from exactspline import analyse, example
         >>> [curve.shape.value for curve in analyse(example("bicubic")).parabolic_curves]
@@ -211,9 +211,9 @@ class SurfaceInspection(SurfaceMeetings, Displayed):
 
     @question(Of.SURFACE)
     def parabolic_points(self) -> SurfacePlaces[Place]:
-        """The points at which the Gaussian curvature vanishes at that point alone.
+        """The isolated zeros of the Gaussian curvature.
 
-        Everywhere on developable patches and planes.
+        Developable patches and planes are in `everywhere`.
 
         >>> from exactspline import analyse, example
         >>> analyse(example("paraboloid")).parabolic_points
@@ -231,8 +231,8 @@ class SurfaceInspection(SurfaceMeetings, Displayed):
     def singular_points(self) -> SurfacePlaces[Place]:
         """The points without a tangent plane.
 
-        A point on a border of patches or on a seam is listed once. Everywhere on patches that are curves or points,
-        along poles and along singular curves.
+        A point on a border of patches or on a seam is listed once. Patches that are curves or points, poles and
+        singular curves are in `everywhere`.
 
         >>> from exactspline import analyse, example
         >>> [place.exact for place in analyse(example("cross_cap")).singular_points]
@@ -258,9 +258,9 @@ class SurfaceInspection(SurfaceMeetings, Displayed):
     def ridges(self) -> Ridges:
         """The points at which a principal curvature is stationary along its own line of curvature.
 
-        Curves, isoparametric lines, and patches on which a principal curvature is constant along all its lines. Around
-        umbilics the curves are resolved only for low degrees, and the work is limited to about a minute: what is not
-        resolved is `undecided`.
+        The answer consists of curves, isoparametric lines, and patches on which a principal curvature is constant along
+        all its lines. Around umbilics the curves are resolved only for low degrees, and the work is limited to about a
+        minute: rectangles that are not resolved are `undecided`.
 
         >>> from exactspline import analyse, example
         >>> saddle = analyse(example("hyperbolic_paraboloid")).ridges
@@ -295,7 +295,7 @@ class SurfaceInspection(SurfaceMeetings, Displayed):
     def _single(
         self, places: Sequence[Place], parts: Sequence[Sides], curves: Sequence[ZeroComponent] = ()
     ) -> list[list[Place]]:
-        """The places that are neither in closed parts nor on curves, those of one point together."""
+        """The places that are neither in closed parts nor on curves; places of the same point are merged."""
         on_curves = {spot for curve in curves for spot, arcs in curve.met.items() if arcs}
         return single_places(places, parts, on_curves, self.surface.domain, self.closed)
 
@@ -334,8 +334,8 @@ class SurfaceInspection(SurfaceMeetings, Displayed):
 
     @Fact
     def rounding(self) -> mpq:
-        """The distance of a surface from one sphere, if it is at most 10⁻⁹ of its size; 0 for another surface, and on a
-        sphere.
+        """The proved distance of a surface from a sphere, if it is at most 10⁻⁹ of the size of the surface; 0 for any
+        other surface, and for an exact sphere.
 
         >>> from exactspline import analyse, example
         >>> analyse(example("sphere")).rounding
@@ -345,8 +345,8 @@ class SurfaceInspection(SurfaceMeetings, Displayed):
 
     @Fact
     def umbilics_below_rounding(self) -> tuple[Umbilic, ...]:
-        """The umbilics that rounded numbers add to a sphere: not all surfaces within the distance `rounding` of the
-        surface have them.
+        """The umbilics that may come from the rounded numbers of a sphere: it is not proved that all surfaces within
+        the distance `rounding` have them.
 
         >>> from exactspline import analyse, example
         >>> analyse(example("ellipsoid")).umbilics_below_rounding
@@ -375,8 +375,8 @@ class SurfaceInspection(SurfaceMeetings, Displayed):
 
     @question_with(WITHIN, Of.SURFACE, answered=Answered.PATCHES, nearby=True)
     def umbilics_within(self, epsilon: Number) -> tuple[NearbyUmbilic, ...]:
-        """The umbilics that all surfaces have whose control points and weights differ by at most this, and those that
-        some of them may have.
+        """The umbilics of all surfaces whose control points and weights differ by at most this number, and those that
+        only some of them may have.
 
         See `exactspline.geometry.rounded.umbilics.umbilics_nearby`.
 
@@ -396,7 +396,7 @@ class SurfaceInspection(SurfaceMeetings, Displayed):
 
     @property
     def kinds(self) -> tuple[PatchKind, ...]:
-        """The kinds of its patches, each once."""
+        """The kinds of the patches, each once."""
         return tuple(dict.fromkeys(one.kind for one in self.patches))
 
     @property
@@ -406,7 +406,7 @@ class SurfaceInspection(SurfaceMeetings, Displayed):
 
     @property
     def constant_curvature(self) -> mpq | None:
-        """The Gaussian curvature where it is the same at all points of the surface."""
+        """The Gaussian curvature, if it is constant on the whole surface."""
         values = {one.curvature for one in self.patches if one.kind not in (PatchKind.CURVE, PatchKind.POINT)}
         return values.pop() if len(values) == 1 else None
 
@@ -422,17 +422,19 @@ class SurfaceInspection(SurfaceMeetings, Displayed):
 
 
 def _edges(parts: Iterable[SurfacePart]) -> list[Sides]:
-    """The edges among parts."""
+    """The parts that are edges."""
     return [part.sides for part in parts if not all(side.width for side in part.sides)]
 
 
 def lines_of(found: SingularPoints | UmbilicsOfPatch, sides: Box) -> list[Line]:
-    """The edges and the lines inside of a patch all of whose points are singular, or umbilics."""
+    """The edges of a patch, and the lines inside the patch, all of whose points are singular or umbilics."""
     return [*(Line(edge.direction, edge.value(sides)) for edge in found.edges), *found.of_factor.lines]
 
 
 def _parts(found: Iterable[tuple[PatchInspection, SingularPoints | UmbilicsOfPatch, bool]]) -> tuple[SurfacePart, ...]:
-    """The patches that are singular or umbilic as a whole, the lines, and that there are curves."""
+    """The patches that are singular or umbilic as a whole, the lines, and a part for each patch with a curve of such
+    points.
+    """
     parts = list[SurfacePart]()
     for one, own, whole in found:
         boxes = [one.sides] * whole + [one.sides.with_side(k, Interval.point(x)) for k, x in lines_of(own, one.sides)]
@@ -461,7 +463,7 @@ def inspect_surface(surface: NurbsSurface) -> SurfaceInspection:
 
 
 def _in_reach(forms: SurfaceForms, patch: Patch) -> PatchInspection:
-    """The features of one patch; where a factorization would take too long, none, with the whole patch undecided."""
+    """The features of one patch; if a factorization would take too long, the whole patch is undecided."""
     try:
         return inspect_patch(forms, patch)
     except ReachError:
@@ -503,12 +505,14 @@ def inspect_patch(forms: SurfaceForms, patch: Patch) -> PatchInspection:
 
 
 def _with_zeros(inspection: PatchInspection, own: Reduced, form: PatchForm, area: Reduced | None) -> PatchInspection:
-    """The zeros of K where there are or may be some, and its sign if they determine it."""
+    """The inspection with the zeros of K, if there are or may be any, and with the sign of K if the zeros determine
+    it.
+    """
     assert area is not None, "the patch has tangent planes"
     singular, sides = inspection.singular, inspection.sides
     simple = square_free(singular.of_factor.without(form))
     rest, lines = without_lines(simple, sides)
-    # a singular point is a critical point of the form itself, not of the form without factors
+    # a singular point is a critical point of the form itself, but not of the form without factors
     known = singular.inside if rest.degree == own.form.degree else []
     curve = ZeroCurve(rest, known)
     kind = inspection.kind
@@ -521,8 +525,8 @@ def _with_zeros(inspection: PatchInspection, own: Reduced, form: PatchForm, area
 
 
 def _sign_by_zeros(form: PatchForm, curve: ZeroCurve, simple: PatchForm) -> Sign:
-    """The sign of a form that has zeros: that of its factors of odd power, which change theirs across each curve on
-    which they vanish; `curve` holds the zeros of the square-free form `simple`, except lines.
+    """The sign of a form that has zeros. It is determined by the factors of odd power, which change sign across each
+    curve on which they vanish; `curve` holds the zeros of the square-free form `simple`, except lines.
     """
     odd = odd_part(form)
     sign = sign_on_patch(odd)

@@ -1,3 +1,3 @@
-"""Bisectors of two curves and of a curve and a point: surfaces, trimmed curves, and the exceptional parts that do
-not belong to them.
+"""Bisectors of two curves and of a curve and a point: surfaces, trimmed curves, and the exceptional parts outside the
+surface.
 """

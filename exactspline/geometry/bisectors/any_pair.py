@@ -30,9 +30,10 @@ def bisector(first: Nurbs, second: Iterable[Number]) -> PointBisector | TrimmedB
 def bisector(first: Nurbs, second: Nurbs | Iterable[Number]) -> Bisector:
     """The bisector of a curve and another curve, or a point (its coordinates), in pieces.
 
-    Of two space curves a surface in patches, of equal *critical* distances, with lines, planes and single pairs; of a
-    space curve and a point ruled surfaces; of a plane curve and a point the curves of equal distances; of two plane
-    curves, also in the plane z = 0 of space, the correspondences of parameters, not trimmed.
+    For two space curves the bisector is a surface in patches, of equal *critical* distances, with lines, planes and
+    single pairs; for a space curve and a point it consists of ruled surfaces. For a plane curve and a point it consists
+    of the curves of equal distances; for two plane curves, also in the plane z = 0 of space, of correspondences of
+    parameters, which are not trimmed.
 
     >>> from exactspline import example
     >>> bisector(example("twisted_cubic"), example("rational_space_cubic"))

@@ -1,4 +1,4 @@
-"""What all bisectors have in common."""
+"""The common parts of all bisectors."""
 
 from __future__ import annotations
 
@@ -14,8 +14,8 @@ from exactspline.splines.bspline import BSpline
 
 
 class Bisector(Written):
-    """The bisector of a curve and another curve or a point: its pieces, and what is missing, with the reason. Each of
-    its classes says what its pieces are.
+    """The bisector of a curve and another curve or a point: its pieces, and the missing parts with the reasons. Each
+    subclass describes its pieces.
     """
 
     pieces: tuple[Any, ...]
@@ -23,7 +23,7 @@ class Bisector(Written):
 
     @property
     def items(self) -> Iterable[NamedNumbers]:
-        """What it consists of, in the plane: the points of the ends of each piece, then their parameters.
+        """The parts of a bisector in the plane: the end points of each piece, then their parameters.
 
         Raises `ShapeError` in space.
         """

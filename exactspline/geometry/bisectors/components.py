@@ -1,5 +1,5 @@
-"""The parts of a bisector that do not belong to its surface: lines along a curve of pairs, planes, single
-pairs, poles.
+"""The parts of a bisector outside its surface: lines along a curve of pairs of parameters, planes, single pairs,
+poles.
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ W = TypeVar("W", bound=StrEnum)
 
 
 class Solutions(StrEnum):
-    """All points of one pair of parameters."""
+    """The solutions for one pair of parameters."""
 
     LINE = "line"
     PLANE = "plane"
@@ -38,7 +38,7 @@ class Solutions(StrEnum):
 
 
 class Cause(StrEnum):
-    """Why the system of a pair is singular and has solutions."""
+    """The reason why the system of a pair of parameters is singular and has solutions."""
 
     DEPENDENT = "the three planes have a line in common"
     OVERLAP = "the curves run through one point with one tangent"
@@ -52,7 +52,7 @@ class Cause(StrEnum):
 
 
 class Correspondence(StrEnum):
-    """How the parameters of a curve of pairs are related."""
+    """The relation between the parameters of a curve of pairs."""
 
     ALL = "all pairs"
     FIRST_FIXED = "s fixed"
@@ -63,7 +63,7 @@ class Correspondence(StrEnum):
 
 @dataclass(frozen=True, repr=False)
 class PairEquation(OneLine):
-    """An irreducible integer polynomial in both parameters; its zeros are a curve of pairs.
+    """An irreducible integer polynomial in both parameters; its zeros form a curve of pairs.
 
     >>> equation = PairEquation.of(S - T)
     >>> equation.text, equation(2, 2)
@@ -91,12 +91,12 @@ class PairEquation(OneLine):
 
     @property
     def is_short(self) -> bool:
-        """Whether it is short enough to be shown."""
+        """Whether the equation is short enough to be shown."""
         return len(self.terms) <= SHORT and len(self.text) + 4 <= SHORT
 
     @property
     def short_text(self) -> str:
-        """The equation as text where it is short, otherwise its degree.
+        """The equation as text if it is short, otherwise its degree.
 
         >>> PairEquation.of(S - T).short_text, PairEquation.of(S**40 * 10**40 - T**3).short_text
         ('s - t = 0', 'equation of degree 40 × 3')
@@ -107,12 +107,12 @@ class PairEquation(OneLine):
         return f"equation of degree {m} × {n}"
 
     def __call__(self, s: Number, t: Number) -> mpq:
-        """The exact value."""
+        """The exact value of the polynomial."""
         u, v = rational(s), rational(t)
         return sum((x * u**i * v**j for (i, j), x in self.terms), mpq(0))
 
     def transposed(self) -> PairEquation:
-        """With the parameters exchanged."""
+        """The equation with the parameters exchanged."""
         return PairEquation.of(self.polynomial.compose(T, S))
 
 
@@ -131,13 +131,15 @@ class LinePiece(OneLine):
     surface: RationalSurface
 
     def pair(self, parameter: Number) -> tuple[Parameter | None, Parameter | None]:
-        """The pair of parameters that belongs to a parameter of the piece."""
+        """The pair of parameters for a parameter of the piece."""
         u = self._inside(parameter)
         other = self.other.number(u) if isinstance(self.other, Rational) else self.other
         return (u, other) if self.of == 0 else (other, u)
 
     def __call__(self, parameter: Number, ruling: Number) -> tuple[mpq, ...]:
-        """A point; raises `ShapeError` outside the piece, `ZeroDivisionError` where the line is at infinity."""
+        """A point of a line; raises `ShapeError` outside the piece, `ZeroDivisionError` where the line is at
+        infinity.
+        """
         return self.surface.at(rational(ruling)).point(self._inside(parameter))
 
     def _inside(self, parameter: Number) -> mpq:
@@ -159,7 +161,8 @@ class LinePiece(OneLine):
 @dataclass(frozen=True, repr=False)
 class Branch(OneLine):
     """A real branch of a curve of pairs: over the open interval (low, high) of s, the root of the equation with this
-    `index` (counted from 0 in increasing order) among those with t inside the side; ``sample`` is a pair on it.
+    `index` (counted from 0 in increasing order) among the roots t inside the side of the rectangle; ``sample`` is a
+    pair on the branch.
     """
 
     low: Parameter
@@ -186,8 +189,9 @@ class RealZeros(OneLine):
 class LineComponent(OneLine):
     """Lines of solutions along a curve of pairs.
 
-    ``pieces`` where the pairs are parametrized rationally; ``over_root`` where one parameter is an irrational constant;
-    otherwise the ``real`` zeros of the equation. ``equation`` is None where all pairs of the rectangle have lines.
+    The component has ``pieces`` if the pairs are parametrized rationally, ``over_root`` if one parameter is an
+    irrational constant, and otherwise the ``real`` zeros of the equation. ``equation`` is None if all pairs of the
+    rectangle have lines.
     """
 
     correspondence: Correspondence
@@ -205,19 +209,19 @@ class LineComponent(OneLine):
 
     @property
     def sides(self) -> Box:
-        """The patch on which it lies."""
+        """The patch on which the component lies."""
         return self.system.sides
 
     def partners(self, s: Number) -> list[Parameter]:
         """The parameters t of the pairs with a rational s, in order, also where the line is at infinity (see the poles
-        of the pieces); raises `ShapeError` where all pairs have lines.
+        of the pieces); raises `ShapeError` if all pairs have lines.
         """
         if self.equation is None:
             raise ShapeError("all pairs have lines", remedy="take any parameter")
         return [exactly(t) for t in roots_in(at(self.equation.polynomial, 0, rational(s)), *self.sides[1])]
 
     def line(self, s: Parameter, t: Parameter, digits: int = 20) -> Flat[arb]:
-        """The line of one of the pairs, in balls."""
+        """The line of a pair, in balls."""
         return enclosed_flat(self.system, s, t, _conditions(self.cause), digits, plane=False)
 
     def transposed(self) -> LineComponent:
@@ -237,8 +241,9 @@ class LineComponent(OneLine):
 class PlaneComponent(OneLine):
     """A plane (or all of space) for every pair of a curve of pairs, or of a rectangle (then the equation is None).
 
-    ``intervals`` are those of s (of t where ``of`` is 1) on which the equation gives the other parameter as a quotient;
-    ``fixed`` is t (s where ``of`` is 0) where that is a constant; otherwise there are branches as for lines.
+    ``intervals`` are the intervals of s (of t where ``of`` is 1) on which the equation gives the other parameter as a
+    quotient; ``fixed`` is t (s where ``of`` is 0) if this parameter is constant; otherwise there are branches as for
+    lines.
     """
 
     solutions: Solutions
@@ -273,7 +278,7 @@ class SinglePair(OneLine):
 
     @property
     def sides(self) -> Box:
-        """The patch on which it lies."""
+        """The patch on which the pair lies."""
         return self.system.sides
 
     @property
@@ -289,7 +294,7 @@ class SinglePair(OneLine):
         return flat_at(self.system, self.s, self.t, _conditions(self.cause), plane=self.solutions == Solutions.PLANE)
 
     def enclosed(self, digits: int = 20) -> Flat[arb]:
-        """The line or the plane in balls, the parameters taken to a given number of digits."""
+        """The line or the plane in balls, from the parameters to a given number of digits."""
         return enclosed_flat(
             self.system, self.s, self.t, _conditions(self.cause), digits, plane=self.solutions == Solutions.PLANE
         )
@@ -301,9 +306,10 @@ class SinglePair(OneLine):
 
 @dataclass(frozen=True, repr=False)
 class PoleCurve(OneLine):
-    """An irreducible factor of the surface's determinant: along its zeros on the rectangle the surface is at infinity.
+    """An irreducible factor of the determinant of the surface. Along the zeros of the factor on the rectangle the
+    surface is at infinity.
 
-    ``certain`` means that it certainly has zeros there, since it takes both signs.
+    ``certain`` means that the factor certainly has zeros there, because it takes both signs.
     """
 
     equation: PairEquation
@@ -313,9 +319,10 @@ class PoleCurve(OneLine):
 
 @dataclass(frozen=True, repr=False)
 class SpecialPairs(OneLine):
-    """All pairs of parameters that have no single point: those with lines, planes or all of space, and the poles.
+    """All pairs of parameters that do not have exactly one point: pairs with lines, planes or all of space, and the
+    poles.
 
-    ``undecided`` names what could not be decided; where it is empty the answer is complete.
+    ``undecided`` lists what could not be decided; if it is empty, the answer is complete.
     """
 
     lines: tuple[LineComponent, ...] = ()
@@ -325,7 +332,7 @@ class SpecialPairs(OneLine):
     undecided: tuple[str, ...] = ()
 
     def transposed(self) -> SpecialPairs:
-        """Those of the exchanged curves (without poles and branches)."""
+        """The special pairs of the exchanged curves (without poles and branches)."""
         return SpecialPairs(
             tuple(x.transposed() for x in self.lines),
             tuple(x.transposed() for x in self.planes),
@@ -356,7 +363,7 @@ def _conditions(cause: Cause) -> Conditions:
     return ALL & ~void[cause] if cause in void else ALL
 
 
-#: What becomes of what when the curves are exchanged.
+#: The causes and correspondences that are exchanged with the curves.
 _EXCHANGED: dict[Any, Any] = {
     Cause.FIRST_CUSP: Cause.SECOND_CUSP,
     Cause.FIRST_STILL: Cause.SECOND_STILL,

@@ -1,5 +1,5 @@
-"""Lines of solutions over one parameter, the other one a quotient of polynomials in it or an irrational constant:
-directrix and generator in lowest terms.
+"""Lines of solutions over one parameter, where the other parameter is a quotient of polynomials in the first or an
+irrational constant: directrix and generator in lowest terms.
 """
 
 from __future__ import annotations
@@ -52,7 +52,9 @@ ALL = Conditions.FIRST | Conditions.SECOND | Conditions.MIDDLE
 
 @dataclass(frozen=True, repr=False)
 class Flat(OneLine, Generic[N]):
-    """A point, and the direction of a line through it or the normal of a plane; where it is exact, coprime integers."""
+    """A point, and the direction of a line through it or the normal of a plane; an exact direction or normal has
+    coprime integers.
+    """
 
     point: tuple[N, ...]
     direction: tuple[N, ...]
@@ -107,7 +109,7 @@ def _sum(one: Any, other: Any) -> tuple[Any, ...]:
 
 
 def _size(x: Any) -> Any:
-    """The key for choosing among several normals: any nonzero one is right, so that a rounded size is enough."""
+    """The key for choosing among several normals. Any nonzero normal is right, so that a rounded size is enough."""
     return x.lower() if isinstance(x, arb) else x
 
 
@@ -122,7 +124,7 @@ class RootLines(OneLine):
 
     Every coordinate of the ``directrix`` (homogeneous: wx, wy, wz, w) and of the ``generator`` is a tuple of splines,
     the coefficients of 1, r, r², … below the degree of r: exact numbers of the field of r. ``poles`` are the parameters
-    whose line is at infinity, decided exactly; None where that is out of reach.
+    whose line is at infinity, decided exactly; None where this takes too much work.
     """
 
     of: int
@@ -145,7 +147,7 @@ class RootLines(OneLine):
         return max(self.directrix[0][0].degree, self.generator[0][0].degree)
 
     def line(self, parameter: Number, digits: int = 20) -> Flat[arb]:
-        """A point and the direction of a line, in balls that are not finite where it is at infinity; raises
+        """A point and the direction of a line, in balls, which are not finite where the line is at infinity; raises
         `ShapeError` outside the segment.
         """
         u = rational(parameter)
@@ -186,25 +188,25 @@ def _value(x: Coordinate, u: mpq, root: arb) -> arb:
 P = TypeVar("P", bound=Euclidean)
 
 ONE, PARAMETER = fmpz_poly([1]), fmpz_poly([0, 1])
-#: A parameter as a quotient of polynomials in the parameter of the lines.
+#: A parameter of a curve as a quotient of polynomials in the parameter of the lines.
 Quotient = tuple[fmpz_poly, fmpz_poly]
 
 
 @dataclass(frozen=True, repr=False)
 class Path(OneLine):
-    """Pairs as quotients of polynomials in one parameter."""
+    """A curve of pairs: both parameters as quotients of polynomials in one parameter."""
 
     s: Quotient
     t: Quotient
 
 
 def constant(value: mpq) -> Quotient:
-    """A rational number."""
+    """A rational number as a constant quotient."""
     return fmpz_poly([to_fmpz(value.numerator)]), fmpz_poly([to_fmpz(value.denominator)])
 
 
 def along(polynomials: Sequence[fmpz_mpoly], path: Path) -> list[fmpz_poly]:
-    """Polynomials in both parameters along a path, all multiplied by one power of its denominators."""
+    """Polynomials in both parameters along a path, all multiplied by the same power of the denominators of the path."""
     m, n = (max((int(p.degrees()[i]) for p in polynomials if p), default=0) for i in (0, 1))
     values = []
     for p in polynomials:
@@ -256,7 +258,7 @@ def lines_over_root(system: System, s: Root, conditions: Conditions = ALL) -> Ro
 
 
 def _splines(polynomials: Sequence[OverRoot], interval: Interval) -> tuple[tuple[BSpline, ...], ...]:
-    """For each polynomial, the coefficients of the powers of the root, all of one degree."""
+    """For each polynomial the coefficients of the powers of the root, all of the same degree."""
     rows = by_powers(polynomials)
     splines = iter(as_splines([p for row in rows for p in row], *interval))
     return tuple(tuple(islice(splines, len(row))) for row in rows)

@@ -1,4 +1,4 @@
-"""The bisector of two plane curves, as the zeros of a function of both parameters
+"""The bisector of two plane curves: the zeros of a function of both parameters
 (`exactspline.geometry.bisectors.plane_pair`).
 
 Source: Elber and Kim, Bisector curves of planar rational curves, Computer-Aided Design 1998.
@@ -34,22 +34,22 @@ from exactspline.splines.tensor import TensorSpline
 from exactspline.splines.type_checks import curve_of
 
 # ---- true pairs
-#
 # Let B be the point on the normal at γ(s) that is equally far from γ(s) and γ̄(t): at the zeros of the function of the
-# bisector it is on the normal at γ̄(t), too. With the tangent a at γ(s), the chord E, the weights w, v and `D(s, u) =
+# bisector B is on the normal at γ̄(t), too. With the tangent a at γ(s), the chord E, the weights w, v and `D(s, u) =
 # w(s) p(u) − w(u) p(s)` no point γ(u) is nearer to B than γ(s) where `|D|² v [a E] − w(u) (D·a⊥) (E·E)` has the sign of
 # `[a E]` for all u. On the segment of the foot itself D has the factor u − s, and D·a⊥ its square. The coefficients of
-# these forms decide it for all pairs of a box at once.
+# these forms decide this for all pairs of a box at once.
 #
 # Source: Elber and Kim, Bisector curves of planar rational curves, Computer-Aided Design 1998, which trims by sampling.
 
 
-#: How often a box is bisected before all other points are compared with its feet, and at most; how often the parameter
-#: of the other points is; and how many boxes per segment may be compared with a segment.
+#: The number of bisections of a box before all other points are compared with its feet; the largest number of
+#: bisections of a box, and of the parameter of the other points; and the number of boxes per segment that may be
+#: compared with a segment.
 FIRST, DEPTH, DEPTH_OF_OTHER, BOXES = 4, 20, 8, 3000
-#: How many values of that parameter are compared for one at which a foot is certainly not the nearest point.
+#: The number of values of this parameter that are tried in search of a point that is certainly nearer than a foot.
 STEPS = 32
-#: What the function of a pair of segments costs, in comparisons of a box with a segment.
+#: The cost of the function of a pair of segments, in comparisons of a box with a segment.
 PAIR = 50
 HALF = mpq(1, 2)
 #: The points on every segment that are compared with the feet.
@@ -58,8 +58,8 @@ COMPARED = (mpq(0), mpq(1, 3), mpq(2, 3), mpq(1))
 
 @dataclass(frozen=True)
 class TruePairs:
-    """Where the zeros of the function of a bisector of plane curves are pairs of true feet: in all boxes `kept`,
-    possibly in those `undecided`, and nowhere else.
+    """The boxes in which the zeros of the function of a bisector of plane curves are pairs of true feet: all zeros in
+    the boxes `kept` are, zeros in the `undecided` boxes may be, all others are not.
     """
 
     kept: tuple[Box, ...]
@@ -72,7 +72,7 @@ class TruePairs:
 
 @dataclass(frozen=True)
 class _Segment:
-    """A segment of a curve."""
+    """A segment of a plane curve, by its polynomials."""
 
     sides: Interval
     p: Vector[fmpz_poly]
@@ -97,7 +97,7 @@ class _Segment:
         return [[lifted(f, variable) for f in own] for own in ((*self.p, self.w), self.tangent)]
 
     def homogeneous(self, t: mpq) -> list[int]:
-        """Integers x, y and w of a point."""
+        """Integers x, y and w, the homogeneous coordinates of a point."""
         n = max(f.degree() for f in (*self.p, self.w))
         top, bottom = int(t.numerator), int(t.denominator)
         return [sum(int(x) * top**k * bottom ** (n - k) for k, x in enumerate(f.coeffs())) for f in (*self.p, self.w)]
@@ -113,13 +113,13 @@ class _Foot:
         pair, (*p, self.w) = PlanePair(curve[own].over(0), other.over(1)), curve[own].over(0)[0]
         self.p, self.normal = Vector(*p), perp(pair.a)
         self.across, self.along = det(pair.a, pair.chord) * lifted(other.w, 1), norm2(pair.chord)
-        #: Both with one constant.
+        #: Both have the same constant factor.
         self.factors = as_forms([self.across, self.along])
 
     @cached_property
     def against(self) -> list[PatchForm]:
-        """For some points of the curve a form of the other sign than `across` where the point is nearer; first one that
-        has it where B lies beyond the centre of curvature at the foot.
+        """For some points of the curve, forms that have the opposite sign of `across` where the point is nearer. The
+        first form has it where B lies beyond the centre of curvature at the foot.
         """
         square, twice = (f.compose(S, S) for f in self._over_own)
         found = [as_form(square * self.across - twice * self.along)]
@@ -131,8 +131,8 @@ class _Foot:
 
     @cached_property
     def families(self) -> list[tuple[Interval, list[PatchForm]]]:
-        """For every segment of the curve, with the parameter u, ``|D|²`` and ``w(u) (D·a⊥)`` with one constant; for
-        the own one over ``(u − s)²``.
+        """For every segment of the curve, with the parameter u, ``|D|²`` and ``w(u) (D·a⊥)`` with a common constant
+        factor; for the segment of the foot divided by ``(u − s)²``.
         """
         found = []
         for j, segment in enumerate(self.curve):
@@ -151,7 +151,7 @@ class _Foot:
         return norm2(d), dot(d, self.normal) * v
 
     def verdict(self, box: Box) -> bool | None:
-        """Whether that is so for all pairs of a box (True) or for none (False), where either is certain."""
+        """Whether no point is nearer for all pairs of a box (True) or for none (False), if either is certain."""
         across, along = (form.part(box) for form in self.factors)
         sign = across.sign
         if not sign:
@@ -163,8 +163,9 @@ class _Foot:
 def verdict_on(
     sign: int, across: PatchForm, along: PatchForm, forms: Sequence[PatchForm], own: Interval, sides: Interval
 ) -> bool | None:
-    """Whether ``N A − C M`` has a sign, or is 0, for N ≥ 0 and M on ``own × sides`` and A, C on ``own ×`` a side of
-    their own (True), or has the other one for some u and all other parameters (False), where either is certain.
+    """True if ``N A − C M``, for N ≥ 0 and M on ``own × sides`` and A, C on ``own ×`` a side of their own, has the
+    given sign or is 0 everywhere; False if it has the opposite sign for some u and all other parameters; None if
+    neither is certain.
     """
     sizes, todo = [sign * x for x in across.range], [(0, sides)]
     while todo:
@@ -173,7 +174,7 @@ def verdict_on(
         low = square.range[0] if square.range[0] > 0 else fmpz(0)
         if low * min(sizes) >= max(sign * x * y for x in twice.range for y in along.range):
             continue
-        # for one u that is so however often the other parameter is bisected
+        # for a single u this holds however often the other parameter is bisected
         fails = any(
             min(square.corners[u::2]) * min(sizes) < max(sign * x * y for x in twice.corners[u::2] for y in along.range)
             for u in (0, 1)
@@ -197,7 +198,7 @@ def verdict_on(
 
 def true_pairs(first: Nurbs, second: Nurbs) -> TruePairs:
     """The pairs of true feet of the bisector of two plane curves (see `TruePairs`). The work is limited to an amount
-    per segment; what is not looked at is undecided.
+    per segment; boxes beyond the limit are undecided.
 
     >>> line, other = (Nurbs(1, [0, 0, 1, 1], points) for points in ([(0, 0), (2, 0)], [(0, 1), (3, 4)]))
     >>> found = true_pairs(line, other)
@@ -224,7 +225,7 @@ class _Search:
 
     @cached_property
     def feet(self) -> tuple[_Foot, _Foot]:
-        """The feet on both curves."""
+        """The feet on the two curves."""
         return self.made()
 
     def run(self, left: int, kept: list[Box], undecided: list[Box]) -> int:
@@ -250,12 +251,12 @@ class _Search:
         return left
 
     def _in_turn(self, box: Box) -> Iterator[tuple[_Foot, Box]]:
-        """Both feet, with the box in their order of the parameters."""
+        """Both feet, each with the box in its order of the parameters."""
         yield from zip(self.feet, (box, Box(box.second, box.first)), strict=True)
 
     def _fails(self, box: Box) -> bool:
-        """Whether for all pairs of a box a point of one of the curves is certainly nearer than its foot. The one that
-        shows it is tried first for the next box.
+        """Whether for all pairs of a box a point of one of the curves is certainly nearer than its foot. The point that
+        shows this is tried first for the next box.
         """
         for foot, part in self._in_turn(box):
             sign, signs = foot.factors[0].part(part).sign, set[int]()
@@ -269,12 +270,11 @@ class _Search:
 
 class PlaneBisector(Bisector):
     """The points equally far from a point of each of two plane curves, on the normals of both: for the pairs (s, t) at
-    which `function` vanishes. Its `pairs` are these zeros, complete with their topology; its `pieces` the arcs.
+    which `function` vanishes. The `pairs` are these zeros, complete with their topology; the `pieces` are the arcs.
 
-    It is not trimmed: another part of a curve may be nearer, and a foot may be a point of greatest distance. `trimmed`
-    says for which pairs that is not so. Along
-    `pairs.lines` a curve has no tangent, or all pairs with one of its points have such a point (an arc of a circle and
-    its centre).
+    The bisector is not trimmed: another part of a curve may be nearer, and a foot may be a point of greatest distance.
+    `trimmed` has the pairs whose feet are the nearest points. Along `pairs.lines` a curve has no tangent, or all pairs
+    that contain a certain point of a curve are zeros (an arc of a circle and its centre).
 
     >>> line, other = (Nurbs(1, [0, 0, 1, 1], points) for points in ([(0, 0), (2, 0)], [(0, 1), (3, 4)]))
     >>> found = PlaneBisector(line, other)
@@ -295,13 +295,13 @@ class PlaneBisector(Bisector):
 
     @cached_property
     def pairs(self) -> ZeroCurves:
-        """All zeros of the function; they run on over the seam of a closed curve where that is no corner."""
+        """All zeros of the function; arcs continue across the seam of a closed curve unless it is a corner."""
         closed = [curve.closed and _has_one_tangent(curve, *curve.domain[::-1]) for curve in self.curves]
         return zero_curve(self.function, compress(Along, closed))
 
     @cached_property
     def trimmed(self) -> TruePairs:
-        """Where the pairs are true feet: no point of either curve is nearer. Points whose feet are ends or corners of
+        """The pairs of true feet, to which no point of either curve is nearer. Points whose feet are ends or corners of
         the curves are not among the pairs.
 
         >>> line, other = (Nurbs(1, [0, 0, 1, 1], points) for points in ([(0, 0), (2, 0)], [(0, 1), (3, 4)]))
@@ -317,12 +317,12 @@ class PlaneBisector(Bisector):
 
     @property
     def missing(self) -> tuple[Box, ...]:  # type: ignore[override]  # computed when it is asked for
-        """The rectangles in which pairs are not decided."""
+        """The rectangles in which zeros are not decided."""
         return self.pairs.undecided
 
     def point(self, s: Number | Real, t: Number | Real) -> tuple[mpq | Real, ...]:
-        """The point of a pair at which the function vanishes, exactly; on a common normal the one in the middle. At a
-        corner it is that of the side from which the function vanishes, the right one if it does from both.
+        """The exact point of a pair at which the function vanishes; on a common normal the midpoint. At a corner the
+        limit is taken from the side from which the function vanishes; from the right if both sides do.
 
         Raises `ReachError` where the normals are parallel and apart, and where a curve has no tangent.
         """
@@ -344,8 +344,8 @@ class PlaneBisector(Bisector):
 
     @property
     def items(self) -> Iterator[NamedNumbers]:
-        """The correspondences of parameters and the single pairs: the points of their ends but those at infinity, then
-        the parameters; lines and rectangles of pairs by their sides.
+        """The correspondences of parameters and the single pairs: their end points, except points at infinity, then the
+        parameters; lines and rectangles of pairs by their sides.
         """
         for arc in self.pairs.arcs:
             places = [] if arc.start is None or arc.end is None else [("start", arc.start), ("end", arc.end)]
@@ -359,7 +359,7 @@ class PlaneBisector(Bisector):
             yield NamedNumbers(what, {name: real(x) for name, x in ends})
 
     def _by_name(self, places: Sequence[tuple[str, tuple[Real, Real]]]) -> dict[str, Real]:
-        """Pairs of parameters by name, before them their points."""
+        """The points of pairs of parameters, then the pairs, as named numbers."""
         values, parameters = dict[str, Real](), dict[str, Real]()
         for name, (s, t) in places:
             with suppress(ReachError):
@@ -376,16 +376,16 @@ class PlaneBisector(Bisector):
 
 
 def _has_one_tangent(curve: Nurbs, before: mpq, behind: mpq) -> bool:
-    """Whether the tangents left and right of a point are parallel, also where the curve turns back, or there is none;
-    both parameters are of this point.
+    """Whether the tangents left and right of a point are parallel (also where the curve turns back), or one of them
+    does not exist. The two parameters are those of the point.
     """
     last, first = ([f(t, side) for f in tangent(curve)] for t, side in ((before, Side.LEFT), (behind, Side.RIGHT)))
     return any(first) == any(last) and first[0] * last[1] == first[1] * last[0]
 
 
 def _sides(curve: Nurbs, t: mpq | Real) -> list[Nurbs]:
-    """The parts of a curve behind and before a corner at a parameter, those with a tangent there; elsewhere all of
-    it.
+    """The parts of a curve behind and before a corner at a parameter that have a tangent there; elsewhere the whole
+    curve.
     """
     low, high = curve.domain
     if isinstance(t, Real) or t not in curve.breakpoints[1:-1] or _has_one_tangent(curve, t, t):

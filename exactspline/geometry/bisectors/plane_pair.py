@@ -24,18 +24,20 @@ from exactspline.splines.tensor import TensorSpline, lifted
 
 #: Functions of two parameters.
 R = TypeVar("R", bound=Any)
-#: Of a curve p and w, and its tangent.
+#: The functions p and w of a curve, and its tangent.
 Sides = Sequence[Sequence[R]]
 
 
 class PlanePair(Generic[R]):
-    """Two plane curves, each by p and w: their tangents a, b and their chord as functions of both parameters."""
+    """Two plane curves, each given by p and w, with their tangents a, b and their chord as functions of both
+    parameters.
+    """
 
     def __init__(self, first: Sides[R], second: Sides[R]) -> None:
         (*p, w), a = first
         (*q, v), b = second
         self.a, self.b = Vector(*a), Vector(*b)
-        #: ``w w̄``, and the chord times it.
+        #: ``w w̄``, and the chord times ``w w̄``.
         self.weight, self.chord = w * v, Vector(*[w * y - v * x for x, y in zip(p, q, strict=True)])
 
     @classmethod
@@ -51,7 +53,7 @@ class PlanePair(Generic[R]):
 
     @classmethod
     def of_curves(cls, first: Nurbs, second: Nurbs) -> PlanePair[TensorSpline]:
-        """All of two curves."""
+        """The pair of two whole curves."""
         meshes = first.w.mesh, second.w.mesh
         lists = [
             [[lifted(f, meshes, k) for f in own] for own in ((*curve.p, curve.w), tangent(curve))]
@@ -61,7 +63,7 @@ class PlanePair(Generic[R]):
 
     @cached_property
     def across(self) -> R:
-        """``[a b]``: zero where the normals are parallel."""
+        """``[a b]``, which is zero where the normals are parallel."""
         value: R = det(self.a, self.b)
         return value
 

@@ -1,5 +1,5 @@
-"""The ruled bisector surface of a point and a space curve, before any trimming: in pieces that cover all of it, and the
-places where there is none.
+"""The ruled bisector surface of a point and a space curve, before any trimming: in pieces that cover all of the
+surface, and the places where there is no surface.
 
 Parameters and coordinates are unitless exact numbers. "Bisector" means equal *critical* distances;
 `exactspline.geometry.bisectors.trimmed` keeps the points of equal distance to a point and a plane curve.
@@ -32,14 +32,14 @@ from exactspline.words import choice
 
 
 class PointVariant(StrEnum):
-    """How the surface of a point and a curve is computed."""
+    """The method by which the surface of a point and a curve is computed."""
 
     NAIVE = "naive"
     EXPLICIT = "explicit"
     DIRECT = "direct"
 
 
-#: Formulas by variant; those of the direct approach are named after the component that is moved.
+#: Formulas by variant; the formulas of the direct approach are named after the moved component.
 POINT_FORMS = {PointVariant.NAIVE: "point_bisector", PointVariant.EXPLICIT: "point_bisector_polynomial"}
 AXES = "xyz"
 
@@ -64,8 +64,8 @@ class PointBisector(Bisector):
     """The ruled bisector surface of a point and a space curve.
 
     ``singular`` are the parameters at which the generator vanishes (the tangent passes through the point, or the curve
-    does, or γ′ = 0), at a knot from one side at least, the seam of a closed curve at its start; ``missing`` the
-    intervals on which it vanishes throughout, each with the reason.
+    does, or γ′ = 0), at a knot from one side at least, the seam of a closed curve at its start. ``missing`` are the
+    intervals on which the generator vanishes identically, each with the reason.
     """
 
     variant: PointVariant
@@ -79,17 +79,17 @@ def point_bisector(
 ) -> PointBisector:
     """The bisector of a point and a space curve.
 
-    `variant` is ``naive`` (31), ``explicit`` (34) or ``direct``: the 2×2 system with a component moved that is solvable
-    on the whole piece. The choice is decided exactly: a component may be moved where its determinant, the same
-    component of ``D1 × (p − wQ)``, has no zero; the curve is split so that the pieces cover all but the singular
-    parameters, at which none can be moved.
+    `variant` is ``naive``, (31) of the paper (Chen, Riesenfeld and Cohen 2007), ``explicit``, (34) of the paper, or
+    ``direct``: the 2×2 system with a moved component, solvable on the whole piece. The component is chosen exactly: a
+    component may be moved where its determinant, the same component of ``D1 × (p − wQ)``, has no zero. The curve is
+    split so that the pieces cover all parameters except the singular ones, at which no component can be moved.
 
     >>> from exactspline.interchange.examples import example
     >>> found = point_bisector(example("ellipse_in_space"), (1, 1, 2))
     >>> [(piece.moved, str(piece.interval)) for piece in found.pieces][:2]
     [('x', '[0, 1/2]'), ('y', '[1/2, 3/2]')]
 
-    Raises `ShapeError` for a curve or a point that is not in space, or where there is no surface at all; `FormulaError`
+    Raises `ShapeError` for a curve or a point that is not in space, or if there is no surface at all; `FormulaError`
     for an unknown variant.
     """
     curve = curve_of(curve)
@@ -124,8 +124,8 @@ def point_bisector(
 
 
 def refuse_point(curve: Nurbs) -> None:
-    """The bisector of two points is a plane (in R2 a line), not a surface over the curve: raises `ShapeError` for a
-    curve that is one point.
+    """Raise `ShapeError` for a curve that is a single point: the bisector of two points is a plane (in R2 a line), not
+    a surface over the curve.
     """
     if all(x.is_zero for x in find("D1")(curve)):
         where = ", ".join(map(short_text, curve(curve.domain[0])))
@@ -136,8 +136,8 @@ def refuse_point(curve: Nurbs) -> None:
 
 
 def _singular(generator: Vector[BSpline], segments: list[Interval], *, closed: bool) -> tuple[Root, ...]:
-    """Where the generator vanishes on some of the segments, at a knot also where it does so from one side only: the
-    surface of that side has a pole there.
+    """The zeros of the generator on some of the segments; at a knot it may vanish from one side only, and the surface
+    of this side has a pole there.
     """
     roots = [root for a, b in segments for root in zeros(common_factor(Vector(*[x.restrict(a, b) for x in generator])))]
     low, high = generator[0].domain
@@ -157,7 +157,7 @@ def _merged(parts: list[tuple[mpq, mpq, int]]) -> list[tuple[mpq, mpq, int]]:
 
 
 def exact_point(curve: Curve[BSpline], point: Iterable[Number], dimension: int) -> tuple[mpq, ...]:
-    """The exact coordinates of a point in the space of a curve of that dimension; raises `ShapeError` when a number of
+    """The exact coordinates of a point in the space of a curve of that dimension; raises `ShapeError` if the number of
     coordinates is wrong.
     """
     coordinates = tuple(rational(x) for x in as_items(point, "the coordinates of a point"))

@@ -1,4 +1,6 @@
-"""Single pairs of a patch: where the curves meet, touch, or their three planes happen to share a line."""
+"""Single pairs of parameters on a patch: pairs where the curves meet or touch, or where the three planes of the system
+share a line.
+"""
 
 from __future__ import annotations
 
@@ -23,7 +25,7 @@ Found = tuple[list[Place], tuple[str, ...]]
 
 
 def zeros_of_vector(f: fmpz_mpoly | None, components: list[fmpz_mpoly], sides: Box) -> Found:
-    """The pairs at which all components (and f) vanish; and what could not be decided."""
+    """The pairs at which all components (and f) vanish; and the undecided cases."""
     given = [p for p in ([f] if f is not None else []) + components if p]
     if greatest_common_divisor(given).total_degree() > 0:
         return [], (f"pairs on {sides.shortly}: the conditions have a common factor",)
@@ -31,8 +33,8 @@ def zeros_of_vector(f: fmpz_mpoly | None, components: list[fmpz_mpoly], sides: B
 
 
 def _decided(conditions: list[fmpz_mpoly], sides: Box, also: Sequence[fmpz_mpoly] = ()) -> Found:
-    """The common zeros of polynomials without a common factor, except those at which one of the others is certainly
-    not zero; and what could not be decided.
+    """The common zeros of polynomials without a common factor, except those at which one of the polynomials `also` is
+    certainly not zero; and the undecided cases.
     """
     try:
         return [zero.place for zero in common_zeros(conditions, sides, also=also)], ()
@@ -46,8 +48,8 @@ def brief(place: Sequence[Parameter]) -> str:
 
 
 def crossings(system: System) -> Found:
-    """The isolated pairs at which the curves meet, without the curves of pairs along which they overlap; and what could
-    not be decided.
+    """The isolated pairs at which the curves meet, without the curves of pairs along which they overlap; and the
+    undecided cases.
     """
     shared = greatest_common_divisor(system.chord)
     return zeros_of_vector(None, [f / shared for f in system.chord], system.sides) if shared else ([], ())
@@ -68,7 +70,7 @@ def touching(system: System, meetings: list[Place]) -> SpecialPairs:
 
 
 def _touches(system: System, place: Place) -> bool | None:
-    """Whether the tangents at a pair are parallel; None where that is not decided."""
+    """Whether the tangents at a pair are parallel; None where this is not decided."""
     return vanish_together([f for f in system.crosses()[1] if f], *place)
 
 
@@ -77,7 +79,7 @@ def singles(system: System, factors: list[fmpz_mpoly], meetings: list[Place]) ->
     tangencies = touching(system, meetings)
     others, undecided = _dependent(system, [*factors, *system.cusps], meetings)
     lines = [(x, Cause.DEPENDENT) for x in others]
-    # where the curves meet all minors vanish, and with them their common factor if that is one of them
+    # where the curves meet, all minors vanish, and their common factor vanishes, too, if it is one of them
     if not any(p and (p / system.factor).total_degree() == 0 for p in (system.determinant, *system.numerators)):
         lines += [(x, Cause.CROSSING) for x in meetings if _touches(system, x) is False]
     pairs = [
@@ -96,17 +98,17 @@ def at_cusp(system: System, place: Place) -> bool:
 
 
 def _lies_on(g: fmpz_mpoly, place: Place) -> bool:
-    """Whether a pair lies on a curve of pairs, and so has its line already; where that is not decided, it is listed
+    """Whether a pair lies on a curve of pairs, so that its line is listed already; an undecided pair is listed
     again.
     """
     return bool(vanish_together([g], *place))
 
 
 def _dependent(system: System, factors: list[fmpz_mpoly], meetings: list[Place]) -> Found:
-    """The pairs with a line of solutions at which the curves do not meet; and what could not be decided.
+    """The pairs with a line of solutions at which the curves do not meet; and the undecided cases.
 
     Where the determinant vanishes, the numerators are a multiple of the normal n of the three planes' normals: they
-    vanish when their product with one vector u does, and u·n does not.
+    vanish if their scalar product with a vector u vanishes and u·n does not.
     """
     determinant, *numerators = (p / system.factor for p in (system.determinant, *system.numerators))
     conditions = [p for p in (determinant, *numerators) if p]
@@ -140,8 +142,8 @@ def _are_coprime(p: fmpz_mpoly, q: fmpz_mpoly) -> bool:
 
 
 def _has_rank_2(system: System, place: Place) -> bool | None:
-    """Whether the normals of the three planes are not all parallel; if they are, and the curves do not meet, the planes
-    are three different ones.
+    """Whether the normals of the three planes are not all parallel; if they are, and the curves do not meet, the three
+    planes are different.
     """
     parallel = vanish_together([f for v in system.crosses() for f in v if f], *place)
     return None if parallel is None else not parallel

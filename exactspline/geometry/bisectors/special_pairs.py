@@ -1,8 +1,8 @@
 """The pairs of parameters of two curves whose planes have more than one point in common, patch by patch and completely.
 
 The reasoning is in ``docs/bisectors.md``: on one patch the minors of the system vanish together along the zeros of
-their greatest common divisor and at finitely many pairs besides; a plane of solutions needs a common point with a
-common tangent, or a cusp.
+their greatest common divisor and at finitely many other pairs. A plane of solutions occurs only at a common point with
+a common tangent, or at a cusp.
 """
 
 from __future__ import annotations
@@ -69,8 +69,8 @@ from exactspline.roots.vanishing import vanish_at
 from exactspline.splines.nurbs import Nurbs
 
 # ---- cusps
-#
-# Over the other curve there are lines, and planes where it passes through the point or has no tangent either.
+# Over the other curve there are lines, and planes where the other curve passes through the cusp or has no tangent
+# either.
 
 
 #: The remaining conditions where the first curve has no tangent.
@@ -94,7 +94,9 @@ def _standing(system: System) -> SpecialPairs:
 
 
 def _planes_over_a_point(system: System) -> tuple[PlaneComponent, ...]:
-    """Where the second curve passes through the single point of the first, and at its cusps."""
+    """The planes where the second curve passes through the single point of the first curve, and at cusps of the second
+    curve.
+    """
     side = system.second.interval
     meetings, cusps = roots_in(in_one(greatest_common_divisor(system.chord), 1), *side), _cusps_of(system.second)
     planes = [
@@ -115,7 +117,9 @@ def _plane_at(solutions: Solutions, cause: Cause, system: System, t: Root) -> Pl
 
 
 def _over_cusps(system: System) -> SpecialPairs:
-    """Lines over the second curve at the cusps of the first, and the pairs at which it passes through one."""
+    """Lines over the second curve at the cusps of the first, and the pairs at which the second curve passes through a
+    cusp.
+    """
     pairs = SpecialPairs()
     for q in system.first.cusps:
         for s in roots_in(q, *system.first.interval):
@@ -211,7 +215,7 @@ def branches(g: fmpz_mpoly, sides: Box) -> list[Branch]:
     """The real branches of an equation of degree at least 2 in both parameters, strictly inside the rectangle.
 
     Between two parameters s at which the discriminant, the first coefficient or the value on a side of the rectangle
-    vanishes, the number of roots inside does not change. `ReachError` where the discriminant would take too long.
+    vanishes, the number of roots inside does not change. Raises `ReachError` if the discriminant would take too long.
 
     >>> from exactspline.polynomials.two_parameters import S, T
     >>> square = (mpq(-2), mpq(2))
@@ -230,8 +234,8 @@ def branches(g: fmpz_mpoly, sides: Box) -> list[Branch]:
 
 
 def _nodes(g: fmpz_mpoly, sides: Box) -> list[Place]:
-    """The singular pairs of an irreducible equation that need not be limits of branches: where the Hessian is negative
-    two branches cross. Raises `ReachError` where this would take too long.
+    """The singular pairs of an irreducible equation that need not be limits of branches (where the Hessian is negative,
+    two branches cross). Raises `ReachError` where this would take too long.
 
     >>> from exactspline.polynomials.two_parameters import S, T
     >>> side = Interval(mpq(-1, 2), mpq(1, 2))
@@ -250,8 +254,8 @@ def _certainly_positive(p: fmpz_mpoly, place: Place) -> bool:
 
 
 def special_pairs(first: Nurbs, second: Nurbs, budget: Budget | None = None) -> SpecialPairs:
-    """All pairs of two space curves whose solutions are lines, planes or all of space, and the poles. What exceeds the
-    budget of work is named in ``undecided``.
+    """All pairs of two space curves whose solutions are lines, planes or all of space, and the poles. Parts that exceed
+    the budget of work are listed in ``undecided``.
 
     >>> from exactspline import Nurbs
     >>> low, high = (Nurbs(1, [0, 0, 1, 1], [(0, 0, z), (2, 0, z)]) for z in (0, 1))
@@ -287,7 +291,7 @@ def _of_system(system: System) -> SpecialPairs:
 
 
 def _in_reach(what: str, compute: Callable[[], SpecialPairs]) -> SpecialPairs:
-    """The computed pairs or, where that would take too long, the name of this part in ``undecided``."""
+    """The computed pairs or, if they would take too long, the name of this part in ``undecided``."""
     try:
         return compute()
     except ReachError as error:
@@ -298,7 +302,7 @@ def _with_tangents(system: System) -> SpecialPairs:
     """The special pairs of the system in which zeros of the tangents are divided out."""
     factor = system.factor
     pairs = SpecialPairs() if factor else _everywhere(system)
-    # where all minors vanish everywhere, there is more only where the curves overlap
+    # if all minors vanish everywhere, other pairs exist only where the curves overlap
     factors = irreducible_factors(factor if factor else greatest_common_divisor(system.chord))
     where = system.sides.shortly
     for g in factors:
@@ -366,14 +370,14 @@ def _along_rational(system: System, g: fmpz_mpoly) -> SpecialPairs:
 
 
 def _has(system: System, place: Place, kind: Solutions) -> bool:
-    """Whether a single pair of an equation has the solutions that a general one has; raises `ReachError` where that
-    would take too long.
+    """Whether a single pair of an equation has the same kind of solutions as a general pair; raises `ReachError` if
+    this would take too long.
     """
     return kind == Solutions.PLANE or not vanish_at([f for v in system.crosses() for f in v if f], *place)
 
 
 def _value(top: fmpz_poly, bottom: fmpz_poly, s: Parameter, side: Interval) -> mpq:
-    """The quotient at a parameter at which it is an end of the side."""
+    """The quotient at a parameter at which its value is an end of the side."""
     borders = [(y, lifted(top * int(y.denominator) - bottom * int(y.numerator), 0)) for y in side]
     return next(y for y, border in borders if vanish_at([border], s, y))
 
@@ -403,7 +407,7 @@ def _along_algebraic(system: System, g: fmpz_mpoly) -> SpecialPairs:
     kind, sides, equation = _kind(system, g), system.sides, PairEquation.of(g)
     if kind is None:
         return SpecialPairs()
-    # nearly all zeros are on branches: these draw on the budget of the whole answer first
+    # nearly all zeros are on branches, which therefore use the budget of the whole answer first
     found_branches, borders = branches(g, sides), border_pairs(g, sides)
     singular, undecided = list[Place](), tuple[str, ...]()
     try:
@@ -440,8 +444,8 @@ def _poles(system: System) -> SpecialPairs:
 
 
 def _without_repetition(special: SpecialPairs, first: Nurbs, second: Nurbs) -> SpecialPairs:
-    """Each single pair, and the lines at each cusp, once where the curves continue smoothly to the next patch; a single
-    pair is dropped where a curve of pairs of the next patch ends.
+    """The special pairs without repetition: where the curves continue smoothly to the next patch, each single pair and
+    the lines at each cusp are listed once. A single pair at which a curve of pairs of the next patch ends is dropped.
     """
     curves = first, second
 
@@ -474,7 +478,7 @@ def _without_repetition(special: SpecialPairs, first: Nurbs, second: Nurbs) -> S
 
 
 def _reaches(t: Parameter, own: Interval, other: Interval, curve: Nurbs) -> bool:
-    """Whether a parameter of one segment also belongs to another one with the same tangent."""
+    """Whether a parameter of one segment also belongs to another segment, with the same tangent."""
     return own == other or (not isinstance(t, Root) and t in own and t in other and runs_on(curve, t))
 
 
@@ -486,7 +490,7 @@ def _lies_on(line: LineComponent, s: Parameter, t: Parameter) -> bool:
 
 
 def runs_on(curve: Nurbs, t: mpq) -> bool:
-    """Whether a segment ends where another one begins, with the same point and tangent direction (or with γ′ = 0 on
+    """Whether a segment ends where another segment begins, with the same point and tangent direction (or with γ′ = 0 on
     both sides).
     """
     if t == curve.domain[0] or curve(t, Side.LEFT) != curve(t, Side.RIGHT):

@@ -1,7 +1,8 @@
 """The linear system of two curves on one patch, with polynomials in both parameters as its entries.
 
 A point B = γ + Y/(w w̄) lies in both normal planes and in the plane of equal distance when ``a·Y = 0``, ``b·Y = b·E``
-and ``2E·Y = E·E``: a and b are the tangents γ′ and γ̄′ without their common factors, E = w p̄ − w̄ p is the chord.
+and ``2E·Y = E·E``: here a and b are the tangents γ′ and γ̄′ without their common factors, and E = w p̄ − w̄ p is the
+chord.
 """
 
 from __future__ import annotations
@@ -50,7 +51,7 @@ E = TypeVar("E", bound=Euclidean)
 
 
 def common_divisor_along(polynomials: Iterable[E]) -> E:
-    """The greatest common divisor of polynomials in one parameter; `ReachError` where that would take too long."""
+    """The greatest common divisor of polynomials in one parameter; Raises `ReachError` if this would take too long."""
     given = list(polynomials)
     if isinstance(given[0], fmpz_poly):
         return greatest_common_divisor(given)  # type: ignore[type-var]  # all of them are of one type
@@ -61,7 +62,7 @@ def common_divisor_along(polynomials: Iterable[E]) -> E:
 
 
 def vanish_together(polynomials: Sequence[fmpz_mpoly], s: Parameter, t: Parameter) -> bool | None:
-    """Whether polynomials vanish at a pair, decided exactly; None where that would take too long."""
+    """Whether polynomials vanish at a pair, decided exactly; None if this would take too long."""
     try:
         return vanish_at(polynomials, s, t)
     except ReachError:
@@ -72,7 +73,7 @@ def vanish_together(polynomials: Sequence[fmpz_mpoly], s: Parameter, t: Paramete
 class SegmentOfCurve(OneLine):
     """One segment of a curve as polynomials in its parameter: the point ``p/w`` and the tangent without its zeros.
 
-    ``cusps`` are irreducible polynomials whose roots on the interval are the zeros of γ′; where γ′ vanishes identically
+    ``cusps`` are irreducible polynomials whose roots on the interval are the zeros of γ′; if γ′ vanishes identically,
     the tangent is zero.
     """
 
@@ -89,7 +90,7 @@ class SegmentOfCurve(OneLine):
 
     @property
     def stands_still(self) -> bool:
-        """Whether the segment is one point."""
+        """Whether the segment is a single point."""
         return not any(self.tangent)
 
 
@@ -119,7 +120,7 @@ def piece(curve: Nurbs, i: int) -> SegmentOfCurve:
 
 @dataclass(frozen=True, repr=False)
 class System(OneLine):
-    """The rows of two pieces, each over both parameters."""
+    """The linear system of two pieces, with its rows over both parameters."""
 
     first: SegmentOfCurve
     second: SegmentOfCurve
@@ -176,8 +177,8 @@ class System(OneLine):
 
     @cached_property
     def factor(self) -> fmpz_mpoly:
-        """The common factor of determinant and numerators: along its zeros the system is singular, and the minors do
-        not exclude solutions. Zero where all of them vanish.
+        """The common factor of determinant and numerators: along the zeros of this factor the system is singular, and
+        the minors do not exclude solutions. The factor is zero if all minors vanish.
         """
         return greatest_common_divisor([self.determinant, *self.numerators])
 

@@ -1,9 +1,9 @@
 """The true bisector of a point and a plane curve: the points as far from the point as from the *whole* curve (Farouki
 and Johnstone 1994).
 
-A point B is on it when no point of the curve is inside the circle around B through Q: ``‖γ(u) − Q‖² − 2 (B − Q)·(γ(u) −
-Q) ≥ 0`` for all u. For the untrimmed bisector B(s), and for the line of points as far from Q as from a corner of the
-curve, that is a family of polynomials in u (see `exactspline.geometry.bisectors.trimmed`).
+A point B is on the true bisector when no point of the curve is inside the circle around B through Q: ``‖γ(u) − Q‖² − 2
+(B − Q)·(γ(u) − Q) ≥ 0`` for all u. For the untrimmed bisector B(s), and for the line of points as far from Q as from a
+corner of the curve, this condition is a family of polynomials in u.
 """
 
 from __future__ import annotations
@@ -51,11 +51,10 @@ from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.type_checks import curve_of
 
 # ---- conditions
-#
-# For B(s) = (x, y)/e that of a segment a/w of the curve (moved so that Q is the origin) is that the quotient `(e
-# ‖a(u)‖² − 2 w (x, y)·a(u))/e` is negative for no u. Bernstein coefficients on boxes decide most cases; the rest are
-# decided exactly: where members of such a family are non-negative can only change at a parameter at which one of them
-# has a double zero or a zero at an end, or at which B is infinite.
+# For B(s) = (x, y)/e the condition of a segment a/w of the curve (moved so that Q is the origin) is that the quotient
+# `(e ‖a(u)‖² − 2 w (x, y)·a(u))/e` is negative for no u. Bernstein coefficients on boxes decide most cases; the rest
+# are decided exactly: whether the members of such a family are non-negative can only change at a parameter at which a
+# member has a double zero or a zero at an end, or at which B is infinite.
 
 
 #: How many segments at most are tested first to see whether an arc is on the true bisector at all.
@@ -76,7 +75,7 @@ class _Family:
     rest: tuple[list[fmpz_poly], int] | None
 
     def certain(self, e: fmpz_poly, n: int, parts: list[Interval]) -> bool:
-        """Whether it certainly holds on all of the given parts."""
+        """Whether the condition certainly holds on all of the given parts."""
         if _of_one_sign(self.below, self.whole) or all(_holds_certainly(self.rows, e, n, part) for part in parts):
             return True
         if self.rest is None:
@@ -85,16 +84,16 @@ class _Family:
         return all(_holds_certainly(rows, e, n, part, degree) for part in parts)
 
     def of_certain_sign(self, n: int, parts: list[Interval]) -> bool:
-        """Whether it certainly has one sign on each of the given parts, whatever the sign of e: the condition then
-        changes only at zeros of e.
+        """Whether the family certainly has one sign on each of the given parts, whatever the sign of e: then the
+        condition changes only at zeros of e.
         """
         rows, m = (self.rows, n) if self.rest is None else self.rest
         return all(_keeps_sign(rows, m, part, 1) or _keeps_sign(rows, m, part, -1) for part in parts)
 
 
 def _without_foot(whole: fmpz_poly, stride: int, n: int, degree: int) -> tuple[list[fmpz_poly], int] | None:
-    """The rows of a family of these degrees in s and u over ``(u − s)²``, and their degree in s; None where that does
-    not divide it.
+    """The rows of a family of these degrees in s and u over ``(u − s)²``, and their degree in s; None where ``(u −
+    s)²`` is not a factor.
     """
     z, u = CONTEXT.gens()
     quotient, rest = divmod(as_mpoly(whole, stride), (z - u) ** 2)
@@ -113,7 +112,7 @@ class Conditions:
         for forms in zip(square.forms, *[x.elevated_to(square).forms for x in twice], strict=True):
             self.rows.append(over_common_denominator(forms)[0])
 
-        #: Arcs that are not on the true bisector mostly fail where the curve comes near Q, or on both sides of Q.
+        #: Arcs that are not on the true bisector usually fail where the curve comes close to Q, or on both sides of Q.
         starts = [Vector(*[x(t) / c.w(t) for x in c.p]) for t in c.w.breakpoints[:-1]]
         #: ``‖a‖²`` and a at the beginning of every segment.
         self.starts = [(norm2(x), *x) for x in starts]
@@ -130,11 +129,12 @@ class Conditions:
     def kept(
         self, forms: list[fmpz_poly], n: int, segment: tuple[mpq, mpq], own: int | None = None
     ) -> list[tuple[Parameter, Parameter]]:
-        """Where B = (x, y)/e of degree n, given on one segment by integer forms, meets the condition: closed intervals,
-        split where B is infinite. `own` is the segment of the curve with the foot of B, at the same parameter.
+        """The closed intervals on which B = (x, y)/e of degree n, given on one segment by integer forms, satisfies the
+        condition; they are split where B is infinite. `own` is the segment of the curve with the foot of B, at the same
+        parameter.
 
-        Parts of the segment on which one condition certainly fails are set aside first, and conditions that certainly
-        hold on the rest. Where two such parts meet a condition fails, so that the point is not part of the result.
+        First, parts of the segment on which a condition certainly fails are excluded, then conditions that certainly
+        hold on the rest. Where two excluded parts meet, a condition fails, so that the point is not part of the result.
         """
         e, build = forms[2], self._builder(forms, n, own)
         asked = {self._most_against(forms, n, mpq(k, 8)) for k in (1, 3, 5, 7)}
@@ -169,7 +169,7 @@ class Conditions:
         return intervals
 
     def _builder(self, forms: list[fmpz_poly], n: int, own: int | None) -> Callable[[int], _Family]:
-        """The maker of the family of a segment; `own` is the one with the foot of B."""
+        """The maker of the family of a segment; `own` is the segment with the foot of B."""
         x, y, e = forms
         stride = tensor_bernstein.stride_for(n)
 
@@ -196,8 +196,8 @@ class Conditions:
 
 
 def _of_one_sign(e: fmpz_poly, family: fmpz_poly) -> bool:
-    """Whether the coefficients alone show that the family is non-negative over e everywhere, and e without an inner
-    zero.
+    """Whether the coefficients alone show that the family divided by e is non-negative everywhere, and that e has no
+    inner zero.
     """
     return any(all(x * sign >= 0 for f in (e, family) for x in f.coeffs()) for sign in (1, -1))
 
@@ -205,7 +205,7 @@ def _of_one_sign(e: fmpz_poly, family: fmpz_poly) -> bool:
 def _candidates(family: fmpz_mpoly, segment: tuple[mpq, mpq]) -> list[Root]:
     """The inner parameters at which the number of sign changes of a member can differ from that of its neighbours.
 
-    `ReachError` where they would take too long.
+    Raises `ReachError` if they would take too long.
     """
     if not family:
         return []
@@ -224,7 +224,9 @@ def _candidates(family: fmpz_mpoly, segment: tuple[mpq, mpq]) -> list[Root]:
 
 
 def _boundary_parameters(p: fmpz_mpoly, segment: tuple[mpq, mpq]) -> list[Root]:
-    """Where a square-free factor has a double zero, or one at an end: discriminant, first and last coefficient."""
+    """The parameters at which a square-free factor has a double zero, or a zero at an end: the zeros of its
+    discriminant and of its first and last coefficient.
+    """
     rows = rows_of(p)
     ends = [next(row for row in rows if row), rows[-1]]
     conditions = [*ends, discriminant(rows)] if len(rows) > 2 else ends
@@ -232,8 +234,8 @@ def _boundary_parameters(p: fmpz_mpoly, segment: tuple[mpq, mpq]) -> list[Root]:
 
 
 def _roots(c: fmpz_poly, segment: tuple[mpq, mpq]) -> list[Root]:
-    """The inner roots of a polynomial in the local z of a segment: of its square-free factors one by one, for
-    discriminants have many of them.
+    """The inner roots of a polynomial in the local z of a segment: the roots of its square-free factors one by one,
+    because discriminants have many such factors.
     """
     mesh = Mesh(list(segment))
     check_isolation(c)
@@ -249,8 +251,8 @@ def _roots(c: fmpz_poly, segment: tuple[mpq, mpq]) -> list[Root]:
 def _cells_between(
     candidates: list[Parameter], poles: list[Root], segment: tuple[mpq, mpq], holds: Callable[[mpq], bool]
 ) -> list[tuple[Parameter, Parameter]]:
-    """The closed intervals between candidates on which the condition holds; neighbours are one, unless B is infinite
-    between them.
+    """The closed intervals between candidates on which the condition holds; neighbouring intervals are joined, unless B
+    is infinite between them.
     """
     a, b = segment
     intervals: list[tuple[Parameter, Parameter]] = []
@@ -280,13 +282,14 @@ def _intersection(
 
 # ---- certain answers by the signs of coefficients, ahead of the exact ones
 
-#: An interval of the local parameter. How often the parameter is halved, and how often both are.
+#: The numbers of bisections of the local parameter alone, and of both parameters.
 DEPTH, DEPTH_OF_BOTH = 10, 10
 
 
 def _possible_parts(families: Sequence[Sequence[fmpz_poly]], e: fmpz_poly, n: int) -> list[Interval]:
-    """The parts of [0, 1] on which no family is certainly of the other sign than e at the beginning or in the middle
-    of its range, neighbours joined; parts with a zero of e only where all families could have one sign.
+    """The parts of [0, 1] on which no family certainly has the opposite sign of e at the beginning or in the middle of
+    its range, with neighbouring parts joined; a part with a zero of e is included only if all families could have the
+    same sign.
 
     >>> _possible_parts([[fmpz_poly([-1, 3])]], fmpz_poly([1, 1]), 1)
     [Interval(255/1024, 1)]
@@ -298,7 +301,7 @@ def _possible_parts(families: Sequence[Sequence[fmpz_poly]], e: fmpz_poly, n: in
         interval, depth, below, forms = todo.pop()
         sign = _sign(below, n)
         signs = {_sign(form, n) for form in forms}
-        # where e has a zero, forms of both signs exclude both of its sides
+        # where e has a zero, forms of both signs exclude both sides of the zero
         if -sign in signs if sign else {1, -1} <= signs:
             continue
         if depth == DEPTH or (sign and not any(_has_sign(form, -sign) for form in forms)):
@@ -318,7 +321,7 @@ def _total(rows: Sequence[fmpz_poly]) -> fmpz_poly:
 
 
 def _sign(form: fmpz_poly, n: int) -> int:
-    """The strict sign of all coefficients of a form of degree n, 0 where they have none."""
+    """The strict sign of all coefficients of a form of degree n, 0 if the signs differ."""
     first = form[0]
     if first == 0 or form.degree() < n:
         return 0
@@ -333,16 +336,17 @@ def _has_sign(form: fmpz_poly, sign: int) -> bool:
 def _holds_certainly(
     rows: Sequence[fmpz_poly], e: fmpz_poly, n: int, interval: Interval, degree: int | None = None
 ) -> bool:
-    """Whether a family has the sign of e, or is zero, all over a part: by coefficients on smaller and smaller boxes.
+    """Whether a family certainly has the sign of e, or is zero, on a whole part, by coefficients on smaller and smaller
+    boxes.
 
-    Its rows have the degree n of e, or another degree.
+    The rows of the family have the degree n of e, or the given degree.
     """
     sign = _sign(restrict((e, ONE), n, *interval)[0], n)
     return bool(sign) and _keeps_sign(rows, n if degree is None else degree, interval, sign)
 
 
 def _keeps_sign(rows: Sequence[fmpz_poly], m: int, interval: Interval, sign: int) -> bool:
-    """Whether a family of degree m in z has a sign, or is zero, all over a part; certainly, as above.
+    """Whether a family of degree m in z certainly has the given sign, or is zero, on a whole part.
 
     >>> _keeps_sign([fmpz_poly([1, -1]), fmpz_poly([2, 1])], 1, Interval(mpq(0), mpq(1, 4)), 1)
     True
@@ -360,7 +364,7 @@ def _keeps_sign(rows: Sequence[fmpz_poly], m: int, interval: Interval, sign: int
 
 
 class PieceKind(StrEnum):
-    """Where the feet of a piece lie."""
+    """The location of the feet of a piece."""
 
     ARC = "arc"
     END_POINT = "end point"
@@ -369,11 +373,12 @@ class PieceKind(StrEnum):
 
 @dataclass(frozen=True)
 class TrimmedPiece:
-    """A piece of the true bisector over [low, high] of its parameter.
+    """A piece of the true bisector over the interval [low, high] of its parameter.
 
-    ``kind`` is ``arc`` (its parameter is that of the curve, B has its foot at γ(s)), ``end point`` or ``corner`` (a
-    piece of a straight line: its foot is the point of the curve at ``foot``; its parameter runs over [−1, 1], the
-    middle of Q and the foot at 0, infinite at −1 and 1). ``value`` is a `Rational` over the whole segment or line.
+    ``kind`` is ``arc`` (the parameter is that of the curve, and the foot of B(s) is γ(s)), ``end point`` or ``corner``.
+    The last two are pieces of a straight line, whose foot is the point of the curve at ``foot``; the parameter runs
+    over [−1, 1], with the midpoint of Q and the foot at 0 and infinity at −1 and 1. ``value`` is a `Rational` over the
+    whole segment or line.
     """
 
     kind: PieceKind
@@ -397,7 +402,7 @@ class TrimmedPiece:
 
     @property
     def described(self) -> NamedNumbers:
-        """The points of both ends, without one at infinity, then the parameters, and that of the foot."""
+        """The end points, except points at infinity, then their parameters, and the parameter of the foot."""
         ends, values = {"start": exact_place(self.low), "end": exact_place(self.high)}, dict[str, Real]()
         for name, t in ends.items():
             if sign_at(self.value.denominator, t):
@@ -420,7 +425,7 @@ class TrimmedPiece:
 @dataclass(frozen=True, repr=False)
 class TrimmedBisector(Bisector):
     """The true bisector in pieces; ``missing`` lists segments without an arc and corners without a line, with the
-    reason. ``undecided`` names what would have taken too long; where it is empty the answer is complete.
+    reasons. ``undecided`` lists the parts that would have taken too long; if it is empty, the answer is complete.
     """
 
     pieces: tuple[TrimmedPiece, ...]
@@ -429,7 +434,7 @@ class TrimmedBisector(Bisector):
 
     @property
     def items(self) -> tuple[NamedNumbers, ...]:
-        """Its pieces."""
+        """The pieces as named numbers."""
         return tuple(piece.described for piece in self.pieces)
 
     @property
@@ -446,9 +451,9 @@ def trimmed_bisector(curve: Nurbs, point: Iterable[Number]) -> TrimmedBisector:
     >>> [(str(piece.kind), piece.foot) for piece in trimmed_bisector(line, (0, 2)).pieces]
     [('arc', None), ('end point', mpq(0,1)), ('end point', mpq(1,1))]
 
-    The work on the whole answer is bounded as for the bisector of two curves.
+    The work is limited as for the bisector of two curves.
 
-    Raises `ShapeError` for a curve that is not in the plane or not in one piece, and for a point on the curve.
+    Raises `ShapeError` for a curve that is not in the plane or not connected, and for a point on the curve.
     """
     curve = curve_of(curve)
     q = exact_point(curve, point, 2)
@@ -507,8 +512,8 @@ def _arc(c: Curve[BSpline], i: int) -> tuple[tuple[list[fmpz_poly], int], Ration
     """The untrimmed bisector of segment i around the origin, in lowest terms: its integer forms, their degree, and the
     quotient.
 
-    Where there is none, or only a point, the reason as text; where that point is on the true bisector, neighbouring
-    pieces end there.
+    Where there is no bisector, or only a point, the reason as text; if such a point is on the true bisector,
+    neighbouring pieces end there.
     """
     a, b = c.w.breakpoints[i : i + 2]
     part = c.mapped(lambda f: f.restrict(a, b))
@@ -524,12 +529,12 @@ def _arc(c: Curve[BSpline], i: int) -> tuple[tuple[list[fmpz_poly], int], Ration
 
 def _corners(curve: Nurbs, missing: list[str]) -> list[tuple[PieceKind, mpq]]:
     """The ends of an open curve, its corners and its singular points, by their parameters, each point once; irrational
-    ones are added to `missing`.
+    parameters are added to `missing`.
     """
     a, b = curve.domain
     has_ends = (
         not curve.closed or find("D1")(curve).is_zero
-    )  # a curve that is a single point is closed, and consists of ends
+    )  # a curve that is a single point is closed and consists of ends only
     ends = [(PieceKind.END_POINT, a), (PieceKind.END_POINT, b)] if has_ends else []
     ends += [(PieceKind.CORNER, joint.parameter) for joint in facts_of(curve).joints if joint.kind is JointKind.CORNER]
     for feature in facts_of(curve).singular_points:
@@ -575,8 +580,8 @@ def _line_pieces(
 
 
 def _same_scale(halves: list[list[fmpz_poly]]) -> list[list[fmpz_poly]]:
-    """Both halves of the line with one value of the denominator in the middle, so that the splines are continuous
-    there.
+    """Both halves of the line, scaled to the same value of the denominator in the middle, so that the splines are
+    continuous there.
     """
     (left, right) = halves
     a, b = left[2][1], right[2][0]

@@ -1,5 +1,5 @@
-"""The bisector of two space curves, before any trimming: a surface over the pairs of parameters that have one point,
-and the lines and planes of the pairs that have more (`exactspline.geometry.bisectors.special_pairs`).
+"""The bisector of two space curves, before any trimming: a surface over the pairs of parameters that have exactly one
+point, and the lines and planes of the pairs that have more (`exactspline.geometry.bisectors.special_pairs`).
 
 Parameters and coordinates are unitless exact numbers. "Bisector" means equal *critical* distances.
 """
@@ -44,7 +44,7 @@ class BisectorPatch:
 
 
 class SurfaceVariant(StrEnum):
-    """How the surface of two space curves is computed."""
+    """The method by which the surface of two space curves is computed."""
 
     NAIVE = "naive"
     LEVELLED = "levelled"
@@ -64,13 +64,13 @@ CURVE_FORMS = {
 
 
 class CurveBisector(Inspected, Bisector):
-    """The bisector of two space curves: the surface in patches, the rectangles on which a general pair does not have
-    exactly one point (`missing`), each with the reason, and, computed when first needed, all pairs that have more than
-    a point. Its questions are entries of the registry (`exactspline.geometry.analysis.registry`).
+    """The bisector of two space curves: the surface in patches; the rectangles on which a general pair does not have
+    exactly one point (`missing`), each with the reason; and all pairs that have more than a point, which are computed
+    when first needed. Its questions are entries of the registry (`exactspline.geometry.analysis.registry`).
 
     Together ``patches``, ``lines``, ``planes`` and ``pairs`` are all points with two equal critical distances, except
-    for the cases named in ``undecided``; along ``poles`` the surface is at infinity. ``unreduced`` names the patches
-    whose lowest terms were out of reach; ``budget`` is what remains of the work on the whole answer.
+    for the cases listed in ``undecided``; along ``poles`` the surface is at infinity. ``unreduced`` lists the patches
+    whose lowest terms would take too much work; ``budget`` is the work that remains for the whole answer.
     """
 
     def __init__(self, first: Nurbs, second: Nurbs, variant: SurfaceVariant = SurfaceVariant.MINIMAL) -> None:
@@ -85,17 +85,17 @@ class CurveBisector(Inspected, Bisector):
 
     @property
     def pieces(self) -> tuple[BisectorPatch, ...]:  # type: ignore[override]  # read only
-        """The patches of its surface."""
+        """The patches of the bisector surface."""
         return self.patches
 
     @Fact
     def special(self) -> SpecialPairs:
-        """The pairs of parameters that have no single point."""
+        """The pairs of parameters that do not have exactly one point."""
         return special_pairs(*self.curves, self.budget)
 
     @question(Of.PAIR, answered=Answered.SOLUTIONS)
     def patches(self) -> tuple[BisectorPatch, ...]:
-        """The bisector surface in patches: the points of those pairs of parameters that have exactly one.
+        """The bisector surface in patches: the points of the pairs of parameters that have exactly one point.
 
         >>> from exactspline import bisector, example
         >>> found = bisector(example("rational_space_cubic"), example("twisted_cubic"))
@@ -146,7 +146,7 @@ class CurveBisector(Inspected, Bisector):
 
     @property
     def undecided(self) -> tuple[str, ...]:
-        """What could not be decided or reduced; empty where the answer is complete."""
+        """The parts that could not be decided or reduced; empty if the answer is complete."""
         return self.unreduced + self.special.undecided
 
     def __call__(self, s: Number, t: Number) -> tuple[mpq, ...]:
@@ -166,8 +166,8 @@ def curve_bisector(
 ) -> CurveBisector:
     """The bisector of two space curves.
 
-    `variant` is ``naive`` (22), ``levelled`` (26), ``paper`` (27), ``symmetric`` (27 for both curves) or ``minimal``
-    (that in lowest terms).
+    `variant` is ``naive``, ``levelled`` or ``paper``, which are (22), (26) and (27) of the paper (Chen, Riesenfeld and
+    Cohen 2007), ``symmetric`` ((27) for both curves) or ``minimal`` (``symmetric`` in lowest terms).
 
     >>> from exactspline.interchange.examples import example
     >>> found = curve_bisector(example("rational_space_cubic"), example("twisted_cubic"))
@@ -175,7 +175,7 @@ def curve_bisector(
     (Degrees(s=10, t=8), 3, ())
 
     The work on the whole answer, including what is computed when first needed, is limited to about ten seconds
-    (somewhat more for many pairs of segments); what exceeds this is named in ``undecided``.
+    (somewhat more for many pairs of segments); parts that exceed this are listed in ``undecided``.
 
     Raises `ShapeError` for curves that are not in space, `FormulaError` for an unknown variant.
     """

@@ -1,4 +1,6 @@
-"""Shapes on which points may lie: guesses, from which a proof begins. Nothing rests on them but how close they come."""
+"""Shapes on which points may lie: guesses from which a proof begins. Only how small the proved distance is depends on
+the guess.
+"""
 
 from __future__ import annotations
 
@@ -27,23 +29,23 @@ from exactspline.numbers.exact import decimal_unit, from_flint, mpq, over_one_de
 
 #: The points from which a shape is guessed, at most.
 MOST_POINTS = 24
-#: A shape through few of the points may come this much less close to the others than the best one.
+#: A shape through a few of the points may be this many times farther from the other points than the limit.
 WORSE = 1024
 #: Coordinates are rounded to this fraction of the size of the points for sums of squares, parameters of the shape to
-#: `FINE` times the distance that the guess leaves.
+#: `FINE` times the distance between the guess and the points.
 ROUND = mpq(1, 2**64)
 FINE = mpq(1, 32)
 #: Steps towards the direction of a parabola.
 STEPS = 3
-#: How far the discriminant of a conic is from 0, at most, for a parabola near it.
+#: The largest absolute value of the relative discriminant of a conic for which a parabola is tried.
 NEARLY = mpq(1, 16)
-#: Bits behind the point, more than conics through points that are almost on several need.
+#: The bits behind the binary point; more than is needed for conics through points that nearly lie on several conics.
 FIXED = 384
 
 
 def candidates(points: Sequence[Point], limit: mpq) -> Iterator[CurveShape]:
-    """A line, a circle, a conic, which come about as close to points as a limit: through some of the points where that
-    is exact, otherwise by least squares.
+    """A line, a circle and a conic within about a limit of the points: through some of the points if all points are on
+    it, otherwise by least squares.
 
     >>> line, *_ = candidates([(mpq(0), mpq(0)), (mpq(1), mpq(2)), (mpq(2), mpq(4))], mpq(1))
     >>> print(line)
@@ -64,8 +66,8 @@ def candidates(points: Sequence[Point], limit: mpq) -> Iterator[CurveShape]:
 
 
 def planes(points: Sequence[Point], limit: mpq) -> Iterator[Plane]:
-    """The plane through three of some points of space if all are on it, otherwise that of least squares, where it is
-    about as close to them as a limit.
+    """The plane through three of some points in space if all are on it, otherwise the plane of least squares, if it is
+    within about a limit of the points.
     """
     three = _spread(points[:-1], 3)
     if len(three) < 3 or not any(normal := cross_product(minus(three[1], three[0]), minus(three[2], three[0]))):
@@ -77,19 +79,19 @@ def planes(points: Sequence[Point], limit: mpq) -> Iterator[Plane]:
 
 
 def farthest(shape: Shape, points: Sequence[Point]) -> mpq:
-    """About the square of the largest distance of the points."""
+    """Approximately the square of the largest distance of the points."""
     return max(map(shape.estimate, points))
 
 
 def all_near(shape: Shape, points: Sequence[Point], squared: mpq) -> bool:
-    """Whether about the square of the distance of no point is above this; from the last point on, which is not one of
-    those through which a shape was laid.
+    """Whether the approximate squared distances of all points are at most this. The last points are tried first,
+    because a shape passes through the first ones.
     """
     return all(shape.estimate(point) <= squared for point in reversed(points))
 
 
 def _spread(points: Sequence[Point], count: int) -> list[Point]:
-    """This many of the points, evenly; all different neighbours."""
+    """At most this many of the points, evenly selected, after neighbours that are equal have been merged."""
     different = [points[0], *[b for a, b in pairwise(points) if a != b]]
     n = len(different)
     return different if n <= count else [different[i * (n - 1) // (count - 1)] for i in range(count)]
@@ -111,15 +113,15 @@ def rounded(x: mpq, unit: mpq) -> mpq:
 
 
 def _line(points: Sequence[Point]) -> Line | None:
-    """From the first point to the last, or to the one farthest from it."""
+    """The line through the first point and the point farthest from it."""
     direction = max([minus(point, points[0]) for point in points], key=lambda offset: scalar(offset, offset))
     return Line(points[0], direction) if any(direction) else None
 
 
 def least(rows: Sequence[Sequence[mpq]]) -> list[mpq]:
-    """About the vector, the largest component of which is 1, whose products with some rows have the least sum of
-    squares, by inverse iteration in numbers of a fixed number of bits; none where that fails. Rows and vector have
-    twice the digits of `ROUND`.
+    """Approximately the vector with the largest component 1 whose scalar products with the rows have the least sum of
+    squares, by inverse iteration in numbers of a fixed number of bits; an empty list if this fails. Rows and vector
+    have twice the digits of `ROUND`.
     """
     fine = int(1 / ROUND) ** 2
     columns = [*zip(*[[int(x * fine) for x in row] for row in rows], strict=True)]
@@ -139,7 +141,7 @@ def least(rows: Sequence[Sequence[mpq]]) -> list[mpq]:
         for i in range(j + 1, n):
             lower[i][j] = ((scatter[i][j] << FIXED) - sum(map(mul, lower[i], weighted))) // pivot
     upper = [*zip(*lower, strict=True)]
-    # a start that is in no way special
+    # a generic start
     numbers = [420 // (k + 2) for k in range(n)]
     for _ in range(3):
         for i in range(n):
@@ -155,7 +157,7 @@ def least(rows: Sequence[Sequence[mpq]]) -> list[mpq]:
 
 
 def _fitted_plane(points: Sequence[Point]) -> Plane | None:
-    """The plane of least squares, with numbers as short as its distance from the points allows."""
+    """The plane of least squares, with its numbers rounded as far as its distance from the points allows."""
     middle, size = box(points)
     found = least([(*[rounded((x - m) / size, ROUND) for x, m in zip(p, middle, strict=True)], mpq(1)) for p in points])
     if not any(found[:-1]):
@@ -173,7 +175,7 @@ def _fitted_plane(points: Sequence[Point]) -> Plane | None:
 
 
 def _frame(plane: Plane | None, dimension: int = 2) -> tuple[Point, ...]:
-    """Two vectors orthogonal to each other in a plane of space; those of the axes without one."""
+    """Two orthogonal vectors in a plane of space; without a plane, the vectors of the axes."""
     if plane is None:
         return tuple(tuple(mpq(i == k) for i in range(dimension)) for k in range(dimension))
     n = plane.normal
@@ -186,7 +188,7 @@ def _frame(plane: Plane | None, dimension: int = 2) -> tuple[Point, ...]:
 
 
 def _circle_through(points: Sequence[Point], plane: Plane | None) -> Circle | None:
-    """The circle through three points; without a plane, through four points of space the sphere."""
+    """The circle through three points; for points in space without a plane, the sphere through four points."""
     if len(points) + (plane is not None) <= len(points[0]):
         return None
     a, *others = points
@@ -230,8 +232,8 @@ def fitted_circle(points: Sequence[Point], plane: Plane | None) -> Circle | None
 
 
 def sphere(points: Sequence[Point], limit: mpq) -> Circle | None:
-    """A circle in space without a plane: the sphere through four points if all are on it, otherwise that of least
-    squares, where it is about as close to them as a limit.
+    """A sphere, represented as a circle in space without a plane: the sphere through four points if all points are on
+    it, otherwise the sphere of least squares, if it is within about a limit of the points.
     """
     found = _circle_through(_spread(points[:-1], 4), None)
     if found is not None and not all_near(found, points, NOTHING):
@@ -315,7 +317,7 @@ def _fitted_conics(points: Sequence[Point], plane: Plane | None, squared: mpq) -
     few = _spread(local, MOST_POINTS)
     if not (general := least([_monomials(p) for p in few])):
         return
-    # lengths in the frame are not those of the plane, but for a factor that is at most 2
+    # lengths in the frame differ from those in the plane by a factor of at most 2
     scale = size * size * max(scalar(e, e) for e in frame)
     for rounding, k in ((_with_rounded_square, _parabola(general, few)), (_with_rounded_all, general)):
         if k is None or (found := _conic(k)) is None or not (left := farthest(found, local)):

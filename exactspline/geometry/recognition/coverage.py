@@ -1,19 +1,18 @@
-"""Whether patches run over a part of a plane, a sphere, a cylinder, a cone or a torus once: no point of the shape is
-nearest to two points of them.
+"""Whether the projection of patches to a plane, a sphere, a cylinder, a cone or a torus is injective: no point of the
+shape is the nearest one to two points of the patches.
 
-On the shape there are two coordinates: an angle θ around an axis (on a plane also a place along a direction) and a
-place η along a meridian. Written as polynomials in the parameters u and v, with a margin for the distance from a
-torus, three things have a sign:
+The shape has two coordinates: an angle θ around an axis (on a plane also a place along a direction) and a place η along
+a meridian. It is shown that each of three functions, written as polynomials in the parameters u and v with a margin for
+the distance from a torus, has one sign:
 
 1. ``θ_u``, so that every line of u runs around the axis without turning back;
-2. the Jacobian ``θ_u η_v − θ_v η_u`` of the nearest points, which is that of ``N·n``: the parameters with one θ are a
-   graph over v, and η grows along it;
-3. ``η_v`` on the first and the last line of v, where the graph may leave the rectangle and come back, as a patch that
-   is closed in u has none.
+2. the Jacobian ``θ_u η_v − θ_v η_u`` of the nearest points, which is that of ``N·n``: the parameters with the same θ
+form a graph over v, and η grows along this graph; 3. ``η_v`` on the first and the last line of v, where the graph may
+leave the rectangle and come back; a patch that is closed in u does not need this.
 
-So θ and η are together at one place only, as numbers. That no angle exceeds one turn is shown by a half-plane from the
-axis that the patches do not meet, or, where they are closed, on a single line of u (of a torus also of v). An edge that
-is a single point may be left out: a pole, or the apex of a cone.
+So each pair of real numbers θ and η occurs at one place only. That no angle exceeds one turn is shown by a half-plane
+bounded by the axis that the patches do not meet or, if the patches are closed, on a single line of u (for a torus also
+of v). An edge that is a single point, a pole or the apex of a cone, may be excluded.
 """
 
 from __future__ import annotations
@@ -57,15 +56,15 @@ from exactspline.splines.surface import Along, NurbsSurface
 from exactspline.splines.tensor import TensorSpline
 
 SIGNS = {Sign.POSITIVE: 1, Sign.NEGATIVE: -1}
-#: Boxes that are looked at to find that patches do not meet a half-plane.
+#: The number of boxes examined to show that patches do not meet a half-plane.
 BOXES = 400
-#: Where on the domain vectors are taken to choose an axis, and what its numbers are multiples of.
+#: The places of the domain at which vectors are taken to choose an axis, and the unit of the numbers of the axis.
 PLACES, UNIT_OF_AXIS = (mpq(1, 5), mpq(1, 2), mpq(4, 5)), mpq(1, 64)
 
 
 def covers_once(surface: NurbsSurface, shape: Shape, within: mpq) -> bool:
-    """Whether it is shown that no point of the shape is the nearest one to two points of a surface that is at most this
-    far from it.
+    """Whether it is proved that no point of the shape is the nearest one to two points of a surface that is at most
+    this far from the shape.
 
     >>> from exactspline import example
     >>> covers_once(example("sphere"), Sphere((mpq(0),) * 3, mpq(1)), mpq(0))
@@ -91,7 +90,7 @@ def between_poles(surface: NurbsSurface, shape: Shape) -> Shape | None:
 
 @dataclass(frozen=True)
 class _Chart:
-    """Coordinates on a shape: around an axis, or, without `turns`, along a direction, which `axis` is then."""
+    """Coordinates on a shape: around an axis or, without `turns`, along the direction `axis`."""
 
     shape: Shape
     origin: Point
@@ -100,7 +99,7 @@ class _Chart:
 
 
 def _charts(surface: NurbsSurface, shape: Shape) -> Iterator[_Chart]:
-    """Those in which a surface may run around as u grows."""
+    """The charts in which a surface may run around the axis as u grows."""
     poles = [p for end in (0, 1) if (p := _pole(surface, end)) is not None]
     if isinstance(shape, Plane):
         line = [surface(u, surface.domain.second.middle) for u in map(surface.domain.first.at, PLACES)]
@@ -137,20 +136,20 @@ def _mean(surface: NurbsSurface, of: Any, origin: Point) -> Point:
 
 
 class _Covering:
-    """What has to be shown of a surface and a chart."""
+    """The conditions on a surface and a chart that together show injectivity."""
 
     def __init__(self, surface: NurbsSurface, chart: _Chart, within: mpq) -> None:
         self.surface, self.chart, self.shape = surface, chart, chart.shape
         self.closed = tuple(closed_along(surface, along) for along in Along)
         self.square = scalar(chart.axis, chart.axis)
-        #: By how much ``2 R ρ`` of a torus may differ from ``‖x‖² + R² − r²``.
+        #: The largest possible difference of ``2 R ρ`` of a torus from ``‖x‖² + R² − r²``.
         self.slack = mpq(0)
         if isinstance(chart.shape, Torus):
             self.slack = within * (2 * upper_square_root(chart.shape.minor_squared) + within)
 
     @property
     def holds(self) -> bool:
-        """Whether all of it is shown."""
+        """Whether all conditions are proved."""
         if not any(self.chart.axis):
             return False
         turning, growing = self._of_all([self._turn(self.x, self.forms.tangents[0])]), self._of_all(self._jacobian)
@@ -184,7 +183,9 @@ class _Covering:
 
     @cached_property
     def _jacobian(self) -> list[TensorSpline]:
-        """What must be positive, and possibly more that must not be negative, where (θ, η, n) is right-handed."""
+        """The functions that must be positive, and possibly others that must not be negative, where (θ, η, n) is
+        right-handed.
+        """
         n, x, a = self.forms.normal, self.x, self.chart.axis
         if isinstance(self.shape, Plane):
             return [scalar(n, self.shape.normal)]
@@ -211,7 +212,7 @@ class _Covering:
         return scalar(x, x) + of.w * of.w * (self.shape.major_squared - self.shape.minor_squared)  # type: ignore[attr-defined]  # of a torus
 
     def _growth_along(self, line: Nurbs) -> list[BSpline]:
-        """What has the sign of the derivative of η along a curve."""
+        """Functions with the sign of the derivative of η along a curve."""
         x, tangent, a = self._from_origin(line), list(wronskians(line.w, line.p)), self.chart.axis
         along = scalar(tangent, a)
         if isinstance(self.shape, Cylinder):
@@ -241,8 +242,9 @@ class _Covering:
         return found.pop()
 
     def _inside(self, form: TensorSpline, patch: Patch) -> PatchForm | None:
-        """A form on a patch without its zeros on edges that are points; None where it vanishes, or does on another
-        edge of v."""
+        """A form on a patch without its zeros on edges that are points; None if the form vanishes identically, or on
+        another edge of v.
+        """
         if (whole := form.patch_form(*patch)).is_zero:
             return None
         own, (*_, first, last) = whole.without_border((1,))
@@ -257,14 +259,16 @@ class _Covering:
 
     @property
     def _is_on_one_half(self) -> bool:
-        """Whether all of it is before the apex of a cone."""
+        """Whether the whole surface is on one side of the apex of a cone."""
         return not isinstance(self.shape, Cone) or self._of_all([scalar(self.x, self.chart.axis)]) != 0
 
     # ---- not more than one turn
 
     @property
     def _turns_once(self) -> bool:
-        """Whether no angle around the axis occurs twice along a line of u or, where these are not closed, anywhere."""
+        """Whether no angle around the axis occurs twice along a line of u or, if these lines are not closed,
+        anywhere.
+        """
         middle, a = [side.middle for side in self.surface.domain], self.chart.axis
         if self.closed[0]:
             line = self.surface.isocurve(Along.U, middle[1])

@@ -43,18 +43,16 @@ from exactspline.splines.tensor import TensorSpline
 from exactspline.splines.type_checks import surface_of
 
 # ---- candidates
+# Only how small the proved distance is depends on the candidates.
 #
-# Nothing rests on them but how close they come.
-#
-# The normals of a surface of revolution meet its axis: in Plücker's coordinates a linear condition (Pottmann and
-# Wallner, Computational Line Geometry 2001). From there on the distances from the shape are made least by Gauss's and
-# Newton's method in long binary numbers; numbers of a shape that seems to be exact are replaced by simple rational
-# ones.
+# The normals of a surface of revolution meet its axis: in Plücker coordinates this is a linear condition (Pottmann and
+# Wallner, Computational Line Geometry 2001). Then the distances from the shape are minimized by the Gauss-Newton method
+# in long binary numbers; the numbers of a shape that seems to be exact are replaced by simple rational ones.
 
 
-#: Bits of the numbers in which distances are made least, and of the steps that show how they change.
+#: The bits of the numbers in which distances are minimized, and the step of difference quotients.
 BITS, STEP = 256, mpq(1, 2**100)
-#: Distances below this fraction of the size are thought to be 0, and denominators of exact numbers to be at most this.
+#: Distances below this fraction of the size are assumed to be 0, and denominators of exact numbers to be at most this.
 NOTHING, SIMPLE = mpq(1, 2**120), 10**20
 #: The most steps of the iteration, and the points it uses, at most.
 STEPS, MOST_SAMPLES = 16, 64
@@ -64,7 +62,7 @@ Numbers = Sequence[mpfr]
 
 @dataclass(frozen=True, repr=False)
 class Sample(OneLine):
-    """A point of a surface, and a vector orthogonal to it there, 0 where there is none."""
+    """A point of a surface, and a normal vector there, which is 0 where there is no normal."""
 
     point: Point
     normal: Point
@@ -72,9 +70,9 @@ class Sample(OneLine):
 
 @dataclass(frozen=True)
 class _Model:
-    """A kind of shapes by numbers: a point and a direction of the axis, and others. `away` are the distances of a
-    point, by its distance from the axis and its place along it from the point on; `shape` of the exact squares of the
-    other numbers.
+    """A kind of shapes given by a point and the direction of its axis and by other numbers. `away` computes the
+    distance of a point from the shape, by the distance of the point from the axis and its place along the axis; `shape`
+    makes the shape from the exact squares of the other numbers.
     """
 
     away: Callable[[mpfr, mpfr, Numbers], mpfr]
@@ -89,7 +87,7 @@ TORUS = _Model(lambda rho, z, k: gmpy2.sqrt((rho - k[0]) * (rho - k[0]) + z * z)
 
 
 def proposed(samples: Sequence[Sample], limit: mpq) -> Iterator[Shape]:
-    """Shapes, the simplest first, which come about as close to samples as a limit."""
+    """Shapes within about a limit of the samples, the simplest first."""
     points = [x.point for x in samples]
     found = False
     for plane in candidates.planes(points, limit):
@@ -127,7 +125,7 @@ def _around_axes(samples: Sequence[Sample], limit: mpq) -> Iterator[Shape]:
 
 
 def _starts(local: Sequence[tuple[Point, Point]]) -> Iterator[tuple[_Model, list[mpfr]]]:
-    """Kinds of shapes with numbers from which to begin."""
+    """Kinds of shapes with the numbers from which the iteration begins."""
     if axis := candidates.least([n for _, n in local]):
         square = scalar(axis, axis)
         flat = [tuple(x - scalar(p, axis) / square * u for x, u in zip(p, axis, strict=True)) for p, _ in local]
@@ -169,11 +167,11 @@ class _Fit:
         return [self.model.away(*_seen(p, x), x[6:]) for p in self.points]
 
     def worst(self, x: Numbers) -> mpfr:
-        """The largest of them."""
+        """The largest distance of a point."""
         return max(map(abs, self.away(x)))
 
     def improved(self, x: list[mpfr]) -> list[mpfr]:
-        """Numbers for which the sum of the squares of the distances is about least."""
+        """Numbers for which the sum of the squares of the distances is approximately least."""
         own = self.away(x)
         for _ in range(STEPS):
             total = scalar(own, own)
@@ -184,7 +182,7 @@ class _Fit:
             exact = [mpq(a) for a in own]
             normal = [[scalar(a, b) for b in columns] for a in columns]
             for k, row in enumerate(normal):
-                row[k] += mpq(1, 2**60)  # the length of the axis, and possibly a place along it, are free
+                row[k] += mpq(1, 2**60)  # the length of the axis vector, and possibly a place along the axis, are free
             step = solved([[rounded(a, NOTHING) for a in row] for row in normal], [scalar(a, exact) for a in columns])
             if step is None:
                 break
@@ -214,7 +212,7 @@ class _Fit:
         yield self._shape([rounded(a, size * unit) for a in self._foot(point, axis)], axis, radii, size)
 
     def _foot(self, point: Sequence[mpq], axis: Sequence[mpq]) -> Sequence[mpq]:
-        """The point, or that of the axis nearest to the origin where it may be any."""
+        """The point of the axis; if it may be any point of the axis, the one nearest to the origin."""
         if not self.model.slides:
             return point
         along = scalar(point, axis) / scalar(axis, axis)
@@ -244,20 +242,20 @@ def _simple(x: mpq) -> mpq:
     return mpq(near.numerator, near.denominator)
 
 
-#: What is known of a form that is nowhere negative.
+#: The possible signs of a form that is nowhere negative.
 NOT_NEGATIVE = (Sign.POSITIVE, Sign.NOT_NEGATIVE, Sign.ZERO)
-#: Where on a patch points are taken to guess a shape, in each direction.
+#: The local parameters, in each direction, of the points from which a shape is guessed.
 PLACES = tuple(mpq(i, 32) for i in (1, 11, 21, 31))
 
 
 @dataclass(frozen=True, repr=False)
 class RecognizedPart(OneLine):
-    """Patches of a surface and the shape on which they are, or to which they are near.
+    """Patches of a surface, and the shape on which they lie exactly or nearly.
 
-    Every point of these patches is at most `within` away from the shape, 0 where they lie on it exactly. `once`: no
-    point of the shape is the nearest one to two points of these patches, so that every point of the part that they
-    cover is at most as far from them; where it is False, that was not shown. `whole`: these are all patches of the
-    surface.
+    Every point of these patches is at most `within` away from the shape, which is 0 if they lie on it exactly. `once`:
+    no point of the shape is the nearest one to two points of these patches, so that every point of the covered part of
+    the shape is also within this distance of the patches; False means that this is not proved. `whole`: these are all
+    patches of the surface.
     """
 
     patches: tuple[Patch, ...]
@@ -284,8 +282,8 @@ class RecognizedPart(OneLine):
 
 def recognized_surface(surface: NurbsSurface, epsilon: Number | None = None) -> tuple[RecognizedPart, ...]:
     """The patches of a surface that lie on a plane, a sphere, a cylinder, a cone or a ring torus, within the distance
-    epsilon; without it, within 10⁻⁹ of the size of the surface. All patches together are tried first; then those that
-    are near the shape of one of them are given together.
+    epsilon; without it, within 10⁻⁹ of the size of the surface. All patches together are tried first; then the patches
+    that are near the shape of one of them are reported together.
 
     >>> from exactspline import example
     >>> for name in ("sphere", "cylinder", "cone", "torus"):
@@ -323,7 +321,7 @@ def _proposed(surface: NurbsSurface, samples: Sequence[Sample], limit: mpq) -> I
 
 
 def _by_patches(surface: NurbsSurface, samples: dict[Patch, list[Sample]], limit: mpq) -> list[RecognizedPart]:
-    """Patches that are near one shape, that of the first of them."""
+    """Groups of patches that are near the same shape, which is the shape of the first patch of the group."""
     found, done = [], set[Patch]()
     for patch, own in samples.items():
         if patch in done:
@@ -346,7 +344,7 @@ def _by_patches(surface: NurbsSurface, samples: dict[Patch, list[Sample]], limit
 
 
 def _block(surface: NurbsSurface, patches: Sequence[Patch]) -> NurbsSurface | None:
-    """The part that consists of these patches, None where it is not a rectangle of them."""
+    """The part of the surface that consists of these patches; None if they do not form a rectangle."""
     ends = [(min(own), max(own)) for own in zip(*patches, strict=True)]
     if len(patches) != prod(last - first + 1 for first, last in ends):
         return None
@@ -360,7 +358,7 @@ def _places(surface: NurbsSurface, patch: Patch) -> list[tuple[mpq, mpq]]:
 
 
 def _proved(surface: NurbsSurface, samples: Sequence[Sample], shape: Shape, limit: mpq) -> mpq | None:
-    """The distance that is proved, up to a limit."""
+    """The proved distance, at most a limit."""
     found = farthest(shape, [x.point for x in samples])
     if found > limit * limit:
         return None
@@ -368,6 +366,6 @@ def _proved(surface: NurbsSurface, samples: Sequence[Sample], shape: Shape, limi
 
 
 def _never_negative(f: TensorSpline) -> bool:
-    """Whether a function is nowhere negative; False also where that was not decided."""
+    """Whether a function is nowhere negative; False also if this is not decided."""
     first, second = (range(len(mesh)) for mesh in f.meshes)
     return all(sign_on_patch(f.patch_form(i, j)).sign in NOT_NEGATIVE for i, j in product(first, second))

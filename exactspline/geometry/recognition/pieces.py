@@ -1,5 +1,5 @@
-"""The pieces of a curve that are lines, circles or conics, exactly or within a proved distance: which shape a run of
-segments may lie on is guessed from points of it, and then proved.
+"""The pieces of a curve that are lines, circles or conics, exactly or within a proved distance: the shape of a run of
+segments is guessed from some of its points, and then proved.
 """
 
 from __future__ import annotations
@@ -39,16 +39,16 @@ from exactspline.splines.type_checks import curve_of
 # ---- proof
 
 
-#: Factors, at first, by which the bound that is proved may exceed the distance found at points.
+#: The factors, tried first, by which the proved bound may exceed the distance found at points.
 FACTORS = tuple(mpq(n, 16) for n in (17, 20, 24, 32))
 
 
 def proved_distance(
     shape: Shape, of: Homogeneous, found: mpq, limit: mpq, never_negative: Callable[..., bool]
 ) -> mpq | None:
-    """A distance from a shape that is proved, up to a limit: 0 where all points are on it, otherwise the least of a few
-    that are above one that was found; then of larger ones, as it may be farther away elsewhere. None where none was
-    proved. `_never_negative` decides it of a function on the curve or the surface.
+    """A proved distance from a shape, at most a limit: 0 if all points are on the shape. Otherwise bounds slightly
+    above the distance `found` at points are tried, then larger ones, because other points may be farther away. None if
+    no distance is proved. `never_negative` decides whether a function on the curve or the surface is nowhere negative.
     """
     if shape.holds(of):
         return mpq(0)
@@ -107,7 +107,7 @@ def rounded_up(x: mpq) -> mpq:
 
 #: A segment is divided into this many parts, at whose ends points are taken to guess a shape.
 PARTS = 6
-#: The distance that is asked for where none is given, in units of the curve's size.
+#: The default distance, in units of the size of the curve.
 SMALL = mpq(1, 10**9)
 #: Shapes of planar pieces of a space curve, each proposed for a run of points.
 Guess = Callable[[Sequence[Point], mpq], Iterator[Shape]]
@@ -115,11 +115,12 @@ Guess = Callable[[Sequence[Point], mpq], Iterator[Shape]]
 
 @dataclass(frozen=True, repr=False)
 class RecognizedPiece(Described):
-    """A piece of a curve and the shape that it is, or lies near to.
+    """A piece of a curve, and the shape on which it lies exactly or nearly.
 
-    Every point of the piece is at most `within` away from the shape. But for a plane every point of the arc between its
-    ends is at most as far from the piece, and the curve runs over the arc once, without turning back. `within` is 0
-    where the piece lies on the shape exactly. `whole`: the piece runs around the whole circle or ellipse.
+    Every point of the piece is at most `within` away from the shape. Unless the shape is a plane, every point of the
+    arc between the ends is also within this distance of the piece, and the curve runs along the arc once, without
+    turning back. `within` is 0 if the piece lies on the shape exactly. `whole`: the piece runs around the whole circle
+    or ellipse.
     """
 
     piece: CurvePiece
@@ -139,7 +140,7 @@ class RecognizedPiece(Described):
 
     @property
     def facts(self) -> dict[str, bool]:
-        """Whether it is the whole of a closed shape."""
+        """Whether the piece runs around the whole of a closed shape."""
         return {"whole": self.whole}
 
     @property
@@ -165,12 +166,12 @@ class _Run:
 
     @property
     def closed(self) -> bool:
-        """Whether it returns to where it begins."""
+        """Whether the run ends at its start."""
         return self.points[0] == self.points[-1]
 
 
 class _Remembered:
-    """What an iterator yields, each made once, when it is first asked for."""
+    """The items of an iterator, each computed once, when first needed."""
 
     def __init__(self, source: Iterator[Shape]) -> None:
         self._source, self._made = source, list[Shape]()
@@ -184,9 +185,9 @@ class _Remembered:
 
 def recognized(curve: Nurbs, epsilon: Number | None = None) -> tuple[RecognizedPiece, ...]:
     """The pieces of a curve that run along a line, a circle or a conic, within the distance epsilon; without it, within
-    10⁻⁹ of the curve's size. Pieces begin and end at knots; of several shapes that fit, the simplest is given. A single
-    segment of degree 2, which is always a conic, is left out unless it is the whole curve. Of a space curve also the
-    other pieces that are near a plane but not in one.
+    10⁻⁹ of the curve's size. Pieces begin and end at knots; of several shapes that fit, the simplest is reported. A
+    single segment of degree 2, which is always a conic, is not reported unless it is the whole curve. For a space
+    curve, other pieces that are near a plane but not in a plane are reported, too.
 
     >>> from exactspline import Nurbs, example
     >>> (found,) = recognized(example("circle"))
@@ -216,8 +217,8 @@ def recognized(curve: Nurbs, epsilon: Number | None = None) -> tuple[RecognizedP
 
 
 def near(curve: Nurbs, piece: CurvePiece, shape: Shape, limit: mpq) -> RecognizedPiece | None:
-    """A piece of a curve near to a shape that is given, with a distance up to a limit that is proved; None where that
-    was not proved.
+    """A piece of a curve near a given shape, with a proved distance of at most a limit; None if no such distance is
+    proved.
 
     >>> from exactspline import example
     >>> from exactspline.geometry.recognition.shapes import Circle
@@ -231,7 +232,7 @@ def near(curve: Nurbs, piece: CurvePiece, shape: Shape, limit: mpq) -> Recognize
 
 
 def small_distance(curve: Nurbs) -> mpq:
-    """The distance within which shapes are sought where none is given: 10⁻⁹ of the size of a curve.
+    """The default distance within which shapes are sought: 10⁻⁹ of the size of a curve.
 
     >>> from exactspline import example
     >>> small_distance(example("circle"))
@@ -293,7 +294,7 @@ def _longest(
 
 
 def _last_that(holds: Callable[[int], bool], first: int, end: int) -> int:
-    """The last number up to which a property seems to hold, by steps that double; first − 1 for none."""
+    """The last number up to which a property seems to hold, found by doubling steps; first − 1 if there is none."""
     good, step = first - 1, 1
     while step:
         tried = min(good + step, end)
@@ -305,7 +306,7 @@ def _last_that(holds: Callable[[int], bool], first: int, end: int) -> int:
 
 
 def _proved(run: _Run, shape: Shape, limit: mpq) -> RecognizedPiece | None:
-    """The run near this shape, with a distance that is proved, or None."""
+    """The run near this shape, with a proved distance, or None."""
     if isinstance(shape, CurveShape) and not _runs_once(run, shape):
         return None
     within = proved_distance(shape, run.curve, upper_square_root(farthest(shape, run.points)), limit, _never_negative)
@@ -316,14 +317,14 @@ def _proved(run: _Run, shape: Shape, limit: mpq) -> RecognizedPiece | None:
 
 
 def _runs_once(run: _Run, shape: CurveShape) -> bool:
-    """Whether the curve goes on along the shape without turning back, and over no part of it twice."""
+    """Whether the curve runs along the shape without turning back, and over no part of the shape twice."""
     if signs(shape.advance(run.curve)) not in ({1}, {-1}):
         return False
     return not shape.closes or not passes_its_start(run.curve, shape)
 
 
 def passes_its_start(curve: Nurbs, shape: CurveShape) -> bool:
-    """Whether a curve around a centre meets the ray from there to its start again, before its end."""
+    """Whether a curve around a centre meets the ray from the centre to its start again, before its end."""
     a, b = curve.domain
     centre = shape.centre  # type: ignore[attr-defined]  # a shape that closes has a centre
     start = [x - c for x, c in zip(curve(a), centre, strict=True)]

@@ -1,22 +1,22 @@
-"""Lines, circles, conics, planes, spheres, cylinders, cones and tori, and what it means that a curve or a surface lies
-within a distance E of one: polynomials in the parameters that must keep one sign. They are written once, for operands
-of either kind.
+"""Lines, circles, conics, planes, spheres, cylinders, cones and tori, and the conditions for a curve or a surface to
+lie within a distance E of such a shape: polynomials in the parameters that must keep one sign. The conditions are
+written once, for curves and for surfaces.
 
-A circle, a sphere, a cylinder are said by a squared distance s from a centre or an axis: ``(r − E)² ≤ s ≤ (r + E)²``.
-For a torus let ρ be the distance from the axis, ‖x‖ that from the centre: with ``F(e) = ‖x‖² + R² − e²``,
-``F(r + E)² ≤ 4 R² ρ² ≤ F(r − E)²`` means that ``(ρ − R)² + z²`` lies between the squares of r ± E. For a cone with half
-angle α let ``X = ρ² cos² α`` and ``Y = z² sin² α``: its distance is ``|√X − √Y|``, at most E where
-``(X − Y)² ≤ E² (X + Y)``, also at the apex, and the distance that this shows is at most √2 times too large.
+For a circle, a sphere or a cylinder the condition is ``(r − E)² ≤ s ≤ (r + E)²`` for the squared distance s from a
+centre or an axis. For a torus let ρ be the distance from the axis and ‖x‖ the distance from the centre: with ``F(e) =
+‖x‖² + R² − e²``, ``F(r + E)² ≤ 4 R² ρ² ≤ F(r − E)²`` means that ``(ρ − R)² + z²`` lies between the squares of r ± E.
+For a cone with half angle α let ``X = ρ² cos² α`` and ``Y = z² sin² α``: the distance from the cone is ``|√X − √Y|``,
+which is at most E where ``(X − Y)² ≤ E² (X + Y)``, also at the apex. The distance shown by this condition is at most √2
+times too large.
 
 A conic is the zero set of a polynomial q of degree 2. Let Λ be a bound on half of its second derivatives. From a point
 x, a step of length E along the gradient changes q by at least ``E‖∇q‖ − E²Λ`` towards the conic; so
-``|q| + E²Λ ≤ E‖∇q‖`` shows that x is at most E away from it. Where ``‖∇q‖ ≥ 64 EΛ``, the lines along the gradient lead
-from exactspline.one_line import OneLine, one_line
-from the curve to the conic within 17/16 E, and meet no other; the curve goes on along the conic where ``[∇q, γ′]``
-keeps its sign. For lines and circles both are said more simply, with the same meaning.
+``|q| + E²Λ ≤ E‖∇q‖`` shows that x is at most E away from the conic. Where ``‖∇q‖ ≥ 64 EΛ``, the lines along the
+gradient lead from the curve to the conic within 17/16 E, and do not meet each other; the curve advances along the conic
+where ``[∇q, γ′]`` keeps its sign. For lines and circles simpler conditions have the same meaning.
 
-In space a circle or a conic is where a plane meets a cylinder that is orthogonal to it: ``3/5 E`` away from the one and
-``4/5 E`` from the other is at most E away.
+In space a circle or a conic is the intersection of a plane with a cylinder orthogonal to the plane. A point at most
+``3/5 E`` away from the plane and at most ``4/5 E`` away from the cylinder is at most E away from this intersection.
 """
 
 from __future__ import annotations
@@ -44,13 +44,14 @@ from exactspline.words import Word
 
 Point = tuple[mpq, ...]
 NOTHING = mpq(0)
-#: Parts of a squared distance: the sum of n²/d is about its w²-fold, and 0 only on the shape.
+#: The parts (n, d) of a squared distance: the sum of n²/d is approximately w² times the squared distance, and 0 only on
+#: the shape.
 Parts = Sequence[tuple[Any, Any]]
 #: Steps along the gradient lead to the shape within this multiple of E.
 ALONG_GRADIENT = mpq(17, 16)
-#: How much larger than EΛ the gradient has to be for that.
+#: The least ratio of the gradient to EΛ for this.
 STEEP = 64
-#: Shares of E, in the plane of a curve and orthogonal to it.
+#: The fractions of E allowed in the plane of a curve and orthogonal to this plane.
 IN_PLANE, ACROSS = mpq(4, 5), mpq(3, 5)
 
 
@@ -68,7 +69,7 @@ class Homogeneous(Protocol):
 
 @dataclass(frozen=True, repr=False)
 class PointToAsk(OneLine):
-    """A point, as what a shape can be asked about."""
+    """A point as an argument of the methods of a shape."""
 
     p: Point
     w: mpq
@@ -95,7 +96,7 @@ class Shape(OneLine, ABC):
     kind: ShapeKind
 
     def __post_init__(self) -> None:
-        """Its vectors have coprime integers."""
+        """Make the integers of the vectors coprime."""
         for name in ("direction", "normal", "axis"):
             if vector := vars(self).get(name):
                 object.__setattr__(self, name, primitive(vector))
@@ -103,7 +104,7 @@ class Shape(OneLine, ABC):
     @property
     @abstractmethod
     def numbers(self) -> dict[str, tuple[Real, ...]]:
-        """What describes it, by name: centre, radius, …"""
+        """The numbers that describe the shape, by name: centre, radius, …"""
 
     @one_line
     def __str__(self) -> str:
@@ -112,19 +113,19 @@ class Shape(OneLine, ABC):
 
     @property
     def most(self) -> mpq | None:
-        """The largest distance for which `margins` may be asked, None for any."""
+        """The largest distance for which `margins` may be used; None if there is no limit."""
         return None
 
     @abstractmethod
     def parts(self, of: Homogeneous) -> Parts:
-        """What vanishes on the shape."""
+        """Functions that vanish on the shape, with their denominators."""
 
     @abstractmethod
     def margins(self, of: Homogeneous, within: mpq) -> Iterable[Any]:
         """Functions that are nowhere negative only where a curve or a surface lies within this distance."""
 
     def estimate(self, point: Point) -> mpq:
-        """About the square of the distance of a point: where to begin the search for a bound that is proved."""
+        """The approximate squared distance of a point, with which the search for a proved bound begins."""
         return sum((n * n / d if d else n * n for n, d in self.parts(PointToAsk(point, mpq(1)))), start=NOTHING)
 
     def holds(self, of: Homogeneous) -> bool:
@@ -133,9 +134,9 @@ class Shape(OneLine, ABC):
 
 
 class CurveShape(Shape):
-    """A shape over which a curve can run; in space with a vector orthogonal to its plane."""
+    """A shape along which a curve can run; in space with a vector orthogonal to its plane."""
 
-    #: Whether it closes, so that a curve can run over it more than once.
+    #: Whether the shape is closed, so that a curve can run around it more than once.
     closes = False
     normal: Point = ()
 
@@ -160,11 +161,11 @@ class Line(CurveShape):
 
     @property
     def numbers(self) -> dict[str, tuple[Real, ...]]:
-        """A point of it, and its direction."""
+        """A point of the line, and the direction of the line."""
         return {"point": _reals(self.point), "direction": _reals(self.direction)}
 
     def parts(self, of: Homogeneous) -> Parts:
-        """What vanishes on it."""
+        """Functions that vanish on the shape."""
         bottom = of.w * of.w * scalar(self.direction, self.direction)
         return [(x, bottom) for x in _beside(_from(of, self.point), self.direction)]
 
@@ -173,7 +174,7 @@ class Line(CurveShape):
         return [_square_margin(self.parts(of), within)]
 
     def advance(self, curve: Nurbs) -> BSpline:
-        """A function with the sign of the speed along it."""
+        """A function with the sign of the speed of a curve along the shape."""
         along: BSpline = scalar(wronskians(curve.w, curve.p), self.direction)
         return along
 
@@ -188,47 +189,47 @@ class Plane(Shape):
 
     @property
     def numbers(self) -> dict[str, tuple[Real, ...]]:
-        """The vector, and its scalar product with the points."""
+        """The normal vector, and its scalar product with the points of the plane."""
         return {"normal": _reals(self.normal), "offset": (real(scalar(self.point, self.normal)),)}
 
     def parts(self, of: Homogeneous) -> Parts:
-        """What vanishes on it."""
+        """Functions that vanish on the shape."""
         return [(scalar(_from(of, self.point), self.normal), of.w * of.w * scalar(self.normal, self.normal))]
 
     def margins(self, of: Homogeneous, within: mpq) -> Iterable[Any]:
-        """Functions that are nowhere negative only within this distance."""
+        """Functions that are nowhere negative only if all points are within this distance."""
         return [_square_margin(self.parts(of), within)]
 
 
 @dataclass(frozen=True, repr=False)
 class _Round(Shape):
-    """What is at one distance from a centre or an axis, by its square."""
+    """A shape of constant distance from a centre or an axis, given by the square of this distance."""
 
     centre: Point
     radius_squared: mpq
 
     @property
     def radius(self) -> Real:
-        """The radius."""
+        """The radius of the shape."""
         return square_root(self.radius_squared)
 
     @property
     def most(self) -> mpq | None:
-        """The largest distance for which `margins` may be asked."""
+        """The largest distance for which `margins` may be used."""
         return self.radius_squared / upper_square_root(self.radius_squared) / 8
 
     def _squared(self, of: Homogeneous) -> tuple[Any, Any]:
-        """The square of the distance from the centre, and what it is to be divided by."""
+        """The numerator and the denominator of the squared distance from the centre or the axis."""
         offset = _from(of, self.centre)
         return scalar(offset, offset), of.w * of.w
 
     def parts(self, of: Homogeneous) -> Parts:
-        """What vanishes on it."""
+        """Functions that vanish on the shape."""
         squared, one = self._squared(of)
         return [(squared - one * self.radius_squared, one * one * (4 * self.radius_squared))]
 
     def margins(self, of: Homogeneous, within: mpq) -> Iterable[Any]:
-        """Functions that are nowhere negative only within this distance."""
+        """Functions that are nowhere negative only if all points are within this distance."""
         squared, one = self._squared(of)
         inner, outer = _ends(self.radius_squared, within)
         return [one * (outer * outer) - squared, squared - one * (inner * inner)]
@@ -282,7 +283,7 @@ class Circle(_Round, CurveShape):
         return Plane(self.centre, self.normal), Cylinder(self.centre, self.radius_squared, self.normal)
 
     def parts(self, of: Homogeneous) -> Parts:
-        """What vanishes on it."""
+        """Functions that vanish on the shape."""
         return [part for each in self._in_space for part in each.parts(of)] if self.normal else super().parts(of)
 
     def margins(self, of: Homogeneous, within: mpq) -> Iterable[Any]:
@@ -293,7 +294,7 @@ class Circle(_Round, CurveShape):
         return chain(plane.margins(of, within * ACROSS), cylinder.margins(of, within * IN_PLANE))
 
     def advance(self, curve: Nurbs) -> BSpline:
-        """A function with the sign of the speed along it."""
+        """A function with the sign of the speed of a curve along the shape."""
         return self._turning(_from(curve, self.centre), curve)
 
 
@@ -314,26 +315,26 @@ class Cone(Shape):
         return {"apex": _reals(self.apex), "axis": _reals(self.axis), "tan": (square_root(self.tangent_squared),)}
 
     def _squares(self, of: Homogeneous) -> tuple[Any, Any, mpq]:
-        """X and Y, and what they are to be divided by."""
+        """X and Y, as described in the module, and their common denominator."""
         offset, one = _from(of, self.apex), scalar(self.axis, self.axis)
         along, beside = scalar(offset, self.axis), _beside(offset, self.axis)
         return scalar(beside, beside), along * along * self.tangent_squared, one * (1 + self.tangent_squared)
 
     def parts(self, of: Homogeneous) -> Parts:
-        """What vanishes on it."""
+        """Functions that vanish on the shape."""
         x, y, scale = self._squares(of)
         return [(x - y, (x + y) * of.w * of.w * (2 * scale))]
 
     def margins(self, of: Homogeneous, within: mpq) -> Iterable[Any]:
-        """Functions that are nowhere negative only within this distance."""
+        """Functions that are nowhere negative only if all points are within this distance."""
         x, y, scale = self._squares(of)
         return [(x + y) * of.w * of.w * (within * within * scale) - (x - y) * (x - y)]
 
 
 @dataclass(frozen=True, repr=False)
 class Torus(Shape):
-    """A ring torus by its centre, the direction of its axis, the squares of the distance R of the circle that turns
-    from the axis and of the radius r of that circle, r < R.
+    """A ring torus, given by its centre, the direction of its axis, and the squares of two radii: the distance R
+    between the axis and the centre of the rotating circle, and the radius r < R of this circle.
     """
 
     centre: Point
@@ -350,26 +351,26 @@ class Torus(Shape):
 
     @property
     def most(self) -> mpq | None:
-        """The largest distance for which `margins` may be asked: the torus keeps its hole."""
+        """The largest distance for which `margins` may be used: within it the torus keeps its hole."""
         minor = upper_square_root(self.minor_squared)
         hole = self.major_squared / upper_square_root(self.major_squared) - minor
         return min(self.minor_squared / minor, hole) / 8
 
     def _squares(self, of: Homogeneous) -> tuple[Any, Any, Any]:
-        """‖x‖², 4 R² ρ² and what the latter is to be divided by, all times w²."""
+        """‖x‖², 4 R² ρ² and the denominator of the latter, all times w²."""
         offset = _from(of, self.centre)
         beside = _beside(offset, self.axis)
         return scalar(offset, offset), scalar(beside, beside) * (4 * self.major_squared), scalar(self.axis, self.axis)
 
     def parts(self, of: Homogeneous) -> Parts:
-        """What vanishes on it."""
+        """Functions that vanish on the shape."""
         whole, beside, one = self._squares(of)
         w2 = of.w * of.w
         level = whole + w2 * (self.major_squared - self.minor_squared)
         return [(level * level * one - w2 * beside, w2 * w2 * beside * (16 * self.minor_squared * one))]
 
     def margins(self, of: Homogeneous, within: mpq) -> Iterable[Any]:
-        """Functions that are nowhere negative only within this distance."""
+        """Functions that are nowhere negative only if all points are within this distance."""
         whole, beside, one = self._squares(of)
         w2 = of.w * of.w
         for end, s in zip(_ends(self.minor_squared, within), (1, -1), strict=True):
@@ -379,8 +380,8 @@ class Torus(Shape):
 
 @dataclass(frozen=True, repr=False)
 class Conic(CurveShape):
-    """A conic, ``(x, 1) Q (x, 1)ᵀ = 0`` with a symmetric matrix Q; in the plane that is regular, in space q is constant
-    along a vector orthogonal to the plane of the conic, in which a point is given.
+    """A conic, ``(x, 1) Q (x, 1)ᵀ = 0`` with a symmetric matrix Q; in the plane Q is regular; in space q is constant
+    along a vector orthogonal to the plane of the conic, and a point of this plane is given.
     """
 
     matrix: tuple[tuple[mpq, ...], ...]
@@ -407,7 +408,7 @@ class Conic(CurveShape):
 
     @cached_property
     def _minor(self) -> mpq:
-        """The product of the eigenvalues of the quadratic part, but for that of the normal, which is 0."""
+        """The product of the eigenvalues of the quadratic part, except the eigenvalue 0 of the normal."""
         a, pairs = self._quadratic, combinations(range(len(self._quadratic)), 2)
         return sum((a[i][i] * a[j][j] - a[i][j] * a[i][j] for i, j in pairs), start=NOTHING)
 
@@ -428,7 +429,9 @@ class Conic(CurveShape):
 
     @cached_property
     def semi_axes(self) -> tuple[Real, ...]:
-        """The two half axes, the longer one first; of a hyperbola the one that meets it first, of a parabola none."""
+        """The two half axes, the longer one first; for a hyperbola the axis that meets it first; none for a
+        parabola.
+        """
         if self.centre is None:
             return ()
         # in the main axes the conic is λ x² + μ y² = −q(centre)
@@ -439,7 +442,7 @@ class Conic(CurveShape):
 
     @property
     def numbers(self) -> dict[str, tuple[Real, ...]]:
-        """Centre and half axes, of a parabola its vertex and the direction into which it opens."""
+        """The centre and the half axes; for a parabola the vertex and the direction in which it opens."""
         in_space = {"normal": _reals(self.normal)} if self.normal else {}
         if self.centre is not None:
             return {"centre": _reals(self.centre), "half axes": self.semi_axes} | in_space
@@ -448,7 +451,9 @@ class Conic(CurveShape):
 
     @property
     def _vertex(self) -> tuple[Point, Point]:
-        """Of a parabola: ``q = λ (v·x)² + 2 b·x + c``; at the vertex the gradient is parallel to the axis."""
+        """The vertex and the direction of a parabola ``q = λ (v·x)² + 2 b·x + c``; at the vertex the gradient is
+        parallel to the axis.
+        """
         a, b, c = self._quadratic, self._linear, self.matrix[-1][-1]
         k = max(range(len(a)), key=lambda i: abs(a[i][i]))
         across, share = tuple(a[k]), a[k][k]
@@ -476,7 +481,7 @@ class Conic(CurveShape):
         return scalar(images, coordinates), Vector(*images[:-1])
 
     def parts(self, of: Homogeneous) -> Parts:
-        """What vanishes on it."""
+        """Functions that vanish on the shape."""
         value, gradient = self._value(of)
         own = [(value, of.w * of.w * scalar(gradient, gradient) * 4)]
         return [*own, *Plane(self.point, self.normal).parts(of)] if self.normal else own
@@ -494,7 +499,9 @@ class Conic(CurveShape):
         yield steepness - w2 * (least * least)
 
     def estimate(self, point: Point) -> mpq:
-        """The same, of a point of the plane with as few operations as can be: it is asked most often."""
+        """The approximate squared distance of a point, in the plane with as few operations as possible, because this
+        method is called most often.
+        """
         if len(point) > 2:
             return super().estimate(point)
         ((a, b, d), (_, c, e), (*_, f)), (x, y) = self.matrix, point
@@ -503,18 +510,18 @@ class Conic(CurveShape):
         return value * value / (4 * steepness) if steepness else value * value
 
     def advance(self, curve: Nurbs) -> BSpline:
-        """A function with the sign of the speed along it."""
+        """A function with the sign of the speed of a curve along the shape."""
         return self._turning(self._value(curve)[1], curve)
 
 
 def _ends(radius_squared: mpq, within: mpq) -> tuple[mpq, mpq]:
-    """A radius less and plus a distance, or a little more and less."""
+    """A radius minus a distance, rounded up, and the radius plus the distance, rounded down."""
     radius = upper_square_root(radius_squared)
     return radius - within, radius_squared / radius + within
 
 
 def _square_margin(parts: Parts, within: mpq) -> Any:
-    """Not negative where the sum of squares of parts with one denominator is small."""
+    """A function that is not negative where the sum of the squares of parts with the same denominator is small."""
     left = parts[0][1] * (within * within)
     for n, _ in parts:
         left = left - n * n
@@ -551,7 +558,7 @@ def minus(a: Point, b: Point) -> Point:
 
 
 def solved(rows: Sequence[Sequence[mpq]], right: Sequence[mpq]) -> list[mpq] | None:
-    """The solution of a linear system, None where it has not exactly one."""
+    """The solution of a linear system; None unless there is exactly one."""
     n = len(right)
     matrix = flint.fmpq_mat(n, n, [to_fmpq(x) for row in rows for x in row])
     try:
@@ -562,7 +569,7 @@ def solved(rows: Sequence[Sequence[mpq]], right: Sequence[mpq]) -> list[mpq] | N
 
 
 def upper_square_root(q: mpq) -> mpq:
-    """A rational number that is at least √q, by less than 2⁻⁴⁰ of it; exactly √q where that is rational.
+    """A rational number that is at least √q and exceeds it by less than 2⁻⁴⁰ √q; exactly √q if this is rational.
 
     >>> upper_square_root(mpq(9, 4)), 2 < upper_square_root(mpq(2)) ** 2 < 2 + mpq(1, 2**38)
     (mpq(3,2), True)

@@ -25,11 +25,11 @@ KINDS = (ShapeKind.LINE, ShapeKind.CIRCLE)
 
 @dataclass(frozen=True, repr=False)
 class Snapped(OneLine):
-    """A curve with exact pieces in place of some that were near to a shape.
+    """A curve in which some pieces near a shape are replaced by exact pieces.
 
-    `replaced`: the pieces of the curve as it was, the exact shape that is there now, and the distance that is proved
-    between both. `kept`: pieces that are as near to a shape as was asked, but not to one through their end points, and
-    arcs of circles in space; they are as they were.
+    `replaced`: the pieces of the original curve, each with the exact shape that replaces it and the proved distance
+    between both. `kept`: unchanged pieces that are within the distance of a shape, but not of a shape through their end
+    points, and unchanged arcs of circles in space.
     """
 
     curve: Nurbs
@@ -38,12 +38,12 @@ class Snapped(OneLine):
 
 
 def snapped(curve: Nurbs, kinds: Collection[ShapeKind | str] = KINDS, epsilon: Number | None = None) -> Snapped:
-    """The curve with its pieces that run along a line or a circle within the distance epsilon (without it, within 10⁻⁹
-    of the curve's size) replaced by exact ones with the same end points; all else, and every piece that lies on its
-    shape exactly, stays as it is, over the same parameters.
+    """The curve in which the pieces that run along a line or a circle within the distance epsilon (by default 10⁻⁹ of
+    the size of the curve) are replaced by exact pieces with the same end points. All other pieces, and pieces that lie
+    on their shape exactly, are unchanged, over the same parameters.
 
-    An arc has the tangents of the piece at both ends where there is such an arc near enough; otherwise its centre is
-    the nearest one to that of the recognized circle that is equally far from both end points.
+    An arc has the tangents of the piece at both ends if such an arc is within the distance; otherwise its centre is the
+    point equally far from both end points that is nearest to the centre of the recognized circle.
 
     >>> rounded = Nurbs(2, [0, 0, 0, 1, 1, 1], [(1, 0), (1, 1), (0, 1)], [1, "0.7071", 1])
     >>> found = snapped(rounded, ["circle"], "1e-4")
@@ -69,7 +69,7 @@ def snapped(curve: Nurbs, kinds: Collection[ShapeKind | str] = KINDS, epsilon: N
 
 
 def checked_kinds(kinds: Collection[ShapeKind | str]) -> frozenset[ShapeKind]:
-    """Kinds of shapes, each of which a piece can be replaced by; `ShapeError` for others."""
+    """The kinds of shapes, checked: a piece can be replaced by each of them; raises `ShapeError` for other kinds."""
     requested = frozenset(choice(ShapeKind, kind, "shape", raised=ShapeError) for kind in kinds)
     if other := sorted(requested - set(KINDS)):
         raise ShapeError(f"a piece replaced by a {other[0]}", remedy=f"this needs {' or '.join(KINDS)}")
@@ -77,7 +77,9 @@ def checked_kinds(kinds: Collection[ShapeKind | str]) -> frozenset[ShapeKind]:
 
 
 def _between_ends(curve: Nurbs, piece: RecognizedPiece) -> Iterator[Shape]:
-    """Shapes of the same kind through the end points of a piece: where there is one, with its tangents there."""
+    """Shapes of the same kind through the end points of a piece; first, if it exists, the shape with the tangents of
+    the piece there.
+    """
     a, b = _ends(curve, piece)
     if not isinstance(piece.shape, Circle):
         yield Line(a, minus(b, a))

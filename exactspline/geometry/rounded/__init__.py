@@ -1,1 +1,3 @@
-"""What is true of all curves and surfaces near one whose numbers were rounded, and how far it stays true."""
+"""Features of all curves and surfaces near a given one, such as one with rounded numbers, and how far they are
+stable.
+"""

@@ -1,9 +1,10 @@
-"""What all curves have in common whose control points and weights differ from those of a curve by at most epsilon: the
-forms of κ and κ′, in space of τ and κ′, with balls as coefficients, and where their signs are certain.
+"""The features of all curves whose control points and weights differ from those of a given curve by at most epsilon.
+The forms of κ and κ′, in space of τ and κ′, are computed with balls as coefficients, which show where their signs are
+certain.
 
-A sign that the coefficients of a form in the Bernstein basis have in common is that of all values, for all
-these curves. Between two certain signs that differ every one of the curves has a zero; between two that agree some may
-have zeros.
+If all coefficients of a form in the Bernstein basis have the same sign, all values have this sign, for all these
+curves. Between two different certain signs each of the curves has a zero; between two equal certain signs some curves
+may have zeros.
 """
 
 from __future__ import annotations
@@ -29,18 +30,18 @@ from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.precision import distance
 from exactspline.splines.type_checks import curve_of
 
-#: The narrowest part of a segment that is looked at, in bits.
+#: The narrowest part of a segment that is examined, in bits.
 NARROWEST = 40
-#: The same for parts on which no sign is in sight.
+#: The narrowest part that is examined where no sign is to be expected.
 SHALLOW = 3
 
 
 @dataclass(frozen=True, repr=False)
 class NearbyFeature(Described):
-    """A feature of the curves near a curve, in an interval of the parameter.
+    """A feature of the curves within a distance of a given curve, in an interval of the parameter.
 
-    ``robust``: every one of these curves has it there; ``single``: exactly once. Otherwise some of them may have it,
-    any number of times, and others may not.
+    ``robust``: each of these curves has the feature in the interval; ``single``: exactly once. If it is not robust,
+    some of the curves may have it, any number of times, and others may not.
     """
 
     kind: FeatureKind
@@ -50,20 +51,20 @@ class NearbyFeature(Described):
 
     @property
     def place(self) -> Interval:
-        """The interval."""
+        """The interval of the parameter."""
         return self.piece.parts[0]
 
     @property
     def facts(self) -> dict[str, bool]:
-        """Whether it is robust, and single."""
+        """Whether the feature is robust, and whether it is single."""
         return {"robust": self.robust, "single": self.single}
 
 
 @dataclass(frozen=True)
 class _Part:
-    """A part of the domain, and the sign that a form has there, for all curves: 0 where it is not certain. Then 1 or −1
-    in `slope` say that it increases or decreases at all zeros, for all curves. `ends`: the signs of the form of the
-    curve itself at both ends.
+    """A part of the domain, and the sign of a form there for all curves; 0 if it is not certain. In this case a `slope`
+    of 1 or −1 means that the form increases or decreases at all its zeros, for all curves. `ends` are the signs of the
+    form of the curve itself at both ends.
     """
 
     low: mpq
@@ -74,15 +75,15 @@ class _Part:
 
 
 def features_nearby(curve: Nurbs, epsilon: Number) -> tuple[NearbyFeature, ...]:
-    """Inflections (in space: zeros of the torsion), extrema of the curvature, corners and singular points that all
-    curves near a curve have, and those that some of them may have: all whose coordinates and, for a rational curve,
-    weights differ by at most epsilon (a number, or ``written``: see `exactspline.splines.precision`).
+    """Inflections (in space: zeros of the torsion), extrema of the curvature, corners and singular points of all curves
+    near a given curve, and those that only some of them may have. Near are all curves whose coordinates and, for a
+    rational curve, weights differ by at most epsilon (a number, or ``written``: see `exactspline.splines.precision`).
 
-    An inflection stands for every zero of κ, also one at which its sign is kept or the domain ends, a torsion zero
-    likewise; a zero of κ′ without an extremum is where one of both kinds is listed; `stop` for every singular point.
-    Corners stand at knots. What closed curves may have at their seam is possible only, since others do not close. In
-    space κ may be zero in some of the curves, never in all: there an inflection is possible. In the order of the
-    parameter.
+    `inflection` means any zero of κ, also a zero at which the sign of κ is kept or the domain ends; the same holds for
+    zeros of the torsion. `maximum` and `minimum` include zeros of κ′ without an extremum, and `stop` means any singular
+    point. Corners are at knots. Features at the seam of a closed curve are never robust, because other curves near it
+    are not closed. In space κ may be zero for some of the curves, never for all, so that inflections are never robust.
+    The features are in the order of the parameter.
 
     >>> from exactspline import example
     >>> for found in features_nearby(example("cubic_s"), "1/1000"):
@@ -92,7 +93,7 @@ def features_nearby(curve: Nurbs, epsilon: Number) -> tuple[NearbyFeature, ...]:
     maximum True True 0.81 0.81
 
     Raises `ShapeError` for a curve that is neither in the plane nor in space, for an epsilon that is not positive, and
-    where it lets a weight function vanish.
+    if a weight function of a near curve may vanish.
     """
     with ctx.workprec(PRECISION):
         found = list(_near(curve, epsilon).features())
@@ -100,8 +101,9 @@ def features_nearby(curve: Nurbs, epsilon: Number) -> tuple[NearbyFeature, ...]:
 
 
 def singular_points_nearby(curve: Nurbs, epsilon: Number) -> tuple[NearbyFeature, ...]:
-    """Where curves near this one may have singular points, such as cusps; elsewhere none has one, if its coordinates
-    and, for a rational curve, weights differ by at most epsilon from the given ones. In the order of the parameter.
+    """The intervals, in order, in which curves near this one may have singular points, such as cusps; elsewhere none of
+    them has a singular point. Near are all curves whose coordinates and, for a rational curve, weights differ from the
+    given ones by at most epsilon.
 
     >>> from exactspline import Nurbs, example
     >>> nearly = Nurbs(3, [0] * 4 + [1] * 4, [(0, 0), (1, 1), ("-1/1000", 1), (1, 0)])
@@ -127,7 +129,7 @@ class _Features(CurvesNear):
     """The features of the curves near a curve."""
 
     def features(self) -> Iterator[NearbyFeature]:
-        """Of each kind."""
+        """The features of each kind."""
         singular = self.singular_points()
         yield from singular
         slow = [feature.place for feature in singular]
@@ -142,9 +144,9 @@ class _Features(CurvesNear):
             zeros = (TORSION, dict.fromkeys((1, -1), FeatureKind.TORSION_ZERO), n - 1)
         for which, kinds, least in (zeros, (CRITICAL, extrema, n - 1)):
             # at a knot of this multiplicity the tangent (the curvature, in space the osculating plane) may jump, so
-            # that a sign may change without one
+            # that a sign may change without a zero
             open_places = joined([*slow, *(Interval.point(t) for _, t in self._knots(least))])
-            # and at one of a multiplicity less by 1 the form itself may jump, so that slopes decide nothing there
+            # and at a knot of multiplicity one less the form itself may jump, so that slopes decide nothing there
             jumps = [Interval.point(t) for _, t in self._knots(least - 1)]
             parts = self._parts(which)
             found, start = [*self._zeros(parts, kinds, jumps)], Interval.point(parts[0].low)
@@ -154,14 +156,14 @@ class _Features(CurvesNear):
                 yield replace(feature, robust=False, single=False) if doubtful else feature
 
     def singular_points(self) -> list[NearbyFeature]:
-        """The parts of the domain in which some of the curves may stand still."""
+        """The parts of the domain in which γ′ may vanish for some of the curves."""
         return [_feature(FeatureKind.STOP, place, robust=False) for place in self._possible_zeros(SPEED)]
 
     def _possible_zeros(self, which: int) -> list[Interval]:
         """The parts of the domain in which a form that is a sum of squares may be 0 for some of the curves."""
         places = [Interval(part.low, part.high) for part in self._parts(which) if part.sign <= 0]
         start, end = self.curve.domain
-        # what a closed curve has at its end is at its seam, the start
+        # features of a closed curve at its end are at its seam, the start
         seam = [Interval.point(start)] if places and places[-1].high == end and self._may_close else []
         return joined([*seam, *places])
 
@@ -219,7 +221,7 @@ class _Features(CurvesNear):
                 first, last = (x.sign if x is not None else 0 for x in (before, behind))
                 if slope and (first == slope or last == -slope):
                     continue
-                # one of the other kind is between two of one kind
+                # between two zeros of one kind there is one of the other kind
                 certain = kinds[first] if first * last < 0 else None
                 for kind in dict.fromkeys(kinds[x] for x in ((-slope,) if slope else (-1, 1))):
                     yield _feature(kind, place, kind is certain, kind is certain and slope != 0)
@@ -232,8 +234,8 @@ class _Features(CurvesNear):
         return {kinds[x] for x in left if -x in right} if self._may_close else set()
 
     def _corners(self, slow: Sequence[Interval]) -> Iterator[NearbyFeature]:
-        """Knots at which the tangents of both sides depend on different control points, or where the curves may stand
-        still, and the seam.
+        """Knots at which the tangents of both sides depend on different control points, or at which γ′ may vanish for
+        some of the curves, and the seam.
         """
         if self._may_close:
             yield _feature(FeatureKind.CORNER, Interval.point(self.curve.domain[0]), robust=False)
@@ -278,7 +280,9 @@ def _signs(form: Family, ends: Interval, depth: int = 0) -> Iterator[_Part]:
 
 
 def _narrowed(form: Family, ends: Interval) -> Iterator[_Part]:
-    """The signs of a form with at most one zero, with the interval that has the zero of each curve that has one."""
+    """The signs of a form with at most one zero, with an interval that contains the zero of every curve that has a
+    zero.
+    """
     slope, zero = form.crossing, form.zero_of_curve()
     low = _certain(form, zero, mpq(0), -slope) if form.ordinates[0] * slope < 0 else mpq(0)
     high = _certain(form, zero, mpq(1), slope) if form.ordinates[-1] * slope > 0 else mpq(1)
@@ -292,8 +296,8 @@ def _narrowed(form: Family, ends: Interval) -> Iterator[_Part]:
 
 def _apart(parts: Iterable[_Part]) -> Iterator[_Part]:
     """The parts of one segment. Where all zeros on the left of a place increase and all on the right decrease, or the
-    other way around, no curve has a zero at it: f′ + λ f and f′ + μ f have different signs there. A sign is certain
-    there, that of the curve itself.
+    other way around, no curve has a zero at this place: f′ + λ f and f′ + μ f have different signs there. The sign
+    there is certain: it is that of the curve itself.
     """
     last: _Part | None = None
     for part in parts:
@@ -304,7 +308,9 @@ def _apart(parts: Iterable[_Part]) -> Iterator[_Part]:
 
 
 def _certain(form: Family, zero: mpq, end: mpq, sign: int) -> mpq:
-    """A place between a zero of the form of the curve and an end, near to the zero, where all forms have a sign."""
+    """A place between a zero of the form of the curve and an end, close to the zero, where the forms of all curves have
+    the same sign.
+    """
     k = min(int(zero * form.degree), form.degree - 1)
     error, slope = form.at(zero).abs_upper(), form.degree * abs(form.of_curve[k + 1] - form.of_curve[k])
     step = max(ball_ends(error / slope).high, mpq(1, 2**NARROWEST)) if slope > 0 else mpq(1, 2**SHALLOW)

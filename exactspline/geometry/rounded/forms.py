@@ -1,10 +1,10 @@
-"""The forms of κ, κ′ and the speed (in space of τ, too) of all curves near a curve: with one number per coordinate of a
-control point that says how the form changes with it, and a ball for all that is of second order.
+"""The forms of κ, κ′ and the speed (in space of τ, too) of all curves near a curve, with one number per coordinate of a
+control point for the change of the form with this coordinate, and a ball for all terms of second order.
 
-A number that depends on the curve is written ``f + Σ sⱼ εⱼ + r`` with ``|εⱼ| ≤ 1``, where εⱼ E is what is added to one
+A number that depends on the curve is written ``f + Σ sⱼ εⱼ + r`` with ``|εⱼ| ≤ 1``, where εⱼ E is added to one
 coordinate of a control point, or to a weight, and r is in a ball (affine arithmetic: Comba and Stolfi, 1993). The
-programs that compute a form run on polynomials with such coefficients. So what cancels in a form cancels here, too, to
-first order in E.
+programs that compute a form run on polynomials with such coefficients, so that terms that cancel in a form cancel here,
+too, to first order in E.
 """
 
 from __future__ import annotations
@@ -32,13 +32,13 @@ PRECISION = 192
 NOTHING = arb_poly()
 #: Bits to which the zero of the form of the curve itself is sought.
 CLOSE = 48
-#: By how much a form has to change at least, compared with its values for other curves, for a part to be halved.
+#: A part is halved only if the form changes at least this much, relative to its differences between the curves.
 FLAT = 8
 
 
 class _Affine:
-    """A polynomial in the parameter with coefficients ``f + Σ sⱼ εⱼ + r``: what a program does with polynomials. The
-    slopes that are 0 are left out; without a remainder it is computed to first order.
+    """A polynomial in the parameter with coefficients ``f + Σ sⱼ εⱼ + r``: with the operations that a program needs.
+    Slopes that are 0 are not stored; without a remainder the computation is of first order.
     """
 
     __slots__ = ("remainder", "slopes", "value")
@@ -82,22 +82,23 @@ class _Affine:
         return arb_poly([arb(0, radius.upper()) for radius in radii])
 
     def derivative(self) -> _Affine:
-        """By the parameter."""
+        """The derivative by the parameter."""
         return self._each(lambda p: p.derivative())
 
     def left_shift(self, n: int) -> _Affine:
-        """Times a power of the parameter."""
+        """The polynomial times a power of the parameter."""
         return self._each(lambda p: p.left_shift(n))
 
 
 def _merged(a: dict[int, arb_poly], b: dict[int, arb_poly]) -> dict[int, arb_poly]:
-    """The sums of what two sums have."""
+    """The sums of the slopes of two polynomials."""
     return a | {k: a[k] + slope if k in a else slope for k, slope in b.items()}
 
 
 class Family:
     """The form of all curves near a curve, on a part of a segment, in the Bernstein basis: a matrix whose first row is
-    the form of the curve, the others what a change of one coordinate by E adds, and the last a remainder.
+    the form of the curve; each other row is the change of the form when one coordinate changes by E; the last row is a
+    remainder.
     """
 
     def __init__(self, rows: arb_mat) -> None:
@@ -110,12 +111,12 @@ class Family:
 
     @cached_property
     def ordinates(self) -> list[arb]:
-        """The ordinates, each as a ball that contains those of all curves."""
+        """The ordinates, each as a ball that contains the ordinates of all curves."""
         return _enclosed(self.rows)
 
     @cached_property
     def differences(self) -> list[arb]:
-        """The differences of neighbouring ordinates, likewise."""
+        """The differences of neighbouring ordinates, each as a ball."""
         return _enclosed(self.rows * _difference_matrix(self.degree)) if self.degree else []
 
     @cached_property
@@ -125,21 +126,21 @@ class Family:
 
     @property
     def uncertain(self) -> bool:
-        """Whether zero is among the values of some of the curves everywhere, or the curves differ by far more than the
-        form of one changes, so that on smaller parts, too, little more will be certain.
+        """Whether subdivision will hardly decide more: everywhere some of the curves have the value zero, or the curves
+        differ by far more than the form of one curve changes.
         """
         change = max(self.of_curve) - min(self.of_curve)
         return all(x.contains(0) for x in self.ordinates) or all(change * FLAT < x.rad() for x in self.ordinates)
 
     @property
     def sign(self) -> int:
-        """The sign that all values of all curves have, 0 where the ordinates do not show one."""
+        """The common sign of all values of all curves; 0 if the ordinates do not show it."""
         return _common_sign(self.ordinates) if _common_sign(self.of_curve) else 0
 
     @cached_property
     def crossing(self) -> int:
-        """The sign of the derivative at every zero of the forms of all curves, so that each of them has at most one;
-        0 where that is not shown: by a number λ for which f′ + λ f has one sign for all of them.
+        """The sign of the derivative at every zero of the forms of all curves, so that each form has at most one zero;
+        0 if this is not proved. The proof is a number λ for which f′ + λ f has one sign for all curves.
         """
         if not self.degree:
             return 0
@@ -164,7 +165,9 @@ class Family:
         return _enclosed(self.rows * _bernstein(self.degree, t))[0]
 
     def zero_of_curve(self) -> mpq:
-        """About where the form of the curve itself, which is monotonic, is zero, or nearest to zero."""
+        """Approximately the parameter at which the form of the curve itself, which is monotonic, is zero, or nearest to
+        zero.
+        """
         first, last = self.of_curve[0], self.of_curve[-1]
         if not first * last < 0:
             return mpq(int(abs(last) < abs(first)))
@@ -178,13 +181,14 @@ class Family:
         return low
 
     def values(self, t: mpq) -> list[arb]:
-        """The value of the form of the curve at a local parameter, what a change of each coordinate by E adds, and the
-        remainder.
+        """The value of the form of the curve at a local parameter, its change when each coordinate changes by E, and
+        the remainder.
         """
         return [x for (x,) in (self.rows * _bernstein(self.degree, t)).table()]
 
 
-#: What helps where weights may vanish or change their sign: those of curves near a curve, and its own.
+#: The remedies where weights may vanish or change their sign: for the weights of near curves, and for those of the
+#: curve itself.
 SMALLER = "weights that stay positive: a smaller epsilon"
 INSERT = "restrict it to its domain and insert knots until all weights have one sign"
 
@@ -192,7 +196,7 @@ INSERT = "restrict it to its domain and insert knots until all weights have one 
 def with_positive_weights(curve: Nurbs) -> Nurbs:
     """The same curve with a positive weight function: where it is negative, with all weights multiplied by −1.
 
-    Raises `ShapeError` where control points are directions: their coordinates are not those of points.
+    Raises `ShapeError` for control points that are directions, because their coordinates are not those of points.
     """
     if any(isinstance(point, Direction) for point in curve.control_points):
         raise ShapeError("curves near a curve with a direction among its control points", remedy=INSERT)
@@ -204,7 +208,7 @@ def with_positive_weights(curve: Nurbs) -> Nurbs:
 class CurvesNear:
     """The forms of the curves near a curve in the plane or in space, segment by segment.
 
-    Raises `ShapeError` where a weight function of one of these curves may vanish.
+    Raises `ShapeError` if the weight function of one of these curves may vanish.
     """
 
     def __init__(self, curve: Nurbs, within: mpq) -> None:
@@ -238,9 +242,11 @@ class CurvesNear:
         return j - n, basis_ordinates(n, tuple((knots[k] - start) / width for k in range(j - n, j + n + 2)))
 
     def form(self, which: int, i: int) -> Family:
-        """A form on a segment; for the distance 0 to first order, with what a change of a coordinate by 1 adds."""
+        """A form on a segment; for the distance 0 to first order, with the change of the form when a coordinate changes
+        by 1.
+        """
         found = self._forms(i)[which]
-        # a form that vanishes for all curves, as the curvature of a line, is computed without them
+        # a form that vanishes for all curves, such as the curvature of a line, is computed without slopes
         form = found if isinstance(found, _Affine) else _Affine(arb_poly(found), {}, NOTHING)
         m, count = self._program.terms[which].degrees[0], (self.curve.degree + 1) * self.per_point
         rows = [
@@ -286,7 +292,9 @@ class CurvesNear:
 
 
 class Settled:
-    """Boxes in which each of many objects has exactly one point, each in a larger one in which it has no other."""
+    """Boxes in which each of many objects has exactly one point, each within a larger box in which the object has no
+    other point.
+    """
 
     def __init__(self) -> None:
         self.places, self.around = list[Box](), list[Box]()
@@ -296,7 +304,7 @@ class Settled:
         return any(known.contains(box) for known in self.around)
 
     def add(self, place: Box, around: Box) -> bool:
-        """Add a box, unless its points are known already; whether either is certain."""
+        """Add a box, unless its points are known already; False if neither is certain."""
         overlapping = [k for k, known in enumerate(self.places) if known.meets(place)]
         if any(not self.around[k].contains(place) for k in overlapping):
             return False
@@ -317,12 +325,12 @@ def sign_of(x: arb) -> int:
 
 
 def _common_sign(balls: Sequence[arb]) -> int:
-    """The sign that all numbers have, 0 for none and for no numbers."""
+    """The common sign of all numbers; 0 if there is none, or if there are no numbers."""
     return 1 if balls and all(x > 0 for x in balls) else -1 if balls and all(x < 0 for x in balls) else 0
 
 
 def _enclosed(rows: arb_mat) -> list[arb]:
-    """In each column the first entry, with the sum of the others for a radius."""
+    """For each column a ball: the first entry with the sum of the other entries as its radius."""
     own, *changes = rows.table()
     radii = [sum((abs(x) for x in column), start=arb(0)) for column in zip(*changes, strict=True)]
     return [x + arb(0, radius.upper()) for x, radius in zip(own, radii, strict=True)]
@@ -336,8 +344,8 @@ def basis_ordinates(n: int, knots: tuple[mpq, ...]) -> tuple[tuple[arb, ...], ..
 
 
 def _best_factor(values: Sequence[float], slopes: Sequence[float]) -> float:
-    """The number λ for which ``|a₀ + λ b₀| / Σ|aⱼ + λ bⱼ|`` is largest, for slopes a and values b: one at which a
-    summand vanishes, or 0.
+    """The number λ for which ``|a₀ + λ b₀| / Σ|aⱼ + λ bⱼ|`` is largest, for slopes a and values b; this is a number at
+    which a summand vanishes, or 0.
     """
 
     def share(factor: float) -> float:

@@ -1,11 +1,11 @@
-"""Where all curves near two curves meet, and where some of them may: the points that two curves, or a curve and itself,
-have in common while every control point and weight is changed by at most epsilon.
+"""The common points of two curves, or of a curve and itself, that persist while every control point and weight is
+changed by at most epsilon, and those that only some of the changed curves may have.
 
 Each curve is in the hull of its control points, and its velocity, up to a positive factor, in the hull of those of
 ``D₁ = w p′ − w′ p``; control points with balls for coordinates enclose those of all curves. Where all velocities of one
-turn to the same side of all of the other, the chords do, too: each pair of curves has one common point at most there.
-It has one if a linear map of γ(s) − γ̄(t), near to (s, t), has different signs on opposite sides of a box (Miranda
-1940).
+curve are on the same side of all velocities of the other, the chords are, too: each pair of curves has at most one
+common point there. A common point exists if a linear map of γ(s) − γ̄(t), close to (s, t), has different signs on
+opposite sides of a box (Miranda 1940).
 """
 
 from __future__ import annotations
@@ -31,12 +31,13 @@ from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.precision import distance
 from exactspline.splines.type_checks import curve_of
 
-#: How many pairs of parts are looked at, in all and on one level of halving, beyond those of segments: what remains
-#: then, as where curves run along each other, is given as it is.
+#: The number of pairs of parts examined, in all and on one level of halving, in addition to the pairs of segments; the
+#: pairs that remain then, as where curves coincide along an arc, are reported as not robust.
 MOST, MOST_OF_A_LEVEL = 5_000, 64
-#: A part is not halved where its control points are spread by less than this many times what may be changed.
+#: A part is not halved if its control points are spread by less than this many times the allowed change.
 SPREAD = 4
-#: Steps of Newton's method, and boxes around the point that is found, each twice as large as the one before.
+#: The numbers of steps of Newton's method, and of boxes around the point found, each twice as large as the previous
+#: one.
 STEPS, BOXES = 8, 8
 
 Row = list[arb]
@@ -44,11 +45,11 @@ Row = list[arb]
 
 @dataclass(frozen=True, repr=False)
 class NearbyMeeting(Described):
-    """Where curves near two curves meet: parameters of the first and of the second (of the same, for a curve and
-    itself).
+    """A common point of curves near two curves, by intervals of the parameters of the first and the second curve (which
+    are the same curve for self-intersections).
 
-    ``robust``: each pair of these curves has exactly one common point there. Otherwise some may have common points
-    there, any number of them, and others none.
+    ``robust``: each pair of these curves has exactly one common point there. Otherwise some pairs may have any number
+    of common points there, and others none.
     """
 
     first: Interval
@@ -64,20 +65,21 @@ class NearbyMeeting(Described):
 
     @property
     def values(self) -> dict[str, tuple[Real, ...]]:
-        """The parameters of the second."""
+        """The parameters of the second curve."""
         return {"second": tuple(map(real, self.second))}
 
     @property
     def facts(self) -> dict[str, bool]:
-        """Whether it is robust."""
+        """Whether the common point is robust."""
         return {"robust": self.robust}
 
 
 def intersections_nearby(first: Nurbs, second: Nurbs, epsilon: Number) -> tuple[NearbyMeeting, ...]:
-    """The points that all curves near two curves have in common, and those that some may have: all pairs of curves
-    whose coordinates and, for rational curves, weights differ from the given ones by at most epsilon.
+    """The common points of all pairs of curves near two given curves, and those that only some pairs may have. Near are
+    all curves whose coordinates and, for rational curves, weights differ from the given ones by at most epsilon.
 
-    A common point at an end of a curve is never robust, nor is one of space curves. In the order of the parameters.
+    Common points at an end of a curve and common points of space curves are never robust. The points are in the order
+    of the parameters.
 
     >>> from exactspline import Nurbs, example
     >>> line = Nurbs(1, [0, 0, 1, 1], [(0, 0), (2, 0)])
@@ -87,7 +89,7 @@ def intersections_nearby(first: Nurbs, second: Nurbs, epsilon: Number) -> tuple[
     False 0.4961 0.5039
 
     Raises `ShapeError` for curves that are not both in the plane or in space, for an epsilon that is not positive, and
-    where it lets a weight function vanish.
+    if a weight function of a near curve may vanish.
     """
     curves = curve_of(first), curve_of(second)
     if curves[0].dimension != curves[1].dimension or curves[0].dimension not in (2, 3):
@@ -99,8 +101,8 @@ def intersections_nearby(first: Nurbs, second: Nurbs, epsilon: Number) -> tuple[
 
 
 def self_intersections_nearby(curve: Nurbs, epsilon: Number) -> tuple[NearbyMeeting, ...]:
-    """The points at which all curves near a curve meet themselves, and those at which some may. The ends of a closed
-    curve are such, since those of a curve near it need not meet.
+    """The self-intersections of all curves near a given curve, and those that only some of them may have. The common
+    end of a closed curve is one of the latter, because the ends of a curve near it need not meet.
 
     >>> loop = Nurbs(3, [0] * 4 + [1] * 4, [(0, 0), (3, 2), (-2, 2), (1, 0)])
     >>> [found.robust for found in self_intersections_nearby(loop, "1/1000")]
@@ -117,8 +119,8 @@ def self_intersections_nearby(curve: Nurbs, epsilon: Number) -> tuple[NearbyMeet
 
 
 class _Part:
-    """A part of a segment: homogeneous control points and those of D₁, each a row per coordinate, with balls that
-    contain those of all curves.
+    """A part of a segment: its homogeneous control points and those of D₁, one row per coordinate, as balls that
+    contain the control points of all curves.
     """
 
     def __init__(self, ends: Interval, points: list[Row], velocity: list[Row]) -> None:
@@ -132,7 +134,7 @@ class _Part:
 
     @cached_property
     def spread(self) -> Row:
-        """By how much the control points may be changed, at most, in each coordinate."""
+        """The largest possible change of the control points in each coordinate."""
         return [max(x.rad() for x in row) for row in self.places]
 
     @cached_property
@@ -142,12 +144,12 @@ class _Part:
 
     @cached_property
     def direction(self) -> Row:
-        """About the direction of the part, exactly the same for all curves."""
+        """The approximate direction of the part, which is the same for all curves."""
         return [sum((x.mid() for x in row), start=arb(0)).mid() for row in self.velocity]
 
     @cached_property
     def is_small(self) -> bool:
-        """Whether halves of it would hardly be smaller."""
+        """Whether halves of the part would hardly be smaller."""
         return all(x.rad() < SPREAD * spread for x, spread in zip(self.hull, self.spread, strict=True))
 
     @cached_property
@@ -168,11 +170,11 @@ class _Part:
 
 
 class _Tangled(CurvesNear):
-    """The curves near a curve, for points that they have in common."""
+    """The curves near a curve, prepared for the search for common points."""
 
     @cached_property
     def parts(self) -> list[_Part]:
-        """The segments."""
+        """The segments as parts."""
         return [self._part(i, Interval(*ends)) for i, ends in enumerate(pairwise(self.curve.breakpoints))]
 
     def _part(self, i: int, ends: Interval) -> _Part:
@@ -192,7 +194,7 @@ class _Tangled(CurvesNear):
         return _Part(ends, rows, velocity)
 
     def over(self, interval: Interval) -> list[_Part]:
-        """What is in an interval, part by part."""
+        """The parts within an interval."""
         first, last = map(self.curve.mesh.locate, interval)
         return [part.between(interval) for part in self.parts[first : last + 1]]
 
@@ -212,13 +214,13 @@ class _Meetings:
         self.settled = Settled()
 
     def found(self) -> tuple[NearbyMeeting, ...]:
-        """All of them."""
+        """All common points."""
         open_boxes = [box for box, _ in clusters(list(self._possible()))]
         both = [(box, True) for box in self.settled.places] + [(box, False) for box in open_boxes]
         return tuple(NearbyMeeting(*box, robust) for box, robust in sorted(both))
 
     def _possible(self) -> Iterator[Box]:
-        """Boxes of parameters outside which there is no common point but the robust ones."""
+        """Boxes of parameters outside which there are only robust common points."""
         level, done, first = self.pairs, 0, len(self.pairs)
         while level:
             after: list[tuple[_Part, _Part]] = []
@@ -305,7 +307,7 @@ class _Meetings:
 
 
 def _may_meet(a: _Part, b: _Part) -> bool:
-    """Whether the boxes around two parts overlap, and in the plane what is seen of them along the first."""
+    """Whether the boxes around two parts overlap and, in the plane, their projections along the first part."""
     if not all(x.overlaps(y) for x, y in zip(a.hull, b.hull, strict=True)):
         return False
     if len(a.hull) > 2:
@@ -316,7 +318,9 @@ def _may_meet(a: _Part, b: _Part) -> bool:
 
 
 def _near(first: Sequence[_Part], second: Sequence[_Part] | None) -> list[tuple[_Part, _Part]]:
-    """The pairs of parts that may meet along the first axis; without a second curve those of one, each pair once."""
+    """The pairs of parts that may meet along the first axis; without a second curve the pairs of parts of the first,
+    each once.
+    """
     sides = [(part, 0) for part in first] + [(part, 1) for part in second or ()]
     found = list[tuple[_Part, _Part]]()
     active: list[list[_Part]] = [[], []]
@@ -333,7 +337,9 @@ def _near(first: Sequence[_Part], second: Sequence[_Part] | None) -> list[tuple[
 
 
 def _newton(a: _Part, b: _Part) -> tuple[tuple[mpq, mpq], list[Row]] | None:
-    """About where the curves themselves meet, in local parameters, and the inverse of the matrix of both velocities."""
+    """The approximate common point of the curves themselves, in local parameters, and the inverse of the matrix of both
+    velocities.
+    """
     rows = [[[x.mid() for x in row] for row in part.points] for part in (a, b)]
     s, t = mpq(1, 2), mpq(1, 2)
     inverse: list[Row] = []
@@ -371,7 +377,7 @@ def _towards(row: Row, x: arb) -> Row:
 
 
 def _crosses(first: Sequence[_Part], second: Sequence[_Part]) -> bool:
-    """Whether all velocities of the second turn to the same side of all of the first."""
+    """Whether all velocities of the second curve are on the same side of all velocities of the first."""
     us, vs = ([v for part in parts for v in zip(*part.velocity, strict=True)] for parts in (first, second))
     return {sign_of(u[0] * v[1] - u[1] * v[0]) for u, v in product(us, vs)} in ({1}, {-1})
 
@@ -409,7 +415,7 @@ def _restricted(row: Row, low: mpq, high: mpq) -> Row:
 
 
 def _steps(row: Row) -> Row:
-    """The ordinates of the derivative, but for a factor."""
+    """The ordinates of the derivative, up to a factor."""
     return [b - a for a, b in pairwise(row)]
 
 

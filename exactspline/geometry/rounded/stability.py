@@ -1,12 +1,12 @@
-"""How far a curve may be changed until a feature vanishes or merges with another: a distance for which it is
-proved that no such change does it, and a curve, at a distance not much larger, without the feature.
+"""How far a curve may be changed before a feature vanishes or merges with another: a distance up to which it is proved
+that the feature persists, and a curve without the feature at a larger distance.
 
-The distance is the largest of a list for which `exactspline.geometry.rounded.features` finds the feature once in all
-curves that near. The other curve is sought by linear programs, one after the other, each for the form at the curve
-found before: which change of all numbers by at most a distance lifts the form most over zero between two zeros? Each is
-solved about, as a game: the best answer to the place where the form is least moves every number by the whole distance,
-with the sign of its slope (Brown 1951: the mean of such answers). That the curve lacks a feature is decided in exact
-arithmetic.
+The proved distance is the largest in a list for which `exactspline.geometry.rounded.features` finds the feature exactly
+once in all curves within the distance. The other curve is sought by a sequence of linear programs, each for the form of
+the curve found before: which change of all numbers by at most a distance raises the form most above zero between two
+zeros? Each program is solved approximately, as a game: the best answer to the place where the form is least moves every
+number by the whole distance, with the sign of its slope (Brown 1951: the mean of such answers). That the curve does not
+have the feature is decided in exact arithmetic.
 """
 
 from __future__ import annotations
@@ -48,14 +48,14 @@ FORMS: dict[int, dict[FeatureKind, tuple[str, int]]] = {
 }
 #: The distances that are tried, in units of the size of the curve.
 DISTANCES = tuple(mpq(m, 8) * mpq(2) ** e for e in range(-60, 0) for m in (8, 10, 12, 14))
-#: At how many places from one zero of a form to the next it is lifted over zero, and to the middle behind them.
+#: The number of places between two zeros of a form at which it is raised above zero, and of places beyond these zeros.
 PLACES, BESIDE = 10, 2
-#: The distances that are tried for that grow by this factor, from the least one that may be large enough on.
+#: The distances tried for this grow by this factor, from the least one that may be large enough; and their number.
 STEP, MOST_STEPS = mpq(9, 8), 26
-#: Rounds of the game by which a linear program is solved, and shares of its solution that are tried.
+#: Rounds of the game by which a linear program is solved, and the fractions of its solution that are tried.
 ROUNDS = 120
 SHARES = 1.0, 0.3
-#: By what fractions of a distance numbers are moved.
+#: Numbers are moved by multiples of the distance divided by this.
 FINE = 2**16
 
 
@@ -64,8 +64,8 @@ class StableFeature(OneNumber, Described):
     """A feature of a curve, and how far the curve may be changed.
 
     Every curve whose control points and weights differ by at most `radius` has this feature exactly once near this
-    place; 0 where nothing like that is proved. `witness` is a curve with fewer features of this kind, whose numbers
-    differ by at most `gone`; None where none was found.
+    place; `radius` is 0 if this is proved for no distance. `witness` is a curve with fewer features of this kind, whose
+    numbers differ by at most `gone`; both are None if no such curve was found.
     """
 
     _number = "place"
@@ -77,7 +77,7 @@ class StableFeature(OneNumber, Described):
 
     @one_line
     def __repr__(self) -> str:
-        end = "" if self.gone is None else f", gone at {short_text(self.gone)}"
+        end = "" if self.gone is None else f", destroyed at {short_text(self.gone)}"
         return f"<{self.kind} at {self.place.shortly()}: stable within {short_text(self.radius)}{end}>"
 
     @property
@@ -94,8 +94,9 @@ class StableFeature(OneNumber, Described):
 
 def stability(curve: Nurbs) -> tuple[StableFeature, ...]:
     """Inflections (in space: zeros of the torsion), extrema of the curvature and corners of a curve, and how far its
-    control points and weights may be changed (each coordinate and each weight for itself) without one of them vanishing
-    or merging with another. Zeros of the curvature of a space curve vanish by any change, so that they are not here.
+    control points and weights may be changed (each coordinate and each weight separately) before one of these features
+    vanishes or merges with another. Zeros of the curvature of a space curve can vanish under arbitrarily small changes
+    and are not listed.
 
     >>> from exactspline import example
     >>> for found in stability(example("cubic_s")):
@@ -119,7 +120,7 @@ def stability(curve: Nurbs) -> tuple[StableFeature, ...]:
 
 
 def _with_negative_weights(found: StableFeature) -> StableFeature:
-    """A feature whose witness has its weights, as the curve has, below zero."""
+    """The feature with a witness whose weights are negative, like those of the curve."""
     c = found.witness
     return (
         found
@@ -161,8 +162,8 @@ def _stable(facts: Facts, kind: FeatureKind, place: Real, radii: _Radii) -> Stab
 
 
 def _around(zeros: Sequence[Real], place: Real, curve: Nurbs) -> list[mpq]:
-    """About where a form has two zeros before one, this one, and two behind it; the ends of the domain for those that
-    it has not.
+    """The approximate places of a zero of a form, of the two zeros before it and of the two zeros behind it; the ends
+    of the domain replace zeros that do not exist.
     """
     (start, end), near = curve.domain, sorted(zeros)
     before, behind = [x for x in near if x < place][-2:], [x for x in near if x > place][:2]
@@ -171,8 +172,8 @@ def _around(zeros: Sequence[Real], place: Real, curve: Nurbs) -> list[mpq]:
 
 
 def _lacks(curve: Nurbs, kind: FeatureKind, before: int, low: Real, high: Real) -> bool:
-    """Whether a curve has fewer features of a kind, by exact arithmetic, and none of them between these places, so that
-    it is not another one that is missing.
+    """Whether a curve has fewer features of a kind, by exact arithmetic, and none between these places, so that the
+    missing feature is this one.
     """
     found = _of_kind(_facts(curve), kind)
     return len(found) < before and not any(low <= place <= high for place in found)
@@ -183,14 +184,14 @@ def _size(curve: Nurbs) -> mpq:
 
 
 class _Radii:
-    """The largest distances for which features are certain, found by halving; what is computed serves all features."""
+    """The largest distances for which features are certain, found by halving; results are shared by all features."""
 
     def __init__(self, curve: Nurbs) -> None:
         self.curve, self._found = curve, dict[int, tuple[NearbyFeature, ...]]()
         self.size = _size(curve)
 
     def of(self, kind: FeatureKind, place: Real) -> mpq:
-        """The largest distance that is tried for a feature, 0 for none."""
+        """The largest distance in the list for which a feature is certain; 0 if there is none."""
         low, high = -1, len(DISTANCES)
         while high - low > 1:
             tried = (low + high) // 2
@@ -210,7 +211,7 @@ class _Radii:
 
 
 def _of_kind(facts: Facts, kind: FeatureKind) -> list[Real]:
-    """Where a curve has features of a kind."""
+    """The parameters of the features of a kind."""
     return [place for each, place in _features(facts) if each is kind]
 
 
@@ -221,8 +222,8 @@ def _difference(a: Nurbs, b: Nurbs) -> mpq:
 
 
 def _straightened(curve: Nurbs, place: Real) -> Iterator[Nurbs]:
-    """The curve without a corner: its control point there moved half the way to the segment between its neighbours,
-    and they half the way to it.
+    """The curve without a corner: its control point there is moved half the way to the segment between its neighbours,
+    and the neighbours half the way to this control point.
     """
     t, points = place.exact, list(curve.control_points)
     # a seam, or two control points at the corner
@@ -243,7 +244,7 @@ def _straightened(curve: Nurbs, place: Real) -> Iterator[Nurbs]:
 
 
 def _flattened(curve: Nurbs, which: int, around: Sequence[mpq]) -> Iterator[Nurbs]:
-    """Curves near a curve, the nearest first, whose form has one sign around a zero, the third of five, and one of its
+    """Curves near a curve, the nearest first, whose form has one sign around the third of five zeros and one of its
     neighbours.
     """
     lifting = _Lifting(curve, which)
@@ -252,15 +253,15 @@ def _flattened(curve: Nurbs, which: int, around: Sequence[mpq]) -> Iterator[Nurb
 
 
 class _Lifting:
-    """Changes of a curve that lift a form over zero."""
+    """Changes of a curve that raise a form above zero."""
 
     def __init__(self, curve: Nurbs, which: int) -> None:
         self.curve, self.which, self.size = curve, which, _size(curve)
         self.width = curve.dimension + (not curve.polynomial)
 
     def curves(self, places: Sequence[mpq]) -> Iterator[tuple[mpq, Nurbs]]:
-        """Curves whose form has one sign, at some places, around the second and the third of four zeros, that which it
-        does not have between them; with their distances, which increase.
+        """Curves whose form has, at some places around the second and the third of four zeros, the sign that it does
+        not have between these zeros; with their increasing distances.
         """
         first, zero, other, last = places
         inner = _spread(zero, other, PLACES)
@@ -293,7 +294,7 @@ class _Lifting:
                     yield distance, curve
 
     def _rows(self, curve: Nurbs, places: Sequence[mpq], up: int) -> dict[mpq, _Row]:
-        """The form at some places, to first order; without those at which nothing changes it."""
+        """The form at some places, to first order; without places at which no change affects it."""
         forms, known, found = CurvesNear(curve, mpq(0)), dict[int, Family](), dict[mpq, _Row]()
         for t in places:
             i = curve.mesh.locate(t)
@@ -322,15 +323,15 @@ class _Lifting:
 
 @dataclass(frozen=True)
 class _Row:
-    """A form at a place, as a distance in units of the size of the curve: by how much all numbers must be changed for
-    it to be 0, with its sign; and what a change of each number does to it.
+    """A form at a place. `height` is the change of all numbers, in units of the size of the curve and with a sign, for
+    which the form is 0; `slopes` are the effects of a change of each number.
     """
 
     height: float
     slopes: dict[int, float]
 
     def change(self, steps: dict[int, float]) -> float:
-        """By how much steps change it."""
+        """The change of the height by steps."""
         return sum(x * steps[k] for k, x in self.slopes.items() if k in steps)
 
 
@@ -339,7 +340,9 @@ def _least(rows: dict[mpq, _Row]) -> float:
 
 
 def _best(rows: Sequence[_Row], steps: dict[int, float], distance: float) -> dict[int, float]:
-    """About the steps by at most a distance for which the least of the forms is largest; `rows` are for others."""
+    """Approximately the steps of at most a distance for which the least of the forms is largest; `rows` are the forms
+    after the given steps.
+    """
     answers = [{k: copysign(distance, x) for k, x in row.slopes.items()} for row in rows]
     base = [row.height - row.change(steps) for row in rows]
     changes = [[row.change(answer) for answer in answers] for row in rows]

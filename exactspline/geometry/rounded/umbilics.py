@@ -1,10 +1,10 @@
-"""Where all surfaces near a surface have an umbilic, and where some of them may have one.
+"""The umbilics of all surfaces near a given surface, and those that only some of them may have.
 
 Umbilics are common zeros of the coefficients A and B of the lines of curvature. Their values and gradients on a
 rectangle of parameters, for all surfaces whose control points and weights differ by at most epsilon, are enclosed by
 Taylor series with balls for coefficients, from control points of all derivatives with balls for coordinates. A value
-other than zero shows that no surface has an umbilic there; Krawczyk's operator that maps a rectangle into itself shows
-that each has one, and no second.
+other than zero shows that no surface has an umbilic there; if Krawczyk's operator maps a rectangle into itself, each
+surface has exactly one umbilic there.
 """
 
 from __future__ import annotations
@@ -34,11 +34,12 @@ from exactspline.splines.precision import distance
 from exactspline.splines.surface import NurbsSurface
 from exactspline.splines.type_checks import surface_of
 
-#: How many rectangles are looked at, and how many on each patch at least: what remains is given as it is.
+#: The number of rectangles examined, and the least number on each patch; the remaining rectangles are reported as not
+#: robust.
 MOST, MOST_OF_A_PATCH = 440, 10
-#: How many times as much a form may change on a rectangle as it differs between surfaces, for it not to be halved.
+#: A rectangle is not halved if the change of a form on it is at most this many times its difference between surfaces.
 SPREAD = 8
-#: Derivatives that are needed: two for the forms, and one for their gradients.
+#: The number of derivatives: two for the forms, and one for their gradients.
 TERMS = 4
 #: How often a rectangle with an umbilic is narrowed.
 STEPS = 6
@@ -48,10 +49,10 @@ NARROWEST = 60
 
 @dataclass(frozen=True, repr=False)
 class NearbyUmbilic(OneLine):
-    """An umbilic of the surfaces near a surface, in a rectangle of parameters.
+    """An umbilic of the surfaces near a given surface, in a rectangle of parameters.
 
-    ``robust``: every one of these surfaces has exactly one there. Otherwise some may have umbilics there, any number,
-    and others none.
+    ``robust``: each of these surfaces has exactly one umbilic there. Otherwise some may have any number of umbilics
+    there, and others none.
     """
 
     sides: Box
@@ -59,15 +60,16 @@ class NearbyUmbilic(OneLine):
 
 
 def umbilics_nearby(surface: NurbsSurface, epsilon: Number) -> tuple[NearbyUmbilic, ...]:
-    """The umbilics that all surfaces near a surface have, and those that some of them may have: all whose control
-    points and, for a rational surface, weights differ by at most epsilon. One on a border of patches is never robust.
+    """The umbilics of all surfaces near a given surface, and those that only some of them may have. Near are all
+    surfaces whose control points and, for a rational surface, weights differ by at most epsilon. An umbilic on a border
+    of patches is never robust.
 
     >>> from exactspline import example
     >>> umbilics_nearby(example("hyperbolic_paraboloid"), "1/1000000")
     ()
 
-    Raises `ShapeError` for a surface that is not in space, for an epsilon that is not positive, and where it lets a
-    weight vanish.
+    Raises `ShapeError` for a surface that is not in space, for an epsilon that is not positive, and if a weight of a
+    near surface may vanish.
     """
     given = surface_of(surface)
     if given.dimension != 3:
@@ -88,12 +90,12 @@ class _Balls(DoubleSeries):
 
     @staticmethod
     def number(value: Any) -> Any:
-        """A constant as a ball."""
+        """A constant, converted to a ball."""
         return value if isinstance(value, arb) else arb(to_fmpq(mpq(value)))
 
     @property
     def ball(self) -> arb:
-        """The values."""
+        """A ball that contains the values."""
         return cast(arb, self.value)
 
     @property
@@ -108,7 +110,7 @@ class _SurfacesNear:
     def __init__(self, surface: NurbsSurface, within: mpq) -> None:
         self.surface = surface
         ball = arb(0, arb(to_fmpq(within)).upper())
-        sign = -1 if surface.weights[0][0] < 0 else 1  # weights multiplied by −1 are those of the same surface
+        sign = -1 if surface.weights[0][0] < 0 else 1  # multiplying all weights by −1 does not change the surface
         own = [[_Balls.number(sign * w) for w in row] for row in surface.weights]
         weights = own if surface.polynomial else [[w + ball for w in row] for row in own]
         if not all(w > 0 for row in weights for w in row):
@@ -170,7 +172,7 @@ def _differences(n: int, order: int) -> arb_mat:
 
 
 class _State(Enum):
-    """What is known of a rectangle of parameters."""
+    """The state of a rectangle of parameters."""
 
     #: No surface has an umbilic there, or each has a single one, which is robust.
     SETTLED = auto()
@@ -190,13 +192,13 @@ class _Search:
         self.settled = Settled()
 
     def found(self) -> Iterator[NearbyUmbilic]:
-        """All of them, in the parameters of the surface."""
+        """All umbilics, in the parameters of the surface."""
         open_boxes = list(self._possible())
         for boxes, robust in ((self.settled.places, True), (open_boxes, False)):
             yield from (NearbyUmbilic(self.sides.part(box), robust) for box in boxes)
 
     def _possible(self) -> Iterator[Box]:
-        """Rectangles outside which there is no umbilic but the robust ones."""
+        """Rectangles outside which there are only robust umbilics."""
         unit = Interval(mpq(0), mpq(1))
         level, done = [(Box(unit, unit), 0)], 0
         while level:
@@ -213,7 +215,7 @@ class _Search:
             level = after
 
     def _decided(self, box: Box) -> _State:
-        """What is known of a rectangle; an umbilic that is found to be robust is put with those that are settled."""
+        """The state of a rectangle; an umbilic found to be robust is added to the settled ones."""
         if not all(f.ball.contains(0) for f in self._forms(box, TERMS - 1)):
             return _State.SETTLED
         here, around = self._forms(_point(box)), self._forms(box)
@@ -235,7 +237,7 @@ class _Search:
         return _State.LEFT if blurred else _State.OPEN
 
     def _may_have_one_at_each_corner(self, box: Box) -> bool:
-        """Whether no smaller part would be decided, as on a sphere."""
+        """Whether no smaller part could be decided, as on a sphere."""
         corners = (Box.point(u, v) for u, v in product(*box))
         return all(f.ball.contains(0) for corner in corners for f in self._forms(corner, TERMS - 1))
 
@@ -258,8 +260,8 @@ class _Search:
         return self.settled.add(place, around)
 
     def _krawczyk(self, box: Box, inverse: list[list[arb]]) -> Box | None:
-        """The image of a rectangle: it contains the zeros in the rectangle of all surfaces, and each has exactly one
-        where it is inside of the rectangle.
+        """The image of a rectangle under Krawczyk's operator. It contains the zeros of all surfaces in the rectangle;
+        if it is inside the rectangle, each surface has exactly one zero.
         """
         here, around = self._forms(_point(box)), self._forms(box)
         values, slopes = [f.ball for f in here], [f.gradient for f in around]

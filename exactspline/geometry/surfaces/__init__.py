@@ -1,1 +1,3 @@
-"""Features of a surface: the forms of its curvature, umbilics, singular points, ridges, joints, degenerate nets."""
+"""Features of a surface: the forms of its curvature, umbilics, singular points, ridges, joints, degenerate control
+nets.
+"""

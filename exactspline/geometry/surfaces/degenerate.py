@@ -18,9 +18,11 @@ from exactspline.splines.tensor import TensorSpline
 
 
 class Gap(StrEnum):
-    """The limit of the difference of the principal curvatures towards a pole, except in single directions."""
+    """The limit of the difference of the principal curvatures towards a pole, in all except finitely many
+    directions.
+    """
 
-    #: It vanishes: an umbilic, where the surface is smooth there.
+    #: The limit is zero: the pole is an umbilic if the surface is smooth there.
     NONE = "umbilic in the limit"
     FINITE = "no umbilic"
     INFINITE = "the curvatures grow without bound"
@@ -30,7 +32,7 @@ class Gap(StrEnum):
 class Pole(OneLine):
     """An isoparametric line along which a surface has no tangent plane: ``along`` runs over the `interval`, the other
     parameter is `value`. `point` is its image where that is a single point, None where it is a curve; `gap` describes
-    the principal curvatures near it.
+    the principal curvatures near the pole.
     """
 
     along: Along
@@ -41,15 +43,15 @@ class Pole(OneLine):
 
 
 def pole_at(forms: SurfaceForms, patch: Patch, line: Line) -> Pole:
-    """The pole on a line of a patch, its edges among them."""
+    """The pole on an isoparametric line of a patch; the line may be an edge."""
     (k, value), sides = line, sides_of(forms.surface, patch)
     at = patch, k, sides[k].local(value)
     return Pole(line_of(Edge(k, 0)), value, sides[1 - k], point_of(forms.surface, *at), _gap(forms, *at))
 
 
 def _gap(forms: SurfaceForms, patch: Patch, direction: int, x: mpq) -> Gap:
-    """The square of the difference is umbilicity over the third power of ``EG − F²``: compared by the orders of their
-    zeros, on a part of the patch of which the line is an edge.
+    """The gap at a line. The squared difference is umbilicity over the third power of ``EG − F²``: the orders of the
+    zeros of both are compared, on a part of the patch of which the line is an edge.
     """
     box, at = UNIT.with_side(direction, Interval(x if x < 1 else mpq(0), mpq(1))), EDGES.index(Edge(direction, x == 1))
     own, area = (f.patch_form(*patch).part(box) for f in (forms.umbilicity, forms.area))
@@ -77,7 +79,7 @@ def is_point(surface: NurbsSurface, patch: Patch) -> bool:
 
 
 def _common_point(surface: NurbsSurface, nets: Sequence[list[mpq]]) -> tuple[mpq, ...] | None:
-    """The one point that homogeneous points are, given by coordinates and weights; None where they are several."""
+    """The common point of homogeneous points given by coordinates and weights; None if they are different points."""
     *p, w = nets
     if surface.polynomial:
         w = [w[0]] * len(p[0])
@@ -90,5 +92,5 @@ def closed_along(surface: NurbsSurface, along: Along) -> bool:
     """Whether the first and the last isoparametric line across a parameter are the same curve."""
     (a, b), other = surface.domain[along.direction], Along.V if along is Along.U else Along.U
     ends = [(t, surface.domain[1 - along.direction].low)[:: -1 if along.direction else 1] for t in (a, b)]
-    # two points tell most surfaces that are not
+    # two points exclude most surfaces that are not closed
     return surface(*ends[0]) == surface(*ends[1]) and surface.isocurve(other, a) == surface.isocurve(other, b)

@@ -1,7 +1,7 @@
 """The forms of a surface whose signs and zeros are computed, from the formulas of `exactspline.formulas.surfaces`.
 
-Each is evaluated on the given surface and brought to its lowest degree; on a patch it is then a `PatchForm`, without
-the factors that vanish on a border of the patch, which poles bring with them.
+Each form is evaluated on the given surface and reduced to its lowest degree; on a patch it is then a `PatchForm`,
+without the factors that vanish on a border of the patch, which occur at poles.
 """
 
 from __future__ import annotations
@@ -26,8 +26,8 @@ from exactspline.splines.tensor import TensorSpline, aligned
 
 
 class Reduced(NamedTuple):
-    """A form on a patch: the form itself, the form without factors that vanish on borders, and how often each of these
-    divides it.
+    """A form on a patch: the form itself, the form without factors that vanish on borders, and the multiplicity of each
+    of these factors.
     """
 
     whole: PatchForm
@@ -36,7 +36,7 @@ class Reduced(NamedTuple):
 
 
 def formula(name: str) -> Formula:
-    """A formula about surfaces."""
+    """The formula about surfaces with this name."""
     return find(f"surfaces:{name}")
 
 
@@ -168,7 +168,7 @@ def lowest(f: TensorSpline) -> TensorSpline:
     degree, true = f.degree, f.true_degree
     if degree == true or min(true) < 0:
         return f
-    # a lower degree may need fewer knots: the patches are those of the surface all the same
+    # a lower degree may need fewer knots, but the patches of the surface are kept
     return aligned(f.reduce_degree(degree.s - true.s, degree.t - true.t), f)[0]
 
 
@@ -194,8 +194,7 @@ POINTS, FIRST = 4, 7
 
 
 def constant_curvature(forms: SurfaceForms, patch: Patch) -> mpq | None:
-    """The Gaussian curvature of a patch where it is the same at all its points; None where it is not, and on patches
-    that are curves or points.
+    """The Gaussian curvature of a patch if it is constant; None if it is not, and on patches that are curves or points.
 
     >>> from exactspline import example
     >>> constant_curvature(SurfaceForms(example("sphere")), (0, 0))
@@ -221,7 +220,9 @@ def has_curvature(forms: SurfaceForms, patch: Patch, value: mpq) -> bool:
 
 
 def _values(forms: SurfaceForms, patch: Patch) -> Iterator[mpq]:
-    """K at some points inside a patch with a tangent plane; there are none only where no point has a tangent plane."""
+    """K at some points inside a patch that have a tangent plane; such points are always found unless no point has a
+    tangent plane.
+    """
     if forms.area.patch_form(*patch).is_zero:
         return
     sides = sides_of(forms.surface, patch)

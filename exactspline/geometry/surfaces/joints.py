@@ -1,8 +1,9 @@
-"""How patches meet along knot lines and seams: torn, in a crease, with one tangent plane, with one curvature.
+"""How patches meet along knot lines and seams: torn apart, in a crease, with a common tangent plane, with common
+curvatures.
 
-Along a common edge both sides have the same derivatives with respect to its parameter. They have one tangent plane
-where their normals n⁻ and n⁺ have the same direction; then the second fundamental forms agree when one argument is the
-direction of the edge, so that they agree altogether where the mean curvatures do. With the lifted forms ``H = w h/(2
+Along a common edge both sides have the same derivatives with respect to its parameter. They have a common tangent plane
+where their normals n⁻ and n⁺ have the same direction; then the second fundamental forms agree if one argument is the
+direction of the edge, so that they agree completely where the mean curvatures do. With the lifted forms ``H = w h/(2
 ‖n‖³)``, and ``n⁺ = λ n⁻`` for some λ > 0, this is ``w⁺ h⁺ (n⁻)³ = w⁻ h⁻ (n⁺)³`` in any coordinate of n that is not
 zero: identities of polynomials along the edge.
 
@@ -32,8 +33,8 @@ from exactspline.splines.bspline import BSpline
 from exactspline.splines.surface import Along, NurbsSurface
 from exactspline.splines.tensor import TensorSpline
 
-#: What there is at a single point of a crease, or of an edge with one tangent plane, by the sign of the product of the
-#: normals, which are parallel there.
+#: The kind of a special point of a crease, or of an edge with one tangent plane, by the sign of the scalar product of
+#: the normals, which are parallel there.
 SPECIAL = {1: "one tangent plane", -1: "fold", 0: "no tangent plane"}
 
 
@@ -42,13 +43,13 @@ class SurfaceJointKind(StrEnum):
 
     #: The sides are different curves.
     TORN = "torn"
-    #: Two tangent planes, except at single points.
+    #: The tangent planes differ, except at single points.
     CREASE = "crease"
-    #: One tangent plane, but the surface turns back, on the whole edge or on a part of it.
+    #: The tangent planes agree, but the surface turns back, on the whole edge or on a part of the edge.
     FOLD = "fold"
     #: At least one side has no tangent plane along the edge.
     SINGULAR = "no tangent plane"
-    #: One tangent plane, but two curvatures, except at single points.
+    #: The tangent planes agree, but the curvatures differ, except at single points.
     CURVATURE_JUMP = "jump of the curvature"
     CONTINUOUS = "continuous curvature"
 
@@ -60,8 +61,8 @@ ORDERS: dict[SurfaceJointKind, int | None] = dict(zip(SurfaceJointKind, (-1, 0, 
 @dataclass(frozen=True, repr=False)
 class SurfaceJoint(OneLine):
     """A part of a knot line inside the domain, or of the seam of a closed surface (`value` is the start of the domain
-    then): ``across`` has this `value`, the other parameter runs over the `interval`. `angle` is that between the
-    normals along a crease where it is the same everywhere.
+    then): ``across`` has this `value`, the other parameter runs over the `interval`. `angle` is the angle between the
+    normals along a crease if it is constant.
     """
 
     across: Along
@@ -83,7 +84,7 @@ def joints(
     forms: SurfaceForms, closed: Sequence[Along], across: Sequence[Along] = tuple(Along)
 ) -> tuple[SurfaceJoint, ...]:
     """The knot lines inside the domain, and the seams in the parameters in which a surface is closed; neighbouring
-    edges with equal properties are joined. Those `across` one parameter alone where it is given.
+    edges with equal properties are joined. With `across`, only the joints across this parameter.
 
     >>> from exactspline import NurbsSurface
     >>> net = [[(0, 0, 0), (0, 1, 0)], [(1, 0, 0), (1, 1, 0)], [(1, 0, 1), (1, 1, 1)]]
@@ -94,7 +95,7 @@ def joints(
     merged: list[SurfaceJoint] = []
     for one in _edges(forms, closed, across):
         last = merged[-1] if merged else None
-        if last and replace(last, interval=one.interval) == one:  # the next on the same line
+        if last and replace(last, interval=one.interval) == one:  # the next edge on the same line
             merged[-1] = replace(one, interval=Interval(last.interval.low, one.interval.high))
         else:
             merged.append(one)
@@ -117,7 +118,9 @@ def _edges(forms: SurfaceForms, closed: Sequence[Along], parameters: Sequence[Al
 
 
 def special_places(forms: SurfaceForms) -> Iterator[tuple[Real, str]]:
-    """The points of the first knot line across u, by v, at which two tangent planes are one, and those without one."""
+    """The points of the first knot line across u, by v, at which the two tangent planes agree, and the points without a
+    tangent plane.
+    """
     for j, interval in enumerate(starmap(Interval, pairwise(forms.surface.meshes[1].breaks))):
         found = _Meeting(forms, (0, j), (1, j), 0).special_places()
         yield from {interval.low + t * interval.width: kind for t, kind in found.items()}.items()
@@ -141,8 +144,8 @@ class _Meeting:
         return Vector(*before), Vector(*behind)
 
     def special_places(self) -> dict[Root, str]:
-        """The points of a crease at which the normals are parallel, and those at which one of them is zero; none where
-        all are.
+        """The points of a crease at which the normals are parallel, and those at which one of them is zero; empty if
+        all points are such.
         """
         before, behind = self.normals
         product, parallel = dot(before, behind), cross(before, behind)
@@ -167,7 +170,7 @@ class _Meeting:
 
 
 def _fit(surface: NurbsSurface, before: tuple[Patch, int, int], behind: tuple[Patch, int, int]) -> bool:
-    """Whether two edges of patches are one curve, as functions of their parameter."""
+    """Whether two edges of patches are the same function of their parameter."""
     (*p, w), (*q, v) = (
         [BSpline.bezier(line_points(f, *side)) for f in (*surface.p, surface.w)] for side in (before, behind)
     )
@@ -185,7 +188,7 @@ def _apart_from_zeros(f: BSpline) -> mpq:
 
 
 def _constant_angle(before: Vector[BSpline], behind: Vector[BSpline]) -> Angle | None:
-    """The angle between normals that are not parallel, where it is the same all along the edge."""
+    """The angle between normals that are not parallel, if it is constant along the edge."""
     product, first, second = dot(before, behind), dot(before, before), dot(behind, behind)
     at = _apart_from_zeros(first * second)
     lengths = first * second

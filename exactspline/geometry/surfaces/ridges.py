@@ -1,10 +1,10 @@
 """Ridges: where a principal curvature is stationary along its own lines of curvature.
 
-They are the zeros of the resultant of the lines of curvature ``A t_u² + B t_u t_v + C t_v²`` and a cubic form T, which
-is in a principal direction the derivative of the principal curvature. The zeros of both families meet transversally as
-a rule, where the resultant has a node: that is proved by the signs of T in both principal directions on the border of a
-box, without elimination. Around umbilics, where both directions are undefined, and at other singular points of high
-degree the curve is not resolved: these boxes are part of the answer.
+They are the zeros of the resultant of the lines of curvature ``A t_u² + B t_u t_v + C t_v²`` and a cubic form T, whose
+value in a principal direction is the derivative of the principal curvature. The ridges of the two principal curvatures
+usually cross transversally, where the resultant has a node; the node is proved by the signs of T in both principal
+directions on the border of a box, without elimination. Around umbilics, where both directions are undefined, and at
+other singular points of high degree the curve is not resolved: the boxes around these points are part of the answer.
 
 Source: Cazals, Faugère, Pouget and Rouillier, The implicit structure of ridges of a smooth parametric surface, Computer
 Aided Geometric Design 2006.
@@ -46,8 +46,8 @@ from exactspline.splines.tensor import TensorSpline
 
 #: The product of the degrees of a form up to which all singular points of its zeros are searched for.
 FEW = 64
-#: How often a box is bisected, after which the curve in it is not resolved; and the bound on the estimates
-#: (nanoseconds) of all bisections on a surface, about a minute, to which each further patch adds a little.
+#: The largest number of bisections of a box, after which the curve in the box is not resolved; and the bound on the
+#: estimated nanoseconds of all bisections on a surface, about a minute, to which each further patch adds a little.
 DEPTH, WORK = 20, 60_000_000_000
 #: The cost of bisecting a form: nanoseconds per coefficient, and per coefficient and bit.
 HALVING, HALVING_BITS = 4000, 5
@@ -58,7 +58,7 @@ Signs = tuple[int, int]
 
 
 class NoDirections(StrEnum):
-    """Why a patch has no two principal directions anywhere, and so no ridges."""
+    """The reason why a patch has no principal directions anywhere, and therefore no ridges."""
 
     UMBILIC = "every point is an umbilic"
     SINGULAR = "no point has a tangent plane"
@@ -66,8 +66,8 @@ class NoDirections(StrEnum):
 
 @dataclass(frozen=True, repr=False)
 class OpenRidges(OneLine):
-    """A rectangle of parameters in which the ridges are not resolved, and how many certified umbilics and points
-    without a tangent plane are in it: through these run several ridges as a rule.
+    """A rectangle of parameters in which the ridges are not resolved, with the number of certified umbilics and points
+    without a tangent plane in it: usually several ridges pass through these.
     """
 
     sides: Box
@@ -78,7 +78,8 @@ class OpenRidges(OneLine):
 @dataclass(frozen=True)
 class _RidgesOfPatch:
     """The ridges of one closed patch: `stationary` is the number of principal curvatures (none where there are no
-    directions) that are constant along all their lines; of the others the `edges`, `lines` and `pieces` of curves.
+    directions) that are constant along all their lines; the `edges`, `lines` and `pieces` of curves are ridges of the
+    others.
     """
 
     patch: Patch
@@ -94,10 +95,10 @@ class _RidgesOfPatch:
 class Ridges:
     """All points of a surface at which a principal curvature is stationary along its own line of curvature: on
     connected `curves` (a single point among them), on isoparametric `lines`, and everywhere on the patches of
-    `stationary`, each with the number of principal curvatures of which that is true.
+    `stationary`, each with the number of principal curvatures that are constant along all their lines.
 
-    `undecided` are rectangles in which there may be more. A ridge that ends in one of them may continue there.
-    `excluded` are the patches without principal directions, on which there are none, and why.
+    `undecided` are rectangles in which there may be more ridges. A ridge that ends in such a rectangle may continue
+    there. `excluded` are the patches without principal directions, and therefore without ridges, with the reasons.
     """
 
     curves: tuple[ZeroComponent, ...] = ()
@@ -108,7 +109,7 @@ class Ridges:
 
     @property
     def complete(self) -> bool:
-        """Whether every ridge is accounted for."""
+        """Whether no rectangle is undecided."""
         return not self.undecided
 
     def __bool__(self) -> bool:
@@ -130,7 +131,7 @@ class RidgeSearch:
         self.sides = sides_of(forms.surface, patch)
 
     def found(self) -> _RidgesOfPatch:
-        """The ridges; raises `ReachError` where they are out of reach altogether."""
+        """The ridges; raises `ReachError` if none can be computed within the limit of work."""
         own, stationary = on_patch(self.forms.ridges, self.patch), 0
         if own is None:
             other = other_family(self._polynomials(self.forms.lines), self._polynomials(self.forms.ridge_cubic))
@@ -189,11 +190,11 @@ class RidgeSearch:
         return ZeroCurve(form, begun=Begun(boxes, cells, unresolved))
 
     def _node(self, form: PatchForm, whole: PatchForm, box: Box) -> Cell | None:
-        """A cell in which the form has one node and no other zeros than its four branches, where that is proved.
+        """A cell in which the form has one node and no zeros except on its four branches, if this is proved.
 
         Four simple zeros on the border, between which the signs of the derivatives of both principal curvatures take
-        all four values, prove a point at which both vanish. There it is a node where the Hessian is indefinite; with
-        four ends there is no second one, and the only critical point is the node.
+        all four values, prove a point at which both vanish. The point is a node if the Hessian is indefinite; with four
+        ends there is no second node, and the node is the only critical point.
         """
         if not box.is_inside(UNIT) or kind_on(form, box) is not Crossing.NODE:
             return None
@@ -208,7 +209,7 @@ class RidgeSearch:
 
     def _signs(self, box: Box) -> Callable[[mpq, mpq], Signs] | None:
         """The signs of the derivatives of both principal curvatures at rational points of a box in which the two
-        directions are different and continuous; None where that is not proved.
+        directions are different and continuous; None where this is not proved.
         """
         at_umbilics = on_patch(self.forms.umbilicity, self.patch)
         if at_umbilics is None or at_umbilics.whole.part(box).sign != 1:
@@ -228,8 +229,9 @@ class RidgeSearch:
 
 
 def other_family(lines: Sequence[fmpz_mpoly], cubic: Sequence[fmpz_mpoly]) -> fmpz_mpoly | None:
-    """Where the quadratic form ``a p² + b p q + c q²`` and a cubic one have a common linear factor, the value of the
-    cubic form in the direction in which the other factor vanishes; None where the quadratic form divides the cubic one.
+    """If the quadratic form ``a p² + b p q + c q²`` and a cubic form have a common linear factor, the value of the
+    cubic form in the direction in which the other linear factor vanishes; None if the quadratic form divides the cubic
+    form.
 
     >>> from exactspline.polynomials.two_parameters import S, T
     >>> other_family([S * 0, S * 0 + 1, S * 0], [S * 0, S, T, S - T])  # p q and q (s p² + t p q + (s − t) q²)
@@ -261,7 +263,9 @@ def _along(cubic: Sequence[mpq], direction: tuple[Real, Real]) -> Real:
 
 
 def _simple(form: PatchForm) -> PatchForm:
-    """A form without multiple factors; the form itself where these are out of reach: their zeros remain undecided."""
+    """A form without multiple factors. If the factorization takes too much work, it is the form itself, whose multiple
+    zeros remain undecided.
+    """
     try:
         return square_free(form)
     except ReachError:
@@ -280,8 +284,8 @@ def principal_directions(uu: mpq, uv: mpq, vv: mpq, a: int, b: int, c: int) -> D
 
 
 def bisected(form: PatchForm) -> tuple[list[Sized], list[Box]]:
-    """Boxes in which a form is monotonic in one direction, and others in which that is not proved: all its zeros are
-    in these.
+    """Boxes in which a form is monotonic in one direction, and boxes in which this is not proved; all zeros of the form
+    are in these boxes.
     """
     todo = deque([Sized(UNIT, [form], 0)])
     boxes, remaining = list[Sized](), list[Box]()
@@ -301,8 +305,8 @@ def bisected(form: PatchForm) -> tuple[list[Sized], list[Box]]:
 
 
 def winds_once(own: PatchForm, box: Box, signs: Callable[[mpq, mpq], Signs]) -> bool:
-    """Whether a form, given on a box, has four simple zeros on its border, and two signs take all four values between
-    them, one of them changing at each.
+    """Whether a form given on a box has four simple zeros on the border, between which a pair of signs takes all four
+    values, so that exactly one sign changes at each zero.
     """
     found, count = list[Signs](), 0
     for edge in (Edge(1, 0), Edge(0, 1), Edge(1, 1), Edge(0, 0)):
@@ -324,7 +328,9 @@ def winds_once(own: PatchForm, box: Box, signs: Callable[[mpq, mpq], Signs]) -> 
 def ridges_of_surface(
     forms: SurfaceForms, patches: Sequence[tuple[SingularPoints, UmbilicsOfPatch]], closed: Sequence[Along]
 ) -> Ridges:
-    """The ridges of all patches, joined across their borders; what is known of the patches is given in their order."""
+    """The ridges of all patches, joined across their borders. The singular points and umbilics are given in the order
+    of the patches.
+    """
     surface, found, excluded = forms.surface, list[_RidgesOfPatch](), list[tuple[SurfacePart, NoDirections]]()
     with drawing_on(Budget(WORK + PATCH * (len(patches) - 1))):
         for patch, (singular, umbilics) in zip(forms.patches, patches, strict=True):

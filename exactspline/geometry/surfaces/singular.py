@@ -20,7 +20,7 @@ from exactspline.numbers.intervals import Box
 from exactspline.one_line import OneLine
 from exactspline.polynomials.patch_forms import PatchForm
 
-#: Bits of a box around a point that is undecided.
+#: The bits of a box around an undecided point.
 FAR = 64
 
 
@@ -33,8 +33,9 @@ class Line(NamedTuple):
 
 @dataclass(frozen=True, repr=False)
 class ZerosOfFactor(OneLine):
-    """The zeros of a common factor on a patch, if it has any: the `whole` of them, the `lines` among them at rational
-    values, as knots have, and the rest as a `curve`, if it is more than single points; the `factors` that these have.
+    """The zeros of a common factor on a patch, if it has any: `whole` are all zeros, `lines` the isoparametric lines
+    among them at rational parameters, and `curve` the other zeros, if they are more than single points; `factors` are
+    the factors that vanish on lines and curve.
     """
 
     whole: ZeroCurve | None = None
@@ -70,8 +71,8 @@ class ZerosOfFactor(OneLine):
     def with_single_points(
         self, found: Sequence[CommonZero], known: Sequence[CommonZero] = ()
     ) -> tuple[list[CommonZero], list[Box]]:
-        """Points found inside, but for zeros of the factor, and its single zeros, but for those that are `known`; and
-        the boxes in which something is undecided.
+        """The points found inside that are not zeros of the factor, and the single zeros of the factor that are not
+        `known` already; and the undecided boxes.
         """
         if (curve := self.whole) is None:
             return list(found), []
@@ -90,7 +91,9 @@ NONE = ZerosOfFactor()
 
 
 def _curve_of(factor: PatchForm | None) -> tuple[ZeroCurve | None, ZeroCurve | None]:
-    """The zeros of a factor, if it has any; once more, if they are more than single points."""
+    """The zeros of a factor, if it has any; and the same zeros again if they are more than single points, otherwise
+    None.
+    """
     sign = Sign.POSITIVE if factor is None else sign_on_patch(factor).sign
     if factor is None or sign in (Sign.POSITIVE, Sign.NEGATIVE):
         return None, None
@@ -100,9 +103,10 @@ def _curve_of(factor: PatchForm | None) -> tuple[ZeroCurve | None, ZeroCurve | N
 
 @dataclass(frozen=True, repr=False)
 class SingularPoints(OneLine):
-    """Where the normal of a patch vanishes: `degenerate`: everywhere; along whole `edges`; at `places`, single ones
-    inside, and those on the border, at which curves may end, also those of other patches; along lines and curves, the
-    zeros `of_factor`, a common one of its coordinates; `undecided` are boxes of parameters.
+    """The zeros of the normal of a patch. The normal vanishes everywhere if `degenerate`, and along whole `edges`.
+    `places` are single zeros inside, and zeros on the border, at which curves of this or another patch may end.
+    `of_factor` are the zeros of a common factor of the coordinates, which form lines and curves; `undecided` are boxes
+    of parameters.
     """
 
     degenerate: bool = False
@@ -113,12 +117,12 @@ class SingularPoints(OneLine):
 
     @property
     def inside(self) -> list[CommonZero]:
-        """The places inside."""
+        """The places inside the patch."""
         return [place.zero for place in self.places if place.is_inside]
 
     @property
     def regular(self) -> bool:
-        """Whether there are none except along edges."""
+        """Whether there are no singular points except along edges."""
         return not (self.degenerate or self.places or self.undecided or self.of_factor.along_curve)
 
 

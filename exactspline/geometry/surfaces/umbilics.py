@@ -1,7 +1,8 @@
-"""Umbilics: where the two principal curvatures are equal, and every direction is a principal direction.
+"""Umbilics: points where the two principal curvatures are equal, so that every direction is a principal direction.
 
-They are the common zeros of the three coefficients A, B, C of the lines of curvature where the surface has a tangent
-plane. Since ``A G − B F + C E = 0``, two of them suffice: A and B where E > 0, B and C where G > 0.
+Where the surface has a tangent plane, the umbilics are the common zeros of the three coefficients A, B, C of the
+equation of the lines of curvature. Since ``A G − B F + C E = 0``, two coefficients suffice: A and B where E > 0, B and
+C where G > 0.
 """
 
 from __future__ import annotations
@@ -30,14 +31,15 @@ from exactspline.roots.of_polynomials import Parameter, exactly
 from exactspline.splines.surface import Along
 from exactspline.splines.tensor import TensorSpline
 
-#: Bits of a point at which the kind of an umbilic is read off, the last for surfaces 10³⁰⁰ times as high as wide.
+#: The bits of a point at which the kind of an umbilic is determined, the last for surfaces 10³⁰⁰ times as high as wide.
 KIND_BITS = 20, 40, 130, 2400
 
 
 class UmbilicKind(StrEnum):
-    """How the lines of curvature turn on a loop around an umbilic: by half a turn in its sense, or against it
-    (a star). In the first case they run into a lemon in one direction, and into a monstar in three; where two of the
-    three coincide, it is between both.
+    """The kind of an umbilic. On a loop around an umbilic the lines of curvature turn by half a turn, in the sense of
+    the loop or in the opposite sense (a star). In the first case lines of curvature run into the umbilic in one
+    direction (a lemon) or in three directions (a monstar); where two of the three directions coincide, the umbilic is
+    between both kinds.
 
     Source: Berry and Hannay, Umbilic points on Gaussian random surfaces, Journal of Physics A 1977.
     """
@@ -56,9 +58,9 @@ HALF = {UmbilicKind.POSITIVE, UmbilicKind.LEMON, UmbilicKind.MONSTAR}
 
 @dataclass(frozen=True, repr=False)
 class Umbilic(OneLine):
-    """One umbilic: where it is, and its kind: of index ½, of index −½, or a multiple zero of the equations.
+    """One umbilic: its place and its kind, which is of index ½, of index −½, or a multiple zero of the equations.
 
-    `one_sided` means that it is an umbilic only of some of the patches that meet there.
+    `one_sided` means that the point is an umbilic of only some of the patches that meet there.
     """
 
     place: Place
@@ -70,10 +72,10 @@ class Umbilic(OneLine):
 class UmbilicsOfPatch(OneLine):
     """The umbilics of one closed patch.
 
-    `umbilics`: single ones inside, and those on the border, at which curves may end, also those of other patches
-    (`exactspline.bivariate.across_borders` tells them apart); `everywhere`: all points of the patch; `edges`: the edges
-    consisting of umbilics; `of_factor`: the zeros of a common factor of the equations, lines and curves of umbilics
-    inside; `undecided`: boxes of parameters in which there may be more.
+    `umbilics`: single umbilics inside, and umbilics on the border, at which curves of this or another patch may end
+    (`exactspline.bivariate.across_borders` distinguishes these cases); `everywhere`: all points of the patch are
+    umbilics; `edges`: the edges consisting of umbilics; `of_factor`: the zeros of a common factor of the equations,
+    lines and curves of umbilics inside; `undecided`: boxes of parameters in which there may be more umbilics.
     """
 
     umbilics: tuple[Umbilic, ...] = ()
@@ -118,7 +120,7 @@ class _Search:
         self.first = [f.patch_form(*patch) for f in forms.first]
 
     def on_edges(self) -> tuple[tuple[Edge, ...], list[Umbilic]]:
-        """Edges of umbilics, and those on the other edges, at which a curve of umbilics may end."""
+        """The edges of umbilics, and the umbilics on the other edges, at which a curve of umbilics may end."""
         given = [f.whole for f in self.own if f is not None]
         edges, places = [], dict[tuple[Parameter, Parameter], None]()
         for edge in EDGES:
@@ -138,8 +140,8 @@ class _Search:
         return Umbilic(Place((self.patch,), zero), self._kind(zero))
 
     def inside(self) -> tuple[list[Umbilic], ZerosOfFactor, tuple[Box, ...]]:
-        """The umbilics inside, a curve of them, and what could not be decided."""
-        # singular points at which the equations vanish though common factors are divided out
+        """The umbilics inside, the curves of umbilics, and the undecided boxes."""
+        # singular points at which the equations vanish after division by common factors
         known, singular = self.singular.inside, self.singular.of_factor
         given = {k: singular.without(f.form) for k, f in enumerate(self.own) if f is not None}
         factor = common_factor(list(given.values()))
@@ -169,8 +171,8 @@ class _Search:
             return False
 
     def _kind(self, zero: CommonZero) -> UmbilicKind:
-        """Half the sign of the Jacobian of A and B is the index where E > 0; of B and C where G > 0. Multiple where
-        both Jacobians vanish.
+        """The kind of an umbilic: its index is half the sign of the Jacobian of A and B if E > 0, and of B and C if G >
+        0. The kind is multiple if both Jacobians vanish.
         """
         lengths = self.first[0], self.first[2]
         pairs = [(f.whole, g.whole, e) for (f, g), e in zip(pairwise(self.own), lengths, strict=True) if f and g]
@@ -186,7 +188,7 @@ class _Search:
         return UmbilicKind.MULTIPLE if multiple else UmbilicKind.UNKNOWN
 
     def _around(self, zero: CommonZero) -> UmbilicKind:
-        """A lemon or a monstar by the discriminant of the cubic form ``A du² + B du dv + C dv²`` with the linear parts
+        """A lemon or a monstar, by the discriminant of the cubic form ``A du² + B du dv + C dv²`` with the linear parts
         of A, B, C in du, dv: its zeros are the directions of lines of curvature that run into the umbilic.
         """
         h, k = (side.width for side in self.sides)
@@ -211,7 +213,7 @@ def _jacobian(f: PatchForm, g: PatchForm) -> PatchForm:
 
 
 def _jacobian_sign(f: PatchForm, g: PatchForm, box: Box) -> int:
-    """The sign of the Jacobian determinant on a box, not a point, where its range excludes 0, otherwise 0."""
+    """The sign of the Jacobian determinant on a box that is not a point, if its range excludes 0; otherwise 0."""
     (a, b), (c, d) = ([h.slopes(i) for i in (0, 1)] for h in (rounded(f, box), rounded(g, box)))
     first = [x * y for x in a for y in d]
     second = [x * y for x in b for y in c]
@@ -221,8 +223,9 @@ def _jacobian_sign(f: PatchForm, g: PatchForm, box: Box) -> int:
 
 
 def merged_umbilic(own: Sequence[Umbilic], whole: Sequence[Box], domain: Box, closed: Sequence[Along]) -> Umbilic:
-    """One umbilic found on several patches: one-sided where not all of its sides have it, those in patches that are
-    umbilic as a `whole` among them; of unknown kind where patches say different ones (their curvatures jump there).
+    """One umbilic found on several patches. It is one-sided if it is not an umbilic on all sides; a patch that is
+    umbilic as a `whole` counts as a side where it is. Its kind is unknown if patches have different kinds (curvatures
+    jump there).
     """
     place, kinds = together([one.place for one in own]), {one.kind for one in own}
     if place.is_inside:
