@@ -229,8 +229,8 @@ def polynomial(net):
 
 
 def topology_of(certificate):
-    """“The checker counts lines, loops, arcs, curves with crossings and single points on every patch, as the answer for
-    this patch alone does” (docs/two-parameters.md): these counts of the answers; None where something is undecided.
+    """“The checker counts lines, loops, arcs, curves with crossings and single points on every patch”
+    (docs/two-parameters.md): these counts of the answers; None where something is undecided.
     """
     total = Counter()
     for patch in certificate["patches"]:

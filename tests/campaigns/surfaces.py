@@ -288,8 +288,10 @@ def _fraction(x: object) -> Fraction:
 
 #: What is compared, by the sentence of the documentation that it judges.
 COMPARED = {
-    "**The sign of K** follows from Bernstein coefficients on parts that grow smaller.": wrong_signs,
-    "Lines of constant u or v on which K vanishes are listed as parabolic lines wherever knots are;": wrong_lines,
+    "**The sign of K** follows from Bernstein coefficients on smaller and smaller parts.": wrong_signs,
+    "Lines of constant u or v on which K vanishes are listed as parabolic lines, whether or not they are knot lines;": (
+        wrong_lines
+    ),
     "along every knot line inside the domain and every seam both sides are compared as polynomials along the edge.": (
         wrong_joints
     ),
@@ -373,13 +375,17 @@ def _crossed(found: SurfaceInspection, name: str, k: int, at: mpq) -> set[object
 
 #: The same, of knots that are inserted.
 KNOTTED = {
-    "a corner of a patch on a curve of umbilics is none.": (
+    "a corner of a patch on a curve of umbilics is not listed.": (
         other_umbilics,
         other_singular_points,
         other_parabolic_points,
     ),
-    "parts that end at one point of a common border, or of the seam of a closed surface, are one;": (other_curves,),
-    "Lines of constant u or v on which K vanishes are listed as parabolic lines wherever knots are;": (other_lines,),
+    "parts that end at the same point of a common border, or of the seam of a closed surface, are joined;": (
+        other_curves,
+    ),
+    "Lines of constant u or v on which K vanishes are listed as parabolic lines, whether or not they are knot lines;": (
+        other_lines,
+    ),
 }
 
 
