@@ -46,11 +46,10 @@ FIRST = "C41a-f0-f2"
 CURVES = ("cubic_s", "twisted_cubic", "rational_cubic", "rational_space_cubic")
 INTRODUCTION = """# Ten claims, side by side
 
-What is printed, the function that computes it, the theorem of Coq about it, and three verdicts: for all curves by
-polynomials in jets, on example curves by splines, and by Coq's kernel. Coq's definitions of the functions are shown for
-the first claim; `./run coq DIR` writes all definitions and theorems. Their words are in
-[`Base.v`](../exactspline/extras/coq/theory/Base.v); on what follows from what, see
-[the trusted base](what-is-trusted.md).
+Each claim is shown in print, as a Python function, and as a theorem of Coq. Three verdicts follow: for all curves (by
+polynomials in jets), on example curves (by splines), and from Coq's kernel. For the first claim, Coq's definitions of the
+functions are shown too; `./run coq DIR` writes all definitions and theorems. The operations in them are defined in
+[`Base.v`](../exactspline/extras/coq/theory/Base.v). [The trusted base](what-is-trusted.md) says what a verdict relies on.
 
 <!-- written by python -m docs.ten_claims -->
 """

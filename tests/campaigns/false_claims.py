@@ -33,8 +33,8 @@ KINDS = ("plane", "space", "plane point", "point")
 CURVES = {2: "rational_cubic", 3: "rational_space_cubic"}
 #: The sentence of the documentation that is judged.
 COMPARED = (
-    "What is false for some values of its constants is neither proved for all curves nor verified on one, whatever its "
-    "constants are called",
+    "A statement that is false for some values of its constants is neither proved for all curves nor verified on one, "
+    "whatever its constants are called",
 )
 #: Claims in one folder.
 FOLDER = 50

@@ -47,16 +47,17 @@ ULPS = (
     "per derivative)"
 )
 PLACES = (
-    "every place at which the sign changes is named at least once within 2⁻¹⁶ of the domain; a place where it does "
-    "not change, an end of the domain, and whatever is within 2⁻⁸ of a singular point (for questions about curvature, "
-    "also of a knot) may be named or not; a parameter is invented where the exact function is above 2⁻³² of its "
-    "largest Bézier point and no place is near; zeros nearer than 2⁻¹⁶ are one place"
+    "every parameter at which the sign changes is named at least once, within 2⁻¹⁶ of the domain. Optional are zeros "
+    "without a change of sign, ends of the domain, and parameters within 2⁻⁸ of a singular point (for questions about "
+    "curvature, also of a knot). A parameter is invented if no zero is near and the exact function there is above 2⁻³² "
+    "of its largest Bézier point. Zeros nearer than 2⁻¹⁶ count as one"
 )
-STRAIGHT = "anything where γ′ × γ″, times the length of the domain, is nowhere above 2⁻²⁰ of ‖γ′‖²"
+STRAIGHT = "any answer is accepted where γ′ × γ″, times the length of the domain, is nowhere above 2⁻²⁰ of ‖γ′‖²"
 MEETINGS = (
-    "every pair with directions whose sine is above 2⁻²⁰ that is neither within 2⁻¹⁶ of the domain of another one nor "
-    "of an end is named at least once: within 2⁻¹⁶ of both domains, or within 2⁻⁸ where the points named are at most "
-    "2⁻³² of the largest coordinate apart; a pair is invented where they are further apart and no pair is near"
+    "every pair is named at least once if the sine of the angle between its directions is above 2⁻²⁰ and neither "
+    "another pair nor an end is within 2⁻¹⁶ of the domain. The named pair is within 2⁻¹⁶ of both domains, or within 2⁻⁸ "
+    "if its points are at most 2⁻³² of the largest coordinate apart. A named pair is invented if its points are further "
+    "apart and no true pair is near"
 )
 #: The words in which a tolerance is stated, and what they mean.
 CHANGES, LINES, CROSSINGS = "changes of sign", "straight curves", "crossings"

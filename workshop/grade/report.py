@@ -62,7 +62,7 @@ def example_data(one: Judged) -> dict[str, object]:
 
 
 def _ulps(ulps: float) -> str:
-    return f"off by {ulps:.3g} ulps"
+    return f"wrong by {ulps:.3g} ulps"
 
 
 #: Where the page expects its picture, and the colours there.
@@ -80,18 +80,18 @@ COLOURS = {
 #: What of a page `placed` replaces lies between these marks.
 BEGIN, END = "<!-- written by ./run grade --page -->", "<!-- end of what ./run grade writes -->"
 
-HEAD = """What {libraries} libraries answer about curves on which code in doubles goes wrong: {cases} of {all} cases
-(version {version}: {families}), {questions} questions, {answers} answers judged (`./run grade --page
+HEAD = """Answers of {libraries} libraries about curves on which code in doubles goes wrong: {cases} of {all} cases
+(version {version}: {families}), {questions} questions, {answers} answers compared (`./run grade --page
 docs/measurements.md{share}`). Every exact answer has a certificate that an independent checker
-(`workshop/grade/recheck.py`, `exactspline/certificates`) accepted in this run; {uncertified} without one is not used. A
-library is asked only what it offers for the given curve, through its public functions (`workshop/grade/adapters`: one
+(`workshop/grade/recheck.py`, `exactspline/certificates`) accepted in this run; {uncertified} without a certificate is not used.
+A library gets only the questions that its public functions answer for the given curve (`workshop/grade/adapters`: one
 file per library), with the tolerance of the question (below). *Declined*: the library reports that it has no answer.
-*Timed out*: none within {patience} s of processor time. *Tolerated*: what it missed or invented is a matter of what it
-documents:
+*Timed out*: no answer within {patience} s of processor time. *Tolerated*: missed or invented within the limits that the
+library documents:
 
 {documented}
 
-Not all cases are asked for the questions that take longest: {every}.
+The questions that take longest are asked for some of the cases: {every}.
 """
 
 
@@ -108,7 +108,7 @@ def page(
         share=share,
         all=sum(1 for _ in all_cases()),
         patience=PATIENCE,
-        every=", ".join(f"*{question}* of one in {n}" for question, n in EVERY.items()),
+        every=", ".join(f"*{question}* for one in {n}" for question, n in EVERY.items()),
         cases=len(cases),
         version=VERSION,
         families=", ".join(f"{count} {name}" for name, count in families.items()),
@@ -151,7 +151,7 @@ def _overview(reports: Sequence[Report]) -> str:
         found = Counter(one.verdict.outcome for one in report.judged)
         cells = [str(found.total()), *(str(found[outcome]) for outcome in OUTCOMES)]
         lines.append(f"| {report.library} {report.version} | " + " | ".join(cells) + " |")
-    picture = "![what is not right, by library: per cent of the answers, one colour per outcome]"
+    picture = "![answers that are not right, by library, in per cent, one colour per outcome]"
     return "\n".join([*lines, "", f"{picture}({PICTURE})", ""])
 
 
@@ -201,7 +201,7 @@ def _accuracy(reports: Sequence[Report]) -> str:
     """The largest error of right answers, in ulps of the largest coordinate."""
     asked = ("value", "first", "second")
     lines = ["### The largest error among right answers", ""]
-    lines += ["In ulps of the largest coordinate (derivatives: times the factor above).", ""]
+    lines += ["In ulps of the largest coordinate (for derivatives times the factor above).", ""]
     lines += ["| library | " + " | ".join(asked) + " |", "|---|" + "---:|" * len(asked)]
     for report in reports:
         worst = [

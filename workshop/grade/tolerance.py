@@ -23,17 +23,17 @@ THREEFOLD, ROUNDED = mpq(1, 10**10), 6
 #: What each library documents.
 DOCUMENTED = {
     "Open CASCADE": (
-        "the distance δ = 10⁻⁷ of `Precision::Confusion()`, within which points are considered to coincide: missed "
-        "where not all curves within δ have it or the radius of curvature is at most δ, invented where some curve "
-        "within δ may have it or at most δ in space from a place that there is; of two curves, the points of a pair "
-        "are at most δ apart"
+        "points within δ = 10⁻⁷, the distance of `Precision::Confusion()`, are considered to coincide. A feature may be "
+        "missed if not all curves within δ have it, or if the radius of curvature is at most δ. It may be invented if "
+        "some curve within δ may have it, or within δ of a true feature in space. A common point of two curves may be "
+        "invented where they are at most δ apart"
     ),
     "fontTools": (
-        "the threefold roots in the examples of `solveCubic`, which takes the real roots of s³ − 3Qs + 2R for 0 where "
-        "R² and |Q|³ are below 10⁻¹⁰; and the `precision` of 10⁻³ in `curveCurveIntersections`, an area: the points of "
-        "a pair are at most the root of it apart"
+        "the examples of `solveCubic` show threefold roots: it takes the real roots of s³ − 3Qs + 2R for 0 if R² and "
+        "|Q|³ are below 10⁻¹⁰. The `precision` of 10⁻³ in `curveCurveIntersections` is an area: the points of a pair "
+        "are at most its square root apart"
     ),
-    "bezier-js": "the threshold of `intersects`, here 10⁻⁵: the points of a pair are at most so far apart",
+    "bezier-js": "the points of a pair are at most the threshold of `intersects` apart, here 10⁻⁵",
 }
 #: The features that a question asks for.
 KINDS = {"inflections": (FeatureKind.INFLECTION,), "extrema": (FeatureKind.MAXIMUM, FeatureKind.MINIMUM)}
