@@ -47,9 +47,9 @@ CURVES = ("cubic_s", "twisted_cubic", "rational_cubic", "rational_space_cubic")
 INTRODUCTION = """# Ten claims, side by side
 
 Each claim is shown in print, as a Python function, and as a theorem of Coq. Three verdicts follow: for all curves (by
-polynomials in jets), on example curves (by splines), and from Coq's kernel. For the first claim, Coq's definitions of the
-functions are shown too; `./run coq DIR` writes all definitions and theorems. The operations in them are defined in
-[`Base.v`](../exactspline/extras/coq/theory/Base.v). [The trusted base](what-is-trusted.md) says what a verdict relies on.
+polynomials in jets), on example curves (by splines), and from Coq's kernel. For the first claim, Coq's definitions of
+the functions are shown too; `./run coq DIR` writes all definitions and theorems. The operations in them are defined in
+[`Base.v`](../exactspline/extras/coq/theory/Base.v). What a verdict relies on: [the trusted base](what-is-trusted.md).
 
 <!-- written by python -m docs.ten_claims -->
 """

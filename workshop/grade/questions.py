@@ -55,9 +55,9 @@ PLACES = (
 STRAIGHT = "any answer is accepted where γ′ × γ″, times the length of the domain, is nowhere above 2⁻²⁰ of ‖γ′‖²"
 MEETINGS = (
     "every pair is named at least once if the sine of the angle between its directions is above 2⁻²⁰ and neither "
-    "another pair nor an end is within 2⁻¹⁶ of the domain. The named pair is within 2⁻¹⁶ of both domains, or within 2⁻⁸ "
-    "if its points are at most 2⁻³² of the largest coordinate apart. A named pair is invented if its points are further "
-    "apart and no true pair is near"
+    "another pair nor an end is within 2⁻¹⁶ of the domain. The named pair is within 2⁻¹⁶ of both domains, or within "
+    "2⁻⁸ if its points are at most 2⁻³² of the largest coordinate apart. A named pair is invented if its points are "
+    "further apart and no true pair is near"
 )
 #: The words in which a tolerance is stated, and what they mean.
 CHANGES, LINES, CROSSINGS = "changes of sign", "straight curves", "crossings"

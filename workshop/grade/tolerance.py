@@ -23,9 +23,9 @@ THREEFOLD, ROUNDED = mpq(1, 10**10), 6
 #: What each library documents.
 DOCUMENTED = {
     "Open CASCADE": (
-        "points within δ = 10⁻⁷, the distance of `Precision::Confusion()`, are considered to coincide. A feature may be "
-        "missed if not all curves within δ have it, or if the radius of curvature is at most δ. It may be invented if "
-        "some curve within δ may have it, or within δ of a true feature in space. A common point of two curves may be "
+        "points within δ = 10⁻⁷, the distance of `Precision::Confusion()`, are considered to coincide. A feature may "
+        "be missed if not all curves within δ have it, or if the radius of curvature is at most δ. It may be invented "
+        "if some curve within δ may have it, or within δ of a true feature in space. A common point of two curves may be "
         "invented where they are at most δ apart"
     ),
     "fontTools": (
