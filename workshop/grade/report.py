@@ -85,9 +85,9 @@ HEAD = """Answers of {libraries} libraries about curves on which code in doubles
 docs/measurements.md{share}`). Every exact answer has a certificate that an independent checker
 (`workshop/grade/recheck.py`, `exactspline/certificates`) accepted in this run; {uncertified} without a certificate
 is not used. A library gets only the questions that its public functions answer for the given curve
-(`workshop/grade/adapters`: one file per library), with the tolerance of the question (below). *Declined*: the library reports that it has no answer.
-*Timed out*: no answer within {patience} s of processor time. *Tolerated*: missed or invented within the limits that the
-library documents:
+(`workshop/grade/adapters`: one file per library), with the tolerance of the question (below). *Declined*: the library
+reports that it has no answer. *Timed out*: no answer within {patience} s of processor time. *Tolerated*: missed or
+invented within the limits that the library documents:
 
 {documented}
 

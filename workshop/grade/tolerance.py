@@ -25,8 +25,8 @@ DOCUMENTED = {
     "Open CASCADE": (
         "points within δ = 10⁻⁷, the distance of `Precision::Confusion()`, are considered to coincide. A feature may "
         "be missed if not all curves within δ have it, or if the radius of curvature is at most δ. It may be invented "
-        "if some curve within δ may have it, or within δ of a true feature in space. A common point of two curves may be "
-        "invented where they are at most δ apart"
+        "if some curve within δ may have it, or within δ of a true feature in space. A common point of two curves may "
+        "be invented where they are at most δ apart"
     ),
     "fontTools": (
         "the examples of `solveCubic` show threefold roots: it takes the real roots of s³ − 3Qs + 2R for 0 if R² and "
