@@ -1,21 +1,22 @@
-"""The command line. Exit status 0: everything as recorded; 1: a verdict differs from the record; 2: bad input; 130:
-Ctrl-C.
+"""The command line. The exit status is 0 if everything is as recorded, 1 if a verdict differs from the record, 2 for
+bad input, and 130 after Ctrl-C.
 """
 
 from __future__ import annotations
 
 import gc
 import sys
+from collections.abc import Callable
 
 import click
 
-from exactspline.cli.commands import COMMANDS, DIFFERS, Entry
+from exactspline.cli.commands import COMMANDS, DIFFERS, ELSEWHERE, Entry
 from exactspline.cli.output import INTERRUPTED, guard_output, to_stderr
 from exactspline.errors import ExactSplineError, command_name
 from exactspline.hooks import named
 from exactspline.release import __version__, all_releases
 
-#: This many new objects before Python looks for unused cycles among them: what a command makes mostly stays to its end.
+#: The number of new objects after which Python looks for unused cycles: most objects of a command live to its end.
 YOUNG = 100_000
 SHELLS = ("bash", "zsh", "fish")
 ABOUT = "B-splines and NURBS in exact rational arithmetic: identities proved or refuted, never 'up to 1e-9'."
@@ -23,7 +24,7 @@ FIRST = ("prove", "errata", "inspect ellipse")
 
 
 def _examples(examples: tuple[str, ...], title: str) -> str:
-    """One example per line: click keeps the lines of a paragraph that begins with a backspace."""
+    """Examples, one per line: click keeps the lines of a paragraph that begins with a backspace."""
     lines = "\n".join(f"  {command_name()} {example}" for example in examples)
     return f"\b\n{title}:\n{lines}"
 
@@ -34,14 +35,16 @@ def _statuses(entry: Entry) -> str:
 
 
 class Commands(click.Group):
-    """Commands of which only the one that is called is imported; a misspelt one is answered by the nearest."""
+    """A group of commands. Only the command that is called is imported; a misspelt name is answered by the nearest
+    ones.
+    """
 
     def __init__(self, name: str, help: str, entries: dict[str, Entry], **fields: object) -> None:
         super().__init__(name, help=help, no_args_is_help=True, **fields)  # type: ignore[arg-type]  # what click takes
         self.entries = entries
 
     def list_commands(self, ctx: click.Context) -> list[str]:
-        """The names, in the order in which they are shown."""
+        """The names of the commands, in the order of the help."""
         return [*self.entries]  # `list` is the module of a command here
 
     def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command | None:
@@ -58,31 +61,33 @@ class Commands(click.Group):
         return command_of(made, cmd_name, entry.short, epilog)
 
     def format_commands(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
-        """The commands with what they do in a few words."""
+        """Write the commands, each with a short description."""
         with formatter.section("Commands"):
             formatter.write_dl([(name, entry.short) for name, entry in self.entries.items()])
 
     def resolve_command(
         self, ctx: click.Context, args: list[str]
     ) -> tuple[str | None, click.Command | None, list[str]]:
-        """The command that the first word names; the error for another word names the nearest, one level down too."""
+        """The command that the first word names; the error for another word names the nearest commands, also of
+        subgroups.
+        """
         name = args[0]
         if name not in self.entries and not name.startswith("-"):
             below = {sub: f"{group} {sub}" for group, entry in self.entries.items() for sub in entry.commands}
-            raise _unknown(name, {each: each for each in self.entries} | below, ctx)
+            raise _unknown(name, ELSEWHERE | {each: each for each in self.entries} | below, ctx)
         return super().resolve_command(ctx, args)
 
 
 def _unknown(name: str, known: dict[str, str], ctx: click.Context) -> click.UsageError:
     from difflib import get_close_matches
 
-    near = [known[each] for each in get_close_matches(name, known)]
+    near = [known[each] for each in ([name] if name in known else get_close_matches(name, known))]
     hint = f" Did you mean {' or '.join(map(repr, near))}?" if near else ""
     return click.UsageError(f"No such command {name!r}.{hint}", ctx)
 
 
 def _usage_message(error: click.UsageError) -> str:
-    """Bad usage in one line: what is wrong, and where the right usage is described."""
+    """The error for bad usage in one line: what is wrong, and the command that explains the right usage."""
     said = error.message if isinstance(error, click.BadParameter) and error.message else error.format_message()
     asked = error.ctx.command_path if error.ctx else command_name()
     if isinstance(error, click.NoSuchOption) and (example := _without_option(error)):
@@ -95,7 +100,7 @@ def _usage_message(error: click.UsageError) -> str:
 
 
 def _without_option(error: click.NoSuchOption) -> str:
-    """The argument that stands for the option in this command, where there is one."""
+    """The argument to give in this command instead of the option; empty if there is none."""
     from exactspline.cli.parameters import Command
 
     command = error.ctx.command if error.ctx else None
@@ -138,44 +143,35 @@ def _completion(ctx: click.Context, parameter: click.Parameter, shell: str | Non
         ctx.exit()
 
 
+def _eager(name: str, callback: Callable[..., None], help: str, **fields: object) -> click.Option:
+    """An option that prints something in place of a command."""
+    return click.Option([name], is_eager=True, expose_value=False, callback=callback, help=help, **fields)  # type: ignore[arg-type]  # what click takes
+
+
 app = Commands(
     "exactspline",
     ABOUT,
     COMMANDS,
     epilog=f"{_examples(FIRST, 'Begin with')}\n\nExit status: 0 success; 1 {DIFFERS}; 2 bad input.",
     params=[
-        click.Option(
-            ["--version"], is_flag=True, is_eager=True, expose_value=False, callback=_version, help="Show the version."
+        _eager("--version", _version, "Show the version.", is_flag=True),
+        _eager(
+            "--versions", _versions, "Show the versions of exactspline, of Python and of the libraries.", is_flag=True
         ),
-        click.Option(
-            ["--versions"],
-            is_flag=True,
-            is_eager=True,
-            expose_value=False,
-            callback=_versions,
-            help="Show those of Python and of the libraries, too.",
-        ),
-        click.Option(
-            ["--completion"],
-            type=click.Choice(SHELLS),
-            is_eager=True,
-            expose_value=False,
-            callback=_completion,
-            help="Print the script that completes commands in a shell.",
-        ),
+        _eager("--completion", _completion, "Print the script that completes commands.", type=click.Choice(SHELLS)),
     ],
 )
 
 
 def main() -> None:
-    """Entry point: bad input ends in one line on standard error and exit status 2."""
+    """Run the command line: bad input ends in one line on standard error and exit status 2."""
     gc.set_threshold(YOUNG)
     guard_output()
     try:
         try:
             status = app.main(prog_name=command_name(), complete_var="_EXACTSPLINE_COMPLETE", standalone_mode=False)
         finally:
-            gc.freeze()  # the process ends: looking through a million objects for circles would only delay it
+            gc.freeze()  # the process ends: a search for unused cycles in a million objects would only delay it
             sys.stdout.flush()
         sys.exit(status)
     except click.exceptions.NoArgsIsHelpError as error:
@@ -188,7 +184,7 @@ def main() -> None:
         to_stderr("interrupted")
         sys.exit(INTERRUPTED)
     except OSError as error:
-        # what could not be written must not be tried again when Python closes its files
+        # output that could not be written must not be written again when Python closes its files
         sys.stdout = None  # Python itself sets it so where there is none
         to_stderr(f"error: the output cannot be written ({error.strerror})")
         sys.exit(2)

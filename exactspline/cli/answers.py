@@ -20,12 +20,12 @@ if TYPE_CHECKING:
 
 #: The most digits of the certified intervals of an answer.
 DIGITS = 1000
-#: Of what something is asked, as data, and the object.
+#: The objects of a question, each with data that name it.
 _Asked = Sequence[tuple[Mapping[str, object], "About"]]
 
 
 def refuse_with_ask(options: Mapping[str, object], what: str = "--ask") -> None:
-    """See that no option is given that has no effect beside a question, or beside something else."""
+    """Refuse an option that has no effect together with a question, or together with `what`."""
     if refused := next((option for option, value in options.items() if value), ""):
         raise OptionsError(f"{refused} and {what}", remedy=f"give {refused} in a command without {what}")
 
@@ -33,8 +33,8 @@ def refuse_with_ask(options: Mapping[str, object], what: str = "--ask") -> None:
 def answer_about_curves(
     out: Output, found: tuple[list[Read], bool], asked: list[str], digits: int, *, certificates: bool, region: str
 ) -> None:
-    """Answer questions about curves, which were read, and whether all could be; with the rule of a `region` about that
-    which they bound together.
+    """Answer questions about curves. `found` are the curves, and whether all of them could be read; with the rule of a
+    `region`, the questions are about the region that the curves bound together.
     """
     from exactspline.geometry.pairs.regions import Region
     from exactspline.questions.entry import ALL_CURVES, Of
@@ -106,7 +106,6 @@ def _answer(
                 columns = ("what", "name", "value", "double")
                 sheets.append(Sheet(*columns, rows=refused, title=title, name=title, prose=["value"]))
             rows.append(row)
-    distinguish(rows)
-    out.give("answers", rows, sheets, by="answer")
+    out.give("answers", distinguish(rows), sheets, by="answer")
     if not good or any(row["error"] for row in rows):
         raise Exit(2)

@@ -1,4 +1,4 @@
-"""``between``: what two curves have in common, or how two surfaces meet along their borders."""
+"""``between``: the common points of two curves, or how two surfaces meet along their borders."""
 
 from __future__ import annotations
 
@@ -28,13 +28,13 @@ from exactspline.cli.surfaces import surfaces_among, surfaces_in
 def between(
     out: Output,
     curve: Annotated[str, Argument(help=CURVE_HELP)],
-    other: Annotated[str, Argument(help="A second curve, of the same dimension; or two surfaces.")],
+    other: Annotated[str, Argument(help="A second curve of the same dimension. Or give two surfaces.")],
     ask: Annotated[
         list[str] | None,
         Option(
             "--ask",
             metavar="QUESTION",
-            help="Answer this question about two curves alone, as inspect --ask does: intersections, distance, "
+            help="Answer only this question about the two curves, as inspect --ask does: intersections, distance, "
             "intersections_within:1/1000 (see list questions). May be repeated.",
         ),
     ] = None,
@@ -44,9 +44,9 @@ def between(
         Option(
             "--epsilon",
             metavar="E",
-            help="Also the points that all pairs of curves have in common whose control points and weights differ by "
-            "at most E from these, and those that some of them may have: a number, or written (half a unit of the last "
-            "digit of each curve).",
+            help="Also list the common points of all pairs of curves whose control points and weights differ by at "
+            "most E from these, and those that some of the pairs may have. E is a number, or the word written: half a "
+            "unit of the last digit of each curve.",
         ),
     ] = "",
     plot: Drawing = "",
@@ -55,14 +55,14 @@ def between(
         Option(
             "--emit-coq",
             metavar="FILE",
-            help="Write a file for the proof assistant Coq: the theorem that two plane curves of one segment meet at "
-            "these points and no others.",
+            help="Write a file for the proof assistant Coq: the theorem that two plane curves, each of one segment, "
+            "meet at these points and no others.",
         ),
     ] = "",
 ) -> None:
-    """All points that two curves have in common, exactly, with multiplicities; the arcs along which they run together;
-    or, if there are none, the pairs of points at the least distance. Of two surfaces: the arcs that their borders have
-    in common, and how they meet there (common_borders).
+    """Find all common points of two curves, exactly, with multiplicities, and their common arcs; if there are none, the
+    pairs of points at the least distance. For two surfaces find the common arcs of their borders, and how the surfaces
+    meet there (common_borders).
     """
     from exactspline.display import console
     from exactspline.display.answer_forms import FORMS_BESIDE, answers_data, pair_sheet

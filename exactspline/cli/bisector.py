@@ -30,7 +30,7 @@ class Answer(NamedTuple):
 def bisector(
     out: Output,
     curve: Annotated[str, Argument(help=CURVE_HELP)],
-    other: Annotated[str, Argument(help="A second curve of the same dimension; or give a point.")] = "",
+    other: Annotated[str, Argument(help="A second curve of the same dimension; or give --point instead.")] = "",
     point: Annotated[str, Option("--point", metavar="POINT", help='A point, "1,1/2" or "0,0,2".')] = "",
     variant: Annotated[
         str,
@@ -49,9 +49,9 @@ def bisector(
     ] = "",
     plot: Drawing = "",
 ) -> None:
-    """Bisector of two space curves (its surface, and the lines, planes, single pairs and poles next to it), of a point
-    and a space curve (ruled), of two plane curves (correspondences of parameters, and in which boxes these are
-    nearest), or, trimmed to equal distances, of a point and a plane curve.
+    """Compute the bisector of two space curves (a surface, with the lines, planes, single pairs and poles next to it),
+    of a point and a space curve (a ruled surface), of two plane curves (correspondences of parameters, and the boxes in
+    which these are proved nearest), or of a point and a plane curve (trimmed to equal distances).
     """
     from exactspline.display.bisector_data import bisector_sheet
     from exactspline.errors import ShapeError

@@ -1,4 +1,4 @@
-"""Every command: where it stands, what it does in a few words, examples of its use, what its exit status means."""
+"""Every command: its module, a short description, examples, and the meaning of its exit status."""
 
 from __future__ import annotations
 
@@ -78,9 +78,9 @@ TEACH = {
 LIST = {
     "curves": Entry("The example curves.", ("list curves", "list curves --json"), "cli.list:curves"),
     "surfaces": Entry("The example surfaces.", ("list surfaces",), "cli.list:surfaces"),
-    "formulas": Entry("What can be derived.", ("list formulas",), "cli.list:formulas"),
-    "papers": Entry("The papers that come along.", ("list papers",), "cli.list:papers"),
-    "questions": Entry("What can be asked of a curve.", ("list questions",), "cli.list:questions"),
+    "formulas": Entry("Constructions and formulas.", ("list formulas",), "cli.list:formulas"),
+    "papers": Entry("The papers that are included.", ("list papers",), "cli.list:papers"),
+    "questions": Entry("Questions about curves, surfaces, pairs.", ("list questions",), "cli.list:questions"),
     "words": Entry("Words and signs, explained.", ("list words", "list words nominal"), "cli.list:words"),
 }
 COMMANDS = {
@@ -132,7 +132,7 @@ COMMANDS = {
         ),
         "cli.bisector:bisector",
     ),
-    "formula": Entry("What a formula is like.", ("formula reduce f0", "formula degrees evolute"), commands=FORMULA),
+    "formula": Entry("Properties of a formula.", ("formula reduce f0", "formula degrees evolute"), commands=FORMULA),
     "sweep": Entry(
         "Many curves, one line each.",
         (
@@ -149,7 +149,7 @@ COMMANDS = {
         ("convert drawing.dxf curves.json", "convert font.ttf:ampersand ampersand.json"),
         "cli.convert:convert",
     ),
-    "paper": Entry("Papers: your own, and figures.", ("paper new my-paper",), commands=PAPER),
+    "paper": Entry("Begin a paper of your own; draw figures.", ("paper new my-paper",), commands=PAPER),
     "coq": Entry(
         "Theorems for the proof assistant Coq.", ("coq theorems", "coq theorems --claim C4.1"), "extras.coq.command:coq"
     ),
@@ -157,10 +157,12 @@ COMMANDS = {
     "list": Entry("Curves, surfaces, formulas, papers, words.", ("list curves",), commands=LIST),
     "schema": Entry("The JSON Schema of a command.", ("schema", "schema prove"), "cli.schema:schema"),
 }
+#: Words that users try as commands, and the commands that they mean.
+ELSEWHERE = {"intersections": "between", "distance": "between", "nearest": "between", "features": "inspect"}
 
 
 def leaves(commands: dict[str, Entry] = COMMANDS, above: str = "") -> dict[str, Entry]:
-    """Every command that does something, by the words that call it.
+    """Every command, without the groups of commands, by the words that call it.
 
     >>> [name for name in leaves() if name.startswith("teach")]
     ['teach triangle', 'teach exercise', 'teach check']

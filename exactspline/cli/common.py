@@ -1,4 +1,4 @@
-"""Shared by the subcommands: options, reading curves."""
+"""What several commands share: their options, and how they read curves and surfaces."""
 
 from __future__ import annotations
 
@@ -25,8 +25,8 @@ V = TypeVar("V")
 C = TypeVar("C", "Nurbs", "NurbsSurface")
 
 CURVE_HELP = (
-    "A file of curves (JSON, SVG, STEP, …), a part of one (font.ttf:glyph, drawing.svg:id, drawing.dxf:layer), an "
-    "example curve by its name, or -."
+    "A file of curves (JSON, SVG, STEP, …), a part of one (font.ttf:glyph, drawing.svg:id, drawing.dxf:layer), the "
+    "name of an example curve, or - for standard input."
 )
 #: How the arguments that name places of a paper are given by other commands.
 PLACES = {"--section": "5.4", "--claim": "C4.2b"}
@@ -40,16 +40,14 @@ Papers = Annotated[
         "May be repeated.",
     ),
 ]
-Trust = Annotated[
-    bool, Option("--trust", help="Run the formulas of a folder or a file unchanged: any Python, unchecked.")
-]
+Trust = Annotated[bool, Option("--trust", help="Run formulas of your own without checking them first: any Python.")]
 Limit = Annotated[
     int | None,
     Option(
         "--limit",
         metavar="SECONDS",
         min=1,
-        help="Processor time for one row, or one answer: what is not found within it is UNDECIDED, with that reason.",
+        help="Processor time for one row, or one answer; a row that takes longer is UNDECIDED, with that reason.",
     ),
 ]
 Approximate = Annotated[
@@ -57,8 +55,8 @@ Approximate = Annotated[
     Option(
         "--approximate",
         metavar="E",
-        help="Read an arc of a file that has no rational control points, or irrational ends, as a rational one nowhere "
-        "further from it than E.",
+        help="Read an arc of a file that has no rational control points, or irrational ends, as a rational arc whose "
+        "distance from it is at most E.",
     ),
 ]
 Digits = Annotated[
@@ -67,8 +65,8 @@ Digits = Annotated[
 Places = Annotated[
     int, Option("--digits", metavar="N", min=1, max=100_000, help="Digits of irrational parameters and other numbers.")
 ]
-Drawing = Annotated[str, Option("--plot", metavar="FILE", help="Draw it into a file that ends in .svg, .png or .pdf.")]
-Surfaces = Annotated[bool, Option("--surfaces", help="Of files with curves and surfaces: the surfaces.")]
+Drawing = Annotated[str, Option("--plot", metavar="FILE", help="Draw a picture into a .svg, .png or .pdf file.")]
+Surfaces = Annotated[bool, Option("--surfaces", help="Take the surfaces of a file that also holds curves.")]
 Exact = Annotated[bool, Option("--exact", help="Show long fractions in full instead of as decimals.")]
 
 
@@ -85,12 +83,12 @@ def claims_of_papers(names: Sequence[str] | None, trust: bool) -> tuple[Claim, .
 
 
 def load_curve(name: str, reading: Reading | None = None) -> Nurbs:
-    """The one curve that a name, a file or standard input (``-``) means; of what was read there, where it was."""
+    """The one curve that a name, a file or standard input (``-``) means, or that `reading` holds, if it is given."""
     return only_one(_curves_in(name, reading or reading_of(name))[0], "curve", name)
 
 
 def only_one(found: Sequence[C], what: str, name: str, options: str = "") -> C:
-    """The only curve or surface (`what`) of a file; the error for several says how `convert` takes one."""
+    """The only curve or surface (`what`) of a file; the error for several says how `convert` extracts one."""
     if len(found) > 1:
         names = ", ".join(each.name for each in found[:8]) + (", …" if len(found) > 8 else "")
         raise CurveFileError(
@@ -103,7 +101,7 @@ def only_one(found: Sequence[C], what: str, name: str, options: str = "") -> C:
 
 @dataclass(frozen=True)
 class Read:
-    """A curve that was read, and where: the name that was given for its file, and its number there."""
+    """A curve that was read: the name that was given for its file, its number in the file, and the curve."""
 
     source: str
     index: int
@@ -130,7 +128,9 @@ def read_curves(given: Iterable[tuple[str, Reading]], good: bool) -> tuple[list[
 
 
 def each_read(names: Iterable[G], read: Callable[[G], V]) -> tuple[list[V], bool]:
-    """What can be read, and whether all could: what is bad is reported, and the rest is read."""
+    """The results of `read` for all names for which it succeeds, and whether it succeeded for all; each error is
+    reported on standard error.
+    """
     found, good = list[V](), True
     for name in names:
         try:
@@ -141,9 +141,9 @@ def each_read(names: Iterable[G], read: Callable[[G], V]) -> tuple[list[V], bool
     return found, good
 
 
-def distinguish(rows: list[dict[str, object]]) -> None:
-    """See that keys of rows differ: where several curves have one name, their keys tell where they were read, and what
-    was asked or read several times is counted.
+def distinguish(rows: list[dict[str, object]]) -> list[dict[str, object]]:
+    """The rows, with different keys: where several curves have one name, their keys say in which file each was read;
+    keys that are still equal are numbered.
     """
     times = Counter(row["key"] for row in rows)
     for row in rows:
@@ -154,6 +154,7 @@ def distinguish(rows: list[dict[str, object]]) -> None:
         seen[row["key"]] += 1
         if (time := seen[row["key"]]) > 1:
             row["key"] = f"{row['key']}, {time}"
+    return rows
 
 
 def reading_of(name: str, approximate: str = "") -> Reading:
@@ -174,8 +175,8 @@ def reading_of(name: str, approximate: str = "") -> Reading:
 
 
 def _curves_in(name: str, reading: Reading) -> tuple[list[Nurbs], bool]:
-    """The curves in what was read under a name, and whether all could be; what is skipped is named on standard
-    error. The note of a single curve of our own JSON stands in it.
+    """The curves in what was read under a name, and whether all could be read; whatever is skipped is named on standard
+    error. Notes are printed, too, except that of a single curve in our own JSON, since it stands in the file itself.
     """
     if reading.surfaces and not (reading.curves or reading.skipped):
         problem = f"holds {counted(len(reading.surfaces), 'surface')}, where a curve is expected"

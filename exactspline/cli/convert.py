@@ -33,15 +33,15 @@ if TYPE_CHECKING:
 Source = Annotated[str, Argument(metavar="IN", help="A file, font.ttf:glyph, or - for standard input.")]
 Target = Annotated[str, Argument(metavar="OUT", help="A file, or - for standard output.")]
 FromFormat = Annotated[
-    str, Option("--from", metavar="FORMAT", help="The format of IN; recognized by its content by default.")
+    str, Option("--from", metavar="FORMAT", help="The format of IN; by default it is recognized by the content.")
 ]
 ToFormat = Annotated[
-    str, Option("--to", metavar="FORMAT", help="The format of OUT; recognized by its suffix by default.")
+    str, Option("--to", metavar="FORMAT", help="The format of OUT; by default it is recognized by the suffix.")
 ]
 Rounding = Annotated[bool, Option("--round", help="Round what the format cannot hold exactly to the nearest doubles.")]
-Only = Annotated[list[str] | None, Option("--only", metavar="NAME", help="The name of a curve to take; repeatable.")]
-Degree = Annotated[int | None, Option("--degree", metavar="N", min=0, help="For files of control points alone.")]
-Knots = Annotated[str, Option("--knots", metavar="KNOTS", help="For files of control points alone: all knots.")]
+Only = Annotated[list[str] | None, Option("--only", metavar="NAME", help="Take only this curve; may be repeated.")]
+Degree = Annotated[int | None, Option("--degree", metavar="N", min=0, help="The degree, for a list of points.")]
+Knots = Annotated[str, Option("--knots", metavar="KNOTS", help="All knots, for a list of points.")]
 Snap = Annotated[
     str,
     Option(
@@ -56,7 +56,7 @@ Epsilon = Annotated[
     Option(
         "--epsilon",
         metavar="E",
-        help="With --snap: how near (a number, or written); by default 1e-9 of the curve's size.",
+        help="With --snap: the largest distance (a number, or written); by default 1e-9 of the curve's size.",
     ),
 ]
 
@@ -77,8 +77,8 @@ def convert(
     snap: Snap = "",
     epsilon: Epsilon = "",
 ) -> None:
-    """Convert curves or surfaces between formats without rounding; whatever is skipped is named on standard error, and
-    where a curve is among it, the exit status is 2.
+    """Convert curves or surfaces between formats without rounding. Whatever is skipped is named on standard error; if a
+    curve is skipped, the exit status is 2.
     """
     from exactspline.interchange.files import encoded, read, write
 
@@ -147,8 +147,8 @@ def _sheet(what: str, rows: Sequence[dict[str, Any]]) -> Sheet:
 
 
 def _repaired(named: NamedCurve | NurbsSurface, snap: str, epsilon: str) -> Snapped | None:
-    """A curve with its pieces near to the shapes that are named replaced by exact ones. A curve for which that cannot
-    be done is named, and stays as it is.
+    """A curve whose pieces near one of the shapes `snap` are replaced by exact ones. A curve for which that cannot be
+    done is reported and kept as it is.
     """
     from exactspline.geometry.recognition.snapping import Snapped, checked_kinds, snapped
     from exactspline.interchange.records import NamedCurve
@@ -166,7 +166,7 @@ def _repaired(named: NamedCurve | NurbsSurface, snap: str, epsilon: str) -> Snap
 
 
 def _replacements(repair: Snapped | None) -> list[str]:
-    """What was replaced by what, and what was not, as text."""
+    """The replaced pieces, each with its shape, and the pieces that were kept, as text."""
     from exactspline.display.described import shape_text
     from exactspline.display.forms import real_text
 

@@ -15,8 +15,8 @@ def derive(
     name: Annotated[
         str,
         Argument(
-            help="A construction (evolute, zero_curvature, critical_curvature, …) or a formula (f2, g2, …), yours too: "
-            "FOLDER:NAME or file.py:NAME (see list formulas)."
+            help="A construction (evolute, zero_curvature, critical_curvature, …) or a formula (f2, g2, …), also your "
+            "own: FOLDER:NAME or file.py:NAME (see list formulas)."
         ),
     ],
     curve: Annotated[
@@ -27,13 +27,11 @@ def derive(
         ),
     ],
     output: Annotated[
-        str, Option("--output", "-o", metavar="FILE", help="The file to write; standard output without it.")
+        str, Option("--output", "-o", metavar="FILE", help="The file to write instead of standard output.")
     ] = "",
     variant: Annotated[
         str,
-        Option(
-            "--variant", metavar="VARIANT", help="naive, paper, minimal or another variant that the construction has."
-        ),
+        Option("--variant", metavar="VARIANT", help="naive, paper, minimal or another variant of the construction."),
     ] = "minimal",
     trust: Trust = False,
 ) -> None:

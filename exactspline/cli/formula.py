@@ -1,4 +1,4 @@
-"""What formulas are like: ``formula degrees``, ``formula reduce``, ``formula conditioning``."""
+"""Properties of formulas: ``formula degrees``, ``formula reduce``, ``formula conditioning``, ``identity``."""
 
 from __future__ import annotations
 
@@ -34,13 +34,13 @@ def degrees(
         bool, Option("--formulas", help="Every formula of the library instead of the constructions.")
     ] = False,
     generic: Annotated[
-        bool, Option("--generic", help="For all curves: what is proved for the generic curve of degree d.")
+        bool, Option("--generic", help="The degrees that are proved for the generic curve of degree d.")
     ] = False,
     at: Annotated[
-        int | None, Option("--at", metavar="D", min=2, max=1000, help="The same as numbers, for curves of degree D.")
+        int | None, Option("--at", metavar="D", min=2, max=1000, help="The same degrees as numbers, for d = D.")
     ] = None,
     certify: Annotated[
-        bool, Option("--certify", help="Proofs that the minimal forms cannot be lowered, as JSON data.")
+        bool, Option("--certify", help="Prove that no degree of a minimal form can be lowered (JSON).")
     ] = False,
     patch: Annotated[
         str, Option("--patch", metavar="M,N", help="With --paper: formulas of surfaces on patches of degrees M, N.")
@@ -50,8 +50,8 @@ def degrees(
     limit: Limit = None,
     as_latex: Annotated[bool, Option("--latex", help="Print tables of LaTeX.")] = False,
 ) -> None:
-    """Nominal (in d), represented and true degree and the number of control points: naive, paper, minimal (or formula
-    by formula).
+    """Print the nominal degree (in d), the represented and the true degree and the number of control points of every
+    construction in each of its variants: naive, paper, minimal, ….
     """
     from exactspline.verification.degree_tables import construction_table, formula_table
 
@@ -172,8 +172,8 @@ def _plain(name: str) -> str:
 def _check_names(
     names: list[str], known: list[str], elsewhere: Mapping[str, Iterable[str]] = MappingProxyType({})
 ) -> None:
-    """See that names are those of rows; the error for another name says with which options (`elsewhere`, with what they
-    show) it is one.
+    """Raise `FormulaError` for a name without a row. The error says which other option shows the name: `elsewhere` maps
+    each option to the names that it shows.
     """
     for name in names:
         if not any(_is_one_of(title, [name]) for title in known):
@@ -183,7 +183,9 @@ def _check_names(
 
 
 def _elsewhere(everything: bool) -> dict[str, Iterable[str]]:
-    """What other options show: formulas, unless the table has `everything` of them; what is for all curves only."""
+    """The names that other options show: the formulas, unless the table already has `everything`, and the objects that
+    exist only in the table for all curves.
+    """
     from exactspline.papers import all_formulas
     from exactspline.verification.degree_tables import BISECTORS, GENERATORS
 
@@ -249,22 +251,22 @@ def reduce(
         str,
         Argument(
             help="A formula of the library, or your own: FOLDER:NAME, file.py:function or, with --trust, "
-            "module:function. Without it: all."
+            "module:function; by default all."
         ),
     ] = "",
     dimension: Annotated[
         int | None,
         Option(
-            "--dimension", metavar="N", min=2, max=7, help="Dimension of the curve; by default that of the formula."
+            "--dimension", metavar="N", min=2, max=7, help="The dimension of the curve; by default that of the formula."
         ),
     ] = None,
-    polynomial: Annotated[bool, Option("--polynomial", help="Polynomial curves only: w = 1.")] = False,
-    everything: Annotated[bool, Option("--all", help="Every formula of the library.")] = False,
+    polynomial: Annotated[bool, Option("--polynomial", help="Take polynomial curves only (w = 1).")] = False,
+    everything: Annotated[bool, Option("--all", help="Reduce every formula of the library.")] = False,
     trust: Trust = False,
     limit: Limit = None,
 ) -> None:
-    """Find the reduction of a formula: its factors with their meaning, the reduced form, naive, nominal and true
-    degree.
+    """Find the reduction of a formula: its factors with their meaning, the reduced form, and the naive, nominal and
+    true degrees.
     """
     from exactspline.display.formulas import explanations, reduction_rows, reduction_sheet
     from exactspline.language.formula import Formula
@@ -316,7 +318,7 @@ def _formula(name: str, trust: bool) -> Any:
 
 
 def _guarded(name: str, call: Any) -> Any:
-    """Any exception in code of the user is bad input: one line."""
+    """Call code of the user: any exception in it becomes a `FormulaError`, which is printed in one line."""
     try:
         return call()
     except ExactSplineError:
@@ -342,7 +344,7 @@ def _print(out: Output, sheet: Sheet, explained: list[str]) -> None:
 # ---- conditioning
 
 
-#: The default: a witness for each direction.
+#: The default: a curve on which the reduced form is worse conditioned than the others, and one on which it is better.
 WITNESSES = ("conditioning_reduced_worse", "conditioning_reduced_better")
 
 
@@ -350,14 +352,14 @@ WITNESSES = ("conditioning_reduced_worse", "conditioning_reduced_better")
 def conditioning(
     out: Output,
     curve: Annotated[
-        list[str] | None, Argument(help=f"{CURVE_HELP} Without any, a witness for each direction.")
+        list[str] | None, Argument(help=f"{CURVE_HELP} By default two curves with opposite results.")
     ] = None,
     construction: Annotated[
         str, Option("--construction", metavar="NAME", help="zero_curvature or critical_curvature.")
     ] = "critical_curvature",
 ) -> None:
-    """Condition numbers of every zero in every form: naive, paper, minimal; and the error of double precision in
-    each.
+    """Print the condition number of every zero in every variant of a construction, and the error of the zero in double
+    precision.
     """
     from exactspline.display.formulas import comparison_data, comparison_sheet, print_comparisons
     from exactspline.verification.conditioning import conditioning as compared
@@ -384,21 +386,28 @@ def identity(
     text: Annotated[
         str,
         Argument(
-            metavar="IDENTITY", help='"2*f1 = f1 + f1", "det(γ\', γ\'\') = w^-3 * f2", "file.py:left = w * right".'
+            metavar="IDENTITY",
+            help='"2*f1 = f1 + f1", "det(γ\', γ\'\') = w^-3 * f2", "file.py:left = w * right".',
+            instead_of={"-": '-- "-2*f1 = -f1 - f1"'},
         ),
     ],
     trust: Trust = False,
     limit: Limit = None,
 ) -> None:
-    """Decide one identity between formulas, yours too, for all curves; exit status 1 where it does not hold."""
+    """Decide an identity between formulas, also your own, for all curves. The exit status is 1 if it does not hold."""
     from exactspline.display import console
+    from exactspline.display.evidence import words
+    from exactspline.display.numbers import Numbers
     from exactspline.polynomials.cost import within_seconds
-    from exactspline.verification.questions import proof_of
+    from exactspline.verification.questions import counterexample, proof_of
+    from exactspline.verification.verdict import REFUTED
 
     with within_seconds(limit):
         found = proof_of(text, trust=trust)
+        witness = counterexample(text, found.dimension, trust=trust) if found.verdict == REFUTED else None
     cells = (found.left, found.factor, found.right, found.verdict, str(found.quotient or "–"))
     made = Sheet("left", "factor", "right", "verdict", "quotient", rows=[cells])
-    out.give("identity", [found.data()], [made], lambda: console.lines(console.console(), str(found)))
+    said = f"{found}; {words(witness, Numbers())}" if witness else str(found)
+    out.give("identity", [found.data()], [made], lambda: console.lines(console.console(), said))
     if not found:
         raise Exit(1)

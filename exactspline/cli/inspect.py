@@ -34,14 +34,14 @@ if TYPE_CHECKING:
     from exactspline.splines.nurbs import Nurbs
 
 
-Curves = Annotated[list[str], Argument(metavar="CURVE", help=f"{CURVE_HELP} Or surfaces in the same ways.")]
+Curves = Annotated[list[str], Argument(metavar="CURVE", help=f"{CURVE_HELP} Surfaces are given in the same ways.")]
 Ask = Annotated[
     list[str] | None,
     Option(
         "--ask",
         metavar="QUESTION",
-        help="Answer this alone, exactly, with a certified interval and the correctly rounded double: value@1/2, "
-        "derivative:2@0, length, … (see list questions). May be repeated.",
+        help="Answer only this question, exactly, with a certified interval and the correctly rounded double: "
+        "value@1/2, derivative:2@0, length, … (see list questions). May be repeated.",
     ),
 ]
 Epsilon = Annotated[
@@ -49,16 +49,16 @@ Epsilon = Annotated[
     Option(
         "--epsilon",
         metavar="E",
-        help="Also what all curves have whose control points and weights differ by at most E, and what some of them "
-        "may have (of surfaces: umbilics); and shapes within E: a number, or written (half a unit of the last digit).",
+        help="Also list the features of all curves whose numbers differ by at most E, and those that some may have (of "
+        "surfaces: umbilics), and shapes within E. E is a number, or written: half a unit of the last digit.",
     ),
 ]
 Stability = Annotated[
     bool,
     Option(
         "--stability",
-        help="Of curves: also how far control points and weights may be changed until a feature vanishes: a "
-        "distance for which it is proved that it does not, and one by which it may be destroyed.",
+        help="For curves: also list for every feature how far control points and weights may change, by proof, while "
+        "it persists, and a change that destroys it.",
     ),
 ]
 Plot = Annotated[
@@ -66,21 +66,21 @@ Plot = Annotated[
     Option(
         "--plot",
         metavar="FILE",
-        help="Draw the curve and the function that was solved, or the surface, into an SVG, PNG or PDF file; a surface "
-        "also into an interactive HTML page.",
+        help="Draw the curve and the functions whose zeros are its features, or the surface, into an SVG, PNG or PDF "
+        "file; a surface also into an interactive HTML page.",
     ),
 ]
 Coordinates = Annotated[
-    bool, Option("--coordinates", help="Also list where a coordinate is largest or smallest (for type design).")
+    bool, Option("--coordinates", help="Also list where a coordinate has an extremum (for type design).")
 ]
-All = Annotated[bool, Option("--all", help="List also what only rounded numbers add to a circle or a sphere.")]
+All = Annotated[bool, Option("--all", help="List also features that a rounded circle or sphere has only by rounding.")]
 InRegion = Annotated[
     str,
     Option(
         "--region",
         metavar="RULE",
-        help="With --ask: all curves together as one region with holes, nonzero or even-odd: area, moments, "
-        "contains:1,2, winding_number:1,2.",
+        help="With --ask: take all curves together as one region with holes, by the rule nonzero or even-odd; "
+        "questions are area, moments, contains:1,2, winding_number:1,2.",
     ),
 ]
 Certificates = Annotated[
@@ -91,7 +91,7 @@ CertificateFile = Annotated[
     Option(
         "--certificate",
         metavar="FILE",
-        help="Write a proof that these are all zeros (JSON; see exactspline.certificates).",
+        help="Write a proof that no zero is missing (JSON; see exactspline.certificates).",
     ),
 ]
 CoqFile = Annotated[
@@ -123,9 +123,9 @@ def inspect(
     certificate: CertificateFile = "",
     emit_coq: CoqFile = "",
 ) -> None:
-    """Corners, cusps, inflections, curvature extrema and torsion zeros of curves in the plane or in space, certified,
-    to any number of digits; of surfaces the sign of the Gaussian curvature, parabolic curves, umbilics and poles, of
-    maps of the plane the sign of the Jacobian.
+    """Find corners, cusps, inflections, curvature extrema and torsion zeros of curves in the plane or in space,
+    certified, to any number of digits. For surfaces find the sign of the Gaussian curvature, parabolic curves, umbilics
+    and poles; for maps of the plane the sign of the Jacobian determinant.
     """
     from exactspline.cli.surfaces import surfaces_among
 
@@ -198,7 +198,7 @@ def _inspect_surfaces(
 
 
 def _see_that_they_fit(found: Sequence[Read], epsilon: str, emit_coq: str) -> None:
-    """See that the options for curves fit to each other."""
+    """Refuse options for curves that cannot be given together."""
     if emit_coq and len(found) > 1:
         raise OptionsError("--emit-coq and several curves", remedy="write one file per curve")
     if emit_coq:
@@ -208,7 +208,7 @@ def _see_that_they_fit(found: Sequence[Read], epsilon: str, emit_coq: str) -> No
 
 
 def _give(out: Output, inspected: list[Inspected], given: list[Nurbs], certificate: str, plot: str, title: str) -> None:
-    """All that was found, as the options want it."""
+    """Print and write what was found, as the options ask."""
     from exactspline.display.features import feature_sheet
     from exactspline.interchange.curve_files import write_json
 
@@ -228,10 +228,8 @@ def _give(out: Output, inspected: list[Inspected], given: list[Nurbs], certifica
 
 
 def _rows(inspected: list[Inspected]) -> Iterator[dict[str, Any]]:
-    """What was found as data, each row with a key of its own."""
-    rows = [each.data() for each in inspected]
-    distinguish(rows)
-    yield from rows
+    """The results as data, each row with its own key."""
+    yield from distinguish([each.data() for each in inspected])
 
 
 def _print_all(out: Output, inspected: list[Inspected]) -> None:
@@ -251,14 +249,14 @@ def _print_all(out: Output, inspected: list[Inspected]) -> None:
 
 
 class Inspected(NamedTuple):
-    """A curve that was read, what is said of it, and to how many digits."""
+    """A curve that was read, the report about it, and the number of digits to print."""
 
     read: Read
     report: Report
     digits: int
 
     def data(self) -> dict[str, object]:
-        """All of it as data."""
+        """The curve and its report as data."""
         from exactspline.display.answer_forms import report_data
 
         c = self.report.curve
@@ -276,7 +274,7 @@ class Inspected(NamedTuple):
 
 
 def _inspected(read: Read, digits: int, coordinates: bool, epsilon: str, stability: bool, with_all: bool) -> Inspected:
-    """A curve, and what is asked of it."""
+    """A curve with the report that the options ask for."""
     from exactspline.geometry.analysis.inspection import Report, inspect_curve
     from exactspline.numbers.exact import text
     from exactspline.splines.precision import WRITTEN, distance
@@ -288,7 +286,7 @@ def _inspected(read: Read, digits: int, coordinates: bool, epsilon: str, stabili
 
 
 def _proofs(curve: Nurbs) -> list[dict[str, object]]:
-    """The certificates of every form that was solved."""
+    """The certificates of the zeros of every function of the curve that was solved."""
     from exactspline.geometry.analysis.inspection import solved
 
     return [
@@ -298,7 +296,7 @@ def _proofs(curve: Nurbs) -> list[dict[str, object]]:
 
 
 def _draw(reports: list[Report], given: list[Nurbs], path: str, title: str) -> None:
-    """One curve next to the functions that were solved, or several curves in one picture."""
+    """Draw one curve next to the functions whose zeros were computed, or several curves in one picture."""
     from exactspline.display.plot.canvas import save
     from exactspline.display.plot.comparisons import features_figure, inspect_figure
     from exactspline.geometry.analysis.inspection import solved

@@ -1,4 +1,4 @@
-"""What there is: ``list curves``, ``list formulas``, ``list words``, …."""
+"""The lists of ``list curves``, ``list formulas``, ``list words``, …."""
 
 from __future__ import annotations
 
@@ -69,7 +69,7 @@ def formulas(out: Output) -> None:
 
 @printing
 def papers(out: Output) -> None:
-    """List the papers whose formulas and claims come along."""
+    """List the papers whose formulas and claims come with exactspline."""
     from exactspline.papers import papers as found
     from exactspline.verification.claims import claims_of
 
@@ -82,7 +82,7 @@ def papers(out: Output) -> None:
 
 @printing
 def questions(out: Output) -> None:
-    """List all questions: what --ask, --find and xs.ask take, and of what they are asked."""
+    """List all questions that --ask, --find and xs.ask take, with the kinds of objects they can be asked about."""
     from exactspline.geometry.analysis.ask import questions as all_questions
 
     found = all_questions()
@@ -96,7 +96,7 @@ def questions(out: Output) -> None:
 
 @printing
 def words(
-    out: Output, term: Annotated[list[str] | None, Argument(help="Words or signs; without any, all of them.")] = None
+    out: Output, term: Annotated[list[str] | None, Argument(help="Words or signs; by default all of them.")] = None
 ) -> None:
     """Explain the words and signs of the tables: nominal, true, minimal, k, m, j, X, P, every verdict."""
     from exactspline.display.console import glossary, meaning

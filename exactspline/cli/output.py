@@ -1,5 +1,5 @@
-"""What a command prints: tables for people, JSON, CSV or Markdown for programs; and what happens to standard output
-when its reader has gone.
+"""The output of commands: tables for people, and JSON, CSV or Markdown for programs. Standard output survives a reader
+that closes it.
 """
 
 from __future__ import annotations
@@ -36,7 +36,7 @@ class OptionsError(ExactSplineError):
 
 
 class _State:
-    """Set once, when a command begins."""
+    """The state of the command that runs; it is set when the command begins."""
 
     quiet = False
     #: Whether something was skipped (read, but not a curve) or is undecided.
@@ -48,7 +48,7 @@ INTERRUPTED = 130
 
 
 def to_stderr(line: str) -> None:
-    """Write a line to standard error: the only place that does, since a line may hold names from files, whose control
+    """Write a line to standard error. No other function does: a line may hold names from files, and their control
     characters must not reach the terminal.
     """
     from exactspline.display.sheet import visible
@@ -62,16 +62,16 @@ def is_quiet() -> bool:
 
 
 def leave_out() -> None:
-    """Remember that something is skipped or undecided: with --strict the command ends with exit status 2."""
+    """Record that something was skipped or is undecided: with --strict the command then ends with exit status 2."""
     _State.lacking = True
 
 
-#: The fields of rows that say what an answer lacks.
+#: The fields of rows that list what is missing in an answer.
 LACKING = ("missing", "undecided", "skipped")
 
 
 def _lacks(value: object) -> bool:
-    """Whether data say, at any depth, that something is lacking.
+    """Whether data say, at any depth, that an answer is incomplete.
 
     >>> _lacks({"points": [], "undecided": []}), _lacks([{"curvature": {"undecided": ["[0, 1] × [0, 1]"]}}])
     (False, True)
@@ -85,7 +85,7 @@ def _lacks(value: object) -> bool:
 
 @dataclass(frozen=True)
 class Output:
-    """How the result of a command is printed."""
+    """The format in which the result of a command is printed."""
 
     format: str
     quiet: bool
@@ -93,7 +93,7 @@ class Output:
 
     @property
     def for_people(self) -> bool:
-        """Whether a person reads it."""
+        """Whether the format is text for people."""
         return self.format == "text"
 
     def give(
@@ -104,8 +104,9 @@ class Output:
         people: Callable[[], None] | None = None,
         by: str = "",
     ) -> None:
-        """Print the result: `rows` as JSON, `sheets` as CSV or Markdown (`by` heads the column of their names), or call
-        `people` for a person; by default the sheets with their legend are printed. What is costly is generated.
+        """Print the result: `rows` as JSON, or `sheets` as CSV or Markdown (`by` heads the column of their names). For
+        people, `people` is called; without it the sheets are printed with their legend. Rows and sheets may be
+        generators, so that only what is printed is computed.
         """
         if self.strict:
             rows = list(rows)
@@ -128,7 +129,7 @@ class Output:
                 console.lines(console.console(), remark, style="bold")
 
     def show(self, sheets: Sequence[Sheet]) -> None:
-        """Tables one below the other, then the meaning of their columns."""
+        """Print tables one below the other, then the meaning of their columns."""
         from exactspline.display import console
 
         out = console.console()
@@ -138,7 +139,7 @@ class Output:
             console.legend(out, [*[name for sheet in sheets for name in sheet.columns], *tags])
 
 
-#: What is said where formulas ran unchecked.
+#: The remark that is printed if formulas ran unchecked.
 RAN = "formulas that ran unchecked (--trust)"
 
 
@@ -149,8 +150,8 @@ def unchecked() -> tuple[str, ...]:
 
 
 def document(schema: str, rows: Iterable[Mapping[str, object]]) -> dict[str, object]:
-    """Rows for programs, under the name of their schema (`exactspline schema NAME`) and its version, with the
-    releases that made them; where formulas ran unchecked their files are named.
+    """Rows for programs, under the name of their schema (`exactspline schema NAME`) and its version, with the releases
+    that made them. If formulas ran unchecked, their files are listed.
     """
     head: dict[str, object] = {"schema": f"exactspline/{schema}", "version": VERSION, "releases": releases()}
     made = list(rows)
@@ -158,7 +159,7 @@ def document(schema: str, rows: Iterable[Mapping[str, object]]) -> dict[str, obj
 
 
 def print_json(data: object) -> None:
-    """JSON on standard output."""
+    """Print JSON on standard output."""
     sys.stdout.write(json.dumps(data, ensure_ascii=False, indent=1) + "\n")
 
 
@@ -166,13 +167,13 @@ _FLAGS = {
     "as_json": Annotated[bool, Option("--json", help=f"Print JSON (see `{command_name()} schema`).")],
     "as_csv": Annotated[bool, Option("--csv", help="Print comma-separated values.")],
     "as_markdown": Annotated[bool, Option("--markdown", help="Print Markdown tables.")],
-    "strict": Annotated[bool, Option("--strict", help="Exit status 2 where anything is skipped or undecided.")],
+    "strict": Annotated[bool, Option("--strict", help="Exit status 2 if anything is skipped or undecided.")],
     "quiet": Annotated[bool, Option("--quiet", "-q", help="No legend, no progress bar.")],
 }
 
 
 def printing(command: Callable[..., None]) -> Callable[..., None]:
-    """A command whose parameter ``out`` is an `Output`, filled by the options that all commands have."""
+    """Make of a function a command: its parameter ``out`` is the `Output` that the options of all commands describe."""
 
     @wraps(command)
     def run(**values: Any) -> None:
@@ -205,14 +206,15 @@ def printing(command: Callable[..., None]) -> Callable[..., None]:
 
 
 class _Guarded(io.FileIO):
-    """Standard output that may be closed by its reader (``| head``): the rest is dropped, and the command ends with its
-    usual status. The rest after any other failure is dropped, too, so that the end of the process does not fail.
+    """Standard output that its reader may close (``| head``): the rest of the output is dropped, and the command ends
+    with its usual status. After any other failure the rest is dropped, too, so that the end of the process does not
+    fail.
     """
 
     failed = False
 
     def write(self, data: Buffer, /) -> int:
-        """Write, unless the reader has gone."""
+        """Write, unless the reader has closed the pipe."""
         try:
             if not self.failed:
                 return super().write(data) or 0
@@ -284,7 +286,7 @@ def ticking(label: str, total: int) -> Iterator[Callable[[], None]]:
 
 
 def seldom() -> Callable[[str], None]:
-    """What writes a line on standard error, at most one every ten seconds; none with ``--quiet``."""
+    """A function that writes a line on standard error, at most once every ten seconds, and never with ``--quiet``."""
     last = monotonic()
 
     def write(line: str) -> None:

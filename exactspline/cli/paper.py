@@ -10,8 +10,8 @@ from exactspline.cli.parameters import Argument, Option
 from exactspline.display.sheet import Sheet
 
 
-def new(folder: Annotated[str, Argument(help="The folder to write; it must not exist, or be empty.")]) -> None:
-    """Write a small working paper: formulas.py, claims.toml, curves/ and README.md, with comments, to be edited."""
+def new(folder: Annotated[str, Argument(help="The folder to write; it must be new or empty.")]) -> None:
+    """Write a small working paper for you to edit: formulas.py, claims.toml, curves/ and README.md, with comments."""
     from exactspline.display import console
     from exactspline.errors import command_name
     from exactspline.papers.new import write_new_paper
@@ -27,11 +27,11 @@ def new(folder: Annotated[str, Argument(help="The folder to write; it must not e
 def figures(
     out: Output,
     folder: Annotated[
-        str, Option("--out", metavar="FOLDER", help="The folder to write into; it is created if necessary.")
+        str, Option("--out", metavar="FOLDER", help="The folder for the pictures; it is created if necessary.")
     ],
     figure: Annotated[
         list[int] | None,
-        Option("--figure", metavar="N", min=1, help="The number of a figure; may be repeated. All of them without it."),
+        Option("--figure", metavar="N", min=1, help="The number of a figure; by default all. May be repeated."),
     ] = None,
 ) -> None:
     """Draw the figures of the paper (SVG and PNG, surfaces also as interactive HTML); counts in captions are computed

@@ -1,4 +1,4 @@
-"""Commands from typed functions: options and arguments stand in annotations, click parses them."""
+"""Commands made from typed functions: annotations declare options and arguments, and click parses them."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ Completion = Callable[[str], Sequence[str]]
 
 
 class Option:
-    """An option of a command: its names, what stands for its value in the help, the range of a number."""
+    """An option of a command: its names, the placeholder of its value in the help, and the range of a number."""
 
     def __init__(
         self,
@@ -39,7 +39,7 @@ class Integer(click.IntRange):
     """An integer in a range; the error for other text says what is expected."""
 
     def convert(self, value: object, param: click.Parameter | None, ctx: click.Context | None) -> int:
-        """The integer that the text means."""
+        """The integer that the text denotes."""
         with suppress(ValueError):
             number = int(str(value))
             if (self.min is None or number >= self.min) and (self.max is None or number <= self.max):
@@ -55,8 +55,9 @@ class Integer(click.IntRange):
 
 @dataclass(kw_only=True)
 class Argument:
-    """An argument of a command, called by the name of the parameter unless another stands in the help; `instead_of` are
-    the options by which other commands take such a word, each with an example of one.
+    """An argument of a command. The help shows the name of the parameter, or `metavar`. `instead_of` are options under
+    which other commands take such a value, each with an example of the value; under ``-`` stands the form of a value
+    that begins with a minus.
     """
 
     help: str
@@ -66,7 +67,7 @@ class Argument:
 
 
 def command_of(function: Callable[..., object], name: str, short_help: str, epilog: str) -> click.Command:
-    """The command that calls a function with what was typed: its parameters are read from the annotations."""
+    """The command that calls a function with the values typed by the user; the annotations say what it takes."""
     hints = get_type_hints(function, include_extras=True)
     return Command(
         name,
@@ -79,17 +80,20 @@ def command_of(function: Callable[..., object], name: str, short_help: str, epil
 
 
 class Command(click.Command):
-    """A command whose help explains its arguments, too."""
+    """A command whose help also explains the arguments."""
 
     def without_option(self, option: str) -> str:
-        """An argument of the command that stands for an option which it lacks; or nothing."""
-        return next((each.instead_of[option] for each in self._explained() if option in each.instead_of), "")
+        """An example of the argument to give in place of an option that this command lacks; empty for no such
+        argument.
+        """
+        key = option if option.startswith("--") else "-"
+        return next((each.instead_of[key] for each in self._explained() if key in each.instead_of), "")
 
     def _explained(self) -> list[_Explained]:
         return [each for each in self.params if isinstance(each, _Explained)]
 
     def format_help_text(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
-        """What it does, then its arguments."""
+        """Write what the command does, then its arguments."""
         super().format_help_text(ctx, formatter)
         rows = [(each.make_metavar(ctx), each.explained) for each in self._explained()]
         if rows:

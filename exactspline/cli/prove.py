@@ -1,4 +1,4 @@
-"""``prove``: the ledger."""
+"""``prove``: the ledger, that is the verdicts on all claims of a paper."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ Claims = Annotated[
     Option(
         "--claim",
         metavar="ID",
-        help="The id of a claim, what it begins (C3: all of section 3), or a place (eq. (12)). May be repeated.",
+        help="The id of a claim, its beginning (C3: all of section 3), or a place (eq. (12)). May be repeated.",
     ),
 ]
 Sections = Annotated[
@@ -51,8 +51,8 @@ Surfaces = Annotated[
     Option(
         "--surface",
         metavar="SURFACE",
-        help="A file of surfaces, an example surface or -, to check claims of surfaces on (of the paper surfaces, "
-        "unless --paper names others). May be repeated.",
+        help="A file of surfaces, the name of an example surface, or -: the claims about surfaces (of the paper "
+        "surfaces, unless --paper names another) are checked on it. May be repeated.",
     ),
 ]
 JudgeName = Annotated[
@@ -60,15 +60,15 @@ JudgeName = Annotated[
     Option(
         "--judge",
         metavar="JUDGE",
-        help="A second judge of the equalities, for all curves, in a column: sympy, or the kernel of coq.",
+        help="Add a column with the verdicts of a second program on the equalities for all curves: sympy or coq.",
     ),
 ]
-Rows = Annotated[bool, Option("--rows", help="Print every row of the ledger instead of the summary.")]
-Page = Annotated[str, Option("--html", metavar="FILE", help="Write the ledger as a page with filters.")]
-Tex = Annotated[str, Option("--tex", metavar="FILE", help="Write every claim as a theorem of LaTeX with its proof.")]
-Bib = Annotated[str, Option("--bib", metavar="FILE", help="Write the papers, and this release, as entries of BibTeX.")]
+Rows = Annotated[bool, Option("--rows", help="Print every row of the ledger instead of a summary.")]
+Page = Annotated[str, Option("--html", metavar="FILE", help="Write the ledger as an HTML page with filters.")]
+Tex = Annotated[str, Option("--tex", metavar="FILE", help="Write every claim as a LaTeX theorem with its proof.")]
+Bib = Annotated[str, Option("--bib", metavar="FILE", help="Write BibTeX entries of the papers and of this release.")]
 Report = Annotated[
-    str, Option("--report", metavar="FILE", help="Write a referee's report: one page, complete in itself.")
+    str, Option("--report", metavar="FILE", help="Write a referee's report as one HTML page, complete in itself.")
 ]
 
 
@@ -92,8 +92,8 @@ def prove(
     digits: Digits = 0,
     exact: Exact = False,
 ) -> None:
-    """Decide every claim of a paper: for all curves at once, and exactly on the curves and surfaces given (without any:
-    on the curves in its folder, or on the example curves).
+    """Decide every claim of a paper: for all curves at once, and exactly on single curves and surfaces. These are the
+    ones given, by default the curves in the folder of the paper or the example curves.
     """
     from exactspline.atomic_write import write_text
     from exactspline.cli.surfaces import read_surfaces
@@ -153,7 +153,7 @@ def prove(
 
 
 def named_claims(ids: Sequence[str], claims: Sequence[Claim]) -> Sequence[Claim]:
-    """The claims with these ids or places, in the order of the papers; all of them for none."""
+    """The claims with these ids or places, in the order of the papers; all claims if `ids` is empty."""
     from exactspline.verification.claims import located
 
     keep = {claim for name in ids for claim in located(name, claims)}
@@ -167,7 +167,7 @@ def _word(name: str, known: Sequence[str]) -> str:
 
 
 def of_sections(claims: Sequence[Claim], requested: Sequence[str]) -> list[Claim]:
-    """The claims of some sections; all of them where none is named."""
+    """The claims of some sections; all claims if no section is named."""
     from exactspline.display.ledger import section
 
     known = list(dict.fromkeys(map(section, claims)))
@@ -178,6 +178,6 @@ def of_sections(claims: Sequence[Claim], requested: Sequence[str]) -> list[Claim
 
 
 def _within(section: str, requested: str) -> bool:
-    """Whether a section is the requested one or a part of it: §4.2 is one of 4."""
+    """Whether a section is the requested one or a part of it, as §4.2 is a part of 4."""
     a, b = section.lower().removeprefix("§"), requested.lower().removeprefix("§").strip()
     return a == b or a.startswith(f"{b}.")

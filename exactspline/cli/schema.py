@@ -17,7 +17,7 @@ class SchemaError(ExactSplineError):
     """A schema that does not exist."""
 
 
-def schema(name: Annotated[str, Argument(help="The name of a schema; without it the names are listed.")] = "") -> None:
+def schema(name: Annotated[str, Argument(help="The name of a schema; by default the names are listed.")] = "") -> None:
     """Print the JSON Schema of what a command prints with --json."""
     if not name:
         print_json({"version": VERSION, "schemas": sorted([*schemas(), LINE])})
@@ -28,7 +28,7 @@ def schema(name: Annotated[str, Argument(help="The name of a schema; without it 
 
 
 def schemas() -> dict[str, dict[str, dict[str, object]]]:
-    """The fields of a row by the name of the schema."""
+    """The fields of a row, for every schema by its name."""
     from importlib import resources
 
     from exactspline.display.answer_forms import FORMS_BESIDE, form_of
@@ -49,8 +49,8 @@ def schemas() -> dict[str, dict[str, dict[str, object]]]:
 
 
 def _fields(by_type: dict[str, Any]) -> dict[str, dict[str, object]]:
-    """The fields of a row: its key, and those listed by their type, or with a ``form`` of their own; a mark of a
-    question follows the name of one that is optional.
+    """The fields of a row: its key, and the fields listed by their type or under ``form`` with their own form. The name
+    of an optional field ends with a question mark.
     """
     forms: dict[str, dict[str, object]] = {"key": {"type": "string"}}
     for kind, names in by_type.items():
@@ -62,7 +62,7 @@ def _fields(by_type: dict[str, Any]) -> dict[str, dict[str, object]]:
 
 
 def _form(kind: str) -> dict[str, object]:
-    """The form of a type: JSON's names of the types that it may be, and behind an ``of`` that of its elements.
+    """The JSON form of a type: the JSON names of the types that it may be, and after ``of`` the type of its elements.
 
     >>> _form("array null of integer")
     {'type': ['array', 'null'], 'items': {'type': 'integer'}}
@@ -75,7 +75,7 @@ def _form(kind: str) -> dict[str, object]:
 
 def answers(*of: str) -> dict[str, dict[str, object]]:
     """The fields of an inspection of these kinds of objects: the questions that it answers, each with the form of its
-    answer. One that is not asked of all of them is optional.
+    answer. A question that is not asked about all of the kinds is optional.
     """
     from exactspline.display.answer_forms import form_of
     from exactspline.geometry.analysis.registry import REGISTRY
@@ -93,7 +93,7 @@ def answers(*of: str) -> dict[str, dict[str, object]]:
 
 
 def schema_of(name: str) -> dict[str, object]:
-    """The JSON Schema of a document: its schema, its version, its rows, each with a key of its own.
+    """The JSON Schema of a document with the fields ``schema``, ``version``, ``releases`` and ``rows``.
 
     >>> schema_of("glossary")["properties"]["rows"]["items"]["required"]
     ['key', 'meaning']

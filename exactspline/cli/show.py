@@ -31,18 +31,18 @@ def show(
     claim: Annotated[
         str,
         Argument(
-            help="The id of a claim, what it begins (C4.2: all of §4.2), a place in the paper (eq. (12)), or words of "
-            "the statement (evolute). Without it the claims are listed. Of more than three the first is spelled out, "
-            "the others are named.",
+            help="The id of a claim, its beginning (C4.2: all of §4.2), a place in the paper (eq. (12)), or words of "
+            "the statement (evolute); by default all claims are listed. Of more than three that match, the first is "
+            "spelled out and the others are listed.",
             instead_of=PLACES,
         ),
     ] = "",
-    latex: Annotated[bool, Option("--latex", help="Print each claim as a theorem of LaTeX with its proof.")] = False,
+    latex: Annotated[bool, Option("--latex", help="Print each claim as a LaTeX theorem with its proof.")] = False,
     paper: Papers = None,
     trust: Trust = False,
 ) -> None:
-    """Spell out a claim: what it says, its naive and its reduced side, the factor, the degrees, the verdict, the
-    source.
+    """Spell out a claim: its statement, its naive and its reduced side, the factor between them, the degrees, the
+    verdict, the source.
     """
     from exactspline.display.ledger import fields, statement_data
     from exactspline.verification.claims import located
@@ -81,7 +81,7 @@ def _list(out: Output, claims: Sequence[Claim]) -> None:
 
 
 def _print_theorems(found: list[Statement]) -> None:
-    """For copying, so that lines are not broken."""
+    """Print theorems for copying: long lines are not broken."""
     from exactspline.display import console
     from exactspline.display.theorem import PREAMBLE, theorem
 
@@ -124,7 +124,7 @@ def errata(
     error: Annotated[
         list[str] | None,
         Argument(
-            help="Names of errors, ids of claims, or places (span, C4.2b, 5.4, p. 19); without any, all.",
+            help="Names of errors, ids of claims, or places (span, C4.2b, 5.4, p. 19); by default all errors.",
             instead_of=PLACES,
         ),
     ] = None,
@@ -133,8 +133,8 @@ def errata(
     digits: Digits = 0,
     exact: Exact = False,
 ) -> None:
-    """List the errors of the paper: the printed words with their place, what is true, why, a witness, and a check that
-    can be pasted into Python.
+    """List the errors of the paper: the printed words with their place, a witness, the corrected statement, the reason,
+    and a check that can be pasted into Python.
     """
     from exactspline.display.numbers import Numbers
     from exactspline.display.tables import errata_sheet, erratum_data, print_errata

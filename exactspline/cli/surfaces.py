@@ -18,13 +18,13 @@ if TYPE_CHECKING:
 
 
 def surfaces_among(readings: Sequence[tuple[str, Reading]], *, requested: bool) -> list[tuple[str, Reading]]:
-    """What was read of files that hold surfaces and no curves; of files with both where surfaces are requested."""
+    """The readings of files that hold surfaces and no curves; if surfaces are requested, also of files with both."""
     return [(name, each) for name, each in readings if each.surfaces and (requested or not each.curves)]
 
 
 def read_surfaces(name: str) -> Sequence[NurbsSurface]:
-    """The surfaces that a name means: an example, those of a file in any format, or of standard input; what else is
-    there is named on standard error.
+    """The surfaces that a name means: an example, or the surfaces of a file in any format or of standard input.
+    Whatever else the file holds is named on standard error.
     """
     reading = reading_of(name)
     if not reading.surfaces:
@@ -39,7 +39,7 @@ def read_surface(name: str) -> NurbsSurface:
 
 
 def surfaces_in(name: str, reading: Reading, why: str = "without --surfaces these are taken") -> Sequence[NurbsSurface]:
-    """The surfaces of a file; what else is in it is named on standard error."""
+    """The surfaces of a file; whatever else the file holds is named on standard error."""
     if reading.curves:
         leave_out()
         to_stderr(f"skipped: {name}: {counted(len(reading.curves), 'curve')}: {why}")
@@ -58,7 +58,9 @@ def inspect_surfaces(
     good: bool,
     with_all: bool = False,
 ) -> None:
-    """Print what surfaces have; a bad one is reported and the rest goes on. `good` is whether all could be read."""
+    """Print the features of surfaces; a surface that fails is reported, and the others are inspected. `good` is whether
+    all could be read.
+    """
     if plot and len(surfaces) > 1:
         raise OptionsError("--plot and several surfaces", remedy="draw them one by one")
     inspected, all_good = each_read(surfaces, lambda surface: _inspected(surface, digits, plot, epsilon, with_all))
@@ -106,7 +108,7 @@ def _inspected(
 
 
 def _drawn(found: SurfaceInspection, plot: str) -> None:
-    """A picture, or an interactive page."""
+    """Write a picture, or an interactive page, of an inspected surface."""
     from exactspline.display.plot.anything import picture
 
     if plot.lower().endswith(".html"):

@@ -1,4 +1,4 @@
-"""``sweep``: many curves, or many surfaces, a line each."""
+"""``sweep``: many curves, or many surfaces, one line for each."""
 
 from __future__ import annotations
 
@@ -49,7 +49,7 @@ Corpus = Annotated[
     list[str] | None,
     Argument(
         metavar="CORPUS",
-        help="Files of curves in any format that is read, folders of them, fonts (every contour of every glyph), "
+        help="Files of curves in any readable format, folders of them, fonts (every contour of every glyph), "
         "names of example curves; with --surfaces files of surfaces and names of example surfaces.",
         completion=_completed,
     ),
@@ -59,8 +59,8 @@ Random = Annotated[
     Option(
         "--random",
         metavar="WORDS",
-        help="Random curves: degree=2-5 segments=1-4 dimension=2 rational=no|yes|half bits=10 count=100 seed=1, in "
-        "words or joined by commas. May be repeated in the latter way.",
+        help="Random curves: degree=2-5 segments=1-4 dimension=2 rational=no|yes|half bits=10 count=100 seed=1, "
+        "separated by spaces or commas. May be repeated if commas separate the words.",
     ),
 ]
 Find = Annotated[
@@ -68,10 +68,10 @@ Find = Annotated[
     Option(
         "--find",
         metavar="WHAT",
-        help="A question (see `list questions`: those about points, joints or pieces; an argument follows after a "
-        "colon, as in offset_cusps:1/10), or all of those without an argument. With --surfaces those about surfaces, "
-        "also value@1/2,1/3 and the like. May be repeated. "
-        "[default: inflections, curvature_extrema, corners; all about surfaces]",
+        help="A question about points, joints or pieces (see `list questions`; an argument follows after a colon, as "
+        "in offset_cusps:1/10), or all: every one without an argument. With --surfaces a question about surfaces, "
+        "also value@1/2,1/3 and the like. May be repeated. [default: inflections, curvature_extrema, corners; all "
+        "about surfaces]",
         completion=_inspections,
     ),
 ]
@@ -82,20 +82,20 @@ Places = Annotated[int, Option("--digits", metavar="N", min=0, max=10_000, help=
 Values = Annotated[
     bool,
     Option(
-        "--values", help="Also coordinates and curvature of every point that is found, as correctly rounded doubles."
+        "--values", help="Also write the coordinates and the curvature of every point, as correctly rounded doubles."
     ),
 ]
 Surfaces = Annotated[
-    bool, Option("--surfaces", help="The surfaces of the corpus instead of its curves, which are named as skipped.")
+    bool, Option("--surfaces", help="Take the surfaces of the corpus; its curves are reported as skipped.")
 ]
 Epsilon = Annotated[
     str,
     Option(
         "--epsilon",
         metavar="E",
-        help="Also what all curves (surfaces) have whose control points and weights differ by at most E, and what some "
-        "of them may have; or, of the questions that end in _within, those that are named: a number, or written (half "
-        "a unit of the last digit).",
+        help="Also find the features that all curves (surfaces) have whose control points and weights differ by at "
+        "most E, and those that some may have; or answer those questions of --find that end in _within. E is a "
+        "number, or the word written: half a unit of the last digit.",
     ),
 ]
 OutputFile = Annotated[
@@ -104,14 +104,14 @@ OutputFile = Annotated[
         "--output",
         "-o",
         metavar="FILE",
-        help="Where the lines go: JSON Lines, or Parquet for *.parquet (a folder of parts); - for standard output, "
-        "then without a summary. Where FILE is there, the sweep continues after its last complete line.",
+        help="The file for the lines: JSON Lines, or Parquet (a folder of parts) for *.parquet; - for standard output, "
+        "without a summary. If FILE exists, the sweep continues after its last complete line.",
     ),
 ]
-Jobs = Annotated[int, Option("--jobs", "-j", metavar="N", min=1, max=4096, help="Processes.")]
+Jobs = Annotated[int, Option("--jobs", "-j", metavar="N", min=1, max=4096, help="The number of processes.")]
 Backend = Annotated[str, Option("--backend", metavar="NAME", help="serial, processes or dask.", completion=_backends)]
 Scheduler = Annotated[
-    str, Option("--scheduler", metavar="ADDRESS", help="The Dask cluster to use. [default: one made here]")
+    str, Option("--scheduler", metavar="ADDRESS", help="The Dask cluster to use. [default: one on this machine]")
 ]
 
 
@@ -132,9 +132,9 @@ def sweep(
     backend: Backend = "processes",
     scheduler: Scheduler = "",
 ) -> None:
-    """Features of many curves, and verdicts of claims on them, or what many surfaces have: one line each, in order, and
-    a summary. A broken one gives a line with its error. After a kill or an interruption, the same command continues
-    where it stopped.
+    """Find the features of many curves or surfaces, or the verdicts of claims on many curves: one line for each, in
+    order, and a summary. A curve or surface that cannot be read gives a line with the error. After an interruption, the
+    same command continues where it stopped.
     """
     from exactspline.batch.backends import check_backend
     from exactspline.batch.corpus import Family, Taken
@@ -205,8 +205,8 @@ def _printing(tick: Tick) -> Tick:
 
 @contextmanager
 def _interruptible(several: bool) -> Iterator[Callable[[], bool]]:
-    """Ctrl-C once: the curve in progress is finished and written; twice, or where `several` processes have many of
-    them: what is in progress is dropped, and computed when the sweep continues.
+    """Handle Ctrl-C. Pressed once, the curve in progress is finished and written. Pressed twice, or with `several`
+    processes, the curves in progress are dropped, and computed when the sweep continues.
     """
     presses = 0
 

@@ -1,4 +1,4 @@
-"""Display of objects: HTML and LaTeX in a notebook, one line where the exact text would be too long.
+"""Display of objects: HTML and LaTeX in a notebook, and one line in place of an exact text that would be too long.
 
 ``%load_ext exactspline.display`` in a notebook also shows exact numbers as fractions.
 """

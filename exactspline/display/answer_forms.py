@@ -1,4 +1,4 @@
-"""The form of the answer to each question, by the type that it promises, and all answers about an object as data."""
+"""The form of the answer to each question, by the type of the answer, and all answers about an object as data."""
 
 from __future__ import annotations
 
@@ -88,7 +88,7 @@ if TYPE_CHECKING:
     from exactspline.geometry.analysis.pairs import CurvePair
 
 
-# ---- what two curves have in common
+# ---- common points of two curves
 
 
 _OVERLAP = record(
@@ -182,7 +182,7 @@ PART = record(kind=(TEXT, "piece"), parameters=TEXT, degree=TEXT, remark=TEXT)
 
 
 def _parts_of(found: Bisector) -> Iterator[tuple[str, Form, Any]]:
-    """What a bisector consists of: in the plane its ends, in space its parts; and what is not there, or undecided."""
+    """The parts of a bisector: in the plane the end points, in space all parts; and its missing and undecided parts."""
     if isinstance(found, CurveBisector):
         yield from (("", PART, row) for row in bisector_data.of_two_curves(found, DIGITS)[0])
     elif isinstance(found, PointBisector):
@@ -248,8 +248,8 @@ FORMS_BESIDE: dict[str, dict[str, Form]] = {
 
 @cache
 def form_of(entry: Entry) -> Form:
-    """The form of the answer to a question, by the type that the question promises. Features and joints are written
-    with their curve (`placed`).
+    """The form of the answer to a question, chosen by the type of the answer. Features and joints are written with
+    their curve (`placed`).
 
     >>> from exactspline.geometry.analysis.curves import QUESTIONS
     >>> form_of(QUESTIONS["inflections"]).schema["properties"]["points"]["items"]["properties"]["kind"]["enum"][:2]
@@ -273,8 +273,8 @@ def _form(kind: Any) -> Form:
 
 
 def placed(facts: Remembers, answer: object, tick: Callable[[], None] = lambda: None) -> object:
-    """An answer as it is written: of a curve the features and joints with the curve; `tick` is called after every
-    feature.
+    """An answer ready to be written: features and joints of a curve are joined with the curve. `tick` is called after
+    every feature.
     """
     if not isinstance(facts, Facts):
         return answer
@@ -292,7 +292,7 @@ def _ticking(curve: Nurbs, features: Iterable[Feature], tick: Callable[[], None]
 
 
 def answers_data(facts: Remembers, digits: int) -> Data:
-    """The answers to all questions about an object that belong into a report, under their names.
+    """The answers to all questions of a report about an object, under the names of the questions.
 
     >>> from exactspline import Nurbs, example
     >>> from exactspline.geometry.analysis.pairs import CurvePair
@@ -305,7 +305,7 @@ def answers_data(facts: Remembers, digits: int) -> Data:
 
 
 def inspection_data(curve: Nurbs, digits: int = 20, tick: Callable[[], None] = lambda: None) -> Data:
-    """The features of a curve as data, each answer under the name of its question; `tick` is called after each.
+    """The features of a curve as data, each answer under the name of its question; `tick` is called after each answer.
 
     Raises `ExactSplineError` for what is neither a plane nor a space curve.
     """
@@ -316,7 +316,7 @@ def inspection_data(curve: Nurbs, digits: int = 20, tick: Callable[[], None] = l
 
 
 def report_data(report: Report, digits: int, tick: Callable[[], None] = lambda: None) -> Data:
-    """What is said of a curve as data; `tick` is called after every feature."""
+    """A report about a curve as data; `tick` is called after every feature."""
     curve, facts, beside = report.curve, report.analysis, FORMS_BESIDE["inspect"]
     data: Data = {"curve": curve.name, "closed": curve.closed, "digits": digits}
     for name, answer in report.answers.items():

@@ -62,8 +62,8 @@ NAMES = "st"
 
 
 def _parameter_data(t: Parameter, digits: int) -> Data:
-    """A parameter as a real number; where it is not rational also its minimal polynomial (constant term first; where
-    factoring is out of reach a multiple of it).
+    """A parameter as a real number; if it is irrational, also its minimal polynomial, constant term first, or a
+    multiple of this polynomial that was too costly to factor.
     """
     data = real_data(t, digits)
     if not isinstance(t, Root) or t.exact is not None:
@@ -90,7 +90,7 @@ _LETTER = Form({"enum": [*NAMES]}, lambda of, digits: NAMES[of])
 
 
 def curve_bisector_data(bisector: CurveBisector) -> Data:
-    """What is said of the whole bisector of two curves, in addition to its parts."""
+    """The data of the whole bisector of two curves, in addition to those of its parts."""
     return {
         "kind": "bisector of two curves",
         "variant": str(bisector.variant),
@@ -119,8 +119,8 @@ def _patch_net(patch: BisectorPatch, digits: int) -> Data:
 
 
 def _root_net(part: tuple[Coordinate, ...], field: str) -> Data:
-    """Control points in the field of an irrational parameter: a coordinate is a list, the coefficients of the powers 0,
-    1, 2, … of the parameter.
+    """Control points in the field of an irrational parameter: a coordinate is the list of the coefficients of the
+    powers 0, 1, 2, … of the parameter.
     """
     first = part[0][0]
     rows = zip(*[zip(*[f.control_points for f in coordinate], strict=True) for coordinate in part], strict=True)
@@ -237,7 +237,7 @@ FORMS: dict[type, Form] = {
 
 
 class PairsKind(StrEnum):
-    """What pairs of parameters of the bisector of two plane curves are."""
+    """The kinds of pairs of parameters of the bisector of two plane curves."""
 
     ARC = "correspondence of parameters"
     LOOP = "closed correspondence of parameters"
@@ -247,8 +247,8 @@ class PairsKind(StrEnum):
 
 
 class Pairs(NamedTuple):
-    """Pairs of parameters of the bisector of two plane curves: an arc by its ends, of which one in an undecided box is
-    None; a single pair as both ends; a line or a rectangle by its `sides`.
+    """Pairs of parameters of the bisector of two plane curves. An arc is given by its ends, and an end in an undecided
+    box is None; a single pair is both ends; a line or a rectangle is given by its `sides`.
     """
 
     piece: PairsKind
@@ -281,7 +281,7 @@ def _plane_bisector_data(bisector: PlaneBisector, digits: int) -> Data:
 
 
 def feet_data(bisector: PlaneBisector, digits: int) -> Data:
-    """The boxes of pairs in which no point of either curve is nearer."""
+    """The boxes of pairs of parameters in which it is proved that no point of either curve is nearer."""
     form = record(true_feet=(list_of(_SIDES), "trimmed.kept"), undecided_feet=(list_of(_SIDES), "trimmed.undecided"))
     data: Data = form.write(bisector, digits)
     return data
@@ -291,7 +291,7 @@ def feet_data(bisector: PlaneBisector, digits: int) -> Data:
 
 
 def _trimmed(piece: TrimmedPiece) -> Net:
-    """A piece over [low, high] where both are rational, otherwise over the whole segment."""
+    """A piece over [low, high] if both ends are rational, otherwise over the whole segment."""
     exact = piece.restricted()
     value = piece.value if exact is None else exact
     return Net.of(value, value.denominator.domain)
@@ -308,7 +308,7 @@ FORMS_OF_POINT: dict[type, Form] = {
     TrimmedPiece: record(
         record(piece=(one_of(PieceKind), "kind"), foot=optional(TEXT), low=PARAMETER, high=PARAMETER),
         SPLINE.of(_trimmed),
-        # with this the piece is only the part from low to high
+        # if these are given, the piece is only the part from low to high
         cut=(optional(FLAG), lambda piece: piece.restricted() is None or None),
     ),
 }
@@ -373,7 +373,7 @@ class Row(NamedTuple):
 
     @property
     def parameters(self) -> str:
-        """Which pairs of parameters it has."""
+        """The pairs of parameters of the piece, as text."""
         return f"{self.equation.short_text}: {self.where}" if self.equation else self.where
 
 
@@ -384,7 +384,7 @@ def bisector_sheet(rows: Iterable[Row], title: str) -> Sheet:
 
 
 def of_two_curves(found: CurveBisector, digits: int) -> tuple[list[Row], list[str]]:
-    """The surface, lines, planes, single pairs and poles of two curves, and notes on what is missing."""
+    """The surface, lines, planes, single pairs and poles of two curves, and notes on missing parts."""
     rows = [_surface_row(patch) for patch in found.patches]
     rows += _grouped(_line_row(line, digits) for line in found.lines)
     rows += _grouped(_plane_row(plane, digits) for plane in found.planes)
@@ -403,7 +403,7 @@ def of_two_curves(found: CurveBisector, digits: int) -> tuple[list[Row], list[st
 
 
 def of_plane_curves(bisector: PlaneBisector, digits: int) -> tuple[list[Row], list[str]]:
-    """The pairs of the bisector of two plane curves, and notes on which of them are nearest."""
+    """The pairs of the bisector of two plane curves, and notes on the boxes in which they are proved nearest."""
     rows = [Row(str(pairs.piece), _where(pairs, digits), "–", "") for pairs in pairs_of(bisector)]
     trimmed = bisector.trimmed
     kept, undecided = (counted(len(boxes), "box") for boxes in (trimmed.kept, trimmed.undecided))
@@ -413,7 +413,7 @@ def of_plane_curves(bisector: PlaneBisector, digits: int) -> tuple[list[Row], li
 
 
 def _where(pairs: Pairs, digits: int) -> str:
-    """Where pairs are: from one end to the other, or the ranges of both parameters."""
+    """The place of pairs, as text: from one end to the other end, or the ranges of both parameters."""
     if pairs.sides:
         ends = zip("st", ([real_text(x, digits) for x in side] for side in pairs.sides), strict=True)
         return ", ".join(
@@ -436,7 +436,7 @@ def _pair(pair: Sequence[Real | mpq] | None, digits: int) -> str:
 
 
 def of_point_in_plane(found: TrimmedBisector, digits: int) -> tuple[list[Row], list[str]]:
-    """The pieces of the trimmed bisector of a point and a plane curve, and notes on what is missing."""
+    """The pieces of the trimmed bisector of a point and a plane curve, and notes on missing pieces."""
     rows = []
     for piece in found.pieces:
         ends = _interval(piece.low, piece.high, digits)
@@ -446,7 +446,7 @@ def of_point_in_plane(found: TrimmedBisector, digits: int) -> tuple[list[Row], l
 
 
 def of_point_in_space(found: PointBisector, digits: int) -> tuple[list[Row], list[str]]:
-    """The ruled pieces of the bisector of a point and a space curve, and notes on what is missing."""
+    """The ruled pieces of the bisector of a point and a space curve, and notes on missing pieces."""
     rows = []
     for piece in found.pieces:
         moved = f"ruling parameter {piece.moved}" if piece.moved else ""
@@ -456,7 +456,7 @@ def of_point_in_space(found: PointBisector, digits: int) -> tuple[list[Row], lis
 
 
 def _grouped(rows: Iterable[Row]) -> list[Row]:
-    """Rows that differ only in their patch merged into one: those of one equation that is shown."""
+    """Rows of one equation, if the equation is shown and they differ only in their patch, merged into one row."""
     found: dict[tuple[object, ...], Row] = {}
     for i, row in enumerate(rows):
         key = (row.piece, row.equation, row.degree, row.remark) if row.equation else (i,)

@@ -20,7 +20,7 @@ from exactspline.papers.folder import read_toml
 
 
 class GlossaryError(ExactSplineError):
-    """A term that is not in the glossary."""
+    """The error for a term that is not in the glossary."""
 
 
 @cache
@@ -30,7 +30,7 @@ def glossary() -> dict[str, dict[str, str]]:
     >>> glossary()["verdicts"]["REFUTED"]
     'it fails, and a witness shows where'
     """
-    from exactspline.geometry.analysis.registry import terms_of_questions  # loads all that can be asked a question
+    from exactspline.geometry.analysis.registry import terms_of_questions  # loads the classes with questions
 
     return _written() | {"questions": terms_of_questions(_by_term(_written()))}
 
@@ -68,7 +68,7 @@ def meaning(term: str) -> str:
 
 
 def explained(words: Iterable[str]) -> list[tuple[str, str]]:
-    """The terms of tables among the words, each once, with their meanings.
+    """Those of the words that the glossary explains, each once, with their meanings.
 
     >>> [term for term, _ in explained(["curve", "nominal", "true", "nominal"])]
     ['nominal', 'true']
@@ -82,7 +82,7 @@ NARROWEST = 20
 
 
 def width() -> int:
-    """The columns of the terminal; output to a file or a pipe is not limited, unless the environment sets
+    """The number of columns of the terminal; output to a file or a pipe has no limit unless the environment sets
     ``COLUMNS``.
     """
     stream, columns = sys.stdout, os.environ.get("COLUMNS", "")
@@ -109,7 +109,7 @@ def console() -> Console:
 
 
 def lines(out: Console, text: str, indent: int = 2, style: str = "", first: int = 0) -> None:
-    """Print a text in lines no longer than the width of the console, all but the first indented."""
+    """Print a text in lines no longer than the width of the console; all lines except the first are indented."""
     for line in hanging(text, out.width, indent, first) or [""]:
         unbroken(out, line, style)
 

@@ -13,8 +13,8 @@ from exactspline.splines.surface import NurbsSurface
 
 
 def described(c: Nurbs) -> str:
-    """A curve in one line; a curve with equal weights is called polynomial, and directions, which have the weight 0,
-    are counted apart from points of this weight, which add nothing.
+    """A curve in one line. A curve with equal weights is called polynomial; directions (control vectors of weight 0)
+    are counted apart from zero vectors of weight 0, which have no effect.
 
     >>> from exactspline import example
     >>> described(example("circle"))
@@ -49,7 +49,7 @@ DIGITS = 12
 
 
 def shape_text(numbers: Mapping[str, Sequence[object]], within: mpq) -> str:
-    """What describes a shape, and how near something is to it, as text.
+    """The numbers that describe a shape, and the proved distance from it, as text.
 
     >>> shape_text({"centre": [0, 1], "radius": ["1/2"]}, mpq(1, 1000))
     'centre (0, 1), radius 1/2, within 0.001'
@@ -63,7 +63,7 @@ def shape_text(numbers: Mapping[str, Sequence[object]], within: mpq) -> str:
 
 
 def readable(number: str) -> str:
-    """A number of a shape, in full where that is short."""
+    """A number of a shape: in full if that is short, otherwise as a decimal."""
     return (
         number
         if len(number) <= DIGITS or "/" not in number or "√" in number

@@ -1,5 +1,5 @@
-"""Evidence of checks in words: by the template of its class, or by a function where a template is not enough. Nothing
-reads what they write.
+"""Evidence of checks in words: by the template of its class, or by a function where a template is not enough. No other
+code reads these words.
 """
 
 from __future__ import annotations
@@ -36,7 +36,7 @@ _FIELD = re.compile(rf"\{{([\w.]+)(?:\?({_INNER})\|?({_INNER})|:([^{{}}]*))?\}}"
 
 
 def worded(item: Found | None, numbers: Numbers = EXACT) -> str:
-    """Evidence in words; empty where there is none.
+    """Evidence in words; empty for no evidence.
 
     >>> from exactspline.numbers.exact import mpq
     >>> from exactspline.verification.evidence import At, ZeroAt
@@ -283,7 +283,7 @@ def _middle(enclosure: e.Enclosure) -> str:
 
 
 def opinion(item: Finding | None) -> str:
-    """The result of a second judge for a claim."""
+    """The result of a second verifier for a claim."""
     if item is None:
         return "not asked"
     says = {Verdict.PROVED: "holds, ", Verdict.REFUTED: "fails, "}.get(item.verdict, "")
@@ -352,6 +352,6 @@ def values_there(claim: Claim, finding: Finding) -> list[str]:
 
 
 def _parameter(evidence: Found | None) -> mpq | None:
-    """The parameter at which it is; None for another place."""
+    """The parameter of a place; None if the place is not a parameter."""
     inner = next(filter(None, (getattr(evidence, name, None) for name in ("witness", "at", "place"))), None)
     return evidence.parameter if isinstance(evidence, At) else inner and _parameter(inner)

@@ -48,8 +48,8 @@ REMARKS = (
 
 
 def feature_sheet(report: Report, digits: int = DIGITS) -> Sheet:
-    """The features of a curve, one per row; a parameter exactly where that is short. What only rounded numbers add to a
-    circle (`Analysis.below_rounding`) is one row, unless the report is of all.
+    """The features of a curve, one per row; a parameter is shown exactly if that is short. Features that a circle has
+    only because its numbers are rounded (`Analysis.below_rounding`) are one row, unless the report lists all.
     """
     c = report.curve
     closed = ", closed" if c.closed else ""
@@ -116,7 +116,9 @@ def _feature_row(at: Located, digits: int) -> _Row:
 
 
 def _values(at: Located, quantity: Callable[[Nurbs, Root, Side], Real], digits: int) -> str:
-    """The value of a quantity, at a knot the limits from both sides where they differ; or why there is none."""
+    """The value of a quantity, or at a knot the limits from both sides if they differ, or the reason why it has
+    none.
+    """
     try:
         return " | ".join(real_text(x, digits) for x in at.values(quantity))
     except ExactSplineError as error:
@@ -135,14 +137,16 @@ def _own_intersections(found: Intersections, digits: int) -> Iterator[_Row]:
 
 
 def _jumping(kind: FeatureKind, in_space: bool) -> str:
-    """What changes its sign at a feature of a kind."""
+    """The quantity that changes its sign at a feature of a kind."""
     if kind in (FeatureKind.MAXIMUM, FeatureKind.MINIMUM):
         return "κ′"
     return "τ" if kind is FeatureKind.TORSION_ZERO else "κN" if in_space else "κ"
 
 
 def words_of(report: Report, tables: Sequence[Sheet]) -> list[str]:
-    """The words of the tables of a curve, the first that of its features, and of the lines below, for the glossary."""
+    """The words in the tables of a curve (the first one is that of its features) and in the lines below them, for the
+    glossary.
+    """
     words = [word for table in tables for word in (*table.columns[1:], *table.tags)]
     remarks = [row[-1] for row in tables[0].rows]
     # κ is not κ′, nor κN
@@ -152,13 +156,13 @@ def words_of(report: Report, tables: Sequence[Sheet]) -> list[str]:
 
 
 def _asked(c: Nurbs, answered: Answered) -> list[str]:
-    """The questions whose answers are shown, of those that consist of the same."""
+    """The questions about a curve whose answers consist of the same kind of things and are shown."""
     shown = {name: entry.about for name, entry in questions_about(c).items()}
     return [name for name, about in shown.items() if about.answered == answered and about.reported]
 
 
 def report_sheets(report: Report, digits: int = DIGITS) -> list[Sheet]:
-    """The table of features, and those below it; none of common points where there are none."""
+    """The table of features, and the tables below it; a table of common points only if there are any."""
     below = []
     if report.within is not None:
         below = [_nearby_sheet(report), *[_meetings_sheet(report)] * bool(report.meetings)]
@@ -168,7 +172,7 @@ def report_sheets(report: Report, digits: int = DIGITS) -> list[Sheet]:
 
 
 def print_features(report: Report, tables: Sequence[Sheet]) -> None:
-    """The tables, and what is known of joints and of the plane of a curve."""
+    """Print the tables, the numbers of joints, and the plane of a curve."""
     out, c, (made, *below) = console.console(), report.curve, tables
     if made.rows:
         out.print(made)
@@ -186,7 +190,7 @@ def print_features(report: Report, tables: Sequence[Sheet]) -> None:
 
 
 def _turn(angle: Angle | None, digits: int) -> str:
-    """By how much the tangent turns, as text."""
+    """The angle by which the tangent turns, as text."""
     if angle is None:
         return ""
     exact = [closed_form_data(x)["exact"] for x in (angle.cosine, angle.sine)]
@@ -196,7 +200,7 @@ def _turn(angle: Angle | None, digits: int) -> str:
 
 
 def _remark(joint: Joint, digits: int) -> str:
-    """What is known of a joint, as text."""
+    """The gap, the angle and the order of a joint, as text."""
     parts = [
         "at the seam" if joint.at_seam else "at a knot",
         _turn(joint.angle, digits),
@@ -207,7 +211,7 @@ def _remark(joint: Joint, digits: int) -> str:
 
 
 def _nearby_sheet(report: Report) -> Sheet:
-    """What all curves near a curve have, and what some of them may have."""
+    """The features that all curves within ε of a curve have, and those that some of them may have."""
     title = f"All curves within {readable(report.epsilon)} of {report.curve.name}"
     made = Sheet("what", "each has", "between", "and", title=title, heads=2)
     for found in sorted(report.nearby, key=_order):
@@ -217,13 +221,13 @@ def _nearby_sheet(report: Report) -> Sheet:
 
 
 def _meetings_sheet(report: Report) -> Sheet:
-    """Where all curves near a curve meet themselves, and where some of them may."""
+    """The places where all curves within ε of a curve meet themselves, and where some of them may."""
     title = f"All curves within {readable(report.epsilon)} of {report.curve.name} and themselves"
     return common_points_sheet(report.meetings, title)
 
 
 def common_points_sheet(meetings: Iterable[NearbyMeeting], title: str) -> Sheet:
-    """The points that all curves near two curves have in common, and those that some of them may have."""
+    """The common points of all pairs of curves within ε of two curves, and those that some of these pairs may have."""
     made = Sheet("common points", "s between", "and", "t between", "and", title=title, heads=1)
     for found in meetings:
         number = "exactly one" if found.robust else "possibly some"
@@ -233,11 +237,11 @@ def common_points_sheet(meetings: Iterable[NearbyMeeting], title: str) -> Sheet:
 
 def _stability_sheet(report: Report) -> Sheet:
     """How far a curve may be changed until its features vanish."""
-    title = f"{report.curve.name} with all numbers changed by at most this"
+    title = f"Stability of the features of {report.curve.name}"
     columns = ("what", "at", "stable up to", "destroyed by", "ratio", "prominence")
     made = Sheet(*columns, title=title, heads=1, numbers=["stable up to"])
     for found, prominence in sorted(report.stable, key=lambda pair: _order(pair[0])):
-        # what is proved of a distance is so of smaller ones, and what is gone at one, within larger ones
+        # stability for a distance is stability for smaller ones; a change that destroys a feature is within larger ones
         certain = decimal(rounded_down(found.radius, 4), 4) if found.radius else "not proved"
         gone = "not known" if found.gone is None else decimal(-rounded_down(-found.gone, 4), 4)
         times = f"{round(float(found.gone / found.radius))} ×" if found.gone and found.radius else ""
@@ -253,7 +257,7 @@ def _order(found: NearbyFeature | StableFeature) -> int:
 
 
 def ends_text(interval: Interval) -> tuple[str, str]:
-    """The ends of an interval that contains something, rounded outwards to as many digits as are read at a glance.
+    """The ends of an interval, rounded outwards to a few digits.
 
     >>> ends_text(Interval(mpq(1, 7), mpq(1, 7))), ends_text(Interval(mpq(1000000, 3000001), mpq(1000001, 3000000)))
     (('1/7', '1/7'), ('0.333333222222', '0.333333666667'))

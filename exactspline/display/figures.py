@@ -1,4 +1,4 @@
-"""The figures of a paper: drawn by the modules in the folder ``figures`` of the paper, written to files here."""
+"""The figures of a paper: the modules in its folder ``figures`` draw them, and this module writes them to files."""
 
 from __future__ import annotations
 
@@ -56,8 +56,8 @@ def folder(path: str | Path) -> Path:
 
 
 def make(number: int, folder: str | Path, drawn: Drawn | None = None, suffixes: Sequence[str] = ("svg", "png")) -> Made:
-    """Draw one figure, where it is not given as drawn, and write it into a folder: as SVG and PNG, or one of them, and
-    its surfaces as an interactive page.
+    """Draw one figure, unless it is given, and write it into a folder: as SVG and PNG, or as one of them, and its
+    surfaces as an interactive page.
 
     Raises `PlotError` for a number that is not a figure of the paper, without matplotlib, and where the files cannot be
     written.

@@ -1,5 +1,5 @@
-"""Forms of data, in one: what is written of an object for programs, the JSON Schema of what is written, and the numbers
-and words in it by name, for tables and data frames.
+"""Forms of data. One form says how an object is written for programs, what the JSON Schema of this text is, and which
+numbers and words with their names go into tables and data frames.
 """
 
 from __future__ import annotations
@@ -53,12 +53,13 @@ Leaf = tuple[str, object]
 
 @dataclass(frozen=True)
 class Form:
-    """The form of a value: its ``schema``, and what is to ``write`` of a value, irrational numbers to this many digits.
-    In an object a field of an ``optional`` form is left out where its value is None.
+    """The form of a value: its ``schema``, and the function ``write``, which takes the value and the number of digits
+    of irrational numbers. A field of an ``optional`` form is omitted from an object if its value is None.
 
-    ``leaves`` are the numbers and words of a value by their names, the value itself without a name by default.
-    ``elements`` are the things of which a list or an object of lists (`lists`) consists: the name of the list, the form
-    of its elements, each element. An object of lists is ``divided`` into them also where it is an element itself.
+    ``leaves`` yields the numbers and words of a value with their names; by default the value itself without a name.
+    ``elements`` yields the elements of a list, or of an object of lists (`lists`): the name of the list, the form of
+    its elements, and the element. With ``divided``, an object of lists is divided into its elements even if it is an
+    element itself.
     """
 
     schema: Schema
@@ -69,7 +70,7 @@ class Form:
     divided: bool = False
 
     def of(self, source: Source) -> Form:
-        """The form of an object that is written by a value found in it."""
+        """The form of an object of which only one value is written: `source` finds the value in the object."""
         take = attrgetter(source) if isinstance(source, str) else source
         elements = self.elements
         return replace(
@@ -85,7 +86,7 @@ def _exactly(value: object, digits: int) -> str:
 
 
 def word(value: object) -> str:
-    """What is not a number, as text.
+    """A value other than a number, as text.
 
     >>> word(True), word((1, 2))
     ('yes', '(1, 2)')
@@ -128,7 +129,7 @@ def pair_of(form: Form) -> Form:
 
 
 def or_null(form: Form) -> Form:
-    """The form of what may be missing."""
+    """The form of a value that may be None."""
     return replace(
         form,
         schema={"anyOf": [form.schema, {"type": "null"}]},
@@ -139,7 +140,7 @@ def or_null(form: Form) -> Form:
 
 
 def optional(form: Form) -> Form:
-    """The form of a field that is left out where its value is missing."""
+    """The form of a field that is omitted if its value is None."""
     return replace(or_null(form), schema=form.schema, optional=True)
 
 
@@ -149,8 +150,8 @@ def one_of(kinds: type[Enum]) -> Form:
 
 
 def record(*parts: Form, **fields: Form | tuple[Form, Source]) -> Form:
-    """The form of an object with the fields of other forms and with these. The value of a field is found in the object
-    under its name, unless it comes with a source.
+    """The form of an object with the fields of other forms and with the given fields. The value of a field is the
+    attribute of its name, unless a source is given.
 
     >>> form = record(size=(INTEGER, "numerator"), denominator=TEXT)
     >>> form.write(mpq(1, 2), 20), form.schema["required"]
@@ -182,7 +183,7 @@ def record(*parts: Form, **fields: Form | tuple[Form, Source]) -> Form:
         for part in parts:
             yield from part.leaves(of)
         for name, form in forms.items():
-            # 1 and 2 of a pair need its name, cosine and sine do not
+            # the names 1 and 2 of the parts of a pair need the name of the pair, cosine and sine do not
             yield from (
                 (inner if inner[:1].isalpha() else f"{name} {inner}".strip(), x) for inner, x in form.leaves(of)
             )
@@ -195,7 +196,7 @@ def record(*parts: Form, **fields: Form | tuple[Form, Source]) -> Form:
 
 
 def lists(**fields: Form | tuple[Form, Source]) -> Form:
-    """The form of an object with lists, and what else is known of them.
+    """The form of an object with lists, and with further fields about them.
 
     >>> form = lists(factors=(list_of(TEXT), lambda n: [2, 3]), value=(INTEGER, lambda n: n))
     >>> [(name, each) for name, _, each in form.elements(6)]
@@ -230,21 +231,22 @@ DIGITS = 12
 
 
 def real_data(x: Real | mpq, digits: int) -> Data:
-    """A number: exactly if it is rational or of the form ``a + b√c``, or known with π and angles (null if it is proved
-    to be neither rational nor of that form; with ``open`` if that is not decided), between two rational bounds, and as
-    the correctly rounded double (null where it is too large, or where its enclosures do not determine it).
+    """A number: its closed form, two rational bounds, and the correctly rounded double. The closed form is given for a
+    rational number, for ``a + b√c``, and for known multiples of π and angles; it is null if the number is proved to be
+    neither rational nor ``a + b√c``, with ``open`` if that is not decided. The double is null for a number that is too
+    large, or whose enclosures do not determine it.
 
     >>> real_data(mpq(1, 3), 20)
     {'exact': '1/3', 'low': '1/3', 'high': '1/3', 'double': 0.3333333333333333}
     """
     number = real(x)
-    # the closed form first: what turns out to be rational has equal bounds
+    # the closed form first: a number that turns out to be rational has equal bounds
     form, (low, high) = closed_form_data(number), number.around(digits + 1)
     return {**form, "low": text(low), "high": text(high), "double": double_of(number)}
 
 
 def double_of(x: Real) -> float | None:
-    """The correctly rounded double; None where it is too large, or where the enclosures do not determine it.
+    """The correctly rounded double; None for a number that is too large, or whose enclosures do not determine it.
 
     >>> double_of(Real("1/3")), double_of(Real(10) ** 400)
     (0.3333333333333333, None)
@@ -256,7 +258,7 @@ def double_of(x: Real) -> float | None:
 
 
 def closed_form_data(x: Real) -> Data:
-    """The closed form of a number, null if it is proved to have none; ``open`` where that is not decided.
+    """The closed form of a number, null if it is proved to have none; with ``open`` if that is not decided.
 
     >>> from exactspline.reals.real import square_root
     >>> closed_form_data(square_root(8)), closed_form_data(square_root(2) + square_root(3))
@@ -278,7 +280,7 @@ REAL = Form(
 
 
 def real_text(x: Real | mpq, digits: int = DIGITS) -> str:
-    """A number in a table: in closed form where that is short, otherwise to this many significant digits.
+    """A number in a table: in closed form if that is short, otherwise to this many significant digits.
 
     >>> from exactspline.reals.real import square_root
     >>> real_text(mpq(1, 3)), real_text(square_root(2) + square_root(3), 5)

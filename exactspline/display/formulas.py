@@ -1,5 +1,5 @@
-"""What formulas are like: their degrees (an object that vanishes or does not exist is marked as such, not by a number),
-and the results of factoring them, as tables and as data.
+"""Tables and data of formulas: their degrees (an object that vanishes or does not exist is marked by a word, not by a
+number), and the results of factoring them.
 """
 
 from __future__ import annotations
@@ -106,8 +106,8 @@ def sheet_at(kind: str, rows: Iterable[GenericRow], d: int) -> Sheet:
 
 
 def _attained_at(row: GenericRow) -> str:
-    """The degrees d at which a witness attains the true degree; those at which the object does not exist or vanishes;
-    those at which proof and witness disagree.
+    """The degrees d at which a witness attains the true degree, with the degrees at which the object does not exist or
+    vanishes, and the degrees at which proof and witness disagree.
     """
     absent = f"; absent at {', '.join(map(str, row.absent))}" if row.absent else ""
     differ = f"; DIFFERS at {', '.join(map(str, row.differ))}" if row.differ else ""
@@ -115,7 +115,7 @@ def _attained_at(row: GenericRow) -> str:
 
 
 def reduction_rows(reductions: Iterable[Reduction]) -> list[dict[str, object]]:
-    """One row per part (a ruled surface has two), as data."""
+    """The reductions as data, one row per part; a ruled surface has two parts."""
     return [
         {"key": f"{_label(r, part, always=True)}", "formula": r.name, "dimension": r.dimension}
         | {"polynomial": r.polynomial}
@@ -126,7 +126,7 @@ def reduction_rows(reductions: Iterable[Reduction]) -> list[dict[str, object]]:
 
 
 def _label(r: Reduction, part: Part, *, always: bool = False) -> str:
-    """The label of a row: its formula, and where there are several, its part and the parameter of its degrees."""
+    """The label of a row: its formula, with its part and the parameter of its degrees if there are several."""
     words = [f"{r.name} in R{r.dimension}" if always else r.name]
     words += [part.role] if always or len(r.parts) > 1 else []
     words += (
@@ -136,7 +136,7 @@ def _label(r: Reduction, part: Part, *, always: bool = False) -> str:
 
 
 def reduction_sheet(reductions: Iterable[Reduction]) -> Sheet:
-    """The same as a table.
+    """The reductions as a table, one row per part.
 
     >>> from exactspline.papers import find
     >>> from exactspline.symbolic.reduction import reduce
@@ -191,7 +191,7 @@ def comparison_sheet(c: Nurbs, each: Conditioning) -> Sheet:
 
 
 def print_comparisons(found: Sequence[tuple[Nurbs, Conditioning]], *, quiet: bool) -> None:
-    """Print the tables, the verdicts and what was not compared."""
+    """Print the tables, the comparison of the forms, and the zeros that were not compared."""
     shown = console.console()
     for c, each in found:
         if each.roots:
@@ -210,7 +210,7 @@ def print_comparisons(found: Sequence[tuple[Nurbs, Conditioning]], *, quiet: boo
 
 
 def _condition_cells(row: RootConditions, f: FormAtRoot) -> tuple[str, ...]:
-    assert f.double is not None  # what is shown was computed with errors of doubles
+    assert f.double is not None  # the errors shown are those of a computation in doubles
     double = f.double.reason if f.double.units is None else decimal(f.double.units, 3)
     growth = "" if f.growth is None else decimal(f.growth[1], 4)
     return str(f.degree), decimal(f.condition[0], 6), decimal(row.ratio(f.form), 4), growth, double

@@ -1,4 +1,6 @@
-r"""Text with formulas in it as LaTeX: which words of it are formulas, and each formula as one."""
+r"""Text with formulas in it as LaTeX: the words that belong to a formula are found, and each formula is written as a
+whole.
+"""
 
 from __future__ import annotations
 
@@ -66,7 +68,7 @@ LETTERS = {
 
 
 def in_mathematics(tex: str) -> str:
-    r"""A formula of LaTeX without signs that LaTeX does not know.
+    r"""A LaTeX formula in which signs that LaTeX does not know are replaced.
 
     >>> in_mathematics("4d − 2")
     '4d - 2'
@@ -75,7 +77,7 @@ def in_mathematics(tex: str) -> str:
 
 
 def prose(text: str) -> str:
-    r"""A text as LaTeX: its formulas between dollars, each whole, everything else unchanged.
+    r"""A text as LaTeX: each whole formula between dollars, everything else unchanged.
 
     >>> print(prose("λ = ζ/‖γ′‖: then ‖γ̄″‖² = w⁴ f2 & 5 % of a curve (of degree d)"))
     $\lambda = \zeta /\|\gamma '\|$: then $\|\bar{\gamma }''\|^{2} = w^{4}\,f_{2}$ \& 5 \% of a curve (of degree $d$)
@@ -101,7 +103,9 @@ _OPEN, _CLOSED = "([⟨⁽", ")]⟩⁾"
 
 
 def _kind_of(token: str) -> str:
-    """What a word is: `formula`; `number` or `name`, which are formulas beside an operator; `operator`; or ``""``."""
+    """The kind of a word: `formula`; `number` or `name`, which are formulas next to an operator; `operator`; or
+    ``""``.
+    """
     if _OPERATOR.fullmatch(token):
         return "operator"
     bare = token.strip("()[],")
@@ -121,7 +125,7 @@ def _is_product(word: str) -> bool:
 
 
 def _joined(tokens: list[str]) -> Iterator[str]:
-    """The words, and runs of them that are one formula."""
+    """The words, with every run of words that is one formula joined."""
     at = 0
     while at < len(tokens):
         end = _end_of_formula(tokens, at)
@@ -130,7 +134,7 @@ def _joined(tokens: list[str]) -> Iterator[str]:
 
 
 def _end_of_formula(tokens: list[str], at: int) -> int:
-    """Where the formula ends that begins here; here, where none does."""
+    """The end of the formula that begins at a word; the word itself if no formula begins there."""
     end, good, kinds, depth = at, at, list[str](), 0
     while end < len(tokens):
         token = tokens[end]
@@ -165,7 +169,7 @@ def _formula(text: str) -> str:
 
 
 def _excess(text: str) -> int:
-    """How many more brackets are opened than closed."""
+    """The number of brackets that are opened and not closed."""
     return sum((letter in _OPEN) - (letter in _CLOSED) for letter in text)
 
 
@@ -195,7 +199,7 @@ def _in_pieces(text: str) -> str:
 
 
 def literal(text: str) -> str:
-    r"""A name as LaTeX: nothing in it is a formula.
+    r"""A name as LaTeX, without any formula.
 
     >>> literal("C42b-g1_g0")
     'C42b-g1\\_g0'
@@ -248,7 +252,7 @@ _OTHERWISE = re.compile(r"[*;]|\b[a-z]{3,}\b|\d\.\d")
 
 
 def parts(words: str) -> list[tuple[bool, str]]:
-    r"""The words as pieces of prose (False) and of formulas (True, in TeX without delimiters).
+    r"""The words as pieces: (False, prose) or (True, a formula in TeX without delimiters).
 
     >>> parts(r"Assume $|\gamma|=1$ for any~$s$.")
     [(False, 'Assume '), (True, '|\\gamma|=1'), (False, ' for any\xa0'), (True, 's'), (False, '.')]

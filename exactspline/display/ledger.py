@@ -1,4 +1,6 @@
-"""The ledger as text: rows, the refuted statements with their corrections, counts by section and by curve."""
+"""The ledger (the verdicts on all claims) as text: its rows, the refuted statements with their corrections, and counts
+by section and by curve.
+"""
 
 from __future__ import annotations
 
@@ -54,7 +56,7 @@ def section(claim: Claim) -> str:
 
 
 def claimed(claim: Claim) -> str:
-    """What a claim says, typeset as what is found: an identity as ``left = factor · right``.
+    """The value that a claim states, in the same form as `found`: an identity as ``left = factor · right``.
 
     >>> from exactspline.verification.claims import select
     >>> [claimed(claim) for claim in select(["C4.1a"])]
@@ -83,7 +85,7 @@ def found(row: Row, numbers: Numbers = EXACT) -> str:
 
 
 def witness(row: Row, numbers: Numbers = EXACT) -> str:
-    """The place where a row fails, unless `found` names it already."""
+    """The place where a row fails; empty if `found` names this place already."""
     if row.verdict in (VACUOUS, INAPPLICABLE) or isinstance(row.witness, ExactQuotient):
         return ""
     said = isinstance(row.witness, WrongDegree) and row.witness.at is None
@@ -125,7 +127,7 @@ def row_data(row: Row) -> dict[str, object]:
 
 
 def ledger(rows: Iterable[Row], title: str = "", numbers: Numbers = EXACT, *, name: str = "", judge: str = "") -> Sheet:
-    """The rows of one curve (or of all curves), one per line; with those of a second `judge`."""
+    """The rows of one curve (or of all curves), one per line, with the results of a second verifier `judge`."""
     columns = ("verdict", "claim", "statement", "found", "witness", *((judge,) if judge else ()))
     cells = []
     for row in rows:
@@ -136,7 +138,7 @@ def ledger(rows: Iterable[Row], title: str = "", numbers: Numbers = EXACT, *, na
 
 
 def by_section(rows: Iterable[Row]) -> Sheet:
-    """Counts of the verdicts: for printed statements by section, for corrected ones, and for our own."""
+    """Counts of the verdicts: on printed statements by section, on corrected statements, and on our own."""
     counts: dict[str, Counter[str]] = defaultdict(Counter)
     for row in rows:
         claim = row.claim
@@ -167,7 +169,7 @@ def by_curve(rows: Sequence[Row]) -> Sheet:
 
 @dataclass(frozen=True)
 class Failure:
-    """An error of the paper as the ledger shows it: the refuted statements, and those that hold instead."""
+    """An error of the paper as the ledger shows it: the refuted statements, and the statements that hold instead."""
 
     title: str
     rows: list[Row]
@@ -231,8 +233,8 @@ def reasons(claims: Iterable[Claim], curve: Nurbs | NurbsSurface) -> str:
 
 
 def closing(rows: Sequence[Row], judge: str = "") -> str:
-    """The last line: the number of rows of each verdict, for all curves and on single ones, what a second judge says,
-    and how many differ from the record or are out of reach.
+    """The last line: the number of rows of each verdict, for all curves and on single curves, the results of a second
+    verifier, and the numbers of rows that differ from the record or were too costly to decide.
     """
     if not rows:
         return "no rows"
@@ -240,7 +242,7 @@ def closing(rows: Sequence[Row], judge: str = "") -> str:
     unasked = sum(row.refused for row in rows)
     others = "all others as recorded" if beyond or unasked else "all as recorded"
     end = f"{differ} DIFFER from the record" if differ else others
-    end = f"{beyond} out of reach; {end}" if beyond else end
+    end = f"{beyond} too costly to decide; {end}" if beyond else end
     end = f'{unasked} could not be asked (--rows --verdict "not asked" says why); {end}' if unasked else end
     if judge:
         decided = Counter(row.second.verdict for row in rows if row.second)
@@ -262,8 +264,9 @@ def _verdicts(rows: Iterable[Row]) -> str:
 
 
 def headline(rows: Sequence[Row]) -> str:
-    """The answer for all curves in a sentence: how many statements of the paper are refuted, of how many errors and on
-    how many rows, how many hold, and how many are neither; and how many of our own statements are refuted.
+    """The answer for all curves in a sentence: the numbers of statements of the paper that are refuted (with the
+    numbers of errors and of rows), that hold, and that are undecided, and the number of our own statements that are
+    refuted.
     """
     general = [row for row in rows if not row.curve]
     printed = count_statements((row.claim, row.verdict) for row in general)[Status.PRINTED]
@@ -278,7 +281,7 @@ def headline(rows: Sequence[Row]) -> str:
 
 
 def summary(found: Mapping[Status, Counts]) -> str:
-    """The counts in a sentence: of the printed statements, of the corrected ones, of our own.
+    """The counts in a sentence: of the printed, of the corrected and of our own statements.
 
     >>> from exactspline.verification.claims import select
     >>> from exactspline.verification.ledger import recorded_counts
@@ -322,7 +325,7 @@ def keyed(rows: Iterable[Row]) -> list[tuple[str, Row]]:
 
 
 def heading(s: Statement) -> str:
-    """The first line: the id, the place of the claim in its source, and whether it is as printed."""
+    """The first line: the id, the place of the claim in its source, and whether it is a corrected statement."""
     return f"{s.claim.id}, {s.claim.source}{' (corrected)' if s.claim.status == Status.MEANT else ''}"
 
 

@@ -1,5 +1,5 @@
-"""The ledger as self-contained pages: all rows with filters; and a referee's report, what a paper claims, which claims
-hold, and on what these verdicts rely.
+"""The ledger as self-contained pages: all rows with filters, and a referee's report, which says what a paper claims,
+which claims hold, and what these verdicts rely on.
 """
 
 from __future__ import annotations
@@ -112,7 +112,7 @@ td,th{text-align:left;vertical-align:top;padding:.1rem 1.2rem .1rem 0}.verdict{f
 
 
 def report(claims: Sequence[Claim], rows: Sequence[Row]) -> str:
-    """The report on claims from the rows of a run of the ledger.
+    """The referee's report on claims, made from the rows of the ledger.
 
     >>> from exactspline.verification.claims import select
     >>> from exactspline.verification.ledger import audit
@@ -136,7 +136,7 @@ def report(claims: Sequence[Claim], rows: Sequence[Row]) -> str:
 
 
 def _meanings(words: Iterable[str]) -> str:
-    """What some terms mean, as a list."""
+    """The meanings of some terms, as a list."""
     return definitions((term, escape(said)) for term, said in explained(words))
 
 
@@ -151,7 +151,7 @@ def _claim(claim: Claim, rows: Iterable[Row]) -> str:
     ]
     if general:
         why = "witness" if general.verdict == REFUTED else "reason"
-        fields += [("found", found(general)), (why, witness(general)), ("reading", str(general.reading))]
+        fields += [("found", found(general)), (why, witness(general))]
         if (curve := curve_of_witness(claim, general.finding)) is not None:
             parts = "; ".join(f"{what} {numbers}" for what, numbers in written_out(curve).items())
             fields.append(("on the curve", f"{curve.name} of degree {curve.degree}: {parts}"))
@@ -190,7 +190,9 @@ def _formulas(source: Paper) -> str:
 
 
 def _not_entered(claims: Sequence[Claim], sources: Iterable[Paper]) -> str:
-    """What the report does not decide: statements not asked, formulas without a claim, passages of the text."""
+    """The part of the paper that the report does not decide: statements not asked, formulas without a claim, passages
+    of the text.
+    """
     lines = [(f"{each.id} (not asked)", escape(each.statement)) for each in claims if isinstance(each, NotAsked)]
     named = {(claim.paper, name) for claim in claims for name in claim.named}
     for source in sources:
@@ -208,7 +210,7 @@ def _not_entered(claims: Sequence[Claim], sources: Iterable[Paper]) -> str:
 
 
 def digest_of(rows: Iterable[Row]) -> str:
-    """A digest of verdicts, of the lines ``paper/key, curve, verdict`` in order: two runs that agree have the same."""
+    """A digest of the sorted lines ``paper/key, curve, verdict``: runs with the same verdicts have the same digest."""
     return sha256("\n".join(sorted(f"{r.paper}/{r.key}, {r.curve}, {r.verdict}" for r in rows)).encode()).hexdigest()
 
 

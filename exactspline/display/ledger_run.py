@@ -1,4 +1,4 @@
-"""What a run of the ledger found: as data, as tables, and as text with the answer first."""
+"""The results of `prove`: as data, as tables, and as text with the answer first."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ from exactspline.verification.verdict import REFUTED
 
 @dataclass
 class Run:
-    """The rows of a run, as data and as tables."""
+    """The rows that a call of `prove` decided, as data, as tables and as text."""
 
     rows: list[Row]
     claims: Sequence[Claim]
@@ -50,7 +50,7 @@ class Run:
     judge: str = ""
 
     def data(self) -> list[dict[str, object]]:
-        """Every row, with a unique key, and what the second judge says, where one was asked."""
+        """Every row, with a unique key, and with the result of the second verifier if one was asked."""
         return [
             row_data(row)
             | {"key": key, "claim": row.key, "as_recorded": row.as_recorded}
@@ -69,7 +69,7 @@ class Run:
         return shown
 
     def print(self, *, listed: bool, everything: bool, quiet: bool) -> None:
-        """The text output: the answer first, and the rows where they are asked for."""
+        """Print the answer first, and the rows if they are asked for."""
         shown = console.console()
         if self.curves is not None:
             self._on_curves(shown, listed)
@@ -117,7 +117,7 @@ class Run:
         if concrete and not everything:
             made = by_curve(concrete)
             of = "its own" if any(own_curves(claim.source_paper) for claim in self.claims) else "the example"
-            made.title = f"On {of} curves, exactly (each in full with --curve CURVE, all of them with --rows)"
+            made.title = f"On {of} curves, exactly (--curve CURVE prints one in full, --rows all of them)"
             shown.print()
             shown.print(made)
             self._not_as_recorded(shown)
@@ -125,7 +125,7 @@ class Run:
     def _not_as_recorded(self, shown: Console) -> None:
         differing = [row for row in self.rows if not (row.as_recorded or row.refused)]
         once: dict[tuple[str, str], Row] = {}
-        for row in sorted(differing, key=lambda row: not row.curve):  # a single curve tells where it fails
+        for row in sorted(differing, key=lambda row: not row.curve):  # rows on one curve say where a claim fails
             once.setdefault((row.paper, row.key), row)
         if once:
             shown.print()

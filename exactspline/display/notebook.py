@@ -117,7 +117,7 @@ def _(c: Nurbs) -> str:
 
 
 def _described(value: Any) -> str:
-    """A short description of a vector or quotient of splines; empty for other readings."""
+    """A short description of a vector or quotient of splines; empty for other values of a formula."""
     if isinstance(value, RuledSurface):
         return f"ruled surface; {_described(value.joined)}" if _described(value.joined) else ""
     scalars = [*_parts(value.numerator), value.denominator] if isinstance(value, Rational) else _parts(value)
@@ -141,7 +141,7 @@ def _(value: Any) -> str | None:
 
 
 def _isolating(root: Root) -> str:
-    """The ends of an isolating interval; of one that was refined until they look alike, one of them and the width."""
+    """The ends of an isolating interval; if it is so narrow that they look alike, one end and a bound on the width."""
     low, high = _short(root.low), _short(root.high)
     return f"{low} … {high}" if low != high else f"{low}, narrower than {10 * float(root.high - root.low):.0e}"
 
@@ -251,7 +251,7 @@ def _(s: Statement) -> str:
 
 
 def short(x: object) -> str:
-    """One line for IPython: that of `repr`, or the description of a long vector.
+    """One line for IPython: the `repr`, or the description of a long vector.
 
     >>> short(BSpline.bezier([0, 1])), short(BSpline.bezier([0] * 50))
     ('BSpline(1, [0, 0, 1, 1], [0, 1])', '<BSpline: degree 49, 50 control points on [0, 1], 1 segment>')

@@ -18,8 +18,8 @@ DIGITS = 6
 
 @dataclass(frozen=True)
 class Numbers:
-    """How exact numbers are written: a long one as a decimal (in full where ``exact``), every one followed by this many
-    digits if `digits` is given.
+    """How exact numbers are written: long numbers as decimals (with `exact` in full), and with `digits` every number
+    followed by this many digits.
 
     >>> Numbers()(mpq(1, 3)), Numbers(5)(mpq(1, 3)), Numbers()(mpq(1, 3**40))
     ('1/3', '1/3 ≈ 0.33333', '≈ 8.22526e-20')
@@ -29,11 +29,11 @@ class Numbers:
     exact: bool = False
 
     def __call__(self, value: mpq) -> str:
-        """One number."""
+        """A number as text."""
         return self.within(text(value))
 
     def within(self, formula: str) -> str:
-        """A formula with its numbers formatted.
+        """A formula as text, with its numbers formatted.
 
         >>> Numbers().within("x/7 + 1/1220703125000000000")
         'x/7 + ≈ 8.192e-19'
@@ -41,7 +41,7 @@ class Numbers:
         return formula if self.exact and not self.digits else _NUMBER.sub(self._shown, formula)
 
     def common(self, low: mpq, high: mpq) -> str:
-        """The digits on which the ends of an isolating interval agree; empty where numbers are written in full."""
+        """The digits on which the ends of an isolating interval agree; empty if numbers are written in full."""
         if self.exact or max(len(text(low)), len(text(high))) <= LONGEST:
             return ""
         digits = next((n for n in range(DIGITS, 1, -1) if decimal(low, n) == decimal(high, n)), 0)
@@ -58,7 +58,7 @@ EXACT = Numbers(exact=True)
 
 
 def polynomial_text(coefficients: Sequence[mpq], variable: str = "t") -> str:
-    """A polynomial as it can be typed, given by its coefficients, the constant term first.
+    """A polynomial in the form in which it can be typed, given by its coefficients, constant term first.
 
     >>> polynomial_text([mpq(1), mpq(-3), mpq(0), mpq(1, 2)])
     '1 - 3t + 1/2 t^3'
@@ -86,8 +86,8 @@ def rounded_down(x: mpq, digits: int) -> mpq:
 
 
 def decimal(value: mpq, digits: int) -> str:
-    """An exact number rounded to a given number of significant digits, half away from zero; with an exponent where it
-    is tiny, or has more digits than are shown.
+    """An exact number rounded to a given number of significant digits, half away from zero; with an exponent if it is
+    tiny, or has more digits before the point than are shown.
 
     >>> decimal(mpq(1, 3), 5), decimal(mpq(-2), 5), decimal(mpq(12345), 3), decimal(mpq(1, 3 * 10**6), 3)
     ('0.33333', '-2.0', '1.23e+4', '3.33e-7')

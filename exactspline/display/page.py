@@ -46,5 +46,5 @@ def table(rows: Iterable[Sequence[str]]) -> str:
 
 
 def definitions(entries: Iterable[tuple[str, str]]) -> str:
-    """A list of terms, of plain text, and what each of them is, of HTML."""
+    """A list of terms (plain text) with their definitions (HTML)."""
     return f"<dl>{''.join(f'<dt>{escape(term)}</dt><dd>{shown}</dd>' for term, shown in entries)}</dl>"

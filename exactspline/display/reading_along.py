@@ -1,5 +1,5 @@
-"""A section of a source passage by passage: its words, what is decided of them, formula, proof and degree, with the
-verdict in the margin.
+"""A section of a source, passage by passage: the words of the source, the claims that they make, with formula, proof
+and degree, and the verdicts in the margin.
 """
 
 from __future__ import annotations
@@ -49,7 +49,7 @@ font-size:.9em;line-height:1.35}
 
 @dataclass(frozen=True)
 class ReadingAlong(Displayed):
-    """A section of a source: its number and title, its passages, and its claims, decided, by their keys."""
+    """A section of a source: its number and title, its passages, and its decided claims by their keys."""
 
     source: Paper
     section: str
@@ -63,12 +63,12 @@ class ReadingAlong(Displayed):
 
     @property
     def counts(self) -> dict[Status, Counts]:
-        """Its statements by status, how many hold, and how many are refuted."""
+        """The numbers of its statements by status: how many hold, and how many are refuted."""
         return count_statements((each.claim, each.finding.verdict) for each in self.decided.values())
 
     @property
     def head(self) -> str:
-        """How many of its statements are decided, and how."""
+        """The heading: how many statements of the section are decided, and how."""
         printed = self.counts[Status.PRINTED]
         said = f"{printed.hold + printed.refuted} of {counted(printed.statements, 'printed statement')} decided"
         refuted = (
@@ -88,14 +88,14 @@ class ReadingAlong(Displayed):
 
     @property
     def left_out(self) -> str:
-        """The passages that decide nothing, by what they are."""
+        """The numbers of passages without a claim, by their kind."""
         words = Counter(each.read["nothing"] for each in self.passages if "nothing" in each.read)
         return ", ".join(f"{word} {n}" for word, n in words.most_common())
 
 
 def reading_along(section: str, source: Paper | None = None) -> ReadingAlong:
-    """Read a section of a source, every passage with what is decided of it. Claims are read with the first passage that
-    makes them.
+    """A section of a source, every passage with its claims and their verdicts. A claim is shown with the first passage
+    that makes it.
 
     >>> reading_along("5.2")
     <Reading along §5.2: 8 of 8 printed statements decided: 7 hold, 1 refuted (1 error); 1 corrected statement>
@@ -125,7 +125,7 @@ def along_html(read: ReadingAlong) -> str:
 
 
 def _passage(one: Passage, read: ReadingAlong, shown: set[str]) -> Iterator[str]:
-    """One passage: its first words, what it is besides claims, and its claims; none that decides nothing."""
+    """One passage: its first words, its kind, and its claims; empty for a passage without claims."""
     if set(one.read) <= {"nothing", "reason"}:
         return
     new = [read.decided[key] for key in one.claims if key in read.decided and key not in shown]
@@ -151,7 +151,7 @@ def _row(kind: str, margin: str, body: str, key: str = "") -> str:
 
 
 def _claim(s: Statement, words: str) -> str:
-    """A claim with its verdict in the margin; how it is proved, and what else is known of it, unfolds."""
+    """A claim with its verdict in the margin; its proof and further details unfold."""
     c, verdict = s.claim, s.finding.verdict
     status = f"<br>{STATUS[c.status]}" if c.status in STATUS else ""
     said = f"<p>“{escape(quoted(words))}”</p>" if words else ""
@@ -163,7 +163,9 @@ def _claim(s: Statement, words: str) -> str:
 
 
 def _formulas(s: Statement) -> Iterator[tuple[str, str]]:
-    """The statement as a formula, where it says more than a symbol twice, and the formulas in it with their degrees."""
+    """The statement as a formula, unless both of its sides are one symbol, and the formulas in it with their
+    degrees.
+    """
     left, _, right = s.latex.partition(" = ")
     if left != right:
         yield s.latex, ""
@@ -177,7 +179,7 @@ def _formula(tex: str, remark: str) -> str:
 
 
 def _proof(s: Statement) -> Iterator[str]:
-    """How it was decided, and with what; as lines of HTML."""
+    """How the claim was decided, as lines of HTML."""
     if s.finding.verdict == PROVED:
         yield escape(method(s))
     yield from (f"{begun(name)}: {breakable(text)}" for name, text in fields(s) if name in UNFOLDED)

@@ -1,4 +1,4 @@
-"""An answer as data, as records (what each thing is, with its numbers and words by name), and as a table."""
+"""An answer as data, as records (the kind of each thing, with its numbers and words by name), and as a table."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ NUMBER = Real | type(mpq())
 
 
 class Record(NamedTuple):
-    """A thing of which an answer consists: what it is, and its numbers and words by name."""
+    """One thing of an answer: its kind, and its numbers and words by name."""
 
     what: str
     values: Mapping[str, object]
@@ -38,7 +38,7 @@ def answer_data(asked: Asked, digits: int) -> object:
 
 
 def records(asked: Asked) -> list[Record]:
-    """The things of which the answer to a question consists.
+    """The records of an answer, one for each thing in it.
 
     >>> from exactspline import example
     >>> [(each.what, dict(each.values)) for each in records(asked_of(example("circle"), "bounding_box"))]
@@ -56,7 +56,7 @@ def _records(form: Form, value: object, what: str) -> Iterator[Record]:
     if form.elements is None:
         values = dict(form.leaves(value))
         kind = str(values.pop("kind", values.pop("what", what)))
-        # what is not there has neither numbers nor a kind
+        # an absent thing has neither numbers nor a kind
         if values or kind != what:
             yield Record(kind.replace("_", " "), {name or "value": x for name, x in values.items()})
         return
@@ -66,7 +66,9 @@ def _records(form: Form, value: object, what: str) -> Iterator[Record]:
 
 
 def answer_sheet(title: str, found: list[Record], digits: int) -> Sheet:
-    """An answer as a table: a row for each number, exact if short, and as the nearest double; one row for words."""
+    """An answer as a table: one row for each number, with its exact value if that is short and with the nearest double,
+    and one row for the words.
+    """
     made = Sheet("what", "name", "value", "double", title=title, name=title, prose=["value"])
     for each in found:
         words = list[str]()
@@ -85,7 +87,7 @@ def answer_sheet(title: str, found: list[Record], digits: int) -> Sheet:
 
 
 def _outwards(value: object) -> str:
-    """A word; an interval that contains something rounded outwards, since JSON has it exactly."""
+    """A word as text. An interval is rounded outwards, since the JSON has its exact ends."""
     if not isinstance(value, Interval | CurvePiece):
         return word(value)
     parts = value.parts if isinstance(value, CurvePiece) else [value]
@@ -94,7 +96,7 @@ def _outwards(value: object) -> str:
 
 @overload
 def to_dict(about: About, question: str, digits: int = 20) -> dict[str, object]:
-    """The answer to a question (see `ask`) about an object."""
+    """The answer to a question (see `ask`) about an object, as data."""
 
 
 @overload
@@ -103,8 +105,8 @@ def to_dict(about: Written, *, digits: int = 20) -> dict[str, object]:
 
 
 def to_dict(about: About | Written, question: str = "", digits: int = 20) -> dict[str, object]:
-    """The answer to a question (see `ask`) as ``json.dumps`` takes it, irrational numbers to this many digits; also one
-    that is given: ``answer.to_dict()``.
+    """The answer to a question (see `ask`) as data for ``json.dumps``, irrational numbers to this many digits. An
+    answer itself may be given, too; ``answer.to_dict()`` is the same.
 
     >>> from exactspline import example
     >>> to_dict(example("torus"), "umbilics")
@@ -129,8 +131,8 @@ def to_records(about: Written) -> list[dict[str, object]]:
 
 
 def to_records(about: About | Written, question: str = "") -> list[dict[str, object]]:
-    """The answer to a question (see `ask`) as a list of records, numbers as correctly rounded doubles: what
-    ``pandas.DataFrame`` and ``polars.DataFrame`` take; also one that is given: ``answer.to_records()``.
+    """The answer to a question (see `ask`) as a list of records for ``pandas.DataFrame`` and ``polars.DataFrame``:
+    numbers are correctly rounded doubles. An answer itself may be given, too; ``answer.to_records()`` is the same.
 
     >>> from exactspline import example
     >>> to_records(example("cubic_s"), "inflections")[0]["parameter"]
@@ -155,10 +157,10 @@ def answer_table(answer: Written) -> Sheet:
 
 
 def _form_of_answer(answer: Written) -> tuple[Form, object, str]:
-    """The form of an answer, what is written of it, and its name."""
+    """The form of an answer, the value that is written, and its name."""
     if isinstance(answer, Answer) and answer.asked is not None:
         name, again = answer.asked
-        facts = cast(Remembers, again())  # as a question leaves it
+        facts = cast(Remembers, again())  # an answer that knows its question
         entry = (QUESTIONS if isinstance(facts, Facts) else questions_of(type(facts)))[name]
         return form_of(entry), placed(facts, answer), name
     for kind in type(answer).__mro__:

@@ -1,4 +1,4 @@
-"""The forms of the features of a curve, one by one, and of curves, by their control points."""
+"""The forms of single features of a curve, and of curves by their control points."""
 
 from __future__ import annotations
 
@@ -75,8 +75,8 @@ POINT = replace(list_of(REAL), leaves=lambda point: zip(axes(len(point)), point,
 
 
 class Located(NamedTuple):
-    """A feature or a joint of a curve, with the joint there where there is one, and of an extremum of a coordinate
-    which.
+    """A feature or a joint of a curve. A feature at a joint comes with the joint, and an extremum of a coordinate with
+    the number of the coordinate.
     """
 
     curve: Nurbs
@@ -88,14 +88,14 @@ class Located(NamedTuple):
 
     @property
     def point(self) -> tuple[mpq | Real, ...] | None:
-        """The point there; None at infinity."""
+        """The point of the curve at the feature; None at infinity."""
         with suppress(ExactSplineError):
             return evaluate(self.curve, exact_place(self.root))
         return None
 
     def values(self, quantity: Callable[[Nurbs, Root, Side], Real]) -> list[Real]:
-        """κ or τ there, or at a knot the limits from both sides where they differ; raises an `ExactSplineError` where
-        there is none.
+        """The value of κ or τ at the feature, or at a knot the limits from both sides if they differ. Raises an
+        `ExactSplineError` if there is no value.
         """
         if self.joint is None:
             return [quantity(self.curve, self.root, Side.RIGHT)]
@@ -105,7 +105,7 @@ class Located(NamedTuple):
 
 
 def located(curve: Nurbs, of: Feature | Joint, coordinate: int | None = None) -> Located:
-    """A feature or a joint with what is needed to tell it."""
+    """A feature or a joint with everything that a table shows about it."""
     if isinstance(of, Joint):
         return Located(curve, of, knot_root(of.parameter), of)
     facts = analyse(curve)
@@ -114,7 +114,7 @@ def located(curve: Nurbs, of: Feature | Joint, coordinate: int | None = None) ->
 
 
 def _limits(quantity: Callable[[Nurbs, Root, Side], Real]) -> tuple[Form, Callable[[Located], list[Real] | None]]:
-    """The value of a quantity at a place, or its limits from both sides; empty where it has none."""
+    """The value of a quantity at a place, or its limits from both sides; empty if it has none."""
 
     def found(at: Located) -> list[Real] | None:
         if isinstance(at.of, Feature) and at.of.kind.is_singular:
@@ -165,7 +165,7 @@ NEAREST_POINT = record(parameter=REAL, distance=REAL, point=POINT)
 
 
 def described_form(kinds: type[StrEnum], *facts: str) -> Form:
-    """The form of a piece with what is said of it."""
+    """The form of a piece with its description."""
     said = record(**{name: (FLAG, itemgetter(name)) for name in facts}).of("facts")
     return record(record(kind=one_of(kinds), intervals=(INTERVALS, "piece"), numbers=(NUMBERS, "values")), said)
 
@@ -174,8 +174,8 @@ def described_form(kinds: type[StrEnum], *facts: str) -> Form:
 
 
 class Net(NamedTuple):
-    """The knots and the control points of functions over common knots, those of a quotient homogeneous: ``(w x, w y, …,
-    w)``, of a scalar one ``(w f, w)``; the interval where they are a piece of something.
+    """The knots and the control points of functions over common knots, and the interval if the functions are a piece of
+    an object. Control points of a quotient are homogeneous: ``(w x, w y, …, w)``, of a scalar quotient ``(w f, w)``.
     """
 
     kind: str
@@ -202,7 +202,7 @@ class Net(NamedTuple):
 
     @property
     def control_points(self) -> Sequence[object] | None:
-        """The control points of polynomials, of a function numbers; None for a quotient."""
+        """The control points of polynomials (numbers for a single function); None for a quotient."""
         if self.kind == "rational":
             return None
         return [x for (x,) in self.points] if self.kind == "function" else self.points

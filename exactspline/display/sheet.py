@@ -1,5 +1,5 @@
-"""A table that is never cropped: in columns where there is room, with prose below its row where that is too wide,
-otherwise one block per row; in a pipe one line per row; also as CSV and Markdown.
+"""Tables that are never cropped: in columns if there is room, with prose below its row if the columns are too wide,
+otherwise one block per row. In a pipe there is one line per row. Tables are also written as CSV, Markdown and LaTeX.
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ STEERING = re.compile("[\x00-\x08\x0b-\x1f\x7f-\x9f\u202a-\u202e\u2066-\u2069]")
 
 
 def hanging(text: str, width: int, indent: int = 2, first: int = 0) -> list[str]:
-    """The lines of a text, at most this wide; all but the first are indented by `indent`, the first by `first`.
+    """The lines of a text, at most this wide. The first line is indented by `first`, the others by `indent`.
 
     >>> hanging("the zero set of f0 is that of f2", 16)
     ['the zero set of', '  f0 is that of', '  f2']
@@ -86,7 +86,7 @@ LONGEST_JOINED = 16
 
 
 def _beginning(word: str, width: int) -> str:
-    """As many characters as fit, but at least one."""
+    """The beginning of a text: as many characters as fit, and at least one."""
     end = 1
     while end < len(word) and cell_len(word[: end + 1]) <= width:
         end += 1
@@ -98,7 +98,7 @@ INDENT = "    "
 
 
 def code_lines(line: str, width: int) -> list[str]:
-    """A statement broken into lines of at most that width where its tokens allow it; several ones, each for itself.
+    """Statements of Python, each broken into lines of at most that width wherever its tokens allow it.
 
     >>> for part in code_lines('print(max([3141592653, 2718281828, 1618033988]))', 30):
     ...     print(part)
@@ -128,7 +128,7 @@ def code_lines(line: str, width: int) -> list[str]:
 
 
 def _tokens(line: str) -> list[tuple[str, str]]:
-    """The tokens of a line, each with the preceding blanks."""
+    """The tokens of a line of Python, each with the preceding blanks."""
     tokens, end = [], 0
     for token in tokenize.generate_tokens(StringIO(line).readline):
         if token.string.strip() and token.type != tokenize.ENDMARKER:
@@ -138,7 +138,7 @@ def _tokens(line: str) -> list[tuple[str, str]]:
 
 
 def _split_text(token: str, width: int) -> list[str]:
-    """A plain string literal as several adjacent ones, which Python concatenates."""
+    """A plain string literal as several adjacent literals, which Python concatenates."""
     quote, inner = token[0], token[1:-1]
     size = max(1, width - 2)
     return [f"{quote}{inner[i : i + size]}{quote}" for i in range(0, len(inner), size)]
@@ -207,7 +207,7 @@ class Sheet:
 
     @property
     def tags(self) -> list[str]:
-        """The words in the columns that name kinds of things, each once."""
+        """The words in those columns that name kinds of things, each word once."""
         columns = [i for i, name in enumerate(self.columns) if name in TAGGED]
         return list(dict.fromkeys(row[i] for i in columns for row in self.rows))
 
@@ -222,7 +222,7 @@ class Sheet:
 
     def lines(self, width: int = PIPE) -> list[Text]:
         """The styled lines of the table: none is longer than the width, and no cell is cropped."""
-        from rich.text import Text  # when a table is printed: help texts need none
+        from rich.text import Text  # imported only when a table is printed: help texts need no tables
 
         head = [Text(line, style="bold") for line in hanging(self.title, width)] if self.title else []
         if width >= PIPE:
@@ -233,7 +233,7 @@ class Sheet:
         return head + self._in_columns(widths)
 
     def _fitted(self, width: int) -> list[int] | None:
-        """The widths of the columns, with only headings and prose broken; None where they do not fit."""
+        """The widths of the columns if only headings and prose are broken into lines; None if they do not fit."""
         free = width - GAP * (len(self.columns) - 1)
         cells = [max((cell_len(row[i]) for row in self.rows), default=0) for i in range(len(self.columns))]
         natural = list(map(max, cells, map(cell_len, self.columns)))
@@ -277,8 +277,8 @@ class Sheet:
         return line
 
     def _with_prose_below(self, width: int) -> list[Text]:
-        """The table in columns, with the prose of a row indented below it; empty where prose is not one of several
-        columns, and where there is no room.
+        """The table in columns, with the prose of a row indented below the row. It is empty if prose is not one of
+        several columns, or if there is no room.
         """
         from rich.text import Text
 
@@ -298,7 +298,7 @@ class Sheet:
         return lines
 
     def _aligned(self) -> list[Text]:
-        """One line per row, whatever its length."""
+        """The table with one line per row, however long."""
         widths = [
             max(cell_len(c) for c in (name, *[r[i] for r in self.rows if cell_len(r[i]) <= LONGEST_ALIGNED]))
             for i, name in enumerate(self.columns)
@@ -306,7 +306,9 @@ class Sheet:
         return [self._line(self.columns, widths, True), *[self._line(row, widths, False) for row in self.rows]]
 
     def _in_blocks(self, width: int) -> list[Text]:
-        """A row as a heading and, indented below it, the other cells with their headings: short ones side by side."""
+        """A row as a heading and, indented below it, the other cells with their headings; short cells are side by
+        side.
+        """
         from rich.text import Text
 
         lines: list[Text] = []
@@ -334,7 +336,7 @@ class Sheet:
         return [*lines, current] if current else lines
 
     def markdown(self) -> str:
-        r"""A Markdown table.
+        r"""The table in Markdown.
 
         >>> sheet = Sheet("form", "degree", numbers=["degree"])
         >>> sheet.add_row("|κ|", "2")
@@ -349,7 +351,7 @@ class Sheet:
         return head + "\n".join(f"| {' | '.join(row)} |" for row in rows)
 
     def latex(self) -> str:
-        r"""A table of LaTeX.
+        r"""The table as a LaTeX table.
 
         >>> print(Sheet("form", "degree", rows=[("f2", "9d − 6")], title="Of a curve", numbers=["degree"]).latex())
         % Of a curve
@@ -394,7 +396,7 @@ def _in_csv(text: str) -> str:
 
 def csv_of(sheets: Sequence[Sheet], by: str = "", unchecked: Sequence[str] = ()) -> str:
     """Several tables with the same columns as one text of comma-separated values; `by` heads the column of their names.
-    Where files of formulas ran `unchecked`, a last column names them.
+    If files of formulas ran `unchecked`, a last column names them.
 
     >>> sheet = Sheet("form", "degree", name="circle")
     >>> sheet.add_row("f2", "3")

@@ -97,7 +97,7 @@ INCOMPLETE = " – incomplete: see the rows that are undecided"
 def _place_data(place: Place, digits: int) -> Data:
     try:
         return {name: PARAMETER.write(t, digits) for name, t in zip("uv", place.spot, strict=True)}
-    except ReachError:  # they are enclosed all the same
+    except ReachError:  # the enclosures contain them in any case
         return {name: REAL.write(t, digits) for name, t in _numbers(place)}
 
 
@@ -106,7 +106,7 @@ def _numbers(place: Place) -> Iterator[tuple[str, Real]]:
 
 
 def _decimal_between(low: mpq, high: mpq, digits: int) -> str:
-    """A number between two others, to a given number of digits after the decimal point.
+    """A decimal between two numbers, with a given number of digits after the point.
 
     >>> _decimal_between(mpq(1, 3), mpq(1, 3), 4), _decimal_between(mpq(-1, 2), mpq(-1, 2), 3)
     ('0.3333', '-0.5')
@@ -192,7 +192,7 @@ FORMS: dict[type, Form] = {
 
 
 def places_on_surface(element: Form) -> Form:
-    """The form of places on a surface: points one by one, the parts of patches all of whose points are answers, and
+    """The form of places on a surface: single points, parts of patches all of whose points belong to the answer, and
     boxes in which something is undecided.
     """
     return lists(points=list_of(element), **_REST)
@@ -208,7 +208,7 @@ def _of_curve(curve: ZeroComponent) -> str:
 
 
 def _extent(piece: Piece) -> Box:
-    """Its approximate extent: the hull of points on it."""
+    """The approximate extent of a part of a curve: the hull of points on it."""
     if not piece.part.arcs:
         return _hull(piece)
     points = [point for arc in piece.part.arcs for point in piece.curve.points(arc)]
@@ -250,7 +250,7 @@ def surface_value_data(formula: Formula, surface: NurbsSurface, name: str) -> Da
 
 
 def nearby_umbilics_sheet(found: Sequence[NearbyUmbilic], title: str) -> Sheet:
-    """The umbilics of all surfaces near a surface, and those that some of them may have."""
+    """The umbilics that all surfaces within ε of a surface have, and those that some of them may have."""
     made = Sheet("umbilics", "u between", "and", "v between", "and", title=title, heads=1)
     for umbilic in found:
         ends = [x for side in umbilic.sides for x in ends_text(side)]
@@ -269,8 +269,8 @@ def surface_sheet(
     *,
     with_all: bool = False,
 ) -> Sheet:
-    """The features of a surface, one per row; its shapes are those within 10⁻⁹ of its size if others are not given. The
-    umbilics that rounded numbers add to a sphere are one row, unless all are listed.
+    """The features of a surface, one per row. Its shapes are those within 10⁻⁹ of its size unless others are given.
+    Umbilics that a sphere has only because its numbers are rounded are one row, unless all are listed.
     """
     surface = inspection.surface
     closed = f", closed in {' and '.join(along.value for along in inspection.closed)}" if inspection.closed else ""
@@ -316,7 +316,9 @@ def surface_sheet(
 
 
 def _regions(inspection: SurfaceInspection) -> Iterator[tuple[str, Box, str]]:
-    """Kinds of patches with the rectangle that they fill, where they fill one; otherwise patch by patch."""
+    """The kinds of patches, each with the rectangle that its patches fill; if they fill no rectangle, patch by
+    patch.
+    """
     groups: dict[tuple[str, str], list[Box]] = {}
     for one in inspection.patches:
         remark = _of_patch(one)

@@ -54,7 +54,7 @@ QUOTATIONS = ("words", "printed")
 
 
 class Grid(Sheet, Displayed):
-    """A table of texts: HTML in a notebook, aligned columns in a terminal. A cell in dollars is LaTeX.
+    """A table of texts: HTML in a notebook, aligned columns in a terminal. A cell between dollar signs is LaTeX.
 
     >>> print(Grid(["curve", "degree"], [["circle", 2], ["ellipse", 2]]))
     curve    degree
@@ -70,7 +70,7 @@ class Grid(Sheet, Displayed):
         return len(self.rows)
 
     def __eq__(self, other: object) -> bool:
-        """Whether both show the same."""
+        """Whether both tables show the same."""
         return isinstance(other, Grid) and vars(self) == vars(other)
 
     __hash__ = None  # type: ignore[assignment]  # its lists can be changed
@@ -102,12 +102,12 @@ class Grid(Sheet, Displayed):
         return f"<table>{title}<thead><tr>{head}</tr></thead><tbody>{body}</tbody></table>"
 
     def _typeset(self, row: Sequence[str]) -> Iterator[str]:
-        """The cells; words of a source with their formulas between dollar signs."""
+        """The cells of the table; words of a source have their formulas between dollar signs."""
         return (quoted(cell) if column in QUOTATIONS else cell for column, cell in zip(self.columns, row, strict=True))
 
 
 def _marked(cell: str) -> str:
-    """The text of a cell, a verdict on its colour."""
+    """The text of a cell; a verdict has its colour as background."""
     if cell not in COLOURS:
         return escape(cell) if "$" in cell else breakable(cell)
     style = f"background:{COLOURS[Verdict(cell)]};color:white;padding:0 5px;border-radius:3px;white-space:nowrap"
@@ -115,7 +115,7 @@ def _marked(cell: str) -> str:
 
 
 def breakable(text: str) -> str:
-    """A text as HTML, a word that is too long for a column broken where a line ends.
+    """A text as HTML in which a word that is too long for a column is broken.
 
     >>> breakable("a < b"), breakable("1234567890" * 3)
     ('a &lt; b', '123456789012345678901234<wbr>567890')
@@ -132,7 +132,7 @@ class Decided(Grid):
     """A table of what was decided, with a column of verdicts."""
 
     def html(self) -> str:
-        """The table as HTML: rows that hold are folded away where others are refuted or there are many of them."""
+        """The table as HTML: rows that hold are folded away if other rows are refuted, or if there are many rows."""
         rows = list(zip(self.rows, self["verdict"], strict=True))
         holds = [cells for cells, verdict in rows if verdict in (PROVED, VERIFIED)]
         others = [cells for cells, verdict in rows if verdict not in (PROVED, VERIFIED)]
@@ -165,7 +165,7 @@ class Verdicts(Decided):
 
 
 def _remark(row: Row) -> str:
-    """Factor or witness of a row, shortened where it is too long to read.
+    """The factor or the witness of a row, shortened if it is long.
 
     >>> _remark(decide(select(["C4.1a"])[0]))
     'w'
@@ -208,7 +208,8 @@ def degree_table(curve: Nurbs) -> Grid:
 
 
 def measured(curve: Nurbs, *names: str) -> Grid:
-    """Formulas on a curve (by default all that apply to it): nominal, represented and true degree, control points.
+    """Formulas on a curve (by default all that apply to the curve): nominal, represented and true degree, control
+    points.
 
     >>> from exactspline.interchange.examples import example
     >>> measured(example("ellipse"), "f2")["degree in d"]
@@ -224,8 +225,8 @@ def measured(curve: Nurbs, *names: str) -> Grid:
 
 
 def symbolic_table(*, polynomial: bool = False) -> Grid:
-    """Constructions, generators of ruled surfaces and bisectors on the generic curve of degree d: naive, in the paper,
-    minimal.
+    """The degrees of constructions, generators of ruled surfaces and bisectors on the generic curve of degree d: naive,
+    in the paper, minimal.
 
     The minimal degree is proved by the degree theorem, and attained by certified witnesses at the degrees d in the last
     column.
@@ -241,7 +242,7 @@ def symbolic_table(*, polynomial: bool = False) -> Grid:
 
 
 def reduction_table(*names: str) -> Grid:
-    """The results of factoring formulas over the indeterminate curve: what cancels, what remains, and the degrees.
+    """The results of factoring formulas for the indeterminate curve: cancelled factors, remaining form, and degrees.
 
     >>> reduction_table("g0")["cancelled"]
     ['1/2·w⁻⁸']
@@ -273,7 +274,7 @@ def printed_numbers(*ids: str) -> PrintedNumbers:
 
 
 def numerical_claims(*ids: str) -> list[Claim]:
-    """The claims with a degree or a count: those with these ids, or all of the paper (not those that go beyond it)."""
+    """The claims with a degree or a count: the claims with these ids, or by default all that the paper makes."""
     return [
         claim
         for claim in select(ids)
@@ -326,8 +327,8 @@ def print_errata(
     *,
     quiet: bool,
 ) -> None:
-    """Print entries: those that are errors with their number among all errors, then the others as remarks; then the
-    keys of what neither holds nor fails.
+    """Print entries: errors, each with its number among all errors, then the other entries as remarks, then the keys of
+    the undecided claims.
     """
     shown = console.console()
     listed = [entry for entry in entries if entry in errors]
@@ -360,7 +361,7 @@ def _print(shown: Console, number: str, entry: Erratum, numbers: Numbers) -> Non
     for line in entry.why:
         console.lines(shown, f"why: {line}", indent=5, first=3)
     console.lines(shown, "check:", first=3)
-    # code begins where the line begins, so that it can be pasted
+    # code is not indented, so that it can be pasted
     for line in dict.fromkeys(line for each in entry.statements for line in each.check):
         for part in code_lines(line, shown.width):
             console.unbroken(shown, part)
@@ -377,11 +378,11 @@ def _names(statement: Refuted) -> str:
 
 
 def true_text(each: Holds) -> str:
-    """What holds instead, with its verdict and its key."""
+    """The corrected statement, with its verdict and its key."""
     return f"{each} ({each.key})"
 
 
 def found_text(statement: Refuted) -> str:
-    """What holds instead of a statement, with what its letters stand for."""
+    """The relation that holds instead of a statement, with the meanings of its letters."""
     found = worded(statement.found)
     return f"{found}, where {', '.join(statement.where)}" if statement.where else found

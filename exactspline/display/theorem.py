@@ -1,6 +1,5 @@
-r"""A claim as a theorem of LaTeX with its proof: what is stated, with the formulas written out, and how it was decided.
-
-`PREAMBLE` is what the text needs. What comes from a source is escaped.
+r"""A claim as a LaTeX theorem with its proof: the statement, with the formulas written out, and how it was decided. The
+text needs `PREAMBLE`. Words of a source are escaped.
 """
 
 from __future__ import annotations
@@ -74,7 +73,7 @@ def theorem(s: Statement) -> str:
 
 
 def bibliography(sources: Iterable[Paper]) -> str:
-    """The sources of claims, and what decided them, as entries of BibTeX.
+    """BibTeX entries of the sources of claims, and of the exactspline release that decided them.
 
     >>> from exactspline.papers import paper
     >>> print(bibliography([paper("lifted")]).splitlines()[0])
@@ -87,7 +86,7 @@ def bibliography(sources: Iterable[Paper]) -> str:
 
 
 def _stated(s: Statement) -> Iterator[str]:
-    """What is said, or that it is not so, and the formulas of which it speaks."""
+    """The statement, or its negation if it is refuted, and the formulas in it."""
     c = s.claim
     said = numbered(c)
     assumed = f" Assumed: {prose(c.assumed)}." if c.assumed else ""
@@ -102,7 +101,7 @@ def _stated(s: Statement) -> Iterator[str]:
 
 
 def _displayed(word: str, formulas: Sequence[str]) -> Iterator[str]:
-    """Formulas below each other, after a word."""
+    """A word, then formulas below each other."""
     if formulas:
         yield from (word, r"\begin{gather*}")
         yield " \\\\\n".join(map(in_mathematics, formulas))
@@ -116,7 +115,7 @@ def begun(sentence: str) -> str:
 
 
 def _proof(s: Statement) -> Iterator[str]:
-    """How it was decided, by which reading, and how it is decided again."""
+    """How the claim was decided, with the evaluation mode, and the command that decides it again."""
     c, f = s.claim, s.finding
     if f.verdict == PROVED:
         yield method(s)
@@ -135,7 +134,7 @@ def _proof(s: Statement) -> Iterator[str]:
         yield from _instead(s)
     judge = r" (\texttt{--judge sympy} and \texttt{--judge coq} ask others)" if c.equality is not None else ""
     again = rf"\texttt{{exactspline prove --claim {literal(c.key + option_of(c.paper))}}}"
-    yield rf"Judge: exactspline, reading \emph{{{s.reading}}}; {again}{judge}."
+    yield rf"Verified by exactspline, evaluation mode \emph{{{s.reading}}}; {again}{judge}."
 
 
 def _example(s: Statement) -> Iterator[str]:
@@ -156,7 +155,7 @@ def method(s: Statement) -> str:
 
 
 def _instead(s: Statement) -> Iterator[str]:
-    """What holds instead of a refuted statement."""
+    """The corrected statements in place of a refuted one."""
     for claim in claims_of(s.claim.source_paper):
         if claim.status == Status.MEANT and claim.error and claim.error == s.claim.error:
             yield f"Instead: {prose(numbered(claim))} ({literal(claim.key)})."

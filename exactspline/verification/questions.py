@@ -7,11 +7,13 @@ from __future__ import annotations
 import ast
 import re
 from collections.abc import Callable
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from itertools import product
 
 from exactspline.errors import ExactSplineError, FormulaError, as_flag, as_integer, counted
 from exactspline.hooks import Worded
+from exactspline.interchange.examples import example
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import CURVE, Kind, common_kind, kind_of
 from exactspline.language.operand import Parameter
@@ -28,10 +30,11 @@ from exactspline.splines.type_checks import curve_of
 from exactspline.symbolic.factorization import POLYNOMIAL, Factor, find_factor, jets_for
 from exactspline.symbolic.reduction import Reduction, reduce
 from exactspline.verification.decision import Equation
-from exactspline.verification.evidence import At, Difference
-from exactspline.verification.one_function import expect_functions, expect_functions_on, expect_one_function
-from exactspline.verification.verdict import PROVED, VACUOUS, VERIFIED, Finding, worst
-from exactspline.verification.vocabulary import Verdict
+from exactspline.verification.evaluation import argument
+from exactspline.verification.evidence import At, Difference, OnExample
+from exactspline.verification.one_function import CURVES, expect_functions, expect_functions_on, expect_one_function
+from exactspline.verification.verdict import PROVED, REFUTED, VACUOUS, VERIFIED, Finding, worst
+from exactspline.verification.vocabulary import Name, Verdict
 from exactspline.words import choice
 
 # ---- formulas in one line
@@ -80,6 +83,8 @@ def formula_of_line(text: str, named: Callable[[str], Formula]) -> Formula:
 
     if len(text := text.strip()) > LONGEST:
         raise FormulaError(f"a line of {len(text)} characters", remedy=f"write more than {LONGEST} in a file")
+    if ".d(" in text:
+        raise FormulaError(f"'.d(' in {text!r}", remedy="write a prime for each derivative: norm2(γ')', γ''")
     code = TOKEN.sub(python, BESIDE.sub("\\g<0>\0 ", text.translate(OTHERWISE)))
     if list(used) == [code.removesuffix("(c)")]:
         return used["f0"]
@@ -295,6 +300,31 @@ def proof_of(text: str, *, trust: bool = False, dimension: int | None = None) ->
     Raises `FormulaError` for any other text, for an operand that has the name of a formula in one of the places, and
     the errors of `exactspline.papers.resolve` and `prove`.
     """
+    left, _, right = text.partition("=")
+    # the sides as written: formulas of two places may have one name
+    return replace(
+        _decided(_equation(text, trust), _given_dimension(dimension)), left=left.strip(), right=right.strip()
+    )
+
+
+def counterexample(text: str, dimension: int, *, trust: bool = False) -> OnExample | None:
+    """The first example curve of a dimension on which an identity of one line fails, with the place; None if no example
+    shows that.
+
+    >>> print(counterexample("f1 = f2", 2))
+    on the example curve rational_cubic: the sides differ by -941369/13824 at the parameter 1/12
+    """
+    equation = _equation(text, trust)
+    kind = common_kind(f.kind for f in equation.formulas)
+    for name in () if kind.adjoins_roots else CURVES[dimension]:
+        with suppress(ExactSplineError):
+            if (found := equation.decide(argument(kind.name, example(name)).argument, VERIFIED)).verdict == REFUTED:
+                return OnExample(Name(name), found.witness)
+    return None
+
+
+def _equation(text: str, trust: bool) -> Equation:
+    """The identity that a line states."""
     left, equal, right = text.partition("=")
     if not (equal and left.strip() and right.strip()) or "=" in right:
         raise FormulaError(f"{text!r} states no identity", remedy='write for example "f1 = w * f2"')
@@ -309,9 +339,7 @@ def proof_of(text: str, *, trust: bool = False, dimension: int | None = None) ->
                 raise
             return find(name)
 
-    equation = Equation(formula_of_line(left, named), formula_of_line(right, named))
-    # the sides as written: formulas of two places may have one name
-    return replace(_decided(equation, _given_dimension(dimension)), left=left.strip(), right=right.strip())
+    return Equation(formula_of_line(left, named), formula_of_line(right, named))
 
 
 def _expect_operands(text: str, trust: bool) -> None:

@@ -277,3 +277,42 @@ def test_an_error_points_to_what_was_meant(tmp_path):
     file = tmp_path / "cut.json"
     file.write_text('{"degree": 2,\n')
     assert "line 1, column 14" in run("inspect", str(file)).stderr
+
+
+@pytest.mark.parametrize(
+    ("typed", "remedy"),
+    [
+        (("intersections", "circle", "ellipse"), "did you mean 'between'; "),
+        (("degrees",), "did you mean 'formula degrees'; "),
+        (("teach", "check", "--topic", "evaluation", "-6, -7"), 'write `exactspline teach check --text "-6, -7"`'),
+        (("identity", "-f1 = f1"), 'write `exactspline identity -- "-2*f1 = -f1 - f1"`'),
+        (("identity", "norm2(γ').d(1) = 2*dot(γ', γ'')"), "write a prime for each derivative: norm2(γ')', γ''"),
+    ],
+)
+def test_the_remedy_of_an_error_is_one_that_works(typed, remedy):
+    done = run_alone(*typed)
+    assert (done.returncode, remedy in done.stderr) == (2, True), done.stderr
+
+
+def test_what_remedies_name_works():
+    assert run("identity", "--", "-2*f1 = -f1 - f1").returncode == 0
+    assert run("identity", "norm2(γ')' = 2*dot(γ', γ'')").returncode == 0
+    assert run("teach", "check", "--topic", "evaluation", "--text", "-6, -7").stdout.startswith("wrong")
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        ("f1 = f2", "the quotient is w; on the example curve rational_cubic: the sides differ by"),
+        ("γ' = γ''", "they are not parallel; on the example curve rational_cubic: the sides differ by"),
+        ("speed = f1", "not speed = f1 in R2: they differ"),  # a square root is not a spline
+    ],
+)
+def test_a_false_identity_comes_with_a_counterexample(text, said):
+    done = run("identity", text)
+    assert done.returncode == 1
+    assert said in " ".join(done.stdout.split())
+
+
+def test_triangles_have_no_legend_of_other_tables():
+    assert "parameter" not in run("teach", "triangle", "parabola", "--at", "1/3").stdout

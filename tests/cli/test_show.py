@@ -55,7 +55,7 @@ def test_a_claim_is_a_theorem_with_its_proof():
         r"g_1 = w^{8}\,g_0",
         r"Found: $g_{1} = w^{8} \cdot g_{0}$",
         "--judge sympy",
-        "reading",
+        "evaluation mode",
     ):
         assert part in told
     assert r"\gamma '$ has no zero" in told

@@ -1,4 +1,4 @@
-"""A picture of any drawable object."""
+"""Pictures of all objects that can be drawn."""
 
 from __future__ import annotations
 
@@ -47,7 +47,7 @@ HOMES = {
 
 
 def picture(what: str, *of: object, **how: object) -> Any:
-    """Draw a picture of the table."""
+    """Draw the picture that has this name in the table."""
     return named(HOMES[what])(*of, **how)
 
 
@@ -69,13 +69,13 @@ def plot(*things: object, ax: Axes | None = None, **how: object) -> Axes:
 
 
 def _listed(things: Iterable[object]) -> list[object]:
-    """Things, and those in lists and readings of files among them."""
+    """The given things, with lists and the contents of files that were read replaced by their elements."""
     nested = [thing.curves if isinstance(thing, Reading) else thing for thing in things]
     return [one for thing in nested for one in (thing if isinstance(thing, list | tuple) else [thing])]
 
 
 def _drawn(thing: object, ax: Axes | None, how: dict[str, object]) -> Axes:
-    """One thing, drawn into axes or a new figure."""
+    """Draw one thing into axes or a new figure."""
     if isinstance(thing, SurfaceInspection) and ax is None and not how:
         axes: Axes = picture("inspected surface", thing).axes[0]
         return axes
@@ -95,7 +95,7 @@ def _drawn(thing: object, ax: Axes | None, how: dict[str, object]) -> Axes:
 
 
 def _way_to_draw(thing: object) -> tuple[Callable[..., Axes], object]:
-    """The function that draws such a thing, and what it takes."""
+    """The function that draws things of this type, and the arguments for it."""
     if isinstance(thing, Nurbs):
         return plot_curve, thing
     if isinstance(thing, BSpline):

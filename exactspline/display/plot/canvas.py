@@ -59,7 +59,7 @@ LARGEST_SIZE = 600
 
 
 class PlotError(ExactSplineError):
-    """A picture that cannot be drawn or written.
+    """The error for a picture that cannot be drawn or written.
 
     >>> print(PlotError("cannot be written", where="a.gif", remedy="name it .svg or .png"))
     a.gif: cannot be written; name it .svg or .png
@@ -122,7 +122,7 @@ def draw_runs(ax: Axes, runs: Iterable[Iterable[Sequence[mpq]]], label: str, sty
 
 
 def legend_below(ax: Axes, columns: int = 3) -> None:
-    """A legend under the axes, where it hides nothing; in at most `columns` columns, as far as there is room."""
+    """Put a legend under the axes, where it hides nothing, in at most `columns` columns, fewer if there is no room."""
     handles, labels = ax.get_legend_handles_labels()
     columns = min(columns, max(1, int(_width(ax) / ENTRY)))
     below = library("matplotlib.transforms").offset_copy(
@@ -133,7 +133,7 @@ def legend_below(ax: Axes, columns: int = 3) -> None:
 
 
 def legend_once(ax: Axes) -> None:
-    """The same legend, with each label once."""
+    """A legend with each label once."""
     seen: set[str] = set()
     for artist in [*ax.lines, *ax.collections]:
         label = str(artist.get_label())
@@ -175,7 +175,7 @@ def runs_between_gaps(points: Iterable[Point | None]) -> list[Run]:
 
 
 def polygons(knots: Sequence[mpq], degree: int, points: Sequence[Point | None]) -> list[Run]:
-    """Control points in runs that are drawn connected: interrupted at jumps and where there is no point (None)."""
+    """Runs of control points that are drawn connected: the runs end at jumps and at missing points (None)."""
     spread: list[Point | None] = []
     for i, point in enumerate(points):
         jump = i > 0 and knots[i] == knots[i + degree] and point != points[i - 1]
@@ -184,8 +184,8 @@ def polygons(knots: Sequence[mpq], degree: int, points: Sequence[Point | None]) 
 
 
 def draw_polygons(ax: Axes, runs: list[Run], count: int, bends: int = 1, color: str = SILVER, hidden: int = 0) -> None:
-    """Legs (by default light grey), straight in the data (hence curved on a nonlinear scale), and the visible control
-    points.
+    """Draw the legs of control polygons (by default in light grey) and the visible control points. The legs are
+    straight in the data, hence curved on a nonlinear scale.
     """
     size = next(size for least, size in MARKER_SIZES.items() if count >= least)
     for run in runs:
@@ -207,7 +207,7 @@ def shown_name(curve: Nurbs) -> str:
 
 
 def settle(figure: Figure) -> None:
-    """Lay out a figure with axes in space: the room that they take is only known after drawing once."""
+    """Lay out a figure with axes in space: the size of the axes is known only after drawing once."""
     if any(ax.name == "3d" for ax in figure.axes):
         figure.draw_without_rendering()
 
@@ -300,8 +300,8 @@ def usual_box(points: Sequence[Point], poles: bool = True) -> Box:
 
 
 def three_ticks(low: mpq | float, high: mpq | float, longest: float = 0) -> list[mpq]:
-    """Two or three round numbers between two bounds, by steps of 1, 2 or 5 times a power of ten; no three on a side
-    that is short compared with the longest one, where they would stand over each other.
+    """Two or three round numbers between two bounds, in steps of 1, 2 or 5 times a power of ten. A side that is short
+    compared with the longest one gets only two, since three would overlap.
 
     >>> [[float(x) for x in three_ticks(*ends)] for ends in ((-1.2, 4.1), (-0.5, 2.5), (0.12, 0.31), (3, 3))]
     [[0.0, 2.0, 4.0], [0.0, 1.0, 2.0], [0.2, 0.3], [3.0]]
@@ -325,8 +325,8 @@ def kept(point: Point | None, box: Box) -> Point | None:
 
 
 def runs_in(points: Sequence[Point | None], box: Box) -> list[Run]:
-    """The runs of points in a box between gaps (None), each with its neighbours close outside, so that a line that goes
-    on leaves the frame.
+    """The runs of points inside a box between gaps (None), each with its neighbours just outside, so that a line that
+    continues crosses the frame.
 
     >>> line = [(mpq(x), mpq(0)) for x in (-9, 0, 1, 2, 3, 4)]
     >>> runs_in(line, ((mpq(0), mpq(0)), (mpq(2), mpq(0)))) == [line[1:5]]
@@ -339,8 +339,8 @@ def runs_in(points: Sequence[Point | None], box: Box) -> list[Run]:
 def clipped(
     point: Point, direction: Point, box: Box, low: mpq | None = None, high: mpq | None = None
 ) -> tuple[Point, Point] | None:
-    """The two ends of the part of a line inside a box, between two of its parameters where they are given; None where
-    there is none.
+    """The two ends of the part of a line inside a box, between two parameters of the line if they are given; None if no
+    part is inside.
 
     >>> clipped((mpq(-2), mpq(0)), (mpq(1), mpq(0)), ((mpq(-1), mpq(-1)), (mpq(1), mpq(1))))
     ((mpq(-1,1), mpq(0,1)), (mpq(1,1), mpq(0,1)))
@@ -360,7 +360,7 @@ def clipped(
 
 
 def polygon_in(corners: Sequence[Point], box: Box) -> list[Point]:
-    """The part of a polygon inside a box: cut by one side of the box after the other.
+    """The part of a polygon inside a box: the polygon is cut by the sides of the box one after another.
 
     >>> square = [(mpq(x), mpq(y)) for x, y in ((0, 0), (2, 0), (2, 2), (0, 2))]
     >>> polygon_in(square, ((mpq(1), mpq(1)), (mpq(3), mpq(3))))
@@ -398,7 +398,7 @@ LARGEST_NUMBER = 10**9
 
 
 def check_options(**given: object) -> None:
-    """Refuse what an option of a picture cannot be, by its name, with `PlotError`.
+    """Raise `PlotError` for a value that an option of a picture cannot have; options are known by their names.
 
     >>> check_options(color="#D55E00", control_polygon=True, label=None)
     >>> check_options(color="reddish")
@@ -422,7 +422,7 @@ def exact_box(box: Box | None, dimension: int) -> Box | None:
 
 
 def check_names(draw: Callable[..., object], names: Iterable[str]) -> None:
-    """Refuse the name of an option that a function does not have, with `PlotError`."""
+    """Raise `PlotError` for the name of an option that a function does not have."""
     known = [p.name for p in signature(draw).parameters.values() if p.kind is p.KEYWORD_ONLY]
     for name in names:
         if name not in known:

@@ -56,7 +56,7 @@ STABLE = {FeatureKind.INFLECTION: ("D", GREEN), FeatureKind.MAXIMUM: ("^", ORANG
 
 
 def _places(curve: Nurbs, name: str) -> list[Root]:
-    """The single points that answer a question; a question about a coordinate is asked for all coordinates."""
+    """The single points in the answer to a question; a question about a coordinate is asked for every coordinate."""
     entry, facts = QUESTIONS[name], analyse(curve)
     arguments = map(str, range(curve.dimension)) if entry.about.argument else ("",)
     answers = [
@@ -66,7 +66,7 @@ def _places(curve: Nurbs, name: str) -> list[Root]:
 
 
 def _kinds(curve: Nurbs, places: list[Root]) -> str:
-    """The kinds of features at some places, in the words of the table of features."""
+    """The kinds of the features at some places, in the words of the table of features."""
     found: list[Feature] = []
     for entry in questions_about(curve).values():
         if entry.about.answered is Answered.PLACES and entry.about.reported:
@@ -81,10 +81,10 @@ def inspect_figure(
     """One picture: on the left the curve with the parameters of every panel, its corners and cusps marked, on the right
     each function with its control polygon.
 
-    A panel is ``(title, function, zeros)``, zeros a `ZeroSet`. With `evolute` a plane curve is drawn
-    together with its evolute; with `stability` its marks are those of `plot_stability`. Degrees and numbers of control
-    points in the titles are those of the objects. Returns the ``matplotlib.figure.Figure``; raises what the functions
-    above raise.
+    A panel is ``(title, function, zeros)``, where zeros is a `ZeroSet`. With `evolute` a plane curve is drawn together
+    with its evolute; with `stability` its marks are those of `plot_stability`. Degrees and numbers of control points in
+    the titles are those of the objects. Returns the ``matplotlib.figure.Figure``; raises what the functions above
+    raise.
 
     >>> from exactspline.geometry.derived.constructions import construction
     >>> from exactspline.interchange.examples import example
@@ -122,8 +122,8 @@ def inspect_figure(
 
 def plot_stability(curve: Nurbs, ax: Axes | None = None) -> Axes:
     """Inflections (in space: zeros of the torsion), extrema of the curvature and corners of a curve as marks whose area
-    grows with the proved distance up to which the feature stays, by its logarithm: full size where that is a 16th of
-    the curve's size or more, the smallest at 10⁻⁶ and less; hollow where nothing is proved.
+    grows with the logarithm of the proved distance up to which the feature persists: full size from a 16th of the
+    curve's size on, the smallest size up to 10⁻⁶ of it, and hollow if no distance is proved.
 
     >>> from exactspline.interchange.examples import example
     >>> ax = plot_stability(example("cubic_s"), plot_curve(example("cubic_s")))
@@ -145,13 +145,13 @@ def plot_stability(curve: Nurbs, ax: Axes | None = None) -> Axes:
         plot_features(
             curve, [cast(Root, found.place)], ax, marker=marker, color=color, label=label, size=size, hollow=not share
         )
-    legend_below(ax, 2)  # three of these labels are wider than a picture
+    legend_below(ax, 2)  # three of these labels in a row are wider than a picture
     return ax
 
 
 def features_figure(curves: Sequence[Nurbs], title: str = "") -> Figure:
-    """One picture of several curves, a drawing or a glyph, with the points that answer some questions: where it has
-    corners and cusps, where its curvature and where a coordinate is extremal, and its inflections.
+    """One picture of several curves (a drawing or a glyph) with the points that answer some questions: corners and
+    cusps, extrema of the curvature and of the coordinates, and inflections.
 
     >>> from exactspline.interchange.examples import example
     >>> ax, = features_figure([example("cubic_s"), example("cusp")]).axes

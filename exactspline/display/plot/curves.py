@@ -74,8 +74,8 @@ def plot_curve(
     polygon_color: str = SILVER,
     color: str | None = None,
 ) -> Axes:
-    """A curve in the plane or in space: its segments in alternating shades (in one `color` where one is given), its
-    control polygon, and its knots as dots on the curve.
+    """Draw a curve in the plane or in space: its segments in alternating shades (or in one `color`, if it is given),
+    its control polygon, and its knots as dots on the curve.
 
     The polygon is interrupted where the curve has a knot of multiplicity degree + 1, and at a control point of weight 0
     (a direction, not a point).
@@ -120,8 +120,8 @@ def plot_features(
     size: float = 7,
     hollow: bool = False,
 ) -> Axes:
-    """Mark parameters on a curve: exact numbers, certified roots, or any object with one of them as its `parameter`;
-    `hollow` markers have their colour at the edge.
+    """Mark parameters on a curve: exact numbers, certified roots, or any object whose `parameter` is a number or a
+    root. `hollow` markers have their colour only at the edge.
 
     >>> from exactspline.interchange.examples import example
     >>> ax = plot_features(example("circle"), ["1/2", 3], plot_curve(example("circle")), label="marked")
@@ -142,8 +142,8 @@ def plot_features(
 
 
 def plot_evolute(curve: Nurbs, ax: Axes | None = None, *, label: str = "evolute", color: str = VERMILLION) -> Axes:
-    """The evolute of a plane curve, piece by piece where it exists, interrupted at poles; the axes show the part near
-    the curve.
+    """Draw the pieces of the evolute of a plane curve that exist, interrupted at poles; the axes show the part near the
+    curve.
 
     >>> from exactspline.interchange.examples import example
     >>> ax = plot_evolute(example("ellipse"))
@@ -171,7 +171,7 @@ def plot_evolute(curve: Nurbs, ax: Axes | None = None, *, label: str = "evolute"
 
 
 def runs_between_poles(value: Rational[BSpline], box: Box) -> list[Run]:
-    """The points of a vector `Rational` inside a box, in runs that end at knots, at poles, and where they leave the
+    """The points of a vector `Rational` inside a box, in runs that end at knots, at poles, and at the border of the
     box.
     """
     denominator = value.denominator
@@ -205,8 +205,8 @@ def plot_quotient(
     polygon_color: str = SILVER,
     box: Box | None = None,
 ) -> Axes:
-    """A derived curve in its computed representation, a vector of splines or a vector `Rational`, with the control
-    polygon of that representation.
+    """Draw a derived curve in its computed representation (a vector of splines, or a vector `Rational`) with the
+    control polygon of that representation.
 
     The curve ends at its poles; points and control points outside `box` (by default: far from most others) are omitted.
 
@@ -274,7 +274,7 @@ def pair_figure(pair: CurvePair) -> Figure:
 
 
 def plot_both(curves: Sequence[Nurbs], ax: Axes, second: str) -> str:
-    """Draw two curves, the first in black and the other one in a colour; returns both names, with the letters of their
+    """Draw two curves, the first in black and the second in a colour; returns both names, with the letters of their
     parameters.
     """
     names = [f"{shown_name(curve)} ({letter})" for curve, letter in zip(curves, "st", strict=True)]
@@ -301,7 +301,7 @@ def _draw_rectangle(pair: CurvePair, arcs: Sequence[Overlap], ax: Axes, label: s
 def _along(
     top: tuple[int, ...] | None, bottom: tuple[int, ...] | None, of_second: bool, first: list[mpq], second: list[mpq]
 ) -> list[tuple[mpq, mpq]]:
-    """Points of the parameters along a common arc."""
+    """Points (s, t) along a common arc, in the rectangle of the parameters."""
     if top is None or bottom is None:
         return list(zip(first, second, strict=True))
     low, high = first if of_second else second

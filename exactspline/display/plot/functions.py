@@ -58,13 +58,14 @@ def plot_function(
     polygon_color: str = SILVER,
     color: str = BLACK,
 ) -> Axes:
-    """The graph of a scalar spline with its control polygon over the Greville abscissae, the zero line, and the roots.
+    """Draw the graph of a scalar spline with its control polygon over the Greville abscissae, the zero line, and the
+    roots.
 
     `roots` are parameters (as in `plot_features`) or a `ZeroSet`, whose jumps and intervals are marked too. Where the
     function jumps, graph and polygon have a gap. `scale` is ``linear``, ``symlog`` (linear around zero, logarithmic
-    outside) or ``clip`` (the graph fills the axes, the polygon may leave them); by default ``symlog`` where control
-    points or graph are of very different sizes, else ``linear``. Where all values are beyond 1e100 or below 1e-100,
-    they are divided by a power of ten that is given at the axis.
+    outside) or ``clip`` (the graph fills the axes, the polygon may leave them); the default is ``symlog`` if the
+    control points or the values have very different sizes, otherwise ``linear``. If all values are beyond 1e100 or
+    below 1e-100, they are divided by a power of ten, which is written at the axis.
 
     >>> ax = plot_function(BSpline(1, [0, 0, 1, 2, 2], [1, -1, 1]), roots=["1/2", "3/2"])
     >>> [text.get_text() for text in ax.get_legend().get_texts()]
@@ -102,7 +103,7 @@ def plot_function(
 
 
 def _runs(f: BSpline) -> list[list[Point]]:
-    """Points of the graph, in runs without a jump."""
+    """The points of the graph, in runs without a jump."""
     spread: list[Point | None] = []
     for samples in sampled(f, f.breakpoints):
         spread += samples if not spread or spread[-1] == samples[0] else [None, *samples]
@@ -110,7 +111,7 @@ def _runs(f: BSpline) -> list[list[Point]]:
 
 
 def _draw_graph(ax: Axes, graph: Sequence[Sequence[Point]], color: str, label: str) -> None:
-    """Draw the runs of a graph, and at jumps the limit and the value."""
+    """Draw the runs of a graph, and at jumps the limit from the left and the value."""
     draw_runs(ax, graph, label, color=color, linewidth=1.8, zorder=3)
     for left, right in pairwise(graph):
         draw(ax, left[-1:], "o", color=color, markerfacecolor="white", markersize=5, label="_limit", zorder=4)
@@ -155,7 +156,7 @@ def draw_roots(
     color: str,
     name: str = "root",
 ) -> None:
-    """Roots on the zero line; for a `ZeroSet` also its jumps through zero (hollow) and its intervals (thick)."""
+    """Draw roots on the zero line; for a `ZeroSet` also its jumps through zero (hollow) and its intervals (thick)."""
     single, jumps = _marked(roots)
     for points, what, face, edge in (
         (single, name + "{}", color, "white"),
@@ -182,8 +183,8 @@ def _marked(roots: ZeroSet | Sequence[Root] | None) -> tuple[list[Root], list[Ro
 
 
 def plot_roots(roots: ZeroSet | Sequence[Root], ax: Axes | None = None, *, color: str = GREEN) -> Axes:
-    """Certified roots with their isolating intervals, one above the other: each interval is a bar that contains exactly
-    one root, and the root is a dot.
+    """Draw certified roots with their isolating intervals, one above the other: each interval is a bar that contains
+    exactly one root, and the root is a dot.
 
     The current interval is drawn: `Root.refine` makes it narrower. Intervals on which the function vanishes are thick
     bars at the bottom.

@@ -22,7 +22,7 @@ def coq(
     paper: Papers = None,
     trust: Trust = False,
 ) -> None:
-    """Write the claims of equalities as theorems of Coq: all of them, or those of some claims, sections or papers."""
+    """Write claims that state equalities as theorems of Coq: all, or only those of some ids, sections or papers."""
     from exactspline.display import console
     from exactspline.extras.coq.emission import emit
 
@@ -40,7 +40,7 @@ def coq(
 
 
 def see_that_coq_can_name(path: str) -> None:
-    """See that a file has a name that Coq accepts as that of a module."""
+    """Refuse a file name that Coq does not accept as the name of a module."""
     import re
 
     if not Path(path).name:
@@ -55,7 +55,7 @@ def see_that_coq_can_name(path: str) -> None:
 
 
 def write_theorems(path: str, *curves: Nurbs) -> None:
-    """The theorems about a curve, or about the common points of two, in a file."""
+    """Write the theorems about a curve, or about the common points of two curves, into a file."""
     from exactspline.atomic_write import write_text
     from exactspline.extras.coq.answers import meeting_theorem, theorem_of
 

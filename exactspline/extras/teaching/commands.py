@@ -31,7 +31,7 @@ def triangle(
         list[str] | None, Option("--at", metavar="T", help="De Boor's triangle at a parameter. May be repeated.")
     ] = None,
     insert: Annotated[list[str] | None, Option("--insert", metavar="T", help="Insert a knot. May be repeated.")] = None,
-    times: Annotated[int, Option("--times", metavar="N", min=1, help="Insert it this many times.")] = 1,
+    times: Annotated[int, Option("--times", metavar="N", min=1, help="Insert each knot N times.")] = 1,
     elevate: Annotated[
         int, Option("--elevate", metavar="N", min=0, max=100, help="Raise the degree by N, segment by segment.")
     ] = 0,
@@ -41,9 +41,10 @@ def triangle(
     latex: Annotated[bool, Option("--latex", help="Print LaTeX (needs amsmath).")] = False,
     html: Annotated[bool, Option("--html", help="Print an HTML page, for a browser or a printer.")] = False,
 ) -> None:
-    """The triangle of fractions of de Boor's algorithm, of knot insertion and degree elevation, and the table of a
-    product.
+    """Print the triangle of fractions of de Boor's algorithm, of knot insertion or of degree elevation, or the table of
+    a product of two functions.
     """
+    from exactspline.display import console
     from exactspline.extras.teaching.display.triangles import html_page, latex_text, scheme_data, sheets
 
     if latex + html + (not out.for_people) > 1:
@@ -54,7 +55,8 @@ def triangle(
     elif html:
         sys.stdout.write(html_page(found, f"{curve}, step by step"))
     else:
-        out.give("triangle", (scheme_data(s) for s in found), (x for s in found for x in sheets(s)))
+        made = [x for s in found for x in sheets(s)]  # each says how its entries are computed: there is no legend
+        out.give("triangle", map(scheme_data, found), made, lambda: console.below_each_other(console.console(), made))
 
 
 def _schemes(curve: Nurbs, at: list[str], insert: list[str], times: int, elevate: int, product: str) -> list[Scheme]:
@@ -75,7 +77,7 @@ def _schemes(curve: Nurbs, at: list[str], insert: list[str], times: int, elevate
 
 
 def _factors(curve: Nurbs, names: str) -> tuple[BSpline, BSpline]:
-    """The two functions that the names mean: of a rational curve the numerators ``w x``, ``w y``."""
+    """The two functions that the names mean; for a rational curve x and y are the numerators ``w x``, ``w y``."""
     known = dict(zip("xyz", curve.p, strict=False)) | {"w": curve.w}
     requested = [name.strip() for name in names.split(",")]
     if len(requested) != 2 or any(name not in known for name in requested):
@@ -90,16 +92,16 @@ def _factors(curve: Nurbs, names: str) -> tuple[BSpline, BSpline]:
 def exercise(
     out: Output,
     topic: Annotated[
-        list[str] | None, Argument(help="Topics, or all; without them the topics are listed.", metavar="TOPIC")
+        list[str] | None, Argument(help="Topics, or all; by default the topics are listed.", metavar="TOPIC")
     ] = None,
-    seed: Annotated[int, Option("--seed", metavar="N", min=0, help="The first exercise's number.")] = 0,
-    count: Annotated[int, Option("--count", metavar="K", min=1, max=500, help="This many exercises per topic.")] = 1,
-    solutions: Annotated[bool, Option("--solutions", help="With a sheet of solutions.")] = False,
+    seed: Annotated[int, Option("--seed", metavar="N", min=0, help="The number of the first exercise.")] = 0,
+    count: Annotated[int, Option("--count", metavar="K", min=1, max=500, help="Number of exercises per topic.")] = 1,
+    solutions: Annotated[bool, Option("--solutions", help="Add a sheet of solutions.")] = False,
     latex: Annotated[bool, Option("--latex", help="Print a LaTeX document.")] = False,
     html: Annotated[bool, Option("--html", help="Print an HTML page, for a browser or a printer.")] = False,
 ) -> None:
-    """Exercises with small numbers, the same ones for the same seed; the answers are computed, and checked by
-    teach check.
+    """Print exercises with small numbers, the same for the same seed. The answers are computed; `teach check` checks
+    yours.
     """
     from exactspline.extras.teaching.display.exercises import exercise_data, html_page, latex_document
     from exactspline.extras.teaching.topics import TOPICS, about, exercises
@@ -144,23 +146,27 @@ def exercise(
 def check(
     out: Output,
     answer: Annotated[
-        str, Argument(help="A file with the answer, - for standard input, or FILE.py:NAME for a formula.")
+        str,
+        Argument(
+            help="A file with the answer, - for standard input, or FILE.py:NAME for a formula.",
+            instead_of={"-": '--text "-6, -7"'},
+        ),
     ] = "",
-    topic: Annotated[str, Option("--topic", metavar="TOPIC", help="The exercise's topic.")] = "",
-    seed: Annotated[int, Option("--seed", metavar="N", min=0, help="The exercise's seed.")] = 0,
+    topic: Annotated[str, Option("--topic", metavar="TOPIC", help="The topic of the exercise.")] = "",
+    seed: Annotated[int, Option("--seed", metavar="N", min=0, help="The seed of the exercise.")] = 0,
     text: Annotated[str, Option("--text", metavar="ANSWER", help="The answer itself, in place of a file.")] = "",
     reference: Annotated[
-        str, Option("--reference", metavar="WHAT", help="A curve, or a formula where the answer is a formula.")
+        str, Option("--reference", metavar="WHAT", help="The right curve or, for a formula, the right formula.")
     ] = "",
     factor: Annotated[
-        str, Option("--factor", metavar="F", help="A formula may be that factor times the reference: w^3.")
+        str, Option("--factor", metavar="F", help="For formulas: the answer is the reference times F, such as w^3.")
     ] = "1",
-    hint: Annotated[bool, Option("--hint", help="Where it is wrong, say how to begin.")] = False,
-    show: Annotated[bool, Option("--show", help="Where it is wrong, show the right values and the solution.")] = False,
+    hint: Annotated[bool, Option("--hint", help="If the answer is wrong, say how to begin.")] = False,
+    show: Annotated[bool, Option("--show", help="If it is wrong, show the right values and the solution.")] = False,
     trust: Trust = False,
 ) -> None:
-    """Prove an answer right, or say where it is wrong, without the right values unless they are asked for; exit status
-    1 where it is wrong.
+    """Prove an answer right, or say where it is wrong; the right values are shown only with --show. The exit status is
+    1 for a wrong answer.
     """
     if bool(topic) == bool(reference):
         raise OptionsError("one of --topic and --reference is needed", remedy="say what the answer is compared with")
