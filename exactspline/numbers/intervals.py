@@ -195,26 +195,6 @@ def joined(intervals: Iterable[tuple[mpq, mpq]]) -> list[Interval]:
     return union
 
 
-def rounded_outwards(b: Interval, digits: int) -> Interval:
-    """The nearest multiples of ``10^−digits`` below and above.
-
-    >>> rounded_outwards(Interval(mpq(1, 3), mpq(1, 2)), 1)
-    Interval(3/10, 1/2)
-    """
-    scale = mpz(10) ** digits
-    return Interval(mpq((b.low * scale) // 1, scale), mpq(-((-b.high * scale) // 1), scale))
-
-
-def quotient(a: Interval, b: Interval) -> Interval:
-    """Bounds of a quotient; the denominator must not contain zero.
-
-    >>> quotient(Interval(mpq(-1), mpq(2)), Interval(mpq(1), mpq(4)))
-    Interval(-1, 2)
-    """
-    ends = [x / y for x in a for y in b]
-    return Interval(min(ends), max(ends))
-
-
 def ball_ends(ball: arb) -> Interval:
     """The ends of a ball, exactly.
 

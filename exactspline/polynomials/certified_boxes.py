@@ -137,7 +137,8 @@ def isolate(
     todo = deque(Sized(box, [rounded(f, box) for f in searched], 0) for box in start)
     while todo:
         part = todo.popleft()
-        if is_known(part.box, result.zeros) or any(f.sign is not None for f in part.forms[:vanishing]):
+        known = any(zero.region.contains(part.box) for zero in result.zeros)
+        if known or any(f.sign is not None for f in part.forms[:vanishing]):
             continue
         if any(f.sign == 1 for f in part.forms[vanishing:]):
             continue
@@ -272,11 +273,6 @@ def _add(zeros: list[Isolated], new: Isolated) -> None:
             known.refine(bits)
             bits += 8
     zeros.append(new)
-
-
-def is_known(box: Box, zeros: Sequence[Isolated]) -> bool:
-    """Whether a common zero in a box, if there is one, must be one of these."""
-    return any(zero.region.contains(box) for zero in zeros)
 
 
 def _rounded(part: Interval, side: Interval) -> Interval:

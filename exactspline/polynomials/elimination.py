@@ -6,9 +6,9 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from functools import lru_cache
-from itertools import pairwise, zip_longest
+from itertools import islice, pairwise, zip_longest
 
-from flint import fmpq_poly, fmpz, fmpz_mat, fmpz_poly, nmod_mat, nmod_poly
+from flint import fmpq_poly, fmpz, fmpz_mat, fmpz_poly, nmod_poly
 
 from exactspline.numbers.exact import mpq, mpz, sign, to_fmpq
 from exactspline.numbers.intervals import Interval
@@ -122,8 +122,8 @@ ARITHMETIC = 10
 LATTICE, REDUCTION = 8000, 10**9
 #: The primes modulo which a polynomial is tested for rational zeros.
 PRIMES = (7, 11, 13, 17, 19, 23, 29, 31, 37, 41, 43)
-#: The polynomial x.
-X = fmpz_poly([0, 1])
+#: The polynomials x and 1.
+X, ONE = fmpz_poly([0, 1]), fmpz_poly([1])
 
 
 def _check_size(degree: int, bits: int) -> None:
@@ -190,7 +190,7 @@ def quotient_at(m: fmpz_poly, top: fmpq_poly, bottom: fmpq_poly) -> fmpz_poly:
     >>> quotient_at(fmpz_poly([-2, 0, 1]), fmpq_poly([1, 1]), fmpq_poly([0, 1]))  # (√2 + 1)/√2
     2*x^2 + (-4)*x + 1
     """
-    f, g = _integral(top, bottom)
+    f, g = integral(top, bottom)
     # m may have multiple factors
     while (common := greatest_common_divisor([f, g, m])).degree() > 0:
         m = m // common
@@ -204,48 +204,49 @@ def _over_quotients(m: tuple[fmpz, ...], f: tuple[fmpz, ...], g: tuple[fmpz, ...
     return resultant(_rows(fmpz_poly(list(m))), [fmpz_poly([-a, b]) for a, b in zip_longest(f, g, fillvalue=fmpz())])
 
 
-def without_quadratic_zero(m: fmpz_poly, top: fmpq_poly, bottom: fmpq_poly) -> bool:
+def without_quadratic_zero(m: fmpz_poly, top: fmpz_poly, bottom: fmpz_poly) -> bool:
     """Whether it is certain that no ``top(α)/bottom(α)``, for a zero α of m at which `bottom` does not vanish, is a
     zero of a polynomial of degree 1 or 2: modulo a prime that does not divide the leading coefficient, this would be a
     factor of the polynomial of which all of them are zeros. False decides nothing.
 
     >>> alpha = fmpz_poly([-2, 0, 0, 1])
-    >>> [without_quadratic_zero(alpha, fmpq_poly(top), fmpq_poly([3])) for top in ([1, 1], [0, 0, 0, 1])]
+    >>> [without_quadratic_zero(alpha, fmpz_poly(top), fmpz_poly([3])) for top in ([1, 1], [0, 0, 0, 1])]
     [True, False]
-    >>> without_quadratic_zero(alpha, fmpq_poly([0, 2]), fmpq_poly([0, 3]))
-    False
     """
-    f, g = _integral(top, bottom)
     degrees = {1, 2}
-    for prime in PRIMES:
-        degrees &= _possible_degrees(m, f, g, prime)
+    for prime in _primes_for(tuple(m.coeffs())) if m.degree() > 2 else ():
+        degrees &= _possible_degrees(m, top, bottom, prime)
         if not degrees:
             return True
     return False
 
 
+@lru_cache(256)
+def _primes_for(coefficients: tuple[fmpz, ...]) -> Sequence[int]:
+    """The primes, first one modulo which a polynomial has no factor of degree 1 or 2, if there is one. Cached, because
+    many values are computed at zeros of one polynomial.
+    """
+    m = fmpz_poly(list(coefficients))
+    good = (prime for prime in PRIMES if not _possible_degrees(m, X, ONE, prime))
+    return *islice(good, 1), *PRIMES
+
+
 def _possible_degrees(m: fmpz_poly, f: fmpz_poly, g: fmpz_poly, prime: int) -> set[int]:
     """Which of the degrees 1 and 2 a factor of the polynomial of which all quotients are zeros may have: those that a
-    factor modulo the prime has, if the polynomial keeps its degree there.
+    factor modulo the prime has. A quotient x, modulo a factor of the polynomial of which the zeros are taken, has
+    degree 1 where x^prime = x, and at most 2 where this holds for the square of the prime.
     """
     over, top, bottom = (nmod_poly(p, prime) for p in (m, f, g))
     common, inverse, _ = bottom.xgcd(over)
     if over.degree() < m.degree() or common.degree():
         return {1, 2}
-    # an invertible quotient of linear functions has the degree of the zero itself
-    invertible = max(f.degree(), g.degree()) == 1 and f[0] * g[1] != f[1] * g[0]
-    image = over if invertible else _image(top * inverse % over, over).charpoly()
-    factors = [p.degree() for p, times in image.factor()[1] for _ in range(times)]
-    return {n for n, found in ((1, 1 in factors), (2, 2 in factors or factors.count(1) > 1)) if found}
-
-
-def _image(row: nmod_poly, over: nmod_poly) -> nmod_mat:
-    """The matrix of the multiplication by a polynomial modulo another one."""
-    n, entries = over.degree(), []
-    for _ in range(n):
-        entries += row.coeffs() + [0] * (n - len(row))
-        row = row.left_shift(1) % over
-    return nmod_mat(n, n, entries, over.modulus())
+    x = top * inverse % over
+    small = (pow(x, prime * prime, over) - x).gcd(over)
+    if small.degree() < 1:
+        return set()
+    alone = small.degree() == 1 and (over // small).gcd(small).degree() < 1
+    rational = (pow(x, prime, over) - x).gcd(over).degree() > 0
+    return ({1} if rational else set()) | (set() if alone else {2})
 
 
 def at_most_quadratic(
@@ -285,7 +286,7 @@ def at_most_quadratic(
         exponent *= 2
 
 
-def _integral(top: fmpq_poly, bottom: fmpq_poly) -> tuple[fmpz_poly, fmpz_poly]:
+def integral(top: fmpq_poly, bottom: fmpq_poly) -> tuple[fmpz_poly, fmpz_poly]:
     """Numerator and denominator of a quotient with integer coefficients."""
     return top.numer() * bottom.denom(), bottom.numer() * top.denom()
 

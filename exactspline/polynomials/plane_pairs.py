@@ -108,7 +108,8 @@ class Fibre:
         return self._sign(t / (1 - t)) == 0
 
     def _sign(self, z: mpq) -> int:
-        return self.place.sign_of_element(self.polynomial(z))
+        value = self.polynomial(z)
+        return self.place.sign(value.numer(), value.degree())
 
 
 # ---- multiplicity

@@ -137,7 +137,8 @@ class Real(Algebraic, Written):
         """What `in_closed_form` returns, decided for the first time."""
         place, top, bottom = self._in_terms()
         leaf = None if place is None or place._operands else place
-        if leaf is not None and elimination.without_quadratic_zero(leaf._annihilator(), top, bottom):
+        parts = elimination.integral(top, bottom)
+        if leaf is not None and elimination.without_quadratic_zero(leaf._annihilator(), *parts):
             return None
         p = elimination.at_most_quadratic(self._enclosed, self._coefficient_bits(), self.is_root_of)
         return None if p is None else zero_of(p, self)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 from functools import lru_cache, partial
+from itertools import islice
 from math import inf
 from typing import Any, NamedTuple, Protocol, cast
 
@@ -15,7 +16,7 @@ from exactspline.numbers.exact import Rounding, mpq, mpz, rational, to_fmpq
 from exactspline.numbers.intervals import Interval, ball_ends
 from exactspline.numbers.once import cached_property, fill
 from exactspline.polynomials.bernstein import in_parameter
-from exactspline.polynomials.elimination import linear, primitive
+from exactspline.polynomials.elimination import ONE, X, linear, primitive, without_quadratic_zero
 from exactspline.polynomials.isolation import LocalPolynomial, LocalZero, Zero
 from exactspline.polynomials.zero_places import enclosures, sign_at
 from exactspline.reals.real import UNASKED, RationalNumber, Real, zero_of
@@ -130,6 +131,12 @@ class LazyRoot:
     def shrunk(self) -> Shrunk:
         """Balls around it, of the equation that the form is zero where it was not given another."""
         return self._shrunk or Shrunk(Shrinking([self._interval], partial(_closer, self.form, self.before)), 0)
+
+    @cached_property
+    def ball(self) -> arb | None:
+        """A small ball around ``z = t/(1 − t)`` for its local parameter t; None where balls do not shrink."""
+        with ctx.workprec(PRECISION):
+            return next(islice(self.shrunk.shrinking.balls(self.shrunk.k), 1, None), None)
 
     @cached_property
     def exactly(self) -> LocalZero:
@@ -289,6 +296,8 @@ class Root(Real, Displayed):
         return self.segment is None
 
     def _decided(self) -> mpq | None:
+        if self._closed is False:
+            return None
         if self._zero is not None and self.segment is not None and self._reached[0] < self._reached[1]:
             changing, _ = self._zero.changing
             if changing.polynomial.degree() == 1:
@@ -304,6 +313,8 @@ class Root(Real, Displayed):
         return candidate if candidate <= high and self._against_number(candidate) == 0 else None
 
     def _found(self) -> Real | None:
+        if self._exact is None and without_quadratic_zero(self.local_polynomial, X, ONE):
+            return None
         if self.exact is not None:
             return RationalNumber(self.exact)
         p = self._integers()
@@ -356,6 +367,16 @@ class Root(Real, Displayed):
 
     # ---- where it is
 
+    @property
+    def ball(self) -> arb | None:
+        """A small ball around ``z = t/(1 − t)`` for the local parameter t of a root that doubles isolate."""
+        return self._zero.ball if isinstance(self._zero, LazyRoot) else None
+
+    @property
+    def local_polynomial(self) -> fmpz_poly:
+        """A polynomial with the zero ``z = t/(1 − t)``, for the local parameter t of a root inside a segment."""
+        return cast(Zero, self._zero).changing[0].polynomial
+
     def refine(self, digits: int, progress: Callable[[int], None] | None = None) -> Interval:
         """An interval that contains the root, at most ``10^−digits`` wide: ``low < root < high``, or ``low = high`` is
         the root.
@@ -405,6 +426,12 @@ class Root(Real, Displayed):
         fill(self, _exact=value, _narrowest=Interval.point(value))
 
     def _enclosed(self, digits: int) -> Interval:
+        if (ball := self.ball) is not None and self.segment is not None and self._narrowest is None:
+            with ctx.workprec(PRECISION):
+                start, width = _in_balls(self.segment)
+                t = start + width * (ball / (1 + ball))
+            if (ends := ball_ends(t)).width * mpz(10) ** max(digits, 0) <= 1:
+                return ends
         return self.refine(digits)
 
     def double(self, rounding: str = Rounding.NEAREST) -> float:

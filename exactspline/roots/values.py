@@ -1,29 +1,32 @@
 """Exact values and signs of splines, and of quotients of splines, at irrational numbers.
 
-The interval of a root yields bounds on the values there (`bounds_over`), which converge as it shrinks: the root is
-refined until the requested digits are certain. A sign that is not decided by bounds is decided by a greatest common
-divisor.
+A ball around a root yields balls around the values there, which converge as it shrinks: the root is refined until the
+requested digits are certain. A sign that is not decided by balls is decided by a greatest common divisor.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
-from typing import overload
+from collections.abc import Iterator, Sequence
+from typing import cast, overload
 
-from flint import fmpq_poly, fmpz_poly
+from flint import arb, ctx, fmpq_poly, fmpz_poly
 
 from exactspline.errors import DomainError
 from exactspline.numbers.exact import Number, mpq, mpz, rational, sign, text
-from exactspline.numbers.intervals import Interval, quotient, rounded_outwards
+from exactspline.numbers.intervals import Interval, ball_around, ball_ends, sign_of_ball
 from exactspline.numbers.once import fill
 from exactspline.numbers.sides import Side
 from exactspline.polynomials import elimination
 from exactspline.polynomials.bernstein import over_common_denominator
-from exactspline.polynomials.zero_places import bounds_over
 from exactspline.reals.real import UNASKED, Real, square_root
+from exactspline.roots.root import PRECISION, Root
 from exactspline.splines.bspline import BSpline, in_powers
+from exactspline.splines.knots import Mesh
 from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.type_checks import curve_of
+
+#: The digits of a place with which balls begin, and guard bits in addition to those of the requested digits.
+SHORT, GUARD = 10, 64
 
 
 class ValueAt(Real):
@@ -36,25 +39,38 @@ class ValueAt(Real):
     (2.8284271247461903, [-8, 0, 1], True)
     """
 
-    __slots__ = ("bottom", "place", "top")
+    __slots__ = ("_reached", "bottom", "place", "top")
     top: BSpline
     bottom: BSpline
     place: Real
+    #: The narrowest enclosure computed so far.
+    _reached: Interval | None
 
     def __init__(self, top: BSpline, bottom: BSpline, place: Real) -> None:
-        fill(self, top=top, bottom=bottom, place=place, **UNASKED)
+        fill(self, top=top, bottom=bottom, place=place, _reached=None, **UNASKED)
 
     def __reduce__(self) -> tuple[object, ...]:
         return ValueAt, (self.top, self.bottom, self.place)
 
     def _enclosed(self, digits: int) -> Interval:
-        def bounds(low: mpq, high: mpq) -> Interval | None:
-            above, below = _values_between(self.top, low, high), _values_between(self.bottom, low, high)
-            return None if above is None or below is None or below.low <= 0 <= below.high else quotient(above, below)
+        known, unit = self._reached, mpq(1, mpz(10) ** max(digits, 0))
+        if known is None or known.width > unit:
+            known = next(ends for ends in map(ball_ends, self._balls(digits)) if ends.width <= unit)
+            fill(self, _reached=known)
+        return known
 
-        return _narrowed(bounds, self.place, digits)
+    def _balls(self, digits: int) -> Iterator[arb]:
+        above, below = (_balls(f, self.place, digits + 5) for f in (self.top, self.bottom))
+        for (bits, top), (_, bottom) in zip(above, below, strict=True):
+            with ctx.workprec(bits):
+                ball = top / bottom
+            if ball.is_finite():
+                yield ball
 
     def _against_number(self, t: mpq) -> int:
+        low, high = self._enclosed(SHORT)
+        if not low <= t <= high:
+            return 1 if t < low else -1
         return sign_at(self.bottom, self.place) * sign_at(self.top - self.bottom.scaled(t), self.place)
 
     def _in_terms(self) -> tuple[Real | None, fmpq_poly, fmpq_poly]:
@@ -65,13 +81,24 @@ class ValueAt(Real):
         return elimination.quotient_at(self.place._annihilator(), *self._in_terms()[1:])
 
     def _found(self) -> Real | None:
+        if self._is_certainly_neither():
+            return None
         place = self.place.in_closed_form()
         if place is None:
             return super()._found()
-        top, bottom = (
-            sum((place**k * rational(c) for k, c in enumerate(p.coeffs())), start=Real(0)) for p in self._in_terms()[1:]
-        )
+        # the polynomials modulo that of the place are linear
+        modulus = fmpq_poly(place._annihilator())
+        top, bottom = (place * rational(p[1]) + rational(p[0]) for p in (q % modulus for q in self._in_terms()[1:]))
         return (top / bottom).in_closed_form()
+
+    def _is_certainly_neither(self) -> bool:
+        """Whether it is certain, by polynomials in the local parameter of its place, that it is neither rational nor
+        quadratic.
+        """
+        highest = max(self.top.degree, self.bottom.degree)
+        parts = [(segment_of_root(f.mesh, self.place), f) for f in (self.top, self.bottom)]
+        raised = [f.numerators[i] * fmpz_poly([1, 1]) ** (highest - f.degree) for i, f in parts if i is not None]
+        return len(raised) == 2 and elimination.without_quadratic_zero(cast(Root, self.place).local_polynomial, *raised)
 
     def _height(self) -> int:
         parts = over_common_denominator([(p.numer(), p.denom()) for p in self._in_terms()[1:]])[0]
@@ -89,7 +116,8 @@ def value_at(top: BSpline, bottom: BSpline, place: mpq | Real, side: Side | str 
     """
     if not isinstance(place, Real):
         return Real(top(place, side) / bottom(place, side))
-    return ValueAt(top, bottom, place) if sign_at(top, place) else Real(0)
+    value = ValueAt(top, bottom, place)
+    return value if value.sign else Real(0)
 
 
 def signed_root(sign: int, square: Real) -> Real:
@@ -98,7 +126,8 @@ def signed_root(sign: int, square: Real) -> Real:
     >>> signed_root(-1, Real(2))
     <Real -√2>
     """
-    return square_root(square) * sign
+    root = square_root(square) if sign else Real(0)
+    return root if sign >= 0 else -root
 
 
 @overload
@@ -154,50 +183,44 @@ def exact_place(t: Number | Real) -> mpq | Real:
     return t if t.exact is None else t.exact
 
 
-def _narrowed(bounds: Callable[[mpq, mpq], Interval | None], place: Real, digits: int) -> Interval:
-    """Bounds at most ``10^−digits`` wide: the number is refined until the bounds over its interval (None if not yet
-    known) are narrow enough.
+def local_balls(mesh: Mesh, place: Real, digits: int = SHORT) -> Iterator[tuple[int, int, arb]]:
+    """The segment that contains an irrational number, and balls around ``z = t/(1 − t)`` for its local parameter t,
+    with the precision at which to use them: ever smaller ones, the first for about this many digits.
     """
-    precision, width = digits + 5, mpq(1, mpz(10) ** max(digits + 1, 0))
+    i, breaks = segment_of_root(mesh, place), mesh.breaks
+    if i is not None and (ball := cast(Root, place).ball) is not None:
+        yield i, PRECISION, ball
     while True:
-        enclosure = bounds(*place.enclosure(precision))
-        if enclosure is not None and enclosure.width <= 5 * width:
-            return rounded_outwards(enclosure, max(digits + 1, 0))
-        precision *= 2
+        low, high = place.enclosure(digits)
+        i = mesh.locate(low) if breaks[0] <= low < breaks[-1] else None
+        if i is not None and high < breaks[i + 1]:
+            bits = 10 * digits // 3 + GUARD
+            with ctx.workprec(bits):
+                z = ball_around(*(x / (1 - x) for x in (mesh.local(i, low), mesh.local(i, high))))
+            yield i, bits, z
+        digits *= 2
 
 
-def _values_between(f: BSpline, low: mpq, high: mpq) -> Interval | None:
-    """Bounds of a spline on an interval inside one of its segments; None if a knot is inside the interval.
-
-    >>> from exactspline import BSpline
-    >>> low, high = _values_between(BSpline.bezier([0, 0, 1]), mpq(1, 2), mpq(5001, 10000))
-    >>> low <= mpq(1, 4), mpq(5001, 10000) ** 2 <= high, high - low < mpq(1, 5000)
-    (True, True, True)
-    """
-    i = _segment_between(f, low, high)
-    if i is None:
+def segment_of_root(mesh: Mesh, place: Real) -> int | None:
+    """The index of the segment of which a number is known to be a root inside; None where it is not known."""
+    inside = place.segment if isinstance(place, Root) else None
+    if inside is None or not mesh.breaks[0] <= inside.low < mesh.breaks[-1]:
         return None
-    if f.degree < 0:
-        return Interval(mpq(0), mpq(0))
-    form = f.numerators[i], f.denominators[i]
-    return Interval(*bounds_over(form, f.degree, f.mesh.local(i, low), f.mesh.local(i, high)))
+    i = mesh.locate(inside.low)
+    return i if mesh.breaks[i : i + 2] == inside else None
 
 
-def _segment_between(f: BSpline, low: mpq, high: mpq) -> int | None:
-    """The index of the segment that contains an interval, or None."""
-    breaks = f.mesh.breaks
-    if low < breaks[0] or high > breaks[-1]:
-        return None
-    i = f.mesh.locate(low)
-    return i if high <= breaks[i + 1] else None
+def _balls(f: BSpline, place: Real, digits: int = SHORT) -> Iterator[tuple[int, arb]]:
+    """Balls around the value of a spline at an irrational number, ever smaller ones, with their precision."""
+    for i, bits, z in local_balls(f.mesh, place, digits):
+        with ctx.workprec(bits):
+            ball = f.numerators[i](z) / (1 + z) ** max(f.degree, 0) / f.denominators[i]
+        yield bits, ball
 
 
 def segment_of(f: BSpline, place: Real) -> int:
     """The index of the segment that contains an irrational number of the domain."""
-    digits = 5
-    while (segment := _segment_between(f, *place.enclosure(digits))) is None:
-        digits *= 2
-    return segment
+    return next(local_balls(f.mesh, place))[0]
 
 
 def sign_at(f: BSpline, t: mpq | Real, side: Side | str = Side.RIGHT) -> int:
@@ -212,18 +235,11 @@ def sign_at(f: BSpline, t: mpq | Real, side: Side | str = Side.RIGHT) -> int:
     place = exact_place(t)
     if not isinstance(place, Real):
         return sign(f(place, side))
-    digits, zero = 5, None
-    while True:
-        low, high = place.enclosure(digits)
-        enclosure = _values_between(f, low, high)
-        if enclosure is not None:
-            if enclosure.low > 0 or enclosure.high < 0:
-                return 1 if enclosure.low > 0 else -1
-            if zero is None:
-                zero = place.is_root_of(_segment_polynomial(f, f.mesh.locate(low)))
-            if zero:
-                return 0
-        digits *= 2
+    signs = (sign_of_ball(ball) for _, ball in _balls(f, place))
+    first = next(signs)
+    if not first and place.is_root_of(_segment_polynomial(f, segment_of(f, place))):
+        return 0
+    return first or next(filter(None, signs))
 
 
 def segment_polynomials(splines: Sequence[BSpline], i: int) -> list[fmpz_poly]:

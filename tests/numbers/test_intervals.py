@@ -3,12 +3,10 @@
 from gmpy2 import mpq
 
 from exactspline import Real
-from exactspline.numbers.intervals import Interval, rounded_outwards
+from exactspline.numbers.intervals import Interval
 
 
-def test_enclosures_are_rounded_outwards_and_say_their_middle():
-    low, high = rounded_outwards(Interval(mpq(1, 3), mpq(2, 3)), 2)
-    assert (low, high) == (mpq(33, 100), mpq(67, 100))
+def test_decimals_and_doubles_are_rounded_and_intervals_have_a_middle():
     assert Real("-1/3").decimal(4) == "-0.3333"
     assert [Real(t).decimal(0) for t in ("5/2", "-5/2")] == ["3", "-2"]
     assert float(Real("1/3")) == 1 / 3

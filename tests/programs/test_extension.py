@@ -23,8 +23,8 @@ from gmpy2 import mpq
 
 from exactspline import Nurbs, analyse, example
 from exactspline.geometry.analysis.curves import Analysis
+from exactspline.geometry.curves.plane_programs import plane_program
 from exactspline.geometry.filter.certain import certain
-from exactspline.geometry.filter.plane_programs import plane_program
 from exactspline.programs import accelerator
 from exactspline.programs.certain_pairs import ARCH, LINE, OPEN, filter_pairs, segment_in_doubles
 from tests.campaigns import filter as campaign

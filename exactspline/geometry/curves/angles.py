@@ -93,13 +93,7 @@ class Angle:
 
     def degrees(self, digits: int) -> mpf:
         """The angle in degrees, in (−180, 180], as an mpmath number to this many significant digits."""
-        from mpmath import mp
-
-        with mp.workdps(digits + 10):
-            turned = mp.atan2(self.sine.significant(digits + 10), self.cosine.significant(digits + 10))
-            if self.sine == 0 or self.cosine == 0:
-                return mp.mpf(int(mp.nint(turned * 180 / mp.pi)))
-            return +(turned * 180 / mp.pi)
+        return degrees(self).significant(digits)
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Angle) and (self.cosine, self.sine) == (other.cosine, other.sine)

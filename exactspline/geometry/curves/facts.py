@@ -340,7 +340,7 @@ class Facts(Remembers):
         if self.standing[before] and self.standing[behind]:
             return Joint(t, JointKind.STILL, None, seam)
         if not any(left[1]) or not any(right[1]):
-            angle = turned(*self._directions(self.velocity, t))
+            angle = turned(*self.directions(self.velocity, t))
             return Joint(t, JointKind.SINGULAR, order_of(left, right, angle), seam, angle)
         order = geometric_order(left, right)
         if order == 0:
@@ -373,19 +373,15 @@ class Facts(Remembers):
         if self.curve.dimension == 3:
             a, b = bend_of(left), bend_of(right)
             if not any(a) or not any(b):
-                a, b = self._directions(self.binormal, t)
+                a, b = self.directions(self.binormal, t)
             if any(a) and any(b) and any(cross(Vector(*a), Vector(*b))):
                 return JointKind.TURN
         return JointKind.CONTINUOUS if order >= 2 else JointKind.CURVATURE_JUMP
 
-    def _directions(self, v: Vector[BSpline], t: mpq) -> tuple[tuple[mpq, ...], tuple[mpq, ...]]:
+    def directions(self, v: Vector[BSpline], t: mpq) -> tuple[tuple[mpq, ...], tuple[mpq, ...]]:
         """The directions of a vector just left and just right of a knot."""
         left, right = self.sides(t)
         return limit_direction(v, left, Side.LEFT), limit_direction(v, right, Side.RIGHT)
-
-    def binormal_limits(self, t: mpq) -> tuple[tuple[mpq, ...], tuple[mpq, ...]]:
-        """The directions of the binormal just left and just right of a knot; zeros where the curve is straight."""
-        return self._directions(self.binormal, t)
 
     # ---- singular points
 
@@ -471,7 +467,7 @@ class Facts(Remembers):
     def _singular_kind(self, joint: Joint) -> FeatureKind:
         if joint.angle is not None:
             return FeatureKind.CUSP if joint.angle.reverses else FeatureKind.CORNER
-        return FeatureKind.STOP if all(map(any, self._directions(self.velocity, joint.parameter))) else FeatureKind.REST
+        return FeatureKind.STOP if all(map(any, self.directions(self.velocity, joint.parameter))) else FeatureKind.REST
 
     @Fact
     def _singular_roots(self) -> list[Root]:

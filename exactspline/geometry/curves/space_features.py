@@ -95,7 +95,7 @@ def _flat_knot(facts: SpaceFacts, t: mpq) -> list[Feature]:
     left, right = facts.bend(t, Side.LEFT), facts.bend(t, Side.RIGHT)
     flat = not any(left) and not any(right)
     if not any(left) or not any(right):
-        left, right = facts.binormal_limits(t)
+        left, right = facts.directions(facts.binormal, t)
     if not any(left) or not any(right):
         return []
     if same_direction(left, tuple(-x for x in right)):

@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Any
 
-from flint import fmpz_poly
+from flint import fmpz, fmpz_poly
 
 from exactspline.errors import DomainError, ShapeError
 from exactspline.formulas.derivatives import across
 from exactspline.geometry.curves.facts import facts_of
 from exactspline.geometry.curves.planarity import in_the_plane
-from exactspline.geometry.derived.derive import part, plane, segments, space
+from exactspline.geometry.curves.plane_programs import BENDING, CURVATURE, SPEED, TORSION, plane_program, space_program
+from exactspline.geometry.derived.derive import plane, segments, space
 from exactspline.language.arguments import Curve
 from exactspline.language.rational import Rational
 from exactspline.language.vector import Vector, cross, det, norm2, perp
@@ -27,6 +29,7 @@ from exactspline.roots.values import exact_place, segment_of, sign_at, signed_ro
 from exactspline.roots.zero_set import zeros
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.inputs import checked_side
+from exactspline.splines.knots import Mesh
 from exactspline.splines.lowest_terms import in_lowest_terms
 from exactspline.splines.nurbs import Nurbs, derivative_splines
 from exactspline.splines.type_checks import curve_of
@@ -106,9 +109,8 @@ def curvature(curve: Nurbs, t: Number | Real, side: Side | str = Side.RIGHT) -> 
         return signed_root(sign, Real(mpq(top, bottom)))
     i = segment_at(curve, place, side)
     refuse_singular(curve, i, place, side)
-    squared, turning = facts_of(curve).once(("curvature on a segment", i), lambda: _curvature_forms(curve, i))
-    sign = 1 if turning is None else sign_at(turning, place, side)
-    return signed_root(sign, _value(squared, place, side))
+    turning, above, below = facts_of(curve).once(("curvature on a segment", i), lambda: _curvature_forms(curve, i))
+    return signed_root(1 if curve.dimension == 3 else sign_at(turning, place), value_at(above, below, place))
 
 
 def in_plane_or_space(curve: Nurbs) -> Nurbs:
@@ -140,12 +142,29 @@ def signed_square(curve: Nurbs, t: mpq, *, left: bool) -> tuple[int, int, int]:
     return sign, turned * w**4, norm2(first) ** 3
 
 
-def _curvature_forms(curve: Nurbs, i: int) -> tuple[Rational[BSpline], BSpline | None]:
-    """κ² on a segment, and in the plane a spline with the sign of κ."""
-    c = _part(curve, i)
-    if curve.dimension == 3:
-        return find("space_curvature_squared")(c), None
-    return find("curvature_squared")(c), find("f2")(c) * c.w
+def _forms_on(curve: Nurbs, i: int) -> list[BSpline]:
+    """What the program for its dimension computes on a segment, as functions of its parameter, and the weight function
+    there.
+    """
+    return facts_of(curve).once(("forms on a segment", i), lambda: _computed_forms(curve, i))
+
+
+def _computed_forms(curve: Nurbs, i: int) -> list[BSpline]:
+    program = (plane_program if curve.dimension == 2 else space_program)(curve.degree, not curve.polynomial)
+    mesh, (rows, below) = Mesh(curve.breakpoints[i : i + 2]), curve.rows[i]
+    operands = [fmpz_poly(list(row)) for row in rows]
+    made = program.run([[c] for c in operands], [[fmpz(below)]], [(ONE, ONE)])[0]
+    degrees = [*(term.degrees[0] for term in program.terms), 0 if curve.polynomial else curve.degree]
+    w = (fmpz_poly([1]), ONE) if curve.polynomial else (operands[-1], fmpz(below))
+    forms: list[Any] = [*zip(made, made[len(program.terms) :], strict=False), w]
+    return [BSpline.from_forms(degree, mesh, (), [form]) for degree, form in zip(degrees, forms, strict=True)]
+
+
+def _curvature_forms(curve: Nurbs, i: int) -> tuple[BSpline, BSpline, BSpline]:
+    """In the plane a spline with the sign of κ on a segment; numerator and denominator of κ² there."""
+    *forms, w = _forms_on(curve, i)
+    bent = forms[BENDING] if curve.dimension == 3 else forms[CURVATURE] ** 2
+    return forms[CURVATURE] * w, bent * w**6, forms[SPEED] ** 3
 
 
 def torsion(curve: Nurbs, t: Number | Real, side: Side | str = Side.RIGHT) -> Real:
@@ -165,16 +184,15 @@ def torsion(curve: Nurbs, t: Number | Real, side: Side | str = Side.RIGHT) -> Re
     tau = facts_of(curve).once(("torsion on a segment", i), lambda: _torsion_form(curve, i))
     if sign_at(tau.denominator, place, side) == 0:
         raise DomainError(f"the torsion has a pole {_named(place)}", remedy="choose another parameter")
-    return _value(tau, place, side)
+    return value_at(tau.scalar, tau.denominator, place, side)
 
 
 def _torsion_form(curve: Nurbs, i: int) -> Rational[BSpline]:
     """τ on a segment in lowest terms."""
-    torsion = find("torsion")(_part(curve, i))
-    if torsion.denominator.is_zero:
+    *forms, w = _forms_on(curve, i)
+    if forms[BENDING].is_zero:
         raise ShapeError("the torsion of a straight piece", remedy="choose a parameter where the curve is not straight")
-    reduced: Rational[BSpline] = in_lowest_terms(torsion)
-    return reduced
+    return in_lowest_terms(Rational(forms[TORSION] * w**2, forms[BENDING]))
 
 
 def segment_at(curve: Nurbs, place: mpq | Real, side: Side | str) -> int:
@@ -186,17 +204,6 @@ def segment_at(curve: Nurbs, place: mpq | Real, side: Side | str) -> int:
     return segment_of(curve.w, place)
 
 
-def _part(curve: Nurbs, i: int) -> Curve[BSpline]:
-    """The curve over a segment."""
-    return part(curve, *curve.breakpoints[i : i + 2])
-
-
-def _value(value: Rational[BSpline], place: mpq | Real, side: Side | str) -> Real:
-    if not isinstance(place, Real):
-        return Real(value.number(place, side=side))
-    return value_at(value.scalar, value.denominator, place)
-
-
 def refuse_singular(curve: Nurbs, i: int, place: mpq | Real, side: Side | str) -> None:
     """Raise `DomainError` where γ′ = 0 at a parameter on a segment."""
     if is_singular(curve, i, place, side):
@@ -205,8 +212,7 @@ def refuse_singular(curve: Nurbs, i: int, place: mpq | Real, side: Side | str) -
 
 def is_singular(curve: Nurbs, i: int, place: mpq | Real, side: Side | str) -> bool:
     """Whether γ′ = 0 at a parameter on a segment."""
-    velocity = facts_of(curve).once(("velocity on a segment", i), lambda: tuple(find("D1")(_part(curve, i))))
-    return all(sign_at(x, place, side) == 0 for x in velocity)
+    return sign_at(_forms_on(curve, i)[SPEED], place, side) == 0
 
 
 def _named(place: mpq | Real) -> str:

@@ -18,8 +18,8 @@ from exactspline.geometry.curves.facts import Facts
 from exactspline.geometry.curves.joints import end_direction
 from exactspline.geometry.curves.kinds import Feature, FeatureKind
 from exactspline.geometry.curves.plane_features import critical_points, flat_points
+from exactspline.geometry.curves.plane_programs import CRITICAL, CURVATURE, SPEED, plane_program
 from exactspline.geometry.derived.constructions import Variant
-from exactspline.geometry.filter.plane_programs import CRITICAL, CURVATURE, SPEED, plane_program
 from exactspline.numbers.exact import mpq
 from exactspline.numbers.intervals import Interval
 from exactspline.numbers.once import cached_property

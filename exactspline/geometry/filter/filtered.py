@@ -11,7 +11,7 @@ from typing import NamedTuple
 import numpy as np
 
 from exactspline.errors import FormulaError
-from exactspline.geometry.filter.plane_programs import plane_program
+from exactspline.geometry.curves.plane_programs import plane_program
 from exactspline.polynomials.doubles import (
     Bounded,
     Flags,

@@ -18,7 +18,7 @@ from flint import arb, ctx
 
 from exactspline.errors import ShapeError
 from exactspline.geometry.curves.kinds import FeatureKind
-from exactspline.geometry.filter.plane_programs import BENDING, CRITICAL, CURVATURE, SPEED, TORSION
+from exactspline.geometry.curves.plane_programs import BENDING, CRITICAL, CURVATURE, SPEED, TORSION
 from exactspline.geometry.rounded.forms import PRECISION, CurvesNear, Family, dot, sign_of
 from exactspline.language.vector import Vector, cross
 from exactspline.numbers.exact import Number, mpq

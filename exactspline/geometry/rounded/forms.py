@@ -19,7 +19,7 @@ from typing import Any
 from flint import arb, arb_mat, arb_poly, fmpz
 
 from exactspline.errors import ShapeError
-from exactspline.geometry.filter.plane_programs import plane_program, space_program
+from exactspline.geometry.curves.plane_programs import plane_program, space_program
 from exactspline.numbers.exact import mpq, to_fmpq
 from exactspline.numbers.intervals import Box
 from exactspline.numbers.once import cached_property

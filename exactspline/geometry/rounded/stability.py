@@ -24,9 +24,9 @@ from exactspline.errors import ShapeError, WeightError
 from exactspline.geometry.curves import plane_features, space_features
 from exactspline.geometry.curves.facts import Facts
 from exactspline.geometry.curves.kinds import FeatureKind
+from exactspline.geometry.curves.plane_programs import CRITICAL, CURVATURE, TORSION
 from exactspline.geometry.curves.space_features import SpaceFacts
 from exactspline.geometry.derived.constructions import Variant
-from exactspline.geometry.filter.plane_programs import CRITICAL, CURVATURE, TORSION
 from exactspline.geometry.recognition.pieces import rounded_up
 from exactspline.geometry.rounded.features import NearbyFeature, features_nearby
 from exactspline.geometry.rounded.forms import PRECISION, CurvesNear, Family, with_positive_weights
