@@ -36,7 +36,7 @@ __all__ += ["from_powers", "hermite", "interpolate", "joined", "line", "polyline
 
 
 def line(start: Iterable[Number], end: Iterable[Number]) -> Nurbs:
-    """The segment of a line, over [0, 1].
+    """The line segment between two points, over [0, 1].
 
     >>> line((0, 0), (4, 2))("1/2")
     (mpq(2,1), mpq(1,1))
@@ -45,7 +45,7 @@ def line(start: Iterable[Number], end: Iterable[Number]) -> Nurbs:
 
 
 def polyline(points: Iterable[Iterable[Number]], *, closed: bool = False) -> Nurbs:
-    """The polygon through points, over the parameters 0, 1, 2, …; with `closed` back to the first one.
+    """The polygon through points, over the parameters 0, 1, 2, …; with `closed` it returns to the first point.
 
     >>> polyline([(0, 0), (1, 0), (1, 1)], closed=True)("5/2")
     (mpq(1,2), mpq(1,2))
@@ -86,13 +86,14 @@ def ellipse(centre: Iterable[Number], u: Iterable[Number], v: Iterable[Number]) 
 
 
 def arc(centre: Iterable[Number], start: Iterable[Number], end: Iterable[Number]) -> Nurbs:
-    """The circular arc in the plane, counter-clockwise from `start` to `end` (the full circle when they coincide).
+    """The circular arc in the plane, counter-clockwise from `start` to `end` (the full circle if the two points
+    coincide).
 
     >>> quarter = arc((0, 0), (3, 4), (-4, 3))
     >>> quarter.degree, quarter.weights
     (2, (mpq(2,1), mpq(1,1), mpq(1,1)))
 
-    Raises `ShapeError` if their distances from the centre are not exactly equal.
+    Raises `ShapeError` if the distances of both points from the centre are not exactly equal.
     """
     x, y = _point(centre)
     u, v = ((p[0] - x, p[1] - y) for p in (_point(start), _point(end)))
@@ -140,8 +141,8 @@ def arc_through(start: Iterable[Number], middle: Iterable[Number], end: Iterable
 
 
 def from_powers(coefficients: Iterable[Iterable[Number]], a: Number = 0, b: Number = 1) -> Nurbs:
-    """The curve over [a, b] whose coordinates are polynomials of the parameter, by their coefficients from the constant
-    one on (``paramPoly3`` of OpenDRIVE).
+    """The curve over [a, b] whose coordinates are polynomials in the parameter, given by their coefficients, constant
+    term first (``paramPoly3`` of OpenDRIVE).
 
     >>> from_powers([[1, 2], [0, 0, 1]])("1/2")
     (mpq(2,1), mpq(1,4))
@@ -170,8 +171,8 @@ def hermite(
 
 
 def catmull_rom(points: Iterable[Iterable[Number]], *, closed: bool = False) -> Nurbs:
-    """The Catmull–Rom spline through points, over the parameters 0, 1, 2, …: at each the slope is half of the step from
-    its predecessor to its successor, at the ends of an open one the first and the last step.
+    """The Catmull–Rom spline through points, over the parameters 0, 1, 2, …: the slope at each point is half of the
+    step from the previous point to the next one; at the ends of an open spline it is the first and the last step.
 
     >>> catmull_rom([(0, 0), (1, 1), (2, 0)]).derivative(1, 1)
     (mpq(1,1), mpq(0,1))
@@ -189,7 +190,7 @@ def catmull_rom(points: Iterable[Iterable[Number]], *, closed: bool = False) -> 
 def closed_spline(
     points: Iterable[Iterable[Number]], degree: int = 3, weights: Iterable[Number] | None = None
 ) -> Nurbs:
-    """The closed spline with these control points and uniform knots, smooth at its seam as everywhere.
+    """The closed spline with these control points and uniform knots; it is as smooth at its seam as at the other knots.
 
     >>> curve = closed_spline([(0, 0), (2, 0), (2, 2), (0, 2)])
     >>> curve.closed, str(curve.domain), curve.derivative(1, 0) == curve.derivative(1, 4)
@@ -202,7 +203,8 @@ def closed_spline(
 
 
 def joined(curves: Iterable[Nurbs]) -> Nurbs:
-    """The curves one after the other, each segment over an interval of length 1; each begins where the last one ends.
+    """One curve made of several curves, each of which begins where the previous one ends; each segment is over an
+    interval of length 1.
 
     >>> joined([Nurbs.bezier([(0, 0), (1, 0)]), Nurbs.bezier([(1, 0), (2, 1), (3, 0)])]).breakpoints
     (mpq(0,1), mpq(1,1), mpq(2,1))
@@ -217,13 +219,13 @@ def joined(curves: Iterable[Nurbs]) -> Nurbs:
 
 
 def closed(curve: Nurbs, *, within: Number) -> Nurbs:
-    """A curve whose ends nearly meet, closed: its last control point is moved to the first one, by at most `within`;
-    with positive weights no point of the curve moves farther. Its note says by how much.
+    """The closed curve made of a curve whose ends nearly meet: the last control point is moved to the first one, by at
+    most `within`; with positive weights no point of the curve moves farther. The `note` of the result has the distance.
 
     >>> closed(Nurbs.bezier([(0, 0), (1, 1), ("1e-12", 0)]), within="1e-9").note
     'closed: the last control point was moved by at most 1/1000000000000'
 
-    Raises `ShapeError` where the ends are farther apart.
+    Raises `ShapeError` if the ends are farther apart.
     """
     made, most = curve_of(curve).restrict(*curve.domain), rational(within)
     first, last = made.control_points[0], made.control_points[-1]
@@ -235,8 +237,8 @@ def closed(curve: Nurbs, *, within: Number) -> Nurbs:
 
 
 def rotate(curve: Nurbs, degrees: Number, *, within: Number = "1e-9") -> Nurbs:
-    """A plane curve rotated counter-clockwise about the origin, by an angle that has a rational sine and cosine and
-    differs from the given one by at most `within`, in radians.
+    """A plane curve rotated counter-clockwise about the origin. The angle has a rational sine and cosine, and differs
+    from the given angle by at most `within` radians.
 
     >>> turned = rotate(circle(), 60)
     >>> abs(2 * turned(0)[0] - 1) < mpq(1, 10**8), turned == circle(), rotate(circle(), 90)(0)
@@ -253,9 +255,7 @@ def rotate(curve: Nurbs, degrees: Number, *, within: Number = "1e-9") -> Nurbs:
 
 
 class Ends(Word):
-    """What determines an interpolating spline at its ends: second derivatives that are 0, given slopes, or that it is
-    closed.
-    """
+    """The end conditions of an interpolating spline: second derivatives 0, given slopes, or closed."""
 
     NATURAL = "natural"
     CLAMPED = "clamped"
@@ -272,9 +272,9 @@ def interpolate(
     slopes: Iterable[Iterable[Number]] = (),
     within: Number = "1e-6",
 ) -> Nurbs:
-    """The cubic spline, of class C², through points at given parameters, by default those of the chord lengths, each
-    within a distance. `ends` are ``natural``, ``clamped`` (with two `slopes`) or ``periodic``: `closed`, where the last
-    point may repeat the first.
+    """The cubic spline, of class C², through points at given parameters; by default these are the chord lengths,
+    rounded by less than a distance. `ends` are ``natural``, ``clamped`` (with two `slopes`) or ``periodic``, which is
+    the same as `closed`; then the last point may repeat the first.
 
     >>> curve = interpolate([(0, 0), (1, 1), (2, 0)], [0, 1, 2])
     >>> curve(1), curve.derivative(2, 0), curve.p[1].continuity_at(1)
@@ -282,7 +282,7 @@ def interpolate(
     >>> interpolate([(0, 0), (3, 4), (6, 0)], closed=True).breakpoints
     (mpq(0,1), mpq(5,1), mpq(10,1), mpq(16,1))
 
-    Raises `ShapeError` for too few points or slopes and for another degree than 3, `KnotError` for parameters that do
+    Raises `ShapeError` for too few points or slopes and for a degree other than 3, `KnotError` for parameters that do
     not increase.
     """
     if degree != 3:
@@ -303,7 +303,7 @@ def interpolate(
             right[i, j] = to_fmpq(value)
 
     for i in range(0 if around else 1, n):
-        # the second derivatives of both sides agree
+        # the second derivatives of the two sides agree
         factors = ((i - 1) % n, 1 / h[i - 1]), (i, 2 / h[i - 1] + 2 / h[i]), (i + 1, 1 / h[i])
         row(i, factors, [x / h[i - 1] + y / h[i] for x, y in zip(steps[i - 1], steps[i], strict=True)])
     if around:
@@ -329,7 +329,9 @@ def _slopes(given: Iterable[Iterable[Number]], points: Sequence[Point], count: i
 
 
 def _chord_lengths(points: Sequence[Point], within: mpq) -> list[mpq]:
-    """The lengths from the first point to each along the polygon, each chord rounded to less than the distance."""
+    """The lengths from the first point to each point along the polygon, with the length of each chord rounded by less
+    than the distance.
+    """
     if within <= 0:
         raise NumberError(f"a distance of {within}", where="within", remedy="give a number above 0")
     unit = within / len(points)

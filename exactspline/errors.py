@@ -1,6 +1,6 @@
 """One family of exceptions, each carrying its data.
 
-Every message says what was wrong, where, and what would be right; programs read the same three from the attributes
+Every message says what was wrong, where, and what would be right; programs find these three in the attributes
 ``problem``, ``where`` and ``remedy``, and any further details from ``data``.
 """
 
@@ -65,7 +65,7 @@ def shown(value: object, limit: int = 40) -> str:
 
 
 def written(value: object) -> str:
-    """A value as text, and where Python refuses to print it, what it is.
+    """A value as text; if Python refuses to print the value, a description of it.
 
     >>> written("one"), written(10**5000)
     ('one', 'an int too long to print')
@@ -90,7 +90,7 @@ def counted(n: int, what: str) -> str:
 
 
 def command_name() -> str:
-    """How the command line is called: ``exactspline``, or as the script says that called it (``./run``)."""
+    """The name of the command: ``exactspline``, or the name given by the script that called it (``./run``)."""
     return os.environ.get("EXACTSPLINE_COMMAND") or "exactspline"
 
 
@@ -143,7 +143,7 @@ class NumberError(ExactSplineError):
 
 
 class OpenError(ExactSplineError):
-    """A question about a real number that all the digits computed leave open."""
+    """A question about a real number that is not decided by the digits computed."""
 
 
 class KnotError(ExactSplineError):
@@ -175,7 +175,7 @@ class InapplicableError(FormulaError):
 
 
 class VanishingDivisorError(FormulaError):
-    """A division by what vanishes identically."""
+    """A division by an expression that vanishes identically."""
 
 
 class ClaimError(ExactSplineError):
@@ -192,11 +192,11 @@ class CurveFileError(ExactSplineError):
     """A curve file that is missing, too large or not JSON, or lacks a field."""
 
 
-# ---- what a public function was handed, or the error that says what it takes instead
+# ---- the argument of a public function, or the error that says what it takes
 
 
 def as_text(given: object, what: str) -> str:
-    """The text itself; `ShapeError` for anything else.
+    """The text itself; raises `ShapeError` for anything else.
 
     >>> as_text(3, "the name of a curve")
     Traceback (most recent call last):
@@ -208,13 +208,13 @@ def as_text(given: object, what: str) -> str:
 
 
 def as_path(given: object) -> str:
-    """The path of a file, given as text or as an object with one; `ShapeError` for anything else."""
+    """The path of a file, given as text or as an object with a path; raises `ShapeError` for anything else."""
     path = given.__fspath__() if isinstance(given, PathLike) else given
     return as_text(path, "the path of a file")
 
 
 def as_items(given: Iterable[T], what: str) -> Iterable[T]:
-    """The sequence itself; `ShapeError` for a text and for what is not a sequence."""
+    """The sequence itself; raises `ShapeError` for a text and for anything that is not a sequence."""
     if not isinstance(given, str | bytes):
         with suppress(TypeError):  # an array without dimensions only seems to be a sequence
             iter(given)
@@ -223,8 +223,8 @@ def as_items(given: Iterable[T], what: str) -> Iterable[T]:
 
 
 def as_integer(given: SupportsIndex, what: str, least: int = 0, most: int = 10**6) -> int:
-    """The integer, of Python or of another library; `ShapeError` for anything else, and for one below the `least` or
-    above the `most`.
+    """The integer, of Python or of another library; raises `ShapeError` for anything else, and for an integer below
+    `least` or above `most`.
 
     >>> as_integer(1.5, "a dimension", 1)
     Traceback (most recent call last):
@@ -237,7 +237,7 @@ def as_integer(given: SupportsIndex, what: str, least: int = 0, most: int = 10**
 
 
 def as_flag(given: object, what: str) -> bool:
-    """The choice itself; `ShapeError` for anything but True and False.
+    """The choice itself; raises `ShapeError` for anything except True and False.
 
     >>> as_flag("no", "whether the ends are one knot")
     Traceback (most recent call last):
@@ -249,7 +249,7 @@ def as_flag(given: object, what: str) -> bool:
 
 
 def as_texts(given: Iterable[str], what: str, one: str) -> list[str]:
-    """The texts of a sequence; `ShapeError` for anything else, and for a text alone.
+    """The texts of a sequence; raises `ShapeError` for anything else, and for a single text.
 
     >>> as_texts("f2", "names of formulas", "the name of a formula")
     Traceback (most recent call last):
@@ -259,7 +259,7 @@ def as_texts(given: Iterable[str], what: str, one: str) -> list[str]:
 
 
 def as_instance(given: object, kind: type[T], what: str, remedy: str) -> T:
-    """The object itself; `ShapeError` for one of another class.
+    """The object itself; raises `ShapeError` for an object of another class.
 
     >>> as_instance("f2", list, "a list of formulas", "write [f2]")
     Traceback (most recent call last):

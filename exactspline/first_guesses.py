@@ -1,5 +1,5 @@
-"""What a user types first: questions and functions of the front door where they are looked for, on objects and on the
-package itself, and otherwise an error that names the call that works.
+"""What a user types first: the questions and public functions as attributes of objects and of the package itself; for
+any other name an error with the call that works.
 """
 
 from __future__ import annotations
@@ -17,27 +17,27 @@ from exactspline.geometry.analysis.curves import Analysis, questions_about
 from exactspline.geometry.analysis.registry import REGISTRY
 from exactspline.hooks import DERIVED, LENT, QUESTIONS, Written, first_guesses
 
-#: Rooms with public names of their own.
+#: Modules with their own public names.
 ROOMS = ("interchange", "constructors", "display", "language", "readings", "tables", "teaching")
-#: Calls that are found by another name: an attribute or a method, and a function with what it takes.
+#: Calls that are found by another name: an attribute or a method, and a function with its arguments.
 OWN = re.compile(r"x\.(\w+)(\(\w*\))?")
 FUNCTION = re.compile(r'exactspline\.([\w.]+)\((\w+)(?:, \w+)*(?:, (\w+)="(\w+)")?\)')
 
 
 class Found(tuple[Any, ...]):
-    """An answer of several parts, which may be written as a call: ``curve.corners()`` is ``curve.corners``."""
+    """An answer with several parts, which may also be written as a call: ``curve.corners()`` is ``curve.corners``."""
 
     __slots__ = ()
 
     def __call__(self) -> Found:
-        """Itself."""
+        """The answer itself."""
         return self
 
 
 def of_object(front: ModuleType, name: str, thing: object) -> object:
-    """What an object has by a name that is not its own: a function of the front door, the answer to a question, or what
-    is meant by a name of other libraries; of a class the function itself; by ``questions`` the names of those that are
-    asked of it.
+    """The value of a name that is not an attribute of the object itself: a public function of the package, the answer
+    to a question, or the meaning of a name from another library. For a class it is the function itself; for
+    ``questions`` the names of the questions about the object.
 
     >>> from exactspline import example
     >>> circle = example("circle")
@@ -82,14 +82,14 @@ def of_object(front: ModuleType, name: str, thing: object) -> object:
 
 
 def _called(front: ModuleType, call: re.Match[str]) -> Any:
-    """The function of a call, with the last argument where that is written out."""
+    """The function of a call, with the last argument if the call contains it."""
     function = attrgetter(call[1])(front)
     return partial(function, **{call[3]: call[4]}) if call[3] else function
 
 
 def of_package(front: ModuleType, name: str) -> object:
-    """The question of that name as a function: ``exactspline.length(curve)``; what one of the rooms has by this name,
-    or what is meant by a name of other libraries.
+    """The question of this name as a function, such as ``exactspline.length(curve)``; or the public name of a module;
+    or the meaning of a name from another library.
 
     >>> import exactspline
     >>> exactspline.length(exactspline.example("circle")), exactspline.intersect is exactspline.intersections
@@ -112,18 +112,18 @@ def of_package(front: ModuleType, name: str) -> object:
 
 
 def _answered(front: ModuleType, name: str, about: object, *arguments: object) -> object:
-    """The answer to a question about an object, with what it takes."""
+    """The answer to a question about an object, with its arguments."""
     found: Any = of_object(front, name, about)
     return found(*arguments) if arguments else found
 
 
 def _calls(name: str) -> list[str]:
-    """The calls of which a name is another name."""
+    """The calls for which a name is another name."""
     return [call for call, guesses in first_guesses().items() if name in guesses and not call.isalpha()]
 
 
 def _remedy(front: ModuleType, name: str, thing: object) -> str:
-    """The call that works instead of a guess, or the nearest of the names of a thing."""
+    """The call that works in place of a guess, or the nearest names of an object."""
     for call in (f"exactspline.{name}",) if name in front.__all__ else _calls(name):
         return "write " + re.sub(r"\bx\b", "curve", call)
     return nearest(name, filter(str.isidentifier, dir(thing)))

@@ -1,5 +1,5 @@
-"""Points found patch by patch, as points of the whole surface: each once on borders and seams, with the sides from
-which it was found, and none that is on an edge, a line or a curve on which the same holds everywhere.
+"""Points found patch by patch, as points of the whole surface: each point once on borders and seams, with the patches
+on which it was found, and without points on an edge, a line or a curve on which the same holds everywhere.
 """
 
 from __future__ import annotations
@@ -21,8 +21,8 @@ from exactspline.splines.surface import Along
 
 @dataclass(frozen=True, repr=False)
 class Place(OneLine):
-    """A point of a surface by its parameters. `patches` are those on which it was found: on a border of patches there
-    may be several.
+    """A point of a surface by its parameters. `patches` are the patches on which it was found: on a border there may be
+    several.
     """
 
     patches: tuple[Patch, ...] = field(repr=False)
@@ -30,17 +30,19 @@ class Place(OneLine):
 
     @property
     def is_inside(self) -> bool:
-        """Whether it is inside its patch, and on no border."""
+        """Whether the point is inside its patch, not on a border."""
         return self.zero.is_inside
 
     @property
     def spot(self) -> tuple[Parameter, Parameter]:
-        """Both parameters. Raises `ReachError` where it would take too long to compute those of a point inside."""
+        """Both parameters of the point. Raises `ReachError` if computing them for an inner point would take too
+        long.
+        """
         return self.zero.place
 
     @property
     def exact(self) -> tuple[mpq, mpq] | None:
-        """Both parameters where they are known to be rational."""
+        """Both parameters if they are known to be rational, otherwise None."""
         return self.zero.exact
 
     def box(self, digits: int = 20) -> Box:
@@ -58,15 +60,16 @@ Spot = tuple[Parameter, Parameter]
 Ends = tuple[Parameter, Parameter]
 #: A closed rectangle of parameters, or an edge, a line.
 Sides = tuple[Ends, Ends]
-#: The sides of a point, in u and in v, on which something lies: independent of how knots cut the patches around it.
+#: The sides of a point, in u and in v, on which something lies; they do not depend on how knots cut the patches around
+#: the point.
 Sectors = set[tuple[int, int]]
 
 
 def single_places(
     places: Iterable[Place], parts: Sequence[Sides], curves: Container[Spot], domain: Box, closed: Sequence[Along]
 ) -> list[list[Place]]:
-    """The places that are one point, together; without points on borders of patches that are in one of the `parts`, or
-    at which an arc of one of the `curves` ends: it does not matter on which patch these are.
+    """The places, with places of the same point merged. Points on borders of patches are omitted if they are in one of
+    the `parts`, or if an arc of one of the `curves` ends there, on whatever patch.
     """
     groups: dict[Hashable, list[Place]] = {}
     for place in places:
@@ -80,7 +83,7 @@ def single_places(
 
 
 def together(own: Sequence[Place]) -> Place:
-    """One point found on several patches."""
+    """The place of one point that was found on several patches."""
     first, *others = own
     return first.with_patches(tuple(patch for place in others for patch in place.patches))
 
@@ -96,7 +99,7 @@ def within(spot: Spot, box: Sides) -> bool:
 
 
 def once(spot: Spot, domain: Box, closed: Sequence[Along]) -> Spot:
-    """The point with the first parameter instead of the last one where the surface is closed."""
+    """The point, with the first parameter in place of the last one where the surface is closed."""
     u, v = (
         side[0] if line in closed and t == side[1] else t for t, side, line in zip(spot, domain, Along, strict=True)
     )
@@ -104,7 +107,7 @@ def once(spot: Spot, domain: Box, closed: Sequence[Along]) -> Spot:
 
 
 def alike(spot: Spot, domain: Box, closed: Sequence[Along]) -> list[Spot]:
-    """All pairs of parameters of a point: two for each seam that it is on."""
+    """All pairs of parameters of a point: each seam through the point doubles their number."""
     u, v = (
         list(side) if line in closed and (t == side[0] or t == side[1]) else [t]
         for t, side, line in zip(spot, domain, Along, strict=True)
@@ -113,7 +116,7 @@ def alike(spot: Spot, domain: Box, closed: Sequence[Along]) -> list[Spot]:
 
 
 def sectors(spot: Spot, box: Box) -> Sectors:
-    """The sides of a point of a closed rectangle on which the rectangle is."""
+    """The sides of a point of a closed rectangle on which the rectangle lies."""
     first, second = (
         [sign for sign, end in ((-1, low), (1, high)) if t != end] for t, (low, high) in zip(spot, box, strict=True)
     )

@@ -1,4 +1,4 @@
-"""Where on a surface something holds: at points, on parts of patches, or both."""
+"""The places of a surface at which something holds: points, parts of patches, or both."""
 
 from __future__ import annotations
 
@@ -14,8 +14,8 @@ T_co = TypeVar("T_co", covariant=True)
 
 @dataclass(frozen=True, repr=False)
 class SurfacePart(OneLine):
-    """A part of one patch of a surface, as seen from it: a rectangle of parameters, an edge (one side of the rectangle
-    is a single number), or a curve inside of the rectangle.
+    """A part of one patch of a surface: a rectangle of parameters, an edge (one side of the rectangle is a single
+    number), or a curve inside the rectangle.
 
     >>> from gmpy2 import mpq
     >>> from exactspline.numbers.intervals import Interval
@@ -34,8 +34,9 @@ class SurfacePart(OneLine):
 
 @dataclass(frozen=True, repr=False)
 class SurfacePlaces(Answer[T_co, SurfacePart]):
-    """Where on a surface something holds: at points, each once, and everywhere on parts of patches; `undecided` are
-    rectangles of parameters in which there may be more. An answer with such a rectangle is not "nowhere".
+    """The places of a surface at which something holds: points, each once, and `everywhere` parts of patches.
+    `undecided` are rectangles of parameters in which there may be more. An answer with such a rectangle is not
+    "nowhere".
 
     >>> from gmpy2 import mpq
     >>> from exactspline.numbers.intervals import Interval

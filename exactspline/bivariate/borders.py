@@ -1,5 +1,5 @@
-"""Zeros on the four edges of a patch: these are zeros of polynomials in one parameter, so that they are found with
-certainty.
+"""Zeros on the four edges of a patch: these are zeros of polynomials in one parameter, so that all of them are
+found.
 """
 
 from __future__ import annotations
@@ -33,7 +33,7 @@ class Edge(NamedTuple):
         return f"<Edge at the {('first', 'last')[self.end]} {'uv'[self.direction]}>"
 
     def value(self, sides: Box) -> mpq:
-        """The value of that parameter."""
+        """The value of the parameter that is constant on the edge."""
         return sides[self.direction][self.end]
 
     def place(self, sides: Box, other: Parameter) -> tuple[Parameter, Parameter]:
@@ -50,7 +50,7 @@ def along(form: PatchForm, edge: Edge, sides: Box) -> fmpz_poly:
 
 
 def common_along(forms: Sequence[PatchForm], edge: Edge, sides: Box) -> fmpz_poly:
-    """The greatest common divisor of forms along an edge: zero where all of them vanish on it."""
+    """The greatest common divisor of forms along an edge: zero if all of them vanish on the edge."""
     return greatest_common_divisor(along(f, edge, sides) for f in forms)
 
 
@@ -60,7 +60,7 @@ def roots_along(p: fmpz_poly, edge: Edge, sides: Box) -> list[Root]:
 
 
 def vanishes_at(form: PatchForm, spot: tuple[Parameter, Parameter], sides: Box) -> bool:
-    """Whether a form vanishes at a point of a patch that is on its border or rational."""
+    """Whether a form vanishes at a point of a patch that is on the border or rational."""
     u, v = (t.exact if isinstance(t, Root) else t for t in spot)
     if u is not None and v is not None:
         return bool(form.value(sides.first.local(u), sides.second.local(v)) == 0)

@@ -1,9 +1,9 @@
-"""All common zeros of polynomials in two parameters on a rectangle: simple, multiple, irrational, on its border.
+"""All common zeros of polynomials in two parameters on a rectangle: simple and multiple, irrational, and on the border.
 
-Boxes come first: they exclude, and certify simple zeros. On the border the zeros are those of polynomials in one
-parameter. What remains is decided by elimination: a resultant has all values s of common zeros among its roots, and
-over the field of each of them the zeros t are those of a greatest common divisor, so that nothing is decided by digits:
-boxes exclude, and a change of an exact sign proves.
+Boxes are used first: they exclude zeros, and certify simple zeros. On the border the zeros are zeros of polynomials in
+one parameter. All other cases are decided by elimination: the values s of all common zeros are roots of a resultant,
+and over the field of each root s the values t are the zeros of a greatest common divisor. Nothing is decided by digits:
+boxes exclude, and changes of an exact sign prove.
 
 Source: Mourrain and Pavone, Subdivision methods for solving polynomial equations, Journal of Symbolic Computation 2009;
 Berberich, Emeliyanenko, Kobel and Sagraloff, Exact symbolic-numeric computation of planar algebraic curves, Theoretical
@@ -48,17 +48,17 @@ ELIMINANTS = 2
 SUBDIVISION = 12
 #: The product of the degrees of a form up to which resultants are computed before simple rational numbers are tried.
 FEW = 9
-#: The first precision (decimal digits) at which a sign is tried, and that of a number over which forms are.
+#: The first precision (decimal digits) at which a sign is tried, and the precision of a number over which forms are
+#: considered.
 DIGITS, OVER = 15, 60
-#: Bits to which a zero is refined before it is decided exactly whether another form vanishes there, or which of two it
-#: is; and those with which it is tried where nearly all forms do not vanish.
+#: The bits to which a zero is refined before it is decided exactly whether another form vanishes there, or whether two
+#: zeros are equal; and the bits tried where most forms do not vanish.
 BITS, TRIED = 400, (10, 20, 40, 80)
 
 
 class CommonZero:
     """A common zero of forms on the unit square, in the parameters of a patch with these `sides`: two real numbers,
-    each rational or a certified root; where it is certified in a box (`isolated`) they are computed when they are asked
-    for.
+    each rational or a certified root; if the zero is certified in a box (`isolated`), they are computed on demand.
     """
 
     __slots__ = ("_local", "_place", "isolated", "sides")
@@ -82,12 +82,12 @@ class CommonZero:
         return cls(sides, place=(exactly(place[0]), exactly(place[1])))
 
     def on(self, sides: Box) -> CommonZero:
-        """The point of the unit square as one of a patch with these sides."""
+        """The same point of the unit square, as a point of a patch with these sides."""
         return CommonZero(sides, self._local, self.isolated)
 
     @property
     def local(self) -> Place:
-        """Both numbers as local parameters. Raises `ReachError` where it would take too long to compute them."""
+        """Both numbers as local parameters. Raises `ReachError` if computing them would take too long."""
         if self._local is None:
             if self._place is not None:
                 inverse = [Interval(side.local(mpq(0)), side.local(mpq(1))) for side in self.sides]
@@ -100,7 +100,7 @@ class CommonZero:
 
     @property
     def place(self) -> Place:
-        """Both numbers. Raises `ReachError` where it would take too long to compute them."""
+        """Both numbers. Raises `ReachError` if computing them would take too long."""
         if self._place is None:
             self._place = _moved(self.local, self.sides)
         return self._place
@@ -124,7 +124,7 @@ class CommonZero:
 
     @property
     def numbers(self) -> tuple[Real, Real]:
-        """Both numbers, enclosed by boxes, and computed exactly when that is asked for."""
+        """Both numbers as real numbers, which are enclosed by boxes and computed exactly on demand."""
         if (exact := self.exact) is not None:
             return Real(exact[0]), Real(exact[1])
         first, second = (InBalls(partial(_ball, self, k), partial(_real, self, k)) for k in (0, 1))
@@ -132,7 +132,7 @@ class CommonZero:
 
     @property
     def exact(self) -> tuple[mpq, mpq] | None:
-        """Both numbers where they are known to be rational."""
+        """Both numbers if they are known to be rational, otherwise None."""
         if self.isolated is not None:
             found = self.isolated.exact
             return None if found is None else self.sides.at(*found)
@@ -141,7 +141,7 @@ class CommonZero:
 
     @property
     def is_inside(self) -> bool:
-        """Whether it is not on the border of its patch."""
+        """Whether the zero is not on the border of its patch."""
         if self.isolated is not None:
             return True
         numbers, sides = (self._local, UNIT) if self._place is None else (self._place, self.sides)
@@ -149,21 +149,21 @@ class CommonZero:
         return all(low < x < high for x, (low, high) in zip(numbers, sides, strict=True))
 
     def refine(self, bits: int) -> Box:
-        """A box of local parameters that contains it, with sides of length at most ``2^−bits``."""
+        """A box of local parameters that contains the zero, with sides of length at most ``2^−bits``."""
         if self.isolated is not None:
             return self.isolated.refine(bits)
-        # with short ends: those of the interval of a root may have thousands of digits
+        # with short ends, because the ends of the interval of a root may have thousands of digits
         first, second = (_rounded(side, bits + 1) for side in _around(self.local, bits * 30103 // 100000 + 2))
         return Box(first, second)
 
     def box(self, digits: int) -> Box:
-        """A box that contains it, its sides at most ``10^−digits`` long."""
+        """A box that contains the zero, its sides at most ``10^−digits`` long."""
         if self._place is not None:
             return _around(self._place, digits)
         return self.sides.part(self.refine(int(self.sides.longest * mpq(10) ** digits).bit_length()))
 
     def is_zero_of(self, form: PatchForm) -> bool:
-        """Whether a form vanishes here too, decided exactly. Raises `ReachError` where this would take too long."""
+        """Whether a form also vanishes here, decided exactly. Raises `ReachError` where this would take too long."""
         if any(rounded(form, self.refine(bits)).sign in (1, -1) for bits in TRIED):
             return False
         if self.isolated is not None and self.isolated.exact is not None:
@@ -171,12 +171,12 @@ class CommonZero:
         return vanish_at([as_polynomial(form)], *self.local)
 
     def sign_of(self, form: PatchForm) -> int:
-        """The sign of a form here, where one of its boxes shows it; 0 where none does."""
+        """The sign of a form here, if a box around the zero shows it; otherwise 0."""
         return next((sign for bits in (*TRIED, BITS) if (sign := rounded(form, self.refine(bits)).sign)), 0)
 
     def is_in_region_of(self, other: CommonZero) -> bool:
-        """Whether it is the other point, where it is a zero of the two forms of which that is an isolated zero; False
-        is a proof for any two points.
+        """Whether this zero is the other one, provided that it is a zero of the two forms of which the other is an
+        isolated zero. False is a proof for any two points.
         """
         bits = 16
         while other.isolated is not None and (box := self.refine(bits)).meets(other.refine(bits)):
@@ -186,8 +186,8 @@ class CommonZero:
         return False
 
     def is_at(self, other: CommonZero) -> bool:
-        """Whether both are one point of one patch, decided exactly. Raises `ReachError` where this would take too
-        long.
+        """Whether both are the same point of the same patch, decided exactly. Raises `ReachError` where this would take
+        too long.
         """
         if not self.refine(BITS).meets(other.refine(BITS)):
             return False
@@ -208,7 +208,7 @@ def _around(place: Place, digits: int) -> Box:
 
 
 def _rounded(side: Interval, bits: int) -> Interval:
-    """An interval around another one that is not a number, its ends multiples of ``2^−bits``."""
+    """An interval around another interval (not a single number), with ends that are multiples of ``2^−bits``."""
     if side.low == side.high:
         return side
     scale = mpq(1 << bits)
@@ -216,7 +216,7 @@ def _rounded(side: Interval, bits: int) -> Interval:
 
 
 def _moved(place: Place, sides: Sequence[Interval]) -> Place:
-    """Local parameters as those of a patch with these sides."""
+    """Local parameters, converted to those of a patch with these sides."""
     s, t = map(_moved_to, sides, place)
     return s, t
 
@@ -226,7 +226,9 @@ def _moved_to(side: Interval, x: Parameter) -> Parameter:
 
 
 class Found(NamedTuple):
-    """Common zeros, and boxes of local parameters in which there may be more: `reason` says why."""
+    """Common zeros, and boxes of local parameters in which there may be more; `reason` is the reason for these
+    boxes.
+    """
 
     zeros: list[CommonZero]
     undecided: list[Box]
@@ -234,8 +236,8 @@ class Found(NamedTuple):
 
 
 def common_zeros(polynomials: Sequence[fmpz_mpoly], sides: Box, also: Sequence[fmpz_mpoly] = ()) -> list[CommonZero]:
-    """All common zeros on a closed rectangle of polynomials without a common factor, in order. Those at which one of
-    the others, `also`, is certainly not zero are left out.
+    """All common zeros on a closed rectangle of polynomials without a common factor, in order. Zeros at which one of
+    the polynomials `also` is certainly not zero are omitted.
 
     Raises `ReachError` where this would take too long.
 
@@ -262,9 +264,9 @@ def zeros_of(
     """All common zeros on the closed unit square of forms that are not zero and have no common factor, as points of a
     patch with these sides.
 
-    Where all the other forms vanish and one of its `cofactors` does not, a form vanishes too. The points `known` are
-    common zeros. Those at which one of `also` is certainly not zero, or one of `not_positive` certainly positive, are
-    left out.
+    A form vanishes where all the other forms vanish and one of its `cofactors` does not. The points `known` are common
+    zeros. Zeros at which one of `also` is certainly not zero, or one of `not_positive` is certainly positive, are
+    omitted.
 
     >>> circle = PatchForm.of_net([[-1, -1, 0], [-1, -1, 0], [0, 0, 1]])  # x² + y² − 1
     >>> zeros_of([circle, PatchForm.of_net([[0, -1], [1, 0]])]).zeros
@@ -292,7 +294,7 @@ class _Search:
         self.border = list(self._on_border())
 
     def answer(self, sides: Box, not_positive: Sequence[PatchForm]) -> Found:
-        """The zeros, and what is not decided."""
+        """The zeros, and the undecided boxes."""
         given = [*self.forms, *self.also]
         found, others, reason = isolate(given, not_positive, len(self.also)), list[CommonZero](), None
         if found.undecided:
@@ -329,7 +331,7 @@ class _Search:
                     yield CommonZero(UNIT, place)
 
     def _is_inside(self, zero: Isolated) -> bool:
-        """Whether a certified zero may be a common one that is inside: one that is on the border is known."""
+        """Whether a certified zero may be a common zero inside; zeros on the border are known already."""
         bits, box = 16, zero.box
         while not box.is_inside(UNIT):
             if any(high < 0 or low > 1 for low, high in box):
@@ -357,8 +359,8 @@ class _Search:
         return not others or self._is_of_all(zero)
 
     def _is_of_all(self, zero: CommonZero) -> bool:
-        """Whether all forms vanish at a zero of two of them, which then is the one pair of roots of the eliminants of
-        all in its box: these have a lower degree than those of the two.
+        """Whether all forms vanish at a zero of two of them. Then the zero is the only pair of roots, in its box, of
+        the eliminants of all forms, which have a lower degree than the eliminants of the two.
         """
         assert zero.isolated is not None
         place = _numbers(zero.isolated, self.forms)
@@ -390,7 +392,7 @@ class _Search:
         return [zero for zero in found if zero.is_inside]
 
     def _may_vanish(self, s: Parameter, box: Box) -> bool:
-        """Whether no form is certainly not zero over a number s in a box."""
+        """Whether all forms may have a zero over a number s in a box."""
         line = Box(enclosing(s, OVER), box.second)
         return not any(rounded(f, line).sign in (1, -1) for f in (*self.forms, *self.also))
 
@@ -409,7 +411,7 @@ def multiplicity(zero: CommonZero, f: fmpz_mpoly, g: fmpz_mpoly) -> int:
 
 class Projection(NamedTuple):
     """A common zero of two polynomials as a root of their resultant in ``z = t + slope s``: the irreducible factor of
-    which z is a root, and its multiplicity; s as a polynomial in z over the field of z, and the power of ``s − s(z)``
+    which z is a root, and its multiplicity; s as a polynomial in z over the field of z; and the power of ``s − s(z)``
     that is the greatest common divisor there.
     """
 
@@ -421,7 +423,8 @@ class Projection(NamedTuple):
 
 
 def projected(zero: CommonZero, f: fmpz_mpoly, g: fmpz_mpoly) -> Projection:
-    """The projection of a common zero of polynomials without a common factor along which no other one has the same z.
+    """A projection of a common zero of polynomials without a common factor such that no other common zero has the same
+    z.
 
     >>> f, g = 2 * S * S - 1, (S - T) ** 2
     >>> projected(common_zeros([f, g], UNIT)[0], f, g)
@@ -435,7 +438,7 @@ def projected(zero: CommonZero, f: fmpz_mpoly, g: fmpz_mpoly) -> Projection:
         sheared = [p.compose(T, S - slope * T) for p in (f, g)]
         rows = [rows_of(p) for p in sheared]
         if all(own[-1].degree() > 0 for own in rows) or any(len(own) == 1 for own in rows):
-            continue  # zeros at infinity would be counted; a polynomial in z alone is out of reach of the checker
+            continue  # zeros at infinity would be counted; the checker cannot verify a polynomial in z alone
         factor, times = _factor_at(resultant(*rows), zero, slope)
         column = Column.of(sheared, factor)
         if column.zeros.degree == 1:
@@ -458,18 +461,18 @@ def _factor_at(eliminant: fmpz_poly, zero: CommonZero, slope: int) -> tuple[fmpz
 
 @dataclass(frozen=True, repr=False)
 class Column(OneLine):
-    """The common zeros of polynomials over the roots of one irreducible polynomial: those of a square-free polynomial
-    in t over its field.
+    """The common zeros of polynomials over the roots of one irreducible polynomial: these are the zeros of a
+    square-free polynomial in t over its field.
     """
 
     minimal: fmpz_poly
     zeros: OverRoot
-    #: The degree of their greatest common divisor, of which the zeros may be multiple ones.
+    #: The degree of the greatest common divisor, whose zeros may be multiple.
     degree: int
 
     @classmethod
     def of(cls, polynomials: Sequence[fmpz_mpoly], minimal: fmpz_poly) -> Column:
-        """That of polynomials which do not all vanish on the line. Raises `ReachError` where that would take too
+        """The column of polynomials that do not all vanish on the line. Raises `ReachError` if this would take too
         long.
         """
         modulus = fmpq_poly(minimal)
@@ -478,7 +481,7 @@ class Column(OneLine):
 
     @cached_property
     def candidates(self) -> list[Parameter]:
-        """All values t in [0, 1] that the zeros over any of the roots have, in ascending order; their intervals do not
+        """The values t in [0, 1] of the zeros over any of the roots, in ascending order; their intervals do not
         meet.
         """
         if self.zeros.degree < 1:
@@ -494,12 +497,12 @@ class Column(OneLine):
         return numbers
 
     def sign(self, s: Parameter, t: mpq) -> int:
-        """The sign over one of the roots at a rational t."""
+        """The sign of the polynomial over one of the roots at a rational t."""
         return _sign_over(self.zeros(t), s)
 
     def may_be_in(self, s: Parameter, side: Interval) -> bool:
-        """Whether a zero over one of the roots may be in an interval: a single one is there if the sign changes, which
-        is decided without the `candidates`.
+        """Whether a zero over one of the roots may be in an interval. If the sign changes there is a zero, which is
+        decided without the `candidates`.
         """
         return self.zeros.degree > 1 or self.sign(s, side.low) * self.sign(s, side.high) <= 0
 
@@ -507,7 +510,7 @@ class Column(OneLine):
         """Whether one of the `candidates` is a zero over one of the roots."""
         if not isinstance(t, Root):
             return self.sign(s, t) == 0
-        # a zero in the interval of a candidate is this one, and it is simple
+        # a zero in the interval of a candidate is the candidate, and is simple
         digits = 1
         while True:
             before, behind = (self.sign(s, end) for end in t.refine(digits))
@@ -526,7 +529,7 @@ def _lines(eliminant: fmpz_poly, sides: Sequence[Interval]) -> Iterator[tuple[fm
         return [exactly(s) for s in roots_in(p, *whole, whole=True) if any(low <= s <= high for low, high in sides)]
 
     for part, _ in factorize_square_free(eliminant).powers:
-        # most square-free parts have no root there, and are not factored any further
+        # most square-free parts have no root in the intervals, and need no further factorization
         if roots(part):
             for minimal in factorize(part).bases:
                 if own := roots(minimal):
@@ -539,7 +542,7 @@ def _eliminant(polynomials: Sequence[fmpz_mpoly]) -> fmpz_poly:
     rows, found = rows_of(first), list[fmpz_poly]()
     k = 0
     while len(found) < (ELIMINANTS if len(others) > 1 else 1):
-        # a factor of the first divides two of the combinations only if it divides all
+        # a factor of the first polynomial divides two of the combinations only if it divides all polynomials
         combined = sum((p * k**i for i, p in enumerate(others)), S * 0)
         eliminant = _without_t(rows, rows_of(combined)) if combined else fmpz_poly([])
         if eliminant:
@@ -568,14 +571,14 @@ def _eliminated(k: int, forms: Sequence[PatchForm]) -> list[fmpz_poly]:
 
 
 def _numbers(zero: Isolated, forms: Sequence[PatchForm]) -> Place | None:
-    """The numbers of a zero certified in a box; None proves that the forms do not all vanish there."""
+    """The two numbers of a zero certified in a box; None proves that the forms do not all vanish there."""
     s, t = (_number(zero, forms, k) for k in (0, 1))
     return None if s is None or t is None else (s, t)
 
 
 def _number(zero: Isolated, forms: Sequence[PatchForm], k: int) -> Parameter | None:
-    """One of the numbers of a zero certified in a box, as a simple rational one or a root of an eliminant of forms;
-    None proves that these do not all vanish there.
+    """One of the two numbers of a zero certified in a box, as a simple rational number or a root of an eliminant of the
+    forms; None proves that the forms do not all vanish there.
     """
     m, n = forms[0].degree
     if (m * n > FEW or not zero.box.longest) and zero.exact is not None:
@@ -588,7 +591,7 @@ def _number(zero: Isolated, forms: Sequence[PatchForm], k: int) -> Parameter | N
 
 
 def _sign_over(x: fmpq_poly, s: Parameter) -> int:
-    """The sign of a polynomial, reduced modulo the minimal one, at a number."""
+    """The sign at a number of a polynomial that is reduced modulo the minimal polynomial."""
     if not x:
         return 0
     numerator, digits = x.numer(), DIGITS

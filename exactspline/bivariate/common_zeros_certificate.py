@@ -1,4 +1,6 @@
-"""The proof of all common zeros of functions of two parameters, as JSON data for `exactspline.certificates`."""
+"""The proof that the common zeros of functions of two parameters are complete, as JSON data for
+`exactspline.certificates`.
+"""
 
 from __future__ import annotations
 
@@ -41,9 +43,10 @@ Found = tuple[Place, Iterable[tuple[int, int]]]
 
 
 def common_zeros_certificate(functions: Sequence[TensorSpline], found: Sequence[Found]) -> dict[str, object]:
-    """The certificate of all common zeros of functions on one mesh, given these zeros and the patches that have them.
+    """The certificate of all common zeros of functions on the same mesh, given these zeros and the patches on which
+    they lie.
 
-    Raises `ReachError` where there are too many boxes, or the degrees are too high.
+    Raises `ReachError` if there are too many boxes, or if the degrees are too high.
     """
 
     def proved(patch: tuple[int, int]) -> dict[str, Any]:
@@ -57,7 +60,7 @@ def common_zeros_certificate(functions: Sequence[TensorSpline], found: Sequence[
 
 
 def on_each_patch(function: TensorSpline, proved: Callable[[tuple[int, int]], dict[str, object]]) -> dict[str, object]:
-    """The knots in both directions, and what is proved of each patch between them, with its indices."""
+    """The knots in both directions, and the proof for each patch between them, with the indices of the patch."""
     first, second = (range(len(mesh)) for mesh in function.meshes)
     return {
         "knots": [[text(t) for t in mesh.breaks] for mesh in function.meshes],
@@ -70,7 +73,7 @@ def proof_on_patch(
 ) -> dict[str, object]:
     """The proof that the zeros found on a patch are all common zeros there of forms of one degree.
 
-    Raises `ReachError` where there are too many boxes, or the degrees are too high.
+    Raises `ReachError` if there are too many boxes, or if the degrees are too high.
     """
     zeros = [ZeroOnPatch(forms, sides, place) for place, own in found if patch in own]
     regions = [zero.region(bits) for zero, bits in zip(zeros, _sizes(zeros), strict=True)]
@@ -81,7 +84,7 @@ def proof_on_patch(
 
 
 def _sizes(zeros: Sequence[ZeroOnPatch]) -> list[int]:
-    """For each zero the size of the largest region that serves, apart from the others."""
+    """For each zero the size of the largest suitable region that does not meet the other regions."""
     sizes = [zero.serving(0) for zero in zeros]
     for i, j in combinations(range(len(zeros)), 2):
         while zeros[i].region(sizes[i]).meets(zeros[j].region(sizes[j])):
@@ -100,7 +103,9 @@ class ZeroOnPatch:
 
     @cached_property
     def simple(self) -> tuple[int, int] | None:
-        """Two of the functions whose Jacobian is regular here, where the zero can be proved by these."""
+        """Two of the functions whose Jacobian is regular here, if the zero can be proved by these two; otherwise
+        None.
+        """
         if len(self.forms) > 2 and self.exact is None and self.edge is None:
             return None
         polynomials = self.polynomials
@@ -124,8 +129,8 @@ class ZeroOnPatch:
 
     @cached_property
     def eliminated(self) -> tuple[Projection, list[list[int]], fmpz_poly]:
-        """The projection of a zero that is not simple, the pair of combinations of which it is one, and the other
-        factors of their resultant.
+        """The projection of a zero that is not simple, the pair of combinations of which it is a common zero, and the
+        other factors of their resultant.
         """
         polynomials, k = self.polynomials, 0
         if greatest_common_divisor(polynomials).total_degree() > 0:
@@ -144,18 +149,18 @@ class ZeroOnPatch:
 
     @cached_property
     def exact(self) -> tuple[mpq, ...] | None:
-        """Both parameters where they are rational."""
+        """Both parameters if they are rational, otherwise None."""
         known = [x.exact if isinstance(x, Root) else x for x in self.place]
         local = [side.local(x) for side, x in zip(self.sides, known, strict=True) if x is not None]
         return tuple(local) if len(local) == len(known) else None
 
     @cached_property
     def edge(self) -> tuple[int, int] | None:
-        """The edge that it is on: a direction and an end."""
+        """The edge on which the zero lies, by a direction and an end; None for a zero inside."""
         return next(((k, end) for k, end in EDGES if self.place[k] == self.sides[k][end]), None)
 
     def region(self, bits: int) -> Box:
-        """A box around it, about ``2^(1−bits)`` wide, in the square."""
+        """A box around the zero, about ``2^(1−bits)`` wide, in the square."""
         width, digits = mpq(1, 1 << bits), bits // 3 + 2
         around = []
         for side, x in zip(self.sides, self.place, strict=True):
@@ -178,14 +183,14 @@ class ZeroOnPatch:
         return [_combination(parts, row) for row in self.combinations(region)]
 
     def serving(self, last: int) -> int:
-        """The size of the largest region that serves, smaller than the last one."""
+        """The size of the largest suitable region that is smaller than the last one."""
         for bits in BITS:
             if bits > last and self.serves(bits):
                 return bits
         raise ReachError(f"a certificate of a common zero in a region of less than {BITS[-1]} bits", remedy=REMEDY)
 
     def serves(self, bits: int) -> bool:
-        """Whether a region has one zero at most, and this one's existence can be proved in it."""
+        """Whether a region has at most one zero, and the existence of this zero can be proved in it."""
         region = self.region(bits)
         if self.simple is None:
             return self.is_alone(region)
@@ -219,7 +224,7 @@ class ZeroOnPatch:
         return data | ({"by": CROSSED} if self.edge is None else {"by": EDGE, "edge": list(self.edge)})
 
     def by_elimination(self, region: Box) -> dict[str, object]:
-        """The proof in a region in which it `is_alone`."""
+        """The proof in a region in which the zero `is_alone`."""
         found, pair, _ = self.eliminated
         above, bottom = found.s.numer(), found.s.denom()
         return {
@@ -233,7 +238,7 @@ class ZeroOnPatch:
         }
 
     def _at(self, region: Box, found: Projection) -> Interval:
-        """An interval of z in which it is proved that the zero is in its region."""
+        """An interval of z on which it is proved that the zero is in its region."""
         minimal = found.minimal
         if minimal.degree() == 1:
             return Interval.point(mpq(-int(minimal[0]), int(minimal[1])))
@@ -272,7 +277,7 @@ def _is_between(p: fmpq_poly, bounds: Interval, side: Interval) -> bool:
 
 
 def _of_two(row: Sequence[int], i: int, j: int, count: int) -> list[int]:
-    """A combination of two functions as one of all."""
+    """A combination of two functions as a combination of all functions."""
     found = [0] * count
     found[i], found[j] = row
     return found
@@ -296,7 +301,7 @@ def _sign(values: Sequence[Any]) -> int:
 
 
 def _boxes(forms: Sequence[PatchForm], regions: Sequence[Box]) -> Iterator[object]:
-    """Cuts of boxes, regions and combinations with one sign."""
+    """The cuts of boxes, the regions, and the combinations with one sign."""
     todo, boxes = [Sized(UNIT, list(forms), 0)], 0
     while todo:
         part, boxes = todo.pop(), boxes + 1

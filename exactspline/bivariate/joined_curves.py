@@ -1,8 +1,9 @@
-"""Curves of zeros across patches: parts on neighbouring patches that end at one point of their common border are
+"""Curves of zeros across patches: parts on neighbouring patches that end at the same point of their common border are
 joined.
 
-Where a form is continuous (K where the curvature is) its zeros on the border are the same for both, as roots of two
-polynomials; whether two of these roots are equal is decided exactly. The two ends of a closed surface are one border.
+Where a form is continuous (K where the curvature is), it has the same zeros on the border for both patches, as roots of
+two polynomials; whether two of these roots are equal is decided exactly. The two ends of a closed surface are a common
+border.
 """
 
 from __future__ import annotations
@@ -32,14 +33,16 @@ class Piece(NamedTuple):
     part: Part
 
     def spots(self) -> Iterator[tuple[Spot, int]]:
-        """Its points on the border of the patch, in the parameters of the surface, and how many arcs end at each."""
+        """The points of the part on the border of the patch, in the parameters of the surface, and the number of arcs
+        that end at each.
+        """
         ends = self.part.ends
         for vertex in self.part.vertices:
             if (spot := self.spot(vertex)) is not None:
                 yield spot, ends[vertex]
 
     def spot(self, vertex: Vertex) -> Spot | None:
-        """The parameters of a point on the border of the patch, in those of the surface; None for one inside."""
+        """A point on the border of the patch in the parameters of the surface; None for a point inside."""
         if vertex.other is not None:
             if not {vertex.value, vertex.other} & {0, 1}:
                 return None
@@ -66,8 +69,8 @@ def place_of(piece: Piece) -> Place:
 
 @dataclass(frozen=True, repr=False)
 class ZeroComponent:
-    """A connected part of the zeros of a form, with its pieces patch by patch. `met` is the number of arcs that end at
-    each of its points on borders of patches; on a seam, at the first parameter.
+    """A connected part of the zeros of a form, with its pieces patch by patch. `met` has the number of arcs that end at
+    each of its points on borders of patches; points on a seam have the first parameter.
     """
 
     shape: Shape
@@ -80,13 +83,13 @@ class ZeroComponent:
 
     @property
     def patches(self) -> tuple[Patch, ...]:
-        """The patches that it meets."""
+        """The patches that the component meets."""
         return tuple(dict.fromkeys(piece.patch for piece in self.pieces))
 
     def arcs(self, domain: Box, closed: Sequence[Along] = ()) -> list[tuple[Spot | None, Spot | None, bool]]:
         """The arcs between singular points and points on the border, by the parameters of both ends, None for an end in
-        an undecided box; and whether it is closed and has no such points. Raises `ReachError` where it would take too
-        long to compute those of a singular point.
+        an undecided box; and whether the arc is closed and has no such points. Raises `ReachError` if computing the
+        parameters of a singular point would take too long.
         """
         graph, special = _graph(self.pieces, domain, closed), dict[Hashable, Spot]()
         node: Hashable
@@ -129,7 +132,7 @@ def _other(way: _Way, node: Hashable) -> Hashable:
 
 
 def _place(node: Hashable, special: dict[Hashable, Spot]) -> Spot | None:
-    """The parameters of a point; None for one on the border of an undecided box."""
+    """The parameters of a point; None for a point on the border of an undecided box."""
     return node.spot if isinstance(node, _OnBorder) else special.get(node)
 
 
@@ -140,7 +143,7 @@ class _OnBorder(NamedTuple):
 
 
 def _graph(pieces: Sequence[Piece], domain: Box, closed: Sequence[Along]) -> dict[Hashable, list[_Way]]:
-    """The points of pieces of one curve, and the ways from each to the next ones."""
+    """The points of the pieces of one curve, and the ways from each point to the next ones."""
     graph: dict[Hashable, list[_Way]] = {}
     for k, piece in enumerate(pieces):
         keys: dict[Vertex, Hashable] = {}
@@ -160,8 +163,8 @@ def _graph(pieces: Sequence[Piece], domain: Box, closed: Sequence[Along]) -> dic
 def chained(
     pieces: Sequence[Piece], domain: Box, closed: Sequence[Along], undecided: Sequence[Box] = ()
 ) -> tuple[ZeroComponent, ...]:
-    """The pieces, joined where they meet on borders of patches; one that ends in an `undecided` box may
-    continue there.
+    """The pieces, joined where they meet on borders of patches; a piece that ends in an `undecided` box may continue
+    there.
     """
     spots: dict[Spot, Counter[int]] = {}
     borders = _borders(domain, closed)

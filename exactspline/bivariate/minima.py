@@ -1,8 +1,8 @@
-"""Where on a rectangle a quotient of functions of two parameters is least, and its least value, exactly: at points
-inside, on edges, at corners, along curves.
+"""The least value of a quotient of functions of two parameters on a rectangle, and where it is taken, exactly: at
+points inside, on edges, at corners, along curves.
 
-Inside a patch that is at common zeros of both derivatives, of which those are found that are not above a value already
-known, or where a common factor of them vanishes: along its zeros the value is constant.
+Inside a patch the least value is taken at common zeros of both derivatives; those with a value above a known value are
+not computed. Along the zeros of a common factor of the derivatives the value is constant.
 """
 
 from __future__ import annotations
@@ -26,13 +26,13 @@ from exactspline.roots.root import Root
 from exactspline.splines.surface import Along
 from exactspline.splines.tensor import TensorSpline, aligned
 
-#: A value, and where it is taken: at a point, or on a part all of whose points have it.
+#: A value, and the place where it is taken: a point, or a part all of whose points have the value.
 Found = tuple[Real, Place | SurfacePart]
 
 
 def minima(top: TensorSpline, bottom: TensorSpline, closed: Sequence[Along] = ()) -> tuple[Real, SurfacePlaces[Place]]:
-    """The least value of a quotient with a positive denominator, and where it is taken; at knots its limits from all
-    sides are values. Parameters whose two ends are one are `closed`.
+    """The least value of a quotient with a positive denominator, and where it is taken; at knots the limits from all
+    sides count as values. `closed` are the parameters whose two ends are identified.
 
     >>> knots = [0, 0, 0, 1, 1, 1]
     >>> f = TensorSpline((2, 2), knots, knots, [[2, 0, 2], [0, -2, 0], [2, 0, 2]])  # (2s − 1)² + (2t − 1)²
@@ -40,7 +40,7 @@ def minima(top: TensorSpline, bottom: TensorSpline, closed: Sequence[Along] = ()
     >>> value, places[0].exact
     (<Real 3>, (mpq(1,2), mpq(1,2)))
 
-    Raises `ReachError` where that would take too long.
+    Raises `ReachError` if this would take too long.
     """
     (f, g), ends = aligned(top, bottom), set[Spot]()
     with drawing_on(budget_for(f)):
@@ -63,8 +63,8 @@ def _line(patch: Patch, sides: Box, direction: int, local: mpq) -> SurfacePart:
 
 
 def _on_border(patch: Patch, f: Quotient, bound: mpq) -> Iterator[Found]:
-    """The points of edges at which a quotient may be least, and edges and patches on which it is constant, where it is
-    not above a bound.
+    """The points of edges at which a quotient may be least, and edges and patches on which it is constant, if the value
+    is at most a bound.
     """
     excess, whole = f.excess(bound), SurfacePart(patch, f.sides)
     for edge in [edge for edge in EDGES if min(excess.edge(*edge)) <= 0]:
@@ -75,7 +75,9 @@ def _on_border(patch: Patch, f: Quotient, bound: mpq) -> Iterator[Found]:
 
 
 def _inside(patch: Patch, f: Quotient, bound: mpq, ends: set[Spot]) -> Iterator[Found]:
-    """The same inside of a patch; `ends` of curves on which it is constant are added."""
+    """The points inside a patch at which a quotient may be least, and curves on which it is constant; the end points of
+    these curves are added to `ends`.
+    """
     points, arcs, undecided = f.critical(bound)
     if undecided:
         raise ReachError(f"the least value over {f.sides.shortly}", remedy="take a part of the surface (restrict)")

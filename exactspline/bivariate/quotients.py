@@ -1,4 +1,6 @@
-"""The values of a quotient of polynomials in two parameters at exact places: exact numbers, enclosed without effort."""
+"""The values of a quotient of polynomials in two parameters at exact places: exact numbers that are cheap to
+enclose.
+"""
 
 from __future__ import annotations
 
@@ -28,13 +30,12 @@ from exactspline.roots.values import value_at
 from exactspline.splines.tensor import TensorSpline
 
 # ---- monotone arcs
-#
-# The square is cut at every s of a zero on its border and of a zero at which a derivative vanishes. Between two cuts
-# the zeros are graphs, of which rational lines near a cut show at which zero over it each of them ends.
+# The square is cut at the parameter s of every zero on its border and of every zero at which a derivative vanishes.
+# Between two cuts the zeros are graphs; rational lines near a cut show at which zero over the cut each graph ends.
 
 
 class MonotoneArc(NamedTuple):
-    """An arc of zeros: its ends, and a point on it of which one parameter is rational."""
+    """An arc of zeros: its ends, and a point of the arc with one rational parameter."""
 
     start: Place
     end: Place
@@ -43,7 +44,7 @@ class MonotoneArc(NamedTuple):
 
 def _monotone_arcs(p: fmpz_mpoly) -> tuple[list[MonotoneArc], list[CommonZero]]:
     """The zeros of an irreducible polynomial: the arcs between points of the border and zeros at which a derivative
-    vanishes; and these zeros, single points among them. A polynomial in one parameter vanishes along whole lines.
+    vanishes; and these zeros, including single points. A polynomial in one parameter vanishes along whole lines.
 
     >>> from exactspline.polynomials.two_parameters import S, T
     >>> ((arc,), turning) = _monotone_arcs(2 * S * S - T)
@@ -87,8 +88,8 @@ def _fibre(p: fmpz_mpoly, s: Parameter) -> list[Parameter]:
 
 
 def _ends(p: fmpz_mpoly, fibre: Sequence[Parameter], near: Parameter, far: Parameter) -> Iterator[int]:
-    """For each graph between two cuts, in ascending order, the number of the zero over the near cut at which it ends:
-    on a line so near that no graph crosses a height between two of these zeros on the way.
+    """For each graph between two cuts, in ascending order, the number of the zero over the near cut at which it ends.
+    It is read on a line so close to the cut that between both no graph crosses a height between two of these zeros.
     """
     heights = [between(a, b) for a, b in pairwise(fibre)]
     crossed = [s for t in heights for s in roots_in(at(p, 1, t), *UNIT.first)]
@@ -117,11 +118,12 @@ def border_pairs(p: fmpz_mpoly, sides: Box) -> list[Place]:
 
 
 V = TypeVar("V")
-#: The first number of digits of values, and how many more, once they are bounded, are compared before it is decided
-#: exactly whether they are equal.
+#: The first number of digits of values, and the number of further digits that are compared, once the values are
+#: bounded, before it is decided exactly whether they are equal.
 BOUND, TIED = 12, 800
-#: Critical points of a quotient, each with two forms of which it is a common zero; arcs on which it is constant, each
-#: with the irreducible polynomial that vanishes there; and boxes in which there may be more. All by local parameters.
+#: The critical points of a quotient, each with two forms of which it is a common zero; the arcs on which the quotient
+#: is constant, each with the irreducible polynomial that vanishes there; and the boxes in which there may be more. All
+#: are in local parameters.
 Critical = tuple[list[tuple[CommonZero, list[PatchForm]]], list[tuple[fmpz_mpoly, MonotoneArc]], list[Box]]
 
 
@@ -142,11 +144,11 @@ class Quotient:
         return _quotient_of, (*terms, self.sides)
 
     def above(self, bound: mpq) -> fmpz_mpoly:
-        """Positive where the value is above a bound."""
+        """A polynomial that is positive where the value is above a bound."""
         return self.top * to_fmpz(bound.denominator) - self.bottom * to_fmpz(bound.numerator)
 
     def excess(self, bound: mpq) -> PatchForm:
-        """The same as a form on the patch."""
+        """The polynomial `above` as a form on the patch."""
         return as_form(self.above(bound))
 
     def value(self, s: Parameter, t: Parameter) -> Real:
@@ -163,8 +165,8 @@ class Quotient:
         return _in_one_parameter(top, bottom, mpq(1), other)
 
     def at(self, zero: CommonZero, pair: Sequence[PatchForm] = ()) -> Real:
-        """The value at a zero that two forms without a common factor have in common: enclosed by boxes, and computed
-        exactly when that is asked for. The forms may be left out where it is isolated by them.
+        """The value at a common zero of two forms without a common factor, enclosed by boxes and computed exactly on
+        demand. The forms may be omitted if the zero is isolated by them.
         """
         place = zero.isolated.exact if zero.isolated else zero.local
         if place is not None and not all(isinstance(x, Root) for x in place):
@@ -173,8 +175,8 @@ class Quotient:
         return InBalls(partial(_near, self, local), partial(_exactly, self, local, tuple(pair)) if pair else None)
 
     def critical(self, bound: mpq) -> Critical:
-        """Where inside of the patch both derivatives vanish, one of which is not zero, unless the value is above a
-        bound. Raises `ReachError` where that would take too long.
+        """The points inside the patch at which both derivatives, not both identically zero, vanish, unless the value is
+        above a bound. Raises `ReachError` if this would take too long.
         """
         shared = greatest_common_divisor(self.slopes)
         rest, factor = [as_form(p / shared) for p in self.slopes if p], as_form(shared)
@@ -191,12 +193,12 @@ class Quotient:
 
 
 def _quotient_of(top: dict[tuple[int, ...], int], bottom: dict[tuple[int, ...], int], sides: Box) -> Quotient:
-    """Unpickles a quotient."""
+    """The unpickled quotient."""
     return Quotient(CONTEXT.from_dict(top), CONTEXT.from_dict(bottom), sides)
 
 
 def quotient_on(patch: Patch, top: TensorSpline, bottom: TensorSpline) -> Quotient:
-    """A quotient of functions on a patch; the denominator is to be positive.
+    """A quotient of functions on a patch; the denominator must be positive.
 
     >>> t = TensorSpline((1, 1), [0, 0, 2, 2], [0, 0, 1, 1], [[0, 0], [1, 1]])
     >>> quotient_on((0, 0), t, t + 1).value(mpq(1, 2), mpq(1, 2))
@@ -216,8 +218,9 @@ def polynomials_on(patch: Patch, *functions: TensorSpline) -> list[fmpz_mpoly]:
 
 
 def keep_least(found: list[tuple[Real, V]], digits: int) -> None:
-    """Keep of a list the things with the least number, decided exactly: by growing numbers of digits from this one on,
-    at last by algebra. Raises `ReachError` where that would take too long; then those are kept that may have it.
+    """Keep in a list only the items with the least number, decided exactly: by increasing numbers of digits, beginning
+    with this one, and finally by algebra. Raises `ReachError` if this would take too long; then all items that may have
+    the least number are kept.
 
     >>> found = [(Real(2), "first"), (Real(1), "second"), (Real(1), "third")]
     >>> keep_least(found, 5)
@@ -240,7 +243,7 @@ def _near(of: Quotient, zero: CommonZero, bits: int) -> arb:
 
 
 def _exactly(of: Quotient, zero: CommonZero, pair: Sequence[PatchForm]) -> Real:
-    """The value as a function of a number ``z = t + λ s`` in whose field both parameters are."""
+    """The value as a function of a number ``z = t + λ s`` whose field contains both parameters."""
     slope, minimal, _, s, _ = projected(zero, *map(as_polynomial, pair))
     modulus, high = fmpq_poly(minimal), mpq(1 + slope)
     sheared = [OverRoot.of(p.compose(T, S - slope * T), modulus) for p in (of.top, of.bottom)]

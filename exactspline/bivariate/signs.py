@@ -15,21 +15,21 @@ from exactspline.numbers.intervals import UNIT, Box, Interval
 from exactspline.one_line import OneLine
 from exactspline.polynomials.patch_forms import PatchForm, Sized, halved
 
-#: Boxes and halvings before the remaining boxes are reported as undecided.
+#: The numbers of boxes and of halvings after which the remaining boxes are reported as undecided.
 BOXES, DEPTH = 4000, 80
 
 Point = tuple[mpq, mpq]
 
 
 class Sign(StrEnum):
-    """What is known of the sign of a function on a closed patch."""
+    """The sign of a function on a closed patch, as far as it is known."""
 
     POSITIVE = "positive"
     NEGATIVE = "negative"
     BOTH = "both signs"
     #: Zero at the listed points, otherwise of one sign.
-    NOT_NEGATIVE = "positive but for single zeros"
-    NOT_POSITIVE = "negative but for single zeros"
+    NOT_NEGATIVE = "positive except at single zeros"
+    NOT_POSITIVE = "negative except at single zeros"
     ZERO = "zero"
     UNDECIDED = "undecided"
 
@@ -58,7 +58,7 @@ def sign_on_patch(form: PatchForm) -> Signs:
 
     >>> signs = sign_on_patch(PatchForm.of_net([[0, 1, 0], [1, 1, 1], [0, 1, 0]]))
     >>> signs.sign, len(signs.zeros), signs.negative
-    (<Sign.NOT_NEGATIVE: 'positive but for single zeros'>, 4, None)
+    (<Sign.NOT_NEGATIVE: 'positive except at single zeros'>, 4, None)
     """
     if form.is_zero:
         return Signs(Sign.ZERO)
@@ -81,7 +81,7 @@ def _cut(form: PatchForm) -> list[Box]:
 
 
 def _signs(form: PatchForm, boxes: Sequence[Box]) -> Signs:
-    """The same, beginning with boxes that fill the square."""
+    """The sign of a form on the square, beginning with boxes that fill the square."""
     witnesses = dict([_witness(form)])
     zeros: dict[Point, None] = {}
     undecided = False
@@ -127,8 +127,8 @@ def _witness(form: PatchForm) -> tuple[int, Point]:
 
 
 def _sign_but_for_corners(form: PatchForm) -> int | None:
-    """The sign that the coefficients prove on the closed square, except at corners that are zero; None where they prove
-    none.
+    """The sign that the coefficients prove on the closed square, except at corners that are zero; None if they prove no
+    sign.
 
     If no two coefficients have opposite signs, the form has an inner zero only if all coefficients are zero, and a zero
     on an open edge only if all coefficients of the edge are zero.

@@ -1,8 +1,8 @@
-"""The multiple points of a curve of zeros, and of which kind they are, decided by exact signs and multiplicities.
+"""The multiple points of a curve of zeros and their kinds, decided by exact signs and multiplicities.
 
-At a double point the sign of the Hessian separates nodes and isolated points. Where it is zero, the point has the type
-A_μ, and μ is the intersection multiplicity of both derivatives: for an even μ there is one branch, a cusp; for an odd μ
-two branches touch, or the point is isolated.
+At a double point the sign of the Hessian separates nodes and isolated points. Where the Hessian is zero, the point has
+the type A_μ, and μ is the intersection multiplicity of both derivatives: for an even μ there is one branch, a cusp; for
+an odd μ two branches touch, or the point is isolated.
 
 Source: Wall, Singular Points of Plane Curves, Cambridge 2004, §2 (types), §6.3 (Milnor number).
 """
@@ -34,34 +34,33 @@ from exactspline.roots.of_polynomials import Parameter, Place, ball, enclosing, 
 from exactspline.roots.vanishing import vanish_at
 
 # ---- cells
-#
 # At a node or a single point with a regular Hessian the cell is a box on which the Hessian keeps its kind. Around any
-# other one, also cusps, tacnodes, and points on the border, it is a box that the curve leaves through the sides left
-# and right alone, in which it has no vertical tangent but at that point: there every zero on these two sides is the end
-# of one branch from the point, and nothing else is in the box.
+# other singular point, such as a cusp, a tacnode or a point on the border, the cell is a box that the curve leaves only
+# through the left and the right side, and in which it has no vertical tangent except at the point itself. Then every
+# zero on these two sides is the end of one branch from the point, and the box contains no other zeros.
 #
 # Source: Berberich, Emeliyanenko, Kobel and Sagraloff, Exact symbolic-numeric computation of planar algebraic curves,
 # Theoretical Computer Science 2013.
 
 
-#: Bits of the cells that are tried where the Hessian is regular.
+#: The bits of the cells that are tried where the Hessian is regular.
 CELL_BITS = (6, 8, 10, 14, 20, 30, 44)
 #: The sizes of other boxes that are tried: bits across the curve and along it, the widest first, since branches that
-#: touch are near each other at the sides of a narrow one; on narrow patches very narrow ones are wide.
+#: touch are close to each other at the sides of a narrow box; on narrow patches very narrow boxes are wide.
 SIZES = sorted(((m, n) for m in (*range(2, 20), 32, 64) for n in (*range(m, 40), 100, 200, 400, 800)), key=sum)
 
 
 class Crossing(StrEnum):
-    """What the zeros are near a singular point."""
+    """The form of the curve near a singular point."""
 
     POINT = "single point"
     NODE = "two branches that cross"
-    #: Its branches leave the cell through the sides left and right.
+    #: The branches leave the cell through the left and the right side.
     OTHER = "branches to the left and to the right"
 
 
 class Cell(NamedTuple):
-    """A box with one singular point, and what the zeros in it are."""
+    """A box with one singular point, and the form of the curve in the box."""
 
     box: Box
     crossing: Crossing
@@ -74,8 +73,9 @@ class Cell(NamedTuple):
 
 
 def singular_cells(form: PatchForm, known: Sequence[CommonZero] = ()) -> list[Cell]:
-    """The singular points on the closed unit square of the zeros of a square-free form, each in a cell; not those for
-    which elimination is out of reach, or on a line on which the form vanishes. The points `known` are singular.
+    """The singular points on the closed unit square of the zeros of a square-free form, each in a cell, except points
+    for which elimination takes too much work and points on a line on which the form vanishes. The points `known` are
+    singular.
 
     >>> from exactspline.polynomials.two_parameters import S, T, as_form
     >>> [(cell.zero.exact, cell.crossing.name) for cell in singular_cells(as_form((2 * S - 1) ** 3 - (2 * T - 1) ** 2))]
@@ -99,7 +99,7 @@ def singular_cells(form: PatchForm, known: Sequence[CommonZero] = ()) -> list[Ce
 
 
 def _regular_cells(form: PatchForm, singular: list[CommonZero]) -> list[Cell]:
-    """Cells of the size for which most points have one."""
+    """Cells of the size that suits most points."""
     best = list[Cell]()
     for bits in CELL_BITS if singular else ():
         tried = _cells(form, singular, bits)
@@ -111,7 +111,7 @@ def _regular_cells(form: PatchForm, singular: list[CommonZero]) -> list[Cell]:
 
 
 def _cells(form: PatchForm, singular: Sequence[CommonZero], bits: int) -> list[Cell]:
-    """Cells of about this many bits around the singular points for which this size suffices."""
+    """Cells of about this many bits around the singular points for which this size is small enough."""
     margin, places = mpq(1, 1 << bits), [zero.refine(2 * bits) for zero in singular]
     sides = [joined(place[k].grown(margin) for place in places) for k in (0, 1)]
     by_box: dict[Box, CommonZero] = {}
@@ -123,15 +123,16 @@ def _cells(form: PatchForm, singular: Sequence[CommonZero], bits: int) -> list[C
 
 
 def kind_on(form: PatchForm, box: Box) -> Crossing | None:
-    """What the zeros in a box around a singular point are; None where its Hessian has no one kind on all of it.
+    """The form of the curve in a box around a singular point; None if the Hessian does not have the same kind on the
+    whole box.
 
-    Where it has, the box has no other critical point: by the mean value theorem, or since the form is strictly convex
-    in one parameter and strictly concave in the other.
+    If it has, the box contains no other critical point: by the mean value theorem, or because the form is strictly
+    convex in one parameter and strictly concave in the other.
 
-    Where it is definite the form is convex or concave, and has no other zero. Where it is indefinite all critical
-    points in the box are saddles, so that no loop of zeros is in it, which would be around an extremum. Four half
-    branches leave the point; if there are only four zeros on the border, they are their ends, and nothing else is in
-    the box.
+    If the Hessian is definite, the form is convex or concave, and has no other zero. If the Hessian is indefinite, all
+    critical points in the box are saddles, so that the box contains no loop of zeros, inside which there would be an
+    extremum. Four half branches leave the point; if there are only four zeros on the border, these are the ends of the
+    branches, and the box contains no other zeros.
     """
     own = rounded(form, box)
     second = {(i, j): own.derivative(i).derivative(j) for i, j in ((0, 0), (0, 1), (1, 1))}
@@ -143,7 +144,7 @@ def kind_on(form: PatchForm, box: Box) -> Crossing | None:
     return Crossing.NODE if max(products) < min(squares) else None
 
 
-# ---- any other singular point
+# ---- all other singular points
 
 
 class _Cells:
@@ -158,14 +159,14 @@ class _Cells:
         for s in _different(point.s for point in points):
             column = Column.of([f], fmpz_poly(real(s).minimal_polynomial()))
             heights = _different([*heights, *(t for t in column.candidates if column.contains(s, t))])
-        #: In each direction the coordinates of the points, and of each the numbers that must not be in its interval.
+        #: For each direction the coordinates of the points, each with the numbers that must not be in its interval.
         self.apart = [
             [(x, [y for y in own if y != x]) for x in _different(point.place[k] for point in points)]
             for k, own in enumerate((critical, heights))
         ]
 
     def found(self) -> list[Cell]:
-        """The cells of the first size that serves for all points."""
+        """The cells of the first size that is suitable for all points."""
         for bits in SIZES:
             cells = list(self._of_size(*bits))
             if len(cells) == len(self.points):
@@ -173,7 +174,7 @@ class _Cells:
         return []
 
     def _of_size(self, across: int, along: int) -> Iterator[Cell]:
-        # points with a number in common share an interval: their cells are cells of one grid
+        # points with a common coordinate share an interval: their cells belong to the same grid
         sides, heights = (
             [(x, interval_around(x, others, bits)) for x, others in own]
             for own, bits in zip(self.apart, (along, across), strict=True)
@@ -186,7 +187,7 @@ class _Cells:
             yield Cell(Box(first, second), Crossing.OTHER, point)
 
     def _is_free(self, side: Interval, t: mpq, point: CommonZero) -> bool:
-        """Whether the curve does not meet a side of a box, or only in the singular point."""
+        """Whether the curve does not meet a side of a box, or meets it only in the singular point."""
         if point.t != t:
             return self.form.part(Box(side, Interval.point(t))).sign in (1, -1)
         own = at(self.f, 1, t)
@@ -202,12 +203,12 @@ def _different(numbers: Iterable[Parameter]) -> list[Parameter]:
 
 
 def interval_around(t: Parameter, others: Sequence[Parameter], bits: int) -> Interval | None:
-    """An interval around a number that has none of the others in it or next to it; its end is an end of the unit
-    interval only where that is the number itself.
+    """An interval around a number that contains none of the other numbers, and does not end at one; an end of the unit
+    interval is an end of this interval only if it is the number itself.
     """
     width = mpq(1, 1 << bits)
     near, far = enclosing(t, bits // 3 + 1)
-    # sides with few digits: those of the interval of a root may have thousands
+    # sides with few digits, because the ends of the interval of a root may have thousands
     low, high = (width * floor(near / width), width * ceil(far / width))
     wide = Interval(low - 3 * width, high + 3 * width)
     if any(wide.low <= x <= wide.high for x in others):
@@ -222,19 +223,19 @@ DIGITS = 15
 
 
 class PointKind(StrEnum):
-    """What the zeros are near a multiple point."""
+    """The kind of a multiple point."""
 
     #: Two branches with different tangents.
     NODE = "node"
     #: One branch, which turns back.
     CUSP = "cusp"
-    #: Two branches with one tangent.
+    #: Two branches with a common tangent.
     TACNODE = "tacnode"
-    #: No other zero of the function is near.
+    #: An isolated point: no other zero of the function is near.
     ISOLATED = "isolated point"
-    #: Of multiplicity three or more.
+    #: A point of multiplicity three or more.
     MULTIPLE = "multiple point"
-    #: At a knot, where it is of different kinds on the patches that meet, or branches of several patches meet.
+    #: A point at a knot that has different kinds on the patches that meet, or where branches of several patches meet.
     KNOT = "at a knot"
 
 
@@ -243,10 +244,10 @@ class SingularPoint:
     """A point at which a function (without multiple factors) vanishes with both its derivatives on a patch, or at which
     more than two branches meet at knots.
 
-    `multiplicity` is that of the point on the curve: the order of the lowest derivative that is not zero. `milnor` is
-    the Milnor number of a double point: 1 for nodes, 2 for ordinary cusps, 3 for ordinary tacnodes. At knots where the
-    patches have different points it is the least multiplicity (1 where it is simple on a patch), and there is no Milnor
-    number. `patches` are those on which it is a zero.
+    `multiplicity` is the multiplicity of the point on the curve: the order of the lowest derivative that is not zero.
+    `milnor` is the Milnor number of a double point: 1 for nodes, 2 for ordinary cusps, 3 for ordinary tacnodes. If the
+    point has different multiplicities on the patches at a knot, `multiplicity` is the least one (1 if the point is
+    simple on a patch), and there is no Milnor number. `patches` are the patches on which the point is a zero.
     """
 
     first: Real
@@ -266,9 +267,9 @@ def singular_on_patch(
     form: PatchForm, sides: Box, single: Container[Place]
 ) -> Iterator[tuple[Place, PointKind, int, int | None]]:
     """The multiple points of the zeros of a form that is not zero, in the parameters of its sides: their kinds, their
-    multiplicities, and the Milnor numbers of double ones. `single` are points with no other zero around them.
+    multiplicities, and the Milnor numbers of double points. `single` are points with no other zero around them.
 
-    Raises `ReachError` where that would take too long.
+    Raises `ReachError` if this would take too long.
 
     >>> from exactspline.numbers.intervals import UNIT
     >>> from exactspline.polynomials.two_parameters import T, as_form
@@ -288,7 +289,7 @@ def singular_on_patch(
 
 
 def _order(zero: elimination.CommonZero, derivatives: Sequence[fmpz_mpoly]) -> int:
-    """The order of the lowest derivative that is not zero, from those of the first order, which are."""
+    """The order of the lowest derivative that is not zero, given the derivatives of the first order, which are zero."""
     order = 2
     while True:
         derivatives = [derivatives[0].derivative(0), *(f.derivative(1) for f in derivatives)]
@@ -311,7 +312,7 @@ def _double(zero: elimination.CommonZero, slopes: Sequence[fmpz_mpoly], single: 
 
 
 def sign_at_point(p: fmpz_mpoly, zero: elimination.CommonZero) -> int:
-    """The sign of a polynomial that is not zero at a point."""
+    """The sign at a point of a polynomial that is not zero there."""
     digits = DIGITS
     while True:
         with ctx.workprec(8 * digits + 64):

@@ -1,9 +1,10 @@
 """The zeros of a form on a patch: their exact topology, by boxes in which the curve is a graph.
 
-A box is finished when the form has one sign on it, or one of its derivatives has: then the curve meets every line of
-that direction at most once, and signs at rational points decide which of its zeros on the border of the box are joined.
-Zeros on borders of boxes are roots of polynomials in one parameter. Where branches cross or a point is isolated no such
-box exists: there the critical point is certified, and shown to be of one of these two kinds, in a separate cell.
+A box is finished when the form, or one of its derivatives, has one sign on the box. With a derivative of one sign the
+curve meets every line of this direction at most once, and signs at rational points decide which of its zeros on the
+border of the box are joined. Zeros on borders of boxes are roots of polynomials in one parameter. Where branches cross
+or a point is isolated no such box exists: there the critical point is certified in a separate cell, and shown to be of
+one of these two kinds.
 """
 
 from __future__ import annotations
@@ -35,10 +36,10 @@ from exactspline.roots.zero_set import zeros
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.knots import Mesh
 
-#: The limits of halvings of a box, half of them of each side, and of boxes, beyond which the remaining boxes are
-#: reported as undecided.
+#: The limits of the halvings of a box (half of them for each side) and of the number of boxes, beyond which the
+#: remaining boxes are reported as undecided.
 DEPTH, BOXES = 60, 4000
-#: Where the square is first cut: not on lines where the zeros of a symmetric surface would lie.
+#: The first cuts of the square, which avoid lines on which the zeros of a symmetric surface would lie.
 FIRST_CUTS = tuple(mpq(a, b) for a, b in ((29, 61), (31, 67), (37, 79), (41, 89), (43, 97), (47, 101), (53, 109)))
 #: The number of half branches at a point where two branches cross.
 BRANCHES = 4
@@ -47,22 +48,22 @@ DRAWN_BITS = 24
 
 
 class Shape(StrEnum):
-    """A connected part of the zeros on a closed patch."""
+    """The shape of a connected part of the zeros on a closed patch."""
 
     LOOP = "closed loop"
     ARC = "arc from border to border"
     CROSSED = "branches that cross"
     POINT = "single point"
-    #: All of it is on the curve, but it continues in undecided boxes.
+    #: All of the arc is on the curve, but the arc continues in undecided boxes.
     OPEN = "arc into an undecided box"
-    #: Of several patches, where they meet without continuous curvature.
+    #: The arc ends where patches meet without continuous curvature.
     BROKEN = "arc that ends where patches meet"
 
 
 @dataclass(frozen=True, repr=False)
 class Vertex(OneLine):
-    """A zero on a line of the subdivision, on which x (direction 0) or y is `value`: by its `index` among the zeros on
-    that line, or, where both coordinates are rational, by x and y and the index −1.
+    """A zero on a line of the subdivision, on which x (direction 0) or y is `value`. It is given by its `index` among
+    the zeros on the line or, if both coordinates are rational, by x and y and the index −1.
     """
 
     direction: int
@@ -73,7 +74,7 @@ class Vertex(OneLine):
 
 @dataclass(frozen=True, repr=False)
 class Arc(OneLine):
-    """A piece of the curve in a box in which it is a graph over the coordinate that is not `direction`."""
+    """A piece of the curve in a box in which the curve is a graph over the coordinate other than `direction`."""
 
     first: Vertex
     last: Vertex
@@ -85,13 +86,13 @@ class Arc(OneLine):
 
 @dataclass(frozen=True, repr=False)
 class Part(OneLine):
-    """A connected part of the zeros: its shape, and the arcs it consists of, one joined to another."""
+    """A connected part of the zeros: its shape, and the arcs of which it consists."""
 
     shape: Shape
     arcs: tuple[Arc, ...] = ()
-    #: The certified singular points on it, as boxes.
+    #: The certified singular points of the part, as boxes.
     cells: tuple[Box, ...] = ()
-    #: The points of it on lines of the subdivision, those on the border of the patch among them.
+    #: The points of the part on lines of the subdivision, including the border of the patch.
     vertices: tuple[Vertex, ...] = field(default=(), repr=False)
     #: The certified point, if the part is a single point inside.
     zero: CommonZero | None = field(default=None, repr=False, compare=False)
@@ -100,13 +101,13 @@ class Part(OneLine):
 
     @property
     def ends(self) -> Counter[Vertex]:
-        """How many pieces of the curve end at each point."""
+        """The number of pieces of the curve that end at each point."""
         return _ends(self.arcs, self.joints)
 
 
 class Joint(NamedTuple):
-    """A singular point in a box, and where its branches leave; `corner` is the point itself on the border of the
-    square.
+    """A singular point in a box, and the places where its branches leave the box; `corner` is the point itself if it is
+    on the border of the square.
     """
 
     box: Box
@@ -116,7 +117,7 @@ class Joint(NamedTuple):
 
     @property
     def vertices(self) -> list[Vertex]:
-        """All its points on lines of the subdivision."""
+        """All points of the joint on lines of the subdivision."""
         return self.ends if self.corner is None else [*self.ends, self.corner]
 
     @property
@@ -133,8 +134,8 @@ class Joint(NamedTuple):
 
 
 class Begun(NamedTuple):
-    """A subdivision that has been begun: boxes with the form on each, in which all zeros are that are not in `cells`
-    around singular points, or in boxes in which the curve is not resolved.
+    """A subdivision that has been begun: boxes, with the form on each, that contain all zeros except those in `cells`
+    around singular points and those in boxes in which the curve is not resolved.
     """
 
     boxes: Sequence[Sized]
@@ -156,7 +157,7 @@ class ZeroCurve(OneLine):
         #: Boxes in which the curve is not resolved.
         self.undecided: list[Box] = []
         self._lines: dict[tuple[int, mpq], list[Root]] = {}
-        #: In the order in which they are found, so that answers do not depend on hashes.
+        #: The order in which they are found is kept, so that answers do not depend on hashes.
         self._vertices: dict[Vertex, None] = {}
         self._arcs: list[Arc] = []
         self._crossings: list[Joint] = []
@@ -189,7 +190,7 @@ class ZeroCurve(OneLine):
             ends = list(dict.fromkeys(self._on_border(cell.box)))
             if cell.crossing is Crossing.POINT:
                 self._points.append(cell)
-            elif len(ends) == BRANCHES:  # a side along which the form vanishes would have two more at its ends
+            elif len(ends) == BRANCHES:  # a side along which the form vanishes would have two more vertices at its ends
                 self._crossings.append(Joint(cell.box, cell.zero, ends))
             else:
                 self.undecided.append(cell.box)
@@ -214,7 +215,7 @@ class ZeroCurve(OneLine):
                 todo.extend(halved(part, own.steeper))
 
     def _branches(self, cell: Cell) -> None:
-        """The branches that leave a singular point, or that there are none."""
+        """Record the branches that leave a singular point, or that there are no branches."""
         ends = [vertex for x in cell.ends for vertex, _ in self._zeros_on(0, x, cell.box.second)]
         corner = self._on_edge(cell.zero.place)
         if ends:
@@ -225,7 +226,7 @@ class ZeroCurve(OneLine):
             self._vertices[corner] = None
 
     def _on_edge(self, place: Place) -> Vertex | None:
-        """A zero on the border of the square as a vertex; None for one inside."""
+        """A zero on the border of the square as a vertex; None for a zero inside."""
         direction = next((k for k in (0, 1) if place[k] in (0, 1)), None)
         if direction is None:
             return None
@@ -237,7 +238,7 @@ class ZeroCurve(OneLine):
         return any(not any(self._along(direction, box[direction][end])) for direction, end in EDGES)
 
     def _graph(self, box: Box, direction: int) -> None:
-        """The curve in a box in which it meets every line of the direction at most once."""
+        """Record the curve in a box in which it meets every line of the direction at most once."""
         (a, b), (c, d) = box[direction], box[1 - direction]
         events: dict[Vertex, mpq | Root] = {}
         for value in (a, b):
@@ -275,7 +276,7 @@ class ZeroCurve(OneLine):
             if root.exact is None:
                 yield Vertex(direction, value, k), root
             else:
-                # it may be the corner of another box, and on a line of the other direction
+                # the vertex may be the corner of another box, and on a line of the other direction
                 x, y = (value, root.exact) if direction == 0 else (root.exact, value)
                 yield Vertex(0, x, -1, y), root.exact
 
@@ -287,12 +288,12 @@ class ZeroCurve(OneLine):
 
     @property
     def complete(self) -> bool:
-        """Whether every zero is accounted for."""
+        """Whether no box is undecided."""
         return not self.undecided
 
     @property
     def has_branches(self) -> bool:
-        """Whether pieces of curves are among the zeros that are resolved."""
+        """Whether the resolved zeros include pieces of curves."""
         return bool(self._arcs or self._crossings)
 
     @property
@@ -302,8 +303,8 @@ class ZeroCurve(OneLine):
 
     @cached_property
     def parts(self) -> tuple[Part, ...]:
-        """The connected parts of the zeros that are resolved; those that continue in undecided boxes, as far as they
-        are resolved.
+        """The connected parts of the resolved zeros; a part that continues in undecided boxes is listed as far as it is
+        resolved.
 
         A part that does not meet an undecided box is complete: all zeros on the borders of boxes are known.
         """
@@ -329,7 +330,7 @@ class ZeroCurve(OneLine):
             shape = _shape(arcs, crossed)
             if self.undecided and any(self._is_open_at(vertex) for vertex in members[group]):
                 if not arcs and not crossed:
-                    continue  # the undecided box accounts for it
+                    continue  # the part is covered by the undecided box
                 shape = Shape.OPEN
             boxes = tuple(joint.box for joint in crossed)
             parts.append(Part(shape, tuple(_in_order(arcs)), boxes, tuple(members[group]), joints=tuple(crossed)))
@@ -354,7 +355,7 @@ class ZeroCurve(OneLine):
         return (vertex.value, own) if vertex.direction == 0 else (own, vertex.value)
 
     def points(self, arc: Arc, count: int = 4) -> list[tuple[mpq, mpq]]:
-        """Points near an arc, for pictures: this many steps, each found to `DRAWN_BITS` bits."""
+        """Points near an arc, for pictures: this many steps, with points computed to `DRAWN_BITS` bits."""
         low = arc.low.refine(8)[1] if isinstance(arc.low, Root) else arc.low
         high = arc.high.refine(8)[0] if isinstance(arc.high, Root) else arc.high
         points = []
@@ -373,7 +374,7 @@ class ZeroCurve(OneLine):
 
 @dataclass
 class _Joined:
-    """Which vertices belong together."""
+    """The sets of vertices that belong together."""
 
     vertices: Iterable[Vertex]
     parents: dict[Vertex, Vertex] = field(default_factory=dict)
@@ -389,7 +390,7 @@ class _Joined:
         return vertex
 
     def join(self, one: Vertex, other: Vertex) -> None:
-        """Let two vertices belong together."""
+        """Join the sets of two vertices."""
         self.parents[self.root(one)] = self.root(other)
 
 
@@ -406,8 +407,8 @@ def grid(form: PatchForm, cells: Sequence[Box]) -> Iterator[Box]:
 
 
 def is_small(box: Box, form: PatchForm) -> bool:
-    """Whether a box is halved no more: both sides are short, the more so where coefficients of the form on the patch
-    differ in size, as on narrow patches.
+    """Whether a box is not halved any more: both sides are short, and shorter where the coefficients of the form on the
+    patch differ in size, as on narrow patches.
     """
     sizes = [int(x).bit_length() for x in form.entries if x]
     return max(side.width for side in box) <= mpq(1, 1 << DEPTH // 2 + max(sizes) - min(sizes))
@@ -439,7 +440,7 @@ def _shape(arcs: Sequence[Arc], joints: Sequence[Joint]) -> Shape:
 
 
 def _in_order(arcs: Sequence[Arc]) -> Iterator[Arc]:
-    """The arcs of a part, each beginning where an earlier one ends, as far as the way is unique."""
+    """The arcs of a part, each beginning where an earlier one ends, as long as the way is unique."""
     remaining = list(arcs)
     ends = Counter(vertex for arc in arcs for vertex in (arc.first, arc.last))
     while remaining:

@@ -1,4 +1,4 @@
-"""The proof of all zeros of a function of two parameters and of their topology, as JSON data for
+"""The proof that the zeros of a function of two parameters and their topology are complete and right, as JSON data for
 `exactspline.certificates`.
 """
 
@@ -52,7 +52,8 @@ KINDS = {Crossing.NODE: NODE, Crossing.POINT: POINT, Crossing.OTHER: BRANCHES}
 def zero_curve_certificate(function: TensorSpline) -> dict[str, object]:
     """The certificate of all zeros of a function.
 
-    Raises `ReachError` where it vanishes on a whole patch, there are too many boxes, or a singular point is not proved.
+    Raises `ReachError` if the function vanishes on a whole patch, if there are too many boxes, or if a singular point
+    is not proved.
     """
     return written(ZERO_CURVES, on_each_patch(function, lambda patch: _patch(function.patch_form(*patch))))
 
@@ -90,8 +91,8 @@ def _texts(rows: Iterable[Iterable[mpq]]) -> list[list[str]]:
 
 
 class _Subdivision:
-    """The boxes of a square-free form without lines of zeros, and whether its single points are on other lines, those
-    of a polynomial in each parameter.
+    """The boxes of a square-free form without lines of zeros, and whether its single points are on other lines, which
+    are given by a polynomial in each parameter.
     """
 
     def __init__(self, form: PatchForm, others: Sequence[fmpz_poly]) -> None:
@@ -149,7 +150,9 @@ class _Subdivision:
             todo += reversed(halved(part, own.steeper))
 
     def _separate(self, box: Box, direction: int) -> list[tuple[tuple[int, mpq], int]]:
-        """Refine the zeros on the sides of one direction until it is clear which are on the box: these."""
+        """Refine the zeros on the sides of one direction until it is clear which of them are on the box, and return
+        these.
+        """
         found = list[tuple[tuple[int, mpq], int]]()
         low, high = box[1 - direction]
         for at in box[direction]:
@@ -164,7 +167,7 @@ class _Subdivision:
         return found
 
     def _graph(self, box: Box, direction: int) -> None:
-        """Refine the zeros on the sides of a box until their order along it is clear."""
+        """Refine the zeros on the sides of a box until their order along the border is clear."""
         self._separate(box, 1 - direction)
         own, digits = self._separate(box, direction), 1
         while True:
@@ -197,7 +200,7 @@ class _Subdivision:
         )
 
     def _branches(self, cell: Cell) -> dict[str, Any]:
-        """Over the number x of the point: the factor in y whose zero it is, and the power of it."""
+        """The data over the coordinate x of the point: the factor in y with this zero, and its power."""
         p, (x, y) = as_polynomial(self.form), cell.zero.local
         if int(p.degrees()[1]) * (2 * int(p.degrees()[0]) + int(p.degrees()[1])) > DEGREES:
             raise ReachError("a certificate of a singular point of a function of this degree", remedy=REMEDY)
@@ -230,7 +233,7 @@ def _place(root: Root, digits: int) -> Interval:
 
 
 def _sign_over(p: OverRoot, at: Interval, side: Interval) -> int | None:
-    """The sign of a polynomial over a root on a box, if its Bernstein coefficients have one."""
+    """The sign of a polynomial over a root on a box, if its Bernstein coefficients have the same sign."""
     bottom = _denominator(p)
     whole = sum((lifted((row * bottom).numer(), 0) * T**j for j, row in enumerate(p.coefficients)), S * 0)
     return as_form(whole).part(Box(at, side)).sign
@@ -241,8 +244,9 @@ def _denominator(p: OverRoot) -> int:
 
 
 def _part_at(p: OverRoot, cell: Cell, lines: fmpz_mpoly) -> tuple[OverRoot, int]:
-    """The monic polynomial whose zeros are those of the multiplicity that the point of a cell has, the only one on its
-    second side, and this multiplicity; where one of the lines runs through it, those zeros that are on lines.
+    """The monic polynomial whose zeros have the same multiplicity as the point of a cell, which is the only one of them
+    on the second side of the cell; and this multiplicity. If one of the lines runs through the point, only zeros on
+    lines are included.
     """
     on_line = OverRoot.of(lines, p.modulus) if vanish_at([lines], *cell.zero.local) else OverRoot([], p.modulus)
     common, power = p.gcd(p.derivative), 1

@@ -1,5 +1,5 @@
-"""Isoparametric lines along which K vanishes: on borders of patches and inside, independent of the knots that
-cut them.
+"""Isoparametric lines along which K vanishes: on borders of patches and inside patches, independent of the knots that
+cut the lines.
 """
 
 from __future__ import annotations
@@ -81,7 +81,7 @@ def square_free(form: PatchForm) -> PatchForm:
 
 
 def odd_part(form: PatchForm) -> PatchForm:
-    """The form without squares of factors; it has the sign of the form wherever that is nonzero.
+    """The form without squares of factors; it has the sign of the form wherever the form is nonzero.
 
     >>> odd_part(PatchForm.of_net([[-1, 1, -1]])).degree  # −(1 − 2y)²
     (0, 0)
@@ -94,9 +94,9 @@ def odd_part(form: PatchForm) -> PatchForm:
 @dataclass(frozen=True, repr=False)
 class ZeroLine(OneLine):
     """An isoparametric line along which a form vanishes: the parameter ``along`` runs over the `interval`, the other
-    one is `value`.
+    parameter is `value`.
 
-    `one_sided` means that it vanishes only as a limit from one side of the line.
+    `one_sided` means that only the limit of the form from one side of the line vanishes.
     """
 
     along: Along
@@ -108,14 +108,14 @@ class ZeroLine(OneLine):
 
     @property
     def box(self) -> tuple[tuple[Parameter, Parameter], tuple[Parameter, Parameter]]:
-        """The parameters of its points."""
+        """The ranges of the parameters on the line."""
         across = self.value, self.value
         return (self.interval, across) if self.along is Along.U else (across, self.interval)
 
 
 class LinesOfPatch(NamedTuple):
-    """The edges of a patch and the lines inside along which a form vanishes, as seen from this patch; everywhere
-    if `flat`.
+    """The edges of a patch and the lines inside along which a form vanishes as a limit from this patch. If `flat`, the
+    form vanishes on the whole patch.
     """
 
     patch: Patch
@@ -154,8 +154,8 @@ def zero_lines(
     *,
     beside_flat: bool = False,
 ) -> tuple[ZeroLine, ...]:
-    """The lines on all patches, of which there are this many in each direction, neighbours joined; those that are
-    borders of flat patches only if it is asked for lines `beside_flat` ones.
+    """The lines on all patches, with neighbouring lines joined; `counts` are the numbers of patches in each direction.
+    Borders of flat patches are included only with `beside_flat`.
     """
     sides: dict[tuple[Along, Parameter, bool], set[Interval]] = {}
     by_place = {one.patch: one for one in patches}

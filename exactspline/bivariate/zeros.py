@@ -1,4 +1,5 @@
-"""The zeros of functions of two parameters: those that several have in common, and the curves on which one vanishes.
+"""The zeros of functions of two parameters: the common zeros of several functions, and the curves of zeros of one
+function.
 
 Common zeros are found by elimination (`exactspline.bivariate.common_zeros`), curves of zeros by boxes in which they are
 graphs, and by elimination where these do not suffice (`exactspline.bivariate.zero_curve`), patch by patch.
@@ -41,27 +42,27 @@ from exactspline.splines.surface import Along
 from exactspline.splines.tensor import TensorSpline, aligned
 from exactspline.splines.type_checks import function_of_two
 
-#: Digits of the points of a picture.
+#: The digits of the points of a picture.
 DRAWN = 16
 
 
 class ZeroKind(StrEnum):
-    """How functions vanish together at a point."""
+    """The kind of a common zero of functions."""
 
-    #: The gradients of two of them are linearly independent.
+    #: The gradients of two of the functions are linearly independent.
     TRANSVERSAL = "transversal"
-    #: The curves on which they vanish have one tangent.
+    #: The curves on which the functions vanish have a common tangent.
     TOUCHING = "touching"
-    #: One of them vanishes there with both its derivatives.
+    #: One of the functions vanishes there together with both its derivatives.
     MULTIPLE = "multiple"
-    #: A function, or a factor that all of them share, vanishes at this point and at no other one around it.
+    #: A function, or a common factor of all functions, vanishes at this point and at no other point around it.
     ISOLATED = "isolated"
-    #: On a knot line; of different kinds on the patches that meet, or not a zero on all of them.
+    #: A point on a knot line that has different kinds on the patches that meet, or is not a zero on all of them.
     KNOT = "different on patches that meet"
 
 
 class ZeroPlace(StrEnum):
-    """Where a point is in the rectangle of both parameters."""
+    """The position of a point in the rectangle of both parameters."""
 
     INSIDE = "inside a patch"
     KNOT = "on a knot line"
@@ -71,12 +72,12 @@ class ZeroPlace(StrEnum):
 
 @dataclass(frozen=True)
 class CommonZero:
-    """A point at which functions vanish together: its two parameters, of which `kind` it is and `where`, and the
-    patches on which it was found.
+    """A common zero of functions: its two parameters, its `kind`, its position `where`, and the patches on which it was
+    found.
 
-    `multiplicity` is the intersection multiplicity: 1 where it is transversal, at knots the least of those of the
-    patches. It is None for more than two functions at other points, and where a common factor vanishes at this point
-    alone. Both `kind` and `multiplicity` are None where it would take too long to compute them.
+    `multiplicity` is the intersection multiplicity: 1 at a transversal zero, and at knots the least multiplicity on the
+    patches. For more than two functions it is None except at transversal zeros; it is also None if a common factor
+    vanishes at this point alone. Both `kind` and `multiplicity` are None if computing them would take too long.
     """
 
     first: Real
@@ -95,11 +96,11 @@ class CommonZero:
 
     @property
     def place(self) -> Place:
-        """Both parameters, rational ones as such."""
+        """Both parameters; a rational parameter is a rational number."""
         return _plain(self.first), _plain(self.second)
 
     def box(self, digits: int = 20) -> Box:
-        """A box that contains it, its sides at most ``10^−digits`` long."""
+        """A box that contains the zero, its sides at most ``10^−digits`` long."""
         return Box(self.first.enclosure(digits), self.second.enclosure(digits))
 
     @one_line
@@ -116,8 +117,8 @@ class CommonZeros(SurfacePlaces[CommonZero]):
     functions: tuple[TensorSpline, ...] = field(default=(), compare=False)
 
     def certificate(self) -> dict[str, object]:
-        """A proof, as JSON data with exact strings, that these are all, and of two functions also of their
-        multiplicities (see `exactspline.certificates`).
+        """A proof, as JSON data with exact strings, that these are all common zeros; for two functions it also proves
+        the multiplicities (see `exactspline.certificates`).
 
         >>> from exactspline import TensorSpline, check_certificate
         >>> flat, knots = [0, 0, 1, 1], [0, 0, 0, 1, 1, 1]
@@ -128,7 +129,7 @@ class CommonZeros(SurfacePlaces[CommonZero]):
         >>> check_certificate(common_zeros(circle, line * line).certificate())
         {'zeros': 1, 'multiplicity': 2}
 
-        Raises `ReachError` where something is `undecided` or `everywhere`, and where the proof is too long.
+        Raises `ReachError` if something is `undecided` or `everywhere`, and if the proof is too long.
         """
         if not self.functions or self.everywhere or self.undecided:
             problem = "a certificate where functions vanish together along a curve, or something is undecided"
@@ -138,8 +139,8 @@ class CommonZeros(SurfacePlaces[CommonZero]):
 
 @dataclass(frozen=True)
 class ZeroArc:
-    """An arc of a curve of zeros, between two singular points or points on the border, by the parameters of both. An
-    end is None in an undecided box; both are of a `closed` curve without such points.
+    """An arc of a curve of zeros between two singular points or points on the border, by the parameters of its ends. An
+    end in an undecided box is None; both ends of a `closed` curve without such points are None.
     """
 
     curve: ZeroComponent = field(compare=False)
@@ -158,7 +159,8 @@ class ZeroArc:
 @dataclass(frozen=True, repr=False)
 class ZeroCurves:
     """All zeros of a function of two parameters: `lines` parallel to an axis, other connected `curves`, single
-    `points`, and `everywhere` the patches on which it vanishes. `undecided` are rectangles in which there may be more.
+    `points`, and `everywhere` the patches on which the function vanishes. `undecided` are rectangles in which there may
+    be more.
     """
 
     lines: tuple[ZeroLine, ...] = ()
@@ -167,19 +169,19 @@ class ZeroCurves:
     everywhere: tuple[SurfacePart, ...] = ()
     undecided: tuple[Box, ...] = ()
     function: TensorSpline | None = field(default=None, compare=False)
-    #: The parameters whose two ends are one.
+    #: The parameters whose two ends are identified.
     closed: tuple[Along, ...] = ()
 
     @property
     def complete(self) -> bool:
-        """Whether every zero is accounted for."""
+        """Whether no rectangle is undecided."""
         return not self.undecided
 
     @cached_property
     def singular_points(self) -> tuple[SingularPoint, ...]:
-        """The multiple points: nodes, cusps, tacnodes, isolated points and those of higher multiplicity, by their exact
-        parameters, and points at knots at which more than two branches meet. Where the curve continues beyond the
-        border of the domain, the kind is that of all of it.
+        """The multiple points: nodes, cusps, tacnodes, isolated points and points of higher multiplicity, by their
+        exact parameters, and points at knots at which more than two branches meet. If the curve continues beyond the
+        border of the domain, the kind is that of the whole curve.
 
         >>> from exactspline import TensorSpline
         >>> knots = [0, 0, 0, 0, 1, 1, 1, 1]
@@ -187,7 +189,7 @@ class ZeroCurves:
         >>> zero_curve(TensorSpline((3, 3), knots, knots, rows)).singular_points
         (<cusp at 0 and 0>,)
 
-        Raises `ReachError` where that would take too long.
+        Raises `ReachError` if this would take too long.
         """
         if self.function is None:
             return ()
@@ -205,8 +207,8 @@ class ZeroCurves:
 
     @cached_property
     def arcs(self) -> tuple[ZeroArc, ...]:
-        """The arcs of all `curves` between singular points and points on the border; a closed curve without any of them
-        is one arc without ends. They run on through points at which a curve crosses one of the `lines`.
+        """The arcs of all `curves` between singular points and points on the border; a closed curve without such points
+        is one arc without ends. Arcs continue through points at which a curve crosses one of the `lines`.
 
         >>> from exactspline import TensorSpline
         >>> knots = [0, 0, 0, 1, 1, 1]
@@ -214,7 +216,7 @@ class ZeroCurves:
         >>> len(zero_curve(cross).arcs), zero_curve(cross).arcs[0]
         (4, <arc from 0 and 0 to 1/2 and 1/2>)
 
-        Raises `ReachError` where that would take too long.
+        Raises `ReachError` if this would take too long.
         """
         if self.function is None:
             return ()
@@ -226,8 +228,8 @@ class ZeroCurves:
             )
 
     def sampled(self, steps: int = 40) -> list[list[tuple[mpq, mpq]]]:
-        """The `lines` and `curves` as runs of rational points on or near them, for pictures; on an arc as many steps as
-        are asked for along a side of a patch, fewer where it is shorter.
+        """The `lines` and `curves` as sequences of rational points on or near them, for pictures. `steps` is the number
+        of steps on an arc as long as a side of a patch; shorter arcs have fewer steps.
 
         >>> from exactspline import TensorSpline
         >>> line = TensorSpline((1, 1), [0, 0, 1, 1], [0, 0, 1, 1], [[-1, -1], [1, 1]])  # 2s − 1
@@ -239,7 +241,7 @@ class ZeroCurves:
         for piece, arc in [(own, arc) for own in pieces for arc in own.part.arcs]:
             ends = [tuple(map(_near, piece.curve.place(vertex))) for vertex in (arc.first, arc.last)]
             count = int(steps * max(abs(a - b) for a, b in zip(*ends, strict=True)))
-            own = piece.curve.points(arc, count) if count > 1 else ends  # of short arcs the ends suffice
+            own = piece.curve.points(arc, count) if count > 1 else ends  # for short arcs the ends suffice
             runs.append([piece.sides.at(*place) for place in own])
         return runs
 
@@ -253,7 +255,8 @@ class ZeroCurves:
         >>> check_certificate(zero_curve(cross).certificate())
         {'lines': 0, 'loops': 0, 'arcs': 0, 'crossed': 1, 'points': 0}
 
-        Raises `ReachError` where something is `undecided`, the function vanishes on a patch, or the proof is too long.
+        Raises `ReachError` if something is `undecided`, if the function vanishes on a patch, or if the proof is too
+        long.
         """
         if self.function is None or self.undecided:
             raise ReachError("a certificate where something is undecided", remedy="ask for the curves")
@@ -273,7 +276,7 @@ def common_zeros(
     first: TensorSpline, second: TensorSpline, *more: TensorSpline, closed: Iterable[Along] = ()
 ) -> CommonZeros:
     """All points at which two or more functions of two parameters vanish together: simple and multiple ones, on borders
-    and at knots, each once; and `everywhere` the patches, lines and curves on which they do.
+    and at knots, each once; and `everywhere` the patches, lines and curves on which they vanish together.
 
     >>> from exactspline import TensorSpline
     >>> knots = [0, 0, 0, 1, 1, 1]
@@ -287,9 +290,9 @@ def common_zeros(
     >>> common_zeros(line, line.partial(1, 0))
     nowhere
 
-    A point of a patch, an edge or a curve on which the functions vanish everywhere is not listed, also where that is
-    one of another patch. The two ends of a parameter that is `closed` are one. The work is limited to about ten seconds
-    (somewhat more for many patches); patches for which this does not suffice are `undecided`.
+    Points of a patch, an edge or a curve on which the functions vanish everywhere are not listed, even if this belongs
+    to another patch. The two ends of a `closed` parameter are identified. The work is limited to about ten seconds
+    (somewhat more for many patches); patches that would take more are `undecided`.
 
     Raises `ShapeError` for anything but functions of two parameters, and `DomainError` for different domains.
 
@@ -327,9 +330,9 @@ def zero_curve(function: TensorSpline, closed: Iterable[Along] = ()) -> ZeroCurv
     >>> line.value
     mpq(1,2)
 
-    The two ends of a parameter that is `closed` are one: curves run on there.
+    The two ends of a `closed` parameter are identified: curves continue there.
 
-    The work is limited as for `common_zeros`; what this does not suffice for is `undecided`.
+    The work is limited as for `common_zeros`; rectangles that would take more are `undecided`.
 
     Raises `ShapeError` for anything but a function of two parameters.
     """
@@ -365,7 +368,9 @@ def _met(curves: Sequence[ZeroComponent], lines: Sequence[ZeroLine], f: TensorSp
 
 
 def _of_all_patches(place: Place, own: Sequence[SingularPoint], f: TensorSpline) -> SingularPoint:
-    """One point that is singular on several patches, or where branches of several patches meet."""
+    """The singular point made of a point that is singular on several patches, or at which branches of several patches
+    meet.
+    """
     around = _around(place, f)
     if len(set(own)) == 1 and len(own) == len(around):
         return replace(own[0], patches=tuple(around))
@@ -410,12 +415,14 @@ def patches_of(f: TensorSpline) -> list[tuple[Patch, Box]]:
 
 
 def budget_for(f: TensorSpline) -> Budget:
-    """What a question about a function may cost."""
+    """The budget of work for a question about a function."""
     return Budget(QUESTION + PATCH * (len(f.meshes[0]) * len(f.meshes[1]) - 1))
 
 
 class _OnPatch(NamedTuple):
-    """The lines on which a form on a patch vanishes, or that it does everywhere, and the other curves."""
+    """The zeros of a form on a patch: the lines on which it vanishes, or that it vanishes everywhere, and the other
+    curves.
+    """
 
     lines: LinesOfPatch
     curve: ZeroCurve | None = None
@@ -428,12 +435,14 @@ class _OnPatch(NamedTuple):
 
     @property
     def undecided(self) -> list[Box]:
-        """Boxes in which there may be more of them."""
+        """The boxes in which there may be more zeros."""
         return [self.lines.sides.part(box) for box in self.curve.undecided] if self.curve else []
 
     @property
     def parts(self) -> list[SurfacePart]:
-        """The patch, lines, its edges among them, and that there are curves inside or lines at irrational values."""
+        """The parts on which the form vanishes: the whole patch, its edges and other lines, and a part for curves
+        inside or lines at irrational values.
+        """
         patch, sides, edges, inner, flat = self.lines
         lines = [(edge.direction, edge.value(sides)) for edge in edges]
         lines += [(1 - along.direction, x) for along, x in inner if not isinstance(x, Root)]
@@ -443,7 +452,7 @@ class _OnPatch(NamedTuple):
 
 
 def _common_on_patch(forms: Sequence[PatchForm], patch: Patch, sides: Box) -> tuple[list[_Zero], _OnPatch]:
-    """The single zeros of a patch that are none of a common factor, and those of such a factor."""
+    """The single zeros of a patch that are not zeros of a common factor, and the zeros of the common factor."""
     polynomials = [over(form, sides) for form in forms if not form.is_zero]
     if not polynomials:
         return [], _OnPatch(LinesOfPatch(patch, sides, (), (), True))
@@ -486,8 +495,8 @@ def _joined(
     others: Sequence[_Zero] = (),
     closed: Sequence[Along] = (),
 ) -> tuple[tuple[ZeroLine, ...], tuple[ZeroComponent, ...], list[_Zero], list[Box]]:
-    """The lines and curves of all patches, joined, and the single points, theirs and others, that are not on them; the
-    boxes in which something is undecided.
+    """The joined lines and curves of all patches, the single points and `others` that are not on them, and the
+    undecided boxes.
     """
     lines = zero_lines((len(f.meshes[0]), len(f.meshes[1])), f.domain, [own.lines for own in found], closed)
     components = chained([piece for own in found for piece in own.pieces], f.domain, closed, undecided)
@@ -501,7 +510,9 @@ def _joined(
 
 
 def _single(components: Iterable[ZeroComponent]) -> tuple[list[_Zero], list[Box]]:
-    """The single points of curves of zeros by their exact parameters; boxes of those for which that takes too long."""
+    """The single points of curves of zeros by their exact parameters; and boxes around points for which this takes too
+    long.
+    """
     points, undecided = list[_Zero](), list[Box]()
     for component in components:
         for piece in component.pieces:
@@ -513,7 +524,7 @@ def _single(components: Iterable[ZeroComponent]) -> tuple[list[_Zero], list[Box]
 
 
 def _each_once(found: Sequence[_Zero], f: TensorSpline, closed: Sequence[Along] = ()) -> tuple[CommonZero, ...]:
-    """The points in order, those at knots once."""
+    """The points in order, with points at knots listed once."""
     inner, at_knots = list[list[_Zero]](), dict[Place, list[_Zero]]()
     for zero in found:
         if any(not isinstance(x, Root) and x in mesh.breaks for x, mesh in zip(zero.place, f.meshes, strict=True)):
@@ -532,7 +543,7 @@ def _each_once(found: Sequence[_Zero], f: TensorSpline, closed: Sequence[Along] 
 
 
 def _where(place: Place, f: TensorSpline) -> ZeroPlace:
-    """Where a point is."""
+    """The position of a point."""
     given = [(x, mesh.breaks) for x, mesh in zip(place, f.meshes, strict=True) if not isinstance(x, Root)]
     ends = sum(x in (breaks[0], breaks[-1]) for x, breaks in given)
     if ends:

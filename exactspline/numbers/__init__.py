@@ -1,8 +1,8 @@
 """Numbers: conversion of input to exact numbers, intervals, rounding to doubles, immutable values, sides of a point.
 
-gmpy2 is loaded here first. It asks `importlib.metadata` for its own version, and loading that module (with those of
-mail, archives and sockets) takes longer than loading gmpy2. So it asks a stand-in, which reads the version from the
-name of the folder next to the package.
+gmpy2 is loaded here first. It asks `importlib.metadata` for its own version, and loading this module (with modules for
+mail, archives and sockets) takes longer than loading gmpy2. Therefore a stand-in is used here, which reads the version
+from the name of the folder next to the package.
 """
 
 from __future__ import annotations
@@ -16,7 +16,9 @@ _METADATA = "importlib.metadata"
 
 
 def _versions(name: str) -> list[str]:
-    """The versions of a package by the folders with its metadata; more than one, or none, where that is not clear."""
+    """The versions of a package by the folders with its metadata; more than one, or none, if the version is not
+    clear.
+    """
     spec = find_spec(name)
     places = spec.submodule_search_locations if spec else None
     beside = [folder for place in places or () for folder in listdir(f"{place}/..")]

@@ -68,7 +68,7 @@ DEEPEST = 8
 #: of an unsigned long on some platforms (such as WebAssembly).
 PRIME = (1 << 31) - 1
 
-#: More bits than a double or the middle of two doubles has.
+#: More bits than a double, or the midpoint of two doubles, has.
 ROOT_BITS = 64
 
 _FRACTION = re.compile(r"\s*([+-]?\d+)\s*/\s*([+-]?\d+)\s*", re.ASCII)
@@ -174,8 +174,9 @@ def from_floats(values: Iterable[Iterable[float]], *, snap: bool = ...) -> list[
 def from_floats(
     values: float | Iterable[float] | Iterable[Iterable[float]], *, snap: bool = False
 ) -> mpq | list[mpq] | list[list[mpq]]:
-    """The exact binary value of a float, or of those in a sequence, or in rows such as control points: the way to take
-    doubles as data; with `snap`, that of the shortest decimal that it prints as. Integers stay what they are.
+    """The exact binary value of a float, of floats in a sequence, or of rows of floats such as control points: the way
+    to use doubles as data. With `snap`, the value is the shortest decimal as which the float prints. Integers are
+    unchanged.
 
     >>> from_floats(0.1) == rational("0.1"), from_floats(0.1, snap=True)
     (False, mpq(1,10))
@@ -190,7 +191,7 @@ def from_floats(
 
 
 def _from_float(value: float, snap: bool) -> mpq:
-    """The binary value of a float, or the decimal."""
+    """The binary value of a float or, with `snap`, its shortest decimal."""
     return rational(str(value)) if snap and isfinite(value) else from_float(value)
 
 
@@ -214,7 +215,7 @@ def _from_floats(values: Any, depth: int, snap: bool) -> list[Any]:
 
 
 class Rounding(StrEnum):
-    """How a real number is rounded to a double."""
+    """The rounding mode from a real number to a double."""
 
     #: To the nearest double, ties to even.
     NEAREST = "nearest"
@@ -252,7 +253,7 @@ def double_root(sign: int, top: int, bottom: int, rounding: str = Rounding.NEARE
 
     Raises the errors of `double`.
     """
-    # enough bits that no boundary of rounding is between two neighbouring integers
+    # enough bits, so that no rounding boundary is between two neighbouring integers
     shift = max(ROOT_BITS + (bottom.bit_length() - top.bit_length()) // 2, 0)
     whole, rest = divmod(top << (2 * shift), bottom)
     root = int(isqrt(whole))
@@ -280,7 +281,7 @@ def double_between(
     while True:
         low, high = (_rounded(end, way) for end in enclosed(digits))
         if low == high:
-            # 0.0 of the two zeros where an enclosure has both
+            # 0.0, not −0.0, if an enclosure contains both zeros
             return _finite(high)
         if nextafter(low, inf) == high:
             return _finite(_one_of(low, high, sign_above, way))
@@ -299,7 +300,7 @@ def _one_of(low: float, high: float, sign_above: Callable[[mpq], int], rounding:
 
 
 def _rounded(value: mpq, rounding: Rounding) -> float:
-    """The rounded double; beyond the largest one infinite, or towards zero the largest."""
+    """The rounded double; beyond the largest double it is infinity or, if rounded towards zero, the largest double."""
     try:
         double_value = int(value.numerator) / int(value.denominator)
     except OverflowError:
@@ -381,8 +382,8 @@ def content(values: Iterable[mpq]) -> mpq:
 
 
 def primitive(vector: Iterable[mpq], *, oriented: bool = False) -> tuple[mpq, ...]:
-    """The multiple of a vector by coprime integers: a vector of 0 is itself. The first of them that is not 0 is
-    positive unless the vector is `oriented`; then its sense is kept.
+    """The multiple of a vector with coprime integers; a zero vector is unchanged. The first nonzero integer is positive
+    unless the vector is `oriented`; then the sense of the vector is kept.
 
     >>> primitive([mpq(0), mpq(-4, 3), mpq(2)]), primitive([mpq(-4, 3), mpq(2)], oriented=True)
     ((mpq(0,1), mpq(2,1), mpq(-3,1)), (mpq(-2,1), mpq(3,1)))
@@ -394,7 +395,7 @@ def primitive(vector: Iterable[mpq], *, oriented: bool = False) -> tuple[mpq, ..
 
 
 def common_multiple(numbers: Iterable[flint.fmpz]) -> flint.fmpz:
-    """The least common multiple of FLINT's integers, 1 for none.
+    """The least common multiple of FLINT's integers; 1 if there are none.
 
     >>> common_multiple([flint.fmpz(4), flint.fmpz(6)])
     12
@@ -403,7 +404,8 @@ def common_multiple(numbers: Iterable[flint.fmpz]) -> flint.fmpz:
 
 
 def common_divisor(numbers: Iterable[flint.fmpz]) -> flint.fmpz:
-    """The greatest common divisor of FLINT's integers, 0 for none; once it is 1 no more of them are computed.
+    """The greatest common divisor of FLINT's integers; 0 if there are none. Once it is 1, no more integers are
+    computed.
 
     >>> common_divisor([flint.fmpz(4), flint.fmpz(6)])
     2
@@ -430,7 +432,7 @@ def over_one_denominator(values: Iterable[mpq]) -> tuple[list[int], int]:
 
 
 def decimal_places(x: mpq) -> int | None:
-    """How many digits a number has after the decimal point, None where they do not end.
+    """The number of digits of a number after the decimal point; None if there are infinitely many.
 
     >>> decimal_places(mpq(3, 8)), decimal_places(mpq(7)), decimal_places(mpq(1, 3))
     (3, 0, None)

@@ -36,7 +36,7 @@ class Interval(NamedTuple):
 
     @property
     def width(self) -> mpq:
-        """The distance between its ends."""
+        """The distance between the ends of the interval."""
         return mpq(self.high - self.low)
 
     @property
@@ -46,7 +46,7 @@ class Interval(NamedTuple):
 
     @property
     def halves(self) -> tuple[Interval, Interval]:
-        """Its two halves."""
+        """The two halves of the interval."""
         middle = self.middle
         return Interval(self.low, middle), Interval(middle, self.high)
 
@@ -67,11 +67,11 @@ class Interval(NamedTuple):
         return Interval(mpq(self.low - by), mpq(self.high + by))
 
     def inside(self, outer: Interval) -> Interval:
-        """The part of the interval that lies in another one, which it meets."""
+        """The part of the interval that lies in another interval, which it meets."""
         return Interval(max(self.low, outer.low), min(self.high, outer.high))
 
     def contains(self, other: Interval) -> bool:
-        """Whether another one is inside or equal."""
+        """Whether the other one is contained in this one."""
         return self.low <= other.low and other.high <= self.high
 
     def meets(self, other: Interval) -> bool:
@@ -109,11 +109,11 @@ class Box(NamedTuple):
 
     @property
     def middle(self) -> tuple[mpq, mpq]:
-        """The midpoint."""
+        """The midpoint of the box."""
         return self.first.middle, self.second.middle
 
     def halves(self, direction: int) -> tuple[Box, Box]:
-        """Its two halves, by bisection of a side (direction 0: the first parameter)."""
+        """The two halves of the box, by bisection of a side (direction 0: the first parameter)."""
         low, high = self[direction].halves
         return self.with_side(direction, low), self.with_side(direction, high)
 
@@ -135,7 +135,7 @@ class Box(NamedTuple):
         return Box(first, second)
 
     def contains(self, other: Box) -> bool:
-        """Whether another one is inside or equal."""
+        """Whether the other one is contained in this one."""
         return self.first.contains(other.first) and self.second.contains(other.second)
 
     def meets(self, other: Box) -> bool:
@@ -152,7 +152,7 @@ class Box(NamedTuple):
 
     @property
     def shortly(self) -> str:
-        """Its text for messages, as a product, with long numbers abbreviated.
+        """The box as text for messages, as a product, with long numbers abbreviated.
 
         >>> UNIT.shortly
         '[0, 1] × [0, 1]'
@@ -230,7 +230,7 @@ def ball_around(low: mpq, high: mpq) -> arb:
 
 
 def certain(b: Interval, digits: int) -> str:
-    """The decimals in which both ends agree, followed by dots; the two ends if they do not agree in any.
+    """The decimals in which both ends agree, followed by dots; the two ends if no decimals agree.
 
     >>> certain(Interval(mpq(1, 3), mpq(3334, 10000)), 6), certain(Interval(mpq(-1, 100), mpq(1, 100)), 2)
     ('0.333…', '-0.01 … 0.01')

@@ -1,5 +1,5 @@
-"""What is computed when it is first asked for, also where several threads ask, or a process is forked while one does:
-of the threads of a process its child has one alone, and would wait for ever for a lock that another of them held.
+"""Attributes and locks for values that are computed when first needed, by several threads or in forked processes. A
+forked child has only one of the threads of its parent, and would wait forever for a lock held by another thread.
 """
 
 from __future__ import annotations
@@ -14,12 +14,13 @@ from typing import TYPE_CHECKING, Any, NoReturn, Self
 __all__ = ["Lock", "cached_property"]
 
 if TYPE_CHECKING:
-    from functools import cached_property  # noqa: TID251  # as checkers of types know it
+    from functools import cached_property  # noqa: TID251  # for type checkers
 else:
 
     class cached_property(functools.cached_property):  # noqa: N801, TID251  # a decorator
-        """An attribute that is computed when it is first asked for. No lock is held meanwhile, as Python 3.11 holds one
-        for all objects together: two threads may compute the same value, and both get the one that was kept first.
+        """An attribute that is computed when first needed. No lock is held during the computation, unlike in Python
+        3.11, which holds one lock for all objects: two threads may compute the same value, and both get the value that
+        was stored first.
 
         >>> class Half:
         ...     @cached_property
@@ -38,7 +39,7 @@ else:
 
 
 class Lock:
-    """A lock that one thread at a time holds, also more than once; in a forked child nobody holds it.
+    """A lock that one thread at a time can hold, also more than once; in a forked child no thread holds it.
 
     >>> lock = Lock()
     >>> with lock.held(), lock.held():
@@ -49,7 +50,7 @@ class Lock:
         self._lock, self._process = RLock(), getpid()
 
     def held(self) -> AbstractContextManager[object]:
-        """While this is entered no other thread of this process holds the lock."""
+        """A context in which no other thread of this process holds the lock."""
         if self._process != getpid():
             self._lock, self._process = RLock(), getpid()
         return self._lock
@@ -95,8 +96,8 @@ def fill(value: Immutable, /, **fields: object) -> None:
 
 
 def setters(owner: type, *names: str) -> list[Callable[[Immutable, object], None]]:
-    """What sets these slots of a class, one function for each: at the construction of values for which `fill` takes too
-    long.
+    """Functions that set these slots of a class, one function for each slot. They are used in constructors for which
+    `fill` is too slow.
 
     >>> class Point(Immutable):
     ...     __slots__ = ("x",)

@@ -1,4 +1,4 @@
-"""Operations on a real number that use a polynomial of which it is a zero: equality, order, hash, rationality, minimal
+"""Operations on a real number that use a polynomial with this zero: equality, order, hash, rationality, minimal
 polynomial.
 
 Enclosures are tried first. Polynomials are used only if enclosures cannot decide, and their cost is bounded beforehand.
@@ -35,7 +35,8 @@ class Algebraic(Digits):
     __slots__ = ("_closed", "_exact", "_isolating", "_minimal")
     #: The number itself if it is known to be rational; False if it is known to be irrational.
     _exact: mpq | bool | None
-    #: The number as a rational or quadratic one; False if it is proved to be neither, None if that was not asked yet.
+    #: The number as a rational or quadratic one; False if it is proved to be neither, None if this has not been decided
+    #: yet.
     _closed: Algebraic | bool | None
     _minimal: fmpz_poly | None
     #: A polynomial and an interval in which this number is its only zero.
@@ -45,7 +46,7 @@ class Algebraic(Digits):
     suspicious_digits = SUSPICIOUS
 
     def _annihilator(self) -> fmpz_poly:
-        """A polynomial with this zero."""
+        """A nonzero polynomial that vanishes at this number."""
         raise NotImplementedError
 
     def _isolated(self) -> tuple[fmpz_poly, mpq, mpq]:
@@ -97,8 +98,8 @@ class Algebraic(Digits):
         raise NotImplementedError
 
     def around(self, digits: int) -> Interval:
-        """The number itself if it is known to be rational, otherwise the multiples of ``10^−digits`` on both sides of
-        the one that is nearest to it.
+        """The number itself if it is known to be rational, otherwise the interval between the two multiples of
+        ``10^−digits`` on both sides of the nearest multiple.
 
         >>> from exactspline.reals.real import square_root
         >>> square_root(2).around(2)
@@ -121,7 +122,7 @@ class Algebraic(Digits):
         return [int(x) for x in self.irreducible_polynomial().coeffs()]
 
     def irreducible_polynomial(self) -> fmpz_poly:
-        """The polynomial whose coefficients `minimal_polynomial` lists: shared, not to be changed."""
+        """The polynomial whose coefficients `minimal_polynomial` lists: it is shared and must not be changed."""
         if self._minimal is None:
             fill(self, _minimal=self._computed_minimal())
         return cast(fmpz_poly, self._minimal)
@@ -162,7 +163,7 @@ class Algebraic(Digits):
         return self._against(other) < 0
 
     def __hash__(self) -> int:
-        """The hash of the number if it is rational, otherwise that of ``⌊2⁶⁴ x⌋``."""
+        """The hash of the number if it is rational, otherwise the hash of ``⌊2⁶⁴ x⌋``."""
         if (exact := self.exact) is not None:
             return hash(exact)
         digits = 20

@@ -17,9 +17,10 @@ from exactspline.reals.real import UNASKED, RationalNumber, Real
 
 
 class InBalls(Real):
-    """A number enclosed by ``ball(bits)``, a ball that shrinks as FLINT's precision increases. What enclosures do not
-    decide is asked of ``exactly()``, the same number as an algebraic one; without it, comparisons raise `OpenError` if
-    they need too many digits. Both are named functions, so that the number can be pickled.
+    """A number enclosed by ``ball(bits)``, a ball that shrinks as FLINT's precision increases. Questions that
+    enclosures do not decide are passed to ``exactly()``, the same number as an algebraic number; without this function,
+    comparisons raise `OpenError` if they need too many digits. Both are named functions, so that the number can be
+    pickled.
     """
 
     __slots__ = ("ball", "exactly", "transcendental")
@@ -43,7 +44,7 @@ class InBalls(Real):
                 ball = self.ball(bits)
             if ball.is_finite() and (ends := ball_ends(ball)).width <= width:
                 return ends
-            # the bits that are missing: large numbers need many before the point
+            # the missing bits: large numbers need many bits before the point
             bits += int(ends.width / width).bit_length() + 10 if ball.is_finite() else bits
         raise OpenError(f"undecided at {digits} digits", remedy="use an enclosure")
 
@@ -85,14 +86,14 @@ class WithAngles(InBalls):
 
     @property
     def closed_form(self) -> str:
-        """``a + bπ + c arctan(t)``, without what is 0."""
+        """``a + bπ + c arctan(t)``, without terms that are 0."""
         parts = [self.constant.closed_form or ""] if self.constant else []
         parts += [_multiple(self.of_pi, "π")] if self.of_pi else []
         parts += [_multiple(factor, f" arctan({tangent.closed_form})") for factor, tangent in self.arcs]
         return " + ".join(parts).replace("+ -", "- ")
 
     def _sympy_(self) -> Any:
-        """What sympy takes in place of the number.
+        """The number as a sympy expression.
 
         >>> import sympy
         >>> from exactspline import example

@@ -23,7 +23,7 @@ ONE = mpq(1)
 SUSPICIOUS = 10
 #: The maximal number of digits after the decimal point in a text.
 LONGEST = 400
-#: The digits of a number of which more cannot be computed.
+#: The digits of a number for which no more digits can be computed.
 FEW = 3
 
 
@@ -47,7 +47,7 @@ class Digits(Immutable):
 
     @property
     def sign(self) -> int:
-        """−1, 0 or 1."""
+        """The sign of the number: −1, 0 or 1."""
         return self._against_number(mpq(0))
 
     def enclosure(self, digits: int) -> Interval:
@@ -138,7 +138,7 @@ class Digits(Immutable):
         return format(number, f"{before}.{digits}{kind}")
 
     def _mpmath_(self, bits: int, rounding: str) -> mpmath.mpf:
-        """What mpmath takes in place of the number, at its working precision."""
+        """The number as an mpmath number, at the working precision of mpmath."""
         from mpmath import libmp, mp
 
         value = self.rational_near(bits // 3 + 5)
@@ -165,8 +165,8 @@ class Digits(Immutable):
         return shifted(self._multiple(as_integer(digits, "a number of digits")), digits)
 
     def _multiple(self, digits: int) -> int:
-        """``⌊10ᵈⁱᵍⁱᵗˢ x + 1/2⌋``, whatever was computed of the number before; where it cannot be decided on which side
-        of a tie the number is, as if it were one.
+        """``⌊10ᵈⁱᵍⁱᵗˢ x + 1/2⌋``, independent of earlier computations; if it cannot be decided on which side of a tie
+        the number is, it is treated as a tie.
         """
         scale, reached = mpz(10) ** digits, digits + 2
         while True:
@@ -217,9 +217,9 @@ class Digits(Immutable):
             requested *= 2
 
     def shortly(self, digits: int = 6) -> str:
-        """Its closed form if it has a short one, or this many significant digits followed by dots; fewer where more
-        would take too long, and dots alone where none are known; `0` if it is 0, and ``0 ± 1e-n`` if it is so near to 0
-        that nothing more is known of it.
+        """The closed form of the number if it has a short one, or this many significant digits followed by dots. There
+        are fewer digits if more would take too long, and only dots if no digit is known. The number 0 is shown as `0`,
+        and a number of which only the nearness to 0 is known as ``0 ± 1e-n``.
 
         >>> from exactspline.reals.real import square_root
         >>> str(square_root(2) + square_root(3) - square_root(5 + 2 * square_root(6)))

@@ -1,7 +1,7 @@
 """Exact real numbers (rational, quadratic and algebraic) with `+ − * /`, order, equality and digits.
 
 A number is represented by the expression tree of the operations that made it, over rational numbers and roots, and by
-an enclosure that is refined on demand. A polynomial of which the number is a zero is computed only for what enclosures
+an enclosure that is refined on demand. A polynomial with this zero is computed only for questions that enclosures
 cannot decide (equality, rationality, the minimal polynomial), at a cost that is bounded beforehand
 (`exactspline.polynomials.elimination`).
 """
@@ -73,15 +73,15 @@ def _without_square_factors(n: mpz) -> tuple[mpz, mpz]:
     return root, n
 
 
-#: What is known of a number that has just been made.
+#: The initial values of the attributes of a number.
 UNASKED = dict.fromkeys(("_closed", "_exact", "_isolating", "_minimal"))
 V = TypeVar("V")
 #: An operation that applies to numbers, balls and quotients of polynomials.
 Operation: TypeAlias = Callable[..., object]
 #: Guard bits in addition to those of the requested digits.
 GUARD = 16
-#: The bits from which the cost of an operation is counted, and its nanoseconds for each bit (measured: 13, and up to 50
-#: with the refinement of the roots in it).
+#: The number of bits from which the cost of an operation is counted, and the nanoseconds per bit (measured: 13, and up
+#: to 50 with the refinement of roots).
 LARGE, BIT = 100_000, 60
 
 
@@ -105,13 +105,13 @@ class Real(Algebraic, Written):
     """
 
     __slots__ = ()
-    #: The operation that made it, and its operands; a number without operands is a leaf of the tree.
+    #: The operation that made the number, and its operands; a number without operands is a leaf of the tree.
     _operation: Operation
     _operands: tuple[Real, ...] = ()
 
     @property
     def _given(self) -> mpq | None:
-        """The rational number that it was made from."""
+        """The rational number from which this number was made; otherwise None."""
         return None
 
     def __new__(cls, *given: object, **named: object) -> Self:
@@ -128,13 +128,13 @@ class Real(Algebraic, Written):
         return self, fmpq_poly([0, 1]), fmpq_poly([1])
 
     def _height(self) -> int:
-        """At least the base-2 logarithm of the absolute height: the polynomial of a number of degree n has a Mahler
-        measure of at most ``2ⁿ ʰᵉⁱᵍʰᵗ``.
+        """An upper bound of the base-2 logarithm of the absolute height: the polynomial of a number of degree n has a
+        Mahler measure of at most ``2ⁿ ʰᵉⁱᵍʰᵗ``.
         """
         raise NotImplementedError
 
     def _found(self) -> Real | None:
-        """What `in_closed_form` returns, decided for the first time."""
+        """The value of `in_closed_form`, decided for the first time."""
         place, top, bottom = self._in_terms()
         leaf = None if place is None or place._operands else place
         parts = elimination.integral(top, bottom)
@@ -144,8 +144,8 @@ class Real(Algebraic, Written):
         return None if p is None else zero_of(p, self)
 
     def _coefficient_bits(self) -> int:
-        """The bits of the coefficients of the polynomial of this number, if that has degree 1 or 2: none is larger than
-        twice the Mahler measure.
+        """The bits of the coefficients of the polynomial of this number, if the polynomial has degree 1 or 2: no
+        coefficient is larger than twice the Mahler measure.
         """
         return 2 * self._height() + 1
 
@@ -172,19 +172,19 @@ class Real(Algebraic, Written):
         >>> ((t * t - 1) / 2).closed_form, (t * square_root(5 - 2 * square_root(6))).closed_form, t.closed_form
         ('2 + √6', '1', None)
 
-        Raises `ReachError` or `OpenError` where that remains undecided.
+        Raises `ReachError` or `OpenError` if this remains undecided.
         """
         closed = self.in_closed_form()
         return None if closed is None else closed.closed_form
 
     def _sympy_(self) -> sympy.Expr:
-        """What sympy takes in place of the number: a rational number, a + b√c, or an algebraic number.
+        """The number as a sympy expression: a rational number, a + b√c, or an algebraic number.
 
         >>> import sympy
         >>> sympy.sympify(square_root("1/2")), sympy.sympify(square_root(2) + square_root(3))
         (sqrt(2)/2, CRootOf(x**4 - 10*x**2 + 1, 3))
 
-        Raises `ReachError` or `OpenError` where its minimal polynomial is not known.
+        Raises `ReachError` or `OpenError` if the minimal polynomial cannot be computed.
         """
         import sympy
 
@@ -267,16 +267,16 @@ class Real(Algebraic, Written):
 
     @property
     def real(self) -> Real:
-        """The number itself, as of other numbers the real part."""
+        """The real part: the number itself."""
         return self
 
     @property
     def imag(self) -> int:
-        """The imaginary part."""
+        """The imaginary part: 0."""
         return 0
 
     def conjugate(self) -> Real:
-        """The number itself, as of other numbers the conjugate."""
+        """The complex conjugate: the number itself."""
         return self
 
     def __neg__(self) -> Real:
@@ -327,7 +327,7 @@ class RationalNumber(Real):
 
     @property
     def closed_form(self) -> str:
-        """``p/q``."""
+        """The number as text ``p/q``."""
         return text(self.value)
 
 
@@ -371,7 +371,7 @@ class Quadratic(Real):
 
     @property
     def closed_form(self) -> str:
-        """``(a + b√c)/d`` with integers."""
+        """The number as text ``(a + b√c)/d`` with integers a, b, c and d."""
         a, b = self.a, self.b
         d = lcm(a.denominator, b.denominator)
         p, q = mpz(a * d), mpz(b * d)
@@ -400,7 +400,9 @@ class Expression(Real):
         return Expression, (self._operation, *self._operands)
 
     def _enclosed(self, digits: int) -> Interval:
-        """By FLINT's balls, with increasing precision; raises `ReachError` for numbers that are too large for it."""
+        """An enclosure by FLINT's balls, with increasing precision; raises `ReachError` for numbers that are too
+        large.
+        """
         if isinstance(self._exact, type(mpq())):
             return Interval.point(self._exact)
         known = self._reached
@@ -411,7 +413,7 @@ class Expression(Real):
                 check_reach(cost, partial("a number to {} bits".format, bits), LONGEST_LOOP)
             with ctx.workprec(bits + GUARD):
                 ball = _folded(self, _is_leaf, partial(_ball, bits * 3 // 10 + 1))
-            # not the ends of a wide ball: they could have more digits than there is memory
+            # not the ends of a wide ball, which could have more digits than fit into memory
             if ball.is_finite() and ball.rad() < 1:
                 enclosure = _ends(ball, 4 * bits)
                 if known is None or enclosure.width < known.width:
@@ -421,7 +423,7 @@ class Expression(Real):
         return known
 
     def _against_number(self, t: mpq) -> int:
-        """If all operands but one are rational, by comparing this operand."""
+        """The exact sign of the number minus t; if all operands except one are rational, by comparing this operand."""
         if self._operation is _root:
             return 1 if t < 0 else self._operands[0]._against_number(t * t)
         (x, y), operation = self._operands, self._operation
@@ -437,7 +439,7 @@ class Expression(Real):
         return super()._against_number(t)
 
     def _in_terms(self) -> tuple[Real | None, fmpq_poly, fmpq_poly]:
-        """Of the only irrational number of which the tree is a rational function, if there is one."""
+        """The number as a rational function of the only irrational number in its tree, if there is only one."""
         places = [] if self._operation is _root else _places(self)
         if len(places) != 1:
             return super()._in_terms()
@@ -445,7 +447,7 @@ class Expression(Real):
         return places[0], value.top, value.bottom
 
     def _found(self) -> Real | None:
-        """From the closed forms of the leaves, if these decide it."""
+        """The closed form, from the closed forms of the leaves, if these decide it."""
         found = _folded(self, _is_leaf, _closed_leaf, _closed)
         return super()._found() if found is None else None if isinstance(found, bool) else found
 
@@ -481,9 +483,11 @@ def _closed_leaf(x: Real) -> Real | bool:
 
 
 def _closed(operation: Operation, x: Real | bool | None, y: Real | bool | None = None) -> Real | bool | None:
-    """The closed form of ``x ∘ y`` by those of x and y: False stands for one that has none, None for an open one."""
+    """The closed form of ``x ∘ y`` by those of x and y: False means that a number has none, None that this is not
+    decided.
+    """
     if operation is _root:
-        # the square of a rational or quadratic number is one
+        # the square of a rational or quadratic number is rational or quadratic
         return square_root(x) if isinstance(x, RationalNumber) else x if isinstance(x, bool) else None
     if isinstance(x, Real) and isinstance(y, Real):
         found = _of_quadratics(operation, *cast(Any, _known(x)), *cast(Any, _known(y)))
@@ -509,8 +513,8 @@ def _root(x: Any) -> Any:
 
 
 def _ends(ball: arb, bits: int) -> Interval:
-    """The ends of a ball, or of the interval of the numbers up to ``2^−bits`` for a ball within it: the ends of the
-    ball could have more digits than there is memory.
+    """The ends of a ball, or of the interval from ``−2^−bits`` to ``2^−bits`` for a ball within it: the ends of such a
+    ball could have more digits than fit into memory.
     """
     least = mpq(1, mpz(1) << bits)
     return Interval(-least, least) if abs(ball) < arb((1, -bits)) else ball_ends(ball)
@@ -529,7 +533,7 @@ def _is_leaf(x: Real) -> bool:
 
 
 def _is_place(x: Real) -> bool:
-    """Whether a node of a tree is rational, or a number of which the tree can be taken as a rational function."""
+    """Whether a node of a tree is rational, or a number such that the tree is a rational function of such numbers."""
     return not x._operands or x._operation is _root
 
 
@@ -553,7 +557,7 @@ def _folded(
     of_leaf: Callable[[Real], V],
     combine: Callable[..., Any] = lambda operation, *values: operation(*values),
 ) -> V:
-    """The value of a tree: its operations applied to the values of its leaves, or what stands for them."""
+    """The value of a tree: its operations applied to the values of its leaves."""
     values: dict[int, V] = {}
     for x in _in_order(number, is_leaf):
         known = (values[id(y)] for y in x._operands)
@@ -588,7 +592,9 @@ def _combined(operation: Operation, x: Real, y: Real) -> Real:
 
 
 def _known(x: Real) -> tuple[mpq, mpq, int] | None:
-    """a, b and c of ``a + b√c`` if x was made so, whatever was found out since; c is 1 for a rational number."""
+    """a, b and c of ``a + b√c`` if x was made from these, independent of later results; c is 1 for a rational
+    number.
+    """
     if isinstance(x, Quadratic):
         return x.a, x.b, x.c
     return None if x._given is None else (x._given, mpq(0), 1)
@@ -666,7 +672,7 @@ def between(low: Number | Real, high: Number | Real) -> mpq:
 
 
 class Extreme(Real):
-    """The maximum or minimum of several numbers, without deciding which of them it is."""
+    """The maximum or minimum of several numbers, without deciding which number it is."""
 
     __slots__ = ("among", "side")
     among: tuple[Real, ...]

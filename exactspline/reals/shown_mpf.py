@@ -16,7 +16,7 @@ class ShownMpf(mp.mpf):  # type: ignore[misc]  # mpmath has no types
     digits: int
 
     def __repr__(self) -> str:
-        return f"mpf('{self!s}')"  # mpmath 1.4 has a format of its own
+        return f"mpf('{self!s}')"  # mpmath 1.4 has its own format
 
     def __str__(self) -> str:
         return str(nstr(mp.make_mpf(self._mpf_), self.digits, strip_zeros=True))

@@ -1,4 +1,4 @@
-"""Where something holds: at points, on pieces of a curve, or both."""
+"""The places at which something holds: points, pieces of a curve, or both."""
 
 from __future__ import annotations
 
@@ -17,8 +17,8 @@ W = TypeVar("W")
 
 
 class OneNumber(OneLine):
-    """What has one number (its parameter, unless `_number` names another attribute), which `float` gives as a double,
-    correctly rounded.
+    """An object with one number (its parameter, unless `_number` names another attribute), which `float` returns as a
+    correctly rounded double.
 
     >>> from exactspline import distance, example
     >>> float(distance(example("circle"), example("ellipse")))
@@ -33,7 +33,8 @@ class OneNumber(OneLine):
 
 @dataclass(frozen=True, repr=False)
 class CurvePiece(OneLine):
-    """A piece of a curve by its parameters: one interval, or two where it runs across the seam of a closed curve.
+    """A piece of a curve by its parameters: one interval, or two intervals if the piece runs across the seam of a
+    closed curve.
 
     The parts are in the order in which the curve runs through them, all inside the domain.
 
@@ -50,7 +51,7 @@ class CurvePiece(OneLine):
 
     @property
     def end(self) -> mpq:
-        """The parameter at which the piece ends: below `start` where it runs across the seam."""
+        """The parameter at which the piece ends; it is below `start` if the piece runs across the seam."""
         return self.parts[-1][1]
 
     @property
@@ -68,8 +69,8 @@ class CurvePiece(OneLine):
 
 @dataclass(frozen=True, repr=False)
 class Answer(Sequence[T_co], Written, Generic[T_co, W]):
-    """Where something holds: at single points, and `everywhere` on these parts, whose points are not listed one by one.
-    As a sequence it is that of its points; it is true unless the answer is "nowhere".
+    """The places at which something holds: single points, and the parts `everywhere`, whose points are not listed one
+    by one. An answer is a sequence of its points; it is true unless the answer is "nowhere".
 
     >>> from exactspline import example
     >>> example("cubic_s").inflections.to_records()[0]["parameter"]
@@ -83,7 +84,7 @@ class Answer(Sequence[T_co], Written, Generic[T_co, W]):
     def late(
         cls, count: int, make: Callable[[], tuple[T_co, ...]], everywhere: tuple[W, ...] = (), **fields: object
     ) -> Self:
-        """An answer of this many points, which are made when they are first asked for; `fields` are the other ones.
+        """An answer with this many points, which are made when first needed; `fields` are the other fields.
 
         >>> found = Places.late(2, lambda: ("first", "second"))
         >>> len(found), found == Places(("first", "second"))
@@ -125,21 +126,25 @@ class Answer(Sequence[T_co], Written, Generic[T_co, W]):
         return bool(len(self) or self.everywhere)
 
     def __call__(self) -> Self:
-        """Itself: ``curve.inflections()`` is ``curve.inflections``."""
+        """The answer itself: ``curve.inflections()`` is ``curve.inflections``."""
         return self
 
     def where(self, holds: Callable[[T_co], bool]) -> Self:
-        """The points with a property, on the same parts."""
+        """The answer with only those points that have a property, and the same parts."""
         found = replace(self, points=tuple(filter(holds, self.points)))
         return found if self.asked is None else found.asked_with(*self.asked)
 
     @property
     def asked(self) -> tuple[str, Callable[[], object]] | None:
-        """The question whose answer this is, and what makes the object again that was asked; None if it is unknown."""
+        """The question whose answer this is, and a function that makes the object of the question again; None if it is
+        unknown.
+        """
         return vars(self).get("_asked")
 
     def asked_with(self, question: str, again: Callable[[], object]) -> Self:
-        """This answer, which remembers the first question that it answers, but holds no object that keeps it."""
+        """This answer, which stores the first question that it answers, but no reference to an object that stores the
+        answer.
+        """
         vars(self).setdefault("_asked", (question, again))
         return self
 
@@ -153,7 +158,7 @@ class Answer(Sequence[T_co], Written, Generic[T_co, W]):
 
 
 class Places(Answer[T_co, CurvePiece]):
-    """Where on a curve something holds: at points in the order of the parameter, and everywhere on pieces.
+    """The places on a curve at which something holds: points in the order of the parameter, and pieces `everywhere`.
 
     >>> nowhere, on_a_line = Places(()), Places((), (CurvePiece(((mpq(0), mpq(1)),)),))
     >>> len(nowhere), bool(nowhere), len(on_a_line), bool(on_a_line)

@@ -22,7 +22,8 @@ Parameter = mpq | Root
 #: A pair of parameters.
 Place = tuple[Parameter, Parameter]
 
-#: The cost of making a form and isolating its roots: hundredths of a nanosecond per square of the degree and per bit.
+#: The cost of making a form and isolating its roots, in hundredths of a nanosecond per square of the degree and per
+#: bit.
 ISOLATION = 80
 
 
@@ -37,8 +38,8 @@ def as_splines(polynomials: Sequence[fmpz_poly], a: mpq, b: mpq) -> list[BSpline
 
 
 def roots_in(p: fmpz_poly, a: mpq, b: mpq, *, whole: bool = False) -> list[Root]:
-    """The distinct real roots of a polynomial in [a, b], in ascending order; a `whole` one, which is square-free or
-    irreducible, is not factored.
+    """The distinct real roots of a polynomial in [a, b], in ascending order; a `whole` polynomial, which is square-free
+    or irreducible, is not factored.
 
     >>> [root.exact for root in roots_in(fmpz_poly([0, -1, 0, 4]), mpq(0), mpq(1))]
     [mpq(0,1), mpq(1,2)]
@@ -65,7 +66,7 @@ def ball(t: Parameter, digits: int) -> arb:
 
 
 def exactly(t: Parameter) -> Parameter:
-    """The rational value of a parameter that is rational; others unchanged."""
+    """The rational value of a parameter that is rational; any other parameter is unchanged."""
     return t if not isinstance(t, Root) or t.exact is None else t.exact
 
 
@@ -75,7 +76,7 @@ def enclosing(t: Parameter, digits: int) -> Interval:
 
 
 def distinct(numbers: Iterable[Parameter]) -> list[Parameter]:
-    """Numbers in ascending order, each once; rational ones as such."""
+    """The numbers in ascending order, each once; rational numbers are converted to rational values."""
     found: list[Parameter] = []
     for t in sorted(map(exactly, numbers)):
         if not found or found[-1] != t:

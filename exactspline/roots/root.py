@@ -23,12 +23,12 @@ from exactspline.reals.real import UNASKED, RationalNumber, Real, zero_of
 
 #: The precision of the balls around a zero.
 PRECISION = 128
-#: Bits that are more than those of an interval that doubles make certain, so that a part of it has other ends.
+#: More bits than an interval certified in doubles has, so that a part of it has other ends.
 INSIDE = 72
 
 
 class LazyForm(Protocol):
-    """A form on a segment, computed when it is asked for."""
+    """A form on a segment, computed when first needed."""
 
     @property
     def form(self) -> LocalPolynomial:
@@ -36,7 +36,7 @@ class LazyForm(Protocol):
 
     @property
     def inner(self) -> list[LocalZero]:
-        """Its zeros inside the segment, by exact arithmetic."""
+        """The zeros of the form inside the segment, by exact arithmetic."""
 
 
 @lru_cache(256)
@@ -47,10 +47,10 @@ def _in_balls(side: Interval) -> tuple[arb, arb]:
 
 
 class Shrinking:
-    """Balls around the one zero in intervals of doubles, of as many equations as there are local parameters t: balls of
-    ``z = t/(1 − t)``. From a box X one step of Newton's method makes a box ``N = m − J(X)⁻¹ F(m)`` with the middle m of
-    X, which contains every zero in X; there is one and no other if N is inside X, so that the first step proves anew
-    what was certain in doubles.
+    """Shrinking balls around the only zero of a system of equations in intervals of doubles, with as many equations as
+    local parameters t; the balls are those of ``z = t/(1 − t)``. From a box X with the midpoint m a step of the
+    interval Newton method makes a box ``N = m − J(X)⁻¹ F(m)``, which contains every zero in X. If N is inside X, there
+    is exactly one zero, so that the first step proves again what was decided in doubles.
 
     Source: Neumaier, Interval Methods for Systems of Equations, 1990.
     """
@@ -60,7 +60,7 @@ class Shrinking:
         self._found: list[arb] | None = None
 
     def balls(self, k: int) -> Iterator[arb]:
-        """Those of one of the parameters at FLINT's current precision; none where the first step proves nothing."""
+        """The balls of one of the parameters at FLINT's current precision; none if the first step proves nothing."""
         if self._found is None:
             around = [1 / (1 - arb(low).union(arb(high))) - 1 for low, high in self.intervals]
             found = self.closer(around)
@@ -76,14 +76,14 @@ class Shrinking:
 
 
 class Shrunk(NamedTuple):
-    """One of the parameters of a zero by shrinking balls."""
+    """One of the parameters of a zero, by shrinking balls."""
 
     shrinking: Shrinking
     k: int
 
     def double(self, side: Interval, rounding: str) -> float | None:
-        """The parameter on a segment over an interval as a double; None where balls leave it open, and for other ways
-        of rounding than to the nearest.
+        """The parameter on a segment over an interval as a double; None if balls do not decide it, and for rounding
+        modes other than to nearest.
         """
         with ctx.workprec(PRECISION):
             start, width = _in_balls(side)
@@ -96,7 +96,7 @@ class Shrunk(NamedTuple):
 
     def near(self, bits: int) -> Interval | None:
         """A part of the interval of the local parameter, at most ``2^−bits`` wide, with the zero strictly inside; None
-        where balls leave it open.
+        if balls do not decide it.
         """
         given = Interval(*map(mpq, self.shrinking.intervals[self.k]))
         with ctx.workprec(PRECISION):
@@ -108,15 +108,15 @@ class Shrunk(NamedTuple):
 
 
 def _closer(lazy: LazyForm, before: int, box: list[arb]) -> list[arb]:
-    """A step from a ball on which a form loses the sign that it has before its zero."""
+    """A Newton step for a ball in which a form changes from the sign `before` its zero."""
     (ball,), form = box, lazy.form
     middle, rise = ball.mid(), form.slope(ball)
     return [middle - form.polynomial(middle) / rise if before * rise < 0 else arb.nan()]
 
 
 class LazyRoot:
-    """A simple zero inside a segment, the only one in an interval of doubles, with the attributes of a `LocalZero`:
-    these are computed when they are asked for. `number` is its number among the zeros of the form.
+    """A simple zero inside a segment, the only one in an interval of doubles, with the attributes of a `LocalZero`,
+    which are computed when first needed. `number` is its number among the zeros of the form.
     """
 
     multiplicity = 1
@@ -129,7 +129,7 @@ class LazyRoot:
 
     @cached_property
     def shrunk(self) -> Shrunk:
-        """Balls around it, of the equation that the form is zero where it was not given another."""
+        """Balls around the zero; by default the equation is that the form is zero."""
         return self._shrunk or Shrunk(Shrinking([self._interval], partial(_closer, self.form, self.before)), 0)
 
     @cached_property
@@ -140,7 +140,7 @@ class LazyRoot:
 
     @cached_property
     def exactly(self) -> LocalZero:
-        """The zero in exact arithmetic; a rational one as the zero of its linear polynomial."""
+        """The zero in exact arithmetic; a rational zero is the zero of its linear polynomial."""
         zero = self.form.inner[self.number]
         if zero.signs != self.signs:
             raise AssertionError(f"a change of sign {zero.signs} where {self.signs} was certain in doubles")
@@ -151,8 +151,8 @@ class LazyRoot:
 
     @property
     def changing(self) -> tuple[LocalPolynomial, int]:
-        """As that of a `LocalZero`; the form itself, without isolating the zero anew, where it is linear or the zero is
-        certainly irrational.
+        """The attribute of a `LocalZero`. It is the form itself, without a new isolation of the zero, if the form is
+        linear or the zero is certainly irrational.
         """
         form = self.form.form
         whole = form.polynomial.degree() == 1 or form.without_rational_zero
@@ -160,17 +160,17 @@ class LazyRoot:
 
     @property
     def low(self) -> mpq:
-        """The ends of the interval, as those of a `LocalZero`."""
+        """The lower end of the interval, as for a `LocalZero`."""
         return mpq(self._interval[0])
 
     @property
     def high(self) -> mpq:
-        """See `low`."""
+        """The upper end of the interval, as for a `LocalZero`."""
         return mpq(self._interval[1])
 
     @property
     def factor(self) -> LocalPolynomial:
-        """A factor of the form with this zero, as that of a `LocalZero`."""
+        """A factor of the form with this zero, as for a `LocalZero`."""
         return self.exactly.factor
 
     def __reduce__(self) -> tuple[object, ...]:
@@ -205,14 +205,16 @@ class Root(Real, Displayed):
         "segment",
         "signs",
     )
-    #: The current interval; a single tuple, so that threads never see ends of different intervals. None for the first.
+    #: The current interval; a single tuple, so that threads never see ends of different intervals. None means the
+    #: initial interval.
     _narrowest: Interval | None
-    #: The initial interval: the spline may have other roots at its ends. None for that of a zero inside a segment.
+    #: The initial interval; the spline may have other roots at its ends. None means the interval of a zero inside a
+    #: segment.
     _initial: Interval | None
     _zero: Zero | None
     #: Computed on first use.
     _polynomial: fmpz_poly | None
-    #: The multiplicities seen from the two sides, which can differ at a knot; None at an end of the domain.
+    #: The multiplicities on the two sides, which can differ at a knot; None at an end of the domain.
     left_multiplicity: int | None
     right_multiplicity: int | None
     #: The signs of the spline just left and just right of the root; None at an end of the domain.
@@ -281,7 +283,7 @@ class Root(Real, Displayed):
 
     @property
     def multiplicity(self) -> int:
-        """The smaller of the multiplicities seen from the two sides."""
+        """The smaller of the multiplicities on the two sides."""
         return min(m for m in (self.left_multiplicity, self.right_multiplicity) if m is not None)
 
     @property
@@ -306,7 +308,7 @@ class Root(Real, Displayed):
                 return self.low
             if changing.without_rational_zero:
                 return None
-        # the denominator of a rational zero divides the leading coefficient: there is one such multiple at most
+        # the denominator of a rational zero divides the leading coefficient: there is at most one such multiple
         denominator = abs(int(self._integers().leading_coefficient()))
         low, high = self._enclosed(denominator.bit_length() * 30103 // 100000 + 1)
         candidate = mpq(-((-low * denominator) // 1), denominator)
@@ -321,20 +323,24 @@ class Root(Real, Displayed):
         return zero_of(p, self) if p.degree() == 2 else super()._found()
 
     def _coefficient_bits(self) -> int:
-        """No factor has a larger Mahler measure than the polynomial."""
+        """A bound on the bits of the coefficients of a factor: no factor has a larger Mahler measure than the
+        polynomial.
+        """
         return self._measure() + 1
 
     def _height(self) -> int:
-        """The measure of the polynomial, divided by the least degree that the number can have."""
+        """A bound on the height: the Mahler measure of the polynomial, divided by the least possible degree of the
+        number.
+        """
         return self._measure() // (3 if self.in_closed_form() is None else 1) + 1
 
     def _measure(self) -> int:
-        """At least the base-2 logarithm of the Mahler measure of the polynomial."""
+        """An upper bound of the base-2 logarithm of the Mahler measure of the polynomial."""
         p = self._integers()
         return p.height_bits() + (p.degree() + 1).bit_length() // 2 + 1
 
     def _integers(self) -> fmpz_poly:
-        """The polynomial of `polynomial`."""
+        """The polynomial whose coefficients `polynomial` lists."""
         known = self._polynomial
         if known is None:
             known = self._computed_polynomial()
@@ -411,7 +417,9 @@ class Root(Real, Displayed):
         return self._reached
 
     def _is_wide(self, scale: int) -> bool:
-        """Whether its interval is longer than the reciprocal of a number, or has an end of the initial one."""
+        """Whether the interval is longer than the reciprocal of a number, or shares an end with the initial
+        interval.
+        """
         low, high = self._reached
         return low < high and ((high - low) * scale > 1 or low == self._first[0] or high == self._first[1])
 
@@ -435,7 +443,7 @@ class Root(Real, Displayed):
         return self.refine(digits)
 
     def double(self, rounding: str = Rounding.NEAREST) -> float:
-        """The correctly rounded double: from a ball around the root where doubles isolate it, otherwise as for any
+        """The correctly rounded double: from a ball around the root if doubles isolate it, otherwise as for any real
         number.
         """
         found = None
@@ -454,7 +462,7 @@ class Root(Real, Displayed):
         return f"<Root {self.shortly()}: {times}, sign {left} to {right}{', at a knot' if self.at_knot else ''}>"
 
     def moved(self, side: Interval) -> Root:
-        """The parameter of a patch over a side of which this number is the local parameter.
+        """The parameter of a patch over a side whose local parameter is this number.
 
         >>> from exactspline import BSpline, zeros
         >>> (root,) = zeros(BSpline.bezier([-1, -1, 1]))  # 2t² − 1

@@ -1,4 +1,6 @@
-"""Segments of curves as forms for `exactspline.polynomials.plane_pairs`, and its local parameters as real numbers."""
+"""Segments of curves as forms for `exactspline.polynomials.plane_pairs`, and local parameters of segments as real
+numbers.
+"""
 
 from __future__ import annotations
 
@@ -29,7 +31,7 @@ U_PLUS_V = fmpz_poly([1, 1])
 
 #: The degree of a segment, and the integers of the forms of its homogeneous coordinates.
 SegmentForms = tuple[int, list[fmpz_poly]]
-#: The same with the integers themselves.
+#: The degree of a segment, and the lists of these integers.
 SegmentRows = tuple[int, list[Sequence[int]]]
 
 
@@ -51,7 +53,7 @@ def forms_of(segment: SegmentRows) -> SegmentForms:
 
 
 def segment_rows(curve: Nurbs, i: int) -> SegmentRows:
-    """The degree of a segment as it is given, and the integers of its homogeneous coordinates over one denominator.
+    """The degree of a segment as given, and the integers of its homogeneous coordinates over one denominator.
 
     >>> segment_rows(Nurbs(1, [0, 0, 1, 1], [(0, "1/2"), (1, 2)]).elevate_degree(), 0)
     (2, [(0, 2, 2), (1, 5, 4), [2, 4, 2]])
@@ -61,7 +63,7 @@ def segment_rows(curve: Nurbs, i: int) -> SegmentRows:
 
 
 def is_point(segment: SegmentRows) -> bool:
-    """Whether all control points of a segment are one.
+    """Whether all control points of a segment are equal.
 
     >>> is_point(segment_rows(Nurbs(1, [0, 0, 1, 1], [(2, 3), (2, 3)]), 0))
     True
@@ -71,7 +73,7 @@ def is_point(segment: SegmentRows) -> bool:
 
 
 def is_joined(before: SegmentRows, behind: SegmentRows) -> bool:
-    """Whether a segment ends where another one begins.
+    """Whether a segment ends where another segment begins.
 
     >>> line = Nurbs(1, [0, 0, 1, 2, 2], [(0, 0), (1, 2), (3, 3)])
     >>> is_joined(segment_rows(line, 0), segment_rows(line, 1)), is_joined(segment_rows(line, 1), segment_rows(line, 0))
@@ -81,14 +83,14 @@ def is_joined(before: SegmentRows, behind: SegmentRows) -> bool:
 
 
 def plane_forms(curve: Nurbs, i: int) -> PlaneForms:
-    """A segment of a plane curve."""
+    """The forms of a segment of a plane curve."""
     n, (x, y, w) = segment_forms(curve, i)
     return PlaneForms(n, x, y, w)
 
 
 class ImageValue(ValueAt):
     """The value of a map between segments at an irrational parameter. The numerator and the denominator are computed
-    only for what enclosures do not decide.
+    only if enclosures do not decide a question.
 
     >>> from exactspline.polynomials.isolation import isolate
     >>> place = Place(isolate(fmpz_poly([1, 0, -2]), 2).inner[0])  # z = √(1/2)
@@ -121,21 +123,21 @@ class ImageValue(ValueAt):
 
     @property
     def top(self) -> BSpline:  # type: ignore[override]  # computed when it is needed
-        """The numerator."""
+        """The numerator of the map."""
         return self._quotient()[0]
 
     @property
     def bottom(self) -> BSpline:  # type: ignore[override]  # computed when it is needed
-        """The denominator."""
+        """The denominator of the map."""
         return self._quotient()[1]
 
     def double(self, rounding: str = Rounding.NEAREST) -> float:
-        """The correctly rounded double, from balls around the common point where there are some."""
+        """The correctly rounded double, from balls around the common point, if there are any."""
         found = self._image.shrunk and self._image.shrunk.double(self._sides[0], rounding)
         return super().double(rounding) if found is None else found
 
     def _enclosed(self, digits: int) -> Interval:
-        """By balls around the entries of the adjugate."""
+        """An enclosure by balls around the entries of the adjugate."""
         side, digits = self._sides[0], max(digits, 0)
         bits, limit = digits * 10 // 3 + GUARD, mpq(1, 10**digits)
         if (known := self._image.known) is not None and (enclosure := side.part(known)).width <= limit:
@@ -155,7 +157,8 @@ class ImageValue(ValueAt):
 
 
 def parameter(local: Local, side: Interval, other: Interval) -> Real:
-    """A local parameter of a segment over `side` as a real number; the place of an image is on a segment over `other`.
+    """A local parameter of a segment over `side` as a real number; if it is an image, its place is on a segment over
+    `other`.
 
     >>> from exactspline.polynomials.zero_places import at
     >>> parameter(at(mpq(1, 2), 1), Interval(mpq(1), mpq(2)), Interval(mpq(0), mpq(1)))

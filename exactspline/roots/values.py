@@ -1,7 +1,7 @@
 """Exact values and signs of splines, and of quotients of splines, at irrational numbers.
 
-A ball around a root yields balls around the values there, which converge as it shrinks: the root is refined until the
-requested digits are certain. A sign that is not decided by balls is decided by a greatest common divisor.
+A ball around a root yields balls around the values there, which converge as the ball shrinks: the root is refined until
+the requested digits are certain. If balls do not decide a sign, a greatest common divisor does.
 """
 
 from __future__ import annotations

@@ -17,7 +17,7 @@ from exactspline.roots.root import Root
 DIGITS = (15, 30, 60)
 #: Nanoseconds per product of balls, and per bit of their precision.
 BALL, BALL_BITS = 300, 4
-#: How many evaluations of a polynomial it takes to refine one of its roots to the precision of the balls.
+#: The number of evaluations of a polynomial that refine one of its roots to the precision of the balls.
 REFINED = 4
 #: The first and the largest precision (bits) at which it is decided whether a polynomial vanishes at two irrational
 #: numbers.
@@ -25,7 +25,7 @@ SHORTEST, LONGEST = 512, 1 << 19
 
 
 def vanish_at(polynomials: Sequence[fmpz_mpoly], s: Parameter, t: Parameter) -> bool:
-    """Whether polynomials vanish at a pair of numbers, decided exactly. Raises `ReachError` where this would take too
+    """Whether polynomials vanish at a pair of numbers, decided exactly. Raises `ReachError` if this would take too
     long.
 
     >>> from exactspline.polynomials.two_parameters import S, T
@@ -47,7 +47,7 @@ def vanish_at(polynomials: Sequence[fmpz_mpoly], s: Parameter, t: Parameter) -> 
 
 
 def is_certainly_not_zero(p: fmpz_mpoly, s: Parameter, t: Parameter) -> bool:
-    """Whether balls around the numbers, or where one is rational its exact value, show that a polynomial is not zero
+    """Whether balls around the numbers (or the exact value of a rational number) show that a polynomial is not zero
     there.
     """
     if not (isinstance(s, Root) and isinstance(t, Root)):
@@ -86,7 +86,7 @@ def _vanishes(p: fmpz_mpoly, s: Root, t: Root) -> bool:
 
 
 def _precisions(bits: int) -> Iterator[int]:
-    """Growing precisions that do not pass by the one at which a value of ``2^−bits`` is distinguished from 0."""
+    """Growing precisions, up to the one at which a value of ``2^−bits`` is distinguished from 0."""
     precision = SHORTEST
     while True:
         yield precision

@@ -34,8 +34,8 @@ class _Near(NamedTuple):
 
 @dataclass(frozen=True)
 class Jump(OneNumber):
-    """A knot at which the spline jumps and either changes sign without a zero on either side, or has a zero seen from
-    one side only.
+    """A knot at which the spline jumps and either changes sign without a zero on either side, or has a zero as a limit
+    from one side only.
 
     `left` and `right` are the limit, the multiplicity and the sign on each side.
     """
@@ -60,8 +60,8 @@ class ZeroInterval:
     """An interval on which the spline vanishes, with its sign before and after (None at an end of the domain).
 
     `parts` are its intervals in the domain, in the order of traversal: one, or two if it crosses the seam of a periodic
-    spline, one up to the end of the domain and one from its start. It begins at `low` and ends at `high`, and ``high <
-    low`` if and only if it crosses the seam.
+    spline, up to the end of the domain and from its start. It begins at `low` and ends at `high`, and ``high < low`` if
+    and only if it crosses the seam.
 
     >>> f = BSpline(1, [0, 0, 1, 2, 3, 4, 4], [0, 0, 1, 0, 0])
     >>> zeros(f, periodic=True).intervals[0]
@@ -303,7 +303,7 @@ def _segment(coefficients: list[str], isolation: Isolation | None) -> dict[str, 
 
 
 def isolation_data(isolation: Isolation) -> dict[str, object]:
-    """What proves the zeros of one form: factors, points and leaves, as data."""
+    """The data that prove the zeros of one form: factors, points and leaves."""
     leaves = sorted((mpq(k, 1 << level), mpq(k + 1, 1 << level), changes) for level, k, changes in isolation.leaves)
     return {
         "factors": [[[str(x) for x in g.polynomial.coeffs()], k] for g, k in isolation.factors or []],
