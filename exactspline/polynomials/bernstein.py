@@ -164,8 +164,9 @@ def substituted(c: fmpz_poly, n: int, u: fmpz_poly, v: fmpz_poly) -> fmpz_poly:
 
 
 def _by_shifts(c: fmpz_poly, n: int, u: fmpz_poly, v: fmpz_poly) -> fmpz_poly:
-    """The same for linear polynomials, u not constant: with ``u₁ v = v₁ u + Δ`` it is ``uⁿ h(1/u)/u₁ⁿ`` for a
-    polynomial ``h(y) = Σ c_i u₁ⁿ⁻ⁱ (v₁ + Δ y)ⁱ``, so that two substitutions of linear polynomials in FLINT suffice.
+    """The sum `substituted` for linear polynomials, u not constant: with ``u₁ v = v₁ u + Δ`` it is ``uⁿ h(1/u)/u₁ⁿ``
+    for a polynomial ``h(y) = Σ c_i u₁ⁿ⁻ⁱ (v₁ + Δ y)ⁱ``, so that two substitutions of linear polynomials in FLINT
+    suffice.
 
     >>> c, u, v = fmpz_poly([1, 2, 3]), fmpz_poly([5, -2]), fmpz_poly([-1, 3])
     >>> _by_shifts(c, 2, u, v) == u * u + 2 * u * v + 3 * v * v
@@ -182,7 +183,7 @@ def _by_shifts(c: fmpz_poly, n: int, u: fmpz_poly, v: fmpz_poly) -> fmpz_poly:
 
 
 def restrict(form: Form, n: int, a: mpq, b: mpq) -> Form:
-    """The form restricted to the part [a, b] of its segment (or extended beyond it), in the local parameter of the
+    """The form on the part [a, b] of its segment, which may extend beyond the segment, in the local parameter of the
     part.
 
     >>> restrict(from_bezier([mpq(0), mpq(1)]), 1, mpq(1, 2), mpq(3, 4))
@@ -215,7 +216,7 @@ def of_parameter(p: fmpz_poly, n: int, a: mpq, b: mpq) -> fmpz_poly:
 
 
 def without_content(form: Form) -> Form:
-    """The same form, without common integer factors of coefficients and denominator."""
+    """The form without common integer factors of coefficients and denominator."""
     c, m = form
     if not c:
         return ZERO_FORM
@@ -268,7 +269,7 @@ def blossom(points: Sequence[mpq], arguments: Iterable[mpq]) -> mpq:
 
 def is_square_class(c: fmpz_poly, n: int) -> bool:
     """Whether the polynomial of a form of degree n is a constant times a square; powers of ``u + v`` are ignored,
-    because it is 1.
+    because ``u + v = 1``.
 
     >>> is_square_class(3 * fmpz_poly([1, 2, 1]), 2), is_square_class(fmpz_poly([1, 2, 1]), 3)
     (True, False)
@@ -281,7 +282,7 @@ def is_square_class(c: fmpz_poly, n: int) -> bool:
 
 
 def compose(outer: Form, n: int, inner: Form, degree: int) -> Form:
-    """``outer ∘ inner`` for an inner form of the given degree with values in the local parameter of the outer one."""
+    """``outer ∘ inner`` for an inner form of the given degree with values in the local parameter of the outer form."""
     (c, m), (v, k) = outer, inner
     u = k * raiser(degree) - v
     return without_content((substituted(c, n, u, v), m * k**n)) if n > 0 else outer
@@ -303,8 +304,8 @@ def variations(c: fmpz_poly) -> int:
 def halves(c: fmpz_poly, n: int) -> tuple[fmpz_poly, fmpz_poly]:
     """The form on the left and right half of its segment, up to positive constants.
 
-    In ``z = v/u`` the right half is ``z ↦ 1 + 2z``, and the left half is the same for the reversed form: two Taylor
-    shifts in FLINT.
+    In ``z = v/u`` the right half is ``z ↦ 1 + 2z``, and the left half is obtained in the same way from the reversed
+    form: two Taylor shifts in FLINT.
     """
     return backwards(backwards(c, n)(ONE_PLUS_2Z), n), c(ONE_PLUS_2Z)
 

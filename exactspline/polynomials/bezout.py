@@ -1,4 +1,4 @@
-"""Bézout's matrix of a plane curve and a point that moves: the lines through the point that meet the curve.
+"""Bézout's matrix of a plane curve and a moving point, from the lines through the point that meet the curve.
 
 A plane curve is three forms ``P = (x, y, w)`` of degree m in the parameter s. For a point Q the form
 ``det(Q, P(σ), P(s))`` is divisible by ``s − σ``; the coefficients of the quotient are a symmetric m × m matrix B, the
@@ -7,8 +7,8 @@ of the parameters at which P passes through Q. Hence ``F = det B`` vanishes exac
 where the adjugate does not vanish there is exactly one such parameter, with ``s/u = A₀₁/A₀₀``. If Q moves along a
 curve of degree n, the entries are forms of degree n in its parameter t.
 
-If Q runs along P itself, ``s − t`` and ``σ − t`` can be divided out, too: a matrix of size m − 1 that is singular at
-the pairs of parameters with the same point.
+If Q runs along P itself, ``s − t`` and ``σ − t`` can be divided out, too. This gives a matrix of size m − 1 that is
+singular at the pairs of parameters with the same point.
 
 Source: Sederberg, Anderson and Goldman, Implicit representation of parametric curves and surfaces, 1984; Manocha and
 Demmel, Algorithms for intersecting parametric and algebraic curves I, 1994; Helmke and Fuhrmann, Bezoutians, 1989.
@@ -30,19 +30,21 @@ from exactspline.polynomials.elimination import through
 Matrix = list[list[fmpz_poly]]
 Point3 = tuple[fmpz, fmpz, fmpz]
 
-#: Up to this size a determinant is written out; above, the entries are packed into integers.
+#: Up to this size a determinant is expanded; above this size the entries are packed into integers.
 WRITTEN_OUT = 3
-#: From this size, it is interpolated between values instead.
+#: From this size on a determinant is interpolated between values.
 INTERPOLATED = 6
-#: Hundredths of a nanosecond: of a determinant of packed entries, per bit of the result and cube of the size; of one
-#: value, per bit and cube of the size, and of the interpolation, per bit and value (measured: 30 to 50; 15 to 25; 11 to
-#: 15).
+#: The costs in hundredths of a nanosecond: of a determinant of packed entries, per bit of the result and cube of the
+#: size; of one value, per bit and cube of the size; of the interpolation, per bit and value (measured: 30 to 50; 15 to
+#: 25; 11 to 15).
 PACKED, VALUE, INTERPOLATION = 60, 30, 15
 ZERO = fmpz_poly([])
 
 
 class PlaneForms(NamedTuple):
-    """A plane curve on one segment: the integers of the three forms ``x, y, w`` of one degree, over one denominator."""
+    """A plane curve on one segment: the integers of the three forms ``x, y, w`` of the same degree, over a common
+    denominator.
+    """
 
     degree: int
     x: fmpz_poly
@@ -82,7 +84,7 @@ def along(line: Point3, curve: PlaneForms) -> fmpz_poly:
 
 
 def straight_line(curve: PlaneForms) -> Point3 | None:
-    """The line on which a curve is, None if it is not straight; zero if it is a single point.
+    """The line that contains a curve; None if the curve is not straight, zero if it is a single point.
 
     >>> straight_line(PlaneForms(1, fmpz_poly([0, 1]), fmpz_poly([0, 2]), fmpz_poly([1, 1])))
     (-2, 1, 0)
@@ -104,7 +106,9 @@ def _moving_lines(curve: PlaneForms, point: PlaneForms) -> list[list[fmpz_poly]]
 
 
 def minors(point: PlaneForms, curve: PlaneForms) -> tuple[fmpz_poly, fmpz_poly, fmpz_poly]:
-    """The three minors of a point, a curve of degree 0, and a curve: all zero where the curve passes through it."""
+    """The three minors of a point, given as a curve of degree 0, and a curve. All are zero where the curve passes
+    through the point.
+    """
     (a, b, c), (x, y, w) = point.coefficient(0), curve.forms
     return x * c - w * a, y * c - w * b, x * b - y * a
 
@@ -134,7 +138,7 @@ def self_matrix(curve: PlaneForms) -> Matrix:
     """The matrix of size m − 1, with forms of degree m − 2 in t, whose kernel is spanned by the parameters s ≠ t with
     the same point as t (s = t at a cusp).
 
-    A loop whose ends of the node are ``z`` and ``1/z`` with ``z + 1/z = 14``:
+    A loop whose node has the parameters ``z`` and ``1/z`` with ``z + 1/z = 14``:
 
     >>> loop = PlaneForms(3, fmpz_poly([0, 9, -6, 1]), fmpz_poly([0, 9, 9]), fmpz_poly([1, 3, 3, 1]))
     >>> determinant(self_matrix(loop), 1)
@@ -145,7 +149,7 @@ def self_matrix(curve: PlaneForms) -> Matrix:
 
 
 def _divided(row: Sequence[fmpz_poly]) -> list[fmpz_poly]:
-    """The coefficients, by powers of s, of the quotient by ``s − t``, from those of a multiple of it."""
+    """The coefficients, by powers of s, of the quotient by ``s − t`` of a multiple of ``s − t``."""
     quotient, carry = [], ZERO
     for entry in reversed(row[1:]):
         carry = entry + carry.left_shift(1)
@@ -185,8 +189,8 @@ def determinant(matrix: Matrix, degree: int) -> fmpz_poly:
 
 
 def _packed(matrix: Matrix, degree: int) -> fmpz_poly:
-    """By Kronecker's substitution: the entries at a power of two that is larger than all coefficients of the
-    determinant.
+    """The determinant by Kronecker substitution: the entries are evaluated at a power of two larger than all
+    coefficients of the determinant.
     """
     size, height, bits = len(matrix), _height(matrix), _bits_of_determinant(matrix)
     width, length = (bits + 8) // 8, size * degree + 1
@@ -196,7 +200,7 @@ def _packed(matrix: Matrix, degree: int) -> fmpz_poly:
 
 
 def _interpolated(matrix: Matrix, degree: int) -> fmpz_poly:
-    """From its values at consecutive integers: an interruptible loop."""
+    """The determinant from its values at consecutive integers, in an interruptible loop."""
     size, height = len(matrix), _height(matrix)
     count = size * degree + 1
     bits = _bits_of_determinant(matrix) + size * degree * count.bit_length()
@@ -211,7 +215,9 @@ def _height(matrix: Matrix) -> int:
 
 
 def _bits_of_determinant(matrix: Matrix) -> int:
-    """The bits of a bound of its coefficients: the product over all rows of the sums of their absolute coefficients."""
+    """The bits of a bound of the coefficients of the determinant: the product over all rows of the sums of their
+    absolute coefficients.
+    """
     return int(prod(sum(abs(int(c)) for x in row for c in x.coeffs()) for row in matrix)).bit_length()
 
 
@@ -221,8 +227,8 @@ def _check(cost: int, size: int, degree: int, bits: int) -> None:
 
 
 def _unpacked(value: int, width: int, length: int) -> fmpz_poly:
-    """The polynomial with this value at ``2^(8 width)``, whose coefficients are smaller than half of it in absolute
-    value.
+    """The polynomial with this value at ``2^(8 width)``, whose coefficients are smaller than half of ``2^(8 width)`` in
+    absolute value.
     """
     sign, rest = (-1, -value) if value < 0 else (1, value)
     data = rest.to_bytes(width * length, "little")

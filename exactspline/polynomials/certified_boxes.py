@@ -1,11 +1,11 @@
-"""Common zeros of several forms on a patch by exact subdivision in Bernstein form: the simple ones, each in a box in
-which it is certified, and small boxes that contain all others.
+"""Common zeros of several forms on a patch by exact subdivision in Bernstein form: simple zeros, each certified in a
+box, and small boxes that contain all other zeros.
 
 A box is excluded if the coefficients of one of the forms, or of the combinations of two of them by the inverse of their
-Jacobian there, are all positive or all negative. Near a simple zero of these two the combinations G₁, G₂ are
+Jacobian there, are all positive or all negative. Near a simple zero of the two forms the combinations G₁, G₂ are
 approximately ``x − x₀`` and ``y − y₀``: if the ranges of their derivatives are strictly diagonally dominant, there is
 at most one zero, and if G₁ has opposite signs on the left and right sides and G₂ on the lower and upper sides, there is
-at least one (Miranda). All computations are in integers, those that exclude boxes in rounded ones.
+at least one (Miranda). All computations are in integers; computations that only exclude boxes use rounded integers.
 
 A zero is certified if Krawczyk's operator contracts a box around it by a fixed factor; then refinement terminates.
 
@@ -30,10 +30,10 @@ from exactspline.polynomials.patch_forms import PatchForm, Sized, halved, rounde
 
 #: The fraction of its width by which a box is enlarged on each side before certification.
 MARGIN = mpq(1, 4)
-#: The number of bisections of a box after which all pairs of forms are tried, and not the most promising one alone.
+#: The number of bisections of a box after which all pairs of forms are tried, not only the most promising pair.
 FEW = 16
-#: The number of bisections after which a box is small, and per square of the number of coefficients of a form the
-#: number of small boxes after which elimination is cheaper.
+#: The number of bisections after which a box is small; and the number of small boxes, per square of the number of
+#: coefficients of a form, beyond which elimination is cheaper.
 SMALL, PER_SQUARE = 4, 1 / 16
 #: The maximal number of bisections of a box, and of boxes, after which the remaining boxes are reported as undecided.
 DEPTH, BOXES = 48, 5000
@@ -48,15 +48,15 @@ Pair = tuple[PatchForm, PatchForm]
 
 
 class Isolated:
-    """A common zero of two forms of one degree: the only one in `region`.
+    """A common zero of two forms of the same degree: the only one in `region`.
 
-    Its box shrinks when it is refined; everything else is immutable.
+    The box shrinks when the zero is refined; everything else is immutable.
     """
 
     __slots__ = ("_box", "_exact", "at", "forms", "region")
 
     def __init__(self, forms: Pair, region: Box, at: tuple[int, int] = (0, 1)) -> None:
-        #: `at` are the numbers of the two forms among those that were given.
+        #: `at` are the indices of the two forms among the given forms.
         self.forms, self.region, self.at, self._box = forms, region, at, region
         self._exact: tuple[mpq, mpq] | None = None
 
@@ -85,7 +85,8 @@ class Isolated:
         return self._box
 
     def _contracted(self, box: Box) -> Box:
-        """The zero is in ``c − Y F(c) + (1 − Y J)(X − c)``: Krawczyk's operator with the preconditioned pair G.
+        """A smaller box that contains the zero: ``c − Y F(c) + (1 − Y J)(X − c)``, Krawczyk's operator with the
+        preconditioned pair G.
 
         The pair preconditioned on the box contracts each side by the factor `KEPT`, later quadratically. If it does
         not, the pair preconditioned on the region contracts the longer side, relative to the sides of the region.
@@ -117,11 +118,12 @@ def isolate(
     forms: Sequence[PatchForm], not_positive: Sequence[PatchForm] = (), also: int = 0, before: Isolation | None = None
 ) -> Isolation:
     """The common zeros of forms in the closed unit square or close to it, except those at which one of `not_positive`
-    is certainly positive. The last forms (`also` is their number) only exclude. It ends where elimination would be
-    cheaper; what it left undecided `before` is bisected as often as possible.
+    is certainly positive. The last forms (`also` is their number) only exclude. The search ends where elimination would
+    be cheaper; boxes that an isolation `before` left undecided are bisected as often as possible.
 
     Every common zero in the square is in the region of one of the zeros returned or in an undecided box; a region may
-    extend beyond the square. A certified zero is one of two of the forms: at the others it is not excluded.
+    extend beyond the square. A certified zero is a zero of two of the forms; for the other forms it is only not
+    excluded.
 
     >>> circle = PatchForm.of_net([[-1, -1, 0], [-1, -1, 0], [0, 0, 1]])  # x² + y² − 1
     >>> line = PatchForm.of_net([[0, -1], [1, 0]])  # x − y
@@ -154,7 +156,9 @@ def isolate(
 
 
 class _Effort:
-    """How many boxes are bisected: what remains is left to elimination, or as undecided."""
+    """The limits on the number of boxes that are bisected; the remaining boxes are left to elimination, or are
+    undecided.
+    """
 
     def __init__(self, forms: Sequence[PatchForm], most: int | None) -> None:
         self.cost = sum(map(_halving, forms))
@@ -162,7 +166,7 @@ class _Effort:
         self.boxes = self.small = 0
 
     def allows(self, depth: int) -> bool:
-        """Whether one more box, bisected this many times already, is."""
+        """Whether one more box, which has been bisected this many times, may be bisected."""
         self.boxes += 1
         self.small += depth > SMALL
         return depth < DEPTH and self.boxes <= BOXES and self.small <= self.most and affords(self.cost)
@@ -199,7 +203,9 @@ def _of_one_degree(*forms: PatchForm) -> tuple[PatchForm, ...]:
 
 
 def _dependence(forms: Sequence[PatchForm], at: tuple[int, int]) -> int:
-    """How near two forms are to having parallel or small gradients, in bits: it only selects which two are tried."""
+    """How close two forms are to having parallel or small gradients, in bits. The number only selects the two forms
+    that are tried.
+    """
     (a, b), (c, d) = (_slopes(forms[k]) for k in at)
     determinant = a * d - b * c
     sizes = sum(max(map(abs, forms[k].range)).bit_length() for k in at)
@@ -207,8 +213,8 @@ def _dependence(forms: Sequence[PatchForm], at: tuple[int, int]) -> int:
 
 
 def preconditioned(first: PatchForm, second: PatchForm) -> Pair | None:
-    """The pair multiplied by the adjugate of its Jacobian, estimated from the corners: near a simple zero approximately
-    multiples of ``x − x₀`` and ``y − y₀``. None if the estimate is singular.
+    """The pair multiplied by the adjugate of its Jacobian, estimated from the corners. Near a simple zero the two forms
+    are approximately multiples of ``x − x₀`` and ``y − y₀``. None if the estimate is singular.
     """
     (a, b), (c, d) = _slopes(first), _slopes(second)
     determinant = a * d - b * c
@@ -219,7 +225,7 @@ def preconditioned(first: PatchForm, second: PatchForm) -> Pair | None:
 
 
 def _preconditioned_on(forms: Pair, region: Box, box: Box) -> Pair:
-    """The pair preconditioned on a region, restricted to a part of it."""
+    """The pair preconditioned on a region, restricted to a part of the region."""
     pair = preconditioned(*(f.part(region) for f in forms))
     assert pair is not None, "the region was certified"
     local = region.local(box)
@@ -232,12 +238,12 @@ def _slopes(f: PatchForm) -> tuple[fmpz, fmpz]:
 
 
 def _ranges(g: PatchForm, k: int) -> tuple[tuple[fmpz, fmpz], tuple[fmpz, fmpz]]:
-    """Bounds of the derivatives with respect to its own parameter, the k-th, and to the other one."""
+    """Bounds of the derivatives of a form with respect to the k-th parameter and to the other one."""
     return g.slopes(k), g.slopes(1 - k)
 
 
 def contracting(pair: Pair) -> list[tuple[tuple[fmpz, fmpz], tuple[fmpz, fmpz]]] | None:
-    """Bounds of the derivatives of both, if these are so strongly diagonally dominant on the whole square that
+    """Bounds of the derivatives of both forms, if these are so strongly diagonally dominant on the whole square that
     Krawczyk's operator contracts each side by the factor `KEPT`; then the pair is injective.
     """
     (part, whole), found = KEPT, []
@@ -263,7 +269,7 @@ def certified(forms: Pair, box: Box) -> Box | None:
 
 
 def _add(zeros: list[Isolated], new: Isolated) -> None:
-    """Append a zero unless a common zero in its box would be equal to a known one."""
+    """Append a zero, unless a common zero in its box must be equal to a known one."""
     for known in zeros:
         bits = 8
         while new.box.meets(known.box):

@@ -1,4 +1,6 @@
-"""Common points and arcs of two segments: the types, and the arcs of two curves that run along one curve."""
+"""Common points and arcs of two segments: the types, and the common arcs of two curves that are parts of the same
+curve.
+"""
 
 from __future__ import annotations
 
@@ -21,7 +23,7 @@ from exactspline.polynomials.zero_places import FIRST, SUSPICIOUS, Place, at, pl
 
 @dataclass(frozen=True)
 class RationalMap:
-    """``s = z/(1 + z)`` with ``z = top(t)/bottom(t)``: two forms of one degree in t."""
+    """``s = z/(1 + z)`` with ``z = top(t)/bottom(t)``: two forms of the same degree in t."""
 
     degree: int
     top: fmpz_poly
@@ -32,7 +34,7 @@ class RationalMap:
 
     @property
     def map(self) -> RationalMap:
-        """Itself."""
+        """The map itself."""
         return self
 
     def near(self, place: Place, bits: int) -> arb | None:
@@ -47,7 +49,7 @@ class RationalMap:
         return quotient_slope(self.top, self.bottom)
 
     def at(self, place: Place) -> Local:
-        """The value at a place where it is in [0, 1]."""
+        """The value at a place, where it must be in [0, 1]."""
         if place.sign(self.top, self.degree) == 0:
             return at(mpq(0))
         return Image(place, self) if place.sign(self.bottom, self.degree) else at(mpq(1))
@@ -58,7 +60,7 @@ def _map(degree: int, top: list[int], bottom: list[int]) -> RationalMap:
 
 
 class Mapping(Protocol):
-    """What has a map, possibly computed only when it is needed."""
+    """An object with a map, which may be computed only when needed."""
 
     @property
     def map(self) -> RationalMap:
@@ -74,9 +76,9 @@ class Image:
 
     place: Place
     by: Mapping
-    #: An interval that contains it, where one is known.
+    #: An interval that contains the parameter, if one is known.
     known: Interval | None = None
-    #: Balls around it, where there are some.
+    #: Balls around the parameter, if there are any.
     shrunk: Any = None
 
     @property
@@ -98,7 +100,7 @@ Local = Place | Image
 @dataclass(frozen=True)
 class Meeting:
     """One common point of two segments: the parameters on both, and the intersection multiplicity of the two branches
-    (None where the curves are arcs of one curve and continue each other).
+    (None if the curves are arcs of the same curve and continue each other).
     """
 
     first: Local
@@ -106,15 +108,15 @@ class Meeting:
     multiplicity: int | None
 
     def exchanged(self) -> Meeting:
-        """The same with the curves exchanged."""
+        """The result for the exchanged curves."""
         return Meeting(self.second, self.first, self.multiplicity)
 
 
 @dataclass(frozen=True)
 class Arc:
-    """A common arc, along which both parameters are monotone: those of both curves at its two ends, in the order of
-    the second, and the map from the second to the first. With `exchanged` the map is from the first to the second;
-    without a map the two are not rational functions of each other.
+    """A common arc, along which both parameters are monotone: the parameters of both curves at its two ends, in the
+    order of the second parameter, and the map from the second parameter to the first. With `exchanged` the map is from
+    the first to the second; without a map the parameters are not rational functions of each other.
     """
 
     first: tuple[Local, Local]
@@ -125,7 +127,9 @@ class Arc:
 
 @dataclass(frozen=True)
 class Rest:
-    """One of the curves is a single point: that of the other one at a place (None where both are the same point)."""
+    """The case that one of the curves is a single point, which is the point of the other curve at a place (None if both
+    curves are the same point).
+    """
 
     place: Place | None
     exchanged: bool = False
@@ -133,14 +137,16 @@ class Rest:
 
 @dataclass
 class Meetings:
-    """All common points, all common arcs, and the parameters of the other curve at a curve that is a single point."""
+    """All common points, all common arcs and, for a curve that is a single point, the parameters of the other curve at
+    this point.
+    """
 
     points: list[Meeting] = field(default_factory=list)
     arcs: list[Arc] = field(default_factory=list)
     rests: list[Rest] = field(default_factory=list)
 
     def exchanged(self) -> Meetings:
-        """The same with the curves exchanged."""
+        """The result for the exchanged curves."""
         return Meetings(
             [point.exchanged() for point in self.points],
             [Arc(arc.second, arc.first, arc.map, not arc.exchanged) for arc in self.arcs],
@@ -160,8 +166,9 @@ def lowest_terms(given: RationalMap) -> RationalMap:
 
 
 def common_arcs(carried: RationalMap, *, below: bool = False) -> Meetings:
-    """The arcs on which a map, in lowest terms and not constant, takes values in [0, 1], and the single points where it
-    does; the map is monotone on each arc. With `below` only those whose values are less than the parameter.
+    """The arcs on which a map, in lowest terms and not constant, takes values in [0, 1], and the single points at which
+    it does; the map is monotone on each arc. With `below` only arcs and points whose values are less than the parameter
+    are returned.
 
     >>> found = common_arcs(RationalMap(1, fmpz_poly([-1, 1]), fmpz_poly([1])))  # z − 1
     >>> [(arc.second[0].exact, arc.second[1].exact) for arc in found.arcs], found.points
@@ -196,8 +203,8 @@ def rational_between(a: Place, b: Place) -> mpq:
 
 
 def collinear_arcs(first: PlaneForms, second: PlaneForms | None = None) -> Meetings:
-    """The common arcs of two straight curves on one line, and their common ends that are on none; without a second
-    curve those of different parts of the first, the earlier part first.
+    """The common arcs of two straight curves on the same line, and their common ends that are not on an arc. Without a
+    second curve, the common arcs of different parts of the first curve, the earlier part first.
 
     >>> there, back = fmpz_poly([0, 2, 2]), fmpz_poly([0, 4])
     >>> w, zero = fmpz_poly([1, 2, 1]), fmpz_poly([])
@@ -217,7 +224,7 @@ def collinear_arcs(first: PlaneForms, second: PlaneForms | None = None) -> Meeti
                 s, t = ((run.parameter(values[0]), run.parameter(values[1])) for run in (ours, theirs))
                 found.arcs.append(Arc(s, t, None))
             elif order == 0:
-                # both end there, or turn back there: then none of the runs around it is on the other side
+                # both curves end or turn back there: then all runs around the point are on the same side
                 one, other = ours.parameter(low), theirs.parameter(low)
                 if not any(point.first is one and point.second is other for point in found.points):
                     found.points.append(Meeting(one, other, None))
@@ -248,7 +255,7 @@ class Coordinate(NamedTuple):
         if (exact := self.exact) is not None:
             return linear(exact)
         top, bottom = fmpq_poly(self.function.top), fmpq_poly(self.function.bottom)
-        # of an irreducible polynomial it is a power of one
+        # for an irreducible polynomial it is a power of an irreducible one
         (base,) = factorize(quotient_at(self.place.irreducible, top, bottom)).bases
         return base
 
@@ -291,16 +298,16 @@ class _Run(NamedTuple):
 
     @property
     def low(self) -> Coordinate:
-        """Its least coordinate."""
+        """The least coordinate of the run."""
         return self.start if self.rises else self.end
 
     @property
     def high(self) -> Coordinate:
-        """Its greatest coordinate."""
+        """The greatest coordinate of the run."""
         return self.end if self.rises else self.start
 
     def parameter(self, at_value: Coordinate) -> Place:
-        """The parameter with a coordinate that it takes."""
+        """The parameter at which the run has a given coordinate."""
         for end in (self.start, self.end):
             if end is at_value or compared(end, at_value) == 0:
                 return end.place
@@ -313,7 +320,7 @@ class _Run(NamedTuple):
 
 
 def _preimages(f: RationalMap, at_value: Coordinate) -> Isolation:
-    """The zeros of a form among which are all parameters with a value."""
+    """The zeros of a form that vanishes at all parameters with a given value."""
     if (exact := at_value.exact) is not None:
         return isolate(f.top * to_fmpz(exact.denominator) - f.bottom * to_fmpz(exact.numerator), f.degree)
     g, modulus = at_value.function, at_value.place.irreducible
@@ -322,7 +329,7 @@ def _preimages(f: RationalMap, at_value: Coordinate) -> Isolation:
 
 
 def _is_before(one: Place, other: Place) -> bool:
-    """Whether a place is before another one, from which it differs."""
+    """Whether a place is before another one; the two places must differ."""
     bits = FIRST
     while True:
         (a, b), (c, d) = one.refine(bits), other.refine(bits)
@@ -336,8 +343,8 @@ def _runs(coordinate: RationalMap) -> list[_Run]:
     turning = [zero for zero in isolation.inner if sum(zero.signs) == 0]
     turns = [Place(zero) for zero in turning]
     for place in turns:
-        _ = place.rational  # then it is known where it is rational
+        _ = place.rational  # now it is known if the place is rational
     ends = [Coordinate(coordinate, place) for place in (at(mpq(0)), *turns, at(mpq(1)))]
-    # not the signs at parameters between: the slope may vanish there without a change of sign
+    # not the signs at parameters in between, where the slope may vanish without a change of sign
     signs = [isolation.signs[0], *(zero.signs[1] for zero in turning)]
     return [_Run(a, b, sign > 0) for (a, b), sign in zip(pairwise(ends), signs, strict=True)]

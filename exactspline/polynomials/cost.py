@@ -22,10 +22,10 @@ P = ParamSpec("P")
 #: The largest estimate allowed for a call into FLINT, and for a loop of such calls (which can be interrupted), in
 #: nanoseconds.
 LONGEST, LONGEST_LOOP = 2_000_000_000, 10_000_000_000
-#: The bound on the sum of the estimates for one question: they are upper ones, two to four times what is measured, so
-#: that this is about ten seconds; and what is added to it for each further pair of segments, as two cubics need it.
+#: The bound on the sum of the estimates for one question, about ten seconds, because estimates are two to four times
+#: the measured times; and the addition to the bound for each further pair of segments, as needed for two cubics.
 QUESTION, PATCH = 20_000_000_000, 200_000_000
-#: The seconds of processor time of a thread; in a browser, where there is one thread, those of the process.
+#: The seconds of processor time of a thread; in a browser, which has one thread, those of the process.
 thread_time = getattr(time, "thread_time", time.process_time)
 #: Advice for a computation that is too expensive.
 REMEDY = "take curves of lower degree, or numbers of fewer digits"
@@ -46,7 +46,7 @@ class Budget:
 
     total: int = QUESTION
     remaining: int = -1
-    #: The values that are computed once and have been paid from it.
+    #: The values, each computed once, that have been paid from this budget.
     paid: set[Priced[Any]] = field(default_factory=set, repr=False, compare=False)
 
     def __post_init__(self) -> None:
@@ -54,9 +54,9 @@ class Budget:
             self.remaining = self.total
 
     def pay(self, known: Priced[V]) -> None:
-        """Deduct what a value that is known cost when it was computed, and the values that it uses, each once.
+        """Deduct the cost at which a known value was computed, and the costs of the values that it uses, each once.
 
-        Raises `ReachError` if that exceeds what remains.
+        Raises `ReachError` if this exceeds the remaining budget.
         """
         due: list[Priced[Any]] = [known]
         while due:
@@ -67,7 +67,7 @@ class Budget:
                 due += each.uses
 
     def deduct(self, nanoseconds: int, what: Callable[[], str]) -> None:
-        """Deduct an estimate; raises `ReachError` if it exceeds what remains."""
+        """Deduct an estimate; raises `ReachError` if it exceeds the remaining budget."""
         if nanoseconds > self.remaining:
             problem = f"{what()} ({_duration(nanoseconds)}) exceeds what remains of the bound on the whole answer"
             raise ReachError(problem, remedy=REMEDY, seconds=_seconds(nanoseconds))
@@ -80,8 +80,8 @@ class Budget:
 
 
 class Priced(Generic[V]):
-    """A value that is computed once. Its cost is kept, so that every question that uses it pays for it: whether a
-    question is answered within its budget must not depend on what was asked before.
+    """A value that is computed once. Its cost is stored, so that every question that uses the value pays for it:
+    whether a question is answered within its budget must not depend on earlier questions.
 
     >>> known = Priced(lambda: check_reach(10**9, lambda: "the resultant"))
     >>> with drawing_on(Budget(5 * 10**9)) as budget:
@@ -103,7 +103,9 @@ class Priced(Generic[V]):
 
     @property
     def value(self) -> V:
-        """The value, paid from the budget of the question. Raises `ReachError` if it exceeds what remains of it."""
+        """The value, paid from the budget of the question. Raises `ReachError` if its cost exceeds the remaining
+        budget.
+        """
         if within := _COMPUTED.get():
             within.uses.add(self)
         if budget := _BUDGET.get():
@@ -112,7 +114,7 @@ class Priced(Generic[V]):
 
 
 def at_its_cost(function: Callable[P, V]) -> Callable[P, V]:
-    """`functools.cache`, with the cost of the value paid by every question that asks for it."""
+    """`functools.cache`, where every question that uses a value pays its cost."""
     known: Callable[..., Priced[V]] = cache(lambda *given, **named: Priced(partial(function, *given, **named)))
 
     @wraps(function)
@@ -123,11 +125,11 @@ def at_its_cost(function: Callable[P, V]) -> Callable[P, V]:
 
 
 class _TimeIsUp(BaseException):  # no error that a step may take for a bound of its own, and remember
-    """The processor time that the user allows is over."""
+    """The processor time allowed by the user is over."""
 
 
 _BUDGET: ContextVar[Budget | None] = ContextVar("budget", default=None)
-#: When the processor time that the user allows is over.
+#: The time at which the processor time allowed by the user is over.
 _END: ContextVar[float | None] = ContextVar("end of the time allowed", default=None)
 #: The value that is being computed.
 _COMPUTED: ContextVar[Priced[Any] | None] = ContextVar("computed", default=None)
@@ -146,7 +148,7 @@ def drawing_on(budget: Budget) -> Iterator[Budget]:
 
 @contextmanager
 def bounded() -> Iterator[Budget]:
-    """A context in which there is a budget: the present one, or where there is none a new one."""
+    """A context in which there is a budget: the present budget or, if there is none, a new one."""
     if budget := _BUDGET.get():
         yield budget
     else:
@@ -156,8 +158,8 @@ def bounded() -> Iterator[Budget]:
 
 @contextmanager
 def within_seconds(limit: float | None) -> Iterator[None]:
-    """A context for what may take `limit` seconds of processor time (None: any), of the thread that enters it. The time
-    is looked at wherever a cost is estimated.
+    """A context for computations that may take `limit` seconds of processor time of the thread that enters it (None: no
+    limit). The time is checked wherever a cost is estimated.
 
     >>> with within_seconds(0):
     ...     check_reach(10**9, lambda: "the resultant")
@@ -232,8 +234,8 @@ def _duration(nanoseconds: int) -> str:
 
 
 def height_bits(coefficients: Iterable[fmpz | fmpq | fmpz_poly]) -> int:
-    """The number of bits of the largest in absolute value of FLINT integers, of the numerators and denominators of
-    FLINT rationals, or of the coefficients of polynomials.
+    """The number of bits of the largest absolute value among FLINT integers, among the numerators and denominators of
+    FLINT rationals, or among the coefficients of polynomials.
 
     >>> from flint import fmpq, fmpz, fmpz_poly
     >>> height_bits([fmpz(3), fmpz(-8)]), height_bits([fmpq(1, 16)])

@@ -1,5 +1,5 @@
-"""Isolation of the zeros of many forms in one operation, in doubles with error bounds, for the forms where it is
-certain.
+"""Isolation of the zeros of many forms in one operation, in doubles with error bounds, for those forms for which
+doubles decide it.
 
 Every form is a row of coefficients in the scaled Bernstein basis with bounds on their errors. A sign is certain if the
 coefficient is larger than its error bound; Descartes' rule is applied with the largest number of sign changes that the
@@ -39,8 +39,8 @@ WIDTHS = (2.0**-46, 2.0**-42, 2.0**-37, 2.0**-30, 2.0**-20, 2.0**-10)
 
 
 class Bounded(NamedTuple):
-    """Numbers, one row per form, and bounds on their errors. Where a number is infinite or NaN, so is its bound: its
-    sign is not certain.
+    """Numbers, one row per form, and bounds on their errors. The bound of an infinite number or a NaN is infinite or
+    NaN, too, so that the sign is not certain.
     """
 
     values: Floats
@@ -48,7 +48,7 @@ class Bounded(NamedTuple):
 
     @property
     def signs(self) -> Integers:
-        """1 and −1 where the sign is certain, 0 elsewhere."""
+        """The signs: 1 or −1 where the sign is certain, 0 elsewhere."""
         return np.where(self.values > self.errors, 1, np.where(self.values < -self.errors, -1, 0))
 
 
@@ -79,7 +79,7 @@ def ordinates(values: Floats, errors: Floats) -> Bounded:
 
 
 def isolated(rows: Bounded) -> tuple[Isolated, Flags]:
-    """The zeros inside (0, 1) of the forms for which they are certain, in order, and a mask of the uncertain forms.
+    """The zeros inside (0, 1) of the forms for which doubles decide them, in order, and a mask of the other forms.
 
     >>> found, open_ = isolated(Bounded(np.array([[1.0, -2, 1], [1, 2, 1], [0, 1, 2]]), np.full((3, 3), 1e-9)))
     >>> found.row.tolist(), found.before.tolist(), open_.tolist()
@@ -122,7 +122,7 @@ def without_zeros(rows: Bounded) -> Flags:
     index, part = np.arange(len(rows.values)), rows
     for level in range(DEEP + 1):
         signs = part.signs
-        # an uncertain sign at an end, or two signs: there is a zero, or its absence cannot be shown
+        # an uncertain sign at an end, or two signs: there is a zero, or it cannot be excluded
         certain[index[(signs[:, 0] == 0) | (signs[:, 0] != signs[:, -1])]] = False
         again = (signs != signs[:, :1]).any(axis=1) & certain[index]
         if level == DEEP or not again.any():

@@ -15,18 +15,19 @@ from exactspline.numbers.intervals import Interval
 from exactspline.polynomials.cost import LONGEST_LOOP, check_reach, height_bits
 from exactspline.polynomials.factors import factorize, greatest_common_divisor
 
-#: Hundredths of a nanosecond for each bit of a value: times the product of the degrees to compute it, times the number
-#: of values to interpolate (measured: 77 to 106, and 11 to 15); and ten-thousandths for each pair of bits, to compute a
-#: value from its residues modulo many primes (measured of 5·10⁴ to 2·10⁶ bits: 1 to 18).
+#: The costs in hundredths of a nanosecond per bit of a value: to compute it, times the product of the degrees, and to
+#: interpolate, times the number of values (measured: 77 to 106, and 11 to 15). Then the cost in ten-thousandths of a
+#: nanosecond per pair of bits to compute a value from its residues modulo many primes (measured for 5·10⁴ to 2·10⁶
+#: bits: 1 to 18).
 VALUE, INTERPOLATION, RESIDUES = 110, 15, 15
 
 
 def discriminant(rows: Sequence[fmpz_poly]) -> fmpz_poly:
     """The discriminant with respect to u of ``Σ rows[j](z) uʲ``, of degree m > 1 in u.
 
-    It is a form of degree 2m − 2 in the rows, so that its degree in z is bounded; it is determined by its values at
-    sufficiently many consecutive integers at which the leading row does not vanish. Raises `ReachError` if this would
-    take too long.
+    The discriminant is a form of degree 2m − 2 in the rows, so that its degree in z is bounded. It is determined by its
+    values at sufficiently many consecutive integers at which the leading row does not vanish. Raises `ReachError` if
+    this would take too long.
 
     >>> discriminant([fmpz_poly([0, 1]), fmpz_poly([3]), fmpz_poly([1, 1])])
     (-4)*x^2 + (-4)*x + 9
@@ -41,8 +42,9 @@ def discriminant(rows: Sequence[fmpz_poly]) -> fmpz_poly:
 
 
 def resultant(first: Sequence[fmpz_poly], second: Sequence[fmpz_poly]) -> fmpz_poly:
-    """The resultant with respect to u of two such sums, of degrees m and n in u: a form of degree n in the rows of the
-    first and m in those of the second. Raises `ReachError` if this would take too long.
+    """The resultant with respect to u of two sums as in `discriminant`, of degrees m and n in u. It is a form of degree
+    n in the rows of the first sum and of degree m in the rows of the second. Raises `ReachError` if this would take too
+    long.
 
     >>> resultant([fmpz_poly([0, 1]), fmpz_poly([1])], [fmpz_poly([-2]), fmpz_poly([]), fmpz_poly([1])])
     x^2 + (-2)
@@ -85,8 +87,8 @@ def first_integer(leading: fmpz_poly, count: int) -> int:
 
 
 def through(values: Sequence[mpz]) -> fmpz_poly:
-    """The polynomial with these values at 0, 1, 2, …, of degree below their number and with integer coefficients, by
-    Newton's forward differences.
+    """The polynomial with these values at 0, 1, 2, …, with a degree less than their number and with integer
+    coefficients, by Newton's forward differences.
 
     >>> through([mpz(1), mpz(2), mpz(5), mpz(10)])
     x^2 + 1
@@ -117,8 +119,8 @@ def through(values: Sequence[mpz]) -> fmpz_poly:
 DEGREE = 200
 #: The cost of arithmetic modulo a polynomial: nanoseconds per coefficient bit times the degree.
 ARITHMETIC = 10
-#: Nanoseconds for each bit of the reduction of a lattice and of the number in it (measured: 500 to 8000), and the bound
-#: on their sum.
+#: The nanoseconds per bit of the reduction of a lattice and of the number in it (measured: 500 to 8000), and the bound
+#: on the sum of these bits.
 LATTICE, REDUCTION = 8000, 10**9
 #: The primes modulo which a polynomial is tested for rational zeros.
 PRIMES = (7, 11, 13, 17, 19, 23, 29, 31, 37, 41, 43)
@@ -200,14 +202,16 @@ def quotient_at(m: fmpz_poly, top: fmpq_poly, bottom: fmpq_poly) -> fmpz_poly:
 
 @lru_cache(64)
 def _over_quotients(m: tuple[fmpz, ...], f: tuple[fmpz, ...], g: tuple[fmpz, ...]) -> fmpz_poly:
-    """Kept: values of one function at several zeros of one polynomial are compared with one another."""
+    """The polynomial of all quotients. It is cached, because values of one function at several zeros of a polynomial
+    are compared with one another.
+    """
     return resultant(_rows(fmpz_poly(list(m))), [fmpz_poly([-a, b]) for a, b in zip_longest(f, g, fillvalue=fmpz())])
 
 
 def without_quadratic_zero(m: fmpz_poly, top: fmpz_poly, bottom: fmpz_poly) -> bool:
     """Whether it is certain that no ``top(α)/bottom(α)``, for a zero α of m at which `bottom` does not vanish, is a
-    zero of a polynomial of degree 1 or 2: modulo a prime that does not divide the leading coefficient, this would be a
-    factor of the polynomial of which all of them are zeros. False decides nothing.
+    zero of a polynomial of degree 1 or 2: modulo a prime that does not divide the leading coefficient, such a
+    polynomial would be a factor of the polynomial whose zeros are all the quotients. False decides nothing.
 
     >>> alpha = fmpz_poly([-2, 0, 0, 1])
     >>> [without_quadratic_zero(alpha, fmpz_poly(top), fmpz_poly([3])) for top in ([1, 1], [0, 0, 0, 1])]
@@ -232,9 +236,9 @@ def _primes_for(coefficients: tuple[fmpz, ...]) -> Sequence[int]:
 
 
 def _possible_degrees(m: fmpz_poly, f: fmpz_poly, g: fmpz_poly, prime: int) -> set[int]:
-    """Which of the degrees 1 and 2 a factor of the polynomial of which all quotients are zeros may have: those that a
-    factor modulo the prime has. A quotient x, modulo a factor of the polynomial of which the zeros are taken, has
-    degree 1 where x^prime = x, and at most 2 where this holds for the square of the prime.
+    """The degrees, among 1 and 2, that a factor of the polynomial with all quotients as zeros may have: the degrees of
+    its factors modulo the prime. A quotient x, modulo a factor of m, has degree 1 if x^prime = x, and at most degree 2
+    if this holds for the square of the prime.
     """
     over, top, bottom = (nmod_poly(p, prime) for p in (m, f, g))
     common, inverse, _ = bottom.xgcd(over)
@@ -252,17 +256,17 @@ def _possible_degrees(m: fmpz_poly, f: fmpz_poly, g: fmpz_poly, prime: int) -> s
 def at_most_quadratic(
     enclosed: Callable[[int], Interval], bits: int, vanishes: Callable[[fmpz_poly], bool]
 ) -> fmpz_poly | None:
-    """A polynomial of degree 1 or 2 of which a number is a zero, given its enclosures to any number of digits; None if
-    it is certain that no such polynomial has coefficients of at most this many bits.
+    """A polynomial of degree 1 or 2 with a given zero, which is given by enclosures to any number of digits; None if it
+    is certain that no such polynomial has coefficients of at most this many bits.
 
-    Coefficients A, B, C are a vector ``(A, B, 2ᵏ (A x² + B x + C))`` of a lattice: of a zero, and with x² and x rounded
-    to multiples of 2⁻ᵏ, one of at most ``√18 2ᵇⁱᵗˢ``. Where all Gram–Schmidt vectors of a basis are longer, there is
-    none.
+    The coefficients A, B, C are a vector ``(A, B, 2ᵏ (A x² + B x + C))`` of a lattice, with x² and x rounded to
+    multiples of 2⁻ᵏ. If x is a zero, the vector has at most the length ``√18 2ᵇⁱᵗˢ``. If all Gram–Schmidt vectors of a
+    basis are longer, there is no such vector.
 
     >>> at_most_quadratic(lambda digits: Interval(mpq(2, 3), mpq(2, 3)), 3, lambda p: p(to_fmpq(mpq(2, 3))) == 0)
     3*x + (-2)
 
-    Raises `ReachError` if that takes too many bits.
+    Raises `ReachError` if this takes too many bits.
 
     Source: Kannan, Lenstra and Lovász, Polynomial factorization and nonrandomness of bits of algebraic and some
     transcendental numbers, Mathematics of Computation 1988.
@@ -297,7 +301,7 @@ def _rows(p: fmpz_poly) -> list[fmpz_poly]:
 
 
 def primitive(p: fmpz_poly) -> fmpz_poly:
-    """The polynomial divided by the content, with a positive leading coefficient."""
+    """The polynomial divided by its content, with a positive leading coefficient."""
     return p // (p.content() if p.leading_coefficient() > 0 else -p.content()) if p else p
 
 

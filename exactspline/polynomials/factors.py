@@ -149,7 +149,7 @@ def multiplied(factorization: Factorization[M], one: M) -> M:
 
 
 def divided_out(p: D, factor: D) -> D:
-    """A polynomial divided by a factor, not a constant, as often as this divides it; 0 for 0.
+    """A polynomial divided by a non-constant factor as often as possible; 0 for the polynomial 0.
 
     >>> from flint import fmpz_poly
     >>> divided_out(fmpz_poly([0, 0, 1, 1]), fmpz_poly([0, 1]))
@@ -166,18 +166,18 @@ def divided_out(p: D, factor: D) -> D:
 P = TypeVar("P", fmpz_poly, nmod_poly, fmpz_mpoly, fmpq_mpoly)
 G = TypeVar("G", fmpz_poly, fmpq_poly, fmpz_mpoly, fmpq_mpoly)
 
-#: Nanoseconds for each coefficient bit of a dense polynomial, in one variable and in two, measured on products of two
-#: factors and of squares: of factorizations in irreducible ones (700 to 1300, and 1000 to 3700), of square-free ones
-#: (200, and 2500), and of greatest common divisors in two (400).
+#: The nanoseconds per coefficient bit of a dense polynomial, in one variable and in two, measured on products of two
+#: factors and on squares: for factorizations into irreducible factors (700 to 1300, and 1000 to 3700), for square-free
+#: factorizations (200, and 2500), and for greatest common divisors in two variables (400).
 FACTOR, SQUARE_FREE, DIVISOR = {1: 1500, 2: 4000}, {1: 250, 2: 3000}, 600
-#: Nanoseconds per term in more variables, and per 1000 bits of it (measured: 3 to 50 microseconds).
+#: The nanoseconds per term in more variables, and per 1000 bits of a term (measured: 3 to 50 microseconds).
 TERM = 50_000
 #: Nanoseconds per term and cube of the largest degree in a variable, in more than three variables (measured: 45 to 65
 #: for the sum of two powers of trinomials, of degrees 20 to 40).
 TERM_DEGREE = 70
-#: Nanoseconds of a greatest common divisor in many variables, for a term of both polynomials: with short coefficients
-#: (measured: 0.3 to 6 microseconds), times the degree in up to four variables (measured: 0.3 to 3); and the coefficient
-#: bits that double the former.
+#: The nanoseconds of a greatest common divisor in many variables, per term of both polynomials: with short coefficients
+#: (measured: 0.3 to 6 microseconds), and times the degree in up to four variables (measured: 0.3 to 3); and the number
+#: of coefficient bits that doubles the first cost.
 DIVISOR_TERM, DIVISOR_DEGREE, DIVISOR_BITS, FEW = 10_000, 4_000, 150, 4
 #: Nanoseconds for a term and a variable to restrict a polynomial to a line modulo a prime.
 RESTRICTED = 1000
@@ -197,15 +197,15 @@ IMAGE = 600
 #: Bits of prime factors that are found in a number of any size, and of numbers that are factored completely (measured:
 #: 0.5 s for a product of two primes of 80 bits).
 SMOOTH_BITS, NUMBER_BITS = 24, 160
-#: How many images are tried to show that two polynomials have no common factor (an image misleads for about one value
-#: in 10,000).
+#: The number of images tried to show that two polynomials have no common factor (about one image in 10,000 is
+#: misleading).
 FEW_IMAGES = 2
 #: Small primes for the degrees of factors.
 PRIMES = (10007, 10009, 10037, 10039, 10061, 10067, 10069, 10079, 10091, 10093, 10099, 10103)
 
 
 class Factored(NamedTuple, Generic[P]):
-    """``constant · Π baseᵉ`` with non-constant bases, which have coprime integer coefficients or, modulo a prime, are
+    """``constant · Π baseᵉ`` with non-constant bases, which have coprime integer coefficients; modulo a prime they are
     monic.
     """
 
@@ -277,8 +277,8 @@ def prime_factors(n: int) -> dict[int, int]:
 
 
 def certainly_square_free(c: fmpz_poly) -> bool:
-    """Whether the polynomial has no multiple factor modulo `PRIME`, which proves that it has none; False proves
-    nothing.
+    """Whether the polynomial has no multiple factor modulo `PRIME`, which proves that it has no multiple factor at all;
+    False proves nothing.
 
     >>> certainly_square_free(fmpz_poly([1, -3, 1])), certainly_square_free(fmpz_poly([1, -2, 1]))
     (True, False)
@@ -302,7 +302,7 @@ def greatest_common_divisor(polynomials: Iterable[G]) -> G:
 
 def certainly_coprime(p: fmpz_poly, q: fmpz_poly) -> bool:
     """Whether two polynomials have no common factor modulo a prime that keeps the degree of the first: then they have
-    none; False proves nothing.
+    no common factor at all; False proves nothing.
 
     >>> certainly_coprime(fmpz_poly([1, 1]), fmpz_poly([2, 1])), certainly_coprime(fmpz_poly([1, 1]), fmpz_poly([2, 2]))
     (True, False)
@@ -345,7 +345,7 @@ def _divisor_in_many(p: fmpq_mpoly, q: fmpq_mpoly) -> fmpq_mpoly:
 def bounded_product(p: fmpq_mpoly, q: fmpq_mpoly) -> fmpq_mpoly:
     """The product of two polynomials in many variables.
 
-    Raises `ReachError` if it is too large, and where many products together are too expensive.
+    Raises `ReachError` if the product is too large, or if many products together are too expensive.
     """
     pairs = len(p) * len(q)
     if pairs > PAIRS:
@@ -387,7 +387,9 @@ def _by_flint(p: Any) -> Any:
 
 
 def _believed(p: P, constant: Any, factors: list[tuple[P, int]]) -> Factored[P]:
-    """The factorization, after verification of its product; raises `ArithmeticError` if it is not the polynomial."""
+    """The factorization, after verification of its product; raises `ArithmeticError` if the product is not the
+    polynomial.
+    """
     factorization = Factorization((base, int(e)) for base, e in factors)
     product_of_all = multiplied(factorization, p * 0 + 1) * constant
     if product_of_all != p:
@@ -413,7 +415,9 @@ def _bits(p: fmpz_poly | fmpz_mpoly | fmpq_mpoly) -> int:
 
 
 def _cost(p: fmpz_poly | fmpz_mpoly | fmpq_mpoly, per_bit: dict[int, int]) -> int:
-    """An estimate in nanoseconds: as for a dense polynomial in one or two variables, by the number of terms in more."""
+    """An estimate in nanoseconds: as for a dense polynomial in one or two variables; by the number of terms in more
+    variables.
+    """
     degrees, terms = _degrees(p), 1
     if not degrees:
         return 0
@@ -441,7 +445,7 @@ def _certainly_irreducible(p: fmpz_poly | fmpz_mpoly) -> bool:
     nothing.
 
     In one variable, the degree of a factor is a sum of degrees of factors of each image of the same degree. In two
-    variables, one of them is set to a value: if every factor must have the full degree in the other variable or degree
+    variables, one variable is set to a value: if every factor must have the full degree in the other variable or degree
     0, then there is only one factor, unless the coefficients, as polynomials in the first variable, have a common
     factor.
     """
@@ -484,7 +488,7 @@ def _image(p: fmpz_mpoly, variable: int, value: int, prime: int) -> nmod_poly:
 
 def _certainly_primitive(p: fmpz_mpoly, variable: int) -> bool:
     """Whether the coefficients, polynomials in one variable, certainly have no common factor: their images modulo a
-    prime have none, and one of them keeps its degree.
+    prime have no common factor, and one image keeps its degree.
     """
     rows: dict[int, dict[int, int]] = {}
     for powers, x in p.to_dict().items():
@@ -495,8 +499,8 @@ def _certainly_primitive(p: fmpz_mpoly, variable: int) -> bool:
 
 
 def _certainly_coprime_on_a_line(p: fmpq_mpoly, q: fmpq_mpoly) -> bool:
-    """Whether two polynomials have no common factor on a line modulo a prime on which the first keeps its total degree,
-    and so does every factor of it; False proves nothing.
+    """Whether two polynomials have no common factor on a line modulo a prime on which the first polynomial, and
+    therefore each of its factors, keeps its total degree; False proves nothing.
     """
     if not affords((len(p) + len(q)) * p.context().nvars() * RESTRICTED, LONGEST_LOOP):
         return False
@@ -524,8 +528,8 @@ def _on_a_line(p: fmpq_mpoly) -> nmod_poly | None:
 
 
 def _certainly_without(p: fmpz_mpoly, q: fmpz_mpoly, variable: int) -> bool:
-    """Whether the greatest common divisor certainly does not depend on the other variable; False proves nothing: a few
-    images usually show that there is none.
+    """Whether the greatest common divisor certainly does not depend on the other variable; False proves nothing; a few
+    images usually show that it does not.
     """
     for one, other in islice(zip(_images(p, variable), _images(q, variable), strict=True), FEW_IMAGES):
         if one.degree() == int(p.degrees()[1 - variable]) and one.gcd(other).degree() == 0:

@@ -3,8 +3,8 @@
 In ``z = t/(1 − t)`` the segment is ``z ≥ 0`` and the form is ``Σ c_i zⁱ``; the sign changes of its coefficients bound
 the number of zeros inside the segment and agree with it in parity. No sign change means no zero, one sign change means
 one simple zero; otherwise the segment is split at the midpoint, by two Taylor shifts. The square-free part is needed
-only if a depth limit is reached: then a multiple zero may be the cause, and a gcd modulo one prime usually proves that
-it is not.
+only if a depth limit is reached: then a multiple zero may be the cause, and a gcd modulo a prime usually proves that
+there is none.
 
 Source: Collins and Akritas, Polynomial real root isolation using Descartes' rule of signs, SYMSAC 1976; Lane and
 Riesenfeld, Bounds on a polynomial, BIT 1981.
@@ -45,8 +45,8 @@ from exactspline.polynomials.factors import (
 
 # ---- cells
 #
-# The cells are the input of the proofs in `extras/coq/theory/Answers.v`; a multiple zero has a witness: a factor of
-# which it is a simple zero, and a cofactor without zeros.
+# The cells are the input of the proofs in `extras/coq/theory/Answers.v`; a multiple zero has a witness: a factor with
+# this simple zero, and a cofactor without zeros.
 
 
 #: The maximal number of bisections of an interval.
@@ -191,19 +191,19 @@ def _local(*coefficients: int) -> LocalPolynomial:
 
 
 class Zero(Protocol):
-    """A zero inside a segment: a `LocalZero`, or one that is computed when it is asked for."""
+    """A zero inside a segment: a `LocalZero`, or a zero that is computed when first needed."""
 
     @property
     def low(self) -> mpq:
-        """The lower end of its interval."""
+        """The lower end of the interval of the zero."""
 
     @property
     def high(self) -> mpq:
-        """The upper end of its interval."""
+        """The upper end of the interval of the zero."""
 
     @property
     def multiplicity(self) -> int:
-        """Its multiplicity."""
+        """The multiplicity of the zero."""
 
     @property
     def signs(self) -> tuple[int, int]:
@@ -215,11 +215,11 @@ class Zero(Protocol):
 
     @property
     def changing(self) -> tuple[LocalPolynomial, int]:
-        """A polynomial that changes its sign there, and its sign before."""
+        """A polynomial that changes its sign at the zero, and its sign before the zero."""
 
 
 class LocalZero(NamedTuple):
-    """A zero strictly inside the segment, in the local parameter: exactly ``low = high``, or the only zero in the open
+    """A zero strictly inside the segment, in the local parameter: it is ``low = high``, or the only zero in the open
     interval (low, high).
     """
 
@@ -326,7 +326,7 @@ class _Search:
                     return False
                 self.cap = None
             other = backwards(part, part.degree())
-            # the left half is kept backwards, so that both begin at the midpoint
+            # the left half is stored in reverse, so that both halves begin at the midpoint
             left, right = (x(ONE_PLUS_2Z) for x in ((part, other) if flipped else (other, part)))
             level, k = level + 1, 2 * k
             if right[0] == 0:

@@ -16,11 +16,12 @@ from exactspline.polynomials.two_parameters import rows_of
 ZERO = fmpq_poly([])
 #: Nanoseconds of one step of Euclid's algorithm modulo a prime, per coefficient (measured: 40 to 90).
 IMAGE = 100
-#: Nanoseconds to combine one coefficient with those modulo earlier primes, and per earlier prime (measured: 500 to
-#: 1600, and 10).
+#: The nanoseconds to combine one coefficient with the residues modulo earlier primes, and per earlier prime (measured:
+#: 500 to 1600, and 10).
 COMBINED, COMBINED_PRIMES = 1500, 10
-#: Nanoseconds per bit of the modulus, and the number of bits for each further nanosecond, to find a rational number
-#: modulo it (measured: 60 to 160, and 150); and for how many coefficients: most have the denominator of an earlier one.
+#: The nanoseconds per bit of the modulus to find a rational number from its residue, and the number of bits for each
+#: further nanosecond (measured: 60 to 160, and 150); and the number of coefficients for which this is counted, because
+#: most have the denominator of an earlier one.
 RATIO, RATIO_BITS, RATIOS = 160, 128, 4
 #: Nanoseconds per product in a field and square of its degree, and per bit of the coefficients (measured: half of it).
 PRODUCT, PRODUCT_BITS = 4000, 4
@@ -45,7 +46,7 @@ class OverRoot:
 
     @classmethod
     def of(cls, p: fmpz_mpoly, modulus: fmpq_poly) -> OverRoot:
-        """A polynomial in both parameters."""
+        """A polynomial in both parameters, as a polynomial in t over the field."""
         return cls([fmpq_poly(row) for row in rows_of(p)], modulus)
 
     @property
@@ -105,8 +106,8 @@ class OverRoot:
         return self // self.gcd(slope) if slope else self
 
     def gcd(self, other: OverRoot) -> OverRoot:
-        """The greatest common divisor, its first coefficient 1, computed modulo primes: a polynomial of the degree that
-        a common divisor has modulo a prime at most, and that divides both.
+        """The greatest common divisor with the first coefficient 1, computed modulo primes. It divides both
+        polynomials, and its degree is the degree of a common divisor modulo a prime, which is an upper bound.
 
         Raises `ReachError` if this would take too long.
 
@@ -140,7 +141,7 @@ class OverRoot:
 
 
 class _Images:
-    """Images of one polynomial of degree below `length` modulo several primes, combined to one."""
+    """Images of a polynomial of degree below `length` modulo several primes, combined into one image."""
 
     def __init__(self, size: int) -> None:
         self.size, self.length = size, 1 << 60
@@ -148,7 +149,7 @@ class _Images:
         self.modulus = fmpz(1)
 
     def add(self, image: Sequence[nmod_poly], prime: int) -> None:
-        """Combine with a further image; those of a higher degree were wrong."""
+        """Combine with a further image; earlier images of a higher degree are wrong and dropped."""
         own = [fmpz(int(c[k])) for c in image for k in range(self.size)]
         if len(image) < self.length:
             self.length, self.values, self.modulus = len(image), own, fmpz(prime)
@@ -158,18 +159,20 @@ class _Images:
         self.modulus *= prime
 
     def cost(self, primes: int) -> int:
-        """Nanoseconds, estimated, to combine with one more image."""
+        """The estimated nanoseconds to combine with one more image."""
         return len(self.values) * (COMBINED + COMBINED_PRIMES * primes)
 
     def cost_of_trial(self, degree: int) -> int:
-        """Nanoseconds, estimated, to find the polynomial and to divide others by it whose degrees have this sum."""
+        """The estimated nanoseconds to find the polynomial and to divide other polynomials, whose degrees have this
+        sum, by it.
+        """
         bits = self.modulus.bit_length()
         ratios = bits * (RATIOS * (RATIO + bits // RATIO_BITS) + len(self.values))
         return ratios + (degree + 2) * len(self.values) * self.size * (PRODUCT + PRODUCT_BITS * bits // 2)
 
     def rational(self, field: fmpq_poly) -> OverRoot | None:
-        """The polynomial with small rational numbers of these images as its coefficients, if there is one; their
-        denominators are tried for those that follow.
+        """The polynomial with small rational numbers of these images as its coefficients, if there is one; the
+        denominators found are tried for the following coefficients.
         """
         found, bottom = list[fmpq](), fmpz(1)
         for x in self.values:
@@ -192,7 +195,7 @@ def large_primes() -> Iterator[int]:
 
 
 def _small_ratio(x: fmpz, modulus: fmpz) -> fmpq | None:
-    """The rational number with numerator and denominator below the root of half a modulus that is x modulo it."""
+    """The rational number that is congruent to x modulo a number m, with numerator and denominator below ``√(m/2)``."""
     limit = (modulus // 2).isqrt()
     a, b, p, q = modulus, x, fmpz(0), fmpz(1)
     while b > limit:
@@ -202,7 +205,7 @@ def _small_ratio(x: fmpz, modulus: fmpz) -> fmpq | None:
 
 
 def _divisor_modulo(p: OverRoot, q: OverRoot, prime: int) -> list[nmod_poly] | None:
-    """The greatest common divisor modulo a prime, its first coefficient 1, by Euclid's algorithm; None where a
+    """The greatest common divisor modulo a prime, with the first coefficient 1, by Euclid's algorithm; None if a
     denominator or a first coefficient is not invertible.
     """
     modulus = nmod_poly(p.modulus.numer(), prime)
@@ -227,7 +230,7 @@ def _divisor_modulo(p: OverRoot, q: OverRoot, prime: int) -> list[nmod_poly] | N
 
 
 def _modulo(p: OverRoot, prime: int) -> list[nmod_poly] | None:
-    """The coefficients modulo a prime; None where a denominator or the first coefficient vanishes."""
+    """The coefficients modulo a prime; None if a denominator or the first coefficient vanishes."""
     images = []
     for c in p.coefficients:
         below = int(c.denom()) % prime
@@ -243,8 +246,8 @@ def _inverse(x: fmpq_poly, modulus: fmpq_poly) -> fmpq_poly:
 
 
 def by_powers(polynomials: Sequence[OverRoot]) -> list[list[fmpz_poly]]:
-    """Each as polynomials in t with integer coefficients, one for each power of s below the degree of the modulus, all
-    multiplied by one positive number such that no common factor remains.
+    """Each polynomial as a list of polynomials in t with integer coefficients, one for each power of s below the degree
+    of the modulus; all are multiplied by the same positive number such that no common factor remains.
     """
     powers = range(polynomials[0].modulus.degree())
     rows = [[fmpq_poly([c[k] for c in p.coefficients]) for k in powers] for p in polynomials]

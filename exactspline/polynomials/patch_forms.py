@@ -31,7 +31,7 @@ class PatchForm:
     """
 
     __slots__ = ("_entries", "_range", "matrix")
-    #: A bound of the errors of its coefficients.
+    #: A bound of the errors of the coefficients.
     error: fmpz = fmpz(0)
 
     def __init__(self, matrix: fmpz_mat) -> None:
@@ -73,7 +73,7 @@ class PatchForm:
 
     @property
     def is_zero(self) -> bool:
-        """Whether it is the zero polynomial."""
+        """Whether the form is the zero polynomial."""
         return not any(self.entries)
 
     @property
@@ -162,8 +162,8 @@ class PatchForm:
 
     @property
     def steeper(self) -> int:
-        """The direction in which neighbouring coefficients differ more, if both sides are halved as often as that is
-        of use.
+        """The direction in which neighbouring coefficients differ more, provided that both sides are halved as often as
+        this helps.
         """
         changes = [
             max(-low, high) / max(n, 1) for n, (low, high) in zip(self.degree, map(self.slopes, (0, 1)), strict=True)
@@ -178,8 +178,8 @@ class PatchForm:
         return entries[n :: n + 1] if end else entries[:: n + 1]
 
     def without_border(self, directions: Sequence[int] = (0, 1)) -> tuple[PatchForm, Borders]:
-        """The form without its factors x, 1 − x (direction 0), y and 1 − y, and the multiplicity of each; not for the
-        zero form.
+        """The form without its factors x, 1 − x (direction 0), y and 1 − y, and the multiplicity of each factor; the
+        form must not be zero.
 
         >>> f, times = PatchForm.of_net([[0, 0], [2, 2], [0, 0]]).without_border()  # 4 x (1 − x)
         >>> f.degree, times
@@ -222,7 +222,7 @@ class Borders(NamedTuple):
 
 
 class Sized(NamedTuple):
-    """A box, and the forms restricted to it."""
+    """A box, and the forms restricted to the box."""
 
     box: Box
     forms: list[PatchForm]
@@ -230,7 +230,7 @@ class Sized(NamedTuple):
 
 
 def halved(part: Sized, direction: int | None = None) -> tuple[Sized, Sized]:
-    """The two halves of the part, by bisection of one of its sides, without a direction of the longer one."""
+    """The two halves of the part, by bisection of one of its sides; without a direction the longer side is bisected."""
     if direction is None:
         direction = 0 if part.box.first.width >= part.box.second.width else 1
     pairs = [f.halves(direction) for f in part.forms]
@@ -283,7 +283,8 @@ def _without_ends(matrix: fmpz_mat) -> tuple[fmpz_mat, int, int]:
         return matrix, 0, 0
     n = len(rows) - 1
     kept = n - low - high
-    # C(n, i) b_i are the coefficients without binomials; those of the quotient are divided by its own
+    # C(n, i) b_i are the coefficients without binomials; the coefficients of the quotient are divided by its own
+    # binomials
     common = lcm(*[comb(kept, k) for k in range(kept + 1)])
     quotient = [
         [x * int(comb(n, low + k) * (common // comb(kept, k))) for x in row]
@@ -402,21 +403,20 @@ def _weights(n: int, x: mpq) -> tuple[fmpz_mat, mpq]:
 
 
 # ---- rounded forms
-#
-# Halving takes means of coefficients, so that each adds one unit to the error. Where the coefficients are no longer
-# large compared with it, they are computed once more from the form itself.
+# Halving takes means of coefficients, so that each halving adds one unit to the error. If the coefficients are no
+# longer large compared with the error, they are computed again from the form itself.
 
 
-#: The bits of a coefficient: products with binomial coefficients fit into two words; and the bits by which the largest
-#: must exceed the error.
+#: The bits of a coefficient, such that products with binomial coefficients fit into two words; and the bits by which
+#: the largest coefficient must exceed the error.
 BITS, KEPT = 60, 24
-#: The number of precisions, each twice the former one, at which a form is restricted before this is done exactly.
+#: The number of precisions, each twice the previous one, at which a form is restricted before it is restricted exactly.
 TRIED = 3
 
 
 class RoundedForm(PatchForm):
-    """A form on a box, up to a positive constant: each coefficient differs from its integer by at most `error`, and the
-    differences of any two of them by no more than that.
+    """A form on a box, up to a positive constant: each coefficient differs from its integer by at most `error`, and so
+    does the difference of any two coefficients.
 
     >>> f = rounded(PatchForm.of_net([[-(10**40), 10**40 + 1], [0, 10**41]]))
     >>> f.error, f.sign, f.halves(1)[1].sign, f.halves(0)[1].halves(1)[1].sign
@@ -441,7 +441,7 @@ class RoundedForm(PatchForm):
         return self._range
 
     def halves(self, direction: int) -> tuple[PatchForm, PatchForm]:
-        """The form on the two halves of the box, with different constants where it is computed once more."""
+        """The form on the two halves of the box, with different constants if it is computed again."""
         assert self._source is not None, "a form on a box of its own"
         form, box = self._source
         boxes = box.halves(direction)
@@ -472,12 +472,12 @@ class RoundedForm(PatchForm):
         return RoundedForm(super().derivative(direction).matrix, 2 * self.degree[direction] * self.error)
 
     def primitive(self) -> RoundedForm:
-        """Itself: the constant is that of the error."""
+        """The form itself, because its constant also belongs to the error."""
         return self
 
 
 def rounded(form: PatchForm, box: Box = UNIT) -> PatchForm:
-    """A form on a box, in few bits; the zero form itself."""
+    """A form on a box, rounded to few bits; the zero form is unchanged."""
     if box != UNIT and box.longest and UNIT.contains(box):
         low, high = form.range
         known, bits = int(max(-low, high)).bit_length(), 2 * (BITS + int(1 / box.longest).bit_length())
@@ -495,18 +495,18 @@ def rounded(form: PatchForm, box: Box = UNIT) -> PatchForm:
 
 
 def _shifted(matrix: fmpz_mat, bits: int) -> fmpz_mat:
-    """Every entry over a power of two, rounded down."""
+    """Every entry divided by a power of two, rounded down."""
     if bits <= 0:
         return matrix * (1 << -bits)
     return fmpz_mat(matrix.nrows(), matrix.ncols(), [x >> bits for x in matrix.entries()])
 
 
 def _restricted(form: PatchForm, box: Box, dropped: int, bits: int) -> fmpz_mat:
-    """The coefficients on a part of the square over a power of two, less errors from −1/2 to 7/2: those of the form
-    have this many bits, and means of them have weights that are rounded down.
+    """The coefficients on a part of the square over a power of two, up to errors from −1/2 to 7/2. The coefficients of
+    the form have this many bits, and their means are taken with weights that are rounded down.
 
-    Each of both products adds at most a quarter on either side for the weights, and a unit for its own rounding; the
-    coefficients of the form add the first unit, which means do not enlarge.
+    Each of the two products adds at most a quarter on either side for the weights, and a unit for its own rounding. The
+    rounding of the coefficients of the form adds another unit, which means do not enlarge.
     """
     m, n = form.degree
     scale = bits + max(m, n).bit_length() + 4

@@ -2,8 +2,8 @@
 
 The determinant F of Bézout's matrix of the first curve and a point on the second vanishes at the parameters t of the
 second curve that lie on the first. Where the matrix has corank one, its adjugate shows the parameter s of the first;
-the rest, multiple points of the first curve, is decided in the field of t. If F is zero, the curves are arcs of one
-algebraic curve, and ``s = A₀₁/A₀₀`` in lowest terms is the map from one to the other.
+at multiple points of the first curve the decision is made in the field of t. If F is zero, the curves are arcs of the
+same algebraic curve, and ``s = A₀₁/A₀₀`` in lowest terms is the map from the second to the first.
 
 Segments are those of `exactspline.polynomials.bernstein`: parameters are local, from 0 to 1.
 """
@@ -52,7 +52,7 @@ from exactspline.polynomials.zero_places import FIRST, SUSPICIOUS, Place, at, pl
 
 class Fibre:
     """All parameters of the first curve at one point of the second, as zeros of a polynomial over the field of the
-    place; without those of a map from the second curve to the first.
+    place; parameters given by a map from the second curve to the first are not included.
     """
 
     def __init__(self, first: PlaneForms, second: PlaneForms, place: Place, carried: RationalMap | None = None) -> None:
@@ -92,8 +92,8 @@ class Fibre:
         return divided_out(common, factor)
 
     def contains(self, s: Place) -> bool:
-        """Whether a parameter belongs to it. All real zeros of the polynomial must be among the zeros from which the
-        place was isolated.
+        """Whether a parameter belongs to the fibre. All real zeros of the polynomial must be among the zeros from which
+        the place was isolated.
         """
         bits = FIRST
         while (t := s.exact) is None:
@@ -119,9 +119,9 @@ def local_multiplicity(
     first: PlaneForms, second: PlaneForms, s: Place, t: Place, carried: RationalMap | None = None
 ) -> int:
     """The intersection multiplicity of two branches at a common point through which both curves may pass several
-    times: that of the value ``z_t + λ z_s`` as a zero of the resultant, the least over as many λ as there may be
-    zeros: one of them separates it from the values of all other common zeros. A factor that belongs to a map from the
-    second to the first is divided out.
+    times: the multiplicity of the value ``z_t + λ z_s`` as a zero of the resultant. The least multiplicity over
+    sufficiently many λ is taken, because for one of them the value differs from the values of all other common zeros. A
+    factor that belongs to a map from the second curve to the first is divided out.
     """
     if s.exact == 1:
         first, s = _reversed(first), at(mpq(0))
@@ -152,7 +152,7 @@ def _reversed(curve: PlaneForms) -> PlaneForms:
 
 
 def multiplicity_of_sum(eliminant: fmpz_poly, s: Place, t: Place, slope: int) -> int:
-    """The multiplicity of ``z_t + λ z_s`` as a zero, which it is."""
+    """The multiplicity of the zero ``z_t + λ z_s``."""
     powers, bits = list(factorize_square_free(eliminant).powers), FIRST
     while True:
         with ctx.workprec(4 * bits):
@@ -164,9 +164,9 @@ def multiplicity_of_sum(eliminant: fmpz_poly, s: Place, t: Place, slope: int) ->
         bits *= 2
 
 
-#: From this size of a matrix, its minors are polynomials only where balls do not decide their signs.
+#: From this size of a matrix on, its minors are computed as polynomials only if balls do not decide their signs.
 BY_BALLS = 4
-#: ``z ↦ z``.
+#: The map ``z ↦ z``.
 IDENTITY = RationalMap(1, fmpz_poly([0, 1]), fmpz_poly([1]))
 
 
@@ -191,7 +191,7 @@ class Elimination:
     def determinant(self) -> fmpz_poly:
         """F, a form of degree ``size · degree``."""
         if self.size == 3:
-            # its cofactors are needed, too
+            # the cofactors of this matrix are needed, too
             self.first, self.second, third = bezout.first_cofactors(self.matrix)
             a, b, c = self.matrix[0]
             return a * self.first + b * self.second + c * third
@@ -209,27 +209,27 @@ class Elimination:
 
     @cached_property
     def first(self) -> fmpz_poly:
-        """``A₀₀``: not zero where there is one parameter s/u, and it is finite."""
+        """``A₀₀``, which is not zero where there is exactly one parameter s/u and this is finite."""
         return self.cofactor(0, 0)
 
     @cached_property
     def second(self) -> fmpz_poly:
-        """``A₀₁``, then ``A₀₀ s/u``."""
+        """``A₀₁``, which is ``A₀₀ s/u`` where there is exactly one parameter."""
         return self.cofactor(0, 1)
 
     @cached_property
     def last(self) -> fmpz_poly:
-        """The last diagonal entry: not zero where there is one parameter, and it is not 0."""
+        """The last diagonal entry, which is not zero where there is exactly one parameter and this is not 0."""
         return self.cofactor(self.size - 1, self.size - 1)
 
     @property
     def last_entry(self) -> fmpz_poly:
-        """A form of the degree of the map that is not zero where the parameter is that of the end of the segment."""
+        """A form of the degree of the map that is not zero where the parameter is the end of the segment."""
         return self.last
 
     @cached_property
     def map(self) -> RationalMap:
-        """The parameter of the first curve as a function of that of the second, where it is a zero of F."""
+        """The parameter of the first curve as a function of the parameter of the second curve, at zeros of F."""
         return RationalMap((self.size - 1) * self.degree, self.second, self.first)
 
     def sign(self, entry: str, place: Place) -> int:
@@ -280,15 +280,15 @@ class Elimination:
 
 
 class LineElimination(Elimination):
-    """The same for a first curve of degree 1, whose matrix is its line: ``s/u = −det(p₀, Q, e)/det(p₁, Q, e)`` for a
-    point e that is not on the line.
+    """The elimination for a first curve of degree 1, whose matrix is its line: ``s/u = −det(p₀, Q, e)/det(p₁, Q, e)``
+    for a point e that is not on the line.
     """
 
     def __init__(self, line: PlaneForms, other: PlaneForms) -> None:
         super().__init__(bezout.bezout_matrix(line, other), other.degree)
         start, end = line.coefficient(0), line.coefficient(1)
         normal = across(start, end)
-        # the line itself, as a point, is not on it
+        # the coordinates of the line itself, as a point, are not on the line
         self._forms = along(across(start, normal), other), along(across(normal, end), other)
 
     @property
@@ -306,7 +306,7 @@ class LineElimination(Elimination):
         return self.map.near(place, bits)
 
     def is_simple(self, place: Place) -> bool:
-        """A line passes once through each of its points."""
+        """True, because a line passes once through each of its points."""
         return True
 
     def partner(self, place: Place) -> Local | Several | None:
@@ -318,7 +318,7 @@ class LineElimination(Elimination):
 
 
 def self_elimination(curve: PlaneForms) -> Elimination:
-    """That of a curve of degree 2 or more and itself, without the pairs of equal parameters."""
+    """The elimination for a curve of degree 2 or more and itself, without the pairs of equal parameters."""
     return Elimination(bezout.self_matrix(curve), curve.degree - 2)
 
 
@@ -338,7 +338,7 @@ def meetings(first: PlaneForms, second: PlaneForms) -> Meetings:
     >>> [(point.first.exact, point.second.exact, point.multiplicity) for point in found.points]
     [(mpq(0,1), mpq(0,1), 1), (mpq(1,1), mpq(1,1), 1)]
 
-    Raises `ReachError` for what would take too long.
+    Raises `ReachError` if this would take too long.
     """
     return _meetings(second, first).exchanged() if first.degree > second.degree else _meetings(first, second)
 
@@ -362,7 +362,7 @@ def _meetings(first: PlaneForms, second: PlaneForms) -> Meetings:
 
 
 def _with_straight(first: PlaneForms, second: PlaneForms) -> Meetings:
-    """The common points of a straight curve of higher degree and another one, not on the same line."""
+    """The common points of a straight curve of higher degree and another curve that is not on the same line."""
     line = bezout.straight_line(second)
     if line is None:
         return _meetings(second, first).exchanged()
@@ -406,7 +406,7 @@ def _found_at(first: PlaneForms, second: PlaneForms, place: Place) -> list[Meeti
 
 
 def without_common_factor(curve: PlaneForms) -> PlaneForms:
-    """The curve without a common factor of its three forms: of the degree of the curve itself.
+    """The curve without a common factor of its three forms: its degree is the degree of the curve itself.
 
     >>> line = fmpz_poly([0, 1]), fmpz_poly([1]), fmpz_poly([1, 1])
     >>> raised = PlaneForms(2, *[f * fmpz_poly([1, 1]) for f in line])
@@ -422,8 +422,8 @@ def without_common_factor(curve: PlaneForms) -> PlaneForms:
 
 
 def _degenerate(first: PlaneForms, second: PlaneForms) -> Meetings:
-    """The common points of curves whose determinant vanishes: common factors are removed first; if it still vanishes,
-    they are arcs of one curve.
+    """The common points of curves whose determinant vanishes: common factors are removed first; if the determinant
+    still vanishes, the curves are arcs of the same curve.
     """
     lower, other = without_common_factor(first), without_common_factor(second)
     if lower.degree < first.degree or other.degree < second.degree:
@@ -440,7 +440,9 @@ def _degenerate(first: PlaneForms, second: PlaneForms) -> Meetings:
 
 
 def _of_one_curve(first: PlaneForms, second: PlaneForms, forward: Elimination) -> Meetings:
-    """The common arcs and points of two arcs of one curve; the second is the first after the map of `forward`."""
+    """The common arcs and points of two arcs of the same curve; the map of `forward` sends the parameters of the second
+    to the first.
+    """
     carried = lowest_terms(forward.map)
     found = common_arcs(carried)
     if first.degree > 2:
@@ -462,7 +464,7 @@ def _crossings(first: PlaneForms, second: PlaneForms, carried: RationalMap) -> I
 
 
 def _crossings_at(first: PlaneForms, second: PlaneForms, carried: RationalMap, place: Place) -> Iterator[Meeting]:
-    """The same at a place where several other branches pass through the point."""
+    """The crossings at a place where several other branches pass through the point."""
     fibre = Fibre(first, second, place, carried)
     for candidate in places(self_elimination(first).isolation):
         if fibre.contains(candidate):
@@ -482,14 +484,14 @@ def _is_value(partner: Local, carried: RationalMap, place: Place) -> bool:
 
 
 def self_meetings(curve: PlaneForms) -> Meetings:
-    """The pairs of parameters s < t of one segment that have the same point, and the arcs that it runs over again.
+    """The pairs of parameters s < t of one segment that have the same point, and the arcs that are traversed again.
 
     >>> loop = PlaneForms(3, fmpz_poly([0, 9, -6, 1]), fmpz_poly([0, 9, 9]), fmpz_poly([1, 3, 3, 1]))
     >>> (point,) = self_meetings(loop).points
     >>> [float(x) for x in point.second.refine(40)], point.multiplicity
     ([0.9330127018..., 0.9330127018...], 1)
 
-    Raises `ReachError` for what would take too long.
+    Raises `ReachError` if this would take too long.
     """
     curve = without_common_factor(curve)
     if curve.degree < 2:

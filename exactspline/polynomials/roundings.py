@@ -1,4 +1,4 @@
-"""What is assumed of one operation on doubles (docs/certified-filter.md)."""
+"""The assumptions on one operation with doubles (docs/certified-filter.md)."""
 
 #: The relative error of one operation is below this in every rounding mode.
 ROUNDING = 2**-52

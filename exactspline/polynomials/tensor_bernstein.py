@@ -2,7 +2,7 @@
 
 ``P = Σ c_ij u^(m−i) vⁱ ū^(n−j) v̄ʲ / denominator`` is stored as ``Σ c_ij x^(i + S j)`` (Kronecker substitution): the
 power x^S represents the second variable. The stride S is a power of two above the degree m in the first parameter; if
-it has room for the degree of a product, the product of two patches is the product of two polynomials.
+it is larger than the degree of a product, the product of two patches is the product of two polynomials.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ from exactspline.polynomials.bernstein import Form, raiser, value, without_conte
 
 
 def stride_for(degree: int) -> int:
-    """The smallest stride that has room for a degree in the first parameter.
+    """The smallest stride for a degree in the first parameter.
 
     >>> [stride_for(m) for m in (0, 1, 3, 4)]
     [1, 2, 4, 8]
@@ -102,7 +102,7 @@ def transposed(c: fmpz_poly, stride: int, n: int, new: int) -> fmpz_poly:
 
 
 def _at_first(c: fmpz_poly, m: fmpz, degrees: tuple[int, int], stride: int, a: mpq) -> Form:
-    """The form in the second parameter at the local value a of the first one."""
+    """The form in the second parameter at the local value a of the first parameter."""
     values = [value((row, m), degrees[0], a) for row in rows(c, stride, degrees[1])]
     integers, common = over_one_denominator(values)
     return without_content((fmpz_poly(integers), fmpz(common)))

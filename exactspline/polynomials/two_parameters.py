@@ -21,7 +21,7 @@ def lifted(p: fmpz_poly, variable: int) -> fmpz_mpoly:
 
 
 def in_one(p: fmpz_mpoly, variable: int) -> fmpz_poly:
-    """A polynomial in both parameters, in which only one occurs, as a polynomial in this one."""
+    """A polynomial in both parameters that contains only one of them, as a polynomial in this parameter."""
     coefficients = {int(powers[variable]): x for powers, x in p.terms()}
     return fmpz_poly([coefficients.get(k, 0) for k in range(max(coefficients, default=-1) + 1)])
 
@@ -65,10 +65,10 @@ def least_value(p: fmpz_mpoly, first: fmpz_poly, second: fmpz_poly) -> int:
     """A number b such that, at a root of one integer polynomial and a root of another, p is 0 or at least ``2^−b`` in
     absolute value.
 
-    By Liouville's inequality: the absolute values of an algebraic number at all places of its field multiply to 1. At
-    the other places it is at most the sum of the coefficients of p times powers of the Mahler measures, which are at
-    most the Euclidean norms of both polynomials (Waldschmidt, Diophantine Approximation on Linear Algebraic Groups,
-    2000, §3.5).
+    This is Liouville's inequality: the product of the absolute values of an algebraic number at all places of its field
+    is 1. At the other places the number is at most the sum of the coefficients of p times powers of the Mahler
+    measures, which are at most the Euclidean norms of both polynomials (Waldschmidt, Diophantine Approximation on
+    Linear Algebraic Groups, 2000, §3.5).
 
     >>> least_value(S - T, fmpz_poly([-2, 0, 1]), fmpz_poly([-3, 0, 1]))
     16
@@ -122,7 +122,7 @@ def as_form(p: fmpz_mpoly) -> PatchForm:
 
 
 def as_forms(polynomials: Sequence[fmpz_mpoly]) -> list[PatchForm]:
-    """The forms of polynomials over the unit square, of one degree and up to one positive constant.
+    """The forms of polynomials over the unit square, of the same degree and up to a common positive constant.
 
     >>> [form.entries for form in as_forms([S, T + 1])]
     [[0, 0, 1, 1], [1, 2, 1, 2]]

@@ -1,7 +1,7 @@
 """The place of an isolated zero of a form on its segment, and exact signs of other forms there.
 
-Balls around the zero decide nearly every sign; what is open after `SUSPICIOUS` bits is decided by a greatest common
-divisor.
+Balls around the zero decide nearly every sign; a sign that is open after `SUSPICIOUS` bits is decided by a greatest
+common divisor.
 """
 
 from __future__ import annotations
@@ -36,7 +36,7 @@ from exactspline.polynomials.isolation import Isolation, LocalPolynomial, LocalZ
 START, GUARD = 64, 12
 #: Up to this product of the degree and the bits of the parameter, a sign is computed directly in integers.
 EXACTLY = 3000
-#: The precision (bits) from which every step is worth storing: lower ones are quickly recomputed.
+#: The precision (bits) from which every step is stored; lower precisions are quickly recomputed.
 KEEP = 1500
 
 
@@ -64,14 +64,14 @@ def enclosures(factor: LocalPolynomial, low: mpq, high: mpq, sign: int, bits: in
     inside every interval, and the factor is not zero at an end unless this end is the original `low` or `high`. Every
     interval is valid, so that a caller that stops early can continue from the last one.
 
-    Raises `AssertionError` where the sign does not change like that, whoever promised it: no refinement would end.
+    Raises `AssertionError` if the sign does not change as stated, because the refinement would not end.
 
     >>> *_, (a, b) = enclosures(LocalPolynomial(fmpz_poly([1, -3, 1])), mpq(0), mpq(1, 2), 1, 200)
     >>> b - a < mpq(1, 2**200), a < mpq(5, 18) < b, mpq(276, 1000) < a < mpq(277, 1000)
     (True, False, True)
     """
     half = mpq(1, 2)
-    if low < half < high:  # each half has its own chart, in which z is at most 1
+    if low < half < high:  # each half of the segment has its own chart, in which z is at most 1
         at_half = factor.polynomial(1) * sign
         if at_half == 0:
             yield Interval.point(half)
@@ -89,7 +89,7 @@ def enclosures(factor: LocalPolynomial, low: mpq, high: mpq, sign: int, bits: in
 
 
 def _just_inside(g: fmpz_poly, end: mpq, other: mpq) -> int:
-    """The sign of a form at one end of an interval, or just inside where it vanishes there."""
+    """The sign of a form at one end of an interval, or just inside the interval if the form vanishes at this end."""
     return sign_at(g, end) or end_signs(g, *sorted((end, other)))[end > other]
 
 
@@ -139,7 +139,7 @@ class _Chart:
         return result
 
     def _caught(self) -> Any:
-        """A ball that is proved to contain the zero and no other, and on which interval Newton contracts.
+        """A ball that is proved to contain exactly this zero, and on which the interval Newton method contracts.
 
         Unproved Newton iteration from the midpoint, restricted to the interval, which shrinks with every certain sign;
         then an inclusion test around its limit.
@@ -157,8 +157,8 @@ class _Chart:
             self.loss = precision
 
     def _attempt(self, low_end: Any, high_end: Any, x: Any) -> tuple[Any, Any, Any, Any]:
-        """The ball, or None if the precision is insufficient; then also the smaller interval and the point at which a
-        sign was uncertain.
+        """The ball, or None if the precision is insufficient; in this case also the smaller interval and the point at
+        which a sign was uncertain.
         """
         g, slope = arb_poly(self.g), arb_poly(self.slope)
         (first, end), low, high = map(arb, self.ends), arb(low_end), arb(high_end)
@@ -341,7 +341,7 @@ def places(isolation: Isolation) -> list[Place]:
 
 
 def at(t: mpq, multiplicity: int = 0) -> Place:
-    """A rational parameter as a place, with its multiplicity as a zero where it is one.
+    """A rational parameter as a place, with its multiplicity if it is a zero.
 
     >>> at(mpq(1), 2).sign(fmpz_poly([1, -1]), 1)
     -1

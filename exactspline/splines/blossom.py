@@ -15,9 +15,9 @@ from flint import fmpq, fmpq_poly, fmpz, fmpz_poly
 from exactspline.numbers.exact import common_multiple, mpq, over_one_denominator, to_fmpq
 from exactspline.polynomials.bernstein import ONE, Form, blossom, over_common_denominator, without_content
 
-#: Numbers over one denominator.
+#: Numbers over a common denominator.
 Row = tuple[list[fmpz], fmpz]
-#: Control points: numbers, or combinations of unknown ones, the k-th of which is written x^k.
+#: Control points: numbers, or linear combinations of unknown control points, the k-th of which is written x^k.
 Q = TypeVar("Q", fmpq, fmpq_poly)
 Z = TypeVar("Z", fmpz, fmpz_poly)
 
@@ -41,7 +41,7 @@ def forms_of(t: Sequence[mpq], n: int, d: Sequence[mpq], spans: Sequence[int]) -
 
 
 def _at_left_end(t: Sequence[fmpq], n: int, d: Sequence[Q], j: int) -> list[Q]:
-    """The control points of the span [t_j, t_{j+1}] after its left end was inserted until it has multiplicity n."""
+    """The control points of the span [t_j, t_{j+1}] after its left end has been inserted up to multiplicity n."""
     a, e = t[j], list(d[j - n : j + 1])
     left = [e[-1]]
     for r in range(n):
@@ -52,8 +52,8 @@ def _at_left_end(t: Sequence[fmpq], n: int, d: Sequence[Q], j: int) -> list[Q]:
 
 
 def _inserted(row: tuple[list[Z], fmpz], widths: list[fmpz]) -> tuple[list[Z], list[Z], fmpz]:
-    """The Bézier points of a span, and the points to the right of it, after its right end was inserted n times; over
-    one denominator. `widths` are the distances of the knots that follow from the left end, in any unit.
+    """The Bézier points of a span, and the points to the right of the span, after its right end has been inserted n
+    times; over a common denominator. `widths` are the distances of the following knots from the left end, in any unit.
     """
     g, bottom = row
     unit = fmpz_poly(widths).content()
@@ -99,7 +99,7 @@ def to_control_points(
 ) -> tuple[mpq, ...]:
     """Control points over knots t, each the blossom of a segment at the n knots that follow.
 
-    Any segment inside the support is possible; the one with most of those knots at its ends is the cheapest.
+    Any segment inside the support is possible; the segment with most of these knots at its ends is the cheapest.
     """
     points = []
     for i in range(len(t) - n - 1):
@@ -125,13 +125,13 @@ def _cheapest(breaks: Sequence[mpq], low: mpq, high: mpq, inner: Sequence[mpq]) 
 #: The knots that affect a span as coprime integers, moved such that its left end is 0. (Integers are hashed faster than
 #: fractions.)
 Pattern = tuple[int, ...]
-#: Of a pattern: for each coefficient the first control point of the span that has a part in it, and the integers by
-#: which this and the following points are multiplied; of Bézier points these again, one number each; a denominator.
+#: The weights of a pattern: for each coefficient the first control point of the span that contributes to it, and the
+#: integers by which this and the following points are multiplied; the same for Bézier points; and a denominator.
 Weights = tuple[list[tuple[int, tuple[int, ...]]], tuple[int, ...] | None, int]
 #: The weights are computed for a pattern that occurred more often than a quarter of its degree, and for at most this
 #: many patterns.
 PATTERNS = 4096
-#: Above this degree there are none.
+#: Above this degree no weights are computed.
 MOST = 12
 #: This many segments are computed over one denominator before each is brought to lowest terms.
 TOGETHER = 16
@@ -151,8 +151,8 @@ def common_rows(
     t: Sequence[mpq], n: int, columns: Sequence[Sequence[mpq]], spans: Sequence[int]
 ) -> list[CommonRows] | None:
     """The integers of the forms over the spans [t_j, t_{j+1}] of the splines of degree n with knots t and columns of
-    control points, one after the other, over their least common denominator. None where the knots around spans differ
-    so much that weights for each are not worthwhile.
+    control points, one after the other, over their least common denominator. None if the knots around the spans differ
+    so much that weights for each span are not worthwhile.
 
     >>> from exactspline.numbers.exact import mpq
     >>> for _ in range(4):
@@ -214,7 +214,7 @@ def _patterns(t: Sequence[mpq], n: int, spans: Sequence[int]) -> Iterator[tuple[
 
 
 def _weights_of(keys: Sequence[tuple[int, Pattern]]) -> list[Weights] | None:
-    """The weights of patterns, None where those that are not known occurred too rarely; then their occurrences are
+    """The weights of patterns; None if unknown patterns have occurred too rarely, in which case their occurrences are
     counted.
     """
     found = [*map(_weights.get, keys)]
@@ -236,7 +236,7 @@ def _weights_of(keys: Sequence[tuple[int, Pattern]]) -> list[Weights] | None:
 
 
 def _weights_for(n: int, pattern: Pattern) -> Weights:
-    """The weights of a pattern: those with which unknown control points enter into the form."""
+    """The weights of a pattern, with which the control points enter into the form."""
     t = [fmpq(x, pattern[n]) for x in (pattern[0], *pattern, pattern[-1])]
     points = _at_left_end(t, n, [fmpq_poly([0] * k + [1]) for k in range(n + 1)], n)
     row = over_common_denominator([(point.numer(), point.denom()) for point in points])
@@ -266,8 +266,8 @@ def with_smooth_knots(
     periodic: bool = False,
 ) -> tuple[list[mpq], list[tuple[mpq, ...]]]:
     """Knots and control points of the curve whose pieces have these Bézier points. A breakpoint of multiplicity m (the
-    first of them: that of the seam) is a knot of class C^(degree − m), whether the pieces agree there or not: each
-    control point is computed from one of them. A periodic spline has the knots of the next periods beyond its ends.
+    first one is the seam) is a knot of class C^(degree − m), whether or not the pieces agree there: each control point
+    is computed from one piece. A periodic spline has the knots of the neighbouring periods beyond its ends.
 
     >>> line, square = [(mpq(0),), (mpq(1, 2),), (mpq(1),)], [(mpq(1),), (mpq(3, 2),), (mpq(5),)]
     >>> with_smooth_knots(2, [mpq(0), mpq(1), mpq(2)], [line, square], [1, 1])[1]

@@ -1,4 +1,5 @@
-"""The public piecewise polynomial: exact B-splines and the primitive operations of §2.
+"""The public piecewise polynomial: exact B-splines and the primitive operations of §2 of the paper (Chen, Riesenfeld
+and Cohen 2007).
 
 A `BSpline` is immutable. Its knots and control points are exact (``gmpy2.mpq``); those of a computed spline are
 computed when first needed and then stored. Internally it is a list of forms (see `exactspline.polynomials.bernstein`),
@@ -42,17 +43,17 @@ from exactspline.splines.inputs import checked_degree, checked_side, exact_row
 from exactspline.splines.knots import SMOOTH, KnotVector, Mesh, clamped, mesh_of
 from exactspline.splines.refinement import segmentwise
 
-#: The degree from which the cost of a product is estimated, and the time for a bit of it in nanoseconds (measured: 1 to
-#: 4 for degrees 300 to 20,000).
+#: The degree from which the cost of a product is estimated, and its nanoseconds per bit (measured: 1 to 4 for degrees
+#: 300 to 20,000).
 LONG, BIT = 256, 4
 
 
 class BSpline(Immutable, RingOperand, FunctionsOutside):
     """A scalar piecewise polynomial of the given degree over the given knots, with exact control points.
 
-    `knots` with full multiplicities, clamped or not; interior multiplicity up to degree + 1 (then the spline may jump).
-    The domain is ``[t_n, t_{N−n}]`` for knots t_0 … t_N. Parameters and values are unitless exact numbers, read by
-    `exactspline.numbers.exact.rational`.
+    `knots` are given with full multiplicities, clamped or not; an interior multiplicity is at most degree + 1 (then the
+    spline may jump). The domain is ``[t_n, t_{N−n}]`` for knots t_0 … t_N. Parameters and values are unitless exact
+    numbers, read by `exactspline.numbers.exact.rational`.
 
     >>> f = BSpline(2, [0, 0, 0, 1, 2, 2, 2], [0, 1, 0, "1/2"])
     >>> f(1), (f * f).degree, f.d().control_points
@@ -76,7 +77,7 @@ class BSpline(Immutable, RingOperand, FunctionsOutside):
     degree: int
     mesh: Mesh
     continuity: tuple[int, ...]
-    #: The integer polynomials of the forms, over `denominators`: shared, so that nobody may change them.
+    #: The integer polynomials of the forms, over `denominators`. They are shared and must not be changed.
     numerators: tuple[fmpz_poly, ...]
     denominators: tuple[fmpz, ...]
     provenance: Provenance
@@ -116,7 +117,7 @@ class BSpline(Immutable, RingOperand, FunctionsOutside):
         knots: KnotVector | None = None,
         points: tuple[mpq, ...] | None = None,
     ) -> BSpline:
-        """The spline with these forms, of which it takes ownership, and with knots and control points where they are
+        """The spline with these forms, of which it takes ownership, and with knots and control points if they are
         known; the caller is responsible for the continuity.
         """
         polynomials, denominators = zip(*forms, strict=True)
@@ -128,12 +129,12 @@ class BSpline(Immutable, RingOperand, FunctionsOutside):
         return BSpline.from_forms(self.degree, mesh, self.continuity, forms, self.provenance, *self._known())
 
     def _known(self) -> tuple[KnotVector | None, tuple[mpq, ...] | None]:
-        """Knots and control points, where they are known."""
+        """The knots and the control points, as far as they are known."""
         return getattr(self, "_knots", None), getattr(self, "_points", None)
 
     @classmethod
     def bezier(cls, points: Sequence[Number], a: Number = 0, b: Number = 1) -> BSpline:
-        """A polynomial by its Bézier points over [a, b].
+        """The polynomial with these Bézier points over [a, b].
 
         >>> BSpline.bezier([0, 0, 1])("1/2")
         mpq(1,4)
@@ -168,7 +169,7 @@ class BSpline(Immutable, RingOperand, FunctionsOutside):
 
     @property
     def knots(self) -> KnotVector:
-        """The knots: as given, or for a computed spline clamped."""
+        """The knots, as given; for a computed spline the clamped knots."""
         known: KnotVector | None = getattr(self, "_knots", None)
         if known is None:
             known = clamped(self.mesh, self.continuity, self.degree)
@@ -187,7 +188,7 @@ class BSpline(Immutable, RingOperand, FunctionsOutside):
 
     @property
     def segments(self) -> int:
-        """Number of polynomial segments."""
+        """The number of polynomial segments."""
         return len(self.mesh)
 
     @property
@@ -217,7 +218,7 @@ class BSpline(Immutable, RingOperand, FunctionsOutside):
 
     @property
     def _described(self) -> str:
-        """Its size in words."""
+        """The degree and the size as text."""
         sizes = counted(len(self.control_points), "control point"), counted(len(self.mesh), "segment")
         return f"degree {self.degree}, {sizes[0]} on {self.domain}, {sizes[1]}"
 
@@ -301,8 +302,8 @@ class BSpline(Immutable, RingOperand, FunctionsOutside):
     def d(self, order: int = 1, *, by: str | None = None) -> BSpline:
         """The derivative of the given order.
 
-        The formal degree decreases by one each time, if necessary below 0 (then the spline is zero and has no control
-        points); so does the continuity, but not below −1.
+        The formal degree decreases by one with each derivative, if necessary below 0 (then the spline is zero and has
+        no control points). The continuity decreases, too, but not below −1.
 
         >>> BSpline.bezier([0, 0, 1]).d(2).control_points
         (mpq(2,1),)
@@ -344,14 +345,14 @@ class BSpline(Immutable, RingOperand, FunctionsOutside):
         return antiderivative(b) - antiderivative(a)
 
     def elevated_to(self, other: BSpline) -> BSpline:
-        """The same function, at least of the degree of `other`."""
+        """The same function, with at least the degree of `other`."""
         return self if self.degree >= other.degree else self.elevate_degree(other.degree - self.degree)
 
     # ---- the function
 
     def __call__(self, t: Number, side: Side | str = Side.RIGHT) -> mpq:
-        """Exact value at a parameter; at a jump the limit from the right (from the left at the end), or from the given
-        `side`.
+        """The exact value at a parameter; at a jump the limit from the right (from the left at the end), or from the
+        given `side`.
 
         Raises `DomainError` outside the domain.
         """
@@ -381,7 +382,7 @@ class BSpline(Immutable, RingOperand, FunctionsOutside):
 
     @property
     def vanishes_somewhere(self) -> bool:
-        """Whether it is identically zero on at least one segment."""
+        """Whether the function is identically zero on at least one segment."""
         return not all(self.numerators)
 
     def hash_of_quotient(self, numerator: BSpline) -> int:
@@ -390,7 +391,7 @@ class BSpline(Immutable, RingOperand, FunctionsOutside):
 
     @property
     def true_degree(self) -> int:
-        """Largest degree, over the segments, of the polynomials themselves (−1 for the zero function).
+        """The largest degree of the polynomials of the segments (−1 for the zero function).
 
         >>> BSpline.bezier([0, 1, 2, 3]).true_degree
         1
@@ -400,7 +401,7 @@ class BSpline(Immutable, RingOperand, FunctionsOutside):
     # ---- other representations and parts
 
     def insert_knot(self, t: Number, times: int = 1) -> BSpline:
-        """The same function with one more knot (or several) inside the domain, or at an end where it is not clamped.
+        """The same function with one more knot (or several) inside the domain, or at an end that is not clamped.
 
         >>> BSpline(1, [0, 1, 2, 3], [4, 6]).insert_knot(1).knots
         KnotVector(0, 1, 1, 2, 3)
@@ -425,7 +426,7 @@ class BSpline(Immutable, RingOperand, FunctionsOutside):
 
 
 def _exact_numbers(given: Iterable[Number]) -> tuple[mpq, ...]:
-    """The control points of a function; the error for points names the class of curves."""
+    """The control points of a function; for points the error names the class of curves."""
     numbers = tuple(as_items(given, "control points"))
     if numbers and isinstance(numbers[0], Iterable) and not isinstance(numbers[0], str):
         raise ShapeError(
@@ -443,8 +444,8 @@ _set_degree, _set_mesh, _set_continuity, _set_numerators, _set_denominators, _se
 
 
 def _check_reach(a: BSpline, degree: int, bits: int) -> None:
-    """Raise `ReachError` where products with a polynomial of that degree, whose coefficients have this many bits, take
-    too long.
+    """Raise `ReachError` if products with a polynomial of this degree, whose coefficients have this many bits, take too
+    long.
     """
     total = sum((a.degree + degree) * (p.height_bits() + bits) for p in a.numerators)
     check_reach(BIT * total, lambda: f"a spline of degree {a.degree} times one of degree {degree}", LONGEST_LOOP)
@@ -460,8 +461,8 @@ def from_parts(
     knots: KnotVector | None = None,
     points: tuple[mpq, ...] | None = None,
 ) -> BSpline:
-    """The spline with these forms, polynomials and denominators separate, and its knots and control points where
-    they are known: it takes ownership of them, and the caller is responsible for the continuity.
+    """The spline with these forms, given as polynomials and denominators, and with knots and control points if they are
+    known. The spline takes ownership of them, and the caller is responsible for the continuity.
     """
     spline: BSpline = _new(BSpline)
     _set_degree(spline, degree)
@@ -519,7 +520,8 @@ def _differentiated(f: BSpline) -> BSpline:
 
 
 def _limit(numerator: BSpline, denominator: BSpline, t: mpq) -> mpq | None:
-    """The limit of a quotient at a parameter from the right; None at a pole and where it is 0/0 to the right.
+    """The limit of a quotient at a parameter from the right; None at a pole, and where the quotient is 0/0 to the
+    right.
 
     >>> t = BSpline.identity(0, 1)
     >>> _limit(t * t + t, t, mpq(0)), _limit(t, t * t, mpq(0))

@@ -1,4 +1,4 @@
-"""Splines brought to one representation: over the same knots, of one degree."""
+"""Splines in a common representation: over the same knots and of the same degree."""
 
 from __future__ import annotations
 
@@ -23,8 +23,8 @@ S = TypeVar("S", BSpline, TensorSpline)
 
 
 def with_common_knots(splines: Iterable[S]) -> list[S]:
-    """The same functions over one knot vector (in two parameters, one in each): all breakpoints, the highest degree,
-    the lowest continuity at each knot.
+    """The same functions over a common knot vector (in two parameters, one in each): with all breakpoints, the highest
+    degree, and the lowest continuity at each knot.
 
     Their control points then belong together: coordinates, or coordinates and weights.
 
@@ -32,10 +32,11 @@ def with_common_knots(splines: Iterable[S]) -> list[S]:
     >>> [f.control_points for f in with_common_knots([t, t * t])]
     [(mpq(0,1), mpq(1,2), mpq(1,1)), (mpq(0,1), mpq(0,1), mpq(1,1))]
 
-    Raises `DomainError` when their domains differ.
+    Raises `DomainError` if their domains differ.
     """
     splines = list(splines)
-    # a sum is over the knots of both operands and of the larger degree; multiplied by 0 they contribute nothing else
+    # a sum has the knots of both operands and the larger degree; multiplied by 0, the other splines contribute only
+    # these
     common = splines[0] * 0
     for f in splines[1:]:
         common = common + f * 0
@@ -45,9 +46,9 @@ def with_common_knots(splines: Iterable[S]) -> list[S]:
 def splines_over(
     degree: int, knots: KnotVector, columns: Sequence[tuple[mpq, ...]], rows: Sequence[CommonRows] | None = None
 ) -> list[BSpline]:
-    """The components of one curve by their control points over knots that carry that degree, segment by segment over
-    one denominator, so that sums stay cheap; they share one mesh. `rows`: the integers of their forms, where they are
-    known.
+    """The components of a curve, from their control points over knots that are valid for the degree. Segment by segment
+    they are over a common denominator, so that sums stay cheap; they share one mesh. `rows` are the integers of their
+    forms, if they are known.
 
     >>> x, y = splines_over(1, KnotVector([0, 0, 1, 1]), [(mpq(0), mpq(1)), (mpq(1, 2), mpq(1))])
     >>> int(x.denominators[0]), y.denominators == x.denominators, y.control_points
@@ -65,7 +66,7 @@ def splines_over(
 
 
 def with_common_denominators(splines: Sequence[BSpline]) -> list[BSpline]:
-    """The components of one curve, segment by segment over one denominator, so that sums stay cheap; they share one
+    """The components of a curve, segment by segment over a common denominator, so that sums stay cheap. They share one
     mesh; their knots and control points do not change.
     """
     mesh, columns = splines[0].mesh, []
@@ -76,8 +77,8 @@ def with_common_denominators(splines: Sequence[BSpline]) -> list[BSpline]:
 
 
 def on_one_mesh(splines: Iterable[TensorSpline], letters: tuple[str, str]) -> list[TensorSpline]:
-    """Components over the same breakpoints, unchanged except that they share the meshes of the first, so that
-    operations need not compare them, and that their parameters have names.
+    """Components over the same breakpoints, unchanged except that they share the meshes of the first component, so that
+    operations need not compare meshes, and that their parameters have names.
     """
     found = list(splines)
     meshes = with_names(found[0].meshes, letters)

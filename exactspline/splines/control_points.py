@@ -17,15 +17,16 @@ from exactspline.splines.knots import KnotVector
 class Direction(tuple[mpq, ...]):
     """A control vector: a control point at infinity, ``(x, y, 0)`` in homogeneous coordinates.
 
-    It adds ``N v`` to the numerator of the curve and nothing to its denominator (Piegl and Tiller call it an infinite
-    control point). A Cartesian point of weight 0 is something else: it adds nothing to either.
+    A direction v adds ``N v`` to the numerator of the curve and nothing to its denominator (Piegl and Tiller call it an
+    infinite control point). A Cartesian point of weight 0 is different: it adds nothing to the numerator or the
+    denominator.
 
     >>> from exactspline import Nurbs
     >>> half_circle = Nurbs(2, [0, 0, 0, 1, 1, 1], [(1, 0), Direction(0, 1), (-1, 0)])
     >>> half_circle("1/2"), half_circle.weights
     ((mpq(0,1), mpq(1,1)), (mpq(1,1), mpq(0,1), mpq(1,1)))
 
-    Raises `NumberError` when a coordinate is not an exact number.
+    Raises `NumberError` if a coordinate is not an exact number.
     """
 
     __slots__ = ()
@@ -52,12 +53,12 @@ class Direction(tuple[mpq, ...]):
 
 
 Point = tuple[mpq, ...]
-#: The weights of points and of directions where none are given.
+#: The default weights of points and of directions.
 ONE, NONE = mpq(1), mpq(0)
 
 
 def exact_points(rows: Iterable[Iterable[Number]], least: int = 2) -> tuple[Point, ...]:
-    """Points and directions of the same dimension, with at least this many coordinates each; `ShapeError` names the
+    """Points and directions of the same dimension, with at least this many coordinates each; the `ShapeError` names the
     invalid one.
     """
     points: list[Point] = []
@@ -115,7 +116,8 @@ def lifted(point: Point, weight: mpq) -> Point:
 
 
 def projected(row: Sequence[mpq]) -> Point:
-    """The control point with these homogeneous coordinates, a direction where the last is 0 and another is not.
+    """The control point with these homogeneous coordinates, a direction if the last coordinate is 0 and another one is
+    not.
 
     >>> projected([mpq(2), mpq(4), mpq(2)]), projected([mpq(1), mpq(2), mpq(0)])
     ((mpq(1,1), mpq(2,1)), Direction(1, 2))
@@ -161,7 +163,7 @@ def inserted(
     """
     first, last = bisect_right(knots.knots, t) - degree, bisect_left(knots.knots, t) - 1
     polynomial, near = weights.count(weights[0]) == len(weights), range(first - 1, last + 1)
-    # the points around the knot, homogeneous, the first and the last of which stay
+    # the homogeneous points around the knot; the first and the last do not change
     rows: list[Point] = [points[i] if polynomial else (*lifted(points[i], weights[i]), weights[i]) for i in near]
     vector = knots
     for start in range(first, first + times):

@@ -1,5 +1,5 @@
 """Points and derivatives of a curve at parameters: integer polynomials in the parameter, by Horner's rule over one
-denominator. Only the segments that contain the parameters cost anything.
+denominator. Only the segments that contain the parameters are processed.
 """
 
 from __future__ import annotations
@@ -14,11 +14,12 @@ from exactspline.polynomials.bernstein import Form, in_parameter, over_common_de
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.knots import Mesh
 
-#: This many parameters are brought over one denominator, if that has no more bits than this; otherwise each is alone.
+#: This many parameters are brought over a common denominator if it has at most this many bits; otherwise each parameter
+#: is evaluated separately.
 TOGETHER, BITS = 64, 256
 #: The integer coefficients of numerators and denominator on one segment, the highest first.
 Rows = list[list[int]]
-#: The same for numerators of the parameter, each row by its first number and the others.
+#: The coefficients for numerators of the parameter; each row is given by its first number and the others.
 Scaled = list[tuple[int, list[int]]]
 
 
@@ -36,8 +37,8 @@ def quotient_derivatives(above: Sequence[mpq], below: Sequence[mpq]) -> list[mpq
 
 
 class Evaluation:
-    """A curve as quotients of integer polynomials in its parameter; those of a segment are made when it is first
-    needed. All splines have the same knots and the same degree. Without a weight function its components are
+    """A curve as quotients of integer polynomials in its parameter; the polynomials of a segment are made when first
+    needed. All splines have the same knots and the same degree. Without a weight function the components are
     polynomials.
     """
 
@@ -45,7 +46,7 @@ class Evaluation:
         self.splines: Sequence[BSpline] = p if w is None else [*p, w]
         self.polynomial = w is None
         self._rows: dict[int, Rows] = {}
-        #: The rows for parameters over the denominator that was used last.
+        #: The rows for parameters over the last denominator used.
         self._over: tuple[int, dict[int, Scaled]] = 1, {}
         self._slopes: dict[tuple[int, int], list[Rows]] = {}
 
@@ -112,7 +113,8 @@ class Evaluation:
         return list(zip(*[quotient_derivatives([*map(mpq, row)], w) for row in numerators], strict=True))
 
     def numbers(self, t: mpq, order: int, *, left: bool = False) -> list[list[int]]:
-        """The same of the numerators and then of the denominator, in integers that have one positive factor in common.
+        """The values and the derivatives to an order of the numerators and then of the denominator, as integers up to a
+        common positive factor.
 
         >>> t, square = BSpline.bezier([0, "1/2", 1]), BSpline.bezier([0, 0, 1])
         >>> Evaluation([t, square], None).numbers(mpq(1, 2), 1)
@@ -135,7 +137,7 @@ class Evaluation:
         return found
 
     def _slopes_of(self, i: int, order: int) -> list[Rows]:
-        """Of every numerator and the denominator on a segment the coefficients of the derivatives to an order."""
+        """The coefficients of the derivatives to an order, for every numerator and the denominator on a segment."""
         key = i, order
         if key not in self._slopes:
             made = [[row] for row in self._rows_of(i)]

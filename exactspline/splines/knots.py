@@ -1,8 +1,8 @@
 """Knot vectors as a small algebra: multiplicity, continuity, refinement, union.
 
-Two views of the same thing. A `KnotVector` is the full list with multiplicities, as it is written. A `Mesh` is the list
-of distinct breakpoints of a domain; together with the continuity at each interior breakpoint it describes the same for
-a spline of known degree (multiplicity = degree − continuity).
+There are two views of knots. A `KnotVector` is the full list with multiplicities. A `Mesh` is the list of the distinct
+breakpoints of a domain; together with the continuity at each interior breakpoint it contains the same information for a
+spline of known degree (multiplicity = degree − continuity).
 """
 
 from __future__ import annotations
@@ -24,8 +24,8 @@ from exactspline.splines.inputs import exact_row
 SMOOTH = 1 << 60
 
 
-#: What is known of this many knot vectors, of at most this many knots each, is shared by all that are equal: most
-#: curves of a file are over the same few.
+#: The results for this many knot vectors, of at most this many knots each, are shared by all equal knot vectors: most
+#: curves of a file have one of a few knot vectors.
 KEPT, LONGEST = 64, 64
 _kept: dict[tuple[mpq, ...], dict[int, MeshOf | None]] = {}
 _set = object.__setattr__
@@ -38,12 +38,12 @@ class KnotVector(Immutable):
     >>> k.multiplicity(0), k.breakpoints, k | KnotVector(["1/2", "1/2", "3/4"])
     (2, (mpq(0,1), mpq(1,2), mpq(1,1)), KnotVector(0, 0, 1/2, 1/2, 3/4, 1, 1))
 
-    Raises `KnotError` when knots decrease and `NumberError` when one is not an exact number.
+    Raises `KnotError` if knots decrease and `NumberError` if a knot is not an exact number.
     """
 
     __slots__ = ("_known", "knots")
     knots: tuple[mpq, ...]
-    #: The degrees for which these knots are valid, with the mesh of each once it was computed (see `mesh_of`).
+    #: The degrees for which these knots are valid, each with its mesh once this has been computed (see `mesh_of`).
     _known: dict[int, MeshOf | None]
 
     def __init__(self, knots: Iterable[Number]) -> None:
@@ -78,11 +78,11 @@ class KnotVector(Immutable):
         return f"KnotVector({', '.join(map(text, self.knots))})"
 
     def multiplicity(self, t: Number) -> int:
-        """How often t occurs."""
+        """The multiplicity of t: how often it occurs."""
         return self.knots.count(rational(t))
 
     def has_room_at_end(self, degree: int, t: mpq, times: int) -> bool:
-        """Whether this many knots can be inserted at an end of the domain, where it is not clamped.
+        """Whether this many knots can be inserted at an end of the domain, which must not be clamped.
 
         >>> uniform = KnotVector(range(6))
         >>> [uniform.has_room_at_end(2, mpq(t), 1) for t in (1, 2, 3)], uniform.has_room_at_end(2, mpq(3), 3)
@@ -102,7 +102,7 @@ class KnotVector(Immutable):
         return tuple(len(list(same)) for _, same in groupby(self.knots))
 
     def __or__(self, other: KnotVector) -> KnotVector:
-        """Union: every knot with the higher of its two multiplicities."""
+        """The union: every knot with the higher of its two multiplicities."""
         both = sorted({*self.knots, *other.knots})
         return KnotVector(t for t in both for _ in range(max(self.multiplicity(t), other.multiplicity(t))))
 
@@ -185,7 +185,7 @@ class Mesh(Immutable):
 
     __slots__ = ("breaks", "unit", "widths")
     breaks: tuple[mpq, ...]
-    #: Width of each segment as numerator and denominator.
+    #: The width of each segment, as numerator and denominator.
     widths: tuple[tuple[fmpz, fmpz], ...]
     #: Whether all segments have width one, so that derivatives need no scaling.
     unit: bool
@@ -205,15 +205,15 @@ class Mesh(Immutable):
 
     @property
     def domain(self) -> Interval:
-        """First and last breakpoint."""
+        """The interval from the first to the last breakpoint."""
         return Interval(self.breaks[0], self.breaks[-1])
 
     def __len__(self) -> int:
-        """Number of segments."""
+        """The number of segments."""
         return len(self.breaks) - 1
 
     def locate(self, t: mpq, *, left: bool = False) -> int:
-        """Index of the segment that contains t: at a breakpoint the one on its right, or with `left` the one on its
+        """The index of the segment that contains t; at a breakpoint the segment on its right, or with `left` on its
         left.
 
         Raises `DomainError` outside the domain.
@@ -229,7 +229,7 @@ class Mesh(Immutable):
         return min(i, len(breaks) - 2)
 
     def local(self, i: int, t: mpq) -> mpq:
-        """Local parameter of t on segment i."""
+        """The local parameter of t on segment i."""
         a = self.breaks[i]
         return (t - a) / (self.breaks[i + 1] - a)
 
@@ -247,7 +247,7 @@ class Mesh(Immutable):
         return made
 
     def union(self, other: Mesh) -> Mesh:
-        """The breakpoints of both; raises `DomainError` when the domains differ."""
+        """The mesh with the breakpoints of both; raises `DomainError` if the domains differ."""
         if self.domain != other.domain:
             (a, b), (c, d) = self.domain, other.domain
             problem = f"operands over different domains, [{text(a)}, {text(b)}] and [{text(c)}, {text(d)}]"
@@ -280,7 +280,7 @@ def _mesh_of(knots: KnotVector, degree: int) -> MeshOf:
 
 def clamped(mesh: Mesh, continuity: Sequence[int], degree: int) -> KnotVector:
     """The clamped knot vector of a spline of the given degree with the given continuity at the interior breakpoints;
-    none below degree 0.
+    it is empty for a degree below 0.
     """
     if degree < 0:
         return KnotVector([])
@@ -296,8 +296,8 @@ def runs(holds: Sequence[bool], joined: Sequence[bool]) -> list[tuple[int, int]]
     """The maximal runs of segments on which something holds, as ``(first, number)``.
 
     ``joined[i]`` states that a run may continue from segment i − 1 to segment i; ``joined[0]`` concerns the seam, from
-    the last segment to the first (False for an open spline). A run across the seam begins before it; one that closes up
-    begins at 0.
+    the last segment to the first (False for an open spline). A run across the seam begins before the seam; a run over
+    all segments of a closed spline begins at 0.
 
     >>> runs([True, True, False, True], [True, True, True, True])
     [(3, 3)]
@@ -321,7 +321,7 @@ def runs(holds: Sequence[bool], joined: Sequence[bool]) -> list[tuple[int, int]]
 
 
 def intervals_of(breaks: Sequence[mpq], first: int, number: int) -> tuple[Interval, ...]:
-    """A run of segments as intervals of the domain, in the order of traversal: one, or two where it crosses the seam.
+    """A run of segments as intervals of the domain, in the order of traversal: one, or two if it crosses the seam.
 
     >>> [str(part) for part in intervals_of([mpq(0), mpq(1), mpq(3)], 1, 2)]
     ['[1, 3]', '[0, 1]']

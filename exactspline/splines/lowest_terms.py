@@ -1,5 +1,5 @@
-"""Three degrees, never confused: nominal (Table 1's counting), represented (of the given spline), true (after exact
-division).
+"""Splines in lowest terms. Three degrees are distinguished: nominal (counted as in Table 1 of the paper, Chen,
+Riesenfeld and Cohen 2007), represented (of the given spline) and true (after exact division).
 """
 
 from __future__ import annotations
@@ -25,13 +25,13 @@ from exactspline.splines.tensor import TensorSpline, aligned, make
 from exactspline.splines.tensor_patches import Degrees
 from exactspline.splines.type_checks import spline_of
 
-#: The vectors of splines: polynomial, and over one denominator.
+#: Vectors of splines: polynomial, or over a common denominator.
 SplineVector = Vector[BSpline] | Rational[BSpline]
 #: Ruled surfaces of such vectors.
 SplineSurface = RuledSurface[SplineVector]
-#: Quotients of those.
+#: Quotients of splines.
 RationalSurface = RuledSurface[Rational[BSpline]]
-#: What formulas return.
+#: The values of formulas.
 SplineValue = BSpline | SplineVector | SplineSurface
 
 
@@ -63,8 +63,8 @@ def _scalars(value: SplineValue) -> list[BSpline]:
 
 
 def control_point_count(value: SplineValue) -> int:
-    """Number of control points of a spline, a vector or a rational: of the common degree and the lowest continuity,
-    over the knots of all.
+    """The number of control points of a spline, a vector or a rational, with the common degree, the lowest continuity
+    and the knots of all components.
     """
     common = with_common_knots(spline_of(each) for each in _scalars(value))[0]
     inner_points: int = sum(max(common.degree - c, 0) for c in common.continuity)
@@ -73,8 +73,8 @@ def control_point_count(value: SplineValue) -> int:
 
 
 def true_degree(value: BSpline | SplineVector) -> int:
-    """Degree after exact division: by u + v, for a quotient also by the common factor of numerator and denominator; the
-    largest over the segments.
+    """The degree after exact division by u + v and, for a quotient, by the common factor of numerator and denominator;
+    the largest over the segments.
     """
     if not isinstance(value, Rational):
         components: list[BSpline] = list(value) if isinstance(value, Vector) else [value]
@@ -83,7 +83,7 @@ def true_degree(value: BSpline | SplineVector) -> int:
 
 
 def true_degree_or_none(value: BSpline | SplineVector) -> int | None:
-    """The true degree, None where a denominator vanishes on a whole segment."""
+    """The true degree; None if a denominator vanishes on a whole segment."""
     try:
         return true_degree(value)
     except ReductionError:
@@ -94,8 +94,9 @@ def lowest_terms(value: Rational[BSpline]) -> list[tuple[list[fmpz_poly], int]]:
     """Segment by segment the components of a quotient without their common factor, the denominator last and positive,
     and the remaining degree.
 
-    As homogeneous forms of one degree, so that factors u (a zero at the right end), v and u + v (a degree too high) are
-    common factors like any other. Raises `ReductionError` where the denominator vanishes on a whole segment.
+    The components are homogeneous forms of the same degree, so that the factors u (a zero at the right end), v and u +
+    v (a degree too high) are common factors like any other. Raises `ReductionError` if the denominator vanishes on a
+    whole segment.
     """
     if (gap := next((i for i, c in enumerate(value.denominator.numerators) if not c), None)) is not None:
         a, b = value.denominator.breakpoints[gap : gap + 2]
@@ -109,7 +110,7 @@ def lowest_terms(value: Rational[BSpline]) -> list[tuple[list[fmpz_poly], int]]:
 
 
 def _lowest_rows(scalars: list[BSpline]) -> list[tuple[list[fmpz_poly], int]]:
-    """The lowest terms of several splines segment by segment; 0/1 where the last one vanishes on a whole segment."""
+    """The lowest terms of several splines segment by segment; 0/1 on segments on which the last spline vanishes."""
     n = max(s.degree for s in scalars)
     rows = []
     for forms in zip(*[s.forms for s in scalars], strict=True):
@@ -122,8 +123,8 @@ def _lowest_rows(scalars: list[BSpline]) -> list[tuple[list[fmpz_poly], int]]:
 
 
 def _lowest(forms: list[fmpz_poly], n: int, *, sign_of_last: bool = True) -> tuple[list[fmpz_poly], int]:
-    """Forms of degree n without their common factor; its sign is chosen such that it, or with `sign_of_last` the last
-    form, is positive at a parameter inside.
+    """Forms of degree n without their common factor. The sign is chosen such that the common factor, or with
+    `sign_of_last` the last form, is positive at a parameter inside.
     """
     common = greatest_common_divisor(forms)
     left = n - common.degree() - (n - max(c.degree() for c in forms))
@@ -135,7 +136,7 @@ def _lowest(forms: list[fmpz_poly], n: int, *, sign_of_last: bool = True) -> tup
 
 def without_factor(f: BSpline, w: BSpline, times: int) -> BSpline:
     """`f` divided, segment by segment, by its common factor with a power of `w`, which has no zeros; the sign is
-    preserved. The same spline where there is no common factor; otherwise each segment is divided by a different
+    preserved. Without a common factor the spline is unchanged; otherwise each segment is divided by a different
     positive factor.
     """
     if w.degree <= 0 or f.is_zero or f.mesh.breaks != w.mesh.breaks:
@@ -151,7 +152,7 @@ def without_factor(f: BSpline, w: BSpline, times: int) -> BSpline:
 
 
 def _without(p: fmpz_poly, q: fmpz_poly, times: int) -> tuple[fmpz_poly, int]:
-    """p without its common factor with a power of q, made positive, and the degree of that factor."""
+    """p without its common factor with a power of q, made positive, and the degree of this factor."""
     lost = 0
     if q.degree() > 0 and p and certainly_coprime(p, q):
         return p, lost
@@ -183,7 +184,7 @@ V = TypeVar("V", bound=SplineValue)
 
 
 def in_lowest_terms(value: V) -> V:
-    """The same scalar, vector or quotient in the lowest degree that holds on all segments.
+    """The same scalar, vector or quotient, in the lowest degree that suffices on all segments.
 
     A quotient is reduced segment by segment, each by a different factor, so that numerator and denominator are only C⁻¹
     although the continuity of their quotient does not change. Other values lose powers of u + v and keep their
@@ -196,7 +197,8 @@ def in_lowest_terms(value: V) -> V:
 
     For a ruled surface the directrix is reduced to q/v like any quotient; the ruling parameter is free, so that any
     factor may be removed from the generator: it becomes g/v with the primitive polynomial vector g of its direction,
-    segment by segment. As a quotient (q + ζ g)/v this is the surface of least degree in s with this directrix.
+    segment by segment. As a quotient (q + ζ g)/v, the surface then has the least degree in s among surfaces with this
+    directrix.
     """
     reduced: Any = value
     if isinstance(value, RuledSurface):
@@ -248,13 +250,13 @@ def where_it_exists(value: Rational[BSpline]) -> Rational[BSpline]:
 
 
 def _over_rows(value: Rational[BSpline], rows: list[tuple[list[fmpz_poly], int]]) -> Rational[BSpline]:
-    """The quotient whose segments are the rows, raised to one degree."""
+    """The quotient whose segments are the rows, raised to a common degree."""
     *numerator, denominator = _raised(rows, value.denominator.mesh)
     return Rational(Vector(*numerator) if value.is_vector else numerator[0], denominator)
 
 
 def _raised(rows: list[tuple[list[fmpz_poly], int]], mesh: Mesh) -> list[BSpline]:
-    """The splines whose segments are the rows, raised to one degree."""
+    """The splines whose segments are the rows, raised to a common degree."""
     n = max(degree for _, degree in rows)
     columns = zip(*[[(c * raiser(n - degree), ONE) for c in forms] for forms, degree in rows], strict=True)
     return [BSpline.from_forms(n, mesh, (-1,) * (len(mesh) - 1), forms) for forms in columns]
@@ -280,7 +282,7 @@ def as_packed(p: fmpz_mpoly, stride: int) -> fmpz_poly:
 
 
 def surface_in_lowest_terms(value: Rational[TensorSpline]) -> Rational[TensorSpline]:
-    """The same quotient with numerator and denominator without a common factor, of the lowest degrees that hold on all
+    """The same quotient without common factors of numerator and denominator, in the lowest degrees that suffice on all
     patches.
 
     Each patch is divided by a different factor, so that numerator and denominator are only C⁻¹ although the continuity
@@ -293,7 +295,7 @@ def surface_in_lowest_terms(value: Rational[TensorSpline]) -> Rational[TensorSpl
     >>> surface_in_lowest_terms(find("bisector_symmetric")(pair)).degree
     Degrees(s=10, t=8)
 
-    Raises `ReductionError` where the denominator vanishes on a whole patch.
+    Raises `ReductionError` if the denominator vanishes on a whole patch.
     """
     top, w = value.elevated()
     scalars = aligned(*top, w) if isinstance(top, Vector) else aligned(top, w)
@@ -322,7 +324,7 @@ def _lowest_on_patch(forms: list[fmpz_mpoly]) -> tuple[list[fmpz_mpoly], Degrees
 def _joined(
     value: Rational[TensorSpline], w: TensorSpline, lowest: list[tuple[list[fmpz_mpoly], Degrees]]
 ) -> Rational[TensorSpline]:
-    """The patches over one degree."""
+    """The quotient with these patches, raised to a common degree."""
     degree = Degrees(max(d.s for _, d in lowest), max(d.t for _, d in lowest))
     stride = tensor_bernstein.stride_for(degree.s)
     first, second = w.meshes

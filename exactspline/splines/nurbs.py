@@ -37,7 +37,7 @@ if TYPE_CHECKING:
 
 
 def normalized(v: tuple[mpq, ...], problem: str) -> tuple[Real, ...]:
-    """A vector divided by its length; the problem where it has none.
+    """A vector divided by its length; raises an error with this problem for the zero vector.
 
     >>> normalized((mpq(3), mpq(4)), "the null vector")
     (<Real 3/5>, <Real 4/5>)
@@ -52,10 +52,10 @@ def normalized(v: tuple[mpq, ...], problem: str) -> tuple[Real, ...]:
 class Nurbs(Immutable, Curve[BSpline], FunctionsOutside):
     """A polynomial or rational B-spline curve with exact data.
 
-    `control_points` are Cartesian, all of the same dimension, or a `Direction`; `weights` are optional. The curve is
-    ``Σ wᵢ Pᵢ Nᵢ / Σ wᵢ Nᵢ``: a point of weight 0 adds nothing, a direction v adds ``v Nᵢ`` to the numerator only. Equal
-    weights mean that the curve is polynomial: then ``w`` is the constant 1 of degree 0 and ``gamma`` the vector ``p``,
-    and `polynomial` is true. Otherwise ``gamma`` is the `Rational` ``p/w``.
+    Each of the `control_points` is a Cartesian point, all of the same dimension, or a `Direction`; `weights` are
+    optional. The curve is ``Σ wᵢ Pᵢ Nᵢ / Σ wᵢ Nᵢ``: a point of weight 0 adds nothing, a direction v adds ``v Nᵢ`` to
+    the numerator only. Equal weights mean that the curve is polynomial: then ``w`` is the constant 1 of degree 0 and
+    ``gamma`` the vector ``p``, and `polynomial` is true. Otherwise ``gamma`` is the `Rational` ``p/w``.
 
     >>> arc = Nurbs(2, [0, 0, 0, 1, 1, 1], [(1, 0), (1, 1), (0, 1)], weights=[1, 1, 2])
     >>> arc("1/2"), arc.polynomial
@@ -66,7 +66,7 @@ class Nurbs(Immutable, Curve[BSpline], FunctionsOutside):
     >>> arc == arc.insert_knot("1/3").elevate_degree(), arc == arc.reverse()
     (True, False)
 
-    Raises `ShapeError`, `KnotError`, `NumberError` with the place of the error, and `WeightError` when the denominator
+    Raises `ShapeError`, `KnotError`, `NumberError` with the place of the error, and `WeightError` if the denominator
     has a zero on the domain, with the parameter (or an interval around it) as witness.
     """
 
@@ -78,7 +78,7 @@ class Nurbs(Immutable, Curve[BSpline], FunctionsOutside):
     name: str
     source: str
     note: str
-    #: What `exactspline.analyse` keeps of it: set once, neither pickled nor compared.
+    #: The analysis stored by `exactspline.analyse`: set once, neither pickled nor compared.
     kept_analysis: object = None
 
     def __init__(
@@ -123,7 +123,7 @@ class Nurbs(Immutable, Curve[BSpline], FunctionsOutside):
         source: str = "",
         note: str = "",
     ) -> Nurbs:
-        """The curve by homogeneous control points ``(w x, w y, …, w)``; a point with w = 0 is a direction.
+        """The curve with homogeneous control points ``(w x, w y, …, w)``; a point with w = 0 is a direction.
 
         >>> Nurbs.from_homogeneous(1, [0, 0, 1, 1], [(2, 4, 2), (0, 3, 1)]).control_points
         ((mpq(1,1), mpq(2,1)), (mpq(0,1), mpq(3,1)))
@@ -145,7 +145,7 @@ class Nurbs(Immutable, Curve[BSpline], FunctionsOutside):
     ) -> Nurbs:
         """The curve with floating-point data, integers included: lists, or numpy's arrays of any width.
 
-        Every float counts with its binary value; with `snap`, as the shortest decimal that it prints as.
+        Every float means its exact binary value; with `snap`, the shortest decimal as which it prints.
 
         >>> curve = Nurbs.from_floats(1, [0, 0, 1, 1], [(0.1, 0), (0.5, 1)])
         >>> curve(0)[0] == mpq(1, 10), curve(1)
@@ -153,7 +153,7 @@ class Nurbs(Immutable, Curve[BSpline], FunctionsOutside):
         >>> Nurbs.from_floats(1, [0, 0, 1, 1], [(0.1, 0), (0.5, 1)], snap=True)(0)
         (mpq(1,10), mpq(0,1))
 
-        Raises `NumberError` for NaN and infinities, and what `Nurbs` raises.
+        Raises `NumberError` for NaN and infinities, and the errors of `Nurbs`.
         """
         exact = None if weights is None else from_floats(weights, snap=snap)
         points = from_floats(control_points, snap=snap)
@@ -161,7 +161,7 @@ class Nurbs(Immutable, Curve[BSpline], FunctionsOutside):
 
     @classmethod
     def from_splines(cls, p: Iterable[BSpline], w: BSpline | None = None, *, name: str = "") -> Nurbs:
-        """The curve ``p/w`` (or ``p``), of splines that may differ in degrees and knots.
+        """The curve ``p/w`` (or ``p``) made of splines, which may differ in degrees and knots.
 
         >>> t = BSpline.identity(0, 2)
         >>> Nurbs.from_splines([t, t * t]).control_points
@@ -176,7 +176,7 @@ class Nurbs(Immutable, Curve[BSpline], FunctionsOutside):
 
     @classmethod
     def _unchanged(cls, name: str, *data: Any) -> Nurbs:
-        """The curve with exact data of a curve that there is: without another look for zeros of its denominator."""
+        """The curve with exact data of an existing curve, without a new check for zeros of the denominator."""
         curve = cls.__new__(cls)
         fill(curve, **_fields(*data), name=name, source="", note="")
         return curve
@@ -207,7 +207,7 @@ class Nurbs(Immutable, Curve[BSpline], FunctionsOutside):
 
     # ---- sums and multiples
 
-    __array_ufunc__ = None  # numpy leaves sums and products with arrays to the curve
+    __array_ufunc__ = None  # so that the methods of the curve are used for sums and products with numpy arrays
 
     def __add__(self, other: Nurbs | Sequence[Number]) -> Nurbs:
         """The sum with a curve over the same domain, or the curve moved by a vector.
@@ -263,18 +263,19 @@ class Nurbs(Immutable, Curve[BSpline], FunctionsOutside):
         return self.evaluation.points([rational(t)], left=checked_side(side))[0]
 
     def points_at(self, ts: Iterable[Number], side: Side | str = Side.RIGHT) -> list[tuple[mpq, ...]]:
-        """The exact points at many parameters: what the curve returns for each, in less time.
+        """The exact points at many parameters: the same points as from calling the curve for each parameter, in less
+        time.
 
         >>> Nurbs(2, [0, 0, 0, 1, 1, 1], [(1, 0), (1, 1), (0, 1)], weights=[1, 1, 2]).points_at([0, "1/2"])
         [(mpq(1,1), mpq(0,1)), (mpq(3,5), mpq(4,5))]
 
-        Raises `NumberError` for what is not an exact number, `DomainError` outside the domain.
+        Raises `NumberError` for a parameter that is not an exact number, `DomainError` outside the domain.
         """
         return self.evaluation.points(exact_row(as_items(ts, "parameters"), "parameters"), left=checked_side(side))
 
     @cached_property
     def evaluation(self) -> Evaluation:
-        """Its splines as integers, from which points and derivatives are computed."""
+        """The splines of the curve as integers, from which points and derivatives are computed."""
         return Evaluation(self.p.components, None if self.polynomial else self.w)
 
     @overload
@@ -289,7 +290,7 @@ class Nurbs(Immutable, Curve[BSpline], FunctionsOutside):
         self, order: int = 1, t: Number | None = None, side: Side | str = Side.RIGHT
     ) -> Nurbs | tuple[mpq, ...]:
         """The derivative of the given order at a rational parameter, exactly; at a knot the limit from the `side`.
-        Without a parameter the curve of all of them: of order 1 the hodograph.
+        Without a parameter, the curve of the derivatives; for order 1 this is the hodograph.
 
         >>> from exactspline import Nurbs
         >>> arc = Nurbs(2, [0, 0, 0, 1, 1, 1], [(1, 0), (1, 1), (0, 1)], weights=[1, 1, 2])
@@ -305,7 +306,7 @@ class Nurbs(Immutable, Curve[BSpline], FunctionsOutside):
         return self.evaluation.jet(rational(t), checked_order(order), left=checked_side(side))[-1]
 
     def tangent(self, t: Number, side: Side | str = Side.RIGHT) -> tuple[mpq, ...]:
-        """γ′ at a rational parameter (see `unit_tangent`).
+        """The tangent vector γ′ at a rational parameter (see `unit_tangent`).
 
         >>> from exactspline import Nurbs
         >>> Nurbs(1, [0, 0, 1, 1], [(0, 0), (1, 2)]).tangent(0)
@@ -314,7 +315,7 @@ class Nurbs(Immutable, Curve[BSpline], FunctionsOutside):
         return self.derivative(1, t, side)
 
     def unit_tangent(self, t: Number, side: Side | str = Side.RIGHT) -> tuple[Real, ...]:
-        """γ′/‖γ′‖ at a rational parameter, exactly.
+        """The unit tangent γ′/‖γ′‖ at a rational parameter, exactly.
 
         >>> from exactspline import Nurbs
         >>> [str(x) for x in Nurbs(1, [0, 0, 1, 1], [(0, 0), (1, 2)]).unit_tangent(0)]
@@ -344,11 +345,11 @@ class Nurbs(Immutable, Curve[BSpline], FunctionsOutside):
         bent = across(Vector(*first), Vector(*self.derivative(2, t, side)))
         return normalized(bent.components, f"γ′ × γ″ = 0 {where}")
 
-    # the splines are computed when they are asked for: a curve that was only read has control points alone
+    # the splines are computed when first needed: a curve that was only read has control points only
 
     @cached_property
     def _splines(self) -> tuple[BSpline, ...]:
-        """The components, the last of them the weight function where the curve is rational."""
+        """The components; for a rational curve the last one is the weight function."""
         return tuple(splines_over(self.degree, self.knots, self._columns, vars(self).pop("rows", None)))
 
     @property
@@ -377,12 +378,12 @@ class Nurbs(Immutable, Curve[BSpline], FunctionsOutside):
 
     @cached_property
     def p(self) -> Vector[BSpline]:  # type: ignore[override]  # computed when asked for
-        """The numerators."""
+        """The vector of the numerators."""
         return Vector(*self._splines[: self.dimension])
 
     @cached_property
     def w(self) -> BSpline:  # type: ignore[override]  # computed when asked for
-        """The denominator, the constant 1 of degree 0 where the curve is polynomial."""
+        """The denominator; for a polynomial curve the constant 1 of degree 0."""
         return self._splines[0].constant(1) if self.polynomial else self._splines[-1]
 
     @cached_property
@@ -392,7 +393,7 @@ class Nurbs(Immutable, Curve[BSpline], FunctionsOutside):
 
     @property
     def dimension(self) -> int:
-        """Number of coordinates."""
+        """The number of coordinates."""
         return len(self.control_points[0])
 
     @property
@@ -412,17 +413,17 @@ class Nurbs(Immutable, Curve[BSpline], FunctionsOutside):
 
     @property
     def segments(self) -> int:
-        """Number of polynomial or rational segments."""
+        """The number of polynomial or rational segments."""
         return len(self.mesh)
 
     @property
     def closed(self) -> bool:
-        """Whether the ends agree exactly."""
+        """Whether the two ends are exactly the same point."""
         t = self.knots.knots
         if t[0] == t[self.degree] and t[-1] == t[-1 - self.degree]:
             return self.control_points[0] == self.control_points[-1]
         w, n = self.w.numerators, self.w.degree
-        # each end has the denominators of one segment, so that only the integers at the ends matter
+        # each end has the common denominator of one segment, so that only the integers at the ends matter
         start, end = w[0][0] * self.w.denominators[-1], w[-1][n] * self.w.denominators[0]
         return all(
             x.numerators[0][0] * x.denominators[-1] * end == x.numerators[-1][x.degree] * x.denominators[0] * start
@@ -440,14 +441,14 @@ class Nurbs(Immutable, Curve[BSpline], FunctionsOutside):
     # ---- other representations, parts, images
 
     def insert_knot(self, t: Number, times: int = 1) -> Nurbs:
-        """The same curve with one more knot (or several) inside the domain, or at an end where it is not clamped.
+        """The same curve with one more knot (or several) inside the domain, or at an end that is not clamped.
 
         >>> line = Nurbs(1, [0, 0, 1, 1], [(0, 0), (4, 2)])
         >>> line.insert_knot("1/4").control_points
         ((mpq(0,1), mpq(0,1)), (mpq(1,1), mpq(1,2)), (mpq(4,1), mpq(2,1)))
 
-        Raises `DomainError` outside the domain and at ends without room, `KnotError` where the multiplicity would
-        exceed degree + 1.
+        Raises `DomainError` outside the domain and at clamped ends, `KnotError` if the multiplicity would exceed degree
+        + 1.
         """
         mesh, continuity, _ = mesh_of(self.knots, self.degree)
         if not self.knots.has_room_at_end(self.degree, t := rational(t), times):
@@ -456,7 +457,7 @@ class Nurbs(Immutable, Curve[BSpline], FunctionsOutside):
         return Nurbs._unchanged(self.name, self.degree, knots, points, weights)
 
     def elevate_degree(self, by: int = 1) -> Nurbs:
-        """The same curve, its degree raised.
+        """The same curve with the degree raised.
 
         >>> Nurbs(1, [0, 0, 1, 1], [(0, 0), (4, 2)]).elevate_degree().control_points
         ((mpq(0,1), mpq(0,1)), (mpq(2,1), mpq(1,1)), (mpq(4,1), mpq(2,1)))
@@ -464,7 +465,7 @@ class Nurbs(Immutable, Curve[BSpline], FunctionsOutside):
         return changed(self, lambda f: f.elevate_degree(by))
 
     def split(self, t: Number) -> tuple[Nurbs, Nurbs]:
-        """The parts before and after an inner parameter.
+        """The two parts of the curve before and after an inner parameter.
 
         >>> first, second = Nurbs(1, [0, 0, 1, 1], [(0, 0), (4, 2)]).split("1/2")
         >>> first.control_points[1] == second.control_points[0], str(second.domain)
@@ -476,7 +477,7 @@ class Nurbs(Immutable, Curve[BSpline], FunctionsOutside):
         return self.restrict(a, t), self.restrict(t, b)
 
     def bezier_segments(self) -> list[Nurbs]:
-        """Every segment as a curve of its own.
+        """The segments as separate curves.
 
         >>> [str(part.domain) for part in Nurbs(1, [0, 0, 1, 3, 3], [(0, 0), (4, 2), (5, 0)]).bezier_segments()]
         ['[0, 1]', '[1, 3]']
@@ -484,7 +485,7 @@ class Nurbs(Immutable, Curve[BSpline], FunctionsOutside):
         return [self.restrict(*ends) for ends in pairwise(self.breakpoints)]
 
     def sample(self, count: int = 100) -> NDArray[np.float64]:
-        """The points at this many parameters in equal steps, from end to end of the domain, as correctly rounded
+        """The points at this many equally spaced parameters, both ends of the domain included, as correctly rounded
         doubles.
 
         >>> Nurbs(1, [0, 0, 1, 1], [(0, 0), (4, 2)]).sample(3).tolist()
@@ -498,7 +499,7 @@ class Nurbs(Immutable, Curve[BSpline], FunctionsOutside):
         return self.floats([a + (b - a) * i / (count - 1) for i in range(count)])
 
     def restrict(self, a: Number, b: Number) -> Nurbs:
-        """The part over [a, b], over the same parameters.
+        """The part of the curve over [a, b], with the same parameters.
 
         >>> Nurbs(1, [0, 0, 1, 1], [(0, 0), (4, 2)]).restrict("1/4", "3/4").control_points
         ((mpq(1,1), mpq(1,2)), (mpq(3,1), mpq(3,2)))
@@ -518,21 +519,21 @@ class Nurbs(Immutable, Curve[BSpline], FunctionsOutside):
     def transform(self, matrix: Sequence[Sequence[Number]]) -> Nurbs:
         """The image under a linear, an affine or a projective map with exact entries.
 
-        In Rⁿ a matrix of n columns is linear, one of n rows and n + 1 columns is affine (its last column the
-        translation), one of n + 1 rows and columns is projective, acting on ``(w x, …, w)``.
+        In Rⁿ a matrix of n columns is linear, a matrix of n rows and n + 1 columns is affine (the last column is the
+        translation), a matrix of n + 1 rows and columns is projective, acting on ``(w x, …, w)``.
 
         >>> line = Nurbs(1, [0, 0, 1, 1], [(0, 0), (4, 2)])
         >>> line.transform([[0, -1], [1, 0]])(1), line.transform([[1, 0, 5], [0, 1, 0]])(0)
         ((mpq(-2,1), mpq(4,1)), (mpq(5,1), mpq(0,1)))
 
-        Raises `ShapeError` for a matrix of another shape, and `WeightError` where the image passes through infinity.
+        Raises `ShapeError` for a matrix of another shape, and `WeightError` if the image passes through infinity.
         """
         image, w = mapped(list(self.p), self.w, matrix, polynomial=self.polynomial)
         return type(self).from_splines(image, w, name=self.name)
 
 
 def as_dimension(found: int, needed: int, what: str) -> None:
-    """See that a vector or a curve has as many coordinates as a curve; `ShapeError` otherwise."""
+    """Raise `ShapeError` unless a vector or a curve has as many coordinates as a curve."""
     if found != needed:
         raise ShapeError(f"a {what} of {counted(found, 'coordinate')}", remedy=f"it needs {needed}")
 
@@ -564,7 +565,7 @@ def graph(f: BSpline) -> Nurbs:
 
 
 def changed(curve: Nurbs, change: Callable[[BSpline], BSpline]) -> Nurbs:
-    """The curve of the changed splines, with the name of the old one; the change must preserve constants."""
+    """The curve of the changed splines, with the name of the original curve; the change must preserve constants."""
     w = None if curve.polynomial else change(curve.w)
     return type(curve).from_splines(map(change, curve.p), w, name=curve.name)
 

@@ -1,4 +1,4 @@
-"""How precisely the numbers of a curve were written, as a distance."""
+"""The precision with which the numbers of a curve were written, as a distance."""
 
 from __future__ import annotations
 
@@ -8,18 +8,18 @@ from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.surface import NurbsSurface
 from exactspline.splines.type_checks import curve_of
 
-#: Decimal digits that tell every double from its neighbours, and bits of a double.
+#: The number of decimal digits that distinguish every double from its neighbours, and the bits of a double.
 DECIMALS, BITS = 17, 53
 
 
-#: The word for the precision that the numbers of a curve were written with.
+#: The word for the precision with which the numbers of a curve were written.
 WRITTEN = "written"
 
 
 def distance(epsilon: Number, curve: Nurbs | NurbsSurface) -> mpq:
-    """A distance that is given as a number, or, by `WRITTEN`, that of `written_precision`.
+    """A distance given as a number or, by the word `WRITTEN`, as the `written_precision`.
 
-    Raises `ShapeError` for a distance that is not positive, `NumberError` for what is not a number.
+    Raises `ShapeError` for a distance that is not positive, `NumberError` for anything that is not a number.
     """
     if epsilon == WRITTEN:
         return written_precision(curve)
@@ -30,11 +30,12 @@ def distance(epsilon: Number, curve: Nurbs | NurbsSurface) -> mpq:
 
 
 def written_precision(curve: Nurbs | NurbsSurface) -> mpq:
-    """Half a unit of the last digit that the coordinates and weights of a curve or a surface were written with.
+    """Half a unit in the last digit with which the coordinates and weights of a curve or a surface were written.
 
-    All are thought to be written with as many decimal digits as the longest of them. The last digit is that of the
-    largest of those with that number of digits, or one less, as a zero at the end is not seen. More than 17 are those
-    of a double: then it is half of a unit in the last of 53 bits. Fractions such as 1/3 count as exact.
+    It is assumed that all numbers were written with as many decimal digits as the longest one. The last digit is that
+    of the largest number with this many digits, or of a number with one digit less, because a final zero is not
+    visible. Numbers with more than 17 digits are taken for doubles; the precision is then half a unit in the last of 53
+    bits. Fractions such as 1/3 count as exact.
 
     >>> arc, knots = [(1, 0), (1, 1), (0, 1)], [0, 0, 0, 1, 1, 1]
     >>> written_precision(Nurbs(2, knots, arc, [1, "0.7071", 1]))
@@ -59,6 +60,6 @@ def written_precision(curve: Nurbs | NurbsSurface) -> mpq:
 
 
 def _digits(x: mpq) -> int:
-    """The number of significant decimal digits of a number that has finitely many; 1 for others."""
+    """The number of significant decimal digits of a number; 1 if there are infinitely many."""
     places = decimal_places(x)
     return 1 if places is None else len(str(x * 10**places).rstrip("0"))

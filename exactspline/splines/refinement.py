@@ -29,12 +29,12 @@ T = TypeVar("T")
 
 
 def segmentwise(operation: Callable[[T, T], T], first: Sequence[T], second: Sequence[T]) -> tuple[T, ...]:
-    """The results on all segments or patches; on a single one, as most splines have, without a loop."""
+    """The results on all segments or patches; without a loop for splines with a single one, which is the usual case."""
     return (operation(first[0], second[0]),) if len(first) == 1 else tuple(map(operation, first, second))
 
 
 class Piecewise(Protocol):
-    """A piecewise polynomial by its forms."""
+    """A piecewise polynomial, given by its forms."""
 
     degree: int
     mesh: Mesh
@@ -59,7 +59,7 @@ class Piecewise(Protocol):
 
     @property
     def numerators(self) -> tuple[fmpz_poly, ...]:
-        """The polynomials of the forms, shared."""
+        """The polynomials of the forms, which are shared."""
 
     @property
     def domain(self) -> Interval:
@@ -67,7 +67,7 @@ class Piecewise(Protocol):
 
     @property
     def true_degree(self) -> int:
-        """Largest degree of the polynomials themselves."""
+        """The largest degree of the polynomials of the segments."""
 
     def constant(self, number: Number, /) -> Self:
         """A constant on the same domain."""
@@ -83,7 +83,7 @@ S = TypeVar("S", bound=Piecewise)
 
 
 def aligned(f: S, g: S) -> tuple[S, S]:
-    """Both splines over the union of their breakpoints; where one has no knot, it is treated as smooth."""
+    """Both splines over the union of their breakpoints; a spline without a knot at a breakpoint is smooth there."""
     mesh = f.mesh if f.mesh.breaks == g.mesh.breaks else f.mesh.union(g.mesh)
     return over(f, mesh), over(g, mesh)
 
@@ -105,7 +105,7 @@ def _parts(f: Piecewise, mesh: Mesh) -> Iterator[bernstein.Form]:
 
 
 def elevate_degree(f: S, by: int = 1) -> S:
-    """The same function, its degree raised."""
+    """The same function with the degree raised."""
     if type(by) is not int or not 0 <= by <= MAX_DEGREE:
         remedy = f"an integer from 0 to {MAX_DEGREE} (use reduce_degree to lower a degree)"
         raise ShapeError(f"degree elevation by {shown(by)}", remedy=remedy)
@@ -114,7 +114,9 @@ def elevate_degree(f: S, by: int = 1) -> S:
 
 
 def reduce_degree(f: S, by: int = 1) -> S:
-    """The same function, its degree lowered; `ReductionError` names a segment where that cannot be done exactly."""
+    """The same function with the degree lowered; the `ReductionError` names a segment on which this is not possible
+    exactly.
+    """
     if type(by) is not int or by < 0:
         raise ShapeError(
             f"degree reduction by {shown(by)}", remedy="an integer ≥ 0 (use elevate_degree to raise a degree)"
@@ -143,7 +145,9 @@ def reduce_degree(f: S, by: int = 1) -> S:
 
 
 def _without_smooth_knots(f: S) -> S:
-    """Merge segments across breakpoints whose nominal continuity reaches the degree: there the knot is superfluous."""
+    """The spline with segments merged across breakpoints whose nominal continuity reaches the degree, where the knot is
+    superfluous.
+    """
     keep = [i for i, c in enumerate(f.continuity) if c < f.degree]
     if len(keep) == len(f.continuity):
         return f
@@ -166,7 +170,7 @@ def inner(mesh: Mesh, given: Number) -> mpq:
 
 
 def insertable(degree: int, mesh: Mesh, continuities: Sequence[int], t: Number, times: int) -> tuple[mpq, int]:
-    """The parameter at which knots are to be inserted, and the continuity that remains there."""
+    """The parameter at which knots are inserted, and the continuity that remains there."""
     t = inner(mesh, t)
     if type(times) is not int or times < 1:
         raise KnotError(f"{shown(times)} knots to insert", remedy="insert an integer of them, at least one")
@@ -188,7 +192,9 @@ def insert_knot(f: S, t: Number, times: int = 1) -> S:
 
 
 def remove_knot(f: S, t: Number, times: int = 1) -> S:
-    """The same function with one knot (or several) removed; `ReductionError` names the derivative that jumps there."""
+    """The same function with one knot (or several) removed; the `ReductionError` names the derivative that jumps
+    there.
+    """
     t = inner(f.mesh, t)
     multiplicity = max(f.degree - f.continuity[f.mesh.breaks.index(t) - 1], 0) if t in f.mesh.breaks else 0
     if type(times) is not int or not 1 <= times <= multiplicity:
@@ -214,7 +220,8 @@ def _replaced(continuity: tuple[int, ...], position: int, by: int) -> tuple[int,
 
 
 def continuity_at(f: Piecewise, t: Number) -> int:
-    """How many derivatives agree at a parameter: −1 at a jump, the degree where the two sides are one polynomial.
+    """The number of derivatives that agree at a parameter: −1 at a jump, the degree if the two sides are the same
+    polynomial.
 
     >>> from exactspline import BSpline
     >>> BSpline(2, [0, 0, 0, 1, 1, 2, 2, 2], [0, 0, 1, 2, 5]).continuity_at(1)
@@ -264,7 +271,7 @@ def reverse(f: S) -> S:
 
 
 def reparametrize(f: S, a: Number, b: Number) -> S:
-    """The same control points over the domain [a, b], mapped affinely."""
+    """The spline with the same control points over the domain [a, b], to which the knots are mapped affinely."""
     a, b = rational(a), rational(b)
     if not a < b:
         raise DomainError(f"[{text(a)}, {text(b)}] is empty", remedy="give a < b (see reverse)")
@@ -274,11 +281,11 @@ def reparametrize(f: S, a: Number, b: Number) -> S:
 
 
 def compose(outer: S, inner: S) -> S:
-    """``t ↦ outer(inner(t))``, of the product of the degrees.
+    """The composition ``t ↦ outer(inner(t))``, whose degree is the product of the degrees.
 
-    The domain is cut at the knots of `inner` and wherever `inner` crosses a knot of `outer`. Raises `DomainError` when
-    `inner` leaves the domain of `outer` and `ReductionError` when a crossing is irrational: the composition is then not
-    a spline with rational knots.
+    The domain is cut at the knots of `inner` and wherever `inner` crosses a knot of `outer`. Raises `DomainError` if
+    `inner` leaves the domain of `outer`, and `ReductionError` if a crossing is irrational, because the composition is
+    then not a spline with rational knots.
     """
     if outer.degree < 0 or inner.degree < 0:
         return inner.constant(outer(0) if outer.degree >= 0 else 0)
@@ -304,8 +311,8 @@ def compose(outer: S, inner: S) -> S:
 
 
 def _typical(inner: Piecewise, outer: Piecewise, low: mpq, high: mpq) -> mpq:
-    """A value of the inner spline on (low, high) that is not a knot of the outer one, where there are such values: it
-    may touch knots there but does not cross any.
+    """A value of the inner spline on (low, high) that is not a knot of the outer spline, if there are such values: the
+    inner spline may touch knots there but does not cross any.
     """
     values = [inner(low + (high - low) * mpq(k, inner.degree + 4)) for k in range(1, inner.degree + 4)]
     return next((x for x in values if x not in outer.mesh.breaks), values[0])
@@ -338,7 +345,9 @@ def _check_range(outer: Piecewise, inner: Piecewise) -> None:
 
 
 def _preimages(inner: Piecewise, knot: mpq) -> list[mpq]:
-    """Parameters strictly inside segments where `inner` crosses `knot`; all rational, or an error."""
+    """The parameters strictly inside segments at which `inner` crosses `knot`; raises an error unless all are
+    rational.
+    """
     found = []
     for i, piece in enumerate(inner.forms):
         c, _ = bernstein.add(piece, _constant(-knot, inner.degree))
@@ -352,7 +361,7 @@ def _preimages(inner: Piecewise, knot: mpq) -> list[mpq]:
 
 
 def _rational(zero: LocalZero, knot: mpq, segment: Interval) -> mpq:
-    """The local parameter at which a knot of the outer spline is crossed, or the error where it is irrational."""
+    """The local parameter at which a knot of the outer spline is crossed; raises an error if it is irrational."""
     if zero.low == zero.high:
         return zero.low
     own = next(q for q in factorize(zero.factor.polynomial).bases if len(set(end_signs(q, zero.low, zero.high))) > 1)

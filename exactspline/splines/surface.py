@@ -1,5 +1,5 @@
-"""The concrete surface: degrees, knots, net, weights, and the operands ``p``, ``w`` that formulas use. The denominator
-keeps its sign: that is decided exactly, patch by patch.
+"""The concrete surface: degrees, knots, net, weights, and the operands ``p``, ``w`` that formulas use. Whether the
+denominator keeps its sign is decided exactly, patch by patch.
 """
 
 from __future__ import annotations
@@ -42,7 +42,7 @@ def _check_weight(w: TensorSpline) -> None:
     """Raise `WeightError` unless the denominator has one sign on its closed rectangle, including one-sided limits at
     jumps.
 
-    The ``witness`` of the error is a box that contains a zero (a point where the ends of its sides agree), or one that
+    The ``witness`` of the error is a box that contains a zero (a point if the ends of its sides agree), or a box that
     is too small to be decided.
     """
     sign = 0
@@ -59,7 +59,7 @@ def _check_weight(w: TensorSpline) -> None:
 
 
 def _sign_or_box(form: PatchForm) -> int | tuple[Box, bool]:
-    """The sign on the closed square, or a box and whether it is certain that a zero is in it."""
+    """The sign on the closed square, or a box and whether it certainly contains a zero."""
     sign = 0
     todo = deque([Sized(UNIT, [form], 0)])
     for _ in range(BOXES):
@@ -84,7 +84,7 @@ def zero_at_corners(part: Sized) -> Box | None:
             return None
         if part.depth >= DEPTH:
             return part.box
-        # a half has corners of both signs, or a zero among them
+        # a half has corners of both signs, or a corner that is a zero
         first, second = halved(part)
         part = first if _crosses(first) or 0 in first.forms[0].corners else second
 
@@ -118,17 +118,17 @@ class Along(StrEnum):
 
     @property
     def direction(self) -> int:
-        """0 for u, 1 for v."""
+        """The number of the parameter: 0 for u, 1 for v."""
         return 0 if self is Along.U else 1
 
 
 class NurbsSurface(Immutable, Surface[TensorSpline], FunctionsOutside):
     """A polynomial or rational tensor-product B-spline surface with exact data.
 
-    ``control_points[i][j]`` with i along u and j along v: Cartesian, all of the same dimension, or a `Direction`;
-    `weights` are a net of the same shape, or None. The surface is
-    ``Σ w_ij P_ij N_i(u) N_j(v) / Σ w_ij N_i(u) N_j(v)``. Equal weights mean that it is polynomial: then ``w`` is the
-    constant 1, and `polynomial` is true.
+    ``control_points[i][j]``, with i along u and j along v, are Cartesian points, all of the same dimension, or a
+    `Direction`; `weights` are a net of the same shape, or None. The surface is ``Σ w_ij P_ij N_i(u) N_j(v) / Σ w_ij
+    N_i(u) N_j(v)``. Equal weights mean that the surface is polynomial: then ``w`` is the constant 1, and `polynomial`
+    is true.
 
     >>> saddle = NurbsSurface((1, 1), [0, 0, 1, 1], [0, 0, 1, 1], [[(0, 0, 0), (0, 1, 0)], [(1, 0, 0), (1, 1, 1)]])
     >>> saddle("1/2", "1/3"), saddle.partial(1, 1, 0, 0)
@@ -139,14 +139,14 @@ class NurbsSurface(Immutable, Surface[TensorSpline], FunctionsOutside):
     >>> saddle == saddle.insert_knot("u", "1/3").elevate_degree(0, 2), saddle == saddle.transposed().transposed()
     (True, True)
 
-    Raises `ShapeError`, `KnotError`, `NumberError` with the place of the error, and `WeightError` where the denominator
-    has a zero on the domain, with a place.
+    Raises `ShapeError`, `KnotError`, `NumberError` with the place of the error, and `WeightError` if the denominator
+    has a zero on the domain, with its place.
     """
 
     #: The degrees in u and v.
     degree: tuple[int, int]
     knots: tuple[KnotVector, KnotVector]
-    #: In rows along u: tuples of coordinates, or a `Direction`.
+    #: The control points in rows along u: tuples of coordinates, or a `Direction`.
     control_points: Net
     weights: Weights
     name: str
@@ -154,7 +154,7 @@ class NurbsSurface(Immutable, Surface[TensorSpline], FunctionsOutside):
     note: str
     p: Vector[TensorSpline]
     w: TensorSpline
-    #: ``p``, or the `Rational` ``p/w``.
+    #: The surface as ``p``, or as the `Rational` ``p/w``.
     S: Vector[TensorSpline] | Rational[TensorSpline]
     #: Whether all weights are equal.
     polynomial: bool
@@ -195,7 +195,7 @@ class NurbsSurface(Immutable, Surface[TensorSpline], FunctionsOutside):
     def from_splines(
         cls, p: Iterable[TensorSpline], w: TensorSpline | None = None, *, name: str = "", note: str = ""
     ) -> NurbsSurface:
-        """The surface ``p/w`` (or ``p``), of splines that may differ in degrees and knots.
+        """The surface ``p/w`` (or ``p``) made of splines, which may differ in degrees and knots.
 
         >>> u = TensorSpline((1, 0), [0, 0, 1, 1], [0, 2], [[0], [1]])
         >>> v = TensorSpline((0, 1), [0, 1], [0, 0, 2, 2], [[0, 2]])
@@ -255,7 +255,7 @@ class NurbsSurface(Immutable, Surface[TensorSpline], FunctionsOutside):
 
     @property
     def patches(self) -> tuple[int, int]:
-        """How many polynomial or rational patches there are along u and along v."""
+        """The numbers of polynomial or rational patches along u and along v."""
         return len(self.meshes[0]), len(self.meshes[1])
 
     def __call__(self, u: Number, v: Number) -> tuple[mpq, ...]:
@@ -311,7 +311,7 @@ class NurbsSurface(Immutable, Surface[TensorSpline], FunctionsOutside):
         return normalized(upright.components, f"no tangent plane at {rational(u)}, {rational(v)}")
 
     def isocurve(self, along: Along | str, at: Number) -> Nurbs:
-        """The curve on the surface along one parameter, with the other one fixed.
+        """The curve on the surface along one parameter, with the other parameter fixed.
 
         >>> f = NurbsSurface((1, 1), [0, 0, 1, 1], [0, 0, 2, 2], [[(0, 0), (0, 1)], [(1, 0), (1, 1)]])
         >>> f.isocurve("u", 1).control_points
@@ -334,18 +334,18 @@ class NurbsSurface(Immutable, Surface[TensorSpline], FunctionsOutside):
     def insert_knot(self, along: Along | str, t: Number, times: int = 1) -> NurbsSurface:
         """The same surface with one more knot in one parameter.
 
-        Raises `DomainError` outside the domain and at its ends, `KnotError` where the multiplicity would exceed
-        degree + 1.
+        Raises `DomainError` outside the domain and at its ends, `KnotError` if the multiplicity would exceed degree +
+        1.
         """
         direction = choice(Along, along, "parameter").direction
         return self._changed(lambda f: f.insert_knot(direction, t, times))
 
     def elevate_degree(self, by_u: int = 1, by_v: int = 1) -> NurbsSurface:
-        """The same surface, its degrees raised."""
+        """The same surface with the degrees raised."""
         return self._changed(lambda f: f.elevate_degree(by_u, by_v))
 
     def split(self, along: Along | str, t: Number) -> tuple[NurbsSurface, NurbsSurface]:
-        """The parts before and after an inner value of one parameter.
+        """The two parts of the surface before and after an inner value of one parameter.
 
         >>> f = NurbsSurface((1, 1), [0, 0, 1, 1], [0, 0, 2, 2], [[(0, 0), (0, 1)], [(1, 0), (1, 1)]])
         >>> [str(part.domain.second) for part in f.split("v", 1)]
@@ -362,7 +362,7 @@ class NurbsSurface(Immutable, Surface[TensorSpline], FunctionsOutside):
         return self.restrict(sides[0], (a, t)), self.restrict(sides[0], (t, b))
 
     def restrict(self, side_u: tuple[Number, Number], side_v: tuple[Number, Number]) -> NurbsSurface:
-        """The part over a smaller rectangle, over the same parameters.
+        """The part of the surface over a smaller rectangle, with the same parameters.
 
         Raises `DomainError` unless it is a nondegenerate rectangle inside the domain.
         """
@@ -379,7 +379,7 @@ class NurbsSurface(Immutable, Surface[TensorSpline], FunctionsOutside):
         >>> f.transform([[2, 0, 5], [0, 1, 0]])(1, 1)
         (mpq(7,1), mpq(1,1))
 
-        Raises `ShapeError` for a matrix of another shape, and `WeightError` where the image passes through infinity.
+        Raises `ShapeError` for a matrix of another shape, and `WeightError` if the image passes through infinity.
         """
         image, w = mapped(list(self.p), self.w, matrix, polynomial=self.polynomial)
         return NurbsSurface.from_splines(image, w, name=self.name)
@@ -391,7 +391,7 @@ class NurbsSurface(Immutable, Surface[TensorSpline], FunctionsOutside):
 
 
 def _checked_net(given: object, counts: tuple[int, int]) -> Net:
-    """A net of points of the same dimension as given by a user."""
+    """A net of points of the same dimension, as given by a user."""
 
     def row_of(row: Iterable[Iterable[Number]], place: str) -> tuple[Point, ...]:
         try:
@@ -409,7 +409,7 @@ def _checked_net(given: object, counts: tuple[int, int]) -> Net:
 
 
 def _checked_weights(given: object, net: Net) -> Weights:
-    """A weight for each control point; without weights 1, and 0 for a direction."""
+    """A weight for each control point; by default 1 for a point and 0 for a direction."""
     if given is None:
         return tuple(exact_weights(None, row) for row in net)
     rows = [] if isinstance(given, str) or not isinstance(given, Iterable) else list(given)

@@ -1,7 +1,9 @@
-"""Splines in two parameters: exact tensor-product B-splines, the algebra that §6 needs.
+"""Splines in two parameters: exact tensor-product B-splines, as needed in §6 of the paper (Chen, Riesenfeld and Cohen
+2007).
 
 A `TensorSpline` is immutable and scalar; a surface in space is a `Vector` of three, or a `Rational`. A spline that
-depends on one parameter only is kept as a `BSpline`: nothing is computed per patch that can be computed per segment.
+depends on one parameter only is stored as a `BSpline`, so that nothing is computed per patch that can be computed per
+segment.
 """
 
 from __future__ import annotations
@@ -65,8 +67,8 @@ DIRECTION = {Parameter.FIRST: 0, Parameter.U: 0, Parameter.SECOND: 1, Parameter.
 class TensorSpline(Immutable, TensorParts, RingOperand, FunctionsOutside):
     """A scalar tensor-product B-spline in two parameters s and t, over a rectangle.
 
-    `degrees`, knots and `control_points` as for `BSpline`, in each direction: ``control_points[i][j]`` with i along s
-    and j along t.
+    `degrees`, knots and `control_points` are as for `BSpline`, in each direction: ``control_points[i][j]`` has i along
+    s and j along t.
 
     >>> f = TensorSpline((1, 2), [0, 0, 1, 1], [0, 0, 0, 1, 1, 1], [[0, 0, 0], [0, 0, 4]])
     >>> f("1/2", "1/2"), tuple((f * f).degree), f.partial(0, 1)(1, "1/2")
@@ -115,12 +117,12 @@ class TensorSpline(Immutable, TensorParts, RingOperand, FunctionsOutside):
 
     @property
     def domain(self) -> Box:
-        """The rectangle, as its two sides."""
+        """The rectangle of definition, by its two sides."""
         return Box(self.meshes[0].domain, self.meshes[1].domain)
 
     @property
     def knots(self) -> tuple[KnotVector, KnotVector]:
-        """Clamped knots in each direction."""
+        """The clamped knots in each direction."""
         s, t = (clamped(mesh, c, n) for mesh, c, n in zip(self.meshes, self.continuity, self.degree, strict=True))
         return s, t
 
@@ -136,7 +138,7 @@ class TensorSpline(Immutable, TensorParts, RingOperand, FunctionsOutside):
 
     @property
     def control_point_counts(self) -> tuple[int, int]:
-        """How many control points there are along s and along t."""
+        """The numbers of control points along s and along t."""
         return (0, 0) if min(self.degree) < 0 else control_point_counts(self.knots, self.degree)
 
     def bezier_net(self, i: int, j: int) -> list[list[mpq]]:
@@ -249,8 +251,8 @@ class TensorSpline(Immutable, TensorParts, RingOperand, FunctionsOutside):
 
     def d(self, order: int = 1, *, by: str | None = None) -> TensorSpline:
         """The derivative with respect to the named parameter: u or v on a surface, s or s̄ on two curves, any of these
-        for other splines; without a name, of a spline in one parameter only. Raises `FormulaError` for anything else
-        (see `partial`).
+        for other splines. The name may be omitted for a spline in one parameter only. Raises `FormulaError` for
+        anything else (see `partial`).
         """
         if by is not None:
             if by not in DIRECTION:
@@ -271,7 +273,7 @@ class TensorSpline(Immutable, TensorParts, RingOperand, FunctionsOutside):
         return lifted(self.profile[1].d(order), self.meshes, self.profile[0], self.stride)
 
     def partial(self, i: int, j: int) -> TensorSpline:
-        """The derivative of order i with respect to s and j with respect to t; beyond the degree the constant 0.
+        """The derivative of order i with respect to s and j with respect to t; beyond the degree it is the constant 0.
 
         >>> s = TensorSpline((1, 0), [0, 0, 1, 1], [0, 1], [[0], [1]])
         >>> (s * s * s).partial(2, 0)("1/2", 1), s.partial(0, 1).is_zero
@@ -287,14 +289,14 @@ class TensorSpline(Immutable, TensorParts, RingOperand, FunctionsOutside):
         return found
 
     def elevated_to(self, other: TensorSpline) -> TensorSpline:
-        """The same function, in each direction of at least the degree of `other`."""
+        """The same function, in each direction with at least the degree of `other`."""
         by = [max(theirs - own, 0) for own, theirs in zip(self.degree, other.degree, strict=True)]
         return self.elevate_degree(*by)
 
     # ---- the function
 
     def __call__(self, s: Number, t: Number) -> mpq:
-        """Exact value at two parameters; at a jump the limit from the right (from the left at the end).
+        """The exact value at two parameters; at a jump the limit from the right (from the left at the end).
 
         Raises `DomainError` outside the rectangle.
         """
@@ -332,18 +334,18 @@ class TensorSpline(Immutable, TensorParts, RingOperand, FunctionsOutside):
 
     @property
     def vanishes_somewhere(self) -> bool:
-        """Whether it is identically zero on at least one patch."""
+        """Whether the function is identically zero on at least one patch."""
         return not all(self.numerators)
 
     def hash_of_quotient(self, numerator: TensorSpline) -> int:
-        """A hash of the rectangle only, which equal quotients share: at a point a common factor may vanish."""
+        """A hash of the rectangle only, which equal quotients share; values are not used, because a common factor may
+        vanish at a point.
+        """
         return hash((TensorSpline, self.domain))
 
     @property
     def true_degree(self) -> Degrees:
-        """Largest degree in each parameter, over the patches, of the polynomials themselves (−1 for the zero
-        function).
-        """
+        """The largest degrees in each parameter of the polynomials of the patches (−1 for the zero function)."""
         return true_degrees(self)
 
     # ---- other representations and parts, as for `BSpline`, in either direction
@@ -366,12 +368,12 @@ class TensorSpline(Immutable, TensorParts, RingOperand, FunctionsOutside):
         return make(*joined_lines([[change(line) for line in own] for own in lines(self)], self), leaf())
 
     def elevate_degree(self, by_s: int = 0, by_t: int = 0) -> TensorSpline:
-        """The same function, its degrees raised."""
+        """The same function with the degrees raised."""
         first = self.along(0, lambda f: f.elevate_degree(by_s)) if by_s else self
         return first.along(1, lambda f: f.elevate_degree(by_t)) if by_t else first
 
     def reduce_degree(self, by_s: int = 0, by_t: int = 0) -> TensorSpline:
-        """The same function, its degrees lowered; `ReductionError` where that cannot be done exactly."""
+        """The same function with the degrees lowered; raises `ReductionError` if this is not possible exactly."""
         if (parts := lowered(self, by_s, by_t)) is not None:
             return make(*parts, leaf())
         return self.along(0, lambda f: f.reduce_degree(by_s)).along(1, lambda f: f.reduce_degree(by_t))
@@ -438,7 +440,7 @@ def _restored(
 
 
 def _elevated(f: TensorSpline, degree: Degrees, stride: int) -> tuple[fmpz_poly, ...]:
-    """The packed polynomials raised to a degree."""
+    """The packed polynomials, raised to a degree."""
     if f.degree == degree:
         return f.at_stride(stride)
     lift = raiser(degree.s - f.degree.s) * raiser(degree.t - f.degree.t).inflate(stride)
@@ -471,9 +473,9 @@ def _over(f: TensorSpline, meshes: tuple[Mesh, Mesh]) -> TensorSpline:
 
 
 def lifted(spline: BSpline, meshes: tuple[Mesh, Mesh], direction: int, stride: int = 1) -> TensorSpline:
-    """A spline of one parameter as one of two: direction 0 if the parameter is s, 1 if it is t.
+    """A spline in one parameter as a spline in two parameters: direction 0 if the parameter is s, 1 if it is t.
 
-    The stride leaves room for later products.
+    The stride is large enough for later products.
 
     >>> f = BSpline.bezier([0, 0, 1])
     >>> lifted(f, (f.mesh, Mesh([mpq(0), mpq(1)])), 0)("1/2", "1/3")
@@ -496,7 +498,8 @@ def lifted(spline: BSpline, meshes: tuple[Mesh, Mesh], direction: int, stride: i
     return made
 
 
-#: Degrees in each parameter stay below this multiple of the curve's in the polynomial forms of §6.
+#: In the polynomial forms of §6 of the paper the degrees in each parameter are below this multiple of the degree of the
+#: curve.
 BISECTOR_ROOM = 4
 
 

@@ -1,5 +1,6 @@
-"""What a spline in two parameters is made of: packed polynomials, patch by patch; a spline in one parameter where it
-depends on one alone; lines of splines in one, so that every operation of `BSpline` is available in either direction.
+"""The parts of a spline in two parameters: packed polynomials, patch by patch; a spline in one parameter, if it depends
+on this parameter only; and lines of splines in one parameter, so that every operation of `BSpline` is available in
+either direction.
 """
 
 from __future__ import annotations
@@ -54,13 +55,13 @@ def changed_one(mesh: Mesh, change: Callable[[BSpline], BSpline]) -> BSpline:
 
 
 class _NamedMeshes(tuple[Mesh, Mesh]):
-    """The breakpoints in two directions whose parameters have names, as those of a surface or of two curves have."""
+    """The breakpoints in two directions with names of the parameters, as for a surface or for two curves."""
 
     letters: tuple[str, str]
 
 
 def with_names(meshes: tuple[Mesh, Mesh], letters: tuple[str, str] | None) -> tuple[Mesh, Mesh]:
-    """The meshes with the names of their parameters; unchanged where there are none."""
+    """The meshes with the names of their parameters; unchanged if there are no names."""
     if letters is None:
         return meshes
     found = _NamedMeshes(meshes)
@@ -69,12 +70,14 @@ def with_names(meshes: tuple[Mesh, Mesh], letters: tuple[str, str] | None) -> tu
 
 
 def letters_of(meshes: tuple[Mesh, Mesh]) -> tuple[str, str] | None:
-    """The names of the parameters; None where they have none."""
+    """The names of the parameters; None if they have no names."""
     return meshes.letters if isinstance(meshes, _NamedMeshes) else None
 
 
 def replaced(meshes: tuple[Mesh, Mesh], direction: int, mesh: Mesh) -> tuple[Mesh, Mesh]:
-    """The meshes with one replaced; the same tuple where it does not change, since operands are aligned by identity."""
+    """The meshes with one mesh replaced; the same tuple if nothing changes, because operands are aligned by
+    identity.
+    """
     if mesh is meshes[direction]:
         return meshes
     return with_names((meshes[0], mesh) if direction else (mesh, meshes[1]), letters_of(meshes))
@@ -87,7 +90,9 @@ def exchanged(meshes: tuple[Mesh, Mesh]) -> tuple[Mesh, Mesh]:
 
 
 def one_parameter(a: Profile, b: Profile) -> tuple[int, BSpline, BSpline] | None:
-    """The direction and the splines of two that depend on the same parameter only; a constant depends on either."""
+    """The direction and the splines of two profiles that depend on the same parameter only; a constant counts for
+    either parameter.
+    """
     (i, f), (j, g) = a, b
     if i == j:
         return i, f, g
@@ -140,13 +145,13 @@ class TensorParts:
     #: The breakpoints in each direction, and the continuity at the interior ones.
     meshes: tuple[Mesh, Mesh]
     continuity: tuple[tuple[int, ...], tuple[int, ...]]
-    #: Where it depends on one parameter only: which (0 for s), and the spline.
+    #: If the spline depends on one parameter only: the direction of this parameter (0 for s), and the spline in it.
     profile: Profile | None
     provenance: Provenance
-    #: The stride of `polynomials` (see `exactspline.polynomials.tensor_bernstein`); results keep it as long as it
-    #: leaves enough room, since repacking costs more than a product.
+    #: The stride of `polynomials` (see `exactspline.polynomials.tensor_bernstein`); results keep the stride as long as
+    #: it is large enough, because repacking costs more than a product.
     stride: int
-    #: The packed polynomials by stride, and the denominators; those of a spline in one parameter only are computed when
+    #: The packed polynomials by stride, and the denominators; for a spline in one parameter only they are computed when
     #: needed.
     _packed: dict[int, tuple[fmpz_poly, ...]]
     _denominators: tuple[fmpz, ...] | None
@@ -154,7 +159,7 @@ class TensorParts:
     _points: tuple[tuple[mpq, ...], ...]
 
     def at_stride(self, stride: int) -> tuple[fmpz_poly, ...]:
-        """The packed polynomials of all patches, t running faster; the stride must have room for the degree."""
+        """The packed polynomials of all patches, t running faster; the stride must be large enough for the degree."""
         found = self._packed.get(stride)
         if found is None:
             if self.profile is None:
@@ -166,12 +171,14 @@ class TensorParts:
 
     @property
     def numerators(self) -> tuple[fmpz_poly, ...]:
-        """The packed polynomials at the current stride: shared, not to be changed; zero where the spline is zero."""
+        """The packed polynomials at the current stride, which are shared and must not be changed; zero if the spline is
+        zero.
+        """
         return self.at_stride(self.stride)
 
     @property
     def denominators(self) -> tuple[fmpz, ...]:
-        """Denominators patch by patch, t running faster."""
+        """The denominators, patch by patch, t running faster."""
         known = self._denominators
         if known is None:
             assert self.profile is not None
@@ -184,7 +191,7 @@ Z_MINUS_1 = fmpz_poly([-1, 1])
 
 
 def derived(f: TensorParts, direction: int) -> Parts:
-    """The parts of the derivative by one parameter (0: the first), in which the degree is positive."""
+    """The parts of the derivative by one parameter (0: the first), in which the degree must be positive."""
     polynomials = [derivative(c, f.stride, f.degree, direction) for c in f.numerators]
     denominators = f.denominators
     if not f.meshes[direction].unit:
@@ -198,7 +205,7 @@ def derived(f: TensorParts, direction: int) -> Parts:
 
 
 def true_degrees(f: TensorParts) -> Degrees:
-    """Largest degree in each parameter, over the patches, of the polynomials themselves (−1 for zero)."""
+    """The largest degree in each parameter of the polynomials of the patches (−1 for zero)."""
     if not any(f.numerators):
         return Degrees(-1, -1)
     m, n = f.degree
@@ -221,8 +228,8 @@ def _multiplicity(polynomials: Iterable[fmpz_poly]) -> int:
 
 
 def lowered(f: TensorParts, by_s: int, by_t: int) -> Parts | None:
-    """The parts of the same function with its degrees lowered; None where it is zero, where it has more than one patch
-    (knots may be smooth afterwards), and where its degrees cannot be lowered that much.
+    """The parts of the same function with the degrees lowered; None if the function is zero, if it has more than one
+    patch (knots may be smooth afterwards), or if the degrees cannot be lowered that much.
     """
     true, (m, n) = true_degrees(f), f.degree
     degree = Degrees(m - by_s, n - by_t)
@@ -240,7 +247,9 @@ def lines(f: TensorParts) -> list[list[BSpline]]:
         patches = range(i * columns, (i + 1) * columns)
         nets = [tensor_bernstein.rows(own[k], f.stride, f.degree.t) for k in patches]
         lines = []
-        for h in range(max(f.degree.s, 0) + 1):  # below degree 0 one line of zeros, so that there is a line to change
+        for h in range(
+            max(f.degree.s, 0) + 1
+        ):  # for a degree below 0 one line of zeros, so that there is a line to change
             forms = [
                 without_content((fmpz_poly([row[h] for row in net]), f.denominators[k]))
                 for k, net in zip(patches, nets, strict=True)
@@ -252,7 +261,7 @@ def lines(f: TensorParts) -> list[list[BSpline]]:
 
 def joined_lines(found: list[list[BSpline]], old: TensorParts) -> Parts:
     """Degree, meshes, continuity, stride, packed polynomials and denominators of the spline with these lines; along s
-    it equals the old one.
+    it is as the old spline.
     """
     first, stride = found[0][0], tensor_bernstein.stride_for(old.degree.s)
     polynomials, denominators = [], []
@@ -299,7 +308,7 @@ def checked_degrees(degrees: object) -> Degrees:
 
 
 def checked_knots(knots: Iterable[Number], degree: int, name: str) -> KnotVector:
-    """Knots as given by a user, the errors of `BSpline` with the name of the argument."""
+    """Knots as given by a user, raises the errors of `BSpline` with the name of the argument."""
     try:
         vector = KnotVector(knots)
         vector.check(degree)
@@ -309,7 +318,7 @@ def checked_knots(knots: Iterable[Number], degree: int, name: str) -> KnotVector
 
 
 def control_point_counts(knots: tuple[KnotVector, KnotVector], degrees: tuple[int, int]) -> tuple[int, int]:
-    """How many control points there are along each parameter."""
+    """The number of control points along each parameter."""
     first, second = (len(vector) - n - 1 for vector, n in zip(knots, degrees, strict=True))
     return first, second
 
@@ -320,7 +329,7 @@ def checked_net(
     """A net of control points as given by a user: this many rows along the first parameter of this many points along
     the second; `read` takes a row and its place.
 
-    Raises `ShapeError` for a net of another shape, and what `read` raises.
+    Raises `ShapeError` for a net of another shape, and the errors of `read`.
     """
     if isinstance(given, str) or not isinstance(given, Iterable):
         remedy = f"give rows of control points along {letters[0]}"
@@ -355,8 +364,8 @@ def bezier_nets(degrees: Degrees, along_s: Sequence[BSpline]) -> Iterator[Net]:
 def control_net(
     knots: tuple[KnotVector, KnotVector], degrees: Degrees, meshes: tuple[Mesh, Mesh], nets: list[list[Net]]
 ) -> Points:
-    """The control net over clamped knots; ``nets[i][j]`` are the Bézier points over segment i of s and j of t. None
-    below degree 0.
+    """The control net over clamped knots; ``nets[i][j]`` are the Bézier points over segment i of s and j of t. None for
+    a degree below 0.
     """
     if min(degrees) < 0:
         return ()

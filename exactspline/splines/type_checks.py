@@ -14,13 +14,15 @@ from exactspline.splines.tensor import TensorSpline
 
 
 def of_file(given: object) -> object:
-    """The curve of what was read from a file (a `NamedCurve`, a `Reading` of one curve), anything else itself."""
+    """The curve of an object read from a file (a `NamedCurve`, or a `Reading` of one curve); anything else is returned
+    unchanged.
+    """
     named = hasattr(type(given), "curve") or "curve" in getattr(type(given), "__dataclass_fields__", ())
     return cast(Any, given).curve if named else given
 
 
 def curve_of(given: object) -> Nurbs:
-    """The curve itself, also that of a file; `ShapeError` for anything else, with the way from functions to a curve.
+    """The curve itself, also the curve of a file; raises `ShapeError` for anything else, with a remedy for functions.
 
     >>> curve_of("circle")
     Traceback (most recent call last):
@@ -38,21 +40,21 @@ def curve_of(given: object) -> Nurbs:
 
 
 def spline_of(given: object) -> BSpline:
-    """The spline itself; `ShapeError` for anything else."""
+    """The spline itself; raises `ShapeError` for anything else."""
     if isinstance(given, BSpline):
         return given
     raise _refused(given, "a spline", "give a BSpline, for a vector one component at a time")
 
 
 def function_of_two(given: object) -> TensorSpline:
-    """The function of two parameters itself; `ShapeError` for anything else."""
+    """The function of two parameters itself; raises `ShapeError` for anything else."""
     if isinstance(given, TensorSpline):
         return given
     raise _refused(given, "a function of two parameters", "give a TensorSpline, one component of a surface at a time")
 
 
 def surface_of(given: object) -> NurbsSurface:
-    """The surface itself; `ShapeError` for anything else."""
+    """The surface itself; raises `ShapeError` for anything else."""
     if isinstance(given, NurbsSurface):
         return given
     raise _refused(given, "a surface", 'give a NurbsSurface, such as exactspline.example("torus")')
