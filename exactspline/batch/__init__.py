@@ -1,3 +1,3 @@
-"""Work on many curves: `exactspline.batch.sweep` over corpora, in processes here or on a cluster, with results that
-survive a kill.
+"""Work on many curves: `exactspline.batch.sweep` over corpora, in processes of this machine or on a cluster, with
+results that survive a kill.
 """

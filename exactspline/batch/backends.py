@@ -1,6 +1,6 @@
-"""Where a sweep is computed: in this process, in processes of this machine, or on a Dask cluster.
+"""The backends of a sweep: this process, processes of this machine, or a Dask cluster.
 
-joblib runs all but the first; the number of pending tasks is bounded, and the results come in the order of the curves.
+joblib runs the last two. The number of pending tasks is bounded, and the results come in the order of the curves.
 """
 
 from __future__ import annotations
@@ -44,11 +44,11 @@ PENDING = 3
 
 
 class BackendError(ExactSplineError):
-    """A backend that does not exist or is not installed, or a cluster that cannot be reached."""
+    """The error for a backend that does not exist or is not installed, or for a cluster that cannot be reached."""
 
 
 def check_backend(name: str) -> None:
-    """Raise `BackendError` where a backend is unknown or its package is missing."""
+    """Raise `BackendError` if a backend is unknown or its package is missing."""
     if as_text(name, "the name of a backend") not in BACKENDS:
         raise BackendError(f"there is no backend called {name!r}", remedy=nearest(name, BACKENDS))
     if (needed := BACKENDS[name]) and find_spec(needed) is None:
@@ -101,7 +101,7 @@ def mapped(
 
 
 def _counted(given: Iterable[T], weight: Callable[[T], int]) -> tuple[Iterable[T], bool]:
-    """The input, of which the first items were read, and whether these are all and there is little to do.
+    """The input again, after its first items were read, and whether these items are all of it and are quickly computed.
 
     >>> given, few = _counted(iter([3, 1, 2]), lambda _: 1)
     >>> list(given), few
@@ -119,8 +119,8 @@ def _counted(given: Iterable[T], weight: Callable[[T], int]) -> tuple[Iterable[T
 def _groups(
     given: Iterable[T], weight: Callable[[T], int], jobs: int, closed: threading.Event, alone: int = HEAVY
 ) -> Iterator[list[T]]:
-    """The input in groups (see `FIRST`), a group ends with an item of the weight `alone`; none begins once `closed` is
-    set.
+    """The input in groups (see `FIRST`). An item of the weight `alone` ends its group. No group begins after `closed`
+    is set.
     """
     group: list[T] = []
     before, heavy = 0, 0
@@ -183,10 +183,10 @@ def _in_processes(jobs: int) -> Iterator[None]:
 
 @contextmanager
 def _on_dask(jobs: int, scheduler: str) -> Iterator[None]:
-    """The cluster of this scheduler, else that of the current Dask client, else a local one; what was made here ends
-    with the sweep.
+    """The cluster of this scheduler, or that of the current Dask client, or a local cluster; a cluster that was made
+    here ends with the sweep.
 
-    Raises `BackendError` where there is none, and where a worker has other releases: its answers may differ.
+    Raises `BackendError` if there is no cluster, and if a worker has other releases, since its answers may differ.
     """
     from distributed import KilledWorker
     from joblib import parallel_config

@@ -1,5 +1,5 @@
-"""Corpora: curve files, folders, fonts, families and single curves, or files of surfaces and surfaces, read one after
-the other, never all together.
+"""Corpora: curve files, folders, fonts, families and single curves, or files of surfaces and surfaces. They are read
+one after another, never all together.
 """
 
 from __future__ import annotations
@@ -84,7 +84,7 @@ class Family(OneLine):
         return Nurbs(degree, _knots(degree, segments), points, weights, name=str(number))
 
     def __str__(self) -> str:
-        """The words that describe it."""
+        """The words that describe the family."""
         return "random " + " ".join(f"{name}={_shown(value)}" for name, value in asdict(self).items())
 
 
@@ -141,8 +141,8 @@ SKIPPED, NOT_READ = "Skipped", "NotRead"
 
 @dataclass(frozen=True, repr=False)
 class Problem(OneLine):
-    """Why there is no result: the kind of the error, its message (without the file, which the item names), and whether
-    the input is to blame.
+    """The reason why there is no result: the kind of the error, its message (without the file, which the item names),
+    and whether the input is to blame.
     """
 
     kind: str
@@ -157,8 +157,8 @@ class Problem(OneLine):
 
 @dataclass(frozen=True, repr=False)
 class Taken(OneLine):
-    """What is taken from sources: curves, or surfaces; and the distance within which an arc that has no rational
-    control points is replaced (see `exactspline.interchange.files.read`), None for no distance.
+    """The kind of objects that are taken from sources, curves or surfaces, and the distance within which an arc without
+    rational control points is replaced (see `exactspline.interchange.files.read`), None for no distance.
     """
 
     surfaces: bool = False
@@ -166,14 +166,14 @@ class Taken(OneLine):
 
     @classmethod
     def of(cls, *, surfaces: bool = False, approximate: Number | None = None) -> Taken:
-        """What arguments of a user name; raises `NumberError` for a distance that is not above 0."""
+        """The choice that arguments of a user describe; raises `NumberError` for a distance that is not above 0."""
         within = None if approximate is None else rational(approximate)
         if within is not None and within <= 0:
             raise NumberError(f"a distance of {within}", where="approximate", remedy="give a number above 0")
         return cls(as_flag(surfaces, "whether surfaces are taken"), within)
 
     def settings(self) -> dict[str, object]:
-        """As data, for the results of a sweep."""
+        """The choice as data, for the results of a sweep."""
         return {"surfaces": self.surfaces, "approximate": None if self.approximate is None else str(self.approximate)}
 
 
@@ -190,8 +190,8 @@ class Member(OneLine):
 
 @dataclass(frozen=True, repr=False)
 class Item(OneLine):
-    """A curve or surface of a corpus, or the problem where none can be read; `share` is the fraction of the corpus read
-    so far, this one included.
+    """A curve or surface of a corpus, or the problem if it cannot be read; `share` is the fraction of the corpus that
+    has been read, including this item.
     """
 
     index: int
@@ -204,15 +204,15 @@ class Item(OneLine):
 
     @property
     def digest(self) -> str:
-        """A digest of the exact data of the curve or surface, so that one that changes under its name is noticed; empty
-        where the source and the name determine it.
+        """A digest of the exact data of the curve or surface, so that a change under the same name is noticed; empty if
+        the source and the name determine the data.
         """
         if isinstance(self.given, NurbsSurface):
             return surface_digest(self.given)
         return curve_digest(self.given) if isinstance(self.given, Nurbs) else ""
 
     def curve(self) -> Nurbs:
-        """The curve itself; only where `given` is no `Problem`."""
+        """The curve itself; it exists only if `given` is not a `Problem`."""
         if isinstance(self.given, Member):
             return self.given.family.curve(self.given.number)
         assert isinstance(self.given, Nurbs)
@@ -316,7 +316,7 @@ def _of_file(place: str, taken: Taken) -> Iterator[Part]:
 
 
 class _FileItem(NamedTuple):
-    """What a file holds: a curve, a surface, or the problem of what was skipped; its name, and the notes on it."""
+    """An entry of a file: a curve, a surface, or the problem of a skipped entity, with its name and notes."""
 
     name: str
     given: Nurbs | NurbsSurface | Problem
@@ -324,8 +324,8 @@ class _FileItem(NamedTuple):
 
 
 def _entries(reading: Reading, taken: Taken, others: int) -> list[_FileItem]:
-    """The curves or surfaces taken of a part of a file and the problems of what was skipped, the last first. What is
-    not taken, after this many others, comes behind the rest.
+    """The curves or surfaces taken from a part of a file, and the problems of skipped entities, in reverse order.
+    Entities that are not taken come last in the file; `others` is the number of such entities before this part.
     """
     curves = [_FileItem(each.name, each.curve, (*reading.notes, *each.notes)) for each in reading.curves]
     surfaces = [_FileItem(each.name, each, reading.notes) for each in reading.surfaces]
@@ -339,7 +339,7 @@ def _entries(reading: Reading, taken: Taken, others: int) -> list[_FileItem]:
     for each in reversed((*reading.skipped, *more)):
         problem = Problem(NOT_READ if each.curve else SKIPPED, f"{each.what}: {each.why}")
         placed.append((each.after[taken.surfaces], _FileItem(each.where, problem, ())))
-    # of those at one place the curve is the last, and these are read backwards
+    # of the entries at one place the curve is the last one, and entries are read backwards
     return [entry for _, entry in sorted(placed, key=itemgetter(0), reverse=True)]
 
 

@@ -1,4 +1,4 @@
-"""The questions that a sweep asks of every curve, and their answers as data of a line."""
+"""The questions that a sweep asks about every curve, and their answers as data of a line."""
 
 from __future__ import annotations
 
@@ -50,7 +50,7 @@ def asked_by_sweeps() -> dict[str, Entry]:
 def entry_of(asked: str) -> tuple[Entry, str]:
     """The question and its argument in a text such as ``offset_cusps:1/10``.
 
-    Raises `QuestionError` with the nearest names, for an argument that is missing, and for one too many.
+    Raises `QuestionError` with the nearest names, and for a missing or superfluous argument.
     """
     known = asked_by_sweeps()
     name = name_of(asked)
@@ -66,7 +66,7 @@ def checked_names(names: Iterable[str]) -> tuple[str, ...]:
     >>> checked_names(["corners", "offset_cusps:1/10", "corners"])
     ('corners', 'offset_cusps:1/10')
 
-    Raises the errors of `entry_of`, and those of an argument that is none.
+    Raises the errors of `entry_of`, and an error for an argument that no curve takes.
     """
     without = [name for name, q in asked_by_sweeps().items() if not (q.about.takes or q.about.on_request)]
     chosen = dict[str, None]()
@@ -78,8 +78,8 @@ def checked_names(names: Iterable[str]) -> tuple[str, ...]:
 
 
 def _check_argument(entry: Entry, argument: str) -> None:
-    """Ask a question with its argument of a curve of each kind: one that no curve takes is refused once, and not on
-    every line of a sweep.
+    """Ask a question with its argument about a curve of each kind, so that an argument that no curve takes is refused
+    once, and not on every line of a sweep.
     """
     errors = []
     for of in entry.about.of if argument else ():
@@ -92,8 +92,8 @@ def _check_argument(entry: Entry, argument: str) -> None:
 
 
 def inspected(curve: Nurbs, names: Iterable[str], digits: int, values: bool = False) -> dict[str, tuple[Found, ...]]:
-    """The answers to questions about a curve, by name; those that do not apply to curves of its dimension are skipped.
-    With `values` points have their coordinates and the curvature.
+    """The answers to questions about a curve, by name; questions that do not apply to curves of its dimension are
+    skipped. With `values` points have their coordinates and the curvature.
 
     >>> from exactspline import example
     >>> for each in inspected(example("six_segment_cubic"), ["inflections"], 3)["inflections"]:
@@ -117,7 +117,7 @@ def inspected(curve: Nurbs, names: Iterable[str], digits: int, values: bool = Fa
 
 
 def _listed(answer: Any, digits: int, curve: Nurbs | None) -> Iterator[Found]:
-    """What was found; points with their values on a curve, if one is given."""
+    """The points and pieces that were found; points have their values if the curve is given."""
     if isinstance(answer, Intersections):
         yield from _pairs(answer, digits, curve)
         return
@@ -137,7 +137,7 @@ def _listed(answer: Any, digits: int, curve: Nurbs | None) -> Iterator[Found]:
 
 
 def _pairs(answer: Intersections, digits: int, curve: Nurbs | None) -> Iterator[Found]:
-    """Pairs of parameters of one curve, and of the arcs that it runs over again."""
+    """The pairs of parameters at which one curve meets itself, and of the arcs that it traverses twice."""
     if answer.undecided:
         raise ReachError(f"self-intersections: not decided: {'; '.join(answer.undecided)}", remedy="divide the curve")
     for each in answer:
@@ -173,7 +173,7 @@ def _coordinates(curve: Nurbs, place: mpq | Real) -> dict[str, Any]:
 
 
 def _curvature(curve: Nurbs, place: mpq | Real) -> float | None:
-    """The curvature as a double; None where γ′ = 0, and at a knot whose sides differ."""
+    """The curvature as a double; None if γ′ = 0, and at a knot at which the two sides have different curvatures."""
     joint = None if isinstance(place, Real) else analyse(curve).joint(place)
     if joint is not None and (not joint.tangent_continuous or joint.curvatures is not None):
         return None
@@ -216,8 +216,8 @@ def enclosed(place: Real, digits: int) -> tuple[str, str]:
 
 
 def _neighbour(place: Real, low: mpq, high: mpq, scale: mpz) -> int | None:
-    """The integer k for which an irrational number between two others lies in [k, k + 1] divided by a scale; None where
-    these are too far from each other.
+    """The integer k such that an irrational number between two given numbers lies in [k, k + 1] divided by a scale;
+    None if the given numbers are too far apart.
     """
     below, last = (int(end * scale // 1) for end in (low, high))
     if last - below > 2:

@@ -25,18 +25,18 @@ UNDECIDED = "undecided"
 
 @dataclass(frozen=True, repr=False)
 class Found(OneLine):
-    """A point or a piece that was found: its kind, its parameter where that is rational, and where it lies. The kind of
-    a piece all of whose points answer a question about points is `EVERYWHERE`.
+    """A point or a piece that was found: its kind, its parameter if that is rational, and its place. A piece all of
+    whose points answer a question about points has the kind `EVERYWHERE`.
 
     A rational parameter is `low` and `high`; an irrational one lies strictly between these two, neighbouring decimals
     with the requested number of digits; a piece runs from `low` to `high`, for a piece across the seam of a closed
     curve through the end of its domain.
 
-    Where values are asked for, a point has its coordinates and the curvature as correctly rounded doubles; None where
-    there is none: `z` in the plane, the curvature where γ′ = 0 or where the two sides of a knot differ, a number beyond
-    the largest double.
+    If values are asked for, a point has its coordinates and the curvature as correctly rounded doubles. A missing value
+    is None: `z` in the plane, the curvature at γ′ = 0 or at a knot whose two sides differ, a number beyond the largest
+    double.
 
-    Where two parameters belong together, as at self-intersections, the other one lies between `other_low` and
+    If two parameters belong together, as at self-intersections, the second one lies between `other_low` and
     `other_high`, or runs between them.
     """
 
@@ -53,7 +53,7 @@ class Found(OneLine):
 
 
 class Way(StrEnum):
-    """How a curve of which the certified filter was asked was decided."""
+    """The way in which the certified filter, or the exact fallback, decided a curve."""
 
     DECIDED = "decided in doubles"
     EXACT = "decided by exact arithmetic"
@@ -62,8 +62,8 @@ class Way(StrEnum):
 
 @dataclass(frozen=True, repr=False)
 class Judged(OneLine):
-    """A claim checked on this curve: its verdict, whether that is the recorded one, and the witness where
-    there is one.
+    """A claim checked on this curve: its verdict, whether that is the recorded verdict, and the witness if there is
+    one.
     """
 
     claim: str
@@ -74,10 +74,10 @@ class Judged(OneLine):
 
 @dataclass(frozen=True)
 class Line:
-    """Everything about one curve, or one surface: that has `degrees` in place of a degree, `patches` in place of
-    segments, and the `answers` to questions about it as data, as `inspect` has them. Lines are equal when their results
-    are: the processor time of a line is part of its data, but not compared; the way in which the results were obtained
-    is not part of its data.
+    """Everything about one curve or one surface. A surface has `degrees` in place of a degree, `patches` in place of
+    segments, and the `answers` to questions about it as data, as `inspect` prints them. Lines are equal if their
+    results are equal: the processor time is part of the data of a line, but is not compared; the way in which the
+    results were obtained is not part of its data.
     """
 
     index: int
@@ -119,8 +119,7 @@ class Line:
         return fields | {"digest": _digest_of(fields)}
 
     def kinds(self) -> Iterator[tuple[str, str]]:
-        """All that was found: the question and the kind of each point or piece. What is not decided is of the kind
-        `UNDECIDED`.
+        """The question and the kind of each point or piece that was found. Undecided ones have the kind `UNDECIDED`.
 
         >>> from exactspline import example
         >>> from exactspline.batch.sweep import sweep
@@ -148,7 +147,7 @@ class Line:
         >>> Line.from_data(line.data()) == line
         True
 
-        Raises `KeyError` or `TypeError` for what is not a line, `ValueError` for a line that was changed.
+        Raises `KeyError` or `TypeError` for data that are not a line, and `ValueError` for a line that was changed.
         """
         given: dict[str, object] = dict(data)
         if given.pop("digest") != _digest_of(given):
@@ -165,8 +164,8 @@ class Line:
 
 
 def _digest_of(data: Mapping[str, object]) -> str:
-    """A digest of all fields of a line except the processor time, which differs each time: a line that is changed by
-    hand, or by a damaged disk, is noticed when its sweep is continued.
+    """A digest of all fields of a line except the processor time, which differs each time. Thus a line that was changed
+    by hand, or by a damaged disk, is noticed when its sweep is continued.
     """
     fields = {name: value for name, value in data.items() if name != "seconds"}
     return short_digest(json.dumps(fields, ensure_ascii=False, sort_keys=True, separators=(",", ":")))
@@ -188,7 +187,7 @@ def line_schema() -> dict[str, object]:
     properties = {
         name: _form(kind) for name, kind in get_type_hints(Line).items() if name in DATA and name != "answers"
     }
-    # behind the name stands what a question is asked with
+    # the arguments of a question follow its name
     properties["answers"] = {
         "type": "object",
         "additionalProperties": False,

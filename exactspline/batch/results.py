@@ -29,18 +29,18 @@ V = TypeVar("V")
 
 
 class ResultsError(ExactSplineError):
-    """Results that cannot be written, or are not of this sweep."""
+    """The error for results that cannot be written, or that belong to another sweep."""
 
 
 class Results(ABC):
-    """Existing lines, and lines that are added; other writers are locked out."""
+    """The lines of a sweep on disk, to which lines are added; other writers are locked out."""
 
     def __init__(self, place: Path, settings: Settings) -> None:
         self.place, self.settings = place, json.loads(json.dumps(settings))
 
     @abstractmethod
     def existing(self) -> Iterator[Line]:
-        """The existing lines, in order; to be read before any is added. Raises `ResultsError`."""
+        """The existing lines, in order; they must be read before a line is added. Raises `ResultsError`."""
 
     @abstractmethod
     def add(self, line: Line) -> None:
@@ -48,7 +48,7 @@ class Results(ABC):
 
     @abstractmethod
     def close(self) -> None:
-        """Write what is buffered, and release the lock."""
+        """Write the buffered lines, and release the lock."""
 
     def __enter__(self) -> Self:
         return self
@@ -83,7 +83,7 @@ class JsonLines(Results):
 
     def __init__(self, place: Path, settings: Settings) -> None:
         super().__init__(place, settings)
-        # open as long as the results are in use: `close` closes it
+        # the file is open as long as the results are in use: `close` closes it
         self._file = _reporting(place, lambda: open(place, "a+b", buffering=0))  # noqa: SIM115
         try:
             _locked(self._file.fileno(), place)
@@ -142,10 +142,10 @@ def _repair(stream: IO[bytes]) -> None:
 
 
 def _locked(handle: int | None, place: Path) -> None:
-    """Keep others from writing to the same results until the file is closed or the process ends, where the system
-    supports it.
+    """Prevent other processes from writing to the same results until the file is closed or the process ends, if the
+    system supports locks.
 
-    Raises `ResultsError` where another process writes.
+    Raises `ResultsError` if another process is writing.
     """
     if not lock(handle):
         raise ResultsError(
@@ -262,7 +262,7 @@ class Parquet(Results):
 
 
 def _schema(pa: Any, find: list[str]) -> pyarrow.Schema:
-    """The columns: the fields of a line about a curve, and in place of what was found one column per question."""
+    """The columns: the fields of a line about a curve, where the points and pieces have one column per question."""
     fields: Any = line_schema()["properties"]
     found = fields["found"]["additionalProperties"]
     columns: dict[str, Any] = {}
@@ -274,7 +274,7 @@ def _schema(pa: Any, find: list[str]) -> pyarrow.Schema:
 
 
 def _type(pa: Any, form: dict[str, Any]) -> Any:
-    """The Arrow type of what a JSON Schema describes; a value may be missing in any case."""
+    """The Arrow type of values that a JSON Schema describes; every value may be missing."""
     if "anyOf" in form:
         return _type(pa, form["anyOf"][1])
     kind = form["type"][0] if isinstance(form["type"], list) else form["type"]

@@ -26,7 +26,7 @@ UNDECIDED = "UNDECIDED"
 
 @dataclass(frozen=True, repr=False)
 class Tally(OneLine):
-    """A line of the summary: what is counted, its name, and the count or the processor time."""
+    """A line of the summary: the kind of the counted thing, its name, and the count or the processor time."""
 
     what: str
     name: str = ""
@@ -74,8 +74,8 @@ class Summary:
     _slowest: list[tuple[float, int, str]] = field(default_factory=list)
 
     def add(self, line: Line, *, known: bool = False) -> None:
-        """Count one line; `known` means that it was computed by an earlier sweep, so that the way it was decided is
-        unknown.
+        """Count one line; `known` means that an earlier sweep computed the line, so that the way in which it was
+        decided is unknown.
         """
         if known or line.error is None:
             self.filter[BEFORE if known else line.way or NOT_ASKED] += 1
@@ -154,7 +154,7 @@ class Summary:
 
 
 def _set_aside(line: Line) -> Iterator[str]:
-    """Which parts of a line were refused, undecided, or decided by a fallback."""
+    """The parts of a line that were refused, undecided, or decided by a fallback."""
     if line.error is not None:
         yield REFUSED
     if line.way is Way.EXACT:

@@ -1,5 +1,5 @@
-"""The sweep: one line per curve of a corpus, in order; and with its results on disk, where existing lines are read and
-compared with the corpus, and missing ones are computed.
+"""The sweep: one line per curve of a corpus, in order. With results on disk, existing lines are read and compared with
+the corpus, and missing lines are computed.
 """
 
 from __future__ import annotations
@@ -39,11 +39,11 @@ def sweep(
 ) -> Iterator[Line]:
     """The features of each of many curves, one line per curve, in order, one at a time. A source is a curve, the name
     of a file, a folder, a font or an example, or a `Family` of random curves. `find` names the questions to ask
-    (`asked_by_sweeps`), `claims` the claims to check, by id; with `values` every point that is found has its
-    coordinates and the curvature, as correctly rounded doubles; `backend` is one of `BACKENDS`. A curve that cannot be
-    read or handled yields a line with its error. With `surfaces` surfaces are taken instead of curves, and `find` names
-    questions about them (all without it). `approximate` is the distance within which arcs of drawings that have no
-    rational control points are replaced (see `exactspline.interchange.read`).
+    (`asked_by_sweeps`), `claims` the claims to check, by id; with `values` every point has its coordinates and the
+    curvature, as correctly rounded doubles; `backend` is one of `BACKENDS`. A curve that cannot be read or handled
+    yields a line with its error. With `surfaces` surfaces are taken instead of curves, and `find` names questions about
+    them (all without it). `approximate` is the distance within which arcs of drawings that have no rational control
+    points are replaced (see `exactspline.interchange.read`).
 
     Plane curves are read and computed in groups, the first of 16, later ones of up to 512: the generator computes ahead
     by the rest of a group, with several processes by up to 4096 curves each.
@@ -80,7 +80,7 @@ def work_of(
 
 @dataclass(frozen=True, repr=False)
 class Where(OneLine):
-    """Where a sweep is computed: see `exactspline.batch.backends.mapped`."""
+    """The place where a sweep is computed: see `exactspline.batch.backends.mapped`."""
 
     backend: str = "processes"
     jobs: int = 1
@@ -139,7 +139,7 @@ def sweep_into_file(
 
 
 def _about(line: Line, item: Item) -> bool:
-    """Whether a line is about a curve of the corpus, as it is now."""
+    """Whether a line is about this item of the corpus, and the item has not changed."""
     problem = item.given if isinstance(item.given, Problem) else line.error
     return (item.source, item.name, item.digest, problem) == (line.source, line.curve, line.curve_digest, line.error)
 

@@ -36,10 +36,10 @@ DIGITS, MOST_DIGITS = 10, 10_000
 
 
 class OneByOne(ABC):
-    """Work that gives a line for each curve or surface."""
+    """Work that makes one line for each curve or surface."""
 
     def line(self, item: Item) -> Line:
-        """The line of one. An error is recorded in the line, so that others are not affected."""
+        """The line of one item. An error is recorded in the line, so that other items are not affected."""
         start, fields = process_time(), dict[str, Any]()
         try:
             if isinstance(item.given, Problem):
@@ -54,10 +54,10 @@ class OneByOne(ABC):
 
     @abstractmethod
     def _fill(self, fields: dict[str, Any], item: Item) -> None:
-        """Put what is known of one into the fields of its line."""
+        """Fill the fields of the line of one item."""
 
     def lines(self, group: list[Item]) -> Iterator[Line]:
-        """The lines of several, which are removed from the list so that none is kept when its line is done."""
+        """The lines of several items. Items are removed from the list, so that none is kept after its line is done."""
         while group:
             yield self.line(group.pop(0))
 
@@ -93,7 +93,7 @@ class Work(OneByOne):
         return cls(names, located, digits, as_flag(values, "whether points get their values"))
 
     def settings(self) -> dict[str, object]:
-        """On what the lines depend, as data."""
+        """The settings on which the lines depend, as data."""
         return {
             "find": list(self.find),
             "claims": [list(claim) for claim in self.claims],
@@ -102,14 +102,14 @@ class Work(OneByOne):
         }
 
     def _fill(self, fields: dict[str, Any], item: Item) -> None:
-        """What is known of the curve, and what is found on it."""
+        """Fill in the data of the curve and the answers about it."""
         curve = item.curve()
         fields |= {name: getattr(curve, name) for name in ("degree", "dimension", "segments", "polynomial")}
         fields["found"], fields["claims"], fields["way"] = self._answered(curve)
 
     def weight(self, item: Item) -> int:
-        """How much of a group a curve fills: for a plane curve of which only quick questions are asked its number of
-        segments times the cube of its degree, for a family the largest such value; otherwise `ALONE`.
+        """The part of a group that a curve fills. For a plane curve with quick questions only, it is the number of
+        segments times the cube of the degree, for a family the largest such value; otherwise it is `ALONE`.
 
         >>> from exactspline.batch.corpus import items
         >>> from exactspline.batch.corpus import Family
@@ -165,7 +165,7 @@ def _claims(keys: tuple[tuple[str, str], ...]) -> tuple[Claim, ...]:
 
 @cache
 def _proofs() -> Proofs:
-    """The proofs of this process, each made once: they are needed where a claim is refuted on a curve."""
+    """The proofs of this process, each made once. They are needed for a claim that is refuted on a curve."""
     from exactspline.verification.combined import Proofs
 
     return Proofs()
@@ -190,8 +190,8 @@ class SurfaceWork(OneByOne):
 
     @classmethod
     def of(cls, find: Iterable[str] | None = None, digits: int = DIGITS) -> SurfaceWork:
-        """The work that the arguments describe: questions about surfaces and maps of the plane, all of the registry
-        where none is named or by ``all``.
+        """The work that the arguments describe: questions about surfaces and maps of the plane; all questions of the
+        registry if none is named, or for ``all``.
 
         Raises `QuestionError` with the nearest names.
         """
@@ -209,7 +209,7 @@ class SurfaceWork(OneByOne):
         return cls(tuple(asked), as_integer(digits, "a number of digits", 0, MOST_DIGITS))
 
     def settings(self) -> dict[str, object]:
-        """On what the lines depend, as data."""
+        """The settings on which the lines depend, as data."""
         return {"find": list(self.find), "claims": [], "digits": self.digits, "values": False}
 
     def weight(self, item: Item) -> int:
@@ -217,11 +217,11 @@ class SurfaceWork(OneByOne):
         return ALONE
 
     def _fill(self, fields: dict[str, Any], item: Item) -> None:
-        """What is known of the surface, and the answers; questions that do not apply to surfaces of its dimension are
+        """Fill in the data of the surface and the answers; questions that do not apply to surfaces of its dimension are
         skipped.
         """
         surface = item.given
-        assert isinstance(surface, NurbsSurface)  # no other is given to this work
+        assert isinstance(surface, NurbsSurface)  # this work gets only surfaces
         first, second = (len(mesh.breaks) - 1 for mesh in surface.meshes)
         fields |= {"dimension": surface.dimension, "polynomial": surface.polynomial, "degrees": surface.degree}
         fields["patches"] = first * second

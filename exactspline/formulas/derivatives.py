@@ -1,6 +1,6 @@
 """Invariants of a curve at a point, as functions of its first two derivatives: two vectors of numbers or any operands.
 
-The formulas for curves below are the same functions of γ′ and γ″.
+The formulas for curves at the end of this module are the same functions of γ′ and γ″.
 """
 
 from exactspline.language.formula import formula

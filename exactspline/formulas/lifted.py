@@ -68,7 +68,7 @@ PLANE_FORMS = (inflections_lifted, critical_curvature_lifted, tangent_lifted_squ
 
 @formula("lifted", on="plane", symbol="S")
 def osculating_circle(c):
-    """The circle through three consecutive points of the curve, ``(a, b, c)`` as above."""
+    """The circle through three consecutive points of the curve, given by ``(a, b, c)``: ``a ‖x‖² + b·x + c = 0``."""
     return osculating(conformal_lift(c), 3)
 
 
@@ -120,7 +120,7 @@ def space_curvature_squared_lifted(c):
 @formula("lifted", on="space", symbol=r"J_\kappa")
 def space_critical_curvature_lifted(c):
     """The numerator of the logarithmic derivative of ``κ²``: the Jacobian of the two covariants whose quotient is κ²,
-    without the factors they share.
+    without common factors.
     """
     return logarithmic_numerator((binormal_lifted_squared(c), 1), (tangent_lifted_squared(c), -3), (c.w, 6))
 
@@ -312,7 +312,7 @@ def point_bisector_lifted_directrix(c):
 
 @formula("lifted", on="point")
 def point_bisector_lifted_generator(c):
-    """The normal of that plane."""
+    """The normal of the plane through the tangent and Q."""
     return point_bisector_lifted(c).generator
 
 

@@ -18,7 +18,8 @@ from exactspline.one_line import one_line
 
 
 class Adjoined(FieldOperand):
-    """``plain + rooted · σ`` with σ² = `square`, an operand of the base reading that is not a square there.
+    """``plain + rooted · σ`` with σ² = `square`, where S is an operand of the base reading that is not a square in that
+    reading.
     >>> from exactspline.language.kinds import CURVE
     >>> from exactspline.readings.jet import RationalJetReading
     >>> c = RationalJetReading(2).argument(CURVE, 2)
@@ -84,7 +85,7 @@ class Adjoined(FieldOperand):
 
     @property
     def is_zero(self) -> bool:
-        """Whether both parts are zero: 1 and σ are linearly independent over the base reading."""
+        """Whether both parts are zero, since 1 and σ are linearly independent over the base reading."""
         return bool(self.plain.is_zero and self.rooted.is_zero)
 
     def __eq__(self, other: object) -> bool:

@@ -1,8 +1,8 @@
 """The arguments of formulas: a curve, a curve and a point, two curves, or named operands.
 
 A formula is a plain function over operands that know ``+ - * /``, ``**`` with a small integer, and ``.d(k)``, the k-th
-derivative. What an operand *is* depends on the reading: a spline, a polynomial in jets, a degree, a node of an
-expression tree, a Taylor series. Nothing in this package depends on which.
+derivative. The meaning of an operand depends on the reading, that is on the type of its values: a spline, a polynomial
+in jets, a degree, a node of an expression tree, a Taylor series. Nothing in this package depends on the reading.
 """
 
 from __future__ import annotations
@@ -177,7 +177,8 @@ class Curve(Evaluated, Generic[T]):
 
 
 class Pair(Evaluated, Generic[T]):
-    """Two curves, ``first`` with parameter s and ``second`` with parameter s̄: the argument of a formula of §6.1.
+    """Two curves, ``first`` with parameter s and ``second`` with parameter s̄: the argument of a formula of §6.1 of the
+    paper.
 
     Expressions may mix operands of both curves, but only an operand of a single curve can be differentiated, with
     respect to the parameter of that curve.
@@ -192,7 +193,7 @@ class Pair(Evaluated, Generic[T]):
         return self.first.dimension
 
     def operands(self) -> dict[str, T]:
-        """The operands of the first curve, and those of the second with capital letters."""
+        """The operands of the first curve, and the operands of the second curve with capital letters."""
         return self.first.operands() | {name.upper(): x for name, x in self.second.operands().items()}
 
     def copied(self) -> Pair[T]:

@@ -1,6 +1,6 @@
 """Plane vectors as complex numbers ``a₁ + a₂ i``, in the reading of their components.
 
-The real part is ``a[0]``, the imaginary one ``a[1]``; ``perp(a)`` is ``i a`` and ``norm2(a)`` is ``a ā``.
+The real part is ``a[0]``, the imaginary part ``a[1]``; ``perp(a)`` is ``i a`` and ``norm2(a)`` is ``a ā``.
 """
 
 from __future__ import annotations

@@ -36,7 +36,7 @@ class Formula(Displayed):
         self.__doc__, self.__module__ = function.__doc__, function.__module__
 
     def __reduce__(self) -> str:
-        return self.name  # by reference: the formula with this name in its module
+        return self.name  # pickled by reference: the formula with this name in its module
 
     @property
     def curve(self) -> str:
@@ -55,7 +55,7 @@ class Formula(Displayed):
 
     def _check_letters(self, dimension: int) -> None:
         """Raise `FormulaError` for derivatives with respect to unknown parameters, once per dimension and independently
-        of the reading. For a kind with a single parameter, the readings themselves reject any other.
+        of the reading. For a kind with a single parameter, the readings themselves reject all other parameters.
         """
         if dimension in self._lettered or dimension not in self.kind.dimensions:
             return
@@ -65,8 +65,8 @@ class Formula(Displayed):
         self._lettered.add(dimension)
 
     def _letter(self, parameters: tuple[str, ...]) -> Callable[[Symbol], Letter]:
-        """The operand of a symbol. Where ``u`` is both a parameter of a surface and its value along a curve, a
-        derivative of the latter with respect to the former would be 0 in one sense and 1 in the other.
+        """The operand of a symbol. If ``u`` is both a parameter of a surface and a function along a curve, the
+        derivative of the function with respect to the parameter would be 0 in one sense and 1 in another.
         """
         along = self.kind.composed.values()
         return lambda symbol: Letter(symbol.parameters if symbol.name in along else parameters)
@@ -125,9 +125,9 @@ def constant_formula(kind: Kind, name: str) -> Formula:
 
 
 class Reading(ABC):
-    """One way to evaluate formulas. To add a reading, add one file that provides one of these; nothing else changes.
+    """A reading: one way to evaluate formulas. A new reading is one new file with a subclass; nothing else changes.
 
-    `name` is its name in the ledger; its file says what the equality of two values in it proves.
+    `name` is its name in the ledger; the file of a reading says what the equality of two values proves.
     """
 
     name: ClassVar[str]

@@ -100,10 +100,9 @@ HODOGRAPH = HodographKind()
 
 
 # ---- implicit curves and surfaces
-#
-# Since the curve lies there, `∇F·γ′ = 0`, so that its derivative is a multiple of a vector orthogonal to ∇F, and the
-# chain rule gives the derivatives of all the partial derivatives: `(F_x)′ = F_xx x′ + F_xy y′`. With that every formula
-# of curves can be compared with one in ∇F and the Hessian of F.
+# The curve lies in the zero set, so that `∇F·γ′ = 0`: its derivative is a multiple of a vector orthogonal to ∇F. The
+# chain rule gives the derivatives of all partial derivatives, `(F_x)′ = F_xx x′ + F_xy y′`. Thus every formula of
+# curves can be compared with a formula in ∇F and the Hessian of F.
 
 
 #: Partial derivatives are known up to this order.
@@ -319,7 +318,9 @@ class PairKind(Kind):
 
 
 class TableKind(Kind):
-    """The operands of Table 1: polynomials p1, p2, denominators w1, w2 and vectors v1, v2, all of one parameter."""
+    """The operands of Table 1 of the paper: polynomials p1, p2, denominators w1, w2 and vectors v1, v2, all of one
+    parameter.
+    """
 
     name = "table"
     dimensions = (3,)
@@ -394,7 +395,8 @@ KINDS: dict[str, Kind] = {
 
 
 def with_constants(kind: Kind, names: Iterable[str]) -> Kind | None:
-    """The kind with additional constants; None for a kind that has none, and where operands of it have these names.
+    """The kind with additional constants; None for a kind without constants, and if operands of the kind have these
+    names.
 
     >>> with_constants(PLANE, ["delta"]), with_constants(FRAMED_PLANE, ["sigma"]), with_constants(TABLE, ["r"])
     (<kind plane with delta>, None, None)
@@ -426,7 +428,8 @@ def common_kind(kinds: Iterable[Kind]) -> Kind:
     >>> common_kind([kind_of("surface"), SPACE])
     <kind curve on a surface>
 
-    Raises `FormulaError` where there is none: the function h of a hodograph is not a constant called h.
+    Raises `FormulaError` if there is none, for example because the function h of a hodograph is not a constant called
+    h.
     """
     given = list(kinds)
     special = [kind for kind in given if not any(kind is k for k in (CURVE, PLANE, SPACE))]

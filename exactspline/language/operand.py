@@ -155,10 +155,7 @@ class Operand(Displayed, ABC):
 
     @property
     def is_zero(self) -> bool:
-        """Whether it vanishes identically.
-
-        Raises `FormulaError` in a reading that cannot decide this.
-        """
+        """Whether the operand vanishes identically. Raises `FormulaError` in a reading that cannot decide this."""
         problem = f"whether a {type(self).__name__} vanishes cannot be decided"
         raise FormulaError(problem, remedy="use a reading that has values, such as jets or splines")
 
@@ -180,11 +177,11 @@ class Operand(Displayed, ABC):
         return NotImplemented if right is None else self._times(right)
 
     def _plus(self, right: Self) -> Self:
-        """The sum with an operand of the same reading: what a reading implements, if not ``+`` itself."""
+        """The sum with an operand of the same reading; a reading implements this method or ``+`` itself."""
         raise NotImplementedError
 
     def _times(self, right: Self) -> Self:
-        """The product with an operand of the same reading: what a reading implements, if not ``*`` itself."""
+        """The product with an operand of the same reading; a reading implements this method or ``*`` itself."""
         raise NotImplementedError
 
     @abstractmethod
@@ -192,7 +189,9 @@ class Operand(Displayed, ABC):
         """The operand times an exact constant."""
 
     def elevated_to(self, other: Self, /) -> Self:
-        """The same function, of at least the degree of another; the operand itself where a reading has no degrees."""
+        """The same function, of at least the degree of another operand; the operand itself in a reading without
+        degrees.
+        """
         return self
 
     @abstractmethod
@@ -207,7 +206,7 @@ class Operand(Displayed, ABC):
         return result
 
     def _first_derivative(self, by: str | None) -> Self:
-        """The first derivative: what a reading implements, if not `d` itself."""
+        """The first derivative; a reading implements this method or `d` itself."""
         raise NotImplementedError
 
     def __neg__(self) -> Self:
@@ -267,7 +266,7 @@ class Operand(Displayed, ABC):
     def only_parameter(self, by: str | None) -> None:
         """Check that a derivative is taken with respect to the only parameter.
 
-        Raises `FormulaError` for another one.
+        Raises `FormulaError` for another parameter.
         """
         if by not in (None, self.parameter):
             problem = f"a derivative with respect to {by!r} of a function of {self.parameter!r}"
@@ -335,7 +334,7 @@ class OwnVectors(OwnProducts, OwnJoining):
 
 
 class PartlyOrdered(ABC):
-    """A degree that is not a single number: the maximum of two such degrees may be different from both."""
+    """A degree that is not a single number: the maximum of two such degrees may differ from both degrees."""
 
     __slots__ = ()
 
@@ -370,8 +369,8 @@ def no_truth_value(value: object) -> FormulaError:
 
 
 class Letter(FieldOperand):
-    """An operand of which only the parameters are known with respect to which it may be differentiated: of a sum or a
-    product those that are common.
+    """An operand that knows only the parameters with respect to which it may be differentiated. For a sum or a product
+    these are the common parameters.
 
     >>> Letter(("u", "v")).d(1, by="s")
     Traceback (most recent call last):

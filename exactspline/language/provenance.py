@@ -1,5 +1,5 @@
-"""How an operand was computed, by which naive semantics recognizes that two denominators are *structurally the same
-product*.
+"""The provenance of an operand says how it was computed. By it, naive semantics recognizes that two denominators are
+*structurally the same product*.
 
 A provenance is a nested tuple ``(operation, provenance, …)`` with a distinct leaf for each input operand. It is cheap
 to construct. Only when two denominators are compared are both brought to a canonical form, a constant times a multiset

@@ -68,7 +68,7 @@ class Product(Generic[T]):
         return self.parts if self._value is None else (self._value,)
 
     def same(self, other: Product[T]) -> bool:
-        """Whether both are structurally the same product."""
+        """Whether two denominators are structurally the same product."""
         return self is other or _agree(self.value, other.value)
 
     @property
@@ -201,7 +201,8 @@ class Rational(Immutable, Operand, OwnProducts, OwnJoining, Generic[T]):
         return value
 
     def __eq__(self, other: object) -> bool:
-        """Whether both are the same function, decided by cross-multiplication, so that common factors do not matter.
+        """Whether two quotients are the same function, decided by cross-multiplication, so that common factors do not
+        matter.
 
         If a denominator vanishes identically, even if only on one segment, the quotient is not a function and equals
         nothing, not even itself. A quotient equals a spline (or vector of splines) that is the same function.
@@ -239,12 +240,12 @@ class Rational(Immutable, Operand, OwnProducts, OwnJoining, Generic[T]):
         )
 
     def __hash__(self) -> int:
-        if self.is_vector:  # the hash of the vector of its components, which is equal to it
+        if self.is_vector:  # the hash of the vector of the components, since the quotient is equal to that vector
             return hash(tuple(self[i] for i in range(len(self))))
         return self.denominator.hash_of_quotient(self.scalar)
 
     def __add__(self, other: object) -> Rational[T]:
-        """Rows T4 and T5."""
+        """The sum by rows T4 and T5 of Table 1."""
         p: Any = self.numerator
         if not isinstance(other, Rational):
             return Rational(p + self.denominator * cast(Any, other), self.product) if _fits(other) else NotImplemented
@@ -262,7 +263,7 @@ class Rational(Immutable, Operand, OwnProducts, OwnJoining, Generic[T]):
         return Rational(one.scaled(value), one)
 
     def __mul__(self, other: object) -> Rational[T]:
-        """Rows T6 and T7."""
+        """The product by rows T6 and T7 of Table 1."""
         if isinstance(other, CONSTANTS):
             return self.scaled(other)
         if isinstance(other, Rational):
@@ -270,7 +271,7 @@ class Rational(Immutable, Operand, OwnProducts, OwnJoining, Generic[T]):
         return Rational(_times(self.numerator, other), self.product) if _fits(other) else NotImplemented
 
     def __truediv__(self, other: object) -> Rational[T]:
-        """Rows T8 and T9."""
+        """The quotient by rows T8 and T9 of Table 1."""
         if isinstance(other, CONSTANTS):
             return self.scaled(1 / mpq(other))
         if isinstance(other, Rational):
@@ -409,8 +410,8 @@ def _times(a: Any, b: Any) -> Any:
 
 
 def cramer(*rows: tuple[Vector[S], S]) -> Vector[S]:
-    """The numerators of Cramer's rule, eq. (23), as one vector: divided by the determinant of the normals, they are the
-    point B with ``normal · B = height`` for each row.
+    """The numerators of Cramer's rule, eq. (23) of the paper, as one vector: divided by the determinant of the normals,
+    they are the point B with ``normal · B = height`` for each row.
 
     Each row is a pair of a normal and a height: three planes in space, or two lines in the plane.
 
@@ -428,7 +429,8 @@ def cramer(*rows: tuple[Vector[S], S]) -> Vector[S]:
 
 
 def level(normal: Vector[S], height: S) -> tuple[Vector[S], S]:
-    """A row of a linear system brought to a common denominator: the step that §6 takes before it applies Cramer's rule.
+    """A row of a linear system brought to a common denominator: the step that §6 of the paper takes before it applies
+    Cramer's rule.
 
     Values that are not quotients are returned unchanged.
     """

@@ -214,8 +214,8 @@ def _multilinear(function: Callable[P, T]) -> Callable[P, T]:
 
 
 def _of_proportions(function: Callable[..., T], vectors: Sequence[Any]) -> T:
-    """A product of vectors with long components: of a vector v = P u and its derivatives, where P is a component, it is
-    computed from u, in which what all components share has cancelled: ``[v v′ v″] = P³ [u u′ u″]``, ``v·v = P² u·u``.
+    """A product of a vector v with long components and its derivatives. With v = P u, where P is a component of v, it
+    is computed from u, in which common factors have cancelled: ``[v v′ v″] = P³ [u u′ u″]``, ``v·v = P² u·u``.
     """
     first, n = vectors[0], len(vectors)
     chain = [first]

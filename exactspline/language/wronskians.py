@@ -1,7 +1,7 @@
 """Wronskians, the vector orthogonal to a vector and its derivatives, and the numerator of a logarithmic derivative.
 
 In most readings these are computed as determinants and sums of products of derivatives. But a determinant of
-derivatives of forms of degree n has a lower degree than the products in it: a reading that can carry out such an
+derivatives of forms of degree n has a lower degree than the products in it: a reading that can compute such an
 operation at its true degree implements `OwnWronskians`. Formulas do not depend on this.
 """
 

@@ -1,5 +1,5 @@
-"""Readings: the possible interpretations of the operands of a formula. The spline reading is provided directly by
-`exactspline.splines.bspline` and `exactspline.splines.nurbs`.
+"""Readings, that is evaluation modes: the possible interpretations of the operands of a formula. The spline reading is
+provided directly by `exactspline.splines.bspline` and `exactspline.splines.nurbs`.
 """
 
 import lazy_loader

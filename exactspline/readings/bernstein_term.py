@@ -73,7 +73,7 @@ class Monomials(RingOperand):
 
     @property
     def is_zero(self) -> bool:
-        """Whether there are no terms."""
+        """Whether the sum is zero: it has no terms."""
         return not self.terms
 
 

@@ -1,7 +1,7 @@
 """The degree reading: max-plus expressions in named degrees, ``9d − 6`` or ``max(2d − 1, d1 + d2)``.
 
 The degree of a product is the sum of the degrees, that of a sum their maximum, and a derivative lowers it by one.
-Constants have degree 0. These are the rules of Table 1.
+Constants have degree 0. These are the rules of Table 1 of the paper.
 """
 
 from __future__ import annotations
@@ -33,8 +33,8 @@ def _plus(a: Term, b: Term) -> Term:
 
 
 def _dominates(a: Term, b: Term, start: int = 1) -> bool:
-    """Whether a ≥ b for all degrees ≥ `start`: no coefficient is smaller, nor is the value where all degrees are
-    `start`.
+    """Whether a ≥ b for all degrees ≥ `start`: no coefficient of a is smaller, and neither is the value if all degrees
+    are `start`.
     """
     difference = _plus(a, (tuple((name, -k) for name, k in b[0]), -b[1]))
     return all(k >= 0 for _, k in difference[0]) and sum(k for _, k in difference[0]) * start + difference[1] >= 0
@@ -265,7 +265,8 @@ def _parsed(text: str) -> Degree:
 
 class _DifferentiatedPartByPart(Rational[Degree]):
     """A quotient whose derivative is counted as if numerator and denominator were differentiated separately. This is
-    not a rule of Table 1, but the way in which (24) and (35) give γ′ the degree d − 1 "either polynomial or rational".
+    not a rule of Table 1 of the paper, but the way in which its equations (24) and (35) give γ′ the degree d − 1
+    "either polynomial or rational".
     """
 
     __slots__ = ()
@@ -277,8 +278,8 @@ class _DifferentiatedPartByPart(Rational[Degree]):
 
 class DegreeReading(Reading):
     """Degrees with respect to one parameter: ``s`` of the first curve, ``s̄`` of the second one, ``u`` or ``v`` of a
-    surface. With the `counting` ``part by part``, a rational curve is differentiated as in (24). `degree` is the name
-    of the degree of the curve.
+    surface. With the `counting` ``part by part``, a rational curve is differentiated as in eq. (24) of the paper.
+    `degree` is the name of the degree of the curve.
 
     >>> from exactspline.language.kinds import PAIR
     >>> c = DegreeReading().argument(PAIR, 3)

@@ -84,7 +84,7 @@ def is_polynomial(formula: Formula, dimension: int) -> bool:
 def order_of(formula: Formula, dimension: int, kind: Kind | None = None) -> int:
     """The order of the highest derivative of the curve in a formula, on its own kind of argument or on another one.
 
-    Raises `FormulaError` where the value, or a component, is a number instead of an operand.
+    Raises `FormulaError` if the value, or a component, is a number instead of an operand.
 
     >>> from exactspline.papers.chen_riesenfeld_cohen_2007.derivatives import D3
     >>> order_of(D3, 3)

@@ -150,7 +150,7 @@ def divided_out(polynomials: list[fmpq_mpoly], q: fmpq_mpoly) -> tuple[int, list
     times = 0
     while True:
         try:
-            polynomials = [p / q for p in polynomials]  # stops at the first remainder
+            polynomials = [p / q for p in polynomials]  # the loop stops at the first remainder
         except DomainError:
             return times, polynomials
         times += 1

@@ -1,7 +1,7 @@
 """The generic reading: one Bézier segment of a given degree whose control points and weights are indeterminates.
 
-The value of a formula has Bézier coefficients that are polynomials in them; a coefficient that is not the zero
-polynomial vanishes only on special curves.
+The Bézier coefficients of the value of a formula are polynomials in these indeterminates; a coefficient that is not the
+zero polynomial vanishes only on special curves.
 """
 
 from __future__ import annotations

@@ -81,7 +81,7 @@ class JetRing(OneLine):
         return _ring, self._made_of
 
     def __eq__(self, other: object) -> bool:
-        """Whether both consist of the same polynomials."""
+        """Whether two rings consist of the same polynomials."""
         return isinstance(other, JetRing) and self._made_of == other._made_of
 
     def __hash__(self) -> int:
@@ -319,8 +319,8 @@ class JetReading(IndeterminateReading):
 
 # ---- quotients of jets
 #
-# The jet reading computes by the naive algorithm; this one computes the function itself and cancels common factors
-# after every operation. This proves identities between large naive expressions without expanding them.
+# The jet reading computes by the naive algorithm; the reading of quotients computes the function itself and cancels
+# common factors after every operation. This proves identities between large naive expressions without expanding them.
 
 
 #: Numerators with more terms are long.
@@ -358,7 +358,7 @@ class JetFraction(FieldOperand):
         if self.bottom == right.bottom:
             return JetFraction(self.ring, *_without_common(self.top + right.top, self.bottom))
         if self.bottom.is_one() or right.bottom.is_one():
-            # has no common factor with the other denominator
+            # this denominator has no common factor with the other one
             top = bounded_product(self.top, right.bottom) + bounded_product(right.top, self.bottom)
             return JetFraction(self.ring, top, bounded_product(self.bottom, right.bottom))
         shared = _gcd(self.bottom, right.bottom)
@@ -407,13 +407,13 @@ class JetFraction(FieldOperand):
 
     @property
     def is_long(self) -> bool:
-        """Whether products of such values are too long to be multiplied out as they come."""
+        """Whether products of such values are too long to be multiplied out one after another."""
         return len(self.top) > LONG
 
     def __eq__(self, other: object) -> bool:
-        """Whether both are the same quotient. Values of this reading are in lowest terms, so that equal values have
-        equal representations. Different representations are still compared by cross-multiplication, unless their values
-        at one point differ.
+        """Whether two values are the same quotient. Values of this reading are in lowest terms, so that equal values
+        have equal representations. Different representations are still compared by cross-multiplication, unless their
+        values at one point differ.
         """
         if not isinstance(other, JetFraction):
             return False

@@ -2,7 +2,7 @@
 
 A component of the curve is ``t^d (a_0 + a_1/t + a_2/t² + …)`` with indeterminate a_i, and its k-th derivative has the
 coefficients ``(d − i)(d − i − 1)…(d − i − k + 1) a_i``. The value of a formula is known to a few terms of its
-expansion; the number of leading terms that vanish is the difference between nominal and true degree, for all d.
+expansion; the number of leading terms that vanish is the nominal degree minus the true degree, for all d.
 """
 
 from __future__ import annotations
@@ -108,8 +108,8 @@ class Expansion(RingOperand):
         return self._made({grading: [q * a for a in terms] for grading, terms in self.parts.items()} if q else {})
 
     def _first_derivative(self, by: str | None) -> Expansion:
-        """The derivative, term by term; that of a constant is exactly zero. For the other parameter of a surface, the
-        coefficients are differentiated, which are functions of it.
+        """The derivative, term by term; the derivative of a constant is exactly zero. For the other parameter of a
+        surface, the coefficients are differentiated, which are functions of it.
         """
         if self.across is None:
             self.only_parameter(by)

@@ -1,6 +1,6 @@
 """The same curve with another parameter t: with ``ρ = ds/dt``, derivatives are ``d/dt = ρ d/ds``.
 
-ρ is an independent function, so that what holds here holds for every change of parameter.
+ρ is an independent function, so that statements proved in this reading hold for every change of parameter.
 """
 
 from __future__ import annotations

@@ -35,7 +35,7 @@ POINTS = tuple(tuple(3 + (7 * i * i + 11 * i + 5 * k) % 89 for i in range(89)) f
 
 
 class SympyExpression(FieldOperand):
-    """An expression, with the parameters it depends on.
+    """An expression, with the parameters on which it depends.
 
     >>> from exactspline.papers import find
     >>> SympyReading().of(find("f0"), 2, polynomial=True).expression
@@ -160,7 +160,7 @@ class SympyReading(Reading):
 
         def operand(symbol: Symbol) -> SympyExpression:
             if not symbol.parameters:
-                return SympyExpression(sympy.Symbol(symbol.name))  # alpha_1 and alpha1 have one text
+                return SympyExpression(sympy.Symbol(symbol.name))  # alpha_1 and alpha1 are printed alike
             parameters = [PARAMETER[name] for name in symbol.parameters]
             function = sympy.Function(symbol.text)
             if symbol.name in rules:

@@ -1,5 +1,5 @@
-"""The series reading: truncated Taylor series at a parameter. It gives values and derivatives of any formula there,
-without splines or quotient rules.
+"""The series reading: truncated Taylor series at a parameter. It gives values and derivatives of any formula at that
+parameter, without splines or quotient rules.
 
 Coefficients have the type of numbers in the expansion of the curve: ``mpq`` (exact), ``mpf`` of mpmath, or intervals.
 """
@@ -131,7 +131,7 @@ def series_curve(curve: Curve[T], t: Number, terms: int, side: Side | str = Side
 
 # ---- surfaces
 #
-# It gives values and partial derivatives of any formula there, without splines or quotient rules.
+# These series give values and partial derivatives of any formula at a point, without splines or quotient rules.
 
 
 #: Nonzero coefficients by the exponents of the two variables: exact numbers, or what can be calculated with like them.

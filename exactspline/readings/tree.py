@@ -92,7 +92,7 @@ class Node(Expression, Operand, OwnVectors):
         return NotImplemented if left is None else Node(Operation.OVER, (left, self), vector=left.is_vector)
 
     def times_vector(self, vector: object) -> Node:
-        """Not implemented: all vectors of this reading are nodes."""
+        """Products with vectors of operands are not implemented: all vectors of this reading are nodes."""
         refused: Node = NotImplemented
         return refused
 
@@ -206,8 +206,8 @@ OF_THE_VALUE = frozenset(("gamma", "S", "axis_x", "axis_y", "axis_z", "point", "
 
 
 def speaks_of_gamma_alone(formula: Formula, dimension: int) -> bool:
-    """Whether a formula contains only γ, of each of its curves, not numerators and denominators: then what holds for
-    indeterminate coordinates of γ holds for rational curves.
+    """Whether a formula contains only γ of each of its curves, without numerators and denominators. Then a statement
+    that holds for indeterminate coordinates of γ holds for rational curves.
 
     >>> from exactspline.papers import find
     >>> speaks_of_gamma_alone(find("torsion"), 3), speaks_of_gamma_alone(find("torsion_reduced"), 3)

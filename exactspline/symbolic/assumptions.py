@@ -149,8 +149,8 @@ _SOMEWHERE = (
 
 def stated_assumption(name: str, what: Formula | str, kind: Kind, everywhere: bool) -> Assumption:
     """An assumption stated by an author: that a constant, or a formula, has no zero, or that it vanishes on no whole
-    segment. Of a quotient it says that the numerator and the denominator, as written, have none (so w, which is in the
-    denominator, has none either).
+    segment. For a quotient the assumption says that the numerator and the denominator, as written, have no zeros (so w,
+    which is in the denominator, has no zeros either).
 
     Raises `ClaimError` for a formula that vanishes on every curve, depends on a second curve, or has roots.
     """

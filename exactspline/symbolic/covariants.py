@@ -103,7 +103,7 @@ def true_degree(jets: Jet | Iterable[Jet], parameter: Parameter = Parameter.FIRS
 
 
 def _true_degree(parts: list[Jet], known: tuple[int, int], parameter: Parameter) -> TrueDegree:
-    """The same for polynomials of a known common degree and weight."""
+    """The true degree of polynomials with a known common degree and weight."""
     (k, m), ring = known, parts[0].ring
     with drawing_on(Budget(LONGEST_HEIGHT)):
         images = [with_degree(ring, jet.polynomial) for jet in parts]
@@ -115,9 +115,10 @@ def _true_degree(parts: list[Jet], known: tuple[int, int], parameter: Parameter)
 
 
 def _height(images: list[fmpq_mpoly], image_of: Callable[[fmpq_mpoly], fmpq_mpoly]) -> tuple[int, list[fmpq_mpoly]]:
-    """How often L is applied until all images vanish, less one, and the last ones that do not.
+    """The height, that is the number of applications of L until all images vanish, less one, and the last nonzero
+    images.
 
-    Raises `ReachError` where that may take too long: the images of a product of high derivatives have very many terms.
+    Raises `ReachError` if that may take too long: the images of a product of high derivatives have very many terms.
     """
     j, lowest = -1, images
     while images:
@@ -155,8 +156,7 @@ def _degree_name(ring: JetRing, parameter: Parameter) -> str:
 
 
 def graded(jet: Jet, parameter: Parameter = Parameter.FIRST) -> list[Jet]:
-    """The homogeneous parts of a differential polynomial; on the generic curve their leading terms do not cancel each
-    other.
+    """The homogeneous parts of a differential polynomial. On the generic curve their leading terms do not cancel.
     >>> from exactspline.language.kinds import CURVE
     >>> from exactspline.readings.jet import JetReading
     >>> x = JetReading(1).argument(CURVE, 2).p[0]
@@ -189,7 +189,9 @@ def grading(jet: Jet, parameter: Parameter = Parameter.FIRST) -> tuple[int, int]
 
 
 def _homogeneous(jet: Jet, parameter: Parameter) -> tuple[int, int] | None:
-    """Degree and weight of a polynomial that is homogeneous in both, else None, from one monomial (Euler)."""
+    """Degree and weight of a polynomial that is homogeneous in both, read from one monomial (Euler); None for
+    others.
+    """
     p, gens, moving = jet.polynomial, jet.ring.gens, _moving(jet.ring, parameter)
     if not p:
         return None
@@ -217,7 +219,7 @@ def _moving(ring: JetRing, parameter: Parameter) -> list[tuple[int, int]]:
 
 
 def _beyond(ring: JetRing, degrees: Mapping[Parameter, int]) -> list[int]:
-    """The indices of the derivatives that vanish if the functions have these degrees."""
+    """The indices of the derivatives that vanish because the functions have these degrees."""
     return [n for parameter, d in degrees.items() for n, i in _moving(ring, parameter) if i > d]
 
 

@@ -58,7 +58,7 @@ class Factor(OneLine, Displayed):
 
     def __str__(self) -> str:
         names, parts = [base.name for base, _ in self.powers], list[str]()
-        for i, (base, e) in enumerate(self.powers):  # different ones look different
+        for i, (base, e) in enumerate(self.powers):  # different factors look different
             before = names[:i].count(base.name)
             parts.append(power_text(f"[{base.name}, no. {before + 1}]" if before else base.name, e))
         if self.constant != 1 or not parts:
@@ -72,12 +72,12 @@ class Factor(OneLine, Displayed):
 
     @property
     def is_zero(self) -> bool:
-        """Whether it is the constant 0."""
+        """Whether the factor is the constant 0."""
         return self.constant == 0
 
     @property
     def is_one(self) -> bool:
-        """Whether it is the constant 1."""
+        """Whether the factor is the constant 1."""
         return self.constant == 1 and not self.powers
 
     def fraction(self) -> tuple[fmpq_mpoly, fmpq_mpoly]:
@@ -106,8 +106,8 @@ def jets_for(
     formulas: Iterable[str | Formula], dimension: int, *, polynomial: bool = False, factor: str = "1"
 ) -> Evaluated:
     """The indeterminate curve (and point, or two curves) with as many derivatives as the formulas need, in the fraction
-    reading; with w = 1 if `polynomial` is set. Where the roots of a frame are adjoined, formulas (and a `factor` in the
-    notation of claims) in γ only get indeterminate coordinates of γ.
+    reading; with w = 1 if `polynomial` is set. If the roots of a frame are adjoined, formulas in γ alone (and a
+    `factor` in the notation of claims) get indeterminate coordinates of γ.
 
     >>> jets_for(("f2",), 2, polynomial=True).w
     (1) / (1)
@@ -117,7 +117,7 @@ def jets_for(
     kind = common_kind(each.kind for each in chosen)
     if kind.adjoins_roots:
         polynomial = polynomial or without_denominator(chosen, factor, dimension)
-    # beside roots any derivative needs more of them
+    # with roots, every derivative needs derivatives of higher order
     order = max((order_of(each, dimension, kind if kind.adjoins_roots else None) for each in chosen), default=0)
     shared, key = _SHARED.get(), (kind, dimension, order, polynomial)
     make = partial(RationalJetReading(order).argument, kind, dimension, polynomial=polynomial)
@@ -212,7 +212,7 @@ def factors_of(p: fmpq_mpoly) -> tuple[fmpq, list[tuple[fmpq_mpoly, int]]]:
 
 def irreducible_on_a_line(p: fmpq_mpoly) -> bool:
     """Whether a polynomial is proved irreducible by its restriction to a line on which it keeps its total degree: then
-    its factors keep theirs, so that a factorization would remain one on the line.
+    its factors keep their degrees, so that a factorization would give a factorization on the line.
 
     By Hilbert's irreducibility theorem most lines prove this for an irreducible polynomial; False decides nothing.
     """
@@ -372,8 +372,8 @@ class _Names:
                 yield known
 
     def _named(self, formula: Formula) -> tuple[str, object] | None:
-        """Its name and value; None if it has no value here. A formula of a user that raises an error is skipped, so
-        that it does not affect verdicts on others.
+        """The name and the value of a formula; None if it has no value in this ring. A formula of a user that raises an
+        error is skipped, so that it does not affect verdicts on others.
         """
         try:
             with drawing_on(self._budget):
@@ -387,7 +387,7 @@ class _Names:
         n, kind = self._dimension, self._kind
         if not kind.takes(formula.kind, n) or order_of(formula, n) > self._order:
             return None
-        if not is_polynomial(formula, n) and (self._of_library or not self._polynomial):  # γ is one where w = 1
+        if not is_polynomial(formula, n) and (self._of_library or not self._polynomial):  # γ is a polynomial if w = 1
             return None
         if kind.counted == BOTH and _degree_in_surface(formula, n, self._polynomial) > NAMED_DEGREE:
             return None

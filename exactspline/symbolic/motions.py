@@ -20,8 +20,8 @@ N = TypeVar("N")
 
 @dataclass(frozen=True)
 class Map:
-    """A map of points: ``image`` returns numerators and denominator of the image of p/w, ``unit`` the quantity of which
-    a power is the factor of invariants (the scale, the determinant), or None.
+    """A map of points. ``image`` returns numerators and denominator of the image of p/w. ``unit`` is the quantity (the
+    scale, the determinant) such that invariants are multiplied by one of its powers, or None.
 
     ``constants`` returns the names of the constants for a dimension. An affine map does not change the denominator.
     """
@@ -33,7 +33,7 @@ class Map:
     dimensions: tuple[int, ...] = (2, 3)
 
     def of_vector(self, v: Vector[M], one: M, constants: Mapping[str, object]) -> Vector[M]:
-        """The image of a vector under an affine map: the image of its end point minus that of the origin."""
+        """The image of a vector under an affine map: the image of its end point minus the image of the origin."""
         moved, _ = self.image(v, one, constants)
         origin, _ = self.image(v.mapped(lambda x: x.constant(0)), one, constants)
         difference: Vector[M] = moved - origin
@@ -57,7 +57,7 @@ def _translated(p: Vector[Any], w: Any, k: Constants) -> tuple[Vector[Any], Any]
 
 
 def _rotated(p: Vector[Any], w: Any, k: Constants) -> tuple[Vector[Any], Any]:
-    """Rotations by Cayley's parameters: all rotations except half turns, which are limits of these."""
+    """Rotations by Cayley's parameters: all rotations except half turns, which are limits of other rotations."""
     return Vector(*[_combination(row, p) for row in rotation_rows(len(p), k)]), w
 
 

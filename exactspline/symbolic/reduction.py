@@ -56,17 +56,17 @@ class Power(OneLine):
 
     @cached_property
     def assumption(self) -> Assumption | None:
-        """The assumption by which it has no zero."""
+        """The assumption by which the polynomial has no zero."""
         return zero_free(self.jet)
 
     @property
     def meaning(self) -> str:
-        """The reason why it has no zero, or that it may have zeros."""
+        """The reason why the polynomial has no zero, or the statement that it may have zeros."""
         return self.assumption.meaning if self.assumption else "may have zeros"
 
     @property
     def has_roots(self) -> bool:
-        """Whether it may vanish somewhere on a regular curve without points of zero curvature."""
+        """Whether the polynomial may vanish somewhere on a regular curve without points of zero curvature."""
         return self.assumption is None
 
 
@@ -102,7 +102,7 @@ class Part(OneLine):
 
     @property
     def poles(self) -> Factor:
-        """The remaining factors of the denominator that may have zeros, at which the value is undefined."""
+        """The remaining factors of the denominator that may have zeros; at these zeros the value is undefined."""
         return self._factor([(p, p.below - p.above) for p in self.powers if p.has_roots and p.below > p.above], mpq(1))
 
     @property
@@ -136,7 +136,7 @@ class Part(OneLine):
 
     @cached_property
     def lowest(self) -> tuple[tuple[Jet, ...], Jet]:
-        """Numerator and denominator in lowest terms: the same value."""
+        """Numerator and denominator in lowest terms; the value is unchanged."""
         top = self._product((p, p.above - p.below) for p in self.powers).scaled(self.constant)
         return tuple(top * c for c in self.core), self._product((p, p.below - p.above) for p in self.powers)
 
@@ -191,7 +191,7 @@ class Part(OneLine):
 
     @property
     def is_zero(self) -> bool:
-        """Whether it vanishes on every curve."""
+        """Whether the value vanishes on every curve."""
         return all(c.is_zero for c in self.core)
 
     def data(self) -> dict[str, object]:

@@ -77,7 +77,7 @@ class Substitution:
             return 0, None
         first = terms[0][0]
         while i < len(first) and first[i] == 0:
-            i += 1  # the first has the largest exponent
+            i += 1  # the first term has the largest exponent
         if i == len(first):
             return terms[0][1], None
         numbers = [c for _, c in terms]

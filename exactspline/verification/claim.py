@@ -75,8 +75,8 @@ def one_of(kind: type[E]) -> Callable[[Claim, str, object], E]:
 
 
 def _recorded(claim: Claim, name: str, value: object) -> Verdict:
-    """A verdict that can be recorded: a contradiction between two routes is an error of this library, and what is not
-    asked has a kind of its own.
+    """A verdict that can be recorded. CONTRADICTION cannot: it shows an error of this library. NOT ASKED cannot either:
+    such statements are a kind of claims of their own.
     """
     verdict = word(Verdict, value, name)
     if verdict == NOT_ASKED:
@@ -114,7 +114,7 @@ def any_formula(claim: Claim, name: str, value: str) -> str:
 
 
 def formula_names(claim: Claim, name: str, value: Iterable[str]) -> tuple[Name, ...]:
-    """Several such names."""
+    """Several names of formulas."""
     return tuple(formula_name(claim, name, each) for each in value)
 
 
@@ -137,7 +137,7 @@ def example_name(claim: Claim, name: str, value: str) -> str:
 
 
 def _example_list(claim: Claim, name: str, value: Iterable[str]) -> tuple[str, ...]:
-    """Several such names."""
+    """Several names of example curves."""
     return tuple(example_name(claim, name, each) for each in value)
 
 
@@ -152,8 +152,8 @@ def _assumption_list(claim: Claim, name: str, value: Iterable[str | Assumption])
 
 
 def _assumed(claim: Claim, text: str) -> Assumption:
-    """An assumption of the library, or one that the author states: a formula of the paper, or a constant, that has no
-    zero (``f ≠ 0``), or that vanishes on no whole segment (``f ≢ 0``).
+    """An assumption of the library, or one that the author states: a formula of the paper, or a constant, has no zero
+    (``f ≠ 0``), or vanishes on no whole segment (``f ≢ 0``).
     """
     name, sign, zero = text.partition(" ≠ ") if " ≠ " in text else text.partition(" ≢ ")
     if text in ASSUMPTIONS or zero != "0":
@@ -186,7 +186,7 @@ def number(claim: Claim, name: str, value: int | str) -> mpq:
 
 
 def numbers(claim: Claim, name: str, value: tuple[int | str, ...] | int | str) -> tuple[mpq, ...]:
-    """One such number, or several."""
+    """One number, exactly as written, or several."""
     return tuple(number(claim, name, each) for each in (value if isinstance(value, tuple) else (value,)))
 
 
@@ -335,7 +335,7 @@ class Claim(Immutable, Displayed):
 
     @property
     def named(self) -> tuple[Name, ...]:
-        """The names of the formulas that it is about."""
+        """The names of the formulas of the claim."""
         chosen: list[Name] = []
         for name, check, _ in declared(self.__class__).checks:
             if check in (formula_name, formula_names):
@@ -367,11 +367,13 @@ class Claim(Immutable, Displayed):
 
     @property
     def of_pair(self) -> bool:
-        """Whether it is about two curves."""
+        """Whether the claim is about two curves."""
         return isinstance(kind_of(self.curve), PairKind)
 
     def shown(self, name: str) -> str:
-        """The symbol of a formula; empty where it has none, or where another formula of the claim has the same."""
+        """The symbol of a formula; empty if the formula has no symbol, or if another formula of the claim has the same
+        symbol.
+        """
         own = self.find(name).symbol
         others = (self.find(other).symbol for other in self.named if other != name)
         return "" if own in others else own
@@ -392,11 +394,13 @@ class Claim(Immutable, Displayed):
 
     @property
     def dimensions(self) -> tuple[int, ...]:
-        """The dimensions to which it applies."""
+        """The dimensions to which the claim applies."""
         return kind_of(self.curve).dimensions
 
     def applies_to(self, dimension: int, polynomial: bool, *, surface: bool = False) -> bool:
-        """Whether it applies to single curves (or surfaces) of that dimension and kind: splines have no roots."""
+        """Whether the claim applies to single curves (or surfaces) of that dimension and kind. Claims with adjoined
+        roots do not: splines have no roots.
+        """
         kind = kind_of(self.curve)
         made = kind.made_of_a_surface if surface else kind.made_of_a_curve
         decidable = self.curve != ArgumentKind.TABLE and not kind.adjoins_roots and made and self.on == Extent.ALL
@@ -419,19 +423,19 @@ class Claim(Immutable, Displayed):
         return Template(self.notation).substitute(fields)
 
     def prove(self) -> tuple[Name, Finding]:
-        """The reading in which it is decided for all curves that it is about, and the finding."""
+        """The evaluation mode in which the claim is decided for all its curves, and the finding."""
         return (Name("spline"), self._on_its_curve()) if self.on == Extent.CURVE else self.for_all()
 
     def _on_its_curve(self) -> Finding:
-        """The finding on the one curve that it is about."""
+        """The finding on the one curve of the claim."""
         finding = self.check(self.curve_named(self.example), lambda: (self.reading, Finding(UNDECIDED)))
         witness = OnExample(Name(self.example), finding.witness) if finding.verdict == REFUTED else finding.witness
         return replace(finding, witness=witness)
 
     def for_all(self) -> tuple[Name, Finding]:
-        """The reading in which it is decided for all curves, and the finding: the worst of all cases, that is of
-        rational and polynomial curves of every dimension to which it applies. An error in one case, such as a
-        denominator that vanishes where w = 1, is raised unless another case refutes it.
+        """The evaluation mode in which the claim is decided for all curves, and the finding: the worst of all cases,
+        that is of rational and polynomial curves of every dimension to which it applies. An error in one case, such as
+        a denominator that vanishes where w = 1, is raised unless another case refutes it.
         """
         with sharing():
             found = worst_case(lambda polynomial, n: self._decided(n, polynomial), self.of.worlds, self.dimensions)
@@ -443,8 +447,8 @@ class Claim(Immutable, Displayed):
 
     @property
     def equality(self) -> Statement | None:
-        """Its statement, where that is an equality: decided in any exact reading, and on one curve for all values of
-        the free operands.
+        """The statement of the claim, if it is an equality. An equality is decided in any exact evaluation mode, and on
+        one curve for all values of the free operands.
         """
         return None
 
@@ -459,8 +463,9 @@ class Claim(Immutable, Displayed):
     ) -> Finding:
         """The finding on one curve or surface (or on the `Evaluation` of one).
 
-        What held on the part that was checked holds on the whole curve if the claim is proved for all curves and the
-        curve satisfies its assumptions: `proof` gives that proof where it exists already; by default it is `prove`.
+        If only a part of the curve could be checked, and the claim holds there, it holds on the whole curve if it is
+        proved for all curves and the curve satisfies its assumptions. `proof` gives that proof; by default it is
+        `prove`.
         """
         own = evaluation(curve)
         if isinstance(own.curve, NurbsSurface) and self.asks_for_zeros:
@@ -518,19 +523,20 @@ class Claim(Immutable, Displayed):
         return max(order_of(formula, dimension) for formula in self.compared)
 
     def part_tried(self, own: Evaluation) -> Evidence | None:
-        """Which part of all arguments with a curve is tried in a check; None where it is all of them."""
+        """The part of all arguments with a curve that is tried in a check; None if all of them are tried."""
         given = own.given(self.curve)
-        # h of a hodograph is the weight function here, which is positive: signs and zeros may be others for another h
+        # h of a hodograph is the weight function here, which is positive: for another h, signs and zeros may be
+        # different
         part = given.part or (given.beside if self.asks_for_zeros else None)
         return None if self.tries_all else part
 
     @property
     def compared(self) -> list[Formula]:
-        """The formulas that it is about."""
+        """The formulas of the claim."""
         return list(map(self.find, self.named))
 
     def beside(self, own: Evaluation) -> Evidence | None:
-        """The operands in addition to the curve in a check; None where there are none."""
+        """The operands in addition to the curve in a check; None if there are none."""
         free = free_operands(self.curve) if self.equality else None
         return free or own.given(self.curve).beside
 
@@ -554,13 +560,13 @@ class Claim(Immutable, Displayed):
         return components[0]
 
     def refuted_on_examples(self, proof: Callable[[], tuple[Name, Finding]] | None = None) -> Finding:
-        """The first example curve on which it fails, as a witness; UNDECIDED when there is none. `proof` is that of
-        `check`; by default there is none: proofs that look for a witness call this.
+        """The first example curve on which the claim fails, as a witness; UNDECIDED if there is none. `proof` is that
+        of `check`; by default there is none, since proofs call this method in search of a witness.
         """
         for surface, name, example in self._examples():
             try:
                 finding = self.check(example, proof or (lambda: (self.reading, Finding(UNDECIDED))))
-            except ExactSplineError as error:  # reported where this curve is checked
+            except ExactSplineError as error:  # the error is reported when this curve is checked
                 finding = undecided(error)
             if finding.verdict == REFUTED:
                 witness = OnExample(Name(name), finding.witness, surface)
@@ -568,7 +574,7 @@ class Claim(Immutable, Displayed):
         return Finding(UNDECIDED)
 
     def _examples(self) -> Iterator[tuple[bool, str, Nurbs | NurbsSurface]]:
-        """The example curves and surfaces to which it applies, the one named as witness first."""
+        """The example curves and surfaces to which the claim applies, beginning with its witness."""
         for name in sorted(curve_names(self.source_paper), key=lambda name: name != self.witness):
             curve = self.curve_named(name)
             if self.applies_to(curve.dimension, curve.polynomial):

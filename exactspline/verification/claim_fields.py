@@ -19,7 +19,8 @@ def claim_kind(kind: type[K]) -> type[K]:
 
 class _Declared(NamedTuple):
     """Data about the dataclass of a kind of claims: the reader of each field (None for a text) and its default; the
-    fields compared by equality; those that an entry may have; those that it must have; and the values of the others.
+    fields compared by equality; the fields that an entry may have; the fields that it must have; and the values of all
+    others.
     """
 
     checks: tuple[tuple[str, Callable[..., object] | None, object], ...]

@@ -1,5 +1,4 @@
-"""The claims of the papers as data: what is claimed of which formulas, its place in the source, and the recorded
-verdict.
+"""The claims of the papers as data: a statement about formulas, its place in the source, and the recorded verdict.
 
 The tables are stored next to the formulas of each paper. An entry names formulas of `exactspline.papers` and never
 transcribes one; it is read as an object of its kind (`exactspline.verification.kinds`), and anything without meaning is
@@ -58,7 +57,9 @@ def claim_of(table: Table, source: Paper) -> Claim:
 
 
 def _completed(entry: dict[str, Any], source: Paper) -> dict[str, Any]:
-    """An entry with its defaults: with words or a place its status is printed, otherwise ours."""
+    """An entry with its defaults: its status is ``printed`` if it has words or a place in the source, otherwise
+    ``ours``.
+    """
     completed = dict(entry)
     completed.setdefault("status", "printed" if completed.get("words") or completed.get("place") else "ours")
     completed.setdefault("source", completed.get("place") or source.title)
@@ -104,7 +105,7 @@ def _read(entry: dict[str, Any], source: Paper) -> Claim:
 
 
 def _shape(declared: str, value: object) -> str:
-    """Why a value does not have the declared type of its field; empty where it does."""
+    """The reason why a value does not have the declared type of its field; empty if it has the type."""
     if "mpq" in declared:
         several = value if isinstance(value, list) and declared.startswith("tuple") else [value]
         good = all(type(each) in (int, str) for each in several)
@@ -121,7 +122,7 @@ def _check_words_of_key(claim: Claim) -> None:
     """Each word of a key also occurs elsewhere in the entry, so that a misspelled key is detected."""
     words = dict.fromkeys(claim.key.removeprefix(claim.begin_of_key + "-").split("-"))
     known = set(claim.kind.replace("-", " ").split())
-    for field in reversed(declared(type(claim)).entries):  # the fields of its kind first: mostly they suffice
+    for field in reversed(declared(type(claim)).entries):  # the fields of its kind first: usually they suffice
         if words.keys() <= known:
             return
         if field not in ("id", "key", "words", "context", "note"):
@@ -156,9 +157,9 @@ def _words_of(text: str) -> tuple[str, ...]:
 
 
 def claims_of(source: Paper | str) -> tuple[Claim, ...]:
-    """The claims of one paper, in its order. In a user's folder an entry that is refused, and a key that occurs twice,
-    hide no other claim: in its place stands one of the kind ``not asked``, whose verdict is NOT ASKED, with the reason.
-    Such claims also stand at the end for formulas and curves that are refused.
+    """The claims of one paper, in its order. In a user's folder, an entry that is refused, or whose key occurs twice,
+    becomes a claim of the kind ``not asked``, with the verdict NOT ASKED and the reason, so that no other claim is
+    hidden. Refused formulas and curves become such claims, too, at the end.
 
     Raises `ClaimError` for such an entry of a paper of the library, and for a file that is not a table of claims.
     """
@@ -187,8 +188,8 @@ def _claims(source: Paper) -> tuple[Claim, ...]:
 
 
 def _refused(entry: dict[str, Any], source: Paper, number: str, error: ExactSplineError) -> NotAsked:
-    """What stands for an entry, a formula or a curve of a user's folder that was refused: its texts, as far as they can
-    be printed.
+    """The claim in place of a refused entry, formula or curve of a user's folder, with those of its texts that can be
+    printed.
     """
     given = {name: entry.get(name) for name in ("id", "statement", "place", "words", "section")}
     texts = {name: text for name, text in given.items() if isinstance(text, str) and _printable(text) == text}
@@ -199,7 +200,7 @@ def _refused(entry: dict[str, Any], source: Paper, number: str, error: ExactSpli
 
 
 def _printable(text: str) -> str:
-    """A text in one line, as long as one of a claim may be."""
+    """A text in one line, shortened to the length that a text of a claim may have."""
     return " ".join("".join(letter if letter.isprintable() else " " for letter in text[:LONGEST]).split())
 
 
@@ -256,7 +257,7 @@ def expect_claim(given: object) -> Claim:
 
 
 def matches(claim_id: str, requested: str) -> bool:
-    """Whether an id is the requested one or a part of it.
+    """Whether an id is the requested id or begins with it.
 
     >>> matches("C3a", "c3"), matches("C4.1a", "C4.1"), matches("T17", "T1")
     (True, True, False)

@@ -32,12 +32,14 @@ class Proofs:
         self._jets: SharedJets = {}
 
     def __getstate__(self) -> object:
-        """Without what another process does not have: indeterminate curves, and papers that are not the library's."""
+        """The state for another process: without indeterminate curves, and without papers that are not in the
+        library.
+        """
         state = {name: {k: found for k, found in own.items() if k[0] in papers()} for name, own in vars(self).items()}
         return state | {"_jets": {}}
 
     def update(self, other: Proofs) -> None:
-        """Take over what was decided in another run of the same engine."""
+        """Take over the proofs of another run of the same engine."""
         self._made |= other._made
         self._combined |= other._combined
 
@@ -46,7 +48,7 @@ class Proofs:
         return (claim.source_paper, claim) in self._made
 
     def __getitem__(self, claim: Claim) -> Decided:
-        """The reading in which a claim is decided for all curves, and the finding."""
+        """The evaluation mode in which a claim is decided for all curves, and the finding."""
         key = claim.source_paper, claim
         if key not in self._made:
             with sharing(self._jets), named_by(claim.source_paper):
@@ -74,9 +76,9 @@ _RUN: ContextVar[Proofs | None] = ContextVar("the proofs of this run", default=N
 
 @contextmanager
 def computed_once(proofs: Proofs | None = None) -> Iterator[None]:
-    """A context in which the verdicts on many claims share what they compute: each verdict, the indeterminate curves of
-    proofs, the values of formulas on the example curves; within one there is no other. It goes on with `proofs`, where
-    these are given.
+    """A context in which the verdicts on many claims share their computations: verdicts, the indeterminate curves of
+    proofs, and the values of formulas on the example curves. A nested context is the same as the outer one. The context
+    begins with `proofs`, if they are given.
     """
     if _RUN.get() is not None:
         yield
@@ -90,7 +92,7 @@ def computed_once(proofs: Proofs | None = None) -> Iterator[None]:
 
 
 def proofs_of_this_run() -> Proofs:
-    """What is shared where verdicts are `computed_once`; new ones elsewhere."""
+    """The proofs that are shared inside `computed_once`; new ones outside."""
     return _RUN.get() or Proofs()
 
 
@@ -112,9 +114,9 @@ NOT_FITTING = (TypeError, ValueError, AttributeError, LookupError, ArithmeticErr
 
 
 def fitting(claim: Claim, call: Callable[[], V]) -> V:
-    """The result of a call that decides a claim, on one budget: each of many products may be cheap. Raises `ClaimError`
-    where formulas of users are not of the form that the claim requires; an exception from formulas of the library is a
-    defect of the library.
+    """The result of a call that decides a claim. The whole call has one budget, since many cheap products may be
+    expensive together. Raises `ClaimError` for formulas of users that do not have the form that the claim requires; an
+    exception from formulas of the library is a defect of the library.
     """
     try:
         with drawing_on(Budget()):

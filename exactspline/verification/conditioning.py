@@ -40,8 +40,8 @@ DIGITS = 60
 
 
 def local(root: Root, digits: int = DIGITS) -> Interval:
-    """A zero inside a segment in the segment's local parameter, in an interval of width at most ``10^−digits`` times
-    the segment.
+    """An interval around a zero inside a segment, in the local parameter of the segment, of width at most
+    ``10^−digits``.
     """
     assert root.segment is not None
     interval = root.refine(digits + max(0, len(str(int(1 / root.segment.width)))))
@@ -49,11 +49,11 @@ def local(root: Root, digits: int = DIGITS) -> Interval:
 
 
 def condition_number(form: Form, n: int, root: Root, m: int) -> Interval:
-    """The condition number of a zero of multiplicity m of a form of degree n, the local parameter being that of the
-    zero's segment.
+    """The condition number of a zero of multiplicity m of a form of degree n, in the local parameter of its segment.
 
-    Both ends are the number itself where the zero is rational and m = 1; otherwise they enclose it, with a relative
-    width below `WIDTH`. For m = 0 it is ``Σ |b_i| B_i(x) / |p(x)|``, the condition number of evaluating p at x.
+    Both ends are the number itself if the zero is rational and m = 1; otherwise they enclose the number, with a
+    relative width below `WIDTH`. For m = 0 it is ``Σ |b_i| B_i(x) / |p(x)|``, the condition number of evaluating p at
+    x.
 
     >>> from exactspline import BSpline
     >>> from exactspline.roots.zero_set import zeros
@@ -116,9 +116,10 @@ def quotient(form: Form, n: int, by: Form, m: int) -> Form | None:
 
 # ---- in double precision
 #
-# This is the only module of this room with floats.
+# This is the only module of this package with floats.
 #
-# They result from exact numbers by a single rounding, and are converted back by `exactspline.numbers.exact.from_float`.
+# Floats result from exact numbers by a single rounding, and are converted back by
+# `exactspline.numbers.exact.from_float`.
 
 
 #: The rounding unit of double precision.
@@ -130,9 +131,7 @@ STARTS = 3
 @dataclass(frozen=True)
 class Double:
     """The result of double precision for a zero: the largest error in the local parameter over all bisections that
-    could be started.
-
-    `error` is None where none could be started, with the reason.
+    could be started. If none could be started, `error` is None, and the reason is given.
     """
 
     error: mpq | None
@@ -166,7 +165,7 @@ def double_precision_root(form: Form, n: int, x: mpq, bracket: Interval) -> Doub
 
 
 def to_doubles(points: list[mpq]) -> list[float] | None:
-    """The points to the nearest double, the largest near 2¹⁰⁰⁰; None where one that is not zero would be less than the
+    """The points to the nearest double, the largest near 2¹⁰⁰⁰; None if a point other than zero would be less than the
     smallest normal double.
     """
     largest = max(abs(b) for b in points)

@@ -1,4 +1,4 @@
-"""Shared by checks on a concrete curve: all exact, by multiplication and never by sampling."""
+"""Functions for checks on a concrete curve: all are exact, by multiplication and never by sampling."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ def where_it_differs(
 
 def _not_zero_at_both(f: TensorSpline, divisors: Sequence[TensorSpline]) -> tuple[mpq, AtBoth]:
     n = sum(g.degree.t * len(g.meshes[0]) for g in (f, *divisors))
-    # in every segment one line more than can consist of zeros on one of the patches
+    # in every segment one line more than the number of lines of zeros that a patch can have
     inside = (c + (d - c) / mpq(j) for c, d in pairwise(f.meshes[1].breaks) for j in range(2, n + 3))
     lines = ((t, f.at_t(t), [g.at_t(t) for g in divisors]) for t in inside)
     t, line, below = next(x for x in lines if not (x[1].is_zero or any(g.vanishes_somewhere for g in x[2])))
@@ -61,7 +61,7 @@ def _not_zero(f: BSpline, divisors: Sequence[BSpline]) -> tuple[mpq, mpq]:
 
 
 def stated_factor(factor: str, c: Evaluated | Operands) -> StatedFactor:
-    """A factor as stated, for splines also whether it is 1, as powers of w are on polynomial curves.
+    """A factor as stated; for splines also whether the factor is 1, as powers of w are on polynomial curves.
 
     >>> from exactspline.interchange.examples import example
     >>> [str(stated_factor("w^-3", example(name))) for name in ("circle", "parabola")]
@@ -80,7 +80,7 @@ def common_zeros(components: list[BSpline]) -> BSpline:
 
 
 def extra_zero(a: BSpline, b: BSpline) -> Place | None:
-    """A place where a vanishes and b does not; None where there is none.
+    """A place where a vanishes and b does not vanish; None if there is none.
 
     >>> t = BSpline.identity(0, 1)
     >>> extra_zero(t * (t - 1), t), extra_zero(t, t * t)

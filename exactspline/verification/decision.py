@@ -70,12 +70,14 @@ class Statement(Protocol):
     """The equality of two values, which can be decided for an argument of formulas in any exact reading."""
 
     def decide(self, c: Evaluated, holds: Verdict = PROVED) -> Finding:
-        """The finding, `holds` where the statement is true. A factor that exists for no curve makes it false; where it
-        does not exist on one curve, nothing is decided there.
+        """The finding, `holds` if the statement is true. A factor that exists for no curve makes the statement false;
+        on a curve on which the factor does not exist, nothing is decided.
         """
 
     def residues(self, c: Evaluated) -> list[JetFraction]:
-        """The values that vanish exactly if it is true, for an argument in a reading with division."""
+        """The values that vanish exactly if the statement is true, for an argument in an evaluation mode with
+        division.
+        """
 
 
 @dataclass(frozen=True)
@@ -151,14 +153,14 @@ class Zero:
         return Finding(holds, Fact.ZERO)
 
     def residues(self, c: Evaluated) -> list[JetFraction]:
-        """The components of the value, each of which has to vanish."""
+        """The components of the value: the statement is that all of them vanish."""
         return list(split(self.formula(c))[0])
 
 
 @dataclass(frozen=True)
 class OneRuledSurface:
-    """Two ruled surfaces are equal: their generators are parallel, and their directrices differ by a multiple
-    of these.
+    """Two ruled surfaces are equal: their generators are parallel, and their directrices differ by a multiple of the
+    generators.
     """
 
     left: Formula
@@ -183,8 +185,8 @@ class OneRuledSurface:
 
     @staticmethod
     def _by_quotients(a: Any, b: Any, holds: Verdict) -> Finding:
-        """The same with the relation of the ruling parameters: vectors parallel to a nonvanishing one are multiples of
-        it, and a quotient is computed faster than a product.
+        """The same decision by the relation of the ruling parameters: vectors parallel to a nonzero vector are
+        multiples of that vector, and a quotient is computed faster than a product.
         """
         offset = b.directrix - a.directrix
         scale, shift = find_factor(b.generator, a.generator), find_factor(offset, a.generator)
@@ -225,7 +227,7 @@ class DirectrixOf:
 @dataclass(frozen=True)
 class Changed:
     """A value on a changed curve equals the claimed one: `sides` gives both, component by component, `evidence` is
-    reported where they are equal, and `where` gives the place of a difference.
+    reported if they are equal, and `where` gives the place of a difference.
     """
 
     sides: Callable[[Evaluated], tuple[Vector[Any], Vector[Any]]]
@@ -276,7 +278,7 @@ class SquaresAddUp:
 
 
 def decide_identity(left: Value, right: Value, factor: tuple[Value, Value] | None = None) -> Decision:
-    """Whether one value is another one times a factor, given as numerator and denominator (None: 1).
+    """Whether one value is another value times a factor, which is given as numerator and denominator (None: 1).
 
     >>> from exactspline.papers import find
     >>> from exactspline.symbolic.factorization import jets_for
@@ -316,7 +318,7 @@ def _ruled(formula: Formula, c: Evaluated) -> RuledSurface[Any]:
 
 
 def _where(difference: Any, of: Sides, component: int = 0, divisors: Sequence[Any] = ()) -> Evidence:
-    """Where two sides differ: a place on splines, in other readings the component."""
+    """The place where two sides differ: a parameter for splines, the component in other evaluation modes."""
     if isinstance(difference, BSpline | TensorSpline):
         return Difference(of, *where_it_differs(difference, divisors))
     if of is Sides.SURFACES:

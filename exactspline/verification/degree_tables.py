@@ -1,4 +1,4 @@
-"""Degrees and numbers of control points, of formulas and of constructions: on one curve, and on the generic one."""
+"""Degrees and numbers of control points of formulas and constructions, on one curve and on the generic curve."""
 
 from __future__ import annotations
 
@@ -164,7 +164,9 @@ MINIMAL_RULED = "directrix in lowest terms, the generator without its common fac
 
 
 def _in_pieces(c: Construction, variant: Variant, nominal: str, lowest: str, curve: Nurbs, seconds: float) -> DegreeRow:
-    """The row of an object that does not exist on every segment: of its pieces, with the reason for the gaps."""
+    """The row of an object that does not exist on every segment: the degrees of its pieces, and the reason for the
+    gaps.
+    """
     try:
         derived = derive(c.name, curve, variant)
     except ShapeError as error:
@@ -208,9 +210,9 @@ class GenericRow:
     that the theorem proves.
 
     ``k``, ``m``, ``j`` are those of the reduced form; for a quotient in lowest terms, of its numerator or denominator,
-    whichever has the larger true degree. ``attained`` are the degrees d at which a certified witness attains the true
-    degree, ``absent`` those at which the object does not exist or vanishes, ``differ`` those at which proof and witness
-    disagree.
+    whichever has the larger true degree. A certified witness attains the true degree at the degrees ``attained``, the
+    object does not exist or vanishes at the degrees ``absent``, and proof and witness disagree at the degrees
+    ``differ``.
     """
 
     object: str
@@ -226,7 +228,7 @@ class GenericRow:
     differ: tuple[int, ...]
 
     def at(self, d: int) -> dict[str, int | None]:
-        """The three degrees for curves of degree d ≥ 2; None for what does not exist or vanishes.
+        """The three degrees for curves of degree d ≥ 2; None for an object that does not exist or vanishes.
 
         >>> row = GenericRow("an object", "6d", "–", 3, 3, "3d − 3", 0, "3d − 6", (3,), (), ())
         >>> row.at(4)
@@ -254,7 +256,7 @@ ByDegree = dict[int, tuple[int | None, int | None]]
 
 
 def _of_witnesses(title: str, sides: tuple[str, str], found: TrueDegree, true: Degree, degrees: ByDegree) -> GenericRow:
-    """The row of an object: the counts of both sides, its degree, and where witnesses attain it."""
+    """The row of an object: the counts of both sides, its degree, and the degrees d at which witnesses attain it."""
     agreed = [d for d, (proved, seen) in degrees.items() if proved == seen]
     absent = tuple(d for d in agreed if degrees[d][1] is None)
     attained_at = tuple(d for d in agreed if d not in absent)
@@ -431,8 +433,8 @@ class PatchRow(OneLine):
 
 @dataclass(frozen=True)
 class _VariantsRow:
-    """An object of surfaces, its degrees in u and v on rational patches: as defined, from the numerators of
-    derivatives, lifted, and the true one; and as defined and true on polynomial ones.
+    """The degrees in u and v of an object of surfaces: on rational patches as defined, from the numerators of
+    derivatives, lifted, and the true ones; on polynomial patches as defined, and the true ones.
     """
 
     formula: str
@@ -551,7 +553,9 @@ def _nominal(formula: Formula, dimension: int, polynomial: bool, parameter: Para
 
 
 def _degree_of_reduced(part: Part, degrees: tuple[int, int], parameter: Parameter) -> int:
-    """The true degree in a parameter of a reduced form on the generic patch of these degrees; −1 where it vanishes."""
+    """The true degree of a reduced form in a parameter on the generic patch of these degrees; −1 if the form
+    vanishes.
+    """
     known = dict(zip(BOTH, degrees, strict=True))
     found = [(degree_on_patch([jet], known, parameter), e) for jet, e in part.kept]
     found.append((degree_on_patch([jet for jet in part.core if not jet.is_zero], known, parameter), 1))

@@ -1,7 +1,7 @@
 """The divisors in the formulas of a claim that may vanish under its assumptions.
 
-Where they vanish the statement does not apply: it is about quotients where these exist. Formulas over the roots of a
-frame are omitted: their divisors are those of the frame, about which their claims make assumptions.
+Where a divisor vanishes, the statement does not apply, since the quotient does not exist. Formulas over the roots of a
+frame are omitted: their divisors are those of the frame, and their claims make assumptions about the frame.
 """
 
 from __future__ import annotations
@@ -52,7 +52,7 @@ class Evaluation:
         return known
 
     def divide_by(self, node: Node) -> None:
-        """Count the value of a tree, and the denominators in it, as denominators."""
+        """Count the value of a tree as a denominator, together with the denominators in the tree."""
         self._met(node, self(node))
 
     def _value(self, node: Node, values: list[Any]) -> Any:
@@ -126,8 +126,8 @@ def _of(formula: Formula, dimension: int, claim: Claim) -> Iterator[str]:
 
 @cache
 def _denominators(formula: Formula, dimension: int) -> tuple[Evaluated, list[tuple[Node, list[fmpq_mpoly] | None]]]:
-    """What a formula divides by, with its irreducible factors in the ring of the argument; None for all of them where
-    the formula is too large to be multiplied out, so that nothing is known about its divisors.
+    """The divisors of a formula, each with its irreducible factors in the ring of the argument; None if the formula is
+    too large to be multiplied out.
     """
     argument, below = jets_for([formula], dimension), list(divided_by(trace(formula, dimension)))
     evaluation = Evaluation(argument)
@@ -140,7 +140,7 @@ def _denominators(formula: Formula, dimension: int) -> tuple[Evaluated, list[tup
 
 
 def divided_by(tree: Node) -> Iterator[Node]:
-    """What a tree divides by, numbers apart."""
+    """The divisors in a tree, except numbers."""
     for node in nodes(tree):
         if node.op is Operation.OVER and node.args[1].op is not Operation.NUMBER:
             yield node.args[1]
@@ -154,7 +154,7 @@ def _known(claim: Claim, kind: Kind, argument: Evaluated) -> Iterator[fmpq_mpoly
             if isinstance(value := operands.get(name), JetFraction):
                 yield value.top
     for assumed in [own for each in claim.assumes for own in (each, *map(assumption, each.implies))]:
-        # one with more derivatives than the formula cannot be a divisor
+        # a polynomial with more derivatives than the formula cannot be a divisor
         with suppress(ExactSplineError):
             if assumed.applies_to(kind):
                 yield assumed.polynomial(argument).top

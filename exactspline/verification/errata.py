@@ -1,6 +1,6 @@
-"""Errors of a paper: what is printed, what is true, why, and how to check it in three lines. Nothing here is written by
-hand: the list is generated from the printed claims whose verdict is REFUTED, grouped by error, and from the claims that
-state what holds instead.
+"""Errors of a paper: the printed statement, the corrected statement, the reason, and a check in three lines of Python.
+The list is generated from the printed claims whose verdict is REFUTED, grouped by error, and from the claims that state
+the corrections.
 """
 
 from __future__ import annotations
@@ -33,8 +33,8 @@ from exactspline.verification.vocabulary import Extent, Measure, Name, Scope, St
 
 @dataclass(frozen=True)
 class Refuted:
-    """A statement that fails: the verbatim words and their place, the claimed and the computed value, where it fails,
-    and Python code that shows it; `where`: what the letters of the factor stand for that was found.
+    """A statement that fails: the verbatim words and their place, the claimed and the computed value, the witness, and
+    Python code that shows the failure. `where` explains the letters of the factor that was found.
     """
 
     id: str
@@ -55,7 +55,7 @@ class Refuted:
 
 @dataclass(frozen=True, repr=False)
 class Holds(OneLine):
-    """A statement that holds instead of what is printed: the key of its claim, and its verdict."""
+    """A corrected statement: the key of its claim, and its verdict."""
 
     key: str
     statement: str
@@ -67,7 +67,9 @@ class Holds(OneLine):
 
 @dataclass(frozen=True)
 class Erratum(Displayed):
-    """One error of a paper: the statements that fail for one reason, and what holds instead, with its verdict."""
+    """One error of a paper: the statements that fail for one reason, and the corrected statements with their
+    verdicts.
+    """
 
     paper: str
     error: str
@@ -87,7 +89,7 @@ class Erratum(Displayed):
 
 
 def errata(sources: Iterable[Paper] | None = None) -> tuple[Erratum, ...]:
-    """The errors of papers, in the order of each, decided anew; by default those of the default papers.
+    """The errors of papers, decided anew, in the order of each paper; by default the errors of the default papers.
 
     >>> first, *others = errata()
     >>> first.error, [each.id for each in first.statements], len(others)
@@ -97,7 +99,7 @@ def errata(sources: Iterable[Paper] | None = None) -> tuple[Erratum, ...]:
 
 
 def remarks(sources: Iterable[Paper] | None = None) -> tuple[Erratum, ...]:
-    """Misreadings in the same form: statements that fail too, although no paper makes them.
+    """Misreadings, in the form of errors: statements that fail although no paper makes them.
 
     >>> [each.error for each in remarks()]
     ['replacement', 'second-parameter', 'tilted-plane']
@@ -157,7 +159,7 @@ def _refuted(claim: Claim) -> Refuted | None:
 
 
 def true_relation(claim: Claim, finding: Finding) -> Relating | None:
-    """The true relation between the two sides of an identity; None where no factor is known."""
+    """The true relation between the two sides of an identity; None if no factor is known."""
     factor = finding.factor
     if not isinstance(claim, Identity) or not isinstance(factor, Factor | StatedFactor):
         return None
@@ -178,13 +180,13 @@ def _symbol(claim: Claim, name: str) -> Name:
 
 
 def symbol_or_name(claim: Claim, formula: str) -> Name:
-    """A formula of a claim by its symbol, by its name where that does not tell which."""
+    """A formula of a claim by its symbol, or by its name if the symbol is ambiguous."""
     symbol = claim.shown(formula)
     return Name(symbol_text(symbol) if symbol else formula)
 
 
 def _truth(claims: list[Claim]) -> tuple[Holds, ...]:
-    """What holds instead: the corrected statements that are proved or verified."""
+    """The corrected statements of an error that are proved or verified."""
     decided = [(claim, combined(claim)[1].verdict) for claim in claims if claim.status == Status.MEANT]
     return tuple(
         Holds(claim.key, numbered(claim), verdict) for claim, verdict in decided if verdict in (PROVED, VERIFIED)
@@ -203,7 +205,7 @@ def numbered(claim: Claim) -> str:
 
 
 def _has_factor(claim: Identity, dimension: int) -> bool:
-    """Whether one side is the other times a product of powers; not where roots are adjoined, or the right side
+    """Whether one side is the other side times a product of powers. False if roots are adjoined or the right side
     vanishes.
     """
     try:

@@ -1,4 +1,4 @@
-"""One curve, evaluated for many claims: the arguments of formulas, and which assumptions hold."""
+"""One curve, evaluated for many claims: the arguments of formulas, and the assumptions that hold."""
 
 from __future__ import annotations
 
@@ -92,7 +92,9 @@ def moved_copy(curve: Nurbs) -> Curve[BSpline]:
 
 
 def beginning(curve: Curve[BSpline]) -> Curve[BSpline]:
-    """The first segment of a curve: more would show nothing new of a pair, and the number of patches is the product."""
+    """The first segment of a curve: further segments show nothing new about a pair, and the number of patches of a pair
+    is the product of both numbers of segments.
+    """
     a, b, *_ = curve.w.breakpoints
     return Curve(Vector(*[x.restrict(a, b) for x in curve.p]), curve.w.restrict(a, b), polynomial=curve.polynomial)
 
@@ -122,8 +124,8 @@ def is_tried_whole(surface: NurbsSurface) -> bool:
 
 
 class Given(NamedTuple):
-    """The argument of formulas of a kind on one curve or surface; a description of the additional operands; and which
-    part of all such arguments it is, where there are others (None where it is the only one).
+    """The argument of formulas of a kind on one curve or surface, with a description of the additional operands, and of
+    the part of all such arguments that it represents (None if it is the only argument).
     """
 
     argument: Evaluated
@@ -174,7 +176,7 @@ def argument(kind: str, curve: Nurbs | NurbsSurface) -> Given:
 
 
 def free_operands(kind: str) -> AnyOperands | None:
-    """The free operands next to the curve in arguments of a kind; None where there are none.
+    """The free operands next to the curve in arguments of a kind; None if there are none.
 
     >>> for kind in ("plane pair", "plane point", "plane with delta"):
     ...     print(free_operands(kind))
@@ -196,7 +198,7 @@ LARGEST = 100
 
 
 def too_long(formulas: Iterable[Formula], surface: NurbsSurface) -> TooLong | None:
-    """The first formula whose value as written has too high a degree on a surface; None where there is none.
+    """The first formula whose value as written has too high a degree on a surface; None if there is none.
 
     >>> from exactspline.papers import find
     >>> from exactspline.interchange.examples import example_surface
@@ -229,7 +231,7 @@ class Evaluation:
         self._failing: dict[tuple[str, Assumption], AssumptionFails | None] = {}
 
     def given(self, kind: str) -> Given:
-        """The argument of formulas of a kind, which memoizes their values, and what it is."""
+        """The argument of formulas of a kind, which memoizes their values, with its description."""
         if kind == ArgumentKind.TABLE:
             return Given(self.curve)
         if kind not in self._arguments:
@@ -307,8 +309,8 @@ def _fails(each: Assumption, argument: object) -> Place | None:
 
 
 def _fails_on_pair(each: Assumption, value: TensorSpline) -> Place | None:
-    """The same where the parameters are those of two curves. What depends on one of them is on each segment of the
-    other curve the same for all its parameters: one line decides.
+    """The same for the parameters of two curves. A value that depends on one parameter alone is constant in the other
+    one, so that one line of constant parameter decides.
     """
     if not each.everywhere:
         return None if all(value.numerators) else OnWholePatch()
@@ -321,7 +323,7 @@ def _fails_on_pair(each: Assumption, value: TensorSpline) -> Place | None:
 
 
 def fails_on_surface(each: Assumption, value: TensorSpline) -> Place | None:
-    """The place where a value in two parameters is not as assumed; what could not be decided counts as a zero."""
+    """The place where a value in two parameters violates an assumption; an undecided place counts as a zero."""
     from exactspline.bivariate.signs import Sign, sign_on_patch  # most evaluations are of curves
 
     patches = product(*[range(len(mesh)) for mesh in value.meshes])
@@ -342,7 +344,7 @@ def segment(f: BSpline, i: int) -> OnAllOf:
 
 
 def zero_of(f: BSpline) -> Place | None:
-    """Where a spline has a zero, including zeros as one-sided limits; None when it has none.
+    """A place where a spline has a zero, including zeros as one-sided limits; None if the spline has no zero.
 
     >>> str(zero_of(BSpline.identity(0, 1))), zero_of(BSpline.identity(0, 1) + 1)
     ('at the parameter 0', None)
@@ -363,9 +365,8 @@ def place_between(interval: Interval) -> At | Between:
 
 
 # ---- one segment
-#
-# What holds for these holds on the whole segment for all values of the free operands: nothing is tried at single
-# values.
+# Statements about these values hold on the whole segment for all values of the free operands: no single values are
+# tried.
 
 
 #: The parameters minus those at which a segment begins; names that no operand has.
@@ -437,8 +438,8 @@ class OnSegment(NamedTuple):
         return On(self.low, self.high)
 
     def place(self, value: JetFraction) -> At | On:
-        """A parameter at which a nonzero value does not vanish (for some values of the free operands); where none is
-        found quickly, the interval.
+        """A parameter at which a nonzero value does not vanish (for some values of the free operands), or the interval
+        if no such parameter is found quickly.
         """
         variables = value.ring.variables
         for k in range(2, 2 + TRIES):

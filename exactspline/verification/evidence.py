@@ -1,5 +1,5 @@
 """The results of checks as data: computed values, and witnesses of failures. Only `exactspline.display.evidence` puts
-them into words, by the template of their class where it has one, and no code reads those words.
+them into words, if possible by the template of their class, and no code reads those words.
 
 The fields are numbers, names, members of enumerations, and objects of algebra.
 """
@@ -39,7 +39,7 @@ class Fact(Evidence, Enum):
     NOT_ISOLATED = "a side vanishes on a whole segment, whose points have no condition number"
     NO_JOINT = "one segment: nothing is joined"
     NOT_HERE = "does not exist here"
-    # what holds
+    # true statements
     ZERO = "0"
     NONE_VANISHES = "none vanishes"
     NONE_VANISHES_FOR_ANY_DEGREE = (
@@ -54,7 +54,7 @@ class Fact(Evidence, Enum):
     APPLIES = "it applies"
     AS_CLAIMED = "as claimed"
     EQUAL_EVERYWHERE = "equal everywhere"
-    # what does not
+    # false statements
     NOT_PROPORTIONAL = "not proportional"
     NOT_IDENTICAL = "not identical"
     NOT_ZERO = "not zero"
@@ -90,7 +90,7 @@ class Fact(Evidence, Enum):
     NO_CURVE_OF_THIS_TYPE = "no example curve shows of which type it is"
     NOT_SEPARATED = "the enclosures of two condition numbers overlap"
     ROOTS_REMAIN = "it is not a multiple of a product of the roots ‖γ′‖ and ‖γ′×γ″‖: its zeros are not compared"
-    # why nothing is decided of one curve
+    # reasons why nothing is decided on one curve
     LOWER_DEGREE_HERE = "the degree is lower on it, as it may be on special ones"
     HIGHER_CONTACT_HERE = "the contact is of a higher order on it, as it may be on special curves"
     TOO_FEW_DERIVATIVES = "its degree is lower than the order of a derivative"
@@ -133,7 +133,7 @@ class OnAllOf(Evidence, words="on all of [{low}, {high}]"):
 
 
 class On(Evidence, words="on [{low}, {high}]"):
-    """Somewhere on a segment."""
+    """An unknown place on a segment."""
 
     low: mpq
     high: mpq
@@ -218,7 +218,7 @@ class TooLong(
 
 
 class HeldOn(Evidence):
-    """It was tried on a part only, and held there; more could not be tried because of an error."""
+    """A statement that was tried on a part only and held there; an error prevented further trials."""
 
     part: Evidence
     error: ExactSplineError | None = None
@@ -254,7 +254,7 @@ class Refutes(Evidence, words="proved for all curves, but refuted: {witness}"):
 
 
 class JudgesDisagree(Evidence, words="proved by {proved}, but refuted by {refuted}{witness?: }{witness}"):
-    """One judge proves what another one refutes."""
+    """One verifier proves a claim that another one refutes."""
 
     proved: Name
     refuted: Name
@@ -291,7 +291,7 @@ class Theorem(Evidence, words="{axioms?axioms {axioms:, }|no axioms}"):
 
 
 class NoTheorem(Evidence, words="not stated, {error.problem}"):
-    """Why a claim is not stated as a theorem."""
+    """The reason why a claim is not stated as a theorem."""
 
     error: ExactSplineError
 
@@ -304,7 +304,7 @@ Enclosure = tuple[mpq, mpq]
 
 
 class Sides(Evidence, Enum):
-    """What differs."""
+    """The things that differ."""
 
     SIDES = "the sides differ"
     ZERO = "it differs from 0"
@@ -320,7 +320,7 @@ class Difference(Evidence, words="{of} by {by} {at}"):
 
 
 class StatedFactor(Evidence):
-    """A factor as stated in a claim; `is_one` where it is 1 on this curve."""
+    """A factor as stated in a claim; `is_one` if the factor is 1 on this curve."""
 
     powers: tuple[tuple[Name, int], ...]
     is_one: bool = False
@@ -384,8 +384,8 @@ class RationalOfDegree(Evidence, words="rational of degree {degree}"):
 
 
 class DegreeFound(Evidence):
-    """A degree for all d: `grading` are k, m and j; it is as claimed for d ≥ `start`; for single exceptional d it
-    differs, or the value is 0; `as_written` where the value vanishes on every curve.
+    """A degree for all d, with its `grading` k, m and j. It is as claimed for d ≥ `start`, except for single d at which
+    it differs, or the value is 0. `as_written` says that the value vanishes on every curve.
     """
 
     degree: Degree
@@ -429,7 +429,7 @@ class Counted(Evidence):
 
 
 class CoefficientIsZero(Evidence):
-    """A coefficient that is zero for every curve of a degree (None: all are)."""
+    """A coefficient that is zero for every curve of a degree (None: all coefficients are)."""
 
     degree: int
     index: int | None = None
@@ -442,7 +442,7 @@ class OnlyForDegrees(Evidence, words="none vanishes for {degrees}"):
 
 
 class ZeroCoefficient(Evidence, words="coefficient {index} of {formula} {segment} is {value}"):
-    """A Bézier coefficient of a formula on a segment of this curve that is zero, or of another sign."""
+    """A Bézier coefficient of a formula on a segment of this curve that is zero, or has another sign."""
 
     formula: Name
     index: int
@@ -468,13 +468,13 @@ class VanishesAlone(Evidence, words="{formula} vanishes {place}, {other} does no
 
 
 class ZerosOf(Evidence, words="{factors?where {factors: or } vanishes|nowhere}"):
-    """The irreducible factors where formulas vanish together."""
+    """The irreducible factors on whose zeros formulas vanish together."""
 
     factors: tuple[Name, ...]
 
 
 class MayVanish(Evidence, words="{factors: and } may have zeros{assume?: assume {assume: and }}"):
-    """Irreducible factors that keep something from being proved, and the assumptions that exclude their zeros."""
+    """Irreducible factors that prevent a proof, and the assumptions that exclude their zeros."""
 
     factors: tuple[Name, ...]
     assume: tuple[Name, ...] = ()
@@ -501,7 +501,7 @@ class Value(Evidence, words="{value?{value}|∞}"):
 
 
 class ValueAt(Evidence, words="{squared?its length has the square|it is} {value?{value}|∞} {place}"):
-    """A value somewhere; `squared` where it is the square of a length."""
+    """A value at a place; `squared` if it is the square of a length."""
 
     value: tuple[mpq, ...]
     place: Place
@@ -521,7 +521,7 @@ class SumOfSquares(Evidence):
 
 
 class Quotients(Evidence):
-    """The quotients of one formula by others; None where they are not proportional."""
+    """The quotients of one formula by others; None for a formula that is not proportional."""
 
     formula: Name
     by: tuple[tuple[Name, Factor | None], ...]
@@ -630,7 +630,7 @@ class UnderMap(Evidence):
 
 
 class DifferUnder(Evidence):
-    """Where the sides differ under a map."""
+    """The place where the sides differ under a map."""
 
     map: Name
     place: At | On

@@ -1,4 +1,4 @@
-"""What holds for all curves: quotients of formulas in the jet ring, reductions, degrees by the degree theorem."""
+"""Proofs for all curves: quotients of formulas in the jet ring, reductions, degrees by the degree theorem."""
 
 from __future__ import annotations
 
@@ -74,7 +74,8 @@ SHOWN_SURFACES = {False: "rational_biquadratic", True: "bicubic"}
 
 @at_its_cost
 def vanishes(formula: Formula, dimension: int, polynomial: bool) -> bool:
-    """Whether a formula is zero for all arguments of its kind: where it is not, usually one example shows it.
+    """Whether a formula is zero for all arguments of its kind. A formula that is not zero is usually recognized on one
+    example.
 
     >>> vanishes(formula_of("D1"), 2, True), vanishes(formula_of("D21"), 2, True)
     (False, True)
@@ -116,7 +117,9 @@ def reduction_of(formula: Formula, dimension: int, polynomial: bool, parameter: 
 def cached_reduction(
     formula: Formula, dimension: int, polynomial: bool, names: tuple[Paper, ...]
 ) -> Reduction | ExactSplineError:
-    """The reduction of a formula, computed once, on a budget of its own: what a claim has spent before is no reason."""
+    """The reduction of a formula, computed once, with its own budget: it does not depend on earlier computations of a
+    claim.
+    """
     try:
         with drawing_on(Budget()):
             return reduce(formula, dimension=dimension, polynomial=polynomial)
@@ -142,8 +145,8 @@ def table_1_degrees() -> Operands:
 def symbolic_minimum(c: Construction, dimension: int, *, polynomial: bool = False) -> Degree:
     """The true degree of the minimal form on the generic curve of degree d, for symbolic d: no curve has a higher one.
 
-    In the jet ring numerator and denominator lose their common factor; the degree theorem
-    (`exactspline.symbolic.covariants`) does the rest.
+    The common factor of numerator and denominator is cancelled in the jet ring; then the degree theorem
+    (`exactspline.symbolic.covariants`) gives the degree.
 
     >>> from exactspline.geometry.derived.constructions import construction
     >>> symbolic_minimum(construction("zero_curvature"), 2), symbolic_minimum(construction("critical_curvature"), 2)
@@ -156,8 +159,8 @@ def symbolic_minimum(c: Construction, dimension: int, *, polynomial: bool = Fals
 
 
 def lowest_degree(formula: Formula, dimension: int, *, polynomial: bool = False) -> Degree:
-    """The degree of a formula in lowest terms on the generic argument of its kind, for symbolic d: an upper bound on
-    every one.
+    """The degree of a formula in lowest terms on the generic argument of its kind, for symbolic d: an upper bound for
+    every argument.
 
     For two curves it is the degree in the parameter of the first.
 

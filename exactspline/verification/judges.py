@@ -1,5 +1,5 @@
-"""Judges: provers that share no code decide the same claims; if one proves what another refutes, a contradiction is
-reported.
+"""Second verifiers: provers that share no code decide the same claims. If one proves a claim that another refutes, a
+contradiction is reported.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ from exactspline.verification.vocabulary import Extent, Name
 
 
 class Sympy:
-    """The judge that decides equalities in expressions of sympy.
+    """The verifier that decides equalities in expressions of sympy.
 
     >>> from exactspline.verification.claims import select
     >>> [str(Sympy().decide(claim).verdict) for claim in select(["C4.1a", "C4.2g"])]
@@ -50,7 +50,7 @@ class Sympy:
 
 
 def argument_for(claim: Claim, dimension: int, polynomial: bool) -> Evaluated:
-    """The argument of a formula in this reading."""
+    """The argument of a formula in expressions of sympy."""
     kind = kind_of(claim.curve)
     if kind.adjoins_roots:
         factor = claim.factor if isinstance(claim, Identity) else "1"
@@ -64,14 +64,14 @@ class Judge(Protocol):
 
     @property
     def name(self) -> Name:
-        """Its name."""
+        """The name of the verifier."""
 
     @property
     def column(self) -> Name:
-        """The heading of its column."""
+        """The heading of the column of its verdicts."""
 
     def decide(self, claim: Claim) -> Finding:
-        """The finding; UNDECIDED where the judge does not handle claims of this kind."""
+        """The finding; UNDECIDED if the verifier does not handle claims of this kind."""
 
 
 #: The judges other than the ledger's: where each stands, or what makes one.
@@ -82,12 +82,12 @@ _others: dict[str, str | Callable[[Sequence[Claim]], Judge]] = {
 
 
 def add_judge(name: str, make: Callable[[Sequence[Claim]], Judge]) -> None:
-    """Let ``prove --judge NAME`` ask another judge, made for the claims that it will be asked for."""
+    """Add a verifier for ``prove --judge NAME``; it is made for the claims that it will be asked about."""
     _others[name] = make
 
 
 def judge_named(name: str, claims: Sequence[Claim] = ()) -> Judge:
-    """Another judge, for these claims.
+    """The second verifier with this name, for these claims.
 
     Raises `ClaimError` with the existing names.
     """
@@ -99,8 +99,8 @@ def judge_named(name: str, claims: Sequence[Claim] = ()) -> Judge:
 
 
 def agreed(own: Finding, first: Name, other: Finding, second: Name) -> Finding:
-    """The finding of a judge, compared with that of another one: a CONTRADICTION where one proves what the other one
-    refutes.
+    """The finding of a verifier, compared with that of another one: a CONTRADICTION if one proves a claim that the
+    other one refutes.
 
     >>> from exactspline.verification.verdict import UNDECIDED
     >>> one, two = Name("one"), Name("two")
@@ -117,9 +117,9 @@ def agreed(own: Finding, first: Name, other: Finding, second: Name) -> Finding:
 
 
 def second_opinion(judge: Judge, own: Row, limit: int | None = None) -> Row:
-    """A row for all curves with the finding of another judge added to it: a CONTRADICTION where one proves what the
-    other refutes. A row on a single curve is returned as it is: of it no other judge is asked. What
-    takes more than `limit` seconds of processor time is undecided.
+    """A row for all curves with the finding of another verifier: a CONTRADICTION if one proves the claim and the other
+    refutes it. A row on a single curve is returned unchanged, since other verifiers decide only for all curves. A claim
+    that takes more than `limit` seconds of processor time is undecided.
 
     >>> from exactspline.verification.claims import select
     >>> from exactspline.verification.ledger import decide

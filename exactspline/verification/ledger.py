@@ -1,4 +1,4 @@
-"""Claims × readings → verdicts: the ledger."""
+"""The ledger: the verdicts on claims, for all curves and on single curves."""
 
 from __future__ import annotations
 
@@ -50,9 +50,9 @@ ALL_CURVES = Name("")
 class Row(Displayed):
     """A line of the ledger: the finding of a check of a claim, for all curves (``curve`` is empty) or on one.
 
-    ``reading`` is the reading in which it was decided, ``beside`` are the operands in addition to the curve;
-    ``expected`` are the verdicts that agree with the record, ``second`` is what another judge found, where one was
-    asked.
+    ``reading`` is the evaluation mode in which the claim was decided, ``beside`` are the operands in addition to the
+    curve, ``expected`` are the verdicts that agree with the record, and ``second`` is the finding of a second verifier,
+    if one was asked.
     """
 
     claim: Claim
@@ -75,12 +75,12 @@ class Row(Displayed):
 
     @property
     def key(self) -> str:
-        """Its key."""
+        """The key of the claim."""
         return self.claim.key
 
     @property
     def paper(self) -> str:
-        """Its paper."""
+        """The paper of the claim."""
         return self.claim.paper
 
     @property
@@ -95,7 +95,7 @@ class Row(Displayed):
 
     @property
     def claimed(self) -> str:
-        """The claimed value, for one curve as a number."""
+        """The claimed value; on one curve as a number."""
         here = self.computed
         return here.relation.bound(here.claimed) if isinstance(here, DegreeHere | ZeroHere) else self.claim.claims
 
@@ -116,7 +116,7 @@ class Row(Displayed):
 
     @property
     def witness(self) -> Evidence | None:
-        """Where it fails, or why nothing was decided."""
+        """The place where the claim fails, or the reason why nothing was decided."""
         return self.finding.witness
 
     @property
@@ -126,13 +126,13 @@ class Row(Displayed):
 
     @property
     def out_of_reach(self) -> bool:
-        """Whether the claim, or the opinion of a second judge, was left undecided because of its cost."""
+        """Whether the claim, or the finding of a second verifier, is undecided because of its cost."""
         return any(each and each.reason == Reason.COST for each in (self.finding, self.second))
 
     @property
     def differs(self) -> bool:
-        """Whether it contradicts the record, by its own verdict or that of the second judge: undecided because of its
-        cost, or not asked, is not another verdict.
+        """Whether the verdict of the row, or that of a second verifier, contradicts the record. UNDECIDED because of
+        the cost and NOT ASKED do not contradict it.
         """
         second = self.second.verdict if self.second else UNDECIDED
         opposed = second in (PROVED, REFUTED) and (second == REFUTED) != (REFUTED in self.expected)
@@ -174,8 +174,8 @@ def _expected(claim: Claim, curve: Name, finding: Finding, is_example: bool) -> 
 
 @dataclass(frozen=True)
 class Counts:
-    """How many statements of one status there are, how many of them hold and how many are refuted, and of how many
-    errors.
+    """The number of statements of one status, the numbers of those that hold and of those that are refuted, and the
+    number of errors.
     """
 
     statements: int
@@ -185,7 +185,7 @@ class Counts:
 
     @property
     def neither(self) -> int:
-        """How many neither hold nor are refuted."""
+        """The number of statements that neither hold nor are refuted."""
         return self.statements - self.hold - self.refuted
 
 
@@ -212,7 +212,7 @@ def _counts(decided: list[tuple[Claim, Verdict]]) -> Counts:
 
 
 def error_of(claim: Claim) -> str:
-    """The error to which a refuted statement belongs: an error of its own where none is recorded."""
+    """The error to which a refuted statement belongs; a statement without a recorded error is an error of its own."""
     return claim.error or claim.key
 
 
@@ -227,7 +227,7 @@ def audit(claims: Iterable[Claim], curves: Iterable[Nurbs | NurbsSurface] | None
     """The rows of the ledger.
 
     Without curves, every claim is decided for all curves, and then checked on every example curve to which it applies.
-    With curves or surfaces it is checked on these.
+    With curves or surfaces, claims are checked on these.
 
     >>> from exactspline.verification.claims import select
     >>> [(str(row.reading), str(row.verdict)) for row in audit(select(["C4.1a"]), [example("circle")])]
@@ -239,7 +239,7 @@ def audit(claims: Iterable[Claim], curves: Iterable[Nurbs | NurbsSurface] | None
 
 
 def settled(rows: Sequence[Row]) -> list[Row]:
-    """The rows of a run; a proof for all curves that is contradicted by one of them is not a proof."""
+    """The rows of a run, where a proof for all curves that a single curve contradicts is not counted as a proof."""
     contradicted = {(row.paper, row.key): row.witness for row in rows if row.verdict == CONTRADICTION}
     return [
         replace(row, finding=replace(row.finding, verdict=CONTRADICTION, witness=contradicted[row.paper, row.key]))
@@ -275,7 +275,7 @@ def tasks(
 
 
 def _curves_of(source: Paper) -> list[Nurbs]:
-    """The curves on which a paper is checked: those in its folder, or the examples where there are none."""
+    """The curves on which a paper is checked: the curves in its folder, or the examples if there are none."""
     return list(own_curves(source).values()) or [example(name) for name in example_names()]
 
 
@@ -286,7 +286,7 @@ def _on_curves(
     evaluations: dict[int, Evaluation],
     limit: int | None,
 ) -> list[Task]:
-    """Curve by curve, the claims that apply to it; formulas are evaluated once per curve, for all papers."""
+    """The checks of claims, curve by curve; formulas are evaluated once per curve, for all papers."""
     calls: list[Task] = []
     for curve in curves:
         own = evaluations.setdefault(id(curve), Evaluation(curve))
@@ -299,7 +299,7 @@ def _on_curves(
 
 
 def decide(claim: Claim, proofs: Proofs | None = None, limit: int | None = None) -> Row:
-    """A claim decided for all curves; undecided where that takes more than `limit` seconds of processor time."""
+    """A claim decided for all curves; undecided if that takes more than `limit` seconds of processor time."""
     start = perf_counter()
     made = as_instance(proofs_of_this_run() if proofs is None else proofs, Proofs, "proofs", "leave them out")
     try:
@@ -311,7 +311,7 @@ def decide(claim: Claim, proofs: Proofs | None = None, limit: int | None = None)
 
 
 def checked(claim: Claim, own: Evaluation, name: Name, proofs: Proofs, limit: int | None = None) -> Row:
-    """A claim checked on one curve; undecided where that takes more than `limit` seconds of processor time."""
+    """A claim checked on one curve; undecided if that takes more than `limit` seconds of processor time."""
     start = perf_counter()
     try:
         with within_seconds(limit), named_by(claim.source_paper):
@@ -324,8 +324,9 @@ def checked(claim: Claim, own: Evaluation, name: Name, proofs: Proofs, limit: in
 
 
 def _found_on(claim: Claim, own: Evaluation, proofs: Proofs) -> Finding:
-    """What is found on one curve. A claim refuted there must not be proved for all curves: a proof that exists in this
-    run is compared, and where the claim is not recorded as refuted, one is computed.
+    """The finding on one curve. A claim that is refuted there must not be proved for all curves: the finding is
+    compared with a proof from this run; if there is none, and the claim is not recorded as refuted, a proof is
+    computed.
     """
     finding = fitting(claim, partial(claim.check, own, lambda: proofs[claim]))
     if finding.verdict == REFUTED and (claim in proofs or claim.expected != REFUTED):

@@ -3,11 +3,11 @@
 A quotient is certified segment by segment: modulo a prime, polynomial multiples of the components of numerator and
 denominator add up to 1, so that they have no common factor, and one of them has full degree at the right end. The form
 of a zero set is divided by its multiple factors, and certified to have its full degree in the parameter, no multiple
-factor and no common factor with w. That no polynomial of a lower degree has the same zeros is proved where it is
-`irreducible` and has a zero: modulo some prime that was found; then every polynomial over ℚ that vanishes at one of its
-zeros is a multiple of it. Elsewhere a factor without a zero on the segment might be left out.
-`exactspline.certificates` checks the data with the standard library alone: the forms, not of which construction, curve
-and intervals they are.
+factor and no common factor with w. No polynomial of a lower degree has the same zeros if the form has a zero and is
+`irreducible` modulo some prime: then every polynomial over ℚ that vanishes at one of its zeros is a multiple of the
+form. In other cases a factor without a zero on the segment might be omitted. `exactspline.certificates` checks the data
+with the standard library alone. It checks the forms, and not that they belong to the construction, the curve and the
+intervals named.
 """
 
 from __future__ import annotations
@@ -67,7 +67,7 @@ def certificate(name: str, curve: Nurbs) -> dict[str, object]:
 
 
 def _segments(made: Construction, piece: Piece, curve: Nurbs) -> list[tuple[tuple[mpq, mpq], dict[str, Any]]]:
-    """The intervals on which it does not vanish, each with its part of the proof."""
+    """The intervals on which the object does not vanish, each with its part of the proof."""
     value = piece.value
     if not made.zero_set:
         if not isinstance(value, Rational):
@@ -113,7 +113,7 @@ def bezout_combination(
     forms: Sequence[fmpz_poly], degrees: Sequence[int], *, simple: bool = False
 ) -> tuple[int, list[list[str]]]:
     """A prime, and polynomials modulo it whose products with the forms add up to 1; the prime divides no leading
-    coefficient of a form of full degree, and modulo it the first form is square-free if it is to be `simple`.
+    coefficient of a form of full degree, and with `simple` the first form is square-free modulo the prime.
     """
     for p in LARGE_PRIMES:
         if all(int(c[n]) % p == 0 for c, n in zip(forms, degrees, strict=True)):
@@ -164,7 +164,7 @@ def witness(dimension: int, degree: int, *, polynomial: bool = False) -> Nurbs:
 
 @dataclass(frozen=True)
 class Attained:
-    """Whether the proved degree of a construction is attained at a degree d, with the certificate; both None where the
+    """Whether the proved degree of a construction is attained at a degree d, with the certificate; both are None if the
     object does not exist.
     """
 
@@ -182,7 +182,7 @@ class Attained:
 
 
 def attained(name: str, d: int, *, polynomial: bool = False) -> Attained:
-    """The construction on the witness of degree d against the degree theorem.
+    """The degree of a construction on the witness of degree d, compared with the degree theorem.
 
     >>> result = attained("critical_curvature", 2)
     >>> result.proved, result.attained, result.certificate["segments"][0]["irreducible modulo"] is not None

@@ -62,8 +62,8 @@ def factor_formulas(text: str, find: Callable[[str], Formula] = find_anywhere) -
 def factor_of_text(
     text: str, curve: Evaluated, find: Callable[[str], Formula] = find_anywhere
 ) -> tuple[Operand, Operand]:
-    """A factor as stated in a claim, ``"2 w^29 f2"`` or ``"w^-4"``, as numerator and denominator in the reading of the
-    curve. `find` gives the formulas in it.
+    """A factor as stated in a claim, ``"2 w^29 f2"`` or ``"w^-4"``, as numerator and denominator in the evaluation mode
+    of the curve. `find` gives the formulas in it.
 
     Raises `ClaimError` when it cannot be read.
     """

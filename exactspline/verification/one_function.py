@@ -1,5 +1,5 @@
-"""Formulas whose text nobody read before they ran: typed at the prompt, or in files that are trusted. One that counts
-its calls, draws numbers or looks at what its operands are is no function of a curve, and nothing is proved of it.
+"""Formulas that ran unchecked, typed at the prompt or from trusted files. A formula that counts its calls, draws random
+numbers or asks for the types of its operands is not a function of a curve, and it is refused.
 """
 
 from __future__ import annotations
@@ -41,10 +41,10 @@ def expect_functions(formulas: Iterable[Formula], dimension: int, *, polynomial:
 
 
 def expect_one_function(formula: Formula, c: Evaluated) -> None:
-    """Refuse a formula whose value on an indeterminate argument is another one in a second evaluation, for the same
-    operands in another class (those of a curve whose other parameter is its own), or on examples of splines.
+    """Refuse a formula whose value on an indeterminate argument differs in a second evaluation, for the same operands
+    in another class (that of curves with a second parameter), or on examples of splines.
 
-    Raises `FormulaError`, naming the formula, for one that differs, or that has no value there.
+    Raises `FormulaError`, naming the formula, for different values, and for a formula without a value.
     """
     if formula.checked:
         return
@@ -57,12 +57,12 @@ def expect_one_function(formula: Formula, c: Evaluated) -> None:
                 raise _several(formula)
             if not all(_same_on(found, formula, each) for each in _examples(ring)):
                 raise _several(formula)
-    except (TypeError, AttributeError, IndexError):  # values of other shapes, or what only one class has
+    except (TypeError, AttributeError, IndexError):  # values of other shapes, or attributes that only one class has
         raise _several(formula) from None
 
 
 def _expect_same_again(formula: Formula, c: Evaluated) -> None:
-    """Refuse a formula that nobody read and that has another value when it is evaluated again, or a plain number.
+    """Refuse an unchecked formula whose value differs when it is evaluated again, or is a plain number.
 
     Raises `FormulaError`, naming the formula.
     """
@@ -88,7 +88,9 @@ def expect_functions_on(formulas: Iterable[Formula], c: Evaluated | None, dimens
 
 @cache
 def _refusal(formula: Formula, dimension: int, polynomial: bool) -> SeveralValuesError | None:
-    """Why a formula is refused on all curves; None also where that is too large to find out, on a budget of its own."""
+    """The reason why a formula is refused on all curves; None if it is not refused, or if the check exceeds its
+    budget.
+    """
     try:
         with drawing_on(Budget()):
             expect_functions((formula,), dimension, polynomial=polynomial)
@@ -129,7 +131,9 @@ def unwrapped(x: Operand) -> Operand:
 
 
 def _examples(ring: JetRing) -> list[Evaluated]:
-    """Arguments on examples; none where roots are adjoined, and of kinds of which one curve or surface is none."""
+    """Arguments on examples; empty if roots are adjoined, and for kinds for which one curve or surface is not an
+    argument.
+    """
     kind = ring.kind
     if kind.adjoins_roots or not (kind.made_of_a_curve or kind.made_of_a_surface):
         return []
@@ -141,7 +145,7 @@ def _examples(ring: JetRing) -> list[Evaluated]:
 
 
 def _same_on(found: list[Any], formula: Formula, given: Any) -> bool:
-    """Whether a formula has its value for indeterminates on an example, too; what does not exist there differs not."""
+    """Whether the value of a formula on an example is its value for indeterminates; true if it does not exist there."""
     try:
         components, below = split(formula(given))
     except VanishingDivisorError:

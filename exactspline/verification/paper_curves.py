@@ -1,4 +1,4 @@
-"""The curves on which the claims of a paper are checked: the examples of the library, and those of the paper."""
+"""The curves on which the claims of a paper are checked: the examples of the library, and the curves of the paper."""
 
 from __future__ import annotations
 
@@ -52,7 +52,7 @@ def refused_curves(source: Paper) -> dict[str, ExactSplineError]:
 @cache
 def undulations() -> dict[str, Nurbs]:
     """Curves that touch their tangent at the parameter 0 to third order: (t, t⁴) and (t, t⁴, t³), −1 ≤ t ≤ 1, and the
-    same over 1 + t². What is true except at such points is refuted by them.
+    same over 1 + t². They refute a statement that fails only at such points.
     """
     texts = ("-1 1 -1", "-1/2 -1 1/2", "0 1 0", "1/2 -1 -1/2", "1 1 1")
     weights, knots, found = [rational(x) for x in (2, 1, "2/3", 1, 2)], [*[-1] * 5, *[1] * 5], dict[str, Nurbs]()
@@ -80,8 +80,8 @@ def curve_named(source: Paper, name: str) -> Nurbs:
 
 
 def check_curve_name(source: Paper, name: str) -> None:
-    """Raise `ClaimError` for a name that is neither a curve of the paper nor an example; no example is read
-    for that.
+    """Raise `ClaimError` for a name that is neither a curve of the paper nor an example. No example is read for this
+    check.
     """
     if error := refused_curves(source).get(f"curves/{name}.json"):
         raise ClaimError(f"the curve {name!r} cannot be read", where=error.where, remedy=error.problem)

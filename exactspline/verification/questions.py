@@ -1,5 +1,5 @@
-"""Questions about formulas: whether one is another times a factor, for all curves or on one, and what cancels. Formulas
-are given as objects or by name.
+"""Questions about formulas: whether one formula is another times a factor, for all curves or on one curve; degrees; and
+reductions. Formulas are given as objects or by name.
 """
 
 from __future__ import annotations
@@ -64,7 +64,7 @@ def formula_of_line(text: str, named: Callable[[str], Formula]) -> Formula:
     >>> formula_of_line("f1", find), formula_of_line("det(γ', γ'')", find).kind.name
     (<formula f1, §4.1, Remark 3.1>, 'plane')
 
-    Raises `FormulaError` for what is no expression of the language of formulas, or exists for no curve.
+    Raises `FormulaError` for a line that is not an expression of the language of formulas, or exists for no curve.
     """
     used: dict[str, Formula] = {}
 
@@ -94,7 +94,7 @@ def formula_of_line(text: str, named: Callable[[str], Formula]) -> Formula:
 
 
 def _not_looked_up(text: str, *, functions: bool) -> list[str]:
-    """The names in a line that have no place and mean operands, or `functions` of the language.
+    """The names in a line that are given without a place and mean operands, or `functions` of the language.
 
     >>> _not_looked_up("a.py:w = det(γ', γ'')/w", functions=True), _not_looked_up("det(p, p')", functions=False)
     (['det', 'w', 'γ'], ['p'])
@@ -129,7 +129,7 @@ def _checked(text: str, code: str, used: dict[str, Formula]) -> Formula:
 
 
 def _in_python(tree: ast.AST, text: str) -> ast.AST:
-    """Powers with negative exponents as quotients, and products without signs as others, except after a division."""
+    """Powers with negative exponents as quotients, and products without a sign as products, except after a division."""
     for node in ast.walk(tree):
         match node:
             case ast.BinOp(ast.BinOp(op=ast.Div(), col_offset=first), ast.MatMult()) if first == node.col_offset:
@@ -145,7 +145,9 @@ def _in_python(tree: ast.AST, text: str) -> ast.AST:
 
 
 def _kinds(given: list[Kind]) -> list[Kind]:
-    """The kinds of argument on which formulas of all these kinds are defined, that of both dimensions first."""
+    """The kinds of argument on which formulas of all these kinds are defined, beginning with the kind of both
+    dimensions.
+    """
     common = common_kind(given)
     one = [re.sub("^curve(?! on)|(?<=framed)$", f" {each}", common.name).strip() for each in ("plane", "space")]
     kinds = [common, *map(kind_of, one)]
@@ -160,7 +162,7 @@ Named = Formula | str
 
 @dataclass(frozen=True, repr=False)
 class _Answer(Worded):
-    """Whether ``left = factor · right``. Usable as a condition."""
+    """The answer to the question whether ``left = factor · right``; it can be used as a condition."""
 
     left: str
     right: str
@@ -173,14 +175,14 @@ class _Answer(Worded):
 
     @property
     def verdict(self) -> Verdict:
-        """The verdict: VACUOUS where both sides vanish identically (0 = 0 is not a success; then any factor is right),
-        and where a side or the factor does not exist on a segment.
+        """The verdict. It is VACUOUS if both sides vanish identically (0 = 0 is true with any factor), or if a side or
+        the factor does not exist on a segment.
         """
         return self.finding.verdict
 
     @property
     def holds(self) -> bool:
-        """Whether it is proved for all curves, or verified on the given one."""
+        """Whether the identity is proved for all curves, or verified on the given curve."""
         return self.verdict in (PROVED, VERIFIED)
 
     def __bool__(self) -> bool:
@@ -200,7 +202,7 @@ class Proof(_Answer):
 
     @property
     def dimension(self) -> int:
-        """The first of the dimensions."""
+        """The first dimension of the curves."""
         return self.dimensions[0]
 
     @property
@@ -225,7 +227,7 @@ class Check(_Answer):
 
     @property
     def parameter(self) -> mpq | None:
-        """A parameter at which the sides differ, None where they do not."""
+        """A parameter at which the sides differ; None if they do not differ."""
         witness = self.finding.witness
         return witness.at.parameter if isinstance(witness, Difference) and isinstance(witness.at, At) else None
 
@@ -236,12 +238,12 @@ class Check(_Answer):
 
 
 def prove(left: Named, right: Named = "", factor: str = "1", *, dimension: int | None = None) -> Proof:
-    """Whether ``left = factor · right`` for all curves: decided in indeterminate derivatives. One text states both
-    sides, as expressions of the language of formulas.
+    """Whether ``left = factor · right`` for all curves: decided for indeterminate derivatives. Both sides may also be
+    stated in one text, as expressions of the language of formulas.
 
-    A factor is written like ``"2 w^29 f2"`` or ``"w^-4"``. Without a `dimension` it must hold in all in which the
-    formulas are defined: where it does not, the answer is about one in which it fails. The answer contains the true
-    quotient as well.
+    A factor is written like ``"2 w^29 f2"`` or ``"w^-4"``. Without a `dimension` the identity must hold in all
+    dimensions in which the formulas are defined; if it fails, the answer is about a dimension in which it fails. The
+    answer also contains the true quotient.
 
     >>> print(prove("f1", "f2", "w"))
     f1 = w · f2 for all curves in R2
@@ -278,7 +280,7 @@ def _decided(equation: Equation, dimension: int | None = None) -> Proof:
 
 def _proved(equation: Equation, kind: Kind, n: int) -> Proof:
     """The answer in one dimension."""
-    curve = jets_for(equation.formulas, n, factor=equation.factor).remembering()  # what is compared, proves
+    curve = jets_for(equation.formulas, n, factor=equation.factor).remembering()  # these comparisons are the proof
     for each in equation.formulas:
         expect_one_function(each, curve)
     left, right = equation.left(curve), equation.right(curve)
@@ -295,10 +297,11 @@ def proof_of(text: str, *, trust: bool = False, dimension: int | None = None) ->
     >>> print(proof_of("2*f1 = f1 + f1"))
     2*f1 = f1 + f1 for all curves in R2
 
-    Names are looked up where the left side says, then in the library; ``w`` and ``p`` without a place are operands.
+    Names are looked up in the place that the left side names, then in the library; ``w`` and ``p`` without a place are
+    operands.
 
-    Raises `FormulaError` for any other text, for an operand that has the name of a formula in one of the places, and
-    the errors of `exactspline.papers.resolve` and `prove`.
+    Raises `FormulaError` for a text that states no identity, and for an operand with the name of a formula in one of
+    the places; also the errors of `exactspline.papers.resolve` and `prove`.
     """
     left, _, right = text.partition("=")
     # the sides as written: formulas of two places may have one name
@@ -355,7 +358,9 @@ def _expect_operands(text: str, trust: bool) -> None:
 
 @dataclass(frozen=True, repr=False)
 class DegreeAnswer(OneLine):
-    """The answer of `degree`: the degree by Table 1, and that of the value in lowest terms on the generic curve."""
+    """The answer of `degree`: the degree by Table 1 of the paper, and the degree of the value in lowest terms on the
+    generic curve.
+    """
 
     formula: str
     dimension: int
@@ -369,8 +374,8 @@ class DegreeAnswer(OneLine):
 def degree(
     formula: Named, *, dimension: int | None = None, polynomial: bool = False, parameter: Parameter | str | None = None
 ) -> DegreeAnswer:
-    """The degrees of a formula on the generic curve of degree d; where there are several parameters, in the given one,
-    by default the first.
+    """The degrees of a formula on the generic curve of degree d; with several parameters the degrees in the given one,
+    by default in the first.
 
     >>> print(degree("g2"))
     g2 in R2: nominal 9d − 6, in lowest terms 9d − 12
@@ -405,10 +410,10 @@ def verify(left: Named, right: Named, curve: Nurbs, factor: str = "1") -> Check:
     >>> bool(verify("f1", "f2", example("rational_cubic"), "w"))
     True
 
-    Where a side does not exist on a segment (a denominator vanishes there), the answer is VACUOUS.
+    If a side does not exist on a segment (a denominator vanishes there), the answer is VACUOUS.
 
-    Raises `FormulaError` for an unknown formula, one that is not defined for curves of this dimension, and two with
-    different numbers of components.
+    Raises `FormulaError` for an unknown formula, for a formula that is not defined for curves of this dimension, and
+    for formulas with different numbers of components.
     """
     sides, curve = _formulas(left, right), curve_of(curve)
     for f in sides:
@@ -431,13 +436,13 @@ def reduction(
     polynomial: bool = False,
     parameter: Parameter | str | None = None,
 ) -> Reduction:
-    """What cancels in a formula, for all curves, and the lowest degree that remains (see
-    `exactspline.symbolic.reduction`); where there are several parameters, in the given one, by default the first.
+    """The factors that cancel in a formula, for all curves, and the lowest degree that remains (see
+    `exactspline.symbolic.reduction`); with several parameters the degree in the given one, by default in the first.
 
     >>> print(reduction("evolute").main.generic)
     6d − 6
 
-    Raises `FormulaError` for an unknown formula, `ShapeError` where it is not defined in this dimension.
+    Raises `FormulaError` for an unknown formula, and `ShapeError` if it is not defined in this dimension.
     """
     named = find(formula) if isinstance(formula, str) else formula
     counted = None if parameter is None else choice(Parameter, parameter, "parameter")

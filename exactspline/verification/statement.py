@@ -1,8 +1,7 @@
 """A claim written out: the statement as text and as LaTeX, its naive and its reduced side with their degrees, the
 factor, the verdict.
 
-Nothing is written by hand: formulas come from the tree reading, degrees from the degree reading, the verdict from the
-proof.
+Nothing is written by hand: formulas, degrees and verdict are computed from the claim.
 """
 
 from __future__ import annotations
@@ -59,7 +58,7 @@ class Side(OneLine):
 
 @dataclass(frozen=True, repr=False)
 class Definition(OneLine):
-    """What a letter in the formulas of a claim stands for, as text and as LaTeX."""
+    """The meaning of a letter in the formulas of a claim, as text and as LaTeX."""
 
     text: str
     latex: str
@@ -95,12 +94,14 @@ class Statement(Displayed):
 
     @property
     def differs(self) -> bool:
-        """Whether it is another one: undecided because of its cost, or not asked, is not."""
+        """Whether the verdict contradicts the record. UNDECIDED because of the cost and NOT ASKED do not contradict
+        it.
+        """
         return not (self.as_recorded or self.finding.reason == Reason.COST or self.finding.verdict == NOT_ASKED)
 
 
 def statements(claim_id: str) -> Iterator[Statement]:
-    """The statements of the claim with this id (or of all that it begins), each decided anew.
+    """The statements of the claims with this id, or with ids that begin with it, each decided anew.
 
     >>> [(s.sides[0].name, s.sides[-1].name, str(s.finding.factor)) for s in statements("C4.1a")]
     [('f1', 'f2', 'w'), ('f0', 'f2', 'w⁻³')]
@@ -121,8 +122,8 @@ def stated(claim: Claim, reading: Name, finding: Finding) -> Statement:
 
 
 def sides(claim: Claim) -> tuple[Side, ...]:
-    """The formulas of a claim; where it compares several, the one of the highest degree is the naive side and the one
-    of the lowest the reduced side. A claim without formulas has no sides.
+    """The formulas of a claim. If it compares several, the formula of the highest degree is the naive side, and that of
+    the lowest degree the reduced side. A claim without formulas has no sides.
     """
     names = dict.fromkeys(claim.named)
     if not names:
@@ -134,8 +135,8 @@ def sides(claim: Claim) -> tuple[Side, ...]:
 
 
 def definitions(claim: Claim, finding: Finding) -> tuple[Definition, ...]:
-    """What the letters stand for that are in the formulas of a claim, in the factor that was found, or in these
-    definitions.
+    """The meanings of the letters in the formulas of a claim, in the factor that was found, and in these meanings
+    themselves.
 
     >>> sorted(each.text for each in statement(select(["C4.1a"])[0]).defined)
     ['D1 = p′ w − p w′', 'D2 = p″ w − p w″']
@@ -146,12 +147,14 @@ def definitions(claim: Claim, finding: Finding) -> tuple[Definition, ...]:
 
 
 def letters_of_factor(claim: Claim, finding: Finding) -> tuple[Definition, ...]:
-    """What the letters stand for that are in the factor that was found."""
+    """The meanings of the letters in the factor that was found."""
     return (*_defined(_trees_of_factor(claim, finding), {}), *_velocity(claim, finding))
 
 
 def _velocity(claim: Claim, finding: Finding) -> Iterator[Definition]:
-    """What γ′ is in terms of D1, where the formulas of a claim have γ′ and the factor that was found has D1."""
+    """The formula of γ′ in terms of D1, if the formulas of a claim contain γ′ and the factor that was found contains
+    D1.
+    """
     parts = [*chain.from_iterable(nodes(_tree(name, claim)) for name in dict.fromkeys(claim.named))]
     factor = [*chain.from_iterable(map(nodes, _trees_of_factor(claim, finding)))]
     own, new = ({print_text(node) for node in each} for each in (parts, factor))
@@ -168,7 +171,7 @@ def _trees_of_factor(claim: Claim, finding: Finding) -> list[Node]:
 
 
 def _defined(trees: list[Node], found: dict[str, Definition | None]) -> tuple[Definition, ...]:
-    """The definitions in some trees; not of what is `found` already."""
+    """The definitions of the letters in some trees, except of those that are `found` already."""
     for node in chain.from_iterable(map(nodes, trees)):
         if node.op not in DEFINED:
             continue
@@ -218,7 +221,7 @@ def _degrees(name: str, claim: Claim, polynomial: bool) -> str:
 
 
 def _degree(name: str, claim: Claim, polynomial: bool, parameter: Parameter) -> Degree | None:
-    """The degree of a formula, None where it has none: over roots, for functions given by an equation."""
+    """The degree of a formula; None for a formula over roots and for a function that is given by an equation."""
     formula = claim.find(name)
     counting = claim.counting if isinstance(claim, DegreeClaim) else Counting.TABLE_1
     if formula.kind is TABLE:
@@ -247,7 +250,7 @@ def degree_of_cubic(name: str, claim: Claim) -> int:
 
 
 def telling_tree(formula: Formula, dimension: int) -> Node:
-    """The tree of a formula; where it would only repeat the symbol (as for the derivative of a named formula) the names
+    """The tree of a formula. If the tree only repeats the symbol (as for the derivative of a named formula), the names
     in it are expanded.
 
     >>> telling_tree(find("curvature_squared_derivative"), 2)

@@ -1,5 +1,5 @@
-"""Findings: a verdict, the reason why nothing was decided, the computed value, a witness. None of them is a
-sentence.
+"""Findings: a verdict, the reason why nothing was decided, the computed value, and a witness. All of them are data, not
+sentences.
 """
 
 from __future__ import annotations
@@ -19,17 +19,15 @@ NOT_ASKED = Verdict.NOT_ASKED
 
 
 class ContradictionError(ExactSplineError):
-    """Two readings contradict each other: proved for all curves, and refuted on one of them. One of the two
-    is wrong.
-    """
+    """The error for a claim that is proved for all curves and refuted on one of them: one of these results is wrong."""
 
 
 @dataclass(frozen=True, repr=False)
 class Finding(OneLine):
     """The result of one check: computed value, factor, witness and verdict, before it is compared with the record.
 
-    ``relation`` is the relation that was decided, ``assumptions`` are the names of those that the decision uses,
-    ``reason`` is why nothing was decided.
+    ``relation`` is the relation that was decided, ``assumptions`` are the names of the assumptions that the decision
+    uses, and ``reason`` says why nothing was decided.
     """
 
     verdict: Verdict
@@ -42,43 +40,43 @@ class Finding(OneLine):
 
 
 def undecided(error: ExactSplineError) -> Finding:
-    """Undecided because of an error; inapplicable or a contradiction for errors of these types."""
+    """The finding after an error: undecided, or for errors of these types inapplicable or a contradiction."""
     contradiction, outside = isinstance(error, ContradictionError), isinstance(error, InapplicableError)
     verdict = CONTRADICTION if contradiction else INAPPLICABLE if outside else UNDECIDED
     return Finding(verdict, witness=Stopped(error), reason=Reason.COST if isinstance(error, ReachError) else None)
 
 
 def left(why: Evidence) -> Finding:
-    """Not tried on this curve: the proof for all curves decides it."""
+    """The finding on a curve that is not tried, since the proof for all curves decides the claim."""
     return Finding(UNDECIDED, witness=LeftToTheProof(why), reason=Reason.LEFT)
 
 
 def sampled(finding: Finding, part: Evidence, stopped_by: ExactSplineError | None = None) -> Finding:
-    """A finding that something holds, where it was tried on a part only: no verdict."""
+    """The finding that a claim holds on the part that was tried: undecided."""
     return replace(finding, verdict=UNDECIDED, witness=HeldOn(part, stopped_by), reason=Reason.SAMPLED)
 
 
 def vacuous(computed: Evidence = Fact.NOTHING, factor: Found | None = None) -> Finding:
-    """Nothing to decide: both sides vanish, or do not exist on a whole segment."""
+    """The finding that there is nothing to decide: both sides vanish, or do not exist on a whole segment."""
     return Finding(VACUOUS, computed, factor)
 
 
 def inapplicable(why: Evidence, computed: Found | None = None, relation: Relation = Relation.EQUAL) -> Finding:
-    """The claim does not apply to this curve, for a reason."""
+    """The finding that the claim does not apply to this curve, with the reason."""
     return Finding(INAPPLICABLE, computed, witness=why, relation=relation)
 
 
 def worst(findings: list[Finding]) -> Finding:
-    """The least favourable finding: a contradiction, a refutation, then an undecided one, then one that holds on the
-    curves tried.
+    """The least favourable finding: a contradiction before a refutation, then undecided, then verified on the curves
+    tried.
     """
     order = (CONTRADICTION, REFUTED, UNDECIDED, INAPPLICABLE, VACUOUS, VERIFIED, PROVED)
     return min(findings, key=lambda finding: order.index(finding.verdict))
 
 
 def worst_case(decide: Callable[..., Finding], *choices: Iterable[object]) -> Finding:
-    """The least favourable finding over all combinations of choices. An error in one of them is raised unless another
-    one refutes.
+    """The least favourable finding over all combinations of choices. An error in one combination is raised unless
+    another combination refutes the claim.
     """
     findings, errors = [], []
     for case in product(*choices):

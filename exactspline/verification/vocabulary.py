@@ -32,8 +32,9 @@ class Verdict(Word):
 
 
 class Reason(StrEnum):
-    """Why nothing was decided: it was not tried, because the proof for all curves decides it; it held, but was tried on
-    a part only (one segment, one point, one value of a constant); it is beyond the bound on the cost.
+    """The reason why nothing was decided: the claim was not tried, because the proof for all curves decides it; it
+    held, but only a part was tried (one segment, one point, one value of a constant); or it exceeds the bound on the
+    cost.
     """
 
     LEFT = "not tried"
@@ -50,7 +51,7 @@ class Status(StrEnum):
 
 
 class Scope(StrEnum):
-    """The curves to which a claim applies."""
+    """The curves to which a claim applies: polynomial, rational, or both."""
 
     BOTH = "both"
     POLYNOMIAL = "polynomial"
@@ -58,12 +59,12 @@ class Scope(StrEnum):
 
     @property
     def worlds(self) -> tuple[bool, ...]:
-        """Whether the curves are polynomial, case by case: rational ones first."""
+        """The cases of curves: False for rational ones, which come first, and True for polynomial ones."""
         return {"both": (False, True), "polynomial": (True,), "rational": (False,)}[self.value]
 
 
 class Extent(StrEnum):
-    """Whether a claim is about all curves, or about the one that it names."""
+    """Whether a claim is about all curves, or about the one curve that it names."""
 
     ALL = "all curves"
     CURVE = "curve"
@@ -84,8 +85,8 @@ class ArgumentKind(StrEnum):
 
 
 class Measure(StrEnum):
-    """Which degree is meant: as counted by Table 1, of the polynomial, of the value, of the reduced form; or the height
-    of a differential polynomial.
+    """The degree that a claim is about: as counted by Table 1 of the paper, of the polynomial, of the value, or of the
+    reduced form; or the height of a differential polynomial.
     """
 
     NOMINAL = "nominal"
@@ -101,7 +102,7 @@ class Measure(StrEnum):
 
 
 class Relation(StrEnum):
-    """Whether a degree is claimed, or a bound on it."""
+    """The relation of a degree to the claimed number: equal, at most or at least."""
 
     EQUAL = "="
     AT_MOST = "≤"
@@ -134,7 +135,7 @@ class Sign(StrEnum):
 
     @property
     def direction(self) -> int:
-        """The sign by which the value is multiplied to be ≥ 0."""
+        """The sign that makes the value ≥ 0 when multiplied with it."""
         return 1 if self in (Sign.NONNEGATIVE, Sign.POSITIVE) else -1
 
     @property
@@ -172,7 +173,7 @@ class Curves(StrEnum):
 
 
 class Counter(StrEnum):
-    """The quantities counted in captions."""
+    """The quantities that captions count."""
 
     DEGREE = "degree"
     CONTROL_POINTS = "control points"

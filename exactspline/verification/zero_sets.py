@@ -1,4 +1,4 @@
-"""Where formulas vanish, for all curves: the irreducible factors of a value, or of its numerator as written, that may
+"""The zeros of formulas, for all curves: the irreducible factors of a value, or of its numerator as written, that may
 have zeros under the assumptions. On every curve the order of a zero is the sum of the orders of these factors.
 
 A vector vanishes where the sum of the squares of its components does, to twice the order, because they are real. So do
@@ -33,8 +33,8 @@ from exactspline.verification.vocabulary import Name
 
 
 def squared(value: Value) -> Factor | None:
-    """The sum of the squares of the components of a value in the fraction reading that is not zero, in factors; None
-    where the roots of a frame do not cancel.
+    """The sum of the squares of the components of a nonzero value of jet fractions, in factors; None if the roots of a
+    frame do not cancel.
 
     >>> from exactspline.papers import find
     >>> from exactspline.symbolic.factorization import jets_for
@@ -69,8 +69,8 @@ def _without_roots(value: Any) -> JetFraction | None:
 
 
 def have_one_zero_set(exponents: Sequence[Sequence[int]]) -> bool:
-    """Whether products of powers vanish together whatever the orders of their bases at a point are: where none is in a
-    denominator these must be the same bases; otherwise the exponents must be proportional, since a zero may cancel.
+    """Whether products of powers vanish together for all possible orders of their bases at a point. Without
+    denominators, their bases must be the same; otherwise the exponents must be proportional, since zeros may cancel.
 
     >>> have_one_zero_set([(1, 2), (3, 1)]), have_one_zero_set([(1, 0), (1, 1)]), have_one_zero_set([(1, -1), (2, -2)])
     (True, False, True)
@@ -92,7 +92,9 @@ def may_vanish(factor: Factor, zero_free: Callable[[Jet], bool]) -> list[Named]:
 
 
 def excluded_by(guilty: Iterable[Named], ring: JetRing, find: Callable[[str], Formula]) -> MayVanish:
-    """Irreducible polynomials that may have zeros, and the assumptions, as claims write them, that exclude these."""
+    """Irreducible polynomials that may have zeros, and the assumptions, as claims write them, that exclude these
+    zeros.
+    """
     names, assume = [], list[Name]()
     for base in guilty:
         names.append(Name(base.name))
@@ -103,7 +105,9 @@ def excluded_by(guilty: Iterable[Named], ring: JetRing, find: Callable[[str], Fo
         elif constants and not ring.symbols[constants[0]].parameters:
             assume.append(Name(f"{constants[0]} ≠ 0"))
         else:
-            with suppress(ExactSplineError):  # of another paper, whose formulas claims of this one cannot name
+            with suppress(
+                ExactSplineError
+            ):  # an assumption of another paper, whose formulas claims of this paper cannot name
                 assume += [Name(f"{f.name} ≠ 0") for f in naming_formulas(alone) if find(f.name) is f][:1]
     return MayVanish(tuple(dict.fromkeys(names)), tuple(dict.fromkeys(assume)))
 
@@ -113,7 +117,7 @@ class ZeroFree:
     no zero: term by term, or as divisors of the numerator of a value in the formulas that is such a sum over
     denominators without zeros.
 
-    `used` are the names of the assumptions that were needed since it was emptied.
+    `used` are the names of the assumptions that were needed since the list was last emptied.
     """
 
     def __init__(

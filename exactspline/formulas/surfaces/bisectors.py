@@ -23,7 +23,7 @@ def point_bisector_of_surface(c):
 
 @formula("as eqs. (27), (28) of the paper", on="surface", symbol="B")
 def point_bisector_of_surface_reduced(c):
-    """The same with the rows ``D_u``, ``D_v``, p and the unknown wB."""
+    """The solution by Cramer's rule with the rows ``D_u``, ``D_v``, p and the unknown wB."""
     rows = (D_u(c), dot(c.p, D_u(c))), (D_v(c), dot(c.p, D_v(c))), (c.p, norm2(c.p) / 2)
     return cramer(*rows) / (det(D_u(c), D_v(c), c.p) * c.w)
 
@@ -43,7 +43,7 @@ def tangent_sphere_through_origin(c):
 
 @formula("lifted", on="surface", symbol="B")
 def point_bisector_of_surface_lifted(c):
-    """Its centre, ``−b/(2a)``."""
+    """The centre ``−b/(2a)`` of the sphere ``(a, b)`` through the origin that touches the surface."""
     sphere = tangent_sphere_through_origin(c)
     return -sphere[1:4] / (2 * sphere[0])
 
@@ -58,7 +58,9 @@ def point_bisector_numerators(c):
 
 @formula("lifted, divided by w", on="surface", symbol="B")
 def point_bisector_of_surface_divided(c):
-    """These numerators over ``w² [p_u p_v p]``: the reduced form without the factor w that both sides of it share."""
+    """The numerators of `point_bisector_numerators` over ``w² [p_u p_v p]``: the reduced form, with the common factor w
+    of numerator and denominator cancelled.
+    """
     return point_bisector_numerators(c) / (c.w**2 * det(c.p.d(1, by="u"), c.p.d(1, by="v"), c.p))
 
 

@@ -26,13 +26,13 @@ def gaussian_of_forms(c):
 
 @formula("Gaussian curvature", on="forms", symbol="K_u")
 def gaussian_of_forms_by_u(c):
-    """Its derivative by u."""
+    """The derivative by u of the Gaussian curvature."""
     return gaussian_of_forms(c).d(1, by="u")
 
 
 @formula("Gaussian curvature", on="forms", symbol="K_v")
 def gaussian_of_forms_by_v(c):
-    """Its derivative by v."""
+    """The derivative by v of the Gaussian curvature."""
     return gaussian_of_forms(c).d(1, by="v")
 
 
@@ -56,7 +56,7 @@ def gaussian_weighted_by_u(c):
 
 @formula("constant curvature", on="forms")
 def gaussian_weighted_by_v(c):
-    """The derivative of the same by v."""
+    """The derivative by v of ``w⁴ (LN − M²)/(EG − F²)²``, for the coefficients of both lifted forms."""
     return (gaussian_of_forms(c) * c.w**4).d(1, by="v")
 
 

@@ -1,7 +1,7 @@
 """Gaussian, mean and principal curvatures of a rational surface, by their definitions.
 
 Since the normal has length ``√(EG − F²)``, the Gaussian curvature is ``(LN − M²)/(EG − F²)²`` and the mean curvature is
-``(EN − 2FM + GL)/(2 (EG − F²)^(3/2))``, of which only the square is rational.
+``(EN − 2FM + GL)/(2 (EG − F²)^(3/2))``, whose square is rational.
 """
 
 from exactspline.formulas.surfaces.by_forms import (

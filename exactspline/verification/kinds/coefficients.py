@@ -57,7 +57,7 @@ class Coefficients(Claim):
 
     @property
     def claims(self) -> str:
-        """What is said of the coefficients."""
+        """The statement about the coefficients."""
         return f"all are {self.sign}" if self.sign else self.value
 
     @property
@@ -99,7 +99,7 @@ class Coefficients(Claim):
         return sampled(Finding(VERIFIED, OnlyForDegrees(degrees)), degrees)
 
     def examine(self, argument: Evaluated, own: Evaluation) -> Finding:
-        """Segment by segment."""
+        """The coefficients, checked segment by segment."""
         value = self.find(self.formula)(argument)
         components = list(value) if isinstance(value, Vector) else [value]
         if all(p.is_zero for p in components):
@@ -116,7 +116,7 @@ class Coefficients(Claim):
 
 
 def is_decided(attempt: Callable[[], object]) -> bool:
-    """Whether the reading of single terms is applicable, as for formulas linear in p and in w."""
+    """Whether the evaluation mode of single terms is applicable, as for formulas linear in p and in w."""
     try:
         return attempt() is not None
     except FormulaError:

@@ -1,4 +1,4 @@
-"""Claims of contact: the order to which a curve or surface attached to a curve at a point meets it there."""
+"""Claims of contact: the order of contact of a curve with a curve or surface that is attached to it at a point."""
 
 from __future__ import annotations
 
@@ -84,8 +84,8 @@ class Contact(Claim):
         return Finding(REFUTED, ContactOrder(order_found - 1), witness=witness)
 
     def _order(self, value: list[Any], on_diagonal: Diagonal) -> int | None:
-        """None where the contact is as claimed; otherwise the order of the offending derivative: one that does not
-        vanish, or the one after the claimed order where that vanishes too.
+        """None if the contact is as claimed; otherwise the order of the derivative that contradicts it: a derivative up
+        to the claimed order that does not vanish, or the next derivative if that vanishes, too.
         """
         for n in range(self.order + 1):
             if any(not on_diagonal(x).is_zero for x in value):
@@ -95,7 +95,7 @@ class Contact(Claim):
         return self.order + 1 if higher else None
 
     def beside(self, own: Evaluation) -> Evidence:
-        """Both curves are the given one."""
+        """The second curve, which is the given curve itself."""
         return Fact.WITH_ITSELF
 
     def examine(self, argument: Evaluated, own: Evaluation) -> Finding:

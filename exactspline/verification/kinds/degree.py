@@ -124,7 +124,9 @@ class DegreeClaim(Claim):
         return rf"{MEASURES[self.measure]} {self.symbol(self.formula)} {sign} {degree_latex(self.claimed)}"
 
     def applies_to(self, dimension: int, polynomial: bool, *, surface: bool = False) -> bool:
-        """Counts by another rule, heights, and lower bounds for the generic curve do not apply to single curves."""
+        """Whether the claim applies to single curves: counts by another rule, heights, and lower bounds for the generic
+        curve do not.
+        """
         silent = (
             self.counting == Counting.PART_BY_PART
             or self.measure == Measure.HEIGHT
@@ -133,17 +135,19 @@ class DegreeClaim(Claim):
         return not silent and super().applies_to(dimension, polynomial, surface=surface)
 
     def for_all(self) -> tuple[Name, Finding]:
-        """Decide it for all curves, in the reading of the measure."""
+        """Decide the claim for all curves, in the evaluation mode of the measure."""
         reading = {Measure.NOMINAL: "degree", Measure.TRUE: "infinity"}.get(self.measure, "covariant")
         return Name(reading), super().for_all()[1]
 
     def decide(self, dimension: int, polynomial: bool) -> Finding:
-        """For symbolic d."""
+        """The finding for symbolic d."""
         finding = _decide(self, dimension, polynomial)
         return replace(finding, relation=self.relation)
 
     def part_tried(self, own: Evaluation) -> Evidence | None:
-        """A nominal degree is that of every segment, with any point and any constants."""
+        """The part that is tried: everything for a nominal degree, which is the same on every segment, with any point
+        and any constants.
+        """
         return None if self.measure == Measure.NOMINAL else super().part_tried(own)
 
     def examine(self, argument: Evaluated, own: Evaluation) -> Finding:
@@ -180,8 +184,8 @@ class DegreeClaim(Claim):
         return degree.at({name: values[name] for name in degree.names})
 
     def in_free_degrees(self, polynomial: bool) -> Degree:
-        """The claimed degree where those of the operands are free: n, the degree of a curve given by its hodograph,
-        is that of an integral, and e is 0 where h = 1.
+        """The claimed degree in terms of the free degrees of the operands: n, the degree of a curve given by its
+        hodograph, is that of an integral, and e is 0 if h = 1.
         """
         degree, kind = parse_degree(self.claimed), kind_of(self.curve)
         if isinstance(kind, HodographKind):
@@ -223,8 +227,8 @@ class DegreeClaim(Claim):
         return int(degree)
 
     def _lowest(self, value: Any) -> int:
-        """The degree in lowest terms; for a value in two parameters on the whole rectangle, since more may cancel at
-        single values of the other parameter.
+        """The degree in lowest terms; for a value in two parameters the degree on the whole rectangle, since more may
+        cancel at single values of the other parameter.
         """
         components, denominator = split(value)
         if not isinstance(components[0], TensorSpline):
@@ -294,7 +298,7 @@ def _nominal(claim: DegreeClaim, dimension: int, polynomial: bool) -> Degree:
 def agreed_degree(
     formula: Formula, dimension: int, polynomial: bool, parameter: Parameter
 ) -> tuple[Degree, dict[int, int]]:
-    """The true degree on the generic curve, at infinity and by the degree theorem: two readings that must agree."""
+    """The true degree on the generic curve, at infinity and by the degree theorem: two computations that must agree."""
     value = formula(JetReading(order_of(formula, dimension)).argument(formula.kind, dimension, polynomial=polynomial))
     jets, denominator = split(value)
     if denominator is not None:
@@ -316,8 +320,8 @@ def _quotient_has_none(name: str) -> FormulaError:
 
 
 def lower_degrees(jets: Sequence[Jet], parameter: Parameter = Parameter.FIRST) -> dict[int, int]:
-    """The d at which the degree on the generic curve differs from the one for symbolic d, with the degree there: a
-    lower one, or −1 where everything is 0.
+    """The numbers d for which the degree on the generic curve differs from the degree for symbolic d, each with its
+    degree, which is lower, or −1 if the value is 0.
     """
     if not jets:
         return {}
@@ -376,7 +380,7 @@ def held_against(
     ]
     if start is not None and not failing and _agree_before(start, claim, computed, claimed, lower):
         return Finding(PROVED, found, factor)
-    # the degree for symbolic d first: an exceptional d says less
+    # the degree for symbolic d first: it says more than an exceptional d
     wrong = _first_failure(claim, computed, claimed, names, lower)
     n = 0 if wrong is None else computed.at(wrong)
     if wrong is None and failing:
@@ -390,9 +394,9 @@ def held_against(
 def _agree_before(
     start: int, claim: DegreeClaim, computed: Degree, claimed: Degree, exceptions: Mapping[int, int]
 ) -> bool:
-    """Whether the relation holds between the least d and the d from which it always holds, except for exceptions: the
-    last d before that must be an exception, so that it is small. For operands of several degrees exceptions are known
-    only where these are equal, so that none is allowed.
+    """Whether the relation holds between the least d and the d from which it always holds, apart from the exceptions.
+    The last d before that must be an exception, so that it is small. For operands of several degrees, exceptions are
+    known only if the degrees are equal, so that no exception is allowed.
     """
     if len(computed.names | claimed.names) > 1:
         return start <= claim.least_d
@@ -405,8 +409,8 @@ def _agree_before(
 def _first_failure(
     claim: DegreeClaim, computed: Degree, claimed: Degree, names: frozenset[str], exceptions: Mapping[int, int]
 ) -> dict[str, int] | None:
-    """The degrees at which the relation fails, exceptions left out: equal ones from max(3, least d) upwards, then those
-    below it, then unequal ones; None where it holds at all of these.
+    """The degrees at which the relation fails, apart from the exceptions: first equal degrees from max(3, least d)
+    upwards, then equal ones below, then unequal ones. None if the relation holds at all of these.
     """
     first = max(3, claim.least_d)
     equal: Iterable[dict[str, int]] = (

@@ -1,5 +1,5 @@
-"""Claims of equalities: that a formula identically equals another one, or zero; that two ruled surfaces are the same;
-that a plane curve lies on one.
+"""Claims of equalities: a formula is identically equal to another formula, or to zero; two ruled surfaces are the same;
+a plane curve lies on a ruled surface.
 """
 
 from __future__ import annotations
@@ -52,16 +52,17 @@ def checked_factor(claim: Claim, name: str, value: str) -> str:
 
 
 class EqualityClaim(Claim):
-    """A claim that two values are equal, whose sides `equality` compares in any exact reading."""
+    """A claim that two values are equal. `equality` compares its sides in any exact evaluation mode."""
 
     @property
     @abstractmethod
     def equality(self) -> Statement:
-        """The equality."""
+        """The statement of the claim."""
 
     def _decided(self, dimension: int, polynomial: bool) -> Finding:
-        """What is too long for numerators and denominator is decided for indeterminate coordinates of γ, where it is
-        about γ alone: at a point its derivatives are as free on rational curves as on polynomial ones.
+        """The finding. A claim about γ alone that is too long for numerators and denominator is decided for
+        indeterminate coordinates of γ: at a point, the derivatives of γ are as free on rational curves as on polynomial
+        ones.
         """
         try:
             return super()._decided(dimension, polynomial)
@@ -193,8 +194,8 @@ class SameSurface(EqualityClaim):
         return OneRuledSurface(self.find(self.left), self.find(self.right))
 
     def decide(self, dimension: int, polynomial: bool) -> Finding:
-        """The generators are parallel, the directrices differ by a multiple of these; with the relation of the ruling
-        parameters ζ (left) and λ (right), and where it fails.
+        """The generators are parallel, and the directrices differ by a multiple of the generators; with the relation of
+        the ruling parameters ζ (left) and λ (right), and the places where the relation fails.
         """
         formulas = self.find(self.left), self.find(self.right)
         c = jets_for(formulas, dimension, polynomial=polynomial)
@@ -217,7 +218,7 @@ class SameSurface(EqualityClaim):
         return replace(finding, computed=but) if but else finding
 
     def _but(self, argument: Evaluated) -> OneSurfaceBut | None:
-        """Where one generator vanishes and the other does not."""
+        """The places where one generator vanishes and the other does not."""
         surfaces = (self.find(self.left)(argument), self.find(self.right)(argument))
         generators = [split(surface.generator)[0] for surface in surfaces]
         if isinstance(generators[0][0], TensorSpline):

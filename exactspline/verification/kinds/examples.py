@@ -1,4 +1,4 @@
-"""Claims about a single example curve: the numbers of captions, and which form of a problem is better conditioned."""
+"""Claims about a single example curve: the numbers in captions, and the comparison of two forms by their condition."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ class ExampleClaim(Claim):
     example: str = field(metadata=read(example_name))
 
     def decide(self, dimension: int, polynomial: bool) -> Finding:
-        """The same for every case."""
+        """The finding on the example curve, which is the same for every case."""
         return self.prove()[1]
 
 
@@ -94,12 +94,14 @@ class Count(ExampleClaim):
     interval: tuple[mpq, ...] = field(default=(), metadata=read(checked_interval))
 
     def validate(self) -> None:
-        """Reject an interval for what is not counted in one."""
+        """Reject an interval for a number that is not counted in an interval."""
         if self.interval and {what for _, what in _counts(self.claimed)} != {Counter.ROOTS}:
             raise ClaimError("only roots are counted in an interval", where="interval", remedy='claimed = "2 roots"')
 
     def part_tried(self, own: Evaluation) -> Evidence | None:
-        """Nothing for a degree as written, which is the same for all points and constants; other numbers are not."""
+        """The part that is tried: everything for a degree as written, which is the same for all points and
+        constants.
+        """
         degree_alone = {what for _, what in _counts(self.claimed)} == {Counter.DEGREE}
         return None if degree_alone else super().part_tried(own)
 
@@ -166,8 +168,8 @@ CONTINUITIES = {Counter.NOMINAL_CONTINUITY, Counter.TRUE_CONTINUITY}
 
 
 def count_of_extrema(zero_set: ZeroSet, own: Evaluation) -> int | None:
-    """The number of extrema of the curvature, if a formula with these zeros changes its sign there and nowhere else;
-    otherwise None, since the formula does not determine them.
+    """The number of extrema of the curvature, if a formula with these zeros changes its sign exactly at the extrema;
+    otherwise None, since the formula does not determine the extrema.
     """
     from exactspline.geometry.analysis.curves import analyse
 
@@ -217,7 +219,7 @@ class Condition(ExampleClaim):
     right: Name = field(metadata=read(formula_name))
 
     def examine(self, argument: Evaluated, own: Evaluation) -> Finding:
-        """Undecided where enclosures do not separate two condition numbers."""
+        """The finding; undecided if the enclosures of two condition numbers overlap."""
         f, g = (self.only_component(n, split(self.find(n)(argument))[0]) for n in (self.left, self.right))
         ours, theirs = (zeros(form, periodic=own.curve.closed) for form in (f, g))
         pairs = [

@@ -1,6 +1,4 @@
-"""Claims that a formula does not change, or changes by a power of something, when the curve is reparametrized or
-moved.
-"""
+"""Claims that a formula does not change, or is multiplied by a power, when the curve is reparametrized or moved."""
 
 from __future__ import annotations
 
@@ -90,11 +88,11 @@ def _whole_number(claim: Claim, name: str, value: object) -> int:
 @claim_kind
 class Invariance(Claim):
     """Under every element of a group the value of ``formula`` is multiplied by the power ``weight`` of the unit of the
-    group, and moves along where its ``nature`` is that of a vector or of a point. The group ``under`` consists of
+    group; a value whose ``nature`` is that of a vector or a point moves with the curve. The group ``under`` consists of
     changes of the curve: a *reparametrization* (unit ds/dt), the *reversal* of the direction in which it is traversed
-    (unit −1), a *common factor* of numerators and denominator (unit that
-    factor), a translation, a rotation, a motion (no unit), a reflection (unit −1), a scaling or a similarity (unit the
-    scale), an affine or a projective map (unit the determinant), a Möbius map (unit the local scale).
+    (unit −1), a *common factor* of numerators and denominator (unit that factor), a translation, a rotation, a motion
+    (no unit), a reflection (unit −1), a scaling or a similarity (unit the scale), an affine or a projective map (unit
+    the determinant), a Möbius map (unit the local scale).
     """
 
     kind: ClassVar[str] = "invariance"
@@ -160,12 +158,12 @@ class Invariance(Claim):
         return Finding(REFUTED, changed, witness=self.refuted_on_examples().witness or changed)
 
     def beside(self, own: Evaluation) -> Evidence:
-        """All elements of the group are covered together."""
+        """The group: all its elements are covered together."""
         return UnderEvery(self.under)
 
     def examine(self, argument: Evaluated, own: Evaluation) -> Finding:
-        """On every segment of the curve, with indeterminates for the constants of the group, or for the change of
-        parameter.
+        """The finding on every segment of the curve, with indeterminates for the constants of the group, or for the
+        change of parameter.
         """
         formula, curve, nothing = self.find(self.formula), own.curve, True
         for name in GENERATED.get(self.under, (str(self.under),)):
@@ -227,12 +225,12 @@ class Invariance(Claim):
 
 
 def _with_roots(formula: Formula, curve: Any) -> Any:
-    """The curve, with the positive roots of its frame where the formula needs them."""
+    """The curve, with the positive roots of its frame if the formula needs them."""
     return framed(curve) if formula.kind.adjoins_roots else curve
 
 
 def _differs_under(name: Name, segment: OnSegment, difference: Any) -> DifferUnder:
-    """Where the sides differ on a segment."""
+    """The place on a segment where the sides differ."""
     return DifferUnder(name, segment.place(difference))
 
 
@@ -265,7 +263,7 @@ def with_article(name: str) -> str:
 
 
 def _components(value: Any) -> list[Any]:
-    """The components of a value, each of them a quotient where the value is one."""
+    """The components of a value, as quotients if the value is a quotient."""
     if isinstance(value, RuledSurface):
         value = value.joined
     return [value[i] for i in range(len(value))] if value.is_vector else [value]

@@ -1,4 +1,4 @@
-"""Statements that nobody is asked about: no kind of claims expresses them, or their entry was refused."""
+"""Statements that are not decided: no kind of claims expresses them, or their entry was refused."""
 
 from __future__ import annotations
 
@@ -17,9 +17,9 @@ from exactspline.verification.vocabulary import Name, Verdict
 
 @claim_kind
 class NotAsked(Claim):
-    """A statement that is listed and not decided, for the reason ``why``: an author says so where no kind of claims
-    expresses it (an implication, an integral); an entry of a user's folder that was refused becomes one, so that the
-    other claims are decided.
+    """A statement that is listed and not decided, for the reason ``why``. An author writes such an entry if no kind of
+    claims expresses the statement (an implication, an integral). A refused entry of a user's folder becomes one, too,
+    so that the other claims are decided.
     """
 
     kind: ClassVar[str] = "not asked"

@@ -1,4 +1,4 @@
-"""Claims about what a formula is, a polynomial, a quotient of polynomials or neither, and to what it applies."""
+"""Claims about the type of a formula (a polynomial, a quotient of polynomials, or neither) and about its arguments."""
 
 from __future__ import annotations
 
@@ -105,7 +105,7 @@ class TypeClaim(Claim):
             if curve.dimension == dimension and curve.polynomial == polynomial:
                 try:
                     yield name, self.type_on(curve)
-                except ExactSplineError:  # it does not exist there
+                except ExactSplineError:  # the formula does not exist there
                     continue
 
     def type_on(self, curve: Nurbs) -> ValueType | None:
@@ -126,10 +126,10 @@ class TypeClaim(Claim):
         return type_here
 
     def beside(self, own: Evaluation) -> None:
-        """Nothing: all free operands are indeterminate."""
+        """No operands in addition: all free operands are indeterminate."""
 
     def examine(self, argument: Evaluated, own: Evaluation) -> Finding:
-        """The type on one curve; a more special one than that of the generic curve decides nothing."""
+        """The finding on one curve. A type that is more special than that of the generic curve decides nothing."""
         if isinstance(own.curve, Operands):
             return left(Fact.NO_COMMON_KNOTS)
         try:
@@ -236,7 +236,7 @@ class Existence(Claim):
             raise ClaimError(problem, where="definition", remedy="name the formula that defines it")
 
     def decide(self, dimension: int, polynomial: bool) -> Finding:
-        """The absence of a rational form is refuted by a nonzero one that equals the definition."""
+        """The finding: a nonzero rational form that equals the definition refutes the claim."""
         equation = Equation(self.find(self.formula), self.find(self.definition))
         c = jets_for(equation.formulas, dimension, polynomial=polynomial)
         if all(x.is_zero for x in split(equation.left(c))[0]):
@@ -282,8 +282,8 @@ class Applies(Claim):
     formula: str = field(metadata=read(any_formula))
 
     def decide(self, dimension: int, polynomial: bool) -> Finding:
-        """Decided by the operands that the formula needs, and the dimension in which its products are defined. Nothing
-        is said of a formula that divides by 0 for all of them.
+        """The finding, by the operands that the formula needs and the dimension in which its products are defined. A
+        formula that divides by 0 for all arguments is not decided.
         """
         formula, asked = self.find(self.formula), kind_of(self.curve)
         own = formula.kind

@@ -78,7 +78,7 @@ class ValueClaim(ExampleClaim):
 
 
 def _limit(claim: Claim, name: str, value: Any) -> tuple[mpq, ...]:
-    """Numbers, or ∞: no number."""
+    """Numbers, or no number for ∞."""
     return () if value == "∞" else numbers(claim, name, value)
 
 
@@ -94,7 +94,7 @@ class Limit(ValueClaim):
     claimed: tuple[mpq, ...] = field(metadata=read(_limit))
 
     def _value(self, formula: Any, side: Side) -> tuple[mpq, ...] | None:
-        """The value in lowest terms; nothing for ∞."""
+        """The value in lowest terms; no number for ∞."""
         return super()._value(continued(formula), side) or ()
 
 

@@ -1,5 +1,5 @@
-"""Claims about zeros and signs: that formulas have one zero set, that a value has a sign, that two formulas are squares
-on the same curves.
+"""Claims about zeros and signs: formulas have one zero set, a value has a sign, two formulas are squares on the same
+curves.
 """
 
 from __future__ import annotations
@@ -63,7 +63,7 @@ from exactspline.verification.zero_sets import ZeroFree, excluded_by, have_one_z
 
 @claim_kind
 class ZeroSet(Claim):
-    """All of ``formulas`` have one zero set: that of their values, quotients in lowest terms."""
+    """All of ``formulas`` have one zero set. Their values are quotients in lowest terms."""
 
     kind: ClassVar[str] = "zero set"
     value: ClassVar[str] = "one zero set"
@@ -109,7 +109,7 @@ class ZeroSet(Claim):
         return found
 
     def _by_quotients(self, formulas: list[Formula], c: Evaluated, zero_free: ZeroFree) -> Finding:
-        """Proved where no quotient by the first formula has zeros or poles."""
+        """The proof that no quotient by the first formula has zeros or poles; None if some quotient may have them."""
         if kind_of(self.curve).adjoins_roots:
             return Finding(UNDECIDED, witness=Fact.ROOTS_REMAIN)
         first, *others = formulas
@@ -126,7 +126,9 @@ class ZeroSet(Claim):
     def _by_factors(
         self, formulas: list[Formula], c: Evaluated, polynomial: bool, zero_free: ZeroFree
     ) -> Finding | None:
-        """Proved where all vanish where the same irreducible factors do; None where one cannot be factored."""
+        """The proof that all formulas vanish at the zeros of the same irreducible factors; None if one cannot be
+        factored.
+        """
         try:
             factors = [squared(formula(c)) for formula in formulas]
         except (FormulaError, ReachError):
@@ -164,7 +166,7 @@ class ZeroSet(Claim):
         return Finding(UNDECIDED, witness=excluded_by([base for base in unequal if base not in gone], ring, self.find))
 
     def _examples(self) -> Iterator[tuple[bool, str, Nurbs | NurbsSurface]]:
-        """Also curves of vanishing curvature: where a statement fails, it often does so there alone."""
+        """The examples, with curves of vanishing curvature: a false statement often fails on these alone."""
         yield from super()._examples()
         for name in undulations():
             curve = self.curve_named(name)
@@ -172,8 +174,8 @@ class ZeroSet(Claim):
                 yield False, name, curve
 
     def examine(self, argument: Evaluated, own: Evaluation) -> Finding:
-        """On every segment, each numerator has no zeros after removing the other's factors; of two curves, with a few
-        points of one of them.
+        """The finding: on every segment, no numerator has a zero after the factors of the other one are removed. For
+        two curves, a few points of one of them are tried.
         """
         values = [(name, self.find(name)(argument)) for name in self.formulas]
         if self.of_pair:
@@ -184,7 +186,7 @@ class ZeroSet(Claim):
         return _compared(numerators)
 
     def _along_lines(self, values: list[tuple[Name, Any]]) -> Finding:
-        """A zero of one alone on lines of constant parameter; of values only where all of them exist."""
+        """A zero of only one formula on lines of constant parameter, at a place where all values exist."""
         parts = [(name, *split(value)) for name, value in values]
         for fixed, k in product(range(2), range(1, LINES)):
             low, high = parts[0][1][0].domain[fixed]
@@ -221,7 +223,7 @@ LINES = 4
 def _compared(
     numerators: list[tuple[Name, BSpline]], below: Iterable[BSpline] = (), where: Callable[[Place], Any] = lambda at: at
 ) -> Finding:
-    """Whether the first of some splines vanishes where each of the others does, where nothing `below` vanishes."""
+    """Whether the first of some splines vanishes at the zeros of each of the others, outside the zeros of `below`."""
     first = numerators[0]
     for other in numerators[1:]:
         for (a_name, a), (b_name, b) in ((first, other), (other, first)):
@@ -235,7 +237,7 @@ def _is_zero(value: Any) -> bool:
 
 
 def continued(value: SplineValue) -> SplineValue:
-    """A value without the common zeros of numerator and denominator; any other than a quotient unchanged."""
+    """A quotient without the common zeros of numerator and denominator; any other value unchanged."""
     return in_lowest_terms(value) if isinstance(value, Rational) else value
 
 
@@ -307,7 +309,7 @@ class SignClaim(Claim):
         return refuted if refuted.verdict == REFUTED else Finding(UNDECIDED, witness=guilty)
 
     def examine(self, argument: Evaluated, own: Evaluation) -> Finding:
-        """Segment by segment: there is no root at which the sign changes, and one value has that sign."""
+        """The finding, segment by segment: there is no root at which the sign changes, and one value has that sign."""
         (p, *others), below = split(continued(self.find(self.formula)(argument)))
         if others:
             raise ClaimError(f"{self.formula!r} is a vector", where=self.key, remedy="a vector has no sign")
@@ -372,7 +374,9 @@ class SquareClass(Claim):
         return Finding(verdict, difference, quotient, refuted.witness or difference)
 
     def examine(self, argument: Evaluated, own: Evaluation) -> Finding:
-        """On every segment both are squares up to a constant, or neither is; a segment where one is 0 is skipped."""
+        """The finding: on every segment both formulas are squares up to a constant, or neither is. A segment on which
+        one is 0 is skipped.
+        """
         (n, m), (p, q) = [
             (self.only_component(name, numerators), w)
             for name in (self.formula, self.right)
