@@ -47,15 +47,15 @@ if TYPE_CHECKING:
 
 
 class ReadSpline(NamedTuple):
-    """A curve, a function, a surface or a function of two parameters, and notes on what was changed."""
+    """A curve, a function, a surface or a function of two parameters, and notes on the changes that were made to it."""
 
     curve: Nurbs | BSpline | NurbsSurface | TensorSpline
     notes: tuple[str, ...] = ()
 
 
 def from_scipy(spline: Piecewise | InTwo, *, literal: bool = False) -> Nurbs | BSpline | NurbsSurface | TensorSpline:
-    """The exact curve of a vector-valued spline, the exact `BSpline` of a scalar one, in two parameters a
-    `NurbsSurface` or a `TensorSpline`: what `read_scipy` reads, without its notes.
+    """The exact curve of a vector-valued spline, or the exact `BSpline` of a scalar one; in two parameters the
+    `NurbsSurface` or the `TensorSpline`. `read_scipy` returns the same with notes.
 
     >>> from scipy.interpolate import CubicSpline
     >>> spline = from_scipy(CubicSpline([0, 1, 2, 3], [0, 1, 0, 2]))
@@ -66,23 +66,25 @@ def from_scipy(spline: Piecewise | InTwo, *, literal: bool = False) -> Nurbs | B
 
 
 def read_scipy(spline: Piecewise | InTwo, *, literal: bool = False) -> ReadSpline:
-    """The exact spline of one of scipy's, every double at its binary value, and notes on what was changed.
+    """The exact spline of a spline of scipy, every double with its binary value, and notes on the changes that were
+    made.
 
     Takes `BSpline`, `PPoly` (with it `CubicSpline`, `PchipInterpolator`, `Akima1DInterpolator`), `BPoly`,
     `UnivariateSpline` and its kin, the ``(t, c, k)`` of `splrep` and `splprep`, `NdBSpline` of one and two parameters,
     and `RectBivariateSpline`.
 
     Neighbouring pieces of a `PPoly` agree only up to rounding at their common breakpoint, and so do the ends of a
-    periodic spline. What the class says is made true: a `CubicSpline` is of class C², `PchipInterpolator`,
-    `Akima1DInterpolator` and `CubicHermiteSpline` are C¹, and a periodic one is closed and as smooth at its seam. A
-    note says by how much a Bézier coefficient was changed at most. With `literal` the pieces stay as they are.
+    periodic spline. The smoothness that the class promises is restored: a `CubicSpline` is of class C²,
+    `PchipInterpolator`, `Akima1DInterpolator` and `CubicHermiteSpline` are C¹, and a periodic one is closed and as
+    smooth at its seam. A note gives the largest change of a Bézier coefficient. With `literal` the pieces stay as they
+    are.
 
     >>> from scipy.interpolate import CubicSpline
     >>> read_scipy(CubicSpline([0, 0.1, 1], [0, 1, 0.3])).notes
     ('made C2: a Bézier coefficient is changed by at most 4.48e-16, 2 units in the last place of the largest',)
 
-    Raises `ShapeError` for anything else, for coefficients of more than two axes, and where a coefficient would be
-    changed by more than 8 units in the last place of the largest one; and the errors of `Nurbs`.
+    Raises `ShapeError` for anything else, for coefficients of more than two axes, and for a change of a coefficient by
+    more than 8 units in the last place of the largest one; and the errors of `Nurbs`.
     """
     import numpy as np
     import scipy.interpolate as si
@@ -167,7 +169,9 @@ def _pieces(c: np.ndarray, x: np.ndarray, *, powers: bool) -> tuple[list[mpq], l
 
 
 def _joined(breaks: list[mpq], pieces: list[list[tuple[mpq, ...]]], counts: list[int], *, periodic: bool) -> ReadSpline:
-    """The spline of pieces over knots of these multiplicities, with a note on what its smoothness changes."""
+    """The spline of pieces over knots of these multiplicities, with a note on the changes that its smoothness
+    requires.
+    """
     degree, scalar = len(pieces[0]) - 1, len(pieces[0][0]) == 1
     knots, points = with_smooth_knots(degree, breaks, pieces, counts, periodic=periodic)
     curve = BSpline(degree, knots, [x for (x,) in points]) if scalar else Nurbs(degree, knots, points)
@@ -211,8 +215,8 @@ def to_scipy(curve: Nurbs | BSpline) -> scipy.interpolate.BSpline:
 
 def from_geomdl(curve: geomdl.abstract.Curve) -> Nurbs:
     """The curve defined by exactly the numbers that geomdl stores. By default geomdl maps the knots to [0, 1], which
-    rounds them: where the last control points are the first ones, the knots outside of the domain are moved so that
-    the curve is closed, by at most 8 units in the last place, as its note says. For a rational curve geomdl stores
+    rounds them: if the last control points are the first ones, the knots outside of the domain are moved, by at most 8
+    units in the last place, so that the curve is closed, and a note says so. For a rational curve geomdl stores
     homogeneous points (w x, w), and these are read.
 
     Raises `ShapeError` for a surface, a volume, and objects that are not from geomdl.
@@ -251,7 +255,7 @@ def to_geomdl(curve: Nurbs) -> geomdl.abstract.Curve:
 
 def from_splinepy(curve: splinepy.spline.Spline) -> Nurbs:
     """The curve defined by exactly the numbers that splinepy stores, for any of its four spline classes; the domain of
-    a Bézier curve is [0, 1]. Where the last control points are the first ones, the curve is closed as by `from_geomdl`.
+    a Bézier curve is [0, 1]. If the last control points are the first ones, the curve is closed as by `from_geomdl`.
 
     Raises `ShapeError` for a surface or a volume, and for what is not a spline of splinepy.
     """
@@ -297,7 +301,7 @@ def from_matplotlib(path: Path) -> list[Nurbs]:
     >>> triangle.closed, triangle("3/2")
     (True, (mpq(2,1), mpq(1,1)))
 
-    Raises `ShapeError` for what is no path, `NumberError` for NaN and infinities.
+    Raises `ShapeError` for an object that is not a path, and `NumberError` for NaN and infinities.
     """
     from matplotlib.path import Path
 
@@ -310,7 +314,7 @@ def from_matplotlib(path: Path) -> list[Nurbs]:
             start = points[0] if code == Path.MOVETO else start
         elif code == Path.CLOSEPOLY:
             pen.closePath()
-            pen.moveTo(start)  # what follows without MOVETO begins there
+            pen.moveTo(start)  # segments that follow without MOVETO begin at this point
     pen.endPath()
     return pen.curves()
 
@@ -329,7 +333,7 @@ def to_matplotlib(curve: Nurbs) -> Path:
     curve = curve_of(curve)
     points = [doubles(point) for segment in pen_segments(curve) for point in segment]
     ends = points[:1] * curve.closed
-    del points[curve.degree + 1 :: curve.degree + 1]  # where the next segment begins
+    del points[curve.degree + 1 :: curve.degree + 1]  # the next segment begins here
     # LINETO, CURVE3, CURVE4 are 2, 3, 4
     codes: list[int] = [1, *[curve.degree + 1] * (len(points) - 1), *[int(Path.CLOSEPOLY)] * curve.closed]
     return Path(points + ends, codes)

@@ -24,7 +24,7 @@ P = TypeVar("P")
 
 
 class Whole(NamedTuple):
-    """A full knot vector, by how many control points those of a file are to be continued, and what is to be noted."""
+    """A full knot vector, the number of control points by which those of a file are to be continued, and notes."""
 
     knots: Sequence[mpq]
     more: int = 0
@@ -38,8 +38,8 @@ class Whole(NamedTuple):
 def whole(degree: int, knots: Sequence[mpq], count: int, periodic: bool = False) -> Whole:
     """The full knot vector of a curve of which a file lists some knots and `count` control points.
 
-    A closed curve may be listed by one period, the first and the last knot e times each: count + e knots. Or all
-    its knots are listed, and repeated control points are left out. What is neither stays as it is.
+    A closed curve may be listed by one period, the first and the last knot e times each: count + e knots. Or all its
+    knots are listed, and repeated control points are omitted. All other data are unchanged.
 
     >>> whole(3, [mpq(t) for t in range(5)], 4)  # doctest: +ELLIPSIS
     Whole(knots=[mpq(-3,1), ..., mpq(7,1)], more=3, notes=('periodic, listed by one period: ...',))
@@ -58,7 +58,7 @@ def whole(degree: int, knots: Sequence[mpq], count: int, periodic: bool = False)
 
 
 def _are_ends(knots: Sequence[mpq], times: int) -> bool:
-    """Whether the first and the last knot are there exactly so often, and differ."""
+    """Whether the first and the last knot differ and have exactly this multiplicity."""
     ends = [sum(t == end for t in knots) for end in (knots[0], knots[-1])]
     return knots[0] < knots[-1] and ends == [times, times]
 
@@ -72,7 +72,7 @@ def _unrolled(knots: Sequence[mpq], count: int, more: int) -> Whole:
 
 
 def domain(degree: int, knots: Sequence[mpq]) -> tuple[mpq, mpq]:
-    """The ends of the domain, 0 and 0 where there are too few knots."""
+    """The ends of the domain; 0 and 0 for too few knots."""
     return (knots[degree], knots[-degree - 1]) if len(knots) >= 2 * degree + 2 else (mpq(0), mpq(0))
 
 
@@ -109,8 +109,8 @@ def _net(entries: Sequence[T], counts: tuple[int, int], u_fastest: bool) -> list
 
 
 def _chained(curves: Sequence[Nurbs], within: mpq | None, notes: list[str]) -> tuple[int, list[mpq], list[Point]]:
-    """Degree, knots and homogeneous control points of curves one after the other, each of which begins at the end of
-    the one before, or so near to it that it may be moved there.
+    """Degree, knots and homogeneous control points of consecutive curves: each begins at the end of the previous curve,
+    or so near to this end that its beginning may be moved there.
     """
     degree, knots, points = max(curve.degree for curve in curves), list[mpq](), list[Point]()
     for each in curves:
@@ -141,12 +141,12 @@ class Collector:
         self._parts: set[str] = set()
 
     def reading(self) -> Reading:
-        """Everything collected so far."""
+        """The curves, surfaces, skipped entities and notes collected so far."""
         curves = tuple(each for each in self.curves if each.curve.source not in self._parts)
         return Reading(self.format, curves, tuple(self.skipped), tuple(self._notes), tuple(self.surfaces))
 
     def taken(self) -> Reading:
-        """Everything collected since the last call."""
+        """The curves, surfaces, skipped entities and notes collected since the last call."""
         collected = self.reading()
         self.curves, self.surfaces, self.skipped, self._notes = [], [], [], {}
         return collected
@@ -158,7 +158,7 @@ class Collector:
 
     @contextmanager
     def skipping(self, what: str, where: str, *, curve: bool = True, damaged: str = "") -> Iterator[None]:
-        """Record an entity as not read where reading it fails, also where another library fails on `damaged` data."""
+        """Record an entity as not read if reading it fails, also if another library fails on `damaged` data."""
         try:
             yield
         except ExactSplineError as error:
@@ -169,7 +169,7 @@ class Collector:
             self.skip(what, where, f"{damaged} ({type(error).__name__})", curve=curve)
 
     def see_that_part_exists(self, names: Collection[str]) -> None:
-        """Raise `CurveFileError` where the part that is asked for has none of these names."""
+        """Raise `CurveFileError` if the requested part has none of these names."""
         if (part := self.source.part) and part not in names:
             remedy = nearest(part, filter(None, names))
             raise CurveFileError(f"{self.format}: there is no part {part[:40]!r}", remedy=remedy)
@@ -202,7 +202,7 @@ class Collector:
     def add_segments(
         self, what: str, where: str, segments: Sequence[Segment], name: str = "", notes: Sequence[str] = ()
     ) -> None:
-        """Build the curve made of segments, polynomial where all weights are 1."""
+        """Build the curve made of segments; it is polynomial if all weights are 1."""
         self._add_homogeneous(what, where, *joined_segments(segments), name, notes)
 
     def _add_homogeneous(
@@ -245,8 +245,8 @@ class Collector:
         name: str = "",
         notes: Sequence[str] = (),
     ) -> NamedCurve:
-        """A curve with its notes; `points` are Cartesian, or (w x, w y, …, w) when `homogeneous`. It may be listed as
-        in `whole`; what it is `flagged` as, periodic or closed, is compared with the data.
+        """A curve with its notes; `points` are Cartesian, or (w x, w y, …, w) when `homogeneous`. The data may be
+        listed as in `whole`. The property `flagged`, periodic or closed, is compared with the data.
         """
         self.count(len(points) + len(knots))
         self._check_degree(degree)
@@ -270,7 +270,7 @@ class Collector:
         return NamedCurve(name, curve, tuple(remarks))
 
     def take(self, made: NamedCurve, within: tuple[mpq, mpq] | None = None, *notes: str) -> None:
-        """Add a curve that is built, or the part of it that the file uses."""
+        """Add a curve, or the part of it that the file uses."""
         curve = made.curve if within in (None, made.curve.domain) else made.curve.restrict(*within)
         if (curve.name, curve.source) != (made.name, made.curve.source):
             data = curve.degree, curve.knots, curve.control_points, curve.weights
@@ -279,8 +279,9 @@ class Collector:
         self.curves.append(NamedCurve(made.name, curve, tuple(dict.fromkeys([*made.notes, *notes]))))
 
     def join(self, what: str, where: str, parts: Sequence[tuple[str, bool]], name: str = "") -> None:
-        """Replace the curves that were read at these places, each as it is or reversed, by the one that runs through
-        them, over their parameters one after the other; where that cannot be, it is named, and they stay.
+        """Replace the curves that were read at these places, some of them reversed, by one curve that runs through all
+        of them, over their parameters one after another. If that is impossible, a note says so, and the curves are
+        kept.
         """
         sources, count = [f"{self.source.name} {place}".strip() for place, _ in parts], len(self.curves)
         found = [self._read[source] for source in sources if source in self._read]
@@ -353,7 +354,7 @@ class Collector:
     def _check_net(
         self, degree: tuple[int, int], knots: Sequence[Sequence[mpq]], points: Points, weights: Sequence[mpq]
     ) -> tuple[int, int]:
-        """The numbers of control points along u and v; `ShapeError` where there are others, or too many."""
+        """The numbers of control points along u and v; `ShapeError` for other numbers, or too many."""
         m, n = (len(vector) - d - 1 for vector, d in zip(knots, degree, strict=True))
         if min(m, n) < 1 or m * n != len(points):
             problem = f"{counted(len(points), 'control point')} for {m} × {n}"
@@ -363,7 +364,7 @@ class Collector:
         return m, n
 
     def keep(self, curve: Nurbs, notes: Sequence[str] = (), *, rational: bool = False) -> None:
-        """Take a curve that is built already, written as rational or not.
+        """Take a curve that has been built, written as rational or not.
 
         Raises `ShapeError` for one beyond the limits.
         """

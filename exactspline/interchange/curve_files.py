@@ -223,7 +223,7 @@ def _curve_of_piece(piece: dict[str, Any], name: str, limits: Limits) -> Nurbs:
 
 
 def _ends(piece: dict[str, Any], domain: tuple[mpq, mpq], limits: Limits) -> tuple[mpq, mpq]:
-    """The parameters where a piece begins and ends: ``low`` and ``high``, else ``interval``, else from its knots."""
+    """The parameters where a piece begins and ends: ``low`` and ``high``, or ``interval``, or the ends of its knots."""
     interval = piece.get("interval")
     if interval is not None and (not isinstance(interval, list) or len(interval) != 2):
         raise CurveFileError("is not an interval", where="interval", remedy="write [low, high]")

@@ -32,7 +32,7 @@ SurfaceName = Literal[
 
 
 def examples(of: str = "") -> tuple[str, ...]:
-    """The names of the example ``curves`` or ``surfaces``, of both without a word.
+    """The names of the example ``curves`` or ``surfaces``, by default of both.
 
     >>> "circle" in examples("curves"), "torus" in examples("surfaces"), "circle" in examples()
     (True, True, True)

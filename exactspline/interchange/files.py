@@ -52,10 +52,10 @@ def read(
     """The curves of a file, and the surfaces of our JSON (``-`` for standard input; for a part
     ``font.ttf:glyph``, ``drawing.svg:id``, ``drawing.dxf:layer``), or of bytes.
 
-    The format is recognized by the content, then by the suffix, unless it is named. `degree` and `knots` are for
-    formats that hold only control points. With `approximate`, a distance above 0, an arc that has no rational control
-    points is replaced by one that has and is nowhere further from it (of SVG with the same ends, of other formats on
-    the same circle where that is rational); a note says so.
+    Unless the format is named, it is recognized by the content, then by the suffix. `degree` and `knots` are for
+    formats that hold only control points. With `approximate`, a distance above 0, an arc without rational control
+    points is replaced by a rational arc within this distance (in SVG with the same ends, in other formats on the same
+    circle if that is rational); a note says so.
 
     >>> read(b"100 1 0 0\\n2 0\\n2 2\\n0 0 1 1\\n0 0\\n0.1 2\\n").curves[0].curve(1)
     (mpq(1,10), mpq(2,1))
@@ -78,7 +78,7 @@ def read(
 
 
 def _distance(approximate: Number | None) -> mpq | None:
-    """The distance within which arcs are replaced; raises `NumberError` for what is not above 0."""
+    """The distance within which arcs are replaced; raises `NumberError` for a number that is not above 0."""
     within = None if approximate is None else rational(approximate)
     if within is not None and within <= 0:
         raise NumberError(f"a distance of {within}", where="approximate", remedy="give a number above 0, such as 1e-9")
@@ -155,7 +155,7 @@ def write(
 def encoded(
     given: Nurbs | NurbsSurface | Iterable[Nurbs | NamedCurve | NurbsSurface], format: str, *, rounding: bool = False
 ) -> tuple[bytes, tuple[str, ...]]:
-    """The bytes that `write` writes, and notes on what was lost."""
+    """The bytes that `write` writes, and notes on lost information."""
     chosen = _named_format(format)
     several: Any = [given] if isinstance(given, (Nurbs, NurbsSurface)) else as_items(given, "curves or surfaces")
     kinds = NamedCurve | NurbsSurface
@@ -211,8 +211,8 @@ def _recognized(data: bytes, name: str) -> Format:
     # a name in JSON may look like another format: <svg …, [OBJECT …
     in_json, elsewhere = own_json.looks_like(head), any(suffix in each.suffixes for each in formats())
     for known in (each for each in formats() if not in_json or ".json" in each.suffixes):
-        # text that begins with a brace is not necessarily JSON: if the suffix belongs to another format, that one reads
-        # it
+        # text that begins with a brace is not necessarily JSON: if the suffix belongs to another format, that format is
+        # used
         braced = known.suffixes == (".json",) and suffix != ".json" and elsewhere
         if known.looks_like(head) and not braced:
             return known
@@ -245,7 +245,7 @@ def _name(path: str) -> str:
 
 
 def _bytes(path: str, limits: Limits) -> bytes:
-    """The bytes of a file, of standard input, or of an example; of a file that is too large, too many."""
+    """The bytes of a file, of standard input, or of an example. Reading stops soon after the limit on the size."""
     most = (limits.megabytes << 20) + 1
     if path == "-":
         return sys.stdin.buffer.read(most)

@@ -1,4 +1,4 @@
-"""What is known of a file format."""
+"""The description of a file format, and of curves and surfaces as files store them."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ Point = tuple[mpq, ...]
 
 class Spline:
     """A curve or a surface as a file holds it: degree and knots for each parameter, and the control points with their
-    weights one after the other, those of a surface along u first or along v first.
+    weights in a list; the control points of a surface are listed along u first or along v first.
     """
 
     def __init__(self, given: NamedCurve | NurbsSurface) -> None:
@@ -50,8 +50,8 @@ class Spline:
         return [pair for row in (zip(*rows, strict=True) if u_fastest else rows) for pair in row]
 
     def cartesian(self, *, u_fastest: bool = True) -> list[tuple[Point, mpq]]:
-        """The same; raises `WeightError` for a weight of zero (a control vector), because such a point has no Cartesian
-        coordinates.
+        """The control points with their weights; raises `WeightError` for a weight of zero (a control vector), because
+        such a point has no Cartesian coordinates.
         """
         points = self.points(u_fastest=u_fastest)
         if not all(weight for _, weight in points):
@@ -61,14 +61,16 @@ class Spline:
         return points
 
     def in_space(self, *, u_fastest: bool = True) -> list[tuple[Point, mpq]]:
-        """The same in space, a curve in the plane and a map of it at z = 0; raises `ShapeError` above dimension 3."""
+        """The curve or surface in space: a plane curve and a map of the plane at z = 0. Raises `ShapeError` above
+        dimension 3.
+        """
         if self.dimension > 3:
             what = f"a {'surface' if self.is_surface else 'curve'} in R{self.dimension}"
             raise ShapeError(what, remedy="this format holds what is in the plane and in space")
         return [((*point, mpq(0))[:3], weight) for point, weight in self.cartesian(u_fastest=u_fastest)]
 
     def rows(self) -> list[Point]:
-        """The control points, where there are weights as (w x, w y, …, w)."""
+        """The control points, with weights as (w x, w y, …, w)."""
         if self.polynomial:
             return [point for point, _ in self.points()]
         return [homogeneous(*each) for each in self.points()]
@@ -98,8 +100,9 @@ def pen_segments(curve: Nurbs) -> list[list[Point]]:
 @dataclass(frozen=True, repr=False)
 class Format(OneLine):
     """A file format: its name, its title, the suffixes of its files, a function that recognizes the beginning of a
-    file, its reader and writer, and a note on what is lost in writing; for formats with large files, also a reader that
-    yields piece after piece; whether surfaces are written, too, and whether parts can be named, as a glyph of a font.
+    file, its reader and writer, and a note on the information that is lost in writing; for formats with large files,
+    also a reader that yields piece after piece; whether surfaces are written, too, and whether parts can be named, as a
+    glyph of a font.
     """
 
     name: str

@@ -37,7 +37,7 @@ def decimal(text: str, limits: Limits) -> mpq:
 
 
 def last_digit(text: str) -> mpq:
-    """What the last digit of a decimal is worth.
+    """The value of a unit of the last digit of a decimal.
 
     >>> last_digit("1.50E3")
     mpq(10,1)
@@ -91,7 +91,7 @@ def root_below(square: mpq, error: mpq) -> mpq:
 
 
 def about(value: mpq) -> str:
-    """A number that is not negative, as text of three digits.
+    """A nonnegative number, as text of three digits.
 
     >>> about(mpq(2, 3) / 10**9), about(mpq(109)), about(mpq(1234567))
     ('6.67E-10', '109', '1.23E+6')
@@ -319,8 +319,9 @@ def doubles(values: Iterable[mpq]) -> list[float]:
 
 
 def periodic(degree: int, knots: Sequence[mpq], points: Sequence[object]) -> tuple[Sequence[mpq], str]:
-    """The knots of a curve whose last control points are its first ones, periodic where they are that up to rounding:
-    those outside of the domain, by at most `MOST_ULPS`; and a note on what was moved. Other knots stay.
+    """The knots of a curve whose last control points are its first ones, and a note on moved knots. If the knots are
+    periodic up to rounding, those outside of the domain are moved, by at most `MOST_ULPS`, so that they are exactly
+    periodic; other knots are kept.
 
     >>> rounded = [mpq(t) if t > -3 else mpq(t) - mpq(1, 10**16) for t in range(-3, 9)]
     >>> knots, note = periodic(3, rounded, "abcdeabc")

@@ -51,7 +51,9 @@ def looks_like(head: bytes) -> bool:
 
 
 def read(source: Source) -> Reading:
-    """The curves and surfaces of a file. Of several a bad one is skipped; what is wrong with the only one is raised."""
+    """The curves and surfaces of a file. If there are several, an invalid one is skipped; the error of a single one is
+    raised.
+    """
     collector = Collector("json", source)
     try:
         data: Any = parsed(source.data.decode("utf-8-sig"))
@@ -93,7 +95,7 @@ def _curve(collector: Collector, entry: Any, where: str) -> None:
 
 
 def _whole(entry: dict[str, Any], limits: Limits) -> tuple[dict[str, Any], Sequence[str]]:
-    """The data of a curve of which one period is listed, continued, and notes; other data as they are."""
+    """The data of a curve, and notes. If only one period of the curve is listed, the data are continued."""
     degree, listed = entry.get("degree"), {key: entry[key] for key in SIZED if isinstance(entry.get(key), list)}
     knots, points = listed.get("knots", []), listed.get("control_points", [])
     # a degree beyond the limits is refused later

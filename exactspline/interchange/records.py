@@ -68,7 +68,7 @@ class NamedCurve(OneLine):
 class Skipped(OneLine):
     """An entity of a file that is not read: its type, its place in the file, the reason, whether a curve is missing
     as a result (not the case for surfaces, texts, or definitions that are not drawn), and the numbers of curves and of
-    surfaces that were read before it (of a font, in its glyph).
+    surfaces that were read before it (in a font: before it in its glyph).
     """
 
     what: str
@@ -95,14 +95,14 @@ class Reading:
 
     @property
     def curve(self) -> Nurbs:
-        """The only curve; `CurveFileError` where there are none or several."""
+        """The only curve; raises `CurveFileError` for none or several."""
         if len(self.curves) != 1:
             raise self._not_one(len(self.curves), "curve", ".curves")
         return self.curves[0].curve
 
     @property
     def surface(self) -> NurbsSurface:
-        """The only surface; `CurveFileError` where there are none or several."""
+        """The only surface; raises `CurveFileError` for none or several."""
         if len(self.surfaces) != 1:
             raise self._not_one(len(self.surfaces), "surface", ".surfaces")
         return self.surfaces[0]
@@ -137,7 +137,7 @@ class Piece(NamedTuple):
 @dataclass(frozen=True, repr=False)
 class Source(OneLine):
     """The input of a reader: the bytes, the name of the file, the requested part (a glyph), for formats that hold only
-    control points degree and knots, and the distance within which what has no exact representation is replaced.
+    control points degree and knots, and the distance within which an arc without an exact representation is replaced.
     """
 
     data: bytes

@@ -39,12 +39,12 @@ class Affine:
 
     @classmethod
     def identity(cls, dimension: int) -> Affine:
-        """The identity."""
+        """The identity map."""
         return cls([[int(i == j) for j in range(dimension + 1)] for i in range(dimension)])
 
     @cached_property
     def is_identity(self) -> bool:
-        """Whether this is the identity map."""
+        """Whether the map is the identity."""
         return self == Affine.identity(len(self.rows))
 
     def __eq__(self, other: object) -> bool:
@@ -65,7 +65,7 @@ class Affine:
 
     @cached_property
     def stretch(self) -> mpq:
-        """A number by which no distance is stretched more: the largest sum of a row or of a column."""
+        """An upper bound on the factor by which distances are stretched: the largest sum of a row or of a column."""
         rows = [[abs(x) for x in row[:-1]] for row in self.rows]
         return max(sum(each, start=mpq(0)) for each in [*rows, *zip(*rows, strict=True)])
 
@@ -76,8 +76,8 @@ class Affine:
 
 
 def unit(vector: Sequence[mpq], error: mpq | None = None) -> list[mpq]:
-    """A vector divided by its length, which must be rational; with `error`, of at most 1, by a number so near to its
-    length that the result is off by at most that.
+    """A vector divided by its length, which must be rational; with `error`, which is at most 1, it is divided by a
+    number so near to its length that the error of the result is at most `error`.
     """
     square = dot(vector, vector)
     length = square_root(square)
@@ -91,9 +91,9 @@ def unit(vector: Sequence[mpq], error: mpq | None = None) -> list[mpq]:
 def axes(
     along: Sequence[mpq], normal: Sequence[mpq], error: mpq | None = None
 ) -> tuple[tuple[Vector, Vector, Vector], bool]:
-    """Three perpendicular unit vectors: one on the side of `along`, the one turned from it by a right angle, and one in
-    the direction of `normal`; where these are irrational, with `error` three rational ones, each off by at most that.
-    And whether it is so.
+    """Three perpendicular unit vectors, and whether they are approximations. One is on the side of `along`, one is that
+    vector rotated by a right angle, and one has the direction of `normal`. If they are irrational and `error` is given,
+    they are three rational vectors, each with at most this error.
 
     >>> (x, y, z), near = axes([mpq(1), mpq(1), mpq(0)], [mpq(1), mpq(-1), mpq(1)], mpq(1, 10**9))
     >>> dot(x, x) == dot(y, y) == 1, dot(x, y) == 0 == dot(y, z), abs(x[0] * x[0] - mpq(1, 2)) < mpq(1, 10**8)
@@ -107,7 +107,7 @@ def axes(
         found = (x, list(cross(z, x)), z)
         if slack is None or error is None or dot(x, x) == dot(z, z) == 1:
             return found, False
-        # the lengths of x and z are off by at most the slack, their directions are right
+        # the errors of the lengths of x and z are at most the slack; their directions are exact
         turned = _rotation(*found, slack)
         off = max(sum(abs(a - b) for a, b in zip(*both, strict=True)) for both in zip(turned, found, strict=True))
         if off + 3 * slack <= error:
@@ -117,7 +117,7 @@ def axes(
 
 def _rotation(x: Vector, y: Vector, z: Vector, error: mpq) -> tuple[Vector, Vector, Vector]:
     """The columns of a rational rotation near a matrix with nearly perpendicular columns of lengths near 1."""
-    # of the matrix and its three products with half turns, one has a trace that is not near −1
+    # one of the matrix and its three products with half turns has a trace that is not near −1
     for signs in ((1, 1, 1), (1, -1, -1), (-1, 1, -1), (-1, -1, 1)):
         u, v, w = ([sign * a for a in column] for sign, column in zip(signs, (x, y, z), strict=True))
         size = 1 + u[0] + v[1] + w[2]
@@ -212,7 +212,7 @@ def _small_arc(u: Point, v: Point, radius2: mpq, *, backwards: bool) -> Segment:
 
 
 def ellipse(frame: Affine) -> list[Segment]:
-    """The image of the unit circle: in the plane or in space, from the first column of the frame on."""
+    """The image of the unit circle in the plane or in space; it begins at the first column of the frame."""
     start = (mpq(1), mpq(0))
     return mapped(arc_around_origin(start, start), frame)
 
@@ -354,9 +354,8 @@ def bulged(start: Point, end: Point, bulge: mpq) -> list[Segment]:
 
 
 # ---- arcs between ends that a file gives
-#
-# Of angles only multiples of a right angle have a sine and a cosine that are exactly known. Where an error is allowed,
-# any other end is moved along the curve, which itself stays exact, to a rational point of it.
+# Only multiples of a right angle have a sine and a cosine that are exactly known. If an error is allowed, any other end
+# is moved along the curve, which remains exact, to a rational point of the curve.
 
 
 ZERO = mpq(0)
@@ -368,8 +367,8 @@ RIGHT = [(mpq(1), mpq(0)), (mpq(0), mpq(1)), (mpq(-1), mpq(0)), (mpq(0), mpq(-1)
 
 
 def quarter_turns(angle: mpq, right: mpq, digit: mpq = ZERO) -> int | None:
-    """The number of right angles in an angle of which the last digit is worth `digit`, None where it is not an
-    integer: the angle must be a multiple of a right angle rounded, up or down, to that digit, or to a double.
+    """The number of right angles in an angle whose last digit has the unit `digit`; None if this is not an integer: the
+    angle must be a multiple of a right angle rounded, up or down, to that digit, or to a double.
 
     >>> quarter_turns(mpq("6.2831853"), RADIANS, mpq("1e-7")), quarter_turns(mpq("-90.00000000000001"), DEGREES)
     (4, -1)
@@ -383,7 +382,7 @@ def quarter_turns(angle: mpq, right: mpq, digit: mpq = ZERO) -> int | None:
 
 
 def turn_near(angle: mpq, right: mpq, error: mpq) -> Point:
-    """The cosine and sine, both rational, of an angle that differs from one by at most this many radians.
+    """The cosine and sine, both rational, of an angle that differs from the given angle by at most this many radians.
 
     >>> cosine, sine = turn_near(mpq(120), DEGREES, mpq(1, 1000))
     >>> cosine**2 + sine**2 == 1, abs(cosine + mpq(1, 2)) < mpq(1, 1000)
@@ -400,8 +399,8 @@ def turn_near(angle: mpq, right: mpq, error: mpq) -> Point:
 
 
 def on_circle(x: mpq, y: mpq, error: mpq) -> Point:
-    """The rational point of the unit circle in the direction of (x, y); where there is none, one whose direction
-    differs from it by at most this many radians.
+    """The rational point of the unit circle in the direction of (x, y); if there is none, a rational point whose
+    direction differs by at most this many radians.
 
     >>> on_circle(mpq(3), mpq(-4), mpq(1)), on_circle(mpq(1), mpq(1), mpq(1, 100))
     ((mpq(3,5), mpq(-4,5)), (mpq(13575,19193), mpq(13568,19193)))
@@ -413,7 +412,7 @@ def on_circle(x: mpq, y: mpq, error: mpq) -> Point:
     length = square_root(square)
     if length is not None:
         return x / length, y / length
-    # the tangent of half the angle is off by at most a quarter of the error, twice: by the root, and rounded
+    # the tangent of half the angle has at most a quarter of the error, twice: from the root, and from rounding
     t = dyadic(y / (x + root_below(square, min(error, mpq(1)) * x / 4)), error / 4)
     return (1 - t * t) / (1 + t * t), 2 * t / (1 + t * t)
 
@@ -452,7 +451,7 @@ class Round:
         return turn_near(angle, right, self.error)
 
     def at_point(self, point: Sequence[mpq], reach: mpq | None = None) -> Point:
-        """The point of the unit circle whose image is a point, or is near to it: by default, within the error."""
+        """The point of the unit circle whose image is a point, or is near this point: by default, within the error."""
         *columns, centre = zip(*self.frame.rows, strict=True)
         away = minus(point, centre)
         x, y = (dot(away, column) / dot(column, column) for column in columns)
@@ -466,7 +465,9 @@ class Round:
         return found
 
     def arc(self, start: Point, end: Point) -> list[Segment]:
-        """The arc counter-clockwise between two points of the unit circle, the whole curve where they are the same."""
+        """The arc counter-clockwise between two points of the unit circle; the whole curve if they are the same
+        point.
+        """
         gap = minus(start, end)
         if dot(gap, gap) < 16 * self.turned**2:
             raise ShapeError("the ends are nearer to each other than E", remedy="give a smaller --approximate E")
@@ -477,15 +478,15 @@ def through_ends(
     form: Sequence[mpq], start: Point, end: Point, within: mpq | None, notes: list[str]
 ) -> tuple[Sequence[mpq], Point]:
     """The ellipse about the same centre, given by its equation (see `conic_arc`), that passes through the start of an
-    arc, and the end of the arc moved onto it, both by at most half of an error. Another conic stays as it is,
-    and every one without an error.
+    arc, and the end of the arc moved onto it, both by at most half of an error. A conic other than an ellipse is
+    unchanged, and without an error every conic is.
 
     >>> form, notes = [mpq(1), mpq(0), mpq(1), mpq(0), mpq(0), mpq(-24, 25)], []
     >>> form, end = through_ends(form, (mpq(1), mpq(0)), (mpq(0), mpq(99, 100)), mpq(1, 5), notes)
     >>> form[-1], end[0] ** 2 + end[1] ** 2 == 1, notes[1:]
     (mpq(-1,1), True, ['an end is moved by 0.0141 onto the curve'])
 
-    Raises `ShapeError` where they are further away.
+    Raises `ShapeError` if the ends are further away.
     """
     (a, b, c, d, e, f), w = form, [q - p for p, q in zip(start, end, strict=True)]
     determinant = 4 * a * c - b * b
@@ -512,7 +513,7 @@ def through_ends(
 
 
 def moved(to: Sequence[mpq], point: Sequence[mpq], within: mpq | None, onto: str = "the curve") -> str:
-    """A note on an end that is moved onto a curve; raises `ShapeError` where that is further than allowed."""
+    """A note on an end that is moved onto a curve; raises `ShapeError` if it is moved further than allowed."""
     gap = minus(to, point)
     if within is None or dot(gap, gap) > within**2:
         raise ShapeError(f"an end {distance_text(gap)} away from {onto}", remedy=f"correct it; {APPROXIMATE}")

@@ -90,8 +90,8 @@ class _Pen:
 def elliptic_arc(
     start: Point, end: Point, radii: Point, degrees: mpq, large: bool, sweep: bool, within: mpq | None = None
 ) -> list[Segment]:
-    """The arc described by the command A; radii that are too small are scaled up, as the standard requires. Where its
-    centre is irrational, with `within` an arc with the same ends that is nowhere further from it.
+    """The arc described by the command A; radii that are too small are scaled up, as the standard requires. If its
+    centre is irrational and `within` is given, an arc with the same ends within that distance.
 
     In units of the radii both arcs are parts of circles through the ends, whose centres are δ apart on the bisector of
     the ends. Their radii differ by at most δ, so points in the same direction from their centres are at most 2 δ apart;
@@ -139,7 +139,8 @@ def _turned_arc(start: Point, end: Point, radii: Point, degrees: mpq, large: boo
 
 
 def _greatest_turn(start: Point, end: Point, radii: Point, within: mpq) -> mpq:
-    """By how much an ellipse may be turned so that its arc between two points is moved by at most a distance.
+    """The largest angle by which an ellipse may be rotated such that its arc between two points moves by at most a
+    distance.
 
     In units of the radii R ≥ r, with the start as origin, a turn by η moves the chord w = M⁻¹ d, d being the chord of
     the drawing, by at most ε = |d| η / r. The radius of the circle is max(1, |w|/2), and its centre is at the distance
@@ -182,8 +183,8 @@ def least_size(data: str) -> int:
 
 def subpaths(data: str, limits: Limits, within: mpq | None = None) -> tuple[list[Subpath], str]:
     """The subpaths of path data up to the first error, and a description of that error ("" if there is none). An arc
-    that has no exact representation divides its subpath; with `within` it is replaced by one that is nowhere further
-    from it, if its axes allow that.
+    that has no exact representation divides its subpath; with `within` it is replaced by an arc within that distance,
+    if its axes allow that.
 
     >>> parts, problem = subpaths("M1 2h3v4zM0 0Q1 1 2 0T4 0#", Limits())
     >>> [len(part.segments) for part in parts], problem
@@ -240,7 +241,7 @@ def _arguments(letter: str, data: str, position: int, limits: Limits) -> tuple[l
 
 
 def _step(pen: _Pen, letter: str, n: list[mpq], first: bool) -> None:
-    """Carry out one command with its arguments; further pairs after M are lines."""
+    """Execute one command with its arguments; further pairs after M are lines."""
     command = letter.upper()
     x0, y0 = pen.at if letter.islower() else (mpq(0), mpq(0))
     if command == "M" and first:

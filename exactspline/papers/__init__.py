@@ -1,5 +1,5 @@
 """Papers as data: one folder per source, with its formulas, its claims, its constructions and the words of the source.
-No folder is privileged: those of the library are in this package, those of users anywhere, and the same code reads both
+Folders of the library are in this package, folders of users anywhere, and the same code reads all of them
 (`exactspline.papers.folder`). No code outside this package refers to a particular paper. Every formula is written in
 one place, and everything else (tables, proofs, LaTeX, programs) is derived from it. Formulas that do not belong to a
 single paper are in `exactspline.formulas`, and a folder here contains their claims.
@@ -47,7 +47,7 @@ _loaded: dict[str, Paper] = {}
 
 @cache
 def papers() -> tuple[Paper, ...]:
-    """The papers included in the library, each after those that it uses.
+    """The papers included in the library, each after the papers that it uses.
 
     >>> [p.name for p in papers() if p.default]
     ['chen_riesenfeld_cohen_2007', 'lifted']
@@ -77,7 +77,7 @@ def paper(name: str | Path, *, trust: bool = False, partly: bool = False) -> Pap
     >>> paper("lifted").uses[0].name
     'chen_riesenfeld_cohen_2007'
 
-    Raises `FormulaError`, with the nearest names, for what is neither a name nor a folder.
+    Raises `FormulaError`, with the nearest names, for a text that is neither a name nor a folder.
     """
     said = str(name) if isinstance(name, Path) else as_text(name, "the name of a paper")
     if said not in _by_name() and (Path(said).is_dir() or "/" in said):
@@ -122,7 +122,7 @@ def load_paper(folder: str | Path, *, trust: bool = False, partly: bool = False)
     """The paper in a user's folder. Its formulas are checked before they run; with `trust` they run unchecked.
 
     Raises `ClaimError` if this is not the folder of a paper, and `FormulaError`, with file and line, for invalid
-    formulas; with `partly`, the paper has the others, and says which are ``refused``.
+    formulas; with `partly`, the paper has the valid formulas, and lists the invalid ones as ``refused``.
     """
     place = folder_at(folder)
     for paper_here in papers():
@@ -157,7 +157,7 @@ def named_papers(names: Iterable[str], *, trust: bool = False, partly: bool = Fa
 
 
 def option_of(name: str) -> str:
-    """What a command needs to find a paper that is loaded: nothing for a default one, else its name or folder.
+    """The option by which a command finds a loaded paper: empty for a default paper, otherwise with its name or folder.
 
     >>> option_of("chen_riesenfeld_cohen_2007"), option_of("primer_on_bezier_curves")
     ('', ' --paper primer_on_bezier_curves')
@@ -169,7 +169,7 @@ def option_of(name: str) -> str:
 
 @cache
 def all_formulas() -> dict[str, Formula]:
-    """The formulas of the default papers by name, as ``paper:name`` where a name occurs twice."""
+    """The formulas of the default papers by name, or by ``paper:name`` if a name occurs twice."""
     formulas: dict[str, Formula] = {}
     for source in default_papers():
         for name, formula in source.formulas.items():

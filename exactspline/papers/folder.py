@@ -121,7 +121,7 @@ class Paper:
 
     @property
     def refused(self) -> dict[str, ExactSplineError]:
-        """Why formulas of a user's folder were refused, by their names; also lines and files that are refused."""
+        """The reasons why formulas, lines and files of a user's folder were refused, by their names."""
         return self._refused if self.formulas is not None else {}
 
     def formula_files(self) -> list[tuple[str, Traversable]]:
@@ -131,14 +131,14 @@ class Paper:
         return [(name, file) for name, file in files if file.is_file()]
 
     def find(self, name: str) -> Formula:
-        """The formula with this name, of this paper or of one that it uses.
+        """The formula with this name, of this paper or of a paper that it uses.
 
         >>> from exactspline.papers import paper
         >>> paper("chen_riesenfeld_cohen_2007").find("f2")
         <formula f2, eq. (8)>
 
         Raises `FormulaError` for an unknown name, with the nearest ones, and if several of the papers that it uses have
-        one.
+        such a formula.
         """
         if name in self.formulas:
             return self.formulas[name]
@@ -158,12 +158,12 @@ class Paper:
         raise FormulaError(f"{self.name} has no formula called {name!r}", remedy=nearest(name, known))
 
     def has(self, name: str) -> bool:
-        """Whether this paper, or one that it uses, has a formula with this name, or one that was refused."""
+        """Whether this paper, or a paper that it uses, has a formula with this name, valid or refused."""
         return name in self.refused or any(name in source.formulas for source in (self, *self.uses))
 
     def claim_tables(self) -> Iterator[Table]:
-        """Its claims as written in its files; the fields of ``common`` in a file apply to each of its claims. A file of
-        a user's folder that is not a table of claims is put among what is ``refused``.
+        """The claims as written in the files of the paper; the fields of ``common`` in a file apply to each of its
+        claims. A file of a user's folder that is not a table of claims is listed as ``refused``.
 
         Raises `ClaimError` for such a file of the library.
         """
@@ -191,7 +191,7 @@ class Paper:
         return common, entries
 
     def construction_tables(self) -> dict[str, Table]:
-        """Its constructions by name, as written in ``constructions.toml``."""
+        """The constructions of the paper by name, as written in ``constructions.toml``."""
         file = "constructions.toml"
         tables = self._read(file).items()
         return {name: Table(f"{self.name}/{file}, {name}", each) for name, each in tables if isinstance(each, dict)}
@@ -217,7 +217,7 @@ class Paper:
 
 
 def files_in(folder: Traversable, path: str = "") -> Iterator[tuple[str, Traversable]]:
-    """The files in a folder and the folders in it, by their paths; neither hidden ones nor links."""
+    """The files in a folder and in its subfolders, by their paths, except hidden files and links."""
     for each in folder.iterdir():
         if each.name.startswith((".", "__pycache__")) or (isinstance(each, Path) and each.is_symlink()):
             continue

@@ -3,7 +3,7 @@
 A file of formulas is code. Before any of it runs, its syntax tree is checked: it may contain functions whose bodies are
 expressions of the language (``+ − * / **``, derivatives, the operands of an argument, products of vectors) and calls of
 functions defined above them. The checked code is compiled and run without any of Python's built-in names, so that it
-can access only what is listed here.
+can access only the names listed here.
 """
 
 from __future__ import annotations
@@ -93,9 +93,9 @@ Refused = dict[str, ExactSplineError]
 def formulas_of(
     text: str, file: str, known: Mapping[str, Formula], *, plain: bool = False, refused: Refused | None = None
 ) -> dict[str, Formula]:
-    """The formulas of a file, checked and then run. `known` are those of other papers, by ``module:name``; with
-    `plain`, undecorated functions of one argument are formulas of a curve. With `refused`, what is not allowed is put
-    there with its error, and the other formulas are returned.
+    """The formulas of a file, checked and then run. `known` are formulas of other papers, by ``module:name``; with
+    `plain`, undecorated functions of one argument are formulas of a curve. With `refused`, a formula that is not
+    allowed is put into `refused` with its error, and the other formulas are returned.
 
     >>> text = "@formula('eq. (1)', on='plane')\\ndef f(c): return det(c.p, c.p.d(1))"
     >>> formulas_of(f"from exactspline.language import formula, det\\n{text}", "formulas.py", {})
@@ -112,10 +112,12 @@ def formulas_of(
 
 @contextmanager
 def _not_python(file: str) -> Iterator[None]:
-    """Raise `FormulaError` for what Python refuses."""
+    """Raise `FormulaError` for text that Python refuses."""
     try:
         yield
-    except SyntaxError as error:  # of the parser, or of the compiler, which refuses more: f(a, a), g(by=s, by=s)
+    except (
+        SyntaxError
+    ) as error:  # an error of the parser, or of the compiler, which refuses more: f(a, a), g(by=s, by=s)
         where = f"{file}, line {error.lineno}"
         raise FormulaError(f"not Python:  {error.msg}", where=where, remedy="correct the syntax") from None
     except (RecursionError, MemoryError):
@@ -213,7 +215,9 @@ def _function(node: ast.FunctionDef, read: Checked) -> None:
     read.vectors = _vectors(node, read)
     read.parameters = {p for kind in _kinds(node, read) for n in kind.dimensions for p in kind.parameters(n)}
     locals_ = {arg.arg for arg in a.args}
-    if both := sorted(locals_ & read.functions.keys()):  # as long as the smaller one: a file has thousands of formulas
+    if both := sorted(
+        locals_ & read.functions.keys()
+    ):  # the cost is that of the smaller set: a file may have thousands of formulas
         raise read.refuse(node, f"the name {both[0]!r} is taken", "choose another one")
     body = _Body(read, dict.fromkeys(locals_, (1, 1)))
     size = body.size(node)
@@ -317,7 +321,7 @@ class _Body:
         return sum(n for n, _ in self.names.values()) + total, degree
 
     def assign(self, node: ast.stmt) -> None:
-        """Check ``name = expression``, or several of them."""
+        """Check ``name = expression``, or an assignment of several names."""
         if not isinstance(node, ast.Assign) or len(node.targets) != 1:
             raise self.read.refuse(node, _described(node), _instead(node))
         target, value = node.targets[0], node.value

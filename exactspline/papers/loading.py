@@ -31,8 +31,7 @@ def checked_formulas(
     plain: bool = False,
     refused: dict[str, ExactSplineError] | None = None,
 ) -> dict[str, Formula]:
-    """The formulas of a file, checked before they run (see `exactspline.papers.formula_check`: also what is put into
-    `refused`).
+    """The formulas of a file, checked before they run (see `exactspline.papers.formula_check`, also for `refused`).
 
     Raises `FormulaError`, with file and line, for an invalid file.
     """
@@ -134,7 +133,7 @@ VALUES = "return a scalar, a vector, a quotient or a ruled surface made of opera
 
 
 def _no_value(value: object) -> str:
-    """The reason why an object is not a possible value of a formula; empty if it is one."""
+    """The reason why an object is not a possible value of a formula; empty for a possible value."""
     if isinstance(value, CONSTANTS):
         return f"the value is the number {value}, which does not depend on the argument"
     if isinstance(value, Vector):
@@ -163,6 +162,6 @@ def described(error: BaseException, file: str, name: str = "") -> FormulaError:
 
 
 def _where(trace: TracebackType | None, file: str, name: str) -> str:
-    """A file, the line in it in which an error occurred if there is one, and the name of the formula."""
+    """The place of an error: the file, the line if it is known, and the name of the formula."""
     lines = [line for frame, line in walk_tb(trace) if abspath(frame.f_code.co_filename) == abspath(file)]
     return ", ".join(filter(None, (file, *(f"line {line}" for line in lines[-1:]), name)))

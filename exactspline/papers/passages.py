@@ -1,8 +1,10 @@
-"""The passages of a source: each sentence, display, cell, caption and footnote in order, and how it is read.
+"""The passages of a source in order: its sentences, displays, cells, captions and footnotes, each with its
+classification.
 
-They are in ``reading.toml`` in the folder of the paper. A passage is identified by its page, its place on it and the
-digest of its letters; only its first letters are in the table. It can be several of these: ``claims`` (their keys), a
-``definition``, a ``citation``, ``nothing`` (with a word why, and a ``reason``), a ``slip`` of notation, ``open``.
+The passages are listed in ``reading.toml`` in the folder of the paper. A passage is identified by its page, its place
+on it and the digest of its letters; only its first letters are in the table. A passage can be one or several of these:
+``claims`` (their keys), a ``definition``, a ``citation``, ``nothing`` (with a word and a ``reason`` why), a ``slip`` of
+notation, ``open``.
 """
 
 from __future__ import annotations
@@ -32,7 +34,9 @@ class Page(TypedDict):
 
 
 class ReadingTable(TypedDict, total=False):
-    """The table: how the text is cut, the titles of sections by number, words for what is no text, the pages."""
+    """The table: how the text is divided, the titles of sections by number, words for parts that are not text, and the
+    pages.
+    """
 
     cut: dict[str, str | int]
     sections: dict[str, str]
@@ -42,7 +46,9 @@ class ReadingTable(TypedDict, total=False):
 
 @dataclass(frozen=True, repr=False)
 class Passage(OneLine):
-    """One passage: its page and place on it, its section, its first letters, its digest, and how it is read."""
+    """One passage: its page, its place on the page, its section, its first letters, its digest, and its
+    classification.
+    """
 
     page: int
     order: int
@@ -53,17 +59,17 @@ class Passage(OneLine):
 
     @property
     def claims(self) -> tuple[str, ...]:
-        """The keys of the claims that it makes."""
+        """The keys of the claims that the passage makes."""
         return tuple(self.read.get("claims", ()))
 
     @property
     def place(self) -> str:
-        """Where it is, with its first letters."""
+        """The place of the passage, with its first letters."""
         return f"p. {self.page}, span {self.order}: {self.begins}"
 
 
 def reading_of(source: Paper) -> ReadingTable:
-    """The table as it is written; empty where a paper has none."""
+    """The table as it is written; empty for a paper without a table."""
     return cast(ReadingTable, read_toml(source.folder.joinpath(FILE), f"{source.name}/{FILE}"))
 
 

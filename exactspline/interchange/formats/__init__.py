@@ -1,6 +1,6 @@
 """The table of file formats. Files are recognized by content; the formats are tried in the order of this table.
 
-A format is a module with a `FORMAT`. One of ours has its row here; `add_format` adds one from outside.
+A format is a module with a `FORMAT`. Formats of exactspline have a row here; `add_format` adds other formats.
 """
 
 from __future__ import annotations
@@ -31,15 +31,16 @@ _added: list[Format] = []
 
 
 def formats() -> tuple[Format, ...]:
-    """The formats, those that were added first."""
+    """The formats; added formats come first."""
     if not _known:
         _known.extend(named(f"{home}:FORMAT") for home in HOMES)
     return (*_added, *_known)
 
 
 def add_format(format: Format) -> None:
-    """Let files of another format be read (and written, where it has a writer) by every function and command that is
-    called afterwards. It is asked before the others whether a file is its own, and replaces one of its name.
+    """Add a format: every function and command that is called afterwards reads its files, and writes them if the format
+    has a writer. The added format is the first that is asked whether it recognizes a file; it replaces a format of its
+    name.
     """
     as_instance(format, Format, "a format", "give a Format of exactspline.interchange.format")
     _added[:] = [format, *(each for each in _added if each.name != format.name)]

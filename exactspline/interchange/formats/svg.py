@@ -1,14 +1,13 @@
 """SVG: paths and basic shapes, one curve per subpath, in the coordinates of the outermost ``<svg>``.
 
 Lines, quadratics and cubics are exact. Elliptic arcs are exact if the centre is rational and the axes are parallel to
-the coordinate axes (or the arc is circular); any other arc is skipped and divides its subpath, or, where an error is
-allowed, is replaced by a near one. Transforms are applied exactly,
-about their origin; elements under a transform with an irrational sine, cosine or tangent are skipped. Path data with an
-error are read up to the error, as the standard requires. Copies (`use`) are placed; of a `switch` the first child is
-drawn that requires no extension and no language. Elements that style sheets may move or reshape are skipped; a note
-names those that style sheets may hide. Elements of other namespaces inside the drawing, and what is in them, are not
-drawn. Definitions (`defs`, `marker`, …) are not drawn. svgelements and svgpathtools
-store floats, so the text is parsed here.
+the coordinate axes (or the arc is circular); any other arc is skipped and divides its subpath or, with `approximate`,
+is replaced by an arc within that distance. Transforms are applied exactly, about their origin; elements under a
+transform with an irrational sine, cosine or tangent are skipped. Path data with an error are read up to the error, as
+the standard requires. Copies (`use`) are placed. The first child of a `switch` that requires no extension and no
+language is drawn. Elements that style sheets may move or reshape are skipped; a note names those that style sheets may
+hide. Elements of other namespaces inside the drawing, and their children, are not drawn. Definitions (`defs`, `marker`,
+…) are not drawn. svgelements and svgpathtools store floats, so the text is parsed here.
 """
 
 from __future__ import annotations
@@ -36,7 +35,7 @@ from exactspline.one_line import OneLine
 #
 # CSS overrides the attributes of an element (SVG 2, section 6.6), and `transform`, `d`, `r` and others are properties.
 # A selector is matched by its last compound only, and a selector with brackets or escapes matches every element. So a
-# rule may be taken to apply to an element to which it does not, but never the reverse.
+# rule may be applied to more elements than it matches, but never to fewer.
 
 
 # ---- the names of elements, properties and units
@@ -69,7 +68,7 @@ class Rule(OneLine):
     properties: frozenset[str]
 
     def applies(self, element: Element) -> bool:
-        """Whether it may apply to an element."""
+        """Whether the rule may apply to an element."""
         classes = frozenset(element.attributes.get("class", "").split())
         identifier = element.attributes.get("id", "")
         return any(
@@ -347,7 +346,7 @@ class _Drawing:
             collector.note("coordinates are those of the viewBox: its placement on the page is not applied")
 
     def _leave_out_all_but(self, part: Element) -> None:
-        """Leave out the elements that are neither in an element nor around it; its copies are still found."""
+        """Omit the elements that are neither in an element nor around it; its copies are still found."""
         for element in [*self.root.walk()]:
             towards = [child for child in element.children if any(below is part for below in child.walk())]
             element.children = towards or element.children

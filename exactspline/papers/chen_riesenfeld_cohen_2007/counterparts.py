@@ -47,14 +47,14 @@ def point_bisector_misprint(c):
 
 @formula("eq. (34), as printed", on="point")
 def point_bisector_misprint_by_height(c):
-    """The same from the difference ``½(w² − w)‖Q‖²`` of the heights."""
+    """The error of the directrix with the height as printed, from the difference ``½(w² − w)‖Q‖²`` of the heights."""
     along = cross(D1(c), point_bisector_generator_polynomial(c))
     return along * ((c.w - 1) * norm2(c.point)) / (2 * point_bisector_determinant_polynomial(c))
 
 
 @formula("eq. (34)", on="point")
 def generator_of_34(c):
-    """The generator of the polynomial form."""
+    """The generator of the polynomial form of the point/curve bisector."""
     return point_bisector_polynomial(c).generator
 
 

@@ -90,7 +90,7 @@ def radius_derivative_line_1(c):
 
 @formula("§5.5, second line", on="framed space")
 def radius_derivative_line_2(c):
-    """The same by the quotient rule."""
+    """``(1/κ)′B`` by the quotient rule."""
     sigma, rho = c.sigma, c.rho
     top = 3 * sigma**2 * sigma.d(1) * rho - rho.d(1) * sigma**3
     return (top / rho**2) * (binormal(c) / rho)
@@ -98,14 +98,14 @@ def radius_derivative_line_2(c):
 
 @formula("§5.5, third line", on="framed space")
 def radius_derivative_line_3(c):
-    """The same with ‖γ′×γ″‖′ inserted."""
+    """``(1/κ)′B`` with ‖γ′×γ″‖′ inserted."""
     top = 3 * c.sigma**2 * c.sigma.d(1) - jerk_along_binormal(c) / c.rho**2 * c.sigma**3
     return (top / c.rho**2) * binormal(c)
 
 
 @formula("§5.5, fourth line", on="framed space")
 def radius_derivative_line_4(c):
-    """The same with ‖γ′‖ ‖γ′‖′ = γ′·γ″."""
+    """``(1/κ)′B`` with ‖γ′‖ ‖γ′‖′ = γ′·γ″."""
     bend = dot(c.gamma.d(1), c.gamma.d(2))
     top = 3 * c.sigma * bend - jerk_along_binormal(c) / c.rho**2 * c.sigma**3
     return (top / c.rho**2) * binormal(c)
@@ -113,7 +113,7 @@ def radius_derivative_line_4(c):
 
 @formula("§5.5, fifth line", on="framed space")
 def radius_derivative_line_5(c):
-    """The same over ‖γ′×γ″‖⁴."""
+    """``(1/κ)′B`` over ‖γ′×γ″‖⁴."""
     bend = dot(c.gamma.d(1), c.gamma.d(2))
     return (c.sigma / c.rho**4) * (binormal(c) * (3 * bend * c.rho**2 - jerk_along_binormal(c) * c.sigma**2))
 

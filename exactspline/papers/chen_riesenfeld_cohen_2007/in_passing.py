@@ -1,5 +1,5 @@
-"""What the paper says in passing: circles and spheres, reasons that it gives, degrees as the last column of Table 1 has
-them, planes and lines of §6. Each formula belongs to a sentence that no display of the paper states.
+"""Remarks of the paper outside of its displays: circles and spheres, reasons, degrees by the last column of Table 1,
+planes and lines of §6. Each formula belongs to a sentence that no display of the paper states.
 """
 
 from exactspline.language.formula import formula
@@ -60,8 +60,8 @@ def quotient_of_a_multiple(t):
 
 
 def _raised(numerator, denominator, first):
-    """Numerator and denominator of a quotient, raised to one degree: that of a rational in the last column of Table 1.
-    `first` is a component of the numerator.
+    """Numerator and denominator of a quotient, raised to one degree: the degree of a rational in the last column of
+    Table 1. `first` is a component of the numerator.
     """
     return numerator.elevated_to(denominator), denominator.elevated_to(first)
 
@@ -103,7 +103,7 @@ def first_components(c):
 
 @formula("§3, antisymmetry")
 def first_components_exchanged(c):
-    """The same with the first coordinate of p and w exchanged."""
+    """The first components of D1, D2, D3 and D21, with the first coordinate of p and w exchanged."""
     x, w = c.p[0], c.w
     first, second, third = (w.d(n) * x - w * x.d(n) for n in (1, 2, 3))
     return join(first, second, third, w.d(2) * x.d(1) - w.d(1) * x.d(2))

@@ -1,4 +1,4 @@
-"""§2, Table 1, the column "carried out as": every row as printed there."""
+"""§2, Table 1, the column "carried out as": every row as printed in the paper."""
 
 from exactspline.language.formula import formula
 from exactspline.language.vector import cross, dot, join

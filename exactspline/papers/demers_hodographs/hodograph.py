@@ -63,7 +63,7 @@ def ph_offset(c):
 
 @formula("phCurve, computePHOffset", on="hodograph")
 def ph_offset_distance(c):
-    """Its squared distance from the curve, minus 1."""
+    """The squared distance of the offset from the curve, minus 1."""
     return norm2(ph_offset(c) - c.p) - 1
 
 
@@ -161,7 +161,7 @@ def spinor_1(c):
 
 @formula("phCurve, createDefaultSpiral", on="hodograph", symbol="w_2")
 def spinor_2(c):
-    """Its third control point."""
+    """The third control point of a quadratic w."""
     return spinor(c) + spinor(c).d(1) + spinor(c).d(2) / 2
 
 

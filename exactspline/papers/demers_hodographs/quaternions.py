@@ -26,13 +26,13 @@ def sandwich(c):
 
 @formula("Space: square the radius, rotate i", on="space")
 def sandwich_real_part(c):
-    """Its real part: zero, so that it lies in R³."""
+    """The real part of ``A i A*``: zero, so that the product lies in R³."""
     return sandwich(c)[0]
 
 
 @formula("Space: square the radius, rotate i", on="space")
 def sandwich_squared(c):
-    """Its squared norm."""
+    """The squared norm of ``A i A*``."""
     return norm2(sandwich(c))
 
 

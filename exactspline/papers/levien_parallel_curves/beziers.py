@@ -21,7 +21,7 @@ def hodograph_step(c):
 
 @formula("CubicBez.find_offset_cusps", on="plane")
 def hodograph_bend(c):
-    """``(d2x, d2y)``: their second difference."""
+    """``(d2x, d2y)``: the second difference of the control points of the hodograph."""
     return extremities_a_by_v(c)
 
 

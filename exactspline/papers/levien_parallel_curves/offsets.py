@@ -57,7 +57,7 @@ def offset_step(c):
 
 @formula("CubicOffset.eval_offset", on=KIND)
 def offset_step_derivative(c):
-    """The derivative of this vector."""
+    """The derivative of the vector from the curve to its parallel curve."""
     return offset_step(c).d(1)
 
 

@@ -38,7 +38,7 @@ def off_the_printed_sphere(c):
 
 @formula("ch. Torsion, § Spherical curves", on="pair")
 def off_the_osculating_sphere(c):
-    """The same for the centre with the opposite sign."""
+    """``|γ(s̄) − p|² − |γ − p|²`` for the centre p with the opposite sign."""
     way = c.second.gamma - c.first.gamma
     return norm2(way) - 2 * dot(way, towards_the_circle(c.first) - sphere_offset_along_binormal(c.first))
 

@@ -33,7 +33,7 @@ def graph_slope(c):
 
 @formula("ex:curvature-graph", on="plane", symbol="f''")
 def graph_bend(c):
-    """Its derivative with respect to x, f″."""
+    """The derivative of the slope with respect to x: f″ for the curve as a graph."""
     return graph_slope(c).d(1) / c.gamma.d(1)[0]
 
 

@@ -135,7 +135,7 @@ def height_by_the_words(c):
 
 @formula("the canonical form", on="plane")
 def height_by_the_matrix(c):
-    """Its y coordinate, scaled by the matrix T₃."""
+    """The y coordinate of the second point, scaled by the matrix T₃."""
     return sheared_2(c)[1] / sheared_2(c)[1]
 
 
@@ -194,14 +194,14 @@ def start_condition(c):
 
 @formula("a cubic through its end", on="plane")
 def end_condition(c):
-    """The same for the other end of the cubic."""
+    """Zero if the cubic passes through its end at another parameter."""
     a, b, d = velocity_at_the_end(c), acceleration_at_the_end(c) / 2, c.p.d(3) / 6
     return det(a, d) ** 2 - det(a, b) * det(b, d)
 
 
 @formula("inflections between the ends", on="plane")
 def turning_at_both_ends(c):
-    """``[γ′ γ″]`` at the start times the same at the end: negative if the cubic has an odd number of inflections in
+    """``[γ′ γ″]`` at the start times ``[γ′ γ″]`` at the end: negative if the cubic has an odd number of inflections in
     between.
     """
     return det(c.p.d(1), c.p.d(2)) * det(velocity_at_the_end(c), acceleration_at_the_end(c))

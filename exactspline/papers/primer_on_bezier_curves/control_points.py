@@ -76,7 +76,7 @@ def velocity_at_the_end(c):
 
 @formula("derivatives")
 def acceleration_at_the_end(c):
-    """The second derivative there, ``p″ + p‴``."""
+    """The second derivative of a cubic where its control points end, ``p″ + p‴``."""
     return c.p.d(2) + c.p.d(3)
 
 
@@ -169,7 +169,7 @@ def chord(c):
 
 @formula("inflections", on="plane", symbol=r"\|h\|^2")
 def chord_squared(c):
-    """Its squared length."""
+    """The squared length of the chord."""
     return norm2(chord(c))
 
 
@@ -195,7 +195,7 @@ def aligned_t2_printed(c):
 
 @formula("inflections, aligned", on="plane", symbol="X")
 def aligned_t2(c):
-    """``−3a + 2b + 3c − d``: the same as printed next."""
+    """``−3a + 2b + 3c − d``: the coefficient of t² as printed next."""
     b, d, x4 = aligned_2(c), aligned_3(c), chord_squared(c)
     x2, y2, x3, y3 = b[0], b[1], d[0], d[1]
     return -3 * (x3 * y2) + 2 * (x4 * y2) + 3 * (x2 * y3) - x4 * y3

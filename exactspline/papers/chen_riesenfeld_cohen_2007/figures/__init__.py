@@ -1,8 +1,8 @@
-"""The figures of the paper, in its layout; every number in a caption is counted on the drawn objects. And the
-approaches that the paper compares, on any curve.
+"""The figures of the paper, in its layout, with captions whose numbers are counted on the drawn objects; and a
+comparison of the paper's approaches on any curve.
 
-Formulas and claims lie below everything that computes with them; what draws lies above it, and is loaded by the name of
-this folder alone.
+Modules that compute import formulas and claims. The modules in this folder draw; they import those modules, and are
+loaded by the name of this folder only.
 """
 
 from exactspline.papers.chen_riesenfeld_cohen_2007.figures.approaches import (

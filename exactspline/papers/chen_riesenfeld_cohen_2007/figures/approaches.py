@@ -1,4 +1,4 @@
-"""The approaches to critical curvature on a curve: what each costs and finds, as a table and as a picture."""
+"""The approaches to critical curvature on a curve: the cost and the result of each, as a table and as a picture."""
 
 from __future__ import annotations
 
@@ -60,8 +60,8 @@ class ApproachResult(OneLine):
 
 
 def compare_approaches(curve: Nurbs) -> list[ApproachResult]:
-    """All approaches to critical curvature on one curve: squaring, the direct one, the form that it is reduced to, and
-    two more. Their results are compared exactly with those of the minimal form.
+    """All approaches to critical curvature on one curve: squaring, the direct approach, its reduced form, and two more.
+    Their results are compared exactly with those of the minimal form.
 
     >>> from exactspline.interchange.examples import example
     >>> [(str(a.name), a.degree, a.roots, a.extraneous) for a in compare_approaches(example("six_segment_cubic"))]
