@@ -25,8 +25,8 @@ PROJECT = DOCS.parent
 BUILD = PROJECT / "build" / "site"
 
 #: What is said of the pages that are listed.
-NOTEBOOKS = "Lessons that run: `./run notebooks` opens them, `./run notebooks 01` the one with that number."
-REFERENCE = "Every public name: first those of `exactspline` itself, by topic, then the rooms that it names."
+NOTEBOOKS = "Lessons that run: `./run notebooks` opens the first, `./run notebooks 01` number 01."
+REFERENCE = "All public names: first those of `exactspline` itself, by topic, then those of its public modules."
 #: What the archive of the source holds.
 SOURCE = (
     *(

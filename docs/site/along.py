@@ -84,7 +84,7 @@ def _notebook(section: str) -> str:
 
 
 def _page(read: ReadingAlong, before: str, after: str) -> str:
-    links = [f"[← before]({before}.md)"] * bool(before) + ["[all sections](index.md)"]
+    links = [f"[← previous]({before}.md)"] * bool(before) + ["[all sections](index.md)"]
     links += [f"[derived in a notebook](../notebooks/{_notebook(read.section)}.ipynb)"]
     links += [f"[next →]({after}.md)"] * bool(after)
     pictures = [picture(f"../{file}", seen) for file, seen in _pictures(read.section)]
@@ -112,6 +112,6 @@ def _index(read: list[ReadingAlong]) -> str:
     text = (
         f"{sums[2]} of {sums[1]} printed statements are decided. The paper is read sentence by sentence: every "
         "statement, in its order, with its verdict in the margin, its formula and degree, and its proof. A passage is "
-        "quoted by its first words, a statement by the words that it rests on; have the paper beside it."
+        "quoted by its first words, a statement by its decisive words; keep the paper at hand."
     )
     return f"# Reading along\n\n*{plain(default_papers()[0].title)}*\n\n{text}\n\n{table}\n"

@@ -149,18 +149,18 @@ def surfaces() -> list[dict[str, Any]]:
     caption = "The ruled surfaces of the tangents and of the binormals of a rational cubic, with their control nets."
     made.append(_turned("ruled", "Tangents and binormals of a space curve", caption, scenes))
     focal = ruled_mesh(xs.formula_of("focal_surface_reduced")(cubic), (-1, 1), ((-3, -4, -2), (4, 4, 5)))
-    caption = "Through every centre of curvature of the twisted cubic a line along the binormal: its focal surface."
+    caption = "The focal surface of the twisted cubic: through every centre of curvature a line along the binormal."
     made.append(_turned("focal", "The focal surface of the twisted cubic", caption, [Scene("", focal, [_runs(cubic)])]))
     lines = [
         xs.Nurbs(1, [-2, -2, 2, 2], [(-2, 0, -1), (2, 0, -1)], name="one line"),
         xs.Nurbs(1, [-2, -2, 2, 2], [(0, -2, 1), (0, 2, 1)], name="the other"),
     ]
     saddle = tensor_mesh(xs.formula_of("bisector_symmetric")(xs.tables.surface_pair(*lines)))
-    caption = "All points as far from one line as from the other: a hyperbolic paraboloid."
+    caption = "All points equally far from two lines: a hyperbolic paraboloid."
     made.append(_turned("lines", "The bisector of two lines", caption, [Scene("", saddle, list(map(_runs, lines)))]))
     for name, title in TITLES.items():
         found = xs.analyse(xs.example(name))
-        caption = "Where the Gaussian curvature is positive, and where negative; lines of curvature, umbilics."
+        caption = "Regions of positive and of negative Gaussian curvature; lines of curvature; umbilics."
         made.append({"name": name, "title": title, "caption": caption, "scenes": [inspected_scene(found)]})
     return made
 

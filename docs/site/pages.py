@@ -87,8 +87,8 @@ def write_errata(file: Path) -> None:
     """What the sources say that is not so: an error a section, from the words to what holds instead."""
     lines = [
         "# Errata",
-        "Every statement of a source that is refuted: its words, how they are decided, what was found, what holds "
-        "instead and why, and Python that shows it. `./run errata` prints the same.",
+        "All refuted statements of the sources, each with its words, the claim that decides it, the finding, the "
+        "correction and its reason, and Python code that shows the error. `./run errata` prints the same.",
     ]
     for source in papers():
         if found := errata([source]):
@@ -171,7 +171,7 @@ def draw_gallery(folder: Path, page: Path) -> None:
         small = beside(folder / f"{name}.svg")
         with redirect_stdout(StringIO()), saved(lambda drawn, _, file=small: file.write_bytes(png(narrowed(drawn)))):
             app([*command, "--quiet", "--plot", str(folder / f"{name}.svg")], standalone_mode=False)
-    lines = ["# Gallery", "What `./run paper figures`, `inspect --plot` and `bisector --plot` draw."]
+    lines = ["# Gallery", "Pictures drawn by `./run paper figures`, `inspect --plot` and `bisector --plot`."]
     for name in (*made, *DRAWN):
         title = name.replace("_", " ").replace("figure", "figure ").capitalize()
         lines += [f"## {title}", picture(f"gallery/{name}.svg", title)]

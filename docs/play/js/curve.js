@@ -185,7 +185,7 @@ element("link").onclick = async () => {
     await navigator.clipboard.writeText(location.href);
     element("link").textContent = "Copied";
   } catch {
-    element("link").textContent = "It stands in the address";
+    element("link").textContent = "The link is in the address bar";
   }
 };
 
