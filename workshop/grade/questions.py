@@ -86,7 +86,12 @@ QUESTIONS: dict[str, Asked] = {
             Judged.QUOTIENT,
         ),
         Asked("insert", "the control points with a knot there", "2u", Judged.CONTROL_POINTS),
-        Asked("remove", "the control points without a knot that was inserted exactly", "2¹⁶ u", Judged.CONTROL_POINTS),
+        Asked(
+            "remove",
+            "the control points after a knot that was inserted exactly is removed",
+            "2¹⁶ u",
+            Judged.CONTROL_POINTS,
+        ),
         Asked(
             "elevate",
             "the control points with the degree raised by one",
