@@ -24,7 +24,7 @@ from exactspline.verification.ledger import decide
 from tests.verification.test_own_paper import plane_formulas
 
 #: The sentence of the documentation that is judged.
-COMPARED = ("What holds there is VERIFIED",)
+COMPARED = ("If such a claim holds, it is VERIFIED",)
 TINY = Fraction(1, 10**30)
 FORMULAS = plane_formulas(
     x="c.gamma[0]",
