@@ -1,4 +1,4 @@
-"""The proofs import their common ground by name."""
+"""Lets the proofs import the module `theorem`."""
 
 import sys
 from pathlib import Path

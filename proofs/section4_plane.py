@@ -1,8 +1,8 @@
-"""§4. Plane curves: zero curvature, critical curvature, evolutes.
+"""§4 of the paper (Chen, Riesenfeld and Cohen 2007). Plane curves: zero curvature, critical curvature, evolutes.
 
-Each naive form and its reduction are one up to a factor that is found, for all curves; on the example curves this is
-verified by multiplication; and each object is held against its geometric definition by a route that shares no formula
-with it.
+For all curves each naive form equals its reduction up to a factor, which is computed; on the example curves this is
+verified by multiplication. Each object is also compared with its geometric definition by a method that shares no
+formula with it.
 """
 
 from fractions import Fraction
@@ -31,7 +31,7 @@ def parameters(curve, count=5):
 
 
 def test_equation_8_and_the_zero_set_of_curvature():
-    """f1 = w f2, and f0, f1, f2 vanish together."""
+    """f1 = w f2, and f0, f1 and f2 have the same zeros."""
     assert set(verdict_for_all("E8")) == {"PROVED"}
     assert verdict_for_all("C4.1a") == ["PROVED", "PROVED"]
     assert verdict_for_all("C4.1b") == ["PROVED"]
@@ -39,12 +39,12 @@ def test_equation_8_and_the_zero_set_of_curvature():
 
 
 def test_curvature_is_rational_exactly_on_pythagorean_hodographs():
-    """κ² and ‖γ′‖² differ by a square."""
+    """κ² is ‖γ′‖² times a square."""
     assert set(verdict_for_all("C4.1d")) == {"PROVED"}
 
 
 def test_equations_7_and_9_to_11():
-    """κ of the osculating circle; κ′ = g0/‖γ′‖⁵; g1 is w⁸ g0, not w⁴ g0 as printed; g2 = w g1."""
+    """The curvature is that of the osculating circle; κ′ = g0/‖γ′‖⁵; g1 = w⁸ g0, not w⁴ g0 as printed; g2 = w g1."""
     assert set(verdict_for_all("E7")) == {"PROVED"}
     assert set(verdict_for_all("C4.2a")) == {"PROVED"}
     assert set(verdict_for_all("C4.2b")) == {"REFUTED", "PROVED"}
@@ -53,14 +53,15 @@ def test_equations_7_and_9_to_11():
 
 @pytest.mark.parametrize("claim", ["C4.2d", "C4.2e", "C4.2f", "C4.2g", "C4.2j", "C4.3b"])
 def test_degrees(claim):
-    """Every degree the section states."""
+    """Every degree stated in the section is right."""
     assert set(verdict_for_all(claim)) == {"PROVED"}
 
 
 @pytest.mark.parametrize(("d", "counted", "true"), [(3, 17, 15), (4, 27, 25), (5, 37, 35)])
 def test_the_numerator_of_curvature_squared_derivative_is_lower_than_the_whole(d, counted, true):
-    """Passed before: "the degree of the numerator of (κ²)′: 12d − 12". That is the degree of (κ²)′; p′w − pw′ has
-    10d − 13 by Table 1 and 10d − 15 in fact, here on a curve of its own.
+    """Passed before: "the degree of the numerator of (κ²)′: 12d − 12". This is the degree of (κ²)′ itself; the degree
+    of its numerator p′w − pw′ is 10d − 13 by Table 1 of the paper, and the true degree on the curves used here is 10d −
+    15.
     """
     curve = Nurbs(d, [0] * (d + 1) + [1] * (d + 1), [((7 * k * k + 3) % 13, (5 * k**3 + k) % 11) for k in range(d + 1)])
     above = find("curvature_squared_derivative_numerator")(curve)
@@ -70,13 +71,13 @@ def test_the_numerator_of_curvature_squared_derivative_is_lower_than_the_whole(d
 
 def test_squaring_adds_the_inflections():
     """The zero set of (κ²)′ is that of f0 g0."""
-    # f0 g0 in three ways; not every inflection can be deleted: on (t, t⁴) one is a critical point, too
+    # f0 g0 in three ways; not every inflection can be deleted: on (t, t⁴) an inflection is a critical point, too
     assert verdict_for_all("C4.2i") == ["PROVED", "PROVED", "PROVED", "REFUTED", "VERIFIED"]
 
 
 def test_counts_in_the_text_and_the_captions():
-    """Out of the actual splines: 12, 24, 72, 144; 24 with 150; 96 with 388, 12 with 52; 26 with 108, 9 with 40. g0 of
-    Fig. 1 has 42, not 24; the formula in the caption of Fig. 3(b) has degree 12, not 9.
+    """The numbers counted on the actual splines are 12, 24, 72, 144; 24 with 150; 96 with 388, 12 with 52; 26 with 108,
+    9 with 40. In Fig. 1 g0 has 42, not 24; the formula in the caption of Fig. 3(b) has degree 12, not 9.
     """
     assert set(verdict_for_all("C4.2h")) == {"VERIFIED"}
     for figure, wrong in (("Fig. 1", ["Fig1-g0"]), ("Fig. 2", []), ("Fig. 3", ["Fig3-evolute_of_caption"])):
@@ -86,8 +87,8 @@ def test_counts_in_the_text_and_the_captions():
 
 
 def test_equation_12():
-    """The evolute is the centre of the circle of second-order contact; naive and reduced form are one; κ beside it is
-    printed upside down.
+    """The evolute is the centre of the circle of second-order contact; the naive and the reduced form are equal. The
+    formula for κ next to it is printed upside down.
     """
     assert set(verdict_for_all("E12")) == {"PROVED"}
     assert set(verdict_for_all("C4.3a")) == {"PROVED"}
@@ -95,8 +96,8 @@ def test_equation_12():
 
 
 def centre_of_contact(x, y):
-    """The centre of the circle through the point with the Taylor coefficients x, y that the curve meets to second
-    order: two linear equations.
+    """The centre of the circle that the curve with the Taylor coefficients x, y meets to second order, from two linear
+    equations.
     """
     (_, x1, x2), (_, y1, y2) = x, y
     # ‖γ(h) − m‖² constant to h²:  x1 u + y1 v = 0  and  2 x2 u + 2 y2 v = x1² + y1², with (u, v) = m − γ(0)
@@ -107,7 +108,7 @@ def centre_of_contact(x, y):
 
 @pytest.mark.parametrize("name", CURVED)
 def test_evolute_points_are_centres_of_second_order_contact(name):
-    """Definition of the evolute, by exact Taylor coefficients."""
+    """Points of the evolute satisfy its definition, checked by exact Taylor coefficients."""
     curve = example(name)
     forms = [derive("evolute", curve, form) for form in ("naive", "paper", "minimal")]
     for t in parameters(curve):
@@ -118,7 +119,9 @@ def test_evolute_points_are_centres_of_second_order_contact(name):
 
 @pytest.mark.parametrize("name", PLANE)
 def test_the_sign_of_curvature_is_the_turning_direction(name):
-    """Positive where the curve turns left: the sign of f2 against the orientation of three nearby points."""
+    """The curvature is positive where the curve turns left: the sign of f2 agrees with the orientation of three nearby
+    points.
+    """
     curve = example(name)
     for t in parameters(curve):
         h = mpq(1, 10**9)
@@ -129,7 +132,7 @@ def test_the_sign_of_curvature_is_the_turning_direction(name):
 
 
 def curvature_at(curve, i, t):
-    """κ at a real parameter of one segment, from mpmath's own derivatives of the point: no formula of the library."""
+    """κ at a real parameter of one segment, from derivatives by mpmath, without formulas of the library."""
     a, b = curve.breakpoints[i : i + 2]
     rows = [s.bezier_points[i] for s in (*curve.p, curve.w)]
 
@@ -154,7 +157,9 @@ def curvature_at(curve, i, t):
 
 @pytest.mark.parametrize("name", ["rational_cubic", "ellipse_skew", "parabola", "rational_quartic"])
 def test_zeros_of_g0_are_zeros_of_the_derivative_of_curvature(name):
-    """κ′ by mpmath at 60 digits vanishes at the first root of the reduced form, bisected exactly, and not beside it."""
+    """κ′, computed by mpmath with 60 digits, vanishes at the first root of the reduced form, which is bisected exactly,
+    and not next to the root.
+    """
     curve = example(name)
     g2 = find("g2")(curve)
     checked = 0
@@ -179,7 +184,7 @@ def test_zeros_of_g0_are_zeros_of_the_derivative_of_curvature(name):
 
 
 def test_the_evolute_of_a_circle_is_its_centre():
-    """Degree 0, and κ is constant."""
+    """The evolute of a circle has degree 0, and κ is constant."""
     (piece,) = derive("evolute", example("circle")).pieces
     assert piece.value.degree == 0
     assert piece.value(1) == (0, 0)
@@ -188,7 +193,7 @@ def test_the_evolute_of_a_circle_is_its_centre():
 
 @pytest.mark.parametrize("name", CURVED)
 def test_the_normal_touches_the_evolute(name):
-    """E′ is along the normal: (E − γ) × E′ = 0, in the series reading, exactly."""
+    """E′ is parallel to the normal: (E − γ) × E′ = 0 holds exactly on Taylor series."""
     curve = example(name)
     for t in parameters(curve, 3):
         if find("f2")(curve)(t) != 0:

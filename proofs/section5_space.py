@@ -1,7 +1,7 @@
-"""§5. Space curves: curvature and torsion, the ruled surfaces on the Frenet directions, the focal curve and the focal
-surface.
+"""§5 of the paper (Chen, Riesenfeld and Cohen 2007). Space curves: curvature and torsion, the ruled surfaces on the
+Frenet directions, the focal curve and the focal surface.
 
-Each naive form and its reduction are one; each object is held against its definition. In two places the paper is wrong:
+Each naive form equals its reduction, and each object is compared with its definition. In two places the paper is wrong:
 the parameter of the rectifying developable is λ = ζ/‖γ′‖, not ‖γ′‖ζ, and the focal curve is rational.
 """
 
@@ -23,7 +23,7 @@ TWISTED = [name for name in SPACE if not find("D1_D2_D3")(example(name)).is_zero
 
 
 def helix(pitch, terms=6):
-    """(cos t, sin t, pitch·t) around t = 0 as exact Taylor series."""
+    """The helix (cos t, sin t, pitch·t) around t = 0 as exact Taylor series."""
     cosine, sine, factorial = [], [], 1
     for i in range(terms):
         factorial *= max(i, 1)
@@ -48,7 +48,7 @@ def test_a_helix_has_constant_curvature_and_torsion(pitch):
 
 
 def test_curvature_and_torsion():
-    """κN and κ⁻¹N are rational; eqs. (17) and (18) agree, and with the Frenet equations."""
+    """κN and κ⁻¹N are rational; equations (17) and (18) agree with each other and with the Frenet equations."""
     assert set(verdict_for_all("C5.1a")) == {"PROVED"}
     assert verdict_for_all("C5.2a") == ["PROVED"]
     assert set(verdict_for_all("C5.2b")) == {"PROVED"}
@@ -56,7 +56,7 @@ def test_curvature_and_torsion():
 
 
 def test_the_zero_set_of_torsion():
-    """That of [D1 D2 D3], but for the points with γ′ × γ″ = 0."""
+    """The zero set of the torsion is that of [D1 D2 D3], except at points with γ′ × γ″ = 0."""
     assert verdict_for_all("C5.2c", "degree") == ["PROVED", "PROVED"]
     assert verdict_for_all("C5.2c", "where γ′×γ″ has no zero") == ["PROVED"]
     assert verdict_for_all("C5.2c", "identical") == ["REFUTED"]
@@ -64,12 +64,12 @@ def test_the_zero_set_of_torsion():
 
 @pytest.mark.parametrize("claim", ["C5.3a", "C5.3b", "C5.3c"])
 def test_ruled_surfaces_of_the_frenet_directions(claim):
-    """Naive and reduced are one surface, with the degrees stated."""
+    """The naive and the reduced form are the same surface, with the degrees stated."""
     assert set(verdict_for_all(claim)) == {"PROVED"}
 
 
 def test_relations_between_the_ruling_parameters():
-    """ζ = w λ, w³ λ and w⁵ λ: found, not assumed."""
+    """The relations ζ = w λ, w³ λ and w⁵ λ are computed, not assumed."""
     found = [
         str(row.factor)
         for claim in ("C5.3a", "C5.3b", "C5.3c")
@@ -80,7 +80,9 @@ def test_relations_between_the_ruling_parameters():
 
 
 def test_the_rectifying_developable():
-    """One surface, developable, γ a geodesic of it; the parameter is printed upside down."""
+    """The two forms are the same surface, which is developable and has γ as a geodesic; in the relation between the
+    parameters the speed is printed as a factor instead of a divisor.
+    """
     assert verdict_for_all("C5.4a", "one surface") == ["PROVED"]
     assert verdict_for_all("C5.4a", "geodesic") == verdict_for_all("C5.4a", "developable is developable") == ["PROVED"]
     assert verdict_for_all("C5.4a", "λ = ‖γ′‖ ζ") == ["REFUTED"]
@@ -89,8 +91,8 @@ def test_the_rectifying_developable():
 
 
 def test_the_focal_curve_is_rational():
-    """Defined by contact of third order it is eq. (19) with the derivative by arc length; Ψ is right; "non-rational" is
-    not, and eq. (7), which is cited, speaks of curves in the plane.
+    """By its definition, contact of third order, the focal curve is equation (19) with the derivative by arc length. Ψ
+    is right. The statement "non-rational" is wrong, and equation (7), which is cited, is about curves in the plane.
     """
     assert set(verdict_for_all("E19")) == {"PROVED"}
     refuted = [row.key for row in establish("C5.5a") if not row.curve and row.verdict != "PROVED"]
@@ -117,7 +119,9 @@ def solve(rows, right):
 
 @pytest.mark.parametrize("name", TWISTED)
 def test_focal_points_are_centres_of_third_order_contact(name):
-    """By exact Taylor coefficients and elimination, a route that shares no formula with the focal curve."""
+    """Focal points satisfy their definition, checked by exact Taylor coefficients and elimination, without the formula
+    of the focal curve.
+    """
     curve = example(name)
     a, b = curve.domain
     reduced, naive = find("focal_curve_reduced")(curve), find("focal_curve")(curve)
@@ -141,8 +145,8 @@ def constant_point(c):
 
 
 def test_the_focal_surface():
-    """One surface, developable, the envelope of the normal planes: its rulings are where a normal plane meets the
-    next.
+    """The two forms are the same developable surface, the envelope of the normal planes: its rulings lie in the normal
+    planes.
     """
     assert verdict_for_all("C5.6a", "one surface") == ["PROVED"]
     assert verdict_for_all("C5.6a", "developable") == ["PROVED"]
@@ -153,5 +157,5 @@ def test_the_focal_surface():
 
 
 def test_degrees_the_paper_does_not_give():
-    """The focal surface has degree 31d, reduced 15d − 6."""
+    """The focal surface has degree 31d, and 15d − 6 in the reduced form."""
     assert [str(row.computed) for row in establish("C5.6a", "degree") if not row.curve] == ["31d", "15d − 6"]

@@ -1,9 +1,9 @@
-"""§6. Bisectors, in the sense of equal critical distances.
+"""§6 of the paper (Chen, Riesenfeld and Cohen 2007). Bisectors, in the sense of equal critical distances.
 
-The reductions hold: (27), made polynomial in both curves, brings the bisector of two rational space curves to degree 4d
-− 1 in either parameter, and the direct approach that of a point and a curve. Four things are wrong: (24) gives γ′ of a
-rational curve the degree d − 1, and the naive counts that start from it are too low; (27) as printed is polynomial in
-one curve only; (34) as printed lacks a factor w; and the 4d − 2 of Farouki and Johnstone is no typo but the true
+The reductions hold: (27), made polynomial in both curves, gives the bisector of two rational space curves degree 4d − 1
+in either parameter. The direct approach for a point and a curve is right, too. Four things are wrong: (24) gives γ′ of
+a rational curve the degree d − 1, and the naive counts based on this are too low; (27) as printed is polynomial in one
+curve only; (34) as printed lacks a factor w; and the degree 4d − 2 of Farouki and Johnstone is not a typo but the true
 degree.
 """
 
@@ -29,13 +29,13 @@ def square(a, b):
 
 
 def test_polynomial_curves():
-    """D has degree 2d − 1, the numerators and the bisector 3d − 1."""
+    """D has degree 2d − 1; the numerators and the bisector have degree 3d − 1."""
     assert verdict_for_all("C6.1a") == ["PROVED", "PROVED", "PROVED"]
 
 
 def test_naive_counts_of_rational_curves():
-    """Not those of the paper by either policy of Table 1; all of them come out if γ′ had the degree that (24) gives
-    it.
+    """Neither policy of Table 1 gives the naive counts of the paper; all these counts come out if γ′ has the degree
+    that (24) gives it.
     """
     assert verdict_for_all("C6.1b", "γ′ is d − 1, either polynomial or rational: rational") == ["REFUTED"]
     assert set(verdict_for_all("C6.1b", "of (24): the paper adds as Table 1 does")) == {"PROVED"}
@@ -49,8 +49,8 @@ def test_naive_counts_of_rational_curves():
 
 
 def test_the_polynomial_formulation():
-    """(27) gives the same surface, of degree 4d − 1 in s; in s̄ only when it is made polynomial in the second curve
-    too.
+    """(27) gives the same surface, of degree 4d − 1 in s; the degree in s̄ is the same only if (27) is made polynomial
+    in the second curve, too.
     """
     assert set(verdict_for_all("C6.1c")) == {"PROVED"}
     assert verdict_for_all("C6.1e", "same degree in s̄ as in s, rational") == ["REFUTED"]
@@ -67,8 +67,8 @@ def test_the_footnote():
 
 
 def test_a_point_and_a_curve():
-    """The counts of the explicit directrix follow Table 1 with each row levelled; the direct form is the same
-    surface, (34) as it is printed is another one.
+    """The counts of the explicit directrix follow Table 1 with each row brought to a common denominator. The direct
+    form is the same surface; (34) as printed is another surface.
     """
     assert set(verdict_for_all("C6.2a")) == {"PROVED"}
     printed = [row.key for row in establish("C6.2b") if not row.curve and row.verdict != "PROVED"]
@@ -79,7 +79,7 @@ def test_a_point_and_a_curve():
 
 
 def test_the_planar_bisector_is_an_iso_curve():
-    """In a plane perpendicular to the moved axis; in a tilted one it is not."""
+    """The planar bisector is an iso-curve in a plane perpendicular to the moved axis, but not in a tilted plane."""
     assert verdict_for_all("C6.2f") == ["PROVED", "PROVED", "REFUTED"]
 
 
@@ -92,8 +92,8 @@ def test_misprints():
 
 
 def test_definitions():
-    """A bisector point lies in the normal planes of its feet and is equidistant from them: proved, and seen on
-    points.
+    """A point of the bisector lies in the normal planes at its foot points and is equidistant from them: this is
+    proved, and checked on points.
     """
     assert set(verdict_for_all("E22")) == {"PROVED"}
     assert set(verdict_for_all("E30")) == {"PROVED"}
@@ -127,6 +127,6 @@ def test_points_of_the_bisector_of_a_point_and_a_curve(name):
 
 
 def test_the_planar_bisector_of_an_ellipse_trimmed():
-    """Of the four segments of the untrimmed bisector around an inner point two arcs are left."""
+    """For a point inside the ellipse, trimming leaves two arcs of the four segments of the untrimmed bisector."""
     found = trimmed_bisector(example("ellipse"), (1, "1/3"))
     assert [piece.kind for piece in found.pieces] == ["arc", "arc"]

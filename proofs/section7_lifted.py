@@ -1,8 +1,9 @@
-"""Our own: the forms that come from the lifts of a curve, and why their degrees cannot be beaten.
+"""Our own statements: the forms from the lifts of a curve, and that no form has a lower degree.
 
-Each lifted form is identical to what the paper has, for all curves; on the example curves this is verified; and its
-geometry is checked by a route of its own: contact with lines, planes, circles and spheres, counted on exact Taylor
-series. The degree theorem is stated and proved in docs/degree-theorem.md; here its numbers are those of the ledger.
+For all curves each lifted form agrees with the form of the paper, up to the factor stated; on the example curves this
+is verified. Its geometry is checked separately: contact with lines, planes, circles and spheres, counted on exact
+Taylor series. The degree theorem is stated and proved in docs/degree-theorem.md; its numbers are compared here with
+those of the ledger.
 """
 
 import pytest
@@ -34,24 +35,26 @@ def parameters(curve, count=4):
 
 
 def test_lifted_forms_are_the_forms_of_the_paper():
-    """L1 to L9: up to the factor stated, for all curves; L10: the ruled surfaces are the same surfaces."""
+    """Claims L1 to L9: the forms agree up to the factor stated, for all curves; L10: the ruled surfaces are the same
+    surfaces.
+    """
     for claim in ("L1", "L2", "L3", "L4", "L5", "L6", "L7", "L8", "L9", "L10", "L15", "L16"):
         assert set(verdict_for_all(claim)) == {"PROVED"}
 
 
 def test_nominal_degrees_of_the_lifted_forms():
-    """L11: kd − m."""
+    """Claim L11: the nominal degree is kd − m."""
     assert set(verdict_for_all("L11")) == {"PROVED"}
 
 
 @pytest.mark.parametrize("claim", ["L12", "L13"])
 def test_true_degrees(claim):
-    """kd − 2m + j of whatever is left of the naive form, rational and polynomial."""
+    """The true degree is kd − 2m + j for the remaining factor of the naive form, rational and polynomial."""
     assert set(verdict_for_all(claim)) == {"PROVED"}
 
 
 def test_covariants():
-    """L14: the lifted forms are covariants of binary forms; D2, D3 and D21 are not."""
+    """Claim L14: the lifted forms are covariants of binary forms; D2, D3 and D21 are not."""
     assert set(verdict_for_all("L14")) == {"PROVED"}
     assert {str(row.computed) for row in establish("L14") if not row.curve and row.claim.kind == "degree"} == {
         "0",
@@ -89,7 +92,7 @@ def test_the_osculating_circle_has_three_point_contact(name):
             assert (contact(meeting) >= 4) == (find("vertices_lifted")(curve)(t) == 0)
 
 
-#: What touches a space curve, the lift it is paired with, and the order of contact.
+#: The objects that touch a space curve, each with its lift and the order of contact.
 CONTACTS = [
     ("osculating_sphere", "conformal_lift", 4),
     ("osculating_plane", "projective_lift", 3),
@@ -99,7 +102,7 @@ CONTACTS = [
 
 @pytest.mark.parametrize("name", SPACE)
 def test_the_osculating_sphere_has_four_point_contact_and_the_plane_three(name):
-    """And the plane four exactly where the Wronskian of P is zero."""
+    """The plane has four-point contact exactly where the Wronskian of P is zero."""
     curve = example(name)
     for t in parameters(curve):
         series = series_curve(curve, t, 6)
@@ -129,14 +132,14 @@ def test_the_centre_of_the_osculating_circle_lies_in_the_osculating_plane(name):
 
 @pytest.mark.parametrize("name", all_constructions())
 def test_no_degree_can_be_dropped_on_the_generic_curve(name):
-    """One certified witness for each degree from 2 to 6, rational and polynomial."""
+    """A certified witness curve attains the degree for each d from 2 to 6, rational and polynomial."""
     for polynomial in (False, True):
         for d in range(2, 7):
             assert attained(name, d, polynomial=polynomial).agrees
 
 
 def test_an_ellipse_has_as_many_vertices_as_its_form_has_degrees():
-    """96 by squaring, 12 in the paper, 4 of the lowest form."""
+    """The form has degree 96 by squaring, 12 in the paper, and 4 at the lowest, which is the number of vertices."""
     assert symbolic_minimum(construction("critical_curvature"), 2).at({"d": 2}) == 4
     form = construction("critical_curvature").on(example("ellipse_skew"), "minimal")
     assert form.degree == form.true_degree == 4
@@ -160,6 +163,6 @@ def test_what_reduce_finds_is_what_the_lifts_give():
 
 
 def by_names(jet):
-    """The terms of a jet polynomial whatever the order of its ring."""
+    """The terms of a jet polynomial, independent of the order of the variables of its ring."""
     for exponents, c in jet.polynomial.terms():
         yield frozenset((variable, int(e)) for variable, e in zip(jet.ring.variables, exponents, strict=True) if e), c

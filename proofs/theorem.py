@@ -1,11 +1,11 @@
-"""How a theorem of the paper is put to the test: proved for all curves, verified on the example curves."""
+"""Tests of the claims of the paper: proved for all curves, verified on the example curves."""
 
 from exactspline.papers import default_papers
 from tests.support.decided import ledger
 
 
 def establish(claim_id, statement=""):
-    """Every verdict on a claim (or on the one statement of it) is the one on record; returns the rows."""
+    """Check that every verdict on a claim (or on one of its statements) is the recorded one; returns the rows."""
     decided = (row for paper in default_papers() for row in ledger(paper.name))
     rows = [row for row in decided if claim_id in (row.id, row.key) and statement in row.statement]
     assert rows, f"no claim {claim_id} says {statement!r}"
@@ -18,5 +18,5 @@ def establish(claim_id, statement=""):
 
 
 def verdict_for_all(claim_id, statement=""):
-    """The verdicts for all curves."""
+    """The verdicts on a claim for all curves."""
     return [row.verdict for row in establish(claim_id, statement) if not row.curve]
