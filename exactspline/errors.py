@@ -259,7 +259,7 @@ def as_texts(given: Iterable[str], what: str, one: str) -> list[str]:
 
 
 def as_instance(given: object, kind: type[T], what: str, remedy: str) -> T:
-    """The object itself; raises `ShapeError` for an object of another class.
+    """The object itself; raises `ShapeError` for an object of another class, and names its pieces if it has some.
 
     >>> as_instance("f2", list, "a list of formulas", "write [f2]")
     Traceback (most recent call last):
@@ -267,7 +267,8 @@ def as_instance(given: object, kind: type[T], what: str, remedy: str) -> T:
     """
     if isinstance(given, kind):
         return given
-    raise ShapeError(f"{a_kind(given)}, where {what} is expected", remedy=remedy)
+    pieces = "; take the value of one of its pieces" if hasattr(given, "pieces") else ""
+    raise ShapeError(f"{a_kind(given)}, where {what} is expected", remedy=remedy + pieces)
 
 
 def a_kind(given: object) -> str:

@@ -222,11 +222,6 @@ class Elimination:
         """The last diagonal entry, which is not zero where there is exactly one parameter and this is not 0."""
         return self.cofactor(self.size - 1, self.size - 1)
 
-    @property
-    def last_entry(self) -> fmpz_poly:
-        """A form of the degree of the map that is not zero where the parameter is the end of the segment."""
-        return self.last
-
     @cached_property
     def map(self) -> RationalMap:
         """The parameter of the first curve as a function of the parameter of the second curve, at zeros of F."""
@@ -290,11 +285,6 @@ class LineElimination(Elimination):
         normal = across(start, end)
         # the coordinates of the line itself, as a point, are not on the line
         self._forms = along(across(start, normal), other), along(across(normal, end), other)
-
-    @property
-    def last_entry(self) -> fmpz_poly:
-        """The numerator of the map."""
-        return self.map.top
 
     @cached_property
     def map(self) -> RationalMap:

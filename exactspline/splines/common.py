@@ -10,6 +10,7 @@ from flint import fmpz, fmpz_poly
 from exactspline.errors import ShapeError, as_items
 from exactspline.language.operand import Operand
 from exactspline.language.provenance import leaf
+from exactspline.language.vector import Vector
 from exactspline.numbers.exact import Number, mpq
 from exactspline.polynomials.bernstein import over_common_denominator
 from exactspline.splines.blossom import CommonRows, common_rows
@@ -91,9 +92,10 @@ def on_one_mesh(splines: Iterable[TensorSpline], letters: tuple[str, str]) -> li
 T = TypeVar("T", bound=Operand)
 
 
-def same_quotients(p: Iterable[T], w: T, q: Iterable[T], v: T) -> bool:
-    """Whether p/w and q/v are the same functions."""
-    return all((x * v - y * w).is_zero for x, y in zip(p, q, strict=True))
+def same_quotients(p: Vector[S], w: S, q: Vector[S], v: S) -> bool:
+    """Whether p/w and q/v are the same functions on the same domain."""
+    alike = len(p) == len(q) and w.domain == v.domain
+    return alike and all((x * v - y * w).is_zero for x, y in zip(p, q, strict=True))
 
 
 def mapped(p: Sequence[T], w: T, matrix: Sequence[Sequence[Number]], *, polynomial: bool) -> tuple[list[T], T | None]:

@@ -222,10 +222,7 @@ class NurbsSurface(Immutable, Surface[TensorSpline], FunctionsOutside):
         """Whether both are the same function on the same rectangle, whatever their knots, degrees and weights."""
         if not isinstance(other, NurbsSurface):
             return NotImplemented
-        if self is other:
-            return True
-        alike = self.dimension == other.dimension and self.domain == other.domain
-        return alike and same_quotients(self.p, self.w, other.p, other.w)
+        return self is other or same_quotients(self.p, self.w, other.p, other.w)
 
     def __hash__(self) -> int:
         (a, b), (c, d) = self.domain

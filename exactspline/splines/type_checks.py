@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any, cast
 
-from exactspline.errors import ShapeError, a_kind
+from exactspline.errors import ShapeError, a_kind, as_instance
 from exactspline.language.rational import Rational
 from exactspline.language.vector import Vector
 from exactspline.splines.bspline import BSpline
@@ -36,30 +36,20 @@ def curve_of(given: object) -> Nurbs:
     if isinstance(given, Rational | Vector) and given.is_vector:
         problem = f"{a_kind(given)} of splines, where a curve is expected"
         raise ShapeError(problem, remedy="Nurbs.from_splines(numerator, denominator) makes the curve of a quotient")
-    raise _refused(given, "a curve", 'give a Nurbs, such as exactspline.example("circle")')
+    return as_instance(given, Nurbs, "a curve", 'give a Nurbs, such as exactspline.example("circle")')
 
 
 def spline_of(given: object) -> BSpline:
     """The spline itself; raises `ShapeError` for anything else."""
-    if isinstance(given, BSpline):
-        return given
-    raise _refused(given, "a spline", "give a BSpline, for a vector one component at a time")
+    return as_instance(given, BSpline, "a spline", "give a BSpline, for a vector one component at a time")
 
 
 def function_of_two(given: object) -> TensorSpline:
     """The function of two parameters itself; raises `ShapeError` for anything else."""
-    if isinstance(given, TensorSpline):
-        return given
-    raise _refused(given, "a function of two parameters", "give a TensorSpline, one component of a surface at a time")
+    remedy = "give a TensorSpline, one component of a surface at a time"
+    return as_instance(given, TensorSpline, "a function of two parameters", remedy)
 
 
 def surface_of(given: object) -> NurbsSurface:
     """The surface itself; raises `ShapeError` for anything else."""
-    if isinstance(given, NurbsSurface):
-        return given
-    raise _refused(given, "a surface", 'give a NurbsSurface, such as exactspline.example("torus")')
-
-
-def _refused(given: object, expected: str, remedy: str) -> ShapeError:
-    pieces = "; take the value of one of its pieces" if hasattr(given, "pieces") else ""
-    return ShapeError(f"{a_kind(given)}, where {expected} is expected", remedy=remedy + pieces)
+    return as_instance(given, NurbsSurface, "a surface", 'give a NurbsSurface, such as exactspline.example("torus")')

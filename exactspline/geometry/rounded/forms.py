@@ -11,7 +11,7 @@ from __future__ import annotations
 
 from bisect import bisect_right
 from collections.abc import Callable, Sequence
-from functools import cache
+from functools import cache, lru_cache
 from itertools import pairwise
 from math import comb
 from typing import Any
@@ -21,7 +21,7 @@ from flint import arb, arb_mat, arb_poly, fmpz
 from exactspline.errors import ShapeError
 from exactspline.geometry.curves.plane_programs import plane_program, space_program
 from exactspline.numbers.exact import mpq, to_fmpq
-from exactspline.numbers.intervals import Box
+from exactspline.numbers.intervals import UNIT, Box, Interval
 from exactspline.numbers.once import cached_property
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.control_points import Direction
@@ -157,8 +157,8 @@ class Family:
 
     def halves(self) -> tuple[Family, Family]:
         """The two halves."""
-        left, right = _halving(self.degree)
-        return Family(self.rows * left), Family(self.rows * right)
+        low, high = (Family(self.rows * cutting(self.degree, side).transpose()) for side in UNIT.first.halves)
+        return low, high
 
     def at(self, t: mpq) -> arb:
         """A ball that contains the values at a local parameter."""
@@ -373,11 +373,16 @@ def _difference_matrix(n: int) -> arb_mat:
     return arb_mat(n + 1, n, [int(i == k + 1) - int(i == k) for i in range(n + 1) for k in range(n)])
 
 
-@cache
-def _halving(n: int) -> tuple[arb_mat, arb_mat]:
-    """The matrices that give the ordinates on the halves, by de Casteljau's algorithm."""
-    left = [[mpq(comb(k, i), 2**k) for k in range(n + 1)] for i in range(n + 1)]
-    return _matrix(left), _matrix([row[::-1] for row in left[::-1]])
+@lru_cache(256)
+def cutting(n: int, side: Interval) -> arb_mat:
+    """The matrix that gives the ordinates on an interval: products of the two weights of each of its ends."""
+    (low, high), rows = side, []
+    for i in range(n + 1):
+        row = [mpq(1)]
+        for t in (*[low] * (n - i), *[high] * i):
+            row = [(1 - t) * x + t * y for x, y in zip([*row, mpq(0)], [mpq(0), *row], strict=True)]
+        rows.append(row)
+    return _matrix(rows)
 
 
 def _matrix(rows: Sequence[Sequence[mpq]]) -> arb_mat:

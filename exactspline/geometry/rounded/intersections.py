@@ -15,13 +15,13 @@ from dataclasses import dataclass
 from itertools import combinations_with_replacement, pairwise, product
 from math import comb
 
-from flint import arb, ctx
+from flint import arb, arb_mat, ctx
 
 from exactspline.errors import ShapeError
 from exactspline.geometry.pairs.intersections import IntersectionKind
-from exactspline.geometry.rounded.forms import PRECISION, CurvesNear, Settled, dot, sign_of
+from exactspline.geometry.rounded.forms import PRECISION, CurvesNear, Settled, cutting, dot, sign_of
 from exactspline.numbers.exact import Number, mpq, to_fmpq
-from exactspline.numbers.intervals import Box, Interval, ball_ends
+from exactspline.numbers.intervals import UNIT, Box, Interval, ball_ends
 from exactspline.numbers.once import cached_property
 from exactspline.polynomials.patch_forms import clusters
 from exactspline.questions.answers import Described
@@ -155,18 +155,19 @@ class _Part:
     @cached_property
     def halves(self) -> tuple[_Part, _Part]:
         """Both halves."""
-        points, velocity = ([_split(row, arb(1) / 2) for row in own] for own in (self.points, self.velocity))
-        low, high = self.ends.halves
-        return (
-            _Part(low, [row for row, _ in points], [row for row, _ in velocity]),
-            _Part(high, [row for _, row in points], [row for _, row in velocity]),
-        )
+        low, high = map(self._on, UNIT.first.halves)
+        return low, high
 
     def between(self, interval: Interval) -> _Part:
         """The part within an interval that meets it."""
         low, high = (self.ends.local(t) for t in (max(interval.low, self.ends.low), min(interval.high, self.ends.high)))
-        points, velocity = ([_restricted(row, low, high) for row in own] for own in (self.points, self.velocity))
-        return _Part(self.ends.part(Interval(low, high)), points, velocity)
+        return self._on(Interval(low, high))
+
+    def _on(self, side: Interval) -> _Part:
+        """The part on an interval of the local parameter: means of ordinates, so that radii do not grow."""
+        nets = (arb_mat(own) * cutting(len(own[0]) - 1, side).transpose() for own in (self.points, self.velocity))
+        points, velocity = (net.table() for net in nets)
+        return _Part(self.ends.part(side), points, velocity)
 
 
 class _Tangled(CurvesNear):
@@ -396,22 +397,6 @@ def _union(balls: Sequence[arb]) -> arb:
     for x in rest:
         found = found.union(x)
     return found
-
-
-def _split(row: Row, t: arb) -> tuple[Row, Row]:
-    """The ordinates on both sides of a local parameter, by de Casteljau's algorithm."""
-    low, high, rest = [row[0]], [row[-1]], 1 - t
-    while len(row) > 1:
-        row = [a * rest + b * t for a, b in pairwise(row)]  # means, so that radii do not grow
-        low.append(row[0])
-        high.append(row[-1])
-    return low, high[::-1]
-
-
-def _restricted(row: Row, low: mpq, high: mpq) -> Row:
-    if high < 1:
-        row = _split(row, arb(to_fmpq(high)))[0]
-    return _split(row, arb(to_fmpq(low / high)))[1] if low > 0 else row
 
 
 def _steps(row: Row) -> Row:

@@ -13,7 +13,7 @@ from bisect import bisect_right
 from collections.abc import Iterator
 from dataclasses import dataclass
 from enum import Enum, auto
-from functools import lru_cache, reduce
+from functools import reduce
 from itertools import product
 from math import comb, factorial, perm, prod
 from typing import Any, cast
@@ -23,7 +23,7 @@ from flint import arb, arb_mat, ctx
 from exactspline.errors import ShapeError
 from exactspline.formulas.surfaces.by_forms import line_uu_of_forms, line_uv_of_forms
 from exactspline.formulas.surfaces.lifted import area_squared_lifted, lifted_forms
-from exactspline.geometry.rounded.forms import INSERT, PRECISION, SMALLER, Settled, basis_ordinates, dot
+from exactspline.geometry.rounded.forms import INSERT, PRECISION, SMALLER, Settled, basis_ordinates, cutting, dot
 from exactspline.numbers.exact import Number, mpq, to_fmpq
 from exactspline.numbers.intervals import Box, Interval, ball_around, ball_ends
 from exactspline.one_line import OneLine
@@ -297,22 +297,10 @@ def _series(nets: dict[tuple[int, int], arb_mat], box: Box, terms: int) -> _Ball
     found = {}
     for (i, j), net in nets.items():
         if i + j < terms:
-            left, right = _cutting(net.nrows() - 1, box.first), _cutting(net.ncols() - 1, box.second)
+            left, right = cutting(net.nrows() - 1, box.first), cutting(net.ncols() - 1, box.second)
             values: list[arb] = (left * net * right.transpose()).entries()
             found[i, j] = reduce(arb.union, values) / (factorial(i) * factorial(j))
     return _Balls(cast(Any, found), terms)
-
-
-@lru_cache(256)
-def _cutting(n: int, side: Interval) -> arb_mat:
-    """The matrix that gives the ordinates on an interval: products of the two weights of each of its ends."""
-    (low, high), rows = side, []
-    for i in range(n + 1):
-        row = [mpq(1)]
-        for t in (*[low] * (n - i), *[high] * i):
-            row = [(1 - t) * x + t * y for x, y in zip([*row, mpq(0)], [mpq(0), *row], strict=True)]
-        rows.append([arb(to_fmpq(x)) for x in row])
-    return arb_mat(rows)
 
 
 def _point(box: Box) -> Box:
