@@ -71,18 +71,18 @@ QUESTIONS: dict[str, Asked] = {
             "second", "the second derivative there", "the square of degree / (shortest segment) times u", Judged.VECTOR
         ),
         Asked(
-            "tangent", "the unit tangent there", "the error that follows from the one allowed for γ′", Judged.QUOTIENT
+            "tangent", "the unit tangent there", "the error that follows from the allowed error of γ′", Judged.QUOTIENT
         ),
         Asked(
             "curvature",
             "the absolute curvature there",
-            "the error that follows from those allowed for γ′ and γ″",
+            "the error that follows from the allowed errors of γ′ and γ″",
             Judged.QUOTIENT,
         ),
         Asked(
             "torsion",
             "the torsion there",
-            "the error that follows from those allowed for γ′, γ″ and γ‴",
+            "the error that follows from the allowed errors of γ′, γ″ and γ‴",
             Judged.QUOTIENT,
         ),
         Asked("insert", "the control points with a knot there", "2u", Judged.CONTROL_POINTS),

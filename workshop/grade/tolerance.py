@@ -29,8 +29,8 @@ DOCUMENTED = {
         "be invented where they are at most δ apart"
     ),
     "fontTools": (
-        "the examples of `solveCubic` show threefold roots: it takes the real roots of s³ − 3Qs + 2R for 0 if R² and "
-        "|Q|³ are below 10⁻¹⁰. The `precision` of 10⁻³ in `curveCurveIntersections` is an area: the points of a pair "
+        "`solveCubic` takes the real roots of s³ − 3Qs + 2R for 0 if R² and |Q|³ are below 10⁻¹⁰, as its examples with "
+        "threefold roots show. The `precision` of 10⁻³ in `curveCurveIntersections` is an area: the points of a pair "
         "are at most its square root apart"
     ),
     "bezier-js": "the points of a pair are at most the threshold of `intersects` apart, here 10⁻⁵",
