@@ -77,7 +77,7 @@ def written(value: object) -> str:
 
 
 def counted(n: int, what: str) -> str:
-    """A number with what it counts.
+    """A number with the noun that it counts, such as `2 errors`.
 
     >>> counted(1, "error"), counted(2, "error"), counted(3, "stretch"), counted(0, "entry")
     ('1 error', '2 errors', '3 stretches', '0 entries')

@@ -118,7 +118,7 @@ def _answered(front: ModuleType, name: str, about: object, *arguments: object) -
 
 
 def _calls(name: str) -> list[str]:
-    """The calls for which a name is another name."""
+    """The calls that have this name as an alternative name."""
     return [call for call, guesses in first_guesses().items() if name in guesses and not call.isalpha()]
 
 

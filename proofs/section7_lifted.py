@@ -64,7 +64,9 @@ def test_covariants():
 
 
 def test_a_wronskian_of_functions_of_degree_d_is_a_covariant():
-    """W(f₁, …, fₙ) has k = n, weight n(n − 1)/2, height 0: order n(d − n + 1)."""
+    """The Wronskian of n functions of degree d is a covariant with k = n, weight n(n − 1)/2 and height 0, so that its
+    order is n(d − n + 1).
+    """
     for n in (2, 3, 4):
         c = JetReading(n - 1).argument(CURVE, n, polynomial=True)
         from exactspline.language import wronskian

@@ -163,7 +163,7 @@ class CommonZero:
         return self.sides.part(self.refine(int(self.sides.longest * mpq(10) ** digits).bit_length()))
 
     def is_zero_of(self, form: PatchForm) -> bool:
-        """Whether a form also vanishes here, decided exactly. Raises `ReachError` where this would take too long."""
+        """Whether a form also vanishes here, decided exactly. Raises `ReachError` if this would take too long."""
         if any(rounded(form, self.refine(bits)).sign in (1, -1) for bits in TRIED):
             return False
         if self.isolated is not None and self.isolated.exact is not None:
@@ -175,8 +175,8 @@ class CommonZero:
         return next((sign for bits in (*TRIED, BITS) if (sign := rounded(form, self.refine(bits)).sign)), 0)
 
     def is_in_region_of(self, other: CommonZero) -> bool:
-        """Whether this zero is the other one, provided that it is a zero of the two forms of which the other is an
-        isolated zero. False is a proof for any two points.
+        """Whether this point is the given zero, provided that this point is a zero of the two forms that isolate the
+        given zero. False is a proof for any two points.
         """
         bits = 16
         while other.isolated is not None and (box := self.refine(bits)).meets(other.refine(bits)):
@@ -239,7 +239,7 @@ def common_zeros(polynomials: Sequence[fmpz_mpoly], sides: Box, also: Sequence[f
     """All common zeros on a closed rectangle of polynomials without a common factor, in order. Zeros at which one of
     the polynomials `also` is certainly not zero are omitted.
 
-    Raises `ReachError` where this would take too long.
+    Raises `ReachError` if this would take too long.
 
     >>> (zero,) = common_zeros([2 * S * S - 1, (S - T) ** 2], UNIT)
     >>> zero.s == zero.t, zero.s.minimal_polynomial()
@@ -344,7 +344,7 @@ class _Search:
         return True
 
     def _vanish_at(self, zero: CommonZero) -> bool:
-        """Whether all forms vanish at a zero of two of them; raises `ReachError` where this would take too long."""
+        """Whether all forms vanish at a zero of two of them; raises `ReachError` if this would take too long."""
         isolated = zero.isolated
         assert isolated is not None
         others = [k for k in range(len(self.forms)) if k not in isolated.at]
@@ -399,7 +399,7 @@ class _Search:
 
 def multiplicity(zero: CommonZero, f: fmpz_mpoly, g: fmpz_mpoly) -> int:
     """The intersection multiplicity of two polynomials without a common factor at one of their zeros: as a zero of the
-    resultant in ``t + λ s``, for a λ for which no other zero has the same value.
+    resultant in ``t + λ s``, for a λ such that no other zero has the same value.
 
     >>> f, g = S * S - T**3, S - T * T
     >>> [multiplicity(zero, f, g) for zero in common_zeros([f, g], UNIT)]
@@ -410,9 +410,9 @@ def multiplicity(zero: CommonZero, f: fmpz_mpoly, g: fmpz_mpoly) -> int:
 
 
 class Projection(NamedTuple):
-    """A common zero of two polynomials as a root of their resultant in ``z = t + slope s``: the irreducible factor of
-    which z is a root, and its multiplicity; s as a polynomial in z over the field of z; and the power of ``s − s(z)``
-    that is the greatest common divisor there.
+    """A common zero of two polynomials as a root of their resultant in ``z = t + slope s``: the irreducible factor with
+    the root z, and its multiplicity; s as a polynomial in z over the field of z; and the power of ``s − s(z)`` that is
+    the greatest common divisor there.
     """
 
     slope: int
@@ -430,7 +430,7 @@ def projected(zero: CommonZero, f: fmpz_mpoly, g: fmpz_mpoly) -> Projection:
     >>> projected(common_zeros([f, g], UNIT)[0], f, g)
     Projection(slope=1, minimal=x^2 + (-2), multiplicity=2, s=1/2*x, power=1)
 
-    Raises `ReachError` where that would take too long.
+    Raises `ReachError` if this would take too long.
     """
     slope = 0
     while True:

@@ -53,7 +53,7 @@ def _monotone_arcs(p: fmpz_mpoly) -> tuple[list[MonotoneArc], list[CommonZero]]:
     >>> _monotone_arcs((2 * S - 1) ** 2 + (3 * T - 1) ** 2)
     ([], [<common zero near 0.500000 and 0.333333>])
 
-    Raises `ReachError` where this would take too long.
+    Raises `ReachError` if this would take too long.
     """
     for k in (0, 1):
         if p.degrees()[1 - k] == 0:
@@ -152,7 +152,7 @@ class Quotient:
         return as_form(self.above(bound))
 
     def value(self, s: Parameter, t: Parameter) -> Real:
-        """The value at parameters of which one is rational."""
+        """The value at two parameters, one of which is rational."""
         k, known, other = (0, s, t) if not isinstance(s, Root) else (1, t, s)
         assert not isinstance(known, Root)
         if (k, known) not in self._lines:

@@ -36,8 +36,8 @@ class Sign(StrEnum):
 
 @dataclass(frozen=True, repr=False)
 class Signs(OneLine):
-    """The sign of a form, points of the unit square at which it is positive and negative (at least one of them for a
-    nonzero form), and the zeros found.
+    """The sign of a form, a point of the unit square at which it is positive and one at which it is negative (at least
+    one of the two exists for a nonzero form), and the zeros found.
     """
 
     sign: Sign

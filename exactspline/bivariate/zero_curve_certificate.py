@@ -244,9 +244,9 @@ def _denominator(p: OverRoot) -> int:
 
 
 def _part_at(p: OverRoot, cell: Cell, lines: fmpz_mpoly) -> tuple[OverRoot, int]:
-    """The monic polynomial whose zeros have the same multiplicity as the point of a cell, which is the only one of them
-    on the second side of the cell; and this multiplicity. If one of the lines runs through the point, only zeros on
-    lines are included.
+    """The multiplicity of the point of a cell, and the monic polynomial whose zeros are the zeros of this multiplicity;
+    the point is the only one of these on the second side of the cell. If one of the lines runs through the point, only
+    zeros on lines are included.
     """
     on_line = OverRoot.of(lines, p.modulus) if vanish_at([lines], *cell.zero.local) else OverRoot([], p.modulus)
     common, power = p.gcd(p.derivative), 1

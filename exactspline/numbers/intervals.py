@@ -75,7 +75,7 @@ class Interval(NamedTuple):
         return self.low <= other.low and other.high <= self.high
 
     def meets(self, other: Interval) -> bool:
-        """Whether both have a number in common."""
+        """Whether the two intervals have a number in common."""
         return self.low <= other.high and other.low <= self.high
 
     def __str__(self) -> str:
@@ -139,15 +139,15 @@ class Box(NamedTuple):
         return self.first.contains(other.first) and self.second.contains(other.second)
 
     def meets(self, other: Box) -> bool:
-        """Whether both have a point in common."""
+        """Whether the two boxes have a point in common."""
         return self.first.meets(other.first) and self.second.meets(other.second)
 
     def overlaps(self, other: Box) -> bool:
-        """Whether both have inner points in common."""
+        """Whether the two boxes have inner points in common."""
         return all(a < d and c < b for (a, b), (c, d) in zip(self, other, strict=True))
 
     def is_inside(self, outer: Box) -> bool:
-        """Whether it is contained in the interior of another box."""
+        """Whether the box is contained in the interior of another box."""
         return all(low < a and b < high for (a, b), (low, high) in zip(self, outer, strict=True))
 
     @property

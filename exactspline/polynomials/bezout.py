@@ -163,7 +163,7 @@ def substitute(matrix: Matrix, degree: int, u: fmpz_poly, v: fmpz_poly) -> Matri
 
 
 def determinant(matrix: Matrix, degree: int) -> fmpz_poly:
-    """The determinant of a square matrix of forms of one degree.
+    """The determinant of a square matrix of forms of the same degree.
 
     Raises `ReachError` if it would take too long.
 

@@ -114,7 +114,7 @@ class Priced(Generic[V]):
 
 
 def at_its_cost(function: Callable[P, V]) -> Callable[P, V]:
-    """`functools.cache`, where every question that uses a value pays its cost."""
+    """A cache like `functools.cache`, in which every question that uses a value pays its cost."""
     known: Callable[..., Priced[V]] = cache(lambda *given, **named: Priced(partial(function, *given, **named)))
 
     @wraps(function)

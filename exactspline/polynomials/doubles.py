@@ -6,8 +6,8 @@ coefficient is larger than its error bound; Descartes' rule is applied with the 
 certain signs allow. Rows for which this never yields 0 or 1 are decided by exact arithmetic. Derivation:
 docs/certified-filter.md.
 
-Integer forms have no rational zero where their residues, evaluated in one operation, vanish at no point of a projective
-line over a small prime field.
+An integer form has no rational zero if its residues modulo a small prime vanish at no point of the projective line over
+the prime field; this is evaluated for many forms in one operation.
 
 This module is the only one of `polynomials` that loads numpy.
 """

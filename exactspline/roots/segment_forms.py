@@ -36,7 +36,7 @@ SegmentRows = tuple[int, list[Sequence[int]]]
 
 
 def segment_forms(curve: Nurbs, i: int) -> SegmentForms:
-    """The degree of a segment, and the integers of the forms of its homogeneous coordinates over one denominator.
+    """The degree of a segment, and the integers of the forms of its homogeneous coordinates over a common denominator.
 
     >>> segment_forms(Nurbs(1, [0, 0, 1, 1], [(0, "1/2"), (1, 2)]).elevate_degree(), 0)
     (1, [2*x, 4*x + 1, 2*x + 2])
@@ -53,7 +53,7 @@ def forms_of(segment: SegmentRows) -> SegmentForms:
 
 
 def segment_rows(curve: Nurbs, i: int) -> SegmentRows:
-    """The degree of a segment as given, and the integers of its homogeneous coordinates over one denominator.
+    """The degree of a segment as given, and the integers of its homogeneous coordinates over a common denominator.
 
     >>> segment_rows(Nurbs(1, [0, 0, 1, 1], [(0, "1/2"), (1, 2)]).elevate_degree(), 0)
     (2, [(0, 2, 2), (1, 5, 4), [2, 4, 2]])

@@ -1,4 +1,6 @@
-"""From control points to Bézier points of a span, and back; the forms of all components of a curve together."""
+"""The conversion of control points to Bézier points of a span, and back; the forms of all components of a curve
+together.
+"""
 
 from __future__ import annotations
 
@@ -26,8 +28,8 @@ def forms_of(t: Sequence[mpq], n: int, d: Sequence[mpq], spans: Sequence[int]) -
     """The forms over the spans [t_j, t_{j+1}] of the spline of degree n with knots t and control points d.
 
     Knots are inserted until each has multiplicity n, from left to right: the points that remain beyond the right end of
-    one span are those with which the next span begins. The numbers of a span are integers over one denominator, and
-    their common factor is divided out once per span.
+    one span are those with which the next span begins. The numbers of a span are integers over a common denominator,
+    and their common factor is divided out once per span.
     """
     knots, control_points = list(map(to_fmpq, t)), list(map(to_fmpq, d))
     row = _over_one(_at_left_end(knots, n, control_points, spans[0]))

@@ -1,4 +1,4 @@
-"""Points and derivatives of a curve at parameters: integer polynomials in the parameter, by Horner's rule over one
+"""Points and derivatives of a curve at parameters: integer polynomials in the parameter, by Horner's rule over a common
 denominator. Only the segments that contain the parameters are processed.
 """
 

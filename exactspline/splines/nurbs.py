@@ -358,7 +358,7 @@ class Nurbs(Immutable, Curve[BSpline], FunctionsOutside):
 
     @cached_property
     def rows(self) -> tuple[CommonRows, ...]:
-        """The integers of the forms of its components on every segment, over one denominator.
+        """The integers of the forms of the components on every segment, over a common denominator.
 
         >>> Nurbs(1, [0, 0, 1, 1], [(0, 0), (4, "1/2")]).rows
         ((((0, 8), (0, 1)), 2),)
@@ -536,7 +536,7 @@ def as_dimension(found: int, needed: int, what: str) -> None:
 
 
 def derivative_splines(curve: Nurbs, order: int) -> tuple[list[BSpline], BSpline]:
-    """The derivative of some order as a quotient of splines.
+    """The derivative of the given order as a quotient of splines.
 
     >>> derivative_splines(Nurbs.bezier([(0, 0), (1, 2)]), 1)[0][1].control_points
     (mpq(2,1),)

@@ -68,8 +68,8 @@ class Asked(OneLine):
 def ask(about: About, question: str) -> object:
     """The exact answer to a question, given as text, of a curve, of a surface, of two curves, or of two surfaces.
 
-    The questions are those of ``exactspline list questions``. The same answers are attributes and methods of what
-    `analyse` returns.
+    The questions are those of ``exactspline list questions``. The same answers are attributes and methods of the object
+    returned by `analyse`.
 
     >>> from exactspline import example
     >>> circle = example("circle")

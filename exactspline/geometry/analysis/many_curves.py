@@ -2,9 +2,9 @@
 doubles, and of curves of any degrees and numbers of segments.
 
 For Bézier curves the forms are computed in doubles with proved bounds (`exactspline.programs.doubles`), their zeros are
-isolated where that is certified (`exactspline.polynomials.doubles`). Every answer equals that of `exactspline.analyse`
-for the curve with exactly these doubles as data. All other curves, and Bézier curves with equal ends, are passed to
-`analyse` one by one. This module loads numpy.
+isolated where doubles certify them (`exactspline.polynomials.doubles`). Every answer equals that of
+`exactspline.analyse` for the curve with exactly these doubles as data. All other curves, and Bézier curves with equal
+ends, are passed to `analyse` one by one. This module loads numpy.
 """
 
 from __future__ import annotations
@@ -84,9 +84,9 @@ def _restored(
 
 
 def features_of_curves(curves: Iterable[Nurbs] | ArrayLike, weights: ArrayLike | None = None) -> ManyFeatures:
-    """Inflections and curvature extrema of plane curves, of any degrees, polynomial or rational; of Bézier curves of
-    one degree also given as arrays of doubles: points of the shape (curves, degree + 1, 2), `weights` of the shape
-    (curves, degree + 1).
+    """Inflections and curvature extrema of plane curves, of any degrees, polynomial or rational. Bézier curves of the
+    same degree may also be given as arrays of doubles: points of the shape (curves, degree + 1, 2), `weights` of the
+    shape (curves, degree + 1).
 
     A curve is refused if it is not in the plane, if a number is not finite or not a double, or if its denominator has a
     zero; the other curves are computed.
@@ -114,7 +114,9 @@ def features_of_curves(curves: Iterable[Nurbs] | ArrayLike, weights: ArrayLike |
 
 
 def curve_features_in_parts(curves: Iterable[Nurbs], *, at_once: int = AT_ONCE) -> Iterator[ManyFeatures]:
-    """The same as `features_of_curves`, for this many curves at a time, so that partial results are available."""
+    """The features of curves as from `features_of_curves`, for this many curves at a time, so that partial results are
+    available.
+    """
     source, start = iter(as_items(curves, "curves")), 0
     while some := list(islice(source, at_once)):
         yield _of_curves(some, start)
@@ -169,7 +171,7 @@ def _concatenated(parts: list[ManyFeatures]) -> ManyFeatures:
 def features_in_parts(
     points: ArrayLike, weights: ArrayLike | None = None, *, at_once: int = AT_ONCE
 ) -> Iterator[ManyFeatures]:
-    """The same as `features_of_curves` of arrays, for a part of the curves at a time."""
+    """The features of Bézier curves in arrays as from `features_of_curves`, for a part of the curves at a time."""
     p, w, wrong = _checked(points, weights)
     for start in range(0, max(len(p), 1), at_once):
         some = slice(start, start + at_once)

@@ -118,7 +118,7 @@ class PairEquation(OneLine):
 
 @dataclass(frozen=True, repr=False)
 class LinePiece(OneLine):
-    """Lines as a ruled surface over [low, high] of one parameter: ``of`` is 0 when that is s, 1 when it is t.
+    """Lines as a ruled surface over [low, high] of one parameter: ``of`` is 0 if this parameter is s, 1 if it is t.
 
     The other parameter is a constant, a quotient of splines, or None where it is arbitrary. Directrix and generator are
     splines over the whole segment.
@@ -283,7 +283,7 @@ class SinglePair(OneLine):
 
     @property
     def place(self) -> tuple[Parameter, Parameter]:
-        """Both parameters."""
+        """The two parameters of the pair."""
         return self.s, self.t
 
     @property

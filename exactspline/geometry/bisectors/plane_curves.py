@@ -368,7 +368,7 @@ class PlaneBisector(Bisector):
         return values | parameters
 
     def _vanishes(self, s: mpq | Real, t: mpq | Real) -> bool:
-        """Whether the function vanishes at a pair of which one number is rational."""
+        """Whether the function vanishes at a pair with one rational parameter."""
         if not isinstance(t, Real):
             return sign_at(self.function.at_t(t), s) == 0
         assert not isinstance(s, Real)

@@ -78,7 +78,7 @@ WITHOUT_FIRST = Conditions.SECOND | Conditions.MIDDLE
 
 
 def _standing(system: System) -> SpecialPairs:
-    """The exceptional pairs of two segments of which at least one is a point."""
+    """The exceptional pairs of two segments, at least one of which is a point."""
     first, second = system.first, system.second
     if not first.stands_still:
         return _standing(system.transposed()).transposed()
@@ -235,7 +235,7 @@ def branches(g: fmpz_mpoly, sides: Box) -> list[Branch]:
 
 def _nodes(g: fmpz_mpoly, sides: Box) -> list[Place]:
     """The singular pairs of an irreducible equation that need not be limits of branches (where the Hessian is negative,
-    two branches cross). Raises `ReachError` where this would take too long.
+    two branches cross). Raises `ReachError` if this would take too long.
 
     >>> from exactspline.polynomials.two_parameters import S, T
     >>> side = Interval(mpq(-1, 2), mpq(1, 2))
@@ -321,8 +321,8 @@ def _single(system: System, factors: list[fmpz_mpoly]) -> SpecialPairs:
 
 
 def _everywhere(system: System) -> SpecialPairs:
-    """Every pair is singular: for two arcs of one circle the planes share its axis, for parts of one line they share
-    nothing.
+    """Every pair is singular: for two arcs of the same circle the three planes share its axis, for two parts of the
+    same line they have no common point.
     """
     (a, b), side = system.sides
     surface = lines_along(system, Path(constant(mpq((2 * a + b) / 3)), (PARAMETER, ONE)), side)

@@ -63,7 +63,8 @@ ASKED_FIRST = 24
 
 @dataclass(frozen=True)
 class _Family:
-    """The condition of one segment of the curve on B(s): a form in u for every s, packed, and its rows by powers of u.
+    """The condition that one segment of the curve puts on B(s): a form in u for every s. It is stored as a packed
+    polynomial, and by rows for the powers of u.
 
     On the segment with the foot of B every member is a square times `rest`.
     """

@@ -118,7 +118,7 @@ class ZeroForm(OneLine):
         return roots[first : first + count]
 
     def vanishes_on(self, breaks: Sequence[mpq]) -> list[bool]:
-        """For each interval between breakpoints that refine those of the form, whether it vanishes
+        """For each interval between breakpoints, which must include those of the form, whether the form vanishes
         identically there.
         """
         mesh, isolations = self.form.mesh, self.zeros.isolations
@@ -298,7 +298,7 @@ class Facts(Remembers):
         """How the curve continues at every knot inside its domain and at the seam of a closed curve: kind, order of
         geometric continuity, the angle of a corner, the width of a gap, the curvatures of both sides where they differ.
 
-        In the order of the parameter, the seam first.
+        The joints are in the order of the parameter, the seam first.
 
         >>> from exactspline import analyse, example
         >>> [(joint.parameter, joint.order) for joint in analyse(example("straight_between_arcs")).joints]
@@ -505,7 +505,7 @@ class Facts(Remembers):
         return self._pieces(holds, [joined(i) for i in range(len(holds))])
 
     def straight_runs(self, straight: Set[int]) -> tuple[CurvePiece, ...]:
-        """The straight pieces of a curve of which these segments are straight, γ′ ≠ 0 on them."""
+        """The straight pieces of the curve, given its straight segments, on which γ′ ≠ 0."""
         holds = [i in straight for i in range(len(self.breaks) - 1)]
 
         def joined(i: int) -> bool:

@@ -145,7 +145,7 @@ def _inner(a: Sequence[N], b: Sequence[N]) -> N:
 
 
 def limit_direction(v: Vector[BSpline], t: mpq, side: Side | str) -> Point:
-    """The limit direction of a vector at a parameter from one side; zeros where it vanishes on that whole side.
+    """The limit direction of a vector at a parameter from one side; zeros if the vector vanishes on that whole side.
 
     >>> s = BSpline.identity(-1, 1)
     >>> limit_direction(Vector(s, s * s), mpq(0), "left")
@@ -249,7 +249,7 @@ def bend_of(jet: Jet) -> Point:
 
 
 def turned(left: Point, right: Point) -> Angle | None:
-    """The angle between two directions, None where there is none or one of them is zero."""
+    """The angle between two directions; None if they agree or one of them is zero."""
     if not any(left) or not any(right) or same_direction(left, right):
         return None
     return Angle(left, right)

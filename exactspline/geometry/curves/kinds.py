@@ -63,7 +63,7 @@ def kind_name(kind: FeatureKind) -> str:
 
 
 class JointKind(StrEnum):
-    """The kinds of joints at a knot, from the worst to the smoothest."""
+    """The kinds of joints at a knot, from the least smooth to the smoothest."""
 
     #: The two sides end in different points.
     GAP = "gap"

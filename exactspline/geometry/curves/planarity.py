@@ -72,8 +72,8 @@ class Plane(OneLine):
 
 
 def plane_of(curve: Nurbs) -> Plane | None:
-    """The plane in which a space curve lies, None when there is none; for a straight curve a coordinate plane, or a
-    plane parallel to one, if it contains the curve, otherwise None.
+    """The plane of a space curve, None if there is no such plane; for a straight curve a coordinate plane, or a plane
+    parallel to one, if it contains the curve, otherwise None.
 
     >>> from exactspline.interchange.examples import example
     >>> print(plane_of(example("planar_in_space"))), plane_of(example("twisted_cubic"))
@@ -179,7 +179,7 @@ def _rows(curve: Nurbs) -> list[Rows]:
 
 
 def _whole(n: int, forms: Sequence[Form]) -> Rows:
-    """The coefficients of forms of degree n side by side, over one denominator."""
+    """The coefficients of forms of degree n side by side, over a common denominator."""
     polynomials, _ = over_common_denominator(forms)
     return [tuple([c[i] for c in polynomials]) for i in range(n + 1)]
 

@@ -78,7 +78,7 @@ def between_poles(derived: Derived) -> BetweenPoles:
     >>> [round(float(pole), 3) for pole in own.poles], len(own.pieces)
     ([0.5], 2)
 
-    Raises `ShapeError` for what is not a plane curve.
+    Raises `ShapeError` for anything that is not a plane curve.
     """
     poles: list[Root] = []
     around: list[Interval] = []

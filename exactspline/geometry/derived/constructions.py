@@ -30,7 +30,7 @@ Values = Callable[[Formula], SplineValue]
 
 
 class Variant(Word):
-    """How a construction is computed."""
+    """The method by which a construction is computed."""
 
     #: As the algorithm computes it.
     NAIVE = "naive"
@@ -194,7 +194,7 @@ def construction(name: str) -> Construction:
     >>> [f"{variant}: {formula}" for variant, formula in construction("evolute").variants.items()]
     ['naive: evolute', 'paper: evolute_reduced', 'lifted: evolute_lifted']
 
-    Raises `FormulaError` naming those that exist.
+    Raises `FormulaError` with the names of all constructions if there is none with this name.
     """
     if as_text(name, "the name of a construction") not in all_constructions():
         problem = f"there is no construction called {name!r}"

@@ -267,7 +267,9 @@ def _exists(value: Any) -> list[bool]:
 
 
 def _why_missing(made: Construction | None, curve: Nurbs, i: int) -> Absence:
-    """Why a construction does not exist on a segment: what vanishes identically there on the curve itself."""
+    """The reason why a construction does not exist on a segment: a quantity of the curve itself that vanishes
+    identically there.
+    """
     if made is not None and curve.dimension in (2, 3):
         here = part(curve, *curve.breakpoints[i : i + 2])
         bend, in_space = (inflections_lifted, False) if curve.dimension == 2 else (binormal_lifted, True)

@@ -33,8 +33,8 @@ V = TypeVar("V", bound=Vector[Any] | Operand)
 
 @dataclass(frozen=True, repr=False)
 class RulingRelation(OneLine):
-    """How the ruling parameters ζ and λ of one surface, written in two ways, are related:
-    ``ζ = shift(s) + scale(s) λ``, both in lowest terms.
+    """The relation between the ruling parameters ζ and λ of two forms of the same surface: ``ζ = shift(s) + scale(s)
+    λ``, with shift and scale in lowest terms.
     """
 
     shift: Rational[BSpline]
@@ -94,7 +94,7 @@ def as_tensor_product(surface: SplineSurface, a: Number, b: Number) -> Vector[Te
     >>> tuple(patch.denominator.degree), patch("1/2", "3/2") == point_at(tangents, "1/2", "3/2")
     ((5, 1), True)
 
-    Raises `DomainError` unless a < b, `ShapeError` for what is not a ruled surface.
+    Raises `DomainError` unless a < b, `ShapeError` for anything that is not a ruled surface.
     """
     _check_is_ruled(surface)
     low, high = rational(a), rational(b)
@@ -122,7 +122,7 @@ def is_developable(surface: SplineSurface) -> bool:
     >>> [is_developable(ruled_surface(name, curve)) for name in ("rectifying_developable", "binormal_scroll")]
     [True, False]
 
-    Raises `ShapeError` for what is not a ruled surface, and where the generator vanishes on a whole segment.
+    Raises `ShapeError` for anything that is not a ruled surface, and where the generator vanishes on a whole segment.
     """
     _check_is_ruled(surface)
     _check_generator(surface)

@@ -293,8 +293,8 @@ Root: TypeAlias = Callable[[acb, bool], acb]
 
 
 def _rooted(squared: fmpq_poly, budget: Budget) -> Root:
-    """The faster of two functions: ``√squared`` as a constant times roots of factors (z − a)² + b², each of which FLINT
-    encloses narrowly.
+    """The faster of two functions: ``√squared`` as a constant times square roots of factors (z − a)² + b², each of
+    which FLINT encloses narrowly.
     """
     integers = squared.numer()
     # measured, of Bézier curves: 80 to 400 nanoseconds for the cube of the degree, and more for long integers

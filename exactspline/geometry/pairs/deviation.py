@@ -9,7 +9,8 @@ maps tried are constant maps and those that send the ends of the piece to their 
 halved, those with the farthest ends first. Pieces along which the curves coincide are known from the arcs in common.
 
 If the largest distance is exactly D, the decision uses the parameters at which the number of points of a segment at the
-distance D may change: between two neighbouring ones, either every point is within the distance or no point is.
+distance D may change: between two neighbouring such parameters, either every point is within the distance or no point
+is.
 """
 
 from __future__ import annotations
@@ -84,8 +85,8 @@ def foot_of(curve: Nurbs, point: tuple[mpq, ...], at: mpq) -> Foot:
 
 class OneWay:
     """The distances of the points of a curve from another curve, and the pieces not yet shown to have squared distances
-    of at most the `bound`. Without a bound, it is the square of a distance a hundredth larger than the largest distance
-    found.
+    of at most the `bound`. By default the bound is the square of a distance a hundredth larger than the largest
+    distance found.
     """
 
     def __init__(self, curve: Nurbs, other: Nurbs, bound: mpq | None = None) -> None:

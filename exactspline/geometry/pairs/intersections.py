@@ -264,11 +264,11 @@ class _Found(NamedTuple):
     multiplicity: int | None
 
     def exchanged(self) -> _Found:
-        """The same with the curves exchanged."""
+        """The common point for the exchanged curves."""
         return _Found(self.segments[::-1], self.parameters[::-1], self.knots[::-1], self.multiplicity)
 
     def is_at(self, other: _Found) -> bool:
-        """Whether both are the same pair of parameters."""
+        """Whether two common points are the same pair of parameters."""
         return all(
             (a is not None and a == b) or x == y
             for a, b, x, y in zip(self.knots, other.knots, self.parameters, other.parameters, strict=True)

@@ -115,7 +115,7 @@ def _height(curve: PlaneForms, ray: Ray, terms: int) -> list[fmpq] | None:
     """The distance to the left of a ray as a power series in the distance along the ray, at the start of a segment;
     None at a cusp.
 
-    Two segments of degrees m and n that agree in more than mn terms are arcs of one curve, by Bézout's theorem.
+    Two segments of degrees m and n that agree in more than mn terms are arcs of the same curve, by Bézout's theorem.
     """
     x, y, w = curve.coefficient(0)
     across, up = curve.x * w - curve.w * x, curve.y * w - curve.w * y

@@ -29,7 +29,7 @@ NAUGHT = fmpz_poly([])
 
 
 class SpaceForms(NamedTuple):
-    """A space curve on one segment: the integers of the four forms ``x, y, z, w`` of one degree."""
+    """A space curve on one segment: the integers of the four forms ``x, y, z, w``, which have the same degree."""
 
     degree: int
     x: fmpz_poly
@@ -56,7 +56,7 @@ def space_meetings(first: SpaceForms, second: SpaceForms) -> Meetings:
     >>> [len(space_meetings(axis, SpaceForms(1, NAUGHT, x, z, one)).points) for z in (NAUGHT, one)]
     [1, 0]
 
-    Raises `ReachError` where this would take too long.
+    Raises `ReachError` if this would take too long.
     """
     projections = []
     for shear in SHEARS:

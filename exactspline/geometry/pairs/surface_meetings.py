@@ -89,7 +89,7 @@ def _from(surface: NurbsSurface, point: Iterable[Number]) -> list[TensorSpline]:
 
 
 def bounding_box(surface: NurbsSurface) -> tuple[NamedNumbers, ...]:
-    """The smallest and the largest value of every coordinate. Raises `ReachError` where this would take too long.
+    """The smallest and the largest value of every coordinate. Raises `ReachError` if this would take too long.
 
     >>> from exactspline import example
     >>> bounding_box(example("torus"))[2].values

@@ -351,7 +351,7 @@ def _square_root(k: Sequence[mpq]) -> tuple[mpq, mpq]:
 
 
 def _parabola(k: Sequence[mpq], points: Sequence[Point]) -> list[mpq] | None:
-    """The coefficients of a parabola ``(u·x)² + d·x + f`` near points, from those of a conic, by Gauss's and Newton's
+    """The coefficients of a parabola ``(u·x)² + d·x + f`` near points, from those of a conic, by the Gauss-Newton
     method for the direction of u.
     """
     a, b, c = k[:3]

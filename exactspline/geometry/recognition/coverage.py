@@ -232,7 +232,7 @@ class _Covering:
     # ---- their signs
 
     def _of_all(self, forms: Sequence[TensorSpline]) -> int:
-        """The sign that all forms have inside of all patches, 0 where they have none."""
+        """The common sign of all forms inside all patches; 0 if there is none."""
         found = set[int]()
         for form, patch in product(forms, self.forms.patches):
             own = self._inside(form, patch)

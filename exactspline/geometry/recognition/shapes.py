@@ -91,7 +91,7 @@ class ShapeKind(Word):
 
 
 class Shape(OneLine, ABC):
-    """A curve or a surface of a simple kind."""
+    """A curve or a surface of one of the simple kinds in `ShapeKind`."""
 
     kind: ShapeKind
 
@@ -395,7 +395,7 @@ class Conic(CurveShape):
 
     @property
     def closes(self) -> bool:  # type: ignore[override]  # likewise
-        """Whether it is an ellipse."""
+        """Whether the conic is an ellipse."""
         return self.kind is ShapeKind.ELLIPSE
 
     @cached_property

@@ -76,7 +76,7 @@ class _Part:
 
 def features_nearby(curve: Nurbs, epsilon: Number) -> tuple[NearbyFeature, ...]:
     """Inflections (in space: zeros of the torsion), extrema of the curvature, corners and singular points of all curves
-    near a given curve, and those that only some of them may have. Near are all curves whose coordinates and, for a
+    near a given curve, and those that only some of them may have. A curve is near if its coordinates and, for a
     rational curve, weights differ by at most epsilon (a number, or ``written``: see `exactspline.splines.precision`).
 
     `inflection` means any zero of κ, also a zero at which the sign of κ is kept or the domain ends; the same holds for
@@ -102,7 +102,7 @@ def features_nearby(curve: Nurbs, epsilon: Number) -> tuple[NearbyFeature, ...]:
 
 def singular_points_nearby(curve: Nurbs, epsilon: Number) -> tuple[NearbyFeature, ...]:
     """The intervals, in order, in which curves near this one may have singular points, such as cusps; elsewhere none of
-    them has a singular point. Near are all curves whose coordinates and, for a rational curve, weights differ from the
+    them has a singular point. A curve is near if its coordinates and, for a rational curve, weights differ from the
     given ones by at most epsilon.
 
     >>> from exactspline import Nurbs, example
@@ -186,7 +186,9 @@ class _Features(CurvesNear):
         return [[x / row[-1] for x in row[:-1]] for row in rows]
 
     def _reversals(self) -> Iterator[mpq]:
-        """Where κN may be reversed by a jump in some curves: knots, and the seam, at which κ may jump."""
+        """The parameters at which κN may be reversed by a jump in some curves: knots, and the seam, at which κ may
+        jump.
+        """
         joints = [(i, i + 1, t) for i, t in self._knots(self.curve.degree - 1)]
         if self._may_close:
             joints.append((self.curve.segments - 1, 0, self.curve.domain[0]))
@@ -205,7 +207,7 @@ class _Features(CurvesNear):
         return [(i, t) for i, t in enumerate(self.curve.breakpoints[1:-1]) if times[t] >= least]
 
     def _parts(self, which: int) -> list[_Part]:
-        """The parts of the domain with one sign each, neighbours with the same sign joined."""
+        """The parts of the domain, on each of which the sign is constant; neighbours with the same sign are joined."""
         mesh = pairwise(self.curve.breakpoints)
         found = [part for i, ends in enumerate(mesh) for part in _apart(_signs(self.form(which, i), Interval(*ends)))]
         return [_joined(group) for _, group in groupby(found, key=lambda part: part.sign)]
@@ -323,7 +325,7 @@ def _certain(form: Family, zero: mpq, end: mpq, sign: int) -> mpq:
 
 
 def _joined(group: Iterable[_Part]) -> _Part:
-    """Neighbours with one sign as one part."""
+    """One part made of neighbouring parts with the same sign."""
     parts = list(group)
     slopes = {part.slope for part in parts}
     return _Part(parts[0].low, parts[-1].high, parts[0].sign, slopes.pop() if len(slopes) == 1 else 0)

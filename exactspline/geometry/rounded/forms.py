@@ -194,7 +194,8 @@ INSERT = "restrict it to its domain and insert knots until all weights have one 
 
 
 def with_positive_weights(curve: Nurbs) -> Nurbs:
-    """The same curve with a positive weight function: where it is negative, with all weights multiplied by −1.
+    """The same curve with a positive weight function: if the weight function is negative, all weights are multiplied by
+    −1.
 
     Raises `ShapeError` for control points that are directions, because their coordinates are not those of points.
     """

@@ -75,8 +75,8 @@ class NearbyMeeting(Described):
 
 
 def intersections_nearby(first: Nurbs, second: Nurbs, epsilon: Number) -> tuple[NearbyMeeting, ...]:
-    """The common points of all pairs of curves near two given curves, and those that only some pairs may have. Near are
-    all curves whose coordinates and, for rational curves, weights differ from the given ones by at most epsilon.
+    """The common points of all pairs of curves near two given curves, and those that only some pairs may have. A curve
+    is near if its coordinates and, for a rational curve, weights differ from the given ones by at most epsilon.
 
     Common points at an end of a curve and common points of space curves are never robust. The points are in the order
     of the parameters.
@@ -154,7 +154,7 @@ class _Part:
 
     @cached_property
     def halves(self) -> tuple[_Part, _Part]:
-        """Both halves."""
+        """The two halves of the part."""
         low, high = map(self._on, UNIT.first.halves)
         return low, high
 
@@ -247,8 +247,8 @@ class _Meetings:
             yield from product([a] if a.is_small else a.halves, [b] if b.is_small else b.halves)
 
     def _is_one_arc(self, a: _Part, b: _Part) -> bool:
-        """Whether both are parts of one arc whose velocities are on one side of a plane, so that it meets itself
-        nowhere.
+        """Whether both parts belong to an arc whose velocities are on one side of a plane, so that the arc does not
+        meet itself.
         """
         if self.first is not self.second or not a.ends.meets(b.ends) or self.first.jumps_in(_around(a.ends, b.ends)):
             return False

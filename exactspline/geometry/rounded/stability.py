@@ -61,7 +61,7 @@ FINE = 2**16
 
 @dataclass(frozen=True, repr=False)
 class StableFeature(OneNumber, Described):
-    """A feature of a curve, and how far the curve may be changed.
+    """A feature of a curve, and bounds for the changes of the curve that the feature survives.
 
     Every curve whose control points and weights differ by at most `radius` has this feature exactly once near this
     place; `radius` is 0 if this is proved for no distance. `witness` is a curve with fewer features of this kind, whose

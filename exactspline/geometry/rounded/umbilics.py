@@ -60,9 +60,9 @@ class NearbyUmbilic(OneLine):
 
 
 def umbilics_nearby(surface: NurbsSurface, epsilon: Number) -> tuple[NearbyUmbilic, ...]:
-    """The umbilics of all surfaces near a given surface, and those that only some of them may have. Near are all
-    surfaces whose control points and, for a rational surface, weights differ by at most epsilon. An umbilic on a border
-    of patches is never robust.
+    """The umbilics of all surfaces near a given surface, and those that only some of them may have. A surface is near
+    if its control points and, for a rational surface, weights differ by at most epsilon. An umbilic on a border of
+    patches is never robust.
 
     >>> from exactspline import example
     >>> umbilics_nearby(example("hyperbolic_paraboloid"), "1/1000000")

@@ -31,8 +31,8 @@ class Gap(StrEnum):
 @dataclass(frozen=True, repr=False)
 class Pole(OneLine):
     """An isoparametric line along which a surface has no tangent plane: ``along`` runs over the `interval`, the other
-    parameter is `value`. `point` is its image where that is a single point, None where it is a curve; `gap` describes
-    the principal curvatures near the pole.
+    parameter is `value`. `point` is the image of the line if this is a single point, None if it is a curve; `gap`
+    describes the principal curvatures near the pole.
     """
 
     along: Along

@@ -39,7 +39,7 @@ SPECIAL = {1: "one tangent plane", -1: "fold", 0: "no tangent plane"}
 
 
 class SurfaceJointKind(StrEnum):
-    """How two patches meet along their common edge, from the worst to the smoothest."""
+    """How two patches meet along their common edge, from the least smooth to the smoothest."""
 
     #: The sides are different curves.
     TORN = "torn"
@@ -144,8 +144,8 @@ class _Meeting:
         return Vector(*before), Vector(*behind)
 
     def special_places(self) -> dict[Root, str]:
-        """The points of a crease at which the normals are parallel, and those at which one of them is zero; empty if
-        all points are such.
+        """The points of a crease at which the normals are parallel, and points at which one of them is zero; empty if
+        this holds at all points.
         """
         before, behind = self.normals
         product, parallel = dot(before, behind), cross(before, behind)

@@ -161,7 +161,7 @@ class _Search:
         return [self._umbilic(zero) for zero in zeros], of_factor, tuple(map(self.sides.part, undecided))
 
     def _has_tangent_plane(self, zero: CommonZero, known: Sequence[CommonZero], undecided: list[Box]) -> bool:
-        """Whether the surface has a tangent plane at a zero of the equations; False also where that is undecided."""
+        """Whether the surface has a tangent plane at a zero of the equations; False also if this is undecided."""
         if any(point.is_in_region_of(zero) for point in known):
             return False
         try:
@@ -223,9 +223,9 @@ def _jacobian_sign(f: PatchForm, g: PatchForm, box: Box) -> int:
 
 
 def merged_umbilic(own: Sequence[Umbilic], whole: Sequence[Box], domain: Box, closed: Sequence[Along]) -> Umbilic:
-    """One umbilic found on several patches. It is one-sided if it is not an umbilic on all sides; a patch that is
-    umbilic as a `whole` counts as a side where it is. Its kind is unknown if patches have different kinds (curvatures
-    jump there).
+    """One umbilic found on several patches. It is one-sided if it is not an umbilic on all sides; a patch on which all
+    points are umbilics (`whole`) counts as a side on which it is. Its kind is unknown if patches have different kinds
+    (curvatures jump there).
     """
     place, kinds = together([one.place for one in own]), {one.kind for one in own}
     if place.is_inside:
