@@ -1,4 +1,4 @@
-"""§2 of the paper (Chen, Riesenfeld and Cohen 2007). The degree calculus of Table 1.
+"""§2 of the paper (Chen, Riesenfeld and Cohen 2007): the degree calculus of Table 1.
 
 An operand has a degree. A sum has the larger of the two degrees, a product has their sum, a derivative has one less,
 and a quotient is differentiated by the quotient rule without cancelling. Each of the seventeen rows is computed from

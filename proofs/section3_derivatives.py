@@ -1,4 +1,4 @@
-"""§3 of the paper (Chen, Riesenfeld and Cohen 2007). Derivatives of a rational curve γ = p/w.
+"""§3 of the paper (Chen, Riesenfeld and Cohen 2007): derivatives of a rational curve γ = p/w.
 
 The derivatives are expressed by D1 = p′w − pw′, D2 = p″w − pw″, D3 = p‴w − pw‴ and D21 = p″w′ − p′w″, which have lower
 degrees than the quotient rule gives.

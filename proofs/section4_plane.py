@@ -1,4 +1,4 @@
-"""§4 of the paper (Chen, Riesenfeld and Cohen 2007). Plane curves: zero curvature, critical curvature, evolutes.
+"""§4 of the paper (Chen, Riesenfeld and Cohen 2007) on plane curves: zero curvature, critical curvature, evolutes.
 
 For all curves each naive form equals its reduction up to a factor, which is computed; on the example curves this is
 verified by multiplication. Each object is also compared with its geometric definition by a method that shares no

@@ -1,4 +1,4 @@
-"""§5 of the paper (Chen, Riesenfeld and Cohen 2007). Space curves: curvature and torsion, the ruled surfaces on the
+"""§5 of the paper (Chen, Riesenfeld and Cohen 2007) on space curves: curvature and torsion, the ruled surfaces on the
 Frenet directions, the focal curve and the focal surface.
 
 Each naive form equals its reduction, and each object is compared with its definition. In two places the paper is wrong:

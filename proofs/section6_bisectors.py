@@ -1,4 +1,4 @@
-"""§6 of the paper (Chen, Riesenfeld and Cohen 2007). Bisectors, in the sense of equal critical distances.
+"""§6 of the paper (Chen, Riesenfeld and Cohen 2007): bisectors, in the sense of equal critical distances.
 
 The reductions hold: (27), made polynomial in both curves, gives the bisector of two rational space curves degree 4d − 1
 in either parameter. The direct approach for a point and a curve is right, too. Four things are wrong: (24) gives γ′ of
@@ -34,8 +34,8 @@ def test_polynomial_curves():
 
 
 def test_naive_counts_of_rational_curves():
-    """Neither policy of Table 1 gives the naive counts of the paper; all these counts come out if γ′ has the degree
-    that (24) gives it.
+    """Neither policy of Table 1 gives the naive counts of the paper; all these counts come out with the degree of γ′
+    that equation (24) implies.
     """
     assert verdict_for_all("C6.1b", "γ′ is d − 1, either polynomial or rational: rational") == ["REFUTED"]
     assert set(verdict_for_all("C6.1b", "of (24): the paper adds as Table 1 does")) == {"PROVED"}
@@ -49,8 +49,8 @@ def test_naive_counts_of_rational_curves():
 
 
 def test_the_polynomial_formulation():
-    """(27) gives the same surface, of degree 4d − 1 in s; the degree in s̄ is the same only if (27) is made polynomial
-    in the second curve, too.
+    """Equation (27) gives the same surface, of degree 4d − 1 in s; the degree in s̄ is the same only if (27) is made
+    polynomial in the second curve, too.
     """
     assert set(verdict_for_all("C6.1c")) == {"PROVED"}
     assert verdict_for_all("C6.1e", "same degree in s̄ as in s, rational") == ["REFUTED"]
@@ -68,7 +68,7 @@ def test_the_footnote():
 
 def test_a_point_and_a_curve():
     """The counts of the explicit directrix follow Table 1 with each row brought to a common denominator. The direct
-    form is the same surface; (34) as printed is another surface.
+    form is the same surface; equation (34) as printed is another surface.
     """
     assert set(verdict_for_all("C6.2a")) == {"PROVED"}
     printed = [row.key for row in establish("C6.2b") if not row.curve and row.verdict != "PROVED"]
@@ -84,7 +84,7 @@ def test_the_planar_bisector_is_an_iso_curve():
 
 
 def test_misprints():
-    """(34) lacks a factor w in its last height; (35) is (24) without its second row, not (29)."""
+    """Equation (34) lacks a factor w in its last height; (35) is (24), not (29), without the second row."""
     assert verdict_for_all("C6.2g", "as printed") == ["REFUTED"]
     assert verdict_for_all("C6.2g", "w²‖Q‖²) is equivalent") == ["PROVED"]
     assert verdict_for_all("C6.2h", "(29)") == ["REFUTED"]

@@ -1,9 +1,9 @@
 """Our own statements: the forms from the lifts of a curve, and that no form has a lower degree.
 
 For all curves each lifted form agrees with the form of the paper, up to the factor stated; on the example curves this
-is verified. Its geometry is checked separately: contact with lines, planes, circles and spheres, counted on exact
-Taylor series. The degree theorem is stated and proved in docs/degree-theorem.md; its numbers are compared here with
-those of the ledger.
+is verified. The geometry of each form is checked separately: contact with lines, planes, circles and spheres, counted
+on exact Taylor series. The degree theorem is stated and proved in docs/degree-theorem.md; its numbers are compared here
+with those of the ledger.
 """
 
 import pytest

@@ -89,7 +89,8 @@ def _fibre(p: fmpz_mpoly, s: Parameter) -> list[Parameter]:
 
 def _ends(p: fmpz_mpoly, fibre: Sequence[Parameter], near: Parameter, far: Parameter) -> Iterator[int]:
     """For each graph between two cuts, in ascending order, the number of the zero over the near cut at which it ends.
-    It is read on a line so close to the cut that between both no graph crosses a height between two of these zeros.
+    This number is read on a line so close to the cut that no graph between the line and the cut crosses a height
+    between two of these zeros.
     """
     heights = [between(a, b) for a, b in pairwise(fibre)]
     crossed = [s for t in heights for s in roots_in(at(p, 1, t), *UNIT.first)]

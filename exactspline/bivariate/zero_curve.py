@@ -62,8 +62,8 @@ class Shape(StrEnum):
 
 @dataclass(frozen=True, repr=False)
 class Vertex(OneLine):
-    """A zero on a line of the subdivision, on which x (direction 0) or y is `value`. It is given by its `index` among
-    the zeros on the line or, if both coordinates are rational, by x and y and the index −1.
+    """A zero on a line of the subdivision, on which x (direction 0) or y is `value`. The vertex is given by its `index`
+    among the zeros on the line or, if both coordinates are rational, by x and y and the index −1.
     """
 
     direction: int

@@ -1,8 +1,8 @@
 """Numbers: conversion of input to exact numbers, intervals, rounding to doubles, immutable values, sides of a point.
 
-gmpy2 is loaded here first. It asks `importlib.metadata` for its own version, and loading this module (with modules for
-mail, archives and sockets) takes longer than loading gmpy2. Therefore a stand-in is used here, which reads the version
-from the name of the folder next to the package.
+gmpy2 is loaded here first. gmpy2 asks `importlib.metadata` for its own version, and loading this module (with modules
+for mail, archives and sockets) takes longer than loading gmpy2. Therefore a stand-in is used here, which reads the
+version from the name of the folder next to the package.
 """
 
 from __future__ import annotations

@@ -456,8 +456,8 @@ def decimal_unit(x: mpq) -> mpq:
 
 
 def text(value: mpq | mpz | int) -> str:
-    """The shortest exact text of an exact number, which :func:`rational` can read. It can have any length, although
-    Python does not convert an int of more than 4,300 digits.
+    """The shortest exact text of an exact number, which :func:`rational` can read. The text can have any length,
+    although Python does not convert an int of more than 4,300 digits.
 
     >>> text(mpq(3, 4)), text(mpq(-2)), len(text(10**5000))
     ('3/4', '-2', 5001)

@@ -1,9 +1,9 @@
 """Intervals with rational ends, and boxes of two intervals: subdivision, hulls, rounding, quotients, FLINT's balls,
 decimals.
 
-This is the exact interval arithmetic of the package. Bounds in doubles, for thousands of forms in one operation, are
-values with error bounds (`exactspline.programs.doubles`, `exactspline.polynomials.doubles`); the effect of rounding is
-proved there.
+The arithmetic of these intervals is exact. Bounds in doubles, for thousands of forms in one operation, are values with
+error bounds (`exactspline.programs.doubles`, `exactspline.polynomials.doubles`); the effect of rounding is proved
+there.
 """
 
 from __future__ import annotations

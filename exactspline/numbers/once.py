@@ -96,8 +96,8 @@ def fill(value: Immutable, /, **fields: object) -> None:
 
 
 def setters(owner: type, *names: str) -> list[Callable[[Immutable, object], None]]:
-    """Functions that set these slots of a class, one function for each slot. They are used in constructors for which
-    `fill` is too slow.
+    """Functions that set these slots of a class, one function for each slot. These functions are used in constructors
+    for which `fill` is too slow.
 
     >>> class Point(Immutable):
     ...     __slots__ = ("x",)

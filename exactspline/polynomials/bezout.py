@@ -2,10 +2,10 @@
 
 A plane curve is three forms ``P = (x, y, w)`` of degree m in the parameter s. For a point Q the form
 ``det(Q, P(σ), P(s))`` is divisible by ``s − σ``; the coefficients of the quotient are a symmetric m × m matrix B, the
-Bézoutian of two lines through Q as polynomials in s. Its kernel is spanned by the vectors ``(u^(m−1), u^(m−2) s, …)``
-of the parameters at which P passes through Q. Hence ``F = det B`` vanishes exactly where Q lies on the curve, and
-where the adjugate does not vanish there is exactly one such parameter, with ``s/u = A₀₁/A₀₀``. If Q moves along a
-curve of degree n, the entries are forms of degree n in its parameter t.
+Bézoutian of two lines through Q as polynomials in s. The kernel of B is spanned by the vectors ``(u^(m−1), u^(m−2) s,
+…)`` of the parameters at which P passes through Q. Hence ``F = det B`` vanishes exactly where Q lies on the curve, and
+where the adjugate does not vanish there is exactly one such parameter, with ``s/u = A₀₁/A₀₀``. If Q moves along a curve
+of degree n, the entries are forms of degree n in its parameter t.
 
 If Q runs along P itself, ``s − t`` and ``σ − t`` can be divided out, too. This gives a matrix of size m − 1 that is
 singular at the pairs of parameters with the same point.

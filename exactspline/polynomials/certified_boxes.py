@@ -1,11 +1,12 @@
 """Common zeros of several forms on a patch by exact subdivision in Bernstein form: simple zeros, each certified in a
 box, and small boxes that contain all other zeros.
 
-A box is excluded if the coefficients of one of the forms, or of the combinations of two of them by the inverse of their
-Jacobian there, are all positive or all negative. Near a simple zero of the two forms the combinations G₁, G₂ are
-approximately ``x − x₀`` and ``y − y₀``: if the ranges of their derivatives are strictly diagonally dominant, there is
-at most one zero, and if G₁ has opposite signs on the left and right sides and G₂ on the lower and upper sides, there is
-at least one (Miranda). All computations are in integers; computations that only exclude boxes use rounded integers.
+A box is excluded if the coefficients of a form are all positive or all negative. This is tried for each given form, and
+for the combinations of two forms by the inverse of their Jacobian on the box. Near a simple zero of the two forms the
+combinations G₁, G₂ are approximately ``x − x₀`` and ``y − y₀``: if the ranges of their derivatives are strictly
+diagonally dominant, there is at most one zero, and if G₁ has opposite signs on the left and right sides and G₂ on the
+lower and upper sides, there is at least one (Miranda). All computations are in integers; computations that only exclude
+boxes use rounded integers.
 
 A zero is certified if Krawczyk's operator contracts a box around it by a fixed factor; then refinement terminates.
 
@@ -282,8 +283,8 @@ def _add(zeros: list[Isolated], new: Isolated) -> None:
 
 
 def _rounded(part: Interval, side: Interval) -> Interval:
-    """An interval with short ends around a part and inside the whole side. It is never a single point, because a
-    degenerate box has no Jacobian.
+    """An interval with short ends around a part and inside the whole side. The result is never a single point, because
+    a degenerate box has no Jacobian.
     """
     pad = max(part.width / 64, side.width / (1 << 48))
     scale = mpq(1 << int(1 / pad).bit_length())

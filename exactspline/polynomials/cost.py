@@ -80,8 +80,8 @@ class Budget:
 
 
 class Priced(Generic[V]):
-    """A value that is computed once. Its cost is stored, so that every question that uses the value pays for it:
-    whether a question is answered within its budget must not depend on earlier questions.
+    """A value that is computed once. The cost of the value is stored, so that every question that uses the value pays
+    for it: whether a question is answered within its budget must not depend on earlier questions.
 
     >>> known = Priced(lambda: check_reach(10**9, lambda: "the resultant"))
     >>> with drawing_on(Budget(5 * 10**9)) as budget:

@@ -25,9 +25,9 @@ VALUE, INTERPOLATION, RESIDUES = 110, 15, 15
 def discriminant(rows: Sequence[fmpz_poly]) -> fmpz_poly:
     """The discriminant with respect to u of ``Σ rows[j](z) uʲ``, of degree m > 1 in u.
 
-    The discriminant is a form of degree 2m − 2 in the rows, so that its degree in z is bounded. It is determined by its
-    values at sufficiently many consecutive integers at which the leading row does not vanish. Raises `ReachError` if
-    this would take too long.
+    The discriminant is a form of degree 2m − 2 in the rows, so that its degree in z is bounded. The discriminant is
+    determined by its values at sufficiently many consecutive integers at which the leading row does not vanish. Raises
+    `ReachError` if this would take too long.
 
     >>> discriminant([fmpz_poly([0, 1]), fmpz_poly([3]), fmpz_poly([1, 1])])
     (-4)*x^2 + (-4)*x + 9
@@ -42,9 +42,9 @@ def discriminant(rows: Sequence[fmpz_poly]) -> fmpz_poly:
 
 
 def resultant(first: Sequence[fmpz_poly], second: Sequence[fmpz_poly]) -> fmpz_poly:
-    """The resultant with respect to u of two sums as in `discriminant`, of degrees m and n in u. It is a form of degree
-    n in the rows of the first sum and of degree m in the rows of the second. Raises `ReachError` if this would take too
-    long.
+    """The resultant with respect to u of two sums as in `discriminant`, of degrees m and n in u. The resultant is a
+    form of degree n in the rows of the first sum and of degree m in the rows of the second. Raises `ReachError` if this
+    would take too long.
 
     >>> resultant([fmpz_poly([0, 1]), fmpz_poly([1])], [fmpz_poly([-2]), fmpz_poly([]), fmpz_poly([1])])
     x^2 + (-2)
@@ -202,8 +202,8 @@ def quotient_at(m: fmpz_poly, top: fmpq_poly, bottom: fmpq_poly) -> fmpz_poly:
 
 @lru_cache(64)
 def _over_quotients(m: tuple[fmpz, ...], f: tuple[fmpz, ...], g: tuple[fmpz, ...]) -> fmpz_poly:
-    """The polynomial of all quotients. It is cached, because values of one function at several zeros of a polynomial
-    are compared with one another.
+    """The polynomial of all quotients. The polynomial is cached, because values of one function at several zeros of a
+    polynomial are compared with one another.
     """
     return resultant(_rows(fmpz_poly(list(m))), [fmpz_poly([-a, b]) for a, b in zip_longest(f, g, fillvalue=fmpz())])
 
@@ -227,8 +227,8 @@ def without_quadratic_zero(m: fmpz_poly, top: fmpz_poly, bottom: fmpz_poly) -> b
 
 @lru_cache(256)
 def _primes_for(coefficients: tuple[fmpz, ...]) -> Sequence[int]:
-    """The primes, first one modulo which a polynomial has no factor of degree 1 or 2, if there is one. Cached, because
-    many values are computed at zeros of one polynomial.
+    """The primes, first one modulo which a polynomial has no factor of degree 1 or 2, if there is one. The result is
+    cached, because many values are computed at zeros of the same polynomial.
     """
     m = fmpz_poly(list(coefficients))
     good = (prime for prime in PRIMES if not _possible_degrees(m, X, ONE, prime))

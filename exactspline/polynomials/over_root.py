@@ -106,8 +106,8 @@ class OverRoot:
         return self // self.gcd(slope) if slope else self
 
     def gcd(self, other: OverRoot) -> OverRoot:
-        """The greatest common divisor with the first coefficient 1, computed modulo primes. It divides both
-        polynomials, and its degree is the degree of a common divisor modulo a prime, which is an upper bound.
+        """The greatest common divisor with the first coefficient 1, computed modulo primes. The result is proved: it
+        divides both polynomials, and its degree is that of a common divisor modulo a prime, which is an upper bound.
 
         Raises `ReachError` if this would take too long.
 

@@ -19,8 +19,8 @@ from exactspline.reals.real import UNASKED, RationalNumber, Real
 class InBalls(Real):
     """A number enclosed by ``ball(bits)``, a ball that shrinks as FLINT's precision increases. Questions that
     enclosures do not decide are passed to ``exactly()``, the same number as an algebraic number; without this function,
-    comparisons raise `OpenError` if they need too many digits. Both are named functions, so that the number can be
-    pickled.
+    comparisons raise `OpenError` if they need too many digits. Both ``ball`` and ``exactly`` are named functions, so
+    that the number can be pickled.
     """
 
     __slots__ = ("ball", "exactly", "transcendental")

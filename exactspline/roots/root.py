@@ -151,7 +151,7 @@ class LazyRoot:
 
     @property
     def changing(self) -> tuple[LocalPolynomial, int]:
-        """The attribute of a `LocalZero`. It is the form itself, without a new isolation of the zero, if the form is
+        """The attribute of a `LocalZero`. This is the form itself, without a new isolation of the zero, if the form is
         linear or the zero is certainly irrational.
         """
         form = self.form.form
@@ -358,9 +358,9 @@ class Root(Real, Displayed):
     def polynomial(self) -> list[int]:
         """Integer coefficients, constant term first, of a polynomial in the parameter of the spline with this root.
 
-        It is primitive with positive leading coefficient, and the root is a simple root of it. On the segment [a, b] it
-        is ``Σ c_i (b − t)ⁿ⁻ⁱ (t − a)ⁱ`` up to a constant, where the ``c_i`` are the integers of the form of the segment
-        or of its square-free factor; for a root that is known exactly it is linear.
+        The polynomial is primitive with a positive leading coefficient, and has the root as a simple root. On the
+        segment [a, b] it is ``Σ c_i (b − t)ⁿ⁻ⁱ (t − a)ⁱ`` up to a constant, where the ``c_i`` are the integers of the
+        form of the segment or of its square-free factor; for a root that is known exactly it is linear.
         """
         return [int(x) for x in self._integers().coeffs()]
 
@@ -462,7 +462,7 @@ class Root(Real, Displayed):
         return f"<Root {self.shortly()}: {times}, sign {left} to {right}{', at a knot' if self.at_knot else ''}>"
 
     def moved(self, side: Interval) -> Root:
-        """The parameter of a patch over a side whose local parameter is this number.
+        """The parameter in the interval `side` whose local parameter is this number.
 
         >>> from exactspline import BSpline, zeros
         >>> (root,) = zeros(BSpline.bezier([-1, -1, 1]))  # 2t² − 1

@@ -60,8 +60,8 @@ class ZeroInterval:
     """An interval on which the spline vanishes, with its sign before and after (None at an end of the domain).
 
     `parts` are its intervals in the domain, in the order of traversal: one, or two if it crosses the seam of a periodic
-    spline, up to the end of the domain and from its start. It begins at `low` and ends at `high`, and ``high < low`` if
-    and only if it crosses the seam.
+    spline, up to the end of the domain and from its start. The zero interval begins at `low` and ends at `high`, and
+    ``high < low`` if and only if it crosses the seam.
 
     >>> f = BSpline(1, [0, 0, 1, 2, 3, 4, 4], [0, 0, 1, 0, 0])
     >>> zeros(f, periodic=True).intervals[0]
@@ -144,7 +144,7 @@ class ZeroSet(Immutable, Displayed):
         """Intervals at most ``10^−digits`` wide that contain the roots; `progress` is called after each root with the
         number of roots done and the total.
 
-        It may be interrupted: the roots keep their current intervals.
+        The method may be interrupted: the roots keep their current intervals.
         """
         result = []
         for i, root in enumerate(self.roots):

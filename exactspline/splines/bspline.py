@@ -1,7 +1,7 @@
 """The public piecewise polynomial: exact B-splines and the primitive operations of §2 of the paper (Chen, Riesenfeld
 and Cohen 2007).
 
-A `BSpline` is immutable. Its knots and control points are exact (``gmpy2.mpq``); those of a computed spline are
+A `BSpline` is immutable. The knots and control points are exact (``gmpy2.mpq``); for a computed spline they are
 computed when first needed and then stored. Internally it is a list of forms (see `exactspline.polynomials.bernstein`),
 one per segment, with the nominal degree and the nominal continuity at every interior breakpoint.
 """

@@ -27,7 +27,7 @@ def with_common_knots(splines: Iterable[S]) -> list[S]:
     """The same functions over a common knot vector (in two parameters, one in each): with all breakpoints, the highest
     degree, and the lowest continuity at each knot.
 
-    Their control points then belong together: coordinates, or coordinates and weights.
+    The control points with the same index then belong together, as coordinates, or as coordinates and weights.
 
     >>> t = BSpline.identity(0, 1)
     >>> [f.control_points for f in with_common_knots([t, t * t])]
@@ -67,8 +67,8 @@ def splines_over(
 
 
 def with_common_denominators(splines: Sequence[BSpline]) -> list[BSpline]:
-    """The components of a curve, segment by segment over a common denominator, so that sums stay cheap. They share one
-    mesh; their knots and control points do not change.
+    """The components of a curve, segment by segment over a common denominator, so that sums stay cheap. The components
+    share one mesh; their knots and control points do not change.
     """
     mesh, columns = splines[0].mesh, []
     for forms in zip(*[f.forms for f in splines], strict=True):

@@ -220,7 +220,7 @@ def in_lowest_terms(value: V) -> V:
 def primitive_part(value: SplineVector) -> Vector[BSpline]:
     """The polynomial vector of least degree with the direction of a vector or a vector quotient, segment by segment.
 
-    It has the direction of the vector in the first half of each segment (except at parameters where the vector
+    The result has the direction of the vector in the first half of each segment (except at parameters where the vector
     vanishes).
 
     >>> from exactspline.interchange.examples import example

@@ -32,10 +32,10 @@ def distance(epsilon: Number, curve: Nurbs | NurbsSurface) -> mpq:
 def written_precision(curve: Nurbs | NurbsSurface) -> mpq:
     """Half a unit in the last digit with which the coordinates and weights of a curve or a surface were written.
 
-    It is assumed that all numbers were written with as many decimal digits as the longest one. The last digit is that
-    of the largest number with this many digits, or of a number with one digit less, because a final zero is not
-    visible. Numbers with more than 17 digits are taken for doubles; the precision is then half a unit in the last of 53
-    bits. Fractions such as 1/3 count as exact.
+    All numbers are assumed to be written with as many decimal digits as the longest one. The last digit is that of the
+    largest number with this many digits, or of a number with one digit less, because a final zero is not visible.
+    Numbers with more than 17 digits are taken for doubles; the precision is then half a unit in the last of 53 bits.
+    Fractions such as 1/3 count as exact.
 
     >>> arc, knots = [(1, 0), (1, 1), (0, 1)], [0, 0, 0, 1, 1, 1]
     >>> written_precision(Nurbs(2, knots, arc, [1, "0.7071", 1]))

@@ -80,8 +80,8 @@ def ask(about: About, question: str) -> object:
     >>> ask(example("torus"), "umbilics")
     nowhere
 
-    Raises `QuestionError` for an unknown question and for a question about other kinds of objects, with the right form,
-    and another `ExactSplineError` where the question has no answer.
+    Raises `QuestionError`, which names the right form, for an unknown question and for a question about other kinds of
+    objects; raises another `ExactSplineError` if the question has no answer.
     """
     return asked_of(about, question).answer
 

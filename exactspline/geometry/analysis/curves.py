@@ -62,8 +62,8 @@ if TYPE_CHECKING:
 
 
 class Analysis(CurveValues, Displayed, FunctionsOutside):
-    """Everything that can be computed of one curve in the plane or in space. Its questions are the entries of the
-    registry (`exactspline.questions.entry.questions_of`).
+    """Everything that can be computed of one curve in the plane or in space. The questions about a curve are the
+    entries of the registry (`exactspline.questions.entry.questions_of`).
 
     All parameters are certified roots. A point where γ′ = 0 is reported as a singular point only. On a closed curve the
     seam is a knot like any other and counts once, at the start of the domain; no parameter is outside the domain.
@@ -162,7 +162,7 @@ class Analysis(CurveValues, Displayed, FunctionsOutside):
     def curvature_extrema(self) -> Places[Feature]:
         """The extrema of the curvature (in space except those with κ = 0).
 
-        They are inside segments, or at knots where κ is continuous and κ′ changes its sign, with or without a jump.
+        Extrema are inside segments, or at knots where κ is continuous and κ′ changes its sign, with or without a jump.
         Pieces of constant curvature are in `everywhere`.
 
         >>> from exactspline import example
@@ -442,9 +442,9 @@ class Analysis(CurveValues, Displayed, FunctionsOutside):
         """The parts of the offset of a simple closed curve, at a signed distance (positive to the left), to which no
         point of the curve is nearer than this distance.
 
-        They are given by the corresponding parts of the curve, and as arcs about corners. There is no part if and only
-        if no point on this side is farther from the curve than the distance: the offset is then empty, or consists of
-        single points.
+        The parts are given by the corresponding parts of the curve, and as arcs about corners. There is no part if and
+        only if no point on this side is farther from the curve than the distance: the offset is then empty, or consists
+        of single points.
 
         >>> from exactspline import Nurbs
         >>> square = Nurbs(1, [0, 0, 1, 2, 3, 4, 4], [(0, 0), (4, 0), (4, 4), (0, 4), (0, 0)])
@@ -555,7 +555,8 @@ def analyse(given: Nurbs | NurbsSurface) -> Analysis | SurfaceInspection | MapIn
     >>> analyse(example("ellipsoid"))
     <SurfaceInspection of <NurbsSurface ellipsoid: rational, degree 2 × 2, 9 × 5 control points in R3>>
 
-    A curve of space in the plane z = 0, as in files of drawings, is a plane curve to every question about plane curves.
+    For every question about plane curves, a curve of space in the plane z = 0, as in files of drawings, is a plane
+    curve.
 
     Raises `ShapeError` for anything else, and for a surface that is neither in space nor in the plane.
     """

@@ -119,9 +119,9 @@ def floats(
     ([0.5], [1.0, 2.0], 0.0)
 
     For a curve at parameters `ts` (for a surface `us`, `vs`, which are broadcast) the result is an array of the same
-    shape, with one more axis for vectors. It contains the points, the derivatives of an `order` (for a surface a pair),
-    or the quantity `of`: ``tangent``, ``unit_tangent``, ``normal``, ``curvature``, ``torsion``; for a surface
-    ``normal``, ``gaussian_curvature``, ``mean_curvature``. It contains NaN where the quantity is not defined. A
+    shape, with one more axis for vectors. The array contains the points, the derivatives of an `order` (for a surface a
+    pair), or the quantity `of`: ``tangent``, ``unit_tangent``, ``normal``, ``curvature``, ``torsion``; for a surface
+    ``normal``, ``gaussian_curvature``, ``mean_curvature``. The array contains NaN where the quantity is not defined. A
     parameter that is a double means its exact binary value; if this is outside the domain, the double nearest to an end
     means this end. Numbers beyond the largest double are rounded as in IEEE 754.
 

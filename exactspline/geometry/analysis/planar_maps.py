@@ -43,8 +43,8 @@ class MapKind(StrEnum):
 
 
 class MapInspection(SurfaceValues, Displayed):
-    """The analysis of the sign of the Jacobian determinant of a map of the plane. Its questions are entries of the
-    registry (`exactspline.geometry.analysis.registry`).
+    """The analysis of the sign of the Jacobian determinant of a map of the plane. The questions about a map are entries
+    of the registry (`exactspline.geometry.analysis.registry`).
 
     Raises `ShapeError` for a surface that is not in the plane.
     """

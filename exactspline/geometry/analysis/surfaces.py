@@ -133,7 +133,7 @@ class PatchInspection(OneLine):
 
 
 class SurfaceInspection(SurfaceMeetings, Displayed):
-    """The analysis of a surface in space. Its questions are entries of the registry
+    """The analysis of a surface in space. The questions about a surface are entries of the registry
     (`exactspline.geometry.analysis.registry`); each question is answered when it is first asked.
 
     >>> from exactspline import example
@@ -525,8 +525,8 @@ def _with_zeros(inspection: PatchInspection, own: Reduced, form: PatchForm, area
 
 
 def _sign_by_zeros(form: PatchForm, curve: ZeroCurve, simple: PatchForm) -> Sign:
-    """The sign of a form that has zeros. It is determined by the factors of odd power, which change sign across each
-    curve on which they vanish; `curve` holds the zeros of the square-free form `simple`, except lines.
+    """The sign of a form that has zeros. The sign is determined by the factors of odd power, which change sign across
+    each curve on which they vanish; `curve` holds the zeros of the square-free form `simple`, except lines.
     """
     odd = odd_part(form)
     sign = sign_on_patch(odd)

@@ -107,8 +107,9 @@ def _lies_on(g: fmpz_mpoly, place: Place) -> bool:
 def _dependent(system: System, factors: list[fmpz_mpoly], meetings: list[Place]) -> Found:
     """The pairs with a line of solutions at which the curves do not meet; and the undecided cases.
 
-    Where the determinant vanishes, the numerators are a multiple of the normal n of the three planes' normals: they
-    vanish if their scalar product with a vector u vanishes and u·n does not.
+    Where the determinant vanishes, the normals of the three planes lie in a plane with a normal n, and the vector of
+    the numerators is a multiple of n. So this vector is zero if its scalar product with a vector u is zero and u·n is
+    not.
     """
     determinant, *numerators = (p / system.factor for p in (system.determinant, *system.numerators))
     conditions = [p for p in (determinant, *numerators) if p]

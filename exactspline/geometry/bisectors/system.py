@@ -51,7 +51,7 @@ E = TypeVar("E", bound=Euclidean)
 
 
 def common_divisor_along(polynomials: Iterable[E]) -> E:
-    """The greatest common divisor of polynomials in one parameter; Raises `ReachError` if this would take too long."""
+    """The greatest common divisor of polynomials in one parameter. Raises `ReachError` if this would take too long."""
     given = list(polynomials)
     if isinstance(given[0], fmpz_poly):
         return greatest_common_divisor(given)  # type: ignore[type-var]  # all of them are of one type

@@ -63,7 +63,7 @@ ASKED_FIRST = 24
 
 @dataclass(frozen=True)
 class _Family:
-    """The condition that one segment of the curve puts on B(s): a form in u for every s. It is stored as a packed
+    """The condition that one segment of the curve puts on B(s): a form in u for every s. The form is stored as a packed
     polynomial, and by rows for the powers of u.
 
     On the segment with the foot of B every member is a square times `rest`.
@@ -93,8 +93,8 @@ class _Family:
 
 
 def _without_foot(whole: fmpz_poly, stride: int, n: int, degree: int) -> tuple[list[fmpz_poly], int] | None:
-    """The rows of a family of these degrees in s and u over ``(u − s)²``, and their degree in s; None where ``(u −
-    s)²`` is not a factor.
+    """The rows of a family of these degrees in s and u, divided by ``(u − s)²``, and their degree in s; None where ``(u
+    − s)²`` is not a factor.
     """
     z, u = CONTEXT.gens()
     quotient, rest = divmod(as_mpoly(whole, stride), (z - u) ** 2)

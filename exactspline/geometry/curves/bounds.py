@@ -171,7 +171,9 @@ def _once(facts: Facts, t: Place) -> Place:
 def _at_points(
     facts: Facts, what: str, hits: list[tuple[int, Place]], values: dict[str, Real]
 ) -> Iterator[NamedNumbers]:
-    """Each parameter once, in order; at a knot with the side, if only the limit from one side is among the hits."""
+    """Each parameter once, in order; at a knot with its side, if the value is attained as the limit from one side
+    only.
+    """
     inside = [t for i, t in hits if t not in facts.breaks[i : i + 2]]
     sides: dict[Place, list[Side]] = {}
     for i, t in hits:

@@ -190,7 +190,7 @@ class Facts(Remembers):
     @Fact
     def operands(self) -> Curve[BSpline]:
         """The curve as operands of formulas, with a positive weight function: forms of odd degree in (p, w) would
-        change their sign with it.
+        change their sign with the sign of w.
         """
         curve = self.curve
         negative = curve.w.numerators[0][0] < 0

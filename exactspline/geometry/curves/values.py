@@ -239,8 +239,8 @@ def curvature_function(curve: Nurbs) -> list[CurvaturePiece]:
     """Signed curvature (positive where the curve turns left), segment by segment, where it is rational up to a constant
     square root.
 
-    This holds exactly where ‖γ′‖² is a positive constant times a square: the curve is a Pythagorean hodograph there
-    (claim C4.1d; Farouki and Sakkalis 1990).
+    The curvature is of this form exactly where ‖γ′‖² is a positive constant times a square, that is, where the curve is
+    a Pythagorean-hodograph curve (Farouki and Sakkalis 1990).
 
     >>> from exactspline.interchange.examples import example
     >>> [(piece.radicand, piece.value(piece.interval[0])) for piece in curvature_function(example("circle"))][:2]

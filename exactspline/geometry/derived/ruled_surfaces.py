@@ -1,8 +1,8 @@
 """Questions about ruled surfaces on a curve: points, degrees, developability, and whether two ruled surfaces are the
 same surface.
 
-A `RuledSurface` is ``δ(s) + ζ G(s)``: directrix δ, generator G, ruling parameter ζ. Here both are splines (vectors of
-them, or vector quotients).
+A `RuledSurface` is ``δ(s) + ζ G(s)``: directrix δ, generator G, ruling parameter ζ. In this module directrix and
+generator are vectors of splines, or quotients of such vectors.
 """
 
 from __future__ import annotations

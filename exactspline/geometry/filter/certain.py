@@ -1,6 +1,6 @@
 """Inflections and curvature extrema of one plane curve, decided in doubles with proved bounds by the optional
-extension. Their number is known at once; the objects that describe them are created on demand, and the numbers in these
-are exact.
+extension. The number of these features is known at once; the objects that describe the features are created on demand
+and contain exact numbers.
 """
 
 from __future__ import annotations

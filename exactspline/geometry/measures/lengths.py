@@ -1,5 +1,5 @@
-"""Arc lengths of curves, and the parameters at given arc lengths. They are exact where the speed is a polynomial, or
-rational with an integral in closed form; otherwise they are enclosed by FLINT's integration.
+"""Arc lengths of curves, and the parameters at given arc lengths. Lengths and parameters are exact where the speed is a
+polynomial, or rational with an integral in closed form; otherwise they are enclosed by FLINT's integration.
 """
 
 from __future__ import annotations

@@ -23,8 +23,8 @@ BITS = 30
 
 
 class Segments:
-    """The segments of a curve as integers, forms, doubles and boxes, each computed once. They are stored with the curve
-    and hold no reference to it.
+    """The segments of a curve as integers, forms, doubles and boxes, each computed once. This data is stored with the
+    curve and holds no reference to the curve.
     """
 
     def __init__(self, curve: Nurbs) -> None:

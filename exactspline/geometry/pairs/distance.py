@@ -156,7 +156,7 @@ def _largest(arcs: Iterable[tuple[Overlap, Real]]) -> list[tuple[Overlap, Real]]
 
 
 def _between(pair: ClosestPair, arc: Overlap) -> bool:
-    """Whether a pair is on an arc, or on a piece all of whose pairs count, but not at its end."""
+    """Whether a pair is on an arc, or on a piece all of whose pairs have the least distance, but not at an end."""
     sides = (pair.first, arc.first), (pair.second, arc.second)
     return all(low <= t <= high for t, (low, high) in sides) and any(t not in ends for t, ends in sides)
 

@@ -77,8 +77,8 @@ class Intersection:
     """One common point: a parameter of each curve.
 
     `multiplicity` is the intersection multiplicity: 1 where the tangents differ, k + 1 where the curves have contact of
-    order k. At knots it is the least multiplicity of the segments that meet there. It is None in space, and where two
-    arcs of one algebraic curve continue each other.
+    order k. At knots `multiplicity` is the least multiplicity of the segments that meet there. The multiplicity is None
+    in space, and where two arcs of the same algebraic curve continue each other.
     """
 
     first: Real
@@ -154,7 +154,7 @@ class Intersections(Answer[Intersection, Overlap], Displayed):
 
     def certificate(self) -> dict[str, object]:
         """A proof, as JSON data with exact strings, that these are all common points, with their multiplicities (see
-        `exactspline.certificates`). It exists for two plane curves without arcs in common.
+        `exactspline.certificates`). The proof exists for two plane curves without arcs in common.
 
         >>> from exactspline import Nurbs, check_certificate
         >>> first, second = (Nurbs(1, [0, 0, 1, 1], [(0, y), (1, 1 - y)]) for y in (0, 1))

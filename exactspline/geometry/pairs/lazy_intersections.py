@@ -36,7 +36,7 @@ class PairForm:
 
     @property
     def exchanged(self) -> bool:
-        """Whether the parameter of the second segment, which has the lower degree, is eliminated."""
+        """Whether the second segment has the lower degree, so that its parameter is eliminated."""
         return self.first.degree > self.second.degree
 
     @cached_property

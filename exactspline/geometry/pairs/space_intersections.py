@@ -110,7 +110,7 @@ def _agrees(point: Meeting, first: SpaceForms, second: SpaceForms) -> bool:
 
 
 def _difference(carried: RationalMap, first: SpaceForms, second: SpaceForms) -> tuple[fmpz_poly, int]:
-    """The difference of the third coordinates, times the weights, as a form in the parameter of the second."""
+    """The difference of the third coordinates, times the weights, as a form in the parameter of the second curve."""
     z, w = (substituted(form, first.degree, carried.bottom, carried.top) for form in (first.z, first.w))
     return z * second.w - w * second.z, first.degree * carried.degree + second.degree
 

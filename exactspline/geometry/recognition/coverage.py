@@ -2,17 +2,17 @@
 shape is the nearest one to two points of the patches.
 
 The shape has two coordinates: an angle θ around an axis (on a plane also a place along a direction) and a place η along
-a meridian. It is shown that each of three functions, written as polynomials in the parameters u and v with a margin for
-the distance from a torus, has one sign:
+a meridian. The proof shows that each of three functions, written as polynomials in the parameters u and v with a margin
+for the distance from a torus, has one sign:
 
 1. ``θ_u``, so that every line of u runs around the axis without turning back;
 2. the Jacobian ``θ_u η_v − θ_v η_u`` of the nearest points, which is that of ``N·n``: the parameters with the same θ
 form a graph over v, and η grows along this graph; 3. ``η_v`` on the first and the last line of v, where the graph may
 leave the rectangle and come back; a patch that is closed in u does not need this.
 
-So each pair of real numbers θ and η occurs at one place only. That no angle exceeds one turn is shown by a half-plane
-bounded by the axis that the patches do not meet or, if the patches are closed, on a single line of u (for a torus also
-of v). An edge that is a single point, a pole or the apex of a cone, may be excluded.
+So each pair of real numbers θ and η occurs at one place only. A half-plane that is bounded by the axis and does not
+meet the patches shows that no angle exceeds one turn; if the patches are closed, a single line of u (for a torus also
+of v) shows this. An edge that is a single point, a pole or the apex of a cone, may be excluded.
 """
 
 from __future__ import annotations

@@ -548,7 +548,7 @@ def _reals(point: Point) -> tuple[Real, ...]:
 
 
 def scalar(a: Iterable[Any], b: Iterable[Any]) -> Any:
-    """The sum of products of operands, of numbers, or of both."""
+    """The scalar product of two vectors, whose components are operands or numbers."""
     return reduce(add, map(mul, a, b))
 
 

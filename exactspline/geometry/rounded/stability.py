@@ -5,8 +5,8 @@ The proved distance is the largest in a list for which `exactspline.geometry.rou
 once in all curves within the distance. The other curve is sought by a sequence of linear programs, each for the form of
 the curve found before: which change of all numbers by at most a distance raises the form most above zero between two
 zeros? Each program is solved approximately, as a game: the best answer to the place where the form is least moves every
-number by the whole distance, with the sign of its slope (Brown 1951: the mean of such answers). That the curve does not
-have the feature is decided in exact arithmetic.
+number by the whole distance, with the sign of its slope (Brown 1951: the mean of such answers). Exact arithmetic
+decides that the curve found does not have the feature.
 """
 
 from __future__ import annotations

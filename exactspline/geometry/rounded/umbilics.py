@@ -1,7 +1,7 @@
 """The umbilics of all surfaces near a given surface, and those that only some of them may have.
 
-Umbilics are common zeros of the coefficients A and B of the lines of curvature. Their values and gradients on a
-rectangle of parameters, for all surfaces whose control points and weights differ by at most epsilon, are enclosed by
+Umbilics are common zeros of the coefficients A and B of the lines of curvature. The values and gradients of A and B on
+a rectangle of parameters, for all surfaces whose control points and weights differ by at most epsilon, are enclosed by
 Taylor series with balls for coefficients, from control points of all derivatives with balls for coordinates. A value
 other than zero shows that no surface has an umbilic there; if Krawczyk's operator maps a rectangle into itself, each
 surface has exactly one umbilic there.
@@ -260,8 +260,8 @@ class _Search:
         return self.settled.add(place, around)
 
     def _krawczyk(self, box: Box, inverse: list[list[arb]]) -> Box | None:
-        """The image of a rectangle under Krawczyk's operator. It contains the zeros of all surfaces in the rectangle;
-        if it is inside the rectangle, each surface has exactly one zero.
+        """The image of a rectangle under Krawczyk's operator. The image contains the zeros of all surfaces in the
+        rectangle; if the image is inside the rectangle, each surface has exactly one zero.
         """
         here, around = self._forms(_point(box)), self._forms(box)
         values, slopes = [f.ball for f in here], [f.gradient for f in around]

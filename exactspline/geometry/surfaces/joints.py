@@ -1,11 +1,11 @@
 """How patches meet along knot lines and seams: torn apart, in a crease, with a common tangent plane, with common
 curvatures.
 
-Along a common edge both sides have the same derivatives with respect to its parameter. They have a common tangent plane
-where their normals n⁻ and n⁺ have the same direction; then the second fundamental forms agree if one argument is the
-direction of the edge, so that they agree completely where the mean curvatures do. With the lifted forms ``H = w h/(2
-‖n‖³)``, and ``n⁺ = λ n⁻`` for some λ > 0, this is ``w⁺ h⁺ (n⁻)³ = w⁻ h⁻ (n⁺)³`` in any coordinate of n that is not
-zero: identities of polynomials along the edge.
+Along a common edge both sides have the same derivatives with respect to its parameter. The two sides have a common
+tangent plane where their normals n⁻ and n⁺ have the same direction; then the second fundamental forms agree if one
+argument is the direction of the edge, so that they agree completely where the mean curvatures do. With the lifted forms
+``H = w h/(2 ‖n‖³)``, and ``n⁺ = λ n⁻`` for some λ > 0, this is ``w⁺ h⁺ (n⁻)³ = w⁻ h⁻ (n⁺)³`` in any coordinate of n
+that is not zero: identities of polynomials along the edge.
 
 Source: Pegna and Wolter, Geometrical criteria to guarantee curvature continuity of blend surfaces, 1992.
 """

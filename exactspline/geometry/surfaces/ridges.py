@@ -1,10 +1,11 @@
 """Ridges: where a principal curvature is stationary along its own lines of curvature.
 
-They are the zeros of the resultant of the lines of curvature ``A t_u² + B t_u t_v + C t_v²`` and a cubic form T, whose
-value in a principal direction is the derivative of the principal curvature. The ridges of the two principal curvatures
-usually cross transversally, where the resultant has a node; the node is proved by the signs of T in both principal
-directions on the border of a box, without elimination. Around umbilics, where both directions are undefined, and at
-other singular points of high degree the curve is not resolved: the boxes around these points are part of the answer.
+Ridges are the zeros of the resultant of the lines of curvature ``A t_u² + B t_u t_v + C t_v²`` and a cubic form T,
+whose value in a principal direction is the derivative of the principal curvature. The ridges of the two principal
+curvatures usually cross transversally, where the resultant has a node; the node is proved by the signs of T in both
+principal directions on the border of a box, without elimination. Around umbilics, where both directions are undefined,
+and at other singular points of high degree the curve is not resolved: the boxes around these points are part of the
+answer.
 
 Source: Cazals, Faugère, Pouget and Rouillier, The implicit structure of ridges of a smooth parametric surface, Computer
 Aided Geometric Design 2006.

@@ -223,9 +223,9 @@ def _jacobian_sign(f: PatchForm, g: PatchForm, box: Box) -> int:
 
 
 def merged_umbilic(own: Sequence[Umbilic], whole: Sequence[Box], domain: Box, closed: Sequence[Along]) -> Umbilic:
-    """One umbilic found on several patches. It is one-sided if it is not an umbilic on all sides; a patch on which all
-    points are umbilics (`whole`) counts as a side on which it is. Its kind is unknown if patches have different kinds
-    (curvatures jump there).
+    """One umbilic found on several patches. The umbilic is one-sided if it is not an umbilic on all sides; a patch on
+    which all points are umbilics (`whole`) counts as a side on which it is. The kind is unknown if the umbilic has
+    different kinds on the patches (curvatures jump there).
     """
     place, kinds = together([one.place for one in own]), {one.kind for one in own}
     if place.is_inside:
