@@ -1,4 +1,4 @@
-"""What the front door lends to every room: printers for notebooks, and the names of its functions."""
+"""Hooks that the top-level package fills and every package may use: printers for notebooks, and names of functions."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ Printers = Callable[[str, object], str | None]
 
 
 def named(home: str) -> Any:
-    """What a table names as ``module:name``, its module loaded.
+    """The object that a table names as ``module:name``; its module is imported.
 
     >>> named("exactspline.words:choice").__name__
     'choice'
@@ -36,9 +36,9 @@ def _plain(form: str, shown: object) -> str | None:
 
 
 _printers: list[Printers] = [_plain]
-#: What the front door knows of a name and an object that has no attribute of that name.
+#: The function of the top-level package that finds a name for an object without an attribute of that name.
 _outside: list[Callable[[str, object], object]] = []
-#: The first rows of what users type first: functions that are methods, too, questions, and what `derive` makes.
+#: The first rows of the first guesses: functions that are also methods, questions, and derived objects.
 LENT, QUESTIONS, DERIVED = "lent", "questions", "derived"
 
 
@@ -49,8 +49,8 @@ def set_printers(printers: Printers) -> None:
 
 @cache
 def first_guesses() -> dict[str, list[str]]:
-    """What users type first, by the call that works (``guesses.txt``), where x is the object: functions of the front
-    door that are methods, too, questions about one curve or surface, derived curves and surfaces, and other names.
+    """The names that users try first, by the call that works (``guesses.txt``), where x is the object: functions of the
+    package that are also methods, questions about one curve or surface, derived curves and surfaces, and other names.
 
     >>> first_guesses()["x.closed"][:2]
     ['is_closed', 'isclosed']
@@ -61,7 +61,9 @@ def first_guesses() -> dict[str, list[str]]:
 
 
 def set_functions(names: Iterable[str], outside: Callable[[str, object], object]) -> None:
-    """Let objects find by `outside` these functions of the front door, and what users type first, as attributes."""
+    """Give objects these functions of the package, and the names that users try first, as attributes; `outside` finds
+    them.
+    """
     guesses = first_guesses()
     calls = {name: f"exactspline.{name}" for name in names}
     calls |= {name: call for call, others in reversed(guesses.items()) for name in others}
@@ -72,7 +74,7 @@ def set_functions(names: Iterable[str], outside: Callable[[str, object], object]
 
 
 class Writer(Protocol):
-    """What IPython hands to `_repr_pretty_`."""
+    """The object that IPython passes to `_repr_pretty_`."""
 
     def text(self, text: str, /) -> object:
         """Write a text."""
@@ -99,20 +101,20 @@ class Written(Displayed):
     __slots__ = ()
 
     def to_dict(self, digits: int = 20) -> dict[str, object]:
-        """The answer as ``json.dumps`` takes it, irrational numbers to this many digits."""
+        """The answer as data for ``json.dumps``, irrational numbers to this many digits."""
         return cast("Callable[..., dict[str, object]]", _outside[0]("to_dict", self))(digits=digits)
 
     def to_records(self) -> list[dict[str, object]]:
-        """The things of which the answer consists, numbers as correctly rounded doubles: what ``pandas.DataFrame`` and
-        ``polars.DataFrame`` take.
+        """The things of which the answer consists, as records for ``pandas.DataFrame`` and ``polars.DataFrame``;
+        numbers are correctly rounded doubles.
         """
         return cast("Callable[..., list[dict[str, object]]]", _outside[0]("to_records", self))()
 
 
 class Worded(OneLine):
-    """What a sentence is made of: `str` puts it into words, as `display` writes them: those given with a class, with
-    fields between braces: ``{name?yes|no}`` is one of two such texts, as the field is true, ``{name:, }`` its parts
-    with commas between them.
+    """An object that `str` puts into words, as `display` writes them. The words are given with the class, with fields
+    between braces: ``{name?yes|no}`` is one of two texts, depending on whether the field is true, and ``{name:, }`` its
+    parts with commas between them.
     """
 
     __slots__ = ()
@@ -127,7 +129,7 @@ class Worded(OneLine):
 
 @dataclass_transform(frozen_default=True)
 class WordedData(Worded):
-    """The same, as a base of kinds of things, every class of which is a frozen dataclass or an enumeration."""
+    """A `Worded` object whose class is a frozen dataclass or an enumeration, as a base of kinds of things."""
 
     __slots__ = ()
 
@@ -138,15 +140,15 @@ class WordedData(Worded):
 
 
 class _Outside:
-    """An attribute that the front door finds: a function that takes the object, or an error that names the call that
-    works; of a class the function itself.
+    """An attribute that the top-level package finds: a function that takes the object, or an error that names the call
+    that works; on a class, the function itself.
     """
 
     def __init__(self, name: str, call: str) -> None:
         self.name, self.__doc__ = name, call
 
     def __get__(self, instance: object, owner: type) -> object:
-        """What is found."""
+        """The function or the answer; or raise the error that names the call that works."""
         return _outside[0](self.name, owner if instance is None else instance)
 
 
@@ -156,7 +158,7 @@ def _question(name: str) -> property:
 
 
 class OtherNames:
-    """What other libraries call by another name, and what the front door does with other things: found, or named by an
+    """Names that other libraries use, and functions of the package for other objects. They are found, or named by an
     error, but not listed.
     """
 
@@ -164,8 +166,9 @@ class OtherNames:
 
 
 class FunctionsOutside(OtherNames):
-    """An object that functions of the front door take: ``curve.plot()`` is ``exactspline.plot(curve)``, and
-    ``curve.length`` the answer to a question. The last of the bases, so that its attributes come after all others.
+    """An object that functions of the package take: ``curve.plot()`` is ``exactspline.plot(curve)``, and
+    ``curve.length`` the answer to a question. This is the last base class, so that its attributes come after all
+    others.
 
     There is no ``__getattr__``: with one, every attribute of a class is found more slowly.
     """
@@ -180,14 +183,14 @@ class FunctionsOutside(OtherNames):
         rounding: str = "nearest",
         side: str = "right",
     ) -> NDArray[np.float64]:
-        """Correctly rounded doubles at parameters, as an array: of points, and by ``of="curvature"``, ``order=1``, … of
-        other quantities: what `exactspline.floats` returns for this object.
+        """Correctly rounded doubles at parameters, as an array: of points, or by ``of="curvature"``, ``order=1``, … of
+        other quantities. `exactspline.floats` of this object returns the same.
         """
         evaluate = cast("Callable[..., NDArray[np.float64]]", _outside[0]("floats", self))
         return evaluate(*parameters, of=of, order=order, rounding=rounding, side=side)
 
     def __dir__(self) -> list[str]:
-        """Its own names, the functions that take it, and the questions that are asked of it."""
+        """The names of the object, the functions that take it, and the questions about it."""
         own = {name for each in type(self).__mro__ if each not in FunctionsOutside.__mro__[:2] for name in vars(each)}
         asked = cast("Iterable[str]", _outside[0](QUESTIONS, self))
         return sorted({*own, *getattr(self, "__dict__", ()), *first_guesses()[LENT], *asked})

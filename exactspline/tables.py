@@ -1,5 +1,6 @@
-"""Tables for notebooks and terminals: degrees, control points, verdicts, printed numbers next to computed ones, and a
-source section by section; and what such tables compare: constructions with their variants, factors between formulas.
+"""Tables for notebooks and terminals (degrees, control points, verdicts, printed numbers next to computed ones, a
+source section by section), and the objects that they compare: constructions with their variants, factors between
+formulas.
 
 >>> from exactspline.papers import find
 >>> from exactspline.interchange.examples import example

@@ -1,4 +1,4 @@
-"""Words that a user chooses from, and the one place that reads them."""
+"""Words from which a user chooses, and the function that reads them."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ FEW = 7
 
 
 class _Words(EnumType):
-    """The class of enumerations that refuse what is not one of their words by an error of ours."""
+    """The class of enumerations that refuse other words with an error of exactspline."""
 
     def __call__(cls: type[E], value: object) -> E:  # type: ignore[override, misc]  # it makes no new enumeration
         """The member that the word names."""

@@ -55,7 +55,7 @@ def check_common_zeros(certificate: Mapping[str, object]) -> dict[str, int]:
 def on_each_patch(
     certificate: Mapping[str, object], form: Mapping[str, object], check: Callable[[dict[str, object]], Found]
 ) -> list[Found]:
-    """What is found on the patches between the knots in both directions, which must be there, each once."""
+    """The results on the patches between the knots in both directions; every patch must be given exactly once."""
     patch = {"patch": (count, count), **form}
     data = read(certificate, {"knots": ([fraction], [fraction]), "patches": [patch]})
     ascend = all(len(knots) > 1 and all(a < b for a, b in pairwise(knots)) for knots in data["knots"])
@@ -156,7 +156,7 @@ def halves(net: Net, direction: int) -> tuple[Net, Net]:
 
 
 def turned(net: Net) -> Net:
-    """With the parameters exchanged.
+    """The function with the parameters exchanged.
 
     >>> turned([[1, 2], [3, 4]])
     [[1, 3], [2, 4]]
@@ -179,7 +179,7 @@ def _combined(nets: Sequence[Net], coefficients: Sequence[int]) -> Net:
 
 
 def sign_on(net: Net) -> int:
-    """The strict sign of all coefficients, else 0.
+    """The strict sign of all coefficients, otherwise 0.
 
     >>> sign_on([[1, 2], [3, 4]]), sign_on([[0, 2], [3, 4]])
     (1, 0)

@@ -18,12 +18,12 @@ LABELS = "not checked"
 
 def check_degrees(certificate: Mapping[str, object]) -> dict[str, int]:
     """The largest degree over the segments, after checking the proof that it cannot be lowered (see
-    `exactspline.verification.minimality`). Of a zero set this says that its form is square-free and shares no factor
-    with w; and, if every segment is ``irreducible``, that no polynomial over ℚ of a lower degree vanishes at a zero of
-    the form.
+    `exactspline.verification.minimality`). For a zero set this means that its form is square-free and has no common
+    factor with w; and, if every segment is ``irreducible``, that no polynomial over ℚ of a lower degree vanishes at a
+    zero of the form.
 
-    This is proved of the forms in the certificate. Of which construction, on which curve and over which intervals they
-    are, is not: the answer says of each of these labels that it was not checked.
+    The proof is about the forms in the certificate. It does not show that they belong to the construction, the curve
+    and the intervals named: the answer says that each of these labels was not checked.
 
     A common factor over ℚ would also be a common factor modulo the prime, of the same degree, because the prime does
     not divide the leading coefficient of some form; but the cofactors combine the forms to 1. A common zero at the
@@ -37,7 +37,7 @@ def check_degrees(certificate: Mapping[str, object]) -> dict[str, int]:
 
 
 def _names(given: object) -> list[str]:
-    """The names of the fields of an object, whatever these hold."""
+    """The names of the fields of an object, with any contents."""
     if not isinstance(given, Mapping):
         raise CertificateError("not an object")
     return [*given]
@@ -128,7 +128,7 @@ def _gcd(a: Polynomial, b: Polynomial, p: int) -> Polynomial:
 
 def is_square_free(form: Polynomial, p: int) -> bool:
     """Whether a form has no multiple factor modulo a prime, nor modulo the prime a lower degree: then it has none over
-    ℚ. A last coefficient that is zero is a zero at the right end.
+    ℚ. A zero as last coefficient means a zero at the right end.
 
     >>> is_square_free([1, 0, 1], 3), is_square_free([1, -2, 1], 3), is_square_free([1, 1, 0, 0], 3)
     (True, False, False)

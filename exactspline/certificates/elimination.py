@@ -35,7 +35,7 @@ STEPS = 512
 
 
 def trimmed(p: Sequence[Coefficient]) -> list[Coefficient]:
-    """Without leading zeros.
+    """The polynomial without leading zeros.
 
     >>> trimmed([1, 2, 0, 0])
     [1, 2]
@@ -86,7 +86,7 @@ def on_interval(p: Sequence[Number], low: Fraction, high: Fraction) -> list[Frac
 
 
 def strict_sign(p: Sequence[Number], low: Fraction, high: Fraction) -> int:
-    """The sign on an interval where all Bernstein coefficients have it, else 0.
+    """The sign on an interval if all Bernstein coefficients have it, otherwise 0.
 
     >>> strict_sign([-5, 0, 1], Fraction(0), Fraction(2))
     -1
@@ -96,8 +96,8 @@ def strict_sign(p: Sequence[Number], low: Fraction, high: Fraction) -> int:
 
 
 def sign_at_root(p: Sequence[Number], minimal: Sequence[int], low: Fraction, high: Fraction) -> int:
-    """The sign at the root that another polynomial has between two numbers at which its signs are opposite, or at a
-    number given by both; 0 where the polynomial vanishes there or nearly does.
+    """The sign at the root of another polynomial between two numbers at which this other polynomial has opposite signs,
+    or at a number that is given twice; 0 if the polynomial vanishes there or nearly vanishes.
 
     >>> sign_at_root([-1, 1], [-2, 0, 1], Fraction(1), Fraction(2))  # √2 − 1
     1
@@ -259,7 +259,7 @@ def through(values: list[int]) -> Polynomial:
         values = [y - x for x, y in pairwise(values)]
     found: list[Fraction] = []
     for k in range(len(differences) - 1, -1, -1):
-        # Newton: Δₖ + (x − k)/(k + 1) · what follows
+        # Newton: Δₖ + (x − k)/(k + 1) · the next term
         shifted = total([Fraction(0), *found], [-k * c for c in found])
         found = total([c / (k + 1) for c in shifted], [Fraction(differences[k])])
     return [int(c) for c in found]
@@ -307,7 +307,8 @@ def check_single_zero(
     require(power > 0, "a power that is not positive")
     for p in combined:
         require(_is_divisible(p, above, power, minimal), "a power that does not divide")
-    # over the root one of the pair may have a lower degree, or vanish: only the other's is known
+    # over the root one polynomial of the pair may have a lower degree, or vanish: only the degree of the other one is
+    # known
     if power < min(len(p) - 1 for p in combined if len(p[-1]) == 1):
         leading = subresultant(first, second, power)
         require(bool(leading) and sign_at_root(leading, minimal, low, high) != 0, "another zero over the root")

@@ -1,5 +1,5 @@
-"""The data of certificates: numbers and words, lists and objects of them, read without using the library; and the error
-that says what is wrong with them, and where.
+"""The data of certificates: numbers and words, lists and objects, read without the rest of the library; and the error
+for invalid data, with the flaw and its place.
 """
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
@@ -13,7 +13,8 @@ Part = TypeVar("Part")
 
 
 class CertificateError(ValueError):
-    """A certificate that proves nothing: the `flaw`, and `where` it is, as fields and indices from the outside in.
+    """The error for an invalid certificate: the `flaw`, and its place `where`, as fields and indices from the outside
+    in.
 
     >>> print(CertificateError("a leaf that is empty", ("segments", 2, "leaves")))
     segments[2].leaves: a leaf that is empty
@@ -32,7 +33,7 @@ def require(condition: bool, flaw: str) -> None:
 
 
 def require_each_once(given: Sequence[tuple[int, ...]], lists: Sequence[Sequence[object]], flaw: str) -> None:
-    """Raise `CertificateError` with the flaw unless pairs of indices are those of two lists, each once.
+    """Raise `CertificateError` with the flaw unless the pairs are all pairs of indices of two lists, each once.
 
     >>> require_each_once([(0, 1), (0, 0)], ["a", "bc"], "not every pair once")
     """
@@ -40,7 +41,7 @@ def require_each_once(given: Sequence[tuple[int, ...]], lists: Sequence[Sequence
 
 
 def within(place: str | int, check: Callable[..., Found], *given: object) -> Found:
-    """What is found in a part of a certificate, the place of which its flaws name.
+    """The result for a part of a certificate; flaws name the place of this part.
 
     >>> within("degree", count, 2)
     2
@@ -52,7 +53,7 @@ def within(place: str | int, check: Callable[..., Found], *given: object) -> Fou
 
 
 def each(name: str, check: Callable[[Part], Found], given: Iterable[Part]) -> list[Found]:
-    """What is found in each part of a list that has this name.
+    """The results for the parts of a list with this name.
 
     >>> each("points", fraction, ["0", "2/4"])
     [Fraction(0, 1), Fraction(1, 2)]
@@ -61,7 +62,7 @@ def each(name: str, check: Callable[[Part], Found], given: Iterable[Part]) -> li
 
 
 def read(given: object, form: object) -> Any:
-    """Data in this form, its numbers as such. Raises `CertificateError` where it has another one.
+    """Data in this form, with numbers as numbers. Raises `CertificateError` for data in another form.
 
     A form is a function that reads one thing, `[form]` for any number of them, a tuple for one of each, or a dictionary
     for an object with these fields; fields of other names are not read.
@@ -100,7 +101,7 @@ def one_of(name: str, forms: Mapping[str, Mapping[str, object]]) -> Callable[[ob
 
 
 def optional(form: object) -> Callable[[object], object]:
-    """A form of what may also be None.
+    """A form of a value that may also be None.
 
     >>> read([None, 1], [optional(count)])
     [None, 1]

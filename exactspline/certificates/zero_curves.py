@@ -6,8 +6,8 @@ constant, and by factors whose powers multiply to it up to a constant. Factors i
 product of the others, each taken once, is examined: the square is cut along some lines, and its parts are halved, as
 the certificate says, until in each box the product has Bernstein coefficients of one strict sign, or one of its
 derivatives has. In the second case the zeros are a graph over the other direction, and signs at rational points between
-the zeros on the sides tell which of these are joined. Singular points are in boxes of their own, where it is proved how
-many branches leave them. A point that is alone in its neighbourhood counts where it is on none of the lines.
+the zeros on the sides tell which of these are joined. Every singular point has its own box, in which the number of
+branches that leave it is proved. An isolated point counts unless it is on one of the lines.
 """
 
 from collections.abc import Mapping, Sequence
@@ -86,7 +86,7 @@ def _factor(given: object) -> dict[str, Any]:
 
 
 def _token(given: object) -> int | str:
-    """A cut, what is proved of a box, or the number of a cell."""
+    """A cut, the statement that is proved about a box, or the number of a cell."""
     return given if isinstance(given, str) and given in (FIRST, SECOND, SIGN, *ACROSS) else count(given)
 
 
@@ -175,7 +175,7 @@ class _OnPatch:
         require(len(seen) == len(self.cells), "a cell that is not a box")
 
     def _graph(self, box: Box, direction: int) -> None:
-        """The zeros in a box in which there is at most one on every line of this direction."""
+        """The zeros in a box in which there is at most one zero on every line of this direction."""
         (a, b), (c, d) = box[direction], box[1 - direction]
         events: dict[Vertex, Side] = {}
         for at in (a, b):
@@ -271,7 +271,7 @@ class _OnPatch:
         self._count_point([quotient_by(self.lines[0], minimal) is not None, across is not None], region)
 
     def _count_point(self, on_line: Sequence[bool], region: Box) -> None:
-        """A point counts unless it is on one of the lines; those on which it is not must not meet its region."""
+        """Count a point unless it is on one of the lines. The lines on which it is not must not meet its region."""
         for is_on, p, side in zip(on_line, self.lines, region, strict=True):
             require(is_on or is_free(p, [], side), "a point that may be on a line")
         self.counts["points"] += not any(on_line)
@@ -386,7 +386,7 @@ def _lines(factors: Sequence[Mapping[str, Any]]) -> tuple[Polynomial, Polynomial
 
 
 def _zeros_of(factor: Mapping[str, Any]) -> int:
-    """The number of lines on which a factor in one parameter vanishes, 0 for one in both."""
+    """The number of lines on which a factor in one parameter vanishes; 0 for a factor in both parameters."""
     net = factor["net"]
     if not _is_line(net):
         return 0
@@ -414,7 +414,9 @@ def _differences(net: Net, direction: int) -> Net:
 
 
 def kind_by_hessian(net: Net) -> str:
-    """What a singular point on a box is, where the Hessian is definite or indefinite on all of it; else nothing."""
+    """The kind of a singular point in a box, if the Hessian is definite or indefinite on the whole box; otherwise
+    empty.
+    """
     second = [_differences(_differences(net, i), j) for i, j in ((0, 0), (0, 1), (1, 1))]
     # the differences are derivatives up to these factors
     m, n = len(net) - 1, len(net[0]) - 1

@@ -42,7 +42,7 @@ def check_zeros(certificate: Mapping[str, object], sturm: bool = True) -> dict[s
 
     def checked(segment: Mapping[str, Any]) -> Any:
         c = segment["coefficients"]
-        # a form that vanishes on every curve may have a negative degree, and then it has no coefficients
+        # a form that vanishes on every curve may have a negative degree, and then no coefficients
         require(len(c) == max(n + 1, 0), "wrong number of coefficients")
         return _segment(c, segment, sturm) if any(c) else None
 
@@ -93,13 +93,13 @@ def _whole(breaks: list[Fraction], parts: list[Any], periodic: bool) -> tuple[li
 def _segment(
     c: list[int], segment: Mapping[str, Any], sturm: bool
 ) -> tuple[tuple[int, int], tuple[int, int], list[Any]]:
-    """(multiplicity, sign) at both ends, and the zeros inside: low, high, a polynomial that has the zero, multiplicity,
-    signs.
+    """The multiplicity and sign at both ends, and the zeros inside: low, high, a polynomial with this zero,
+    multiplicity, signs.
     """
     start, end = (next(i for i, x in enumerate(d) if x) for d in (c, c[::-1]))
     inner = c[start : len(c) - end]
     factors = segment["factors"] or [(inner, 1)]
-    # a factor that vanishes or has a power ≤ 0 could add zeros that the form does not have, or hide some that it has
+    # a factor that vanishes or has a power ≤ 0 could add false zeros, or hide zeros of the form
     require(all(k > 0 for _, k in factors), "a factor whose power is not positive")
     require(
         factors == [(inner, 1)]
@@ -139,7 +139,7 @@ def _segment(
 
 
 def product_of(p: Sequence[Number], q: Sequence[Number]) -> list[Number]:
-    """The product of two polynomials, of which neither is empty.
+    """The product of two nonempty polynomials.
 
     >>> product_of([1, 1], [1, -1])
     [1, 0, -1]

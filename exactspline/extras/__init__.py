@@ -1,5 +1,5 @@
-"""What only some need, each with its commands, displays and formats. Nothing outside imports it: the tables of formats,
-judges, commands and pictures name what there is, and load it when it is used.
+"""Packages that only some users need, each with its commands, displays and formats. No other package imports them: the
+tables of formats, verifiers, commands and pictures name their contents, which are loaded when they are used.
 """
 
 import lazy_loader

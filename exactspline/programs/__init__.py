@@ -7,7 +7,7 @@
 >>> on_segments(curve) == find("g2")(curve), on_segments.count("mul")
 (True, 31)
 
-On two curves, terms that depend on one of them are computed segment by segment, and only the others patch by patch.
+For two curves, terms that depend on one curve are computed segment by segment, and only the other terms patch by patch.
 
 >>> from exactspline.splines.tensor import surface_pair
 >>> pair = surface_pair(example("rational_space_cubic"), example("ellipse_in_space"))

@@ -1,8 +1,8 @@
 """The optional C extension (filter.c): it runs a program on every segment of a curve in doubles with error masses, and
-finds the zeros of the outputs that are certain (for two curves: `exactspline.programs.certain_pairs`). Without it, or
-where it says that something is not certain, exact arithmetic decides: the answers are the same. A library that is not,
-byte for byte, what was compiled from the source beside this file, or that computes an instruction in another way, is
-as one that is absent. Derivation: docs/certified-filter.md.
+finds the certain zeros of the outputs (for two curves: `exactspline.programs.certain_pairs`). Without the extension, or
+if its result is not certain, exact arithmetic decides, with the same answers. A library that is not byte for byte the
+one compiled from the source beside this file, or that computes an instruction differently, is not used. Derivation:
+docs/certified-filter.md.
 
 >>> filter_curve is None or callable(filter_curve)
 True
@@ -71,8 +71,8 @@ class _Program(Structure):
 
 @cache
 def _library() -> CDLL | None:
-    """The extension, if it is the one that was compiled from the source beside this file: what is damaged or of another
-    source is not loaded, for it could end this process, or answer something else.
+    """The extension, if it is the one that was compiled from the source beside this file. A damaged library, or one
+    compiled from other source, is not loaded: it could end this process, or give wrong answers.
     """
     try:
         contents = SOURCE.read_bytes() + Path(LIBRARY).read_bytes()
@@ -83,7 +83,7 @@ def _library() -> CDLL | None:
 
 
 def loaded(name: str, right: Callable[[Callable[..., int]], bool], *arguments: type) -> Callable[..., int] | None:
-    """A function of the extension, if its answer to what is known is `right`; None where there is none."""
+    """A function of the extension, if its answer in a known case is `right`; None without the extension."""
     library = _library()
     if library is None:
         return None
@@ -102,8 +102,8 @@ def surrounds(low: float, high: float, x: float) -> bool:
 
 
 def _carries_out(function: Callable[..., int]) -> bool:
-    """Whether each instruction, on the form u² + 2uv + 4v² divided by 8, has the ordinates at both ends that it must
-    have, exactly, and the zero of 3∂u − ∂v of this form is found.
+    """Whether each instruction gives exactly the right ordinates at both ends for the form u² + 2uv + 4v² divided by 8,
+    and the zero of 3∂u − ∂v of this form is found.
     """
     code = (_Instruction * len(KNOWN))(*[_Instruction(NAMES[name], *rest) for name, *rest, _ in KNOWN])
     order, bounds = [*range(1, len(KNOWN)), 0], [2**-48, 2**-1000] * len(KNOWN)
@@ -126,8 +126,8 @@ filter_curve = loaded("filter_curve", _carries_out, c_void_p, c_void_p, c_int, c
 
 
 class SegmentZero(NamedTuple):
-    """A simple zero of an output inside a segment: the only one in an interval of its local parameter, and the sign
-    before it.
+    """A simple zero of an output inside a segment: an interval of the local parameter that contains it and no other
+    zero, and the sign before it.
     """
 
     output: int
@@ -138,10 +138,10 @@ class SegmentZero(NamedTuple):
 
 
 class Signs(NamedTuple):
-    """What is known of the outputs of a program on the segments of a curve: whether the zeros of an output are not
-    certain, and whether it is not certain that the last output has none and the weight function is positive; of every
-    output its ordinates at both ends, each followed by a bound of its error; the weight function at both ends; the
-    zeros.
+    """The results for the outputs of a program on the segments of a curve: whether the zeros of an output are
+    uncertain; whether it is uncertain that the last output has no zeros and the weight function is positive; the
+    ordinates of every output at both ends, each followed by a bound of its error; the weight function at both ends; and
+    the zeros.
     """
 
     open: list[tuple[bool, bool]]
@@ -152,7 +152,7 @@ class Signs(NamedTuple):
 
 @lru_cache(256)
 def _in_c(program: Program, rational: bool) -> _Program | None:
-    """A program for C; None where it cannot run there."""
+    """A program for C; None if it cannot run in C."""
     try:
         used, known = known_of(program, ROUNDINGS)
     except FormulaError:
@@ -184,7 +184,7 @@ def _in_c(program: Program, rational: bool) -> _Program | None:
 def signs(program: Program, rows: Sequence[tuple[Sequence[Sequence[int]], int]], *, rational: bool) -> Signs | None:
     """The certain signs of the outputs of a program (the last of which must have no zero) on segments, each given by
     the integers of its operands and their denominator; if `rational`, the last operand is a weight function. None
-    without the extension, and where the numbers are too large for it.
+    without the extension, and for numbers that are too large for it.
     """
     prepared = _in_c(program, rational) if filter_curve is not None else None
     if prepared is None or filter_curve is None:

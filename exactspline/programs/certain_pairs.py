@@ -1,5 +1,5 @@
 """The common points of pairs of segments of plane curves that are certain in doubles, by the optional C extension
-(filter.c). What it leaves open, exact arithmetic decides. Derivation: docs/certified-filter.md.
+(filter.c). Exact arithmetic decides the undecided pairs. Derivation: docs/certified-filter.md.
 """
 
 from __future__ import annotations
@@ -25,9 +25,9 @@ LINE: Segment = (1, [(0, 6), (3, 3), (2, 2)])
 
 
 class PairPoint(NamedTuple):
-    """A transversal common point of two segments, inside both: an interval of the parameter of the one of higher degree
-    (of the second, where they are alike), in which Bézout's determinant has no other zero, the sign before it, its
-    number among all zeros of the determinant, and an interval of the parameter of the other.
+    """A transversal common point of two segments, inside both: an interval of the parameter of the segment of higher
+    degree (of the second segment for equal degrees) in which Bézout's determinant has no other zero, the sign before
+    it, its number among all zeros of the determinant, and an interval of the parameter of the other segment.
     """
 
     low: float
@@ -59,7 +59,7 @@ def certain_pairs(
 def _decided(
     function: Callable[..., int], ours: array[float], theirs: array[float] | None, pairs: Sequence[tuple[int, int]]
 ) -> list[list[PairPoint] | None]:
-    """What the function of the extension says of some pairs of segments of two tables, or of one."""
+    """The result of the extension for some pairs of segments of two tables, or of one."""
     count, room = len(pairs), len(pairs) * HIGHEST**2
     indices, open_ = array("i", [i for pair in pairs for i in pair]), array("i", bytes(4 * count))
     points = array("d", bytes(8 * OF_POINT * room))
@@ -89,8 +89,8 @@ def table_of(segments: Sequence[Segment]) -> array[float]:
 
 
 def segment_in_doubles(n: int, forms: Sequence[Sequence[int]]) -> Sequence[float]:
-    """The degree of a segment, the middle of its control points in doubles, and the coefficients of its forms measured
-    from there, each rounded once.
+    """The degree of a segment, the middle of its control points in doubles, and the coefficients of its forms relative
+    to this middle, each rounded once.
     """
     if not 0 < n <= HIGHEST or len(forms) != 3:
         return OPEN

@@ -46,7 +46,7 @@ class Denominator:
 
     @classmethod
     def of(cls, atom: Atom) -> Denominator:
-        """One atom."""
+        """The denominator that consists of one atom."""
         return cls(1, ((atom, 1),))
 
     def __mul__(self, other: Denominator) -> Denominator:

@@ -24,7 +24,7 @@ def in_doubles(program: Program, operands: Sequence[Floats], roundings: int) -> 
     """The outputs of a program on many segments of width 1, from the scaled coefficients of its operands, one row per
     segment; each was rounded this many times, and no Bézier ordinate is larger than 1.
 
-    Raises `FormulaError` where numbers could exceed the range of doubles, and for programs with multipliers.
+    Raises `FormulaError` if numbers could exceed the range of doubles, and for programs with multipliers.
     """
     listed = program.instructions.listed
     used, known = known_of(program, roundings)

@@ -1,5 +1,5 @@
-"""What is known in advance of a program that runs in doubles: how many roundings a number goes through, how large its
-mass can be, and how much underflow can lose. Derivation: docs/certified-filter.md.
+"""Bounds for a program that runs in doubles, known in advance: the number of roundings of each number, its largest
+possible mass, and the largest loss by underflow. Derivation: docs/certified-filter.md.
 """
 
 from __future__ import annotations
@@ -22,8 +22,8 @@ RANGE = 400
 
 @dataclass(frozen=True)
 class Known:
-    """What is known about an instruction in advance: its number of roundings and, for operands of at most 1 in the
-    Bernstein basis, bounds on its mass and on its loss by underflow.
+    """The bounds for an instruction: its number of roundings and, for operands of at most 1 in the Bernstein basis,
+    bounds on its mass and on its loss by underflow.
     """
 
     roundings: int
@@ -38,7 +38,7 @@ def _operands_known(degree: int, roundings: int) -> Known:
 
 
 def _foreseen(listed: Sequence[Instruction], degrees: Sequence[int], operands: Sequence[Known]) -> list[Known]:
-    """What is known about every instruction.
+    """The bounds for every instruction.
 
     >>> load = [Instruction("load", (), (0,)), Instruction("load", (), (1,)), Instruction("mul", (0, 1))]
     >>> _foreseen(load, [1, 2, 3], [_operands_known(1, 2), _operands_known(2, 2)])[2].roundings
@@ -82,10 +82,10 @@ def _foreseen(listed: Sequence[Instruction], degrees: Sequence[int], operands: S
 
 
 def known_of(program: Program, roundings: int) -> tuple[list[int], list[Known]]:
-    """The instructions on which the outputs of a program depend, in order, and what is known of all, for operands that
-    were rounded this many times.
+    """The instructions on which the outputs of a program depend, in order, and the bounds for all instructions, for
+    operands that were rounded this many times.
 
-    Raises `FormulaError` where numbers could exceed the range of doubles, and for programs with multipliers.
+    Raises `FormulaError` if numbers could exceed the range of doubles, and for programs with multipliers.
     """
     listed, degrees = program.instructions.listed, program.instructions.degrees
     known = _foreseen(listed, degrees, [_operands_known(degree, roundings) for degree in program.signature.degrees])
@@ -96,5 +96,5 @@ def known_of(program: Program, roundings: int) -> tuple[list[int], list[Known]]:
 
 
 def factors(known: Known) -> tuple[float, float]:
-    """The bound of the error of a number is the first times its mass, plus the second."""
+    """Two numbers: the error of a number is at most the first one times its mass, plus the second one."""
     return SLACK * known.roundings * ROUNDING, SLACK * float(known.lost) * UNDERFLOW

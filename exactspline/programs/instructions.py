@@ -164,7 +164,7 @@ def compiled(
 ) -> Run:
     """The function of a program: for every segment it returns the polynomials of the outputs, then their denominators.
 
-    `given` are the instructions whose polynomials are its arguments, None for one that is not used.
+    `given` are the instructions whose polynomials are the arguments of the function, None for an unused argument.
 
     >>> from exactspline.programs.denominators import OfOperand
     >>> load = [Instruction("load", (), (0,)), Instruction("load", (), (1,))]
@@ -211,7 +211,7 @@ def _multiplier(multiplier: Multiplier) -> str:
 
 
 def needed(listed: Sequence[Instruction], outputs: Sequence[int], given: Sequence[int | None] = ()) -> set[int]:
-    """The instructions on which the outputs depend, except those that are given."""
+    """The instructions on which the outputs depend, except the given instructions."""
     used = {i for i in outputs if i >= 0}
     for i in range(len(listed) - 1, -1, -1):
         if i in used and i not in given:

@@ -1,7 +1,7 @@
 """Programs of formulas: compiled once for a kind of argument, its degrees and its widths, and run on any such argument.
 
-Terms that depend on one parameter are computed segment by segment; for two curves only the others are computed patch by
-patch.
+Terms that depend on one parameter are computed segment by segment; for two curves only the other terms are computed
+patch by patch.
 """
 
 from __future__ import annotations
@@ -52,10 +52,10 @@ class Given(NamedTuple):
 def operands_of(kind: Kind, argument: Evaluated, *, true_degree: bool = False) -> Given | None:
     """The splines of an argument for formulas of a kind, read in the spline reading or at their true degree.
 
-    None where there is no program: for adjoined roots or constants, for splines over different breakpoints or computed
+    None if there is no program: for adjoined roots or constants; for splines over different breakpoints, or computed
     from one another (then naive semantics sees more structure than the kind declares; the true degree does not depend
-    on it), where the denominator of a polynomial curve is not 1, and for two curves of which one is polynomial or has
-    segments of a width other than 1.
+    on this structure); for a polynomial curve whose denominator is not 1; and for two curves one of which is polynomial
+    or has segments of a width other than 1.
     """
     if type(kind) is CurveKind:
         if kind.constants or not isinstance(argument, Curve) or (kind.with_point and argument.point is None):
@@ -91,12 +91,12 @@ def operands_of(kind: Kind, argument: Evaluated, *, true_degree: bool = False) -
 
 
 def _groups(splines: Sequence[BSpline]) -> tuple[int, ...]:
-    """For every spline the first one with the same denominators."""
+    """For every spline the first spline with the same denominators."""
     return tuple([next(j for j, g in enumerate(splines) if g.denominators == f.denominators) for f in splines])
 
 
 def _of_pair(kind: PairKind, pair: Pair[Any]) -> Given | None:
-    """The splines of two rational curves with segments of width 1, those of the first before those of the second."""
+    """The splines of two rational curves with segments of width 1, beginning with the splines of the first curve."""
     own: list[tuple[BSpline, ...]] = []
     stride = 1
     for which, curve in enumerate((pair.first, pair.second)):
@@ -194,7 +194,7 @@ class Stage(NamedTuple):
 
 
 class Program:
-    """A formula as instructions, and how its value is assembled from them.
+    """A formula as instructions, and the way in which its value is assembled from the results.
 
     >>> from exactspline.papers import find
     >>> from exactspline.interchange.examples import example
@@ -309,7 +309,7 @@ class Program:
         return found
 
     def count(self, name: str) -> int:
-        """How many instructions of a given name are executed per segment."""
+        """The number of instructions of a given name that are executed per segment."""
         used = needed(self.instructions.listed, self.outputs)
         return sum(self.instructions.listed[i].name == name for i in used)
 
@@ -344,7 +344,7 @@ def program_of_all(formulas: tuple[Formula, ...], signature: Signature) -> Progr
 def program_for(formula: Formula, argument: Evaluated) -> Program:
     """The program of a formula for arguments like this one; compiled once.
 
-    Raises `FormulaError` where there is none (see `operands_of` and `program_of`).
+    Raises `FormulaError` if there is none (see `operands_of` and `program_of`).
     """
     given = operands_of(formula.kind, argument)
     if given is None:
@@ -368,8 +368,8 @@ def values(formulas: tuple[Formula, ...], given: Given) -> dict[Formula, SplineV
 
 
 def value(formula: Formula, given: Given) -> SplineValue:
-    """The value of a formula on one curve. A program is compiled where it pays off: once it was requested for
-    `WORTH_IT` segments. Until then the formula is evaluated in the spline reading, with the same result.
+    """The value of a formula on one curve. A program is compiled after it has been requested for `WORTH_IT` segments.
+    Until then the formula is evaluated in the spline reading, with the same result.
     """
     key = formula, given.signature
     program = _programs.get(key)
@@ -383,7 +383,7 @@ def value(formula: Formula, given: Given) -> SplineValue:
 
 
 def evaluated(formula: Formula, argument: Evaluated) -> SplineValue:
-    """The value of a formula: by its program where there is one, otherwise in the spline reading.
+    """The value of a formula: by its program if there is one, otherwise in the spline reading.
 
     >>> from exactspline.papers import find
     >>> from exactspline.interchange.examples import example

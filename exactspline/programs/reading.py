@@ -71,7 +71,7 @@ class _TermAtTrueDegree(Term, OwnWronskians):
 
 
 class Signature(NamedTuple):
-    """What a program depends on in addition to its formula: everything about the argument except its numbers.
+    """The properties on which a program depends in addition to its formula: those of the argument except its numbers.
 
     `degrees` are those of the operands, each in its own parameter; `groups` identify those with the same denominators
     on all segments; `true_degree` whether formulas are read at their true degree (see
@@ -95,7 +95,7 @@ class Signature(NamedTuple):
 
 
 class ProgramReading(Reading):
-    """A record of the computation on arguments with a signature."""
+    """The reading that records the computation on arguments with a signature."""
 
     name = "program"
     proves = "nothing: it records the work to be done"

@@ -1,4 +1,4 @@
-"""The operand of the program reading: results of operations are recorded, with what is known about them in advance."""
+"""The operand of the program reading: results of operations are recorded, with their degrees and denominators."""
 
 from __future__ import annotations
 
@@ -106,7 +106,7 @@ class Term(RingOperand):
 
     @property
     def is_number(self) -> bool:
-        """Whether it is a constant."""
+        """Whether the term is a constant."""
         return max(self.orders[:-1]) < 0 and not any(self.degrees)
 
     @property
@@ -116,16 +116,15 @@ class Term(RingOperand):
 
     @property
     def is_zero(self) -> bool:
-        """Whether it vanishes on every curve of the kind; whether others vanish cannot be known in advance.
-
-        Raises `FormulaError` for these.
+        """Whether the term vanishes on every curve of the kind. Raises `FormulaError` for a term of which this cannot
+        be known in advance.
         """
         if self.node == ZERO:
             return True
         raise FormulaError("whether a term of a program vanishes", remedy="run the program and test its result")
 
     def __eq__(self, other: object) -> bool:
-        """Whether both were computed in the same way."""
+        """Whether two terms were computed in the same way."""
         return isinstance(other, Term) and same(self.provenance, other.provenance)
 
     def __hash__(self) -> int:
@@ -136,12 +135,12 @@ class Term(RingOperand):
         return type(self)(**fields)
 
     def _of_degree(self, degree: int) -> tuple[int, ...]:
-        """The degrees with another one in the only parameter."""
+        """The degrees, with another degree in the only parameter."""
         only = self._only()
         return tuple(degree if i == only else n for i, n in enumerate(self.degrees))
 
     def _common_axis(self, other: Term) -> int | None:
-        """The one parameter on which both depend; None where they depend on several."""
+        """The one parameter on which two terms depend; None if they depend on several."""
         if self.axis == other.axis or other.is_number:
             return self.axis
         return other.axis if self.is_number else None
@@ -177,7 +176,9 @@ class Term(RingOperand):
         return self if factor == 1 else self._with(number=self.number * factor)
 
     def _over(self, below: Denominator, degrees: tuple[int, ...], axis: int | None) -> Self:
-        """Over a multiple of the denominator, of degrees at least as high, as a term of one parameter or on patches."""
+        """The same term over a multiple of the denominator, of degrees at least as high, in one parameter or on
+        patches.
+        """
         if axis is None:
             return self._on_patches_over(below, degrees)
         if axis == self.axis and degrees == self.degrees and below is self.below:
@@ -199,7 +200,9 @@ class Term(RingOperand):
         return self._on_patches()._with(number=self.number * (below.constant // self.below.constant), below=below)
 
     def _down_to(self, raised: int, widths: int) -> Self:
-        """With these powers of ``u + v`` and of the width's denominator kept apart and the others multiplied in."""
+        """The same term with these powers of ``u + v`` and of the denominator of the width kept apart, and all other
+        powers multiplied in.
+        """
         if (self.raised, self.widths) == (raised, widths):
             return self
         code = self.recorder.instructions
@@ -304,11 +307,11 @@ class Term(RingOperand):
         return term._with(node=node, degrees=self._of_degree(self.degree - 1))
 
     def by_v(self) -> Self:
-        """``∂v``: not the derivative of the function, but a part of it."""
+        """``∂v``: a part of the derivative of the function."""
         return self._partial("dv")
 
     def over_u(self) -> Self:
-        """Divided by u, where the form is a multiple of it: the same integers, of a degree one lower."""
+        """The term divided by u, if the form is a multiple of u: the same integers, of a degree one lower."""
         return self._partial("over_u")
 
     def per_width(self, weight: int, dropped: int) -> Self:
@@ -334,7 +337,7 @@ class Term(RingOperand):
         return self.recorder.instructions.scaled(self._down_to(0, 0).node, self.number)
 
     def continuity_of(self, operands: Sequence[tuple[int, ...]], inner: int, axis: int = 0) -> tuple[int, ...]:
-        """The continuity at the inner breakpoints of a parameter, from that of all operands."""
+        """The continuity at the inner breakpoints of a parameter, computed from that of all operands."""
         found, name = (SMOOTH,) * inner, self.recorder.all[axis]
         for continuity, order, own in zip(operands, self.orders, self.recorder.parameters, strict=False):
             if order >= 0 and own == name:

@@ -1,3 +1,3 @@
-"""Questions about geometric objects: what an entry of the registry is, and what an answer looks like. The entries
-themselves stand next to the exact answers, in `exactspline.geometry`.
+"""Questions about geometric objects: the entries of the registry, and the parts of answers. The entries themselves are
+next to the exact answers, in `exactspline.geometry`.
 """

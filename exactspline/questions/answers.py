@@ -1,4 +1,4 @@
-"""Things of which an answer consists, with what is to be said of them."""
+"""The things of which an answer consists, with their descriptions."""
 
 from __future__ import annotations
 
@@ -13,25 +13,25 @@ from exactspline.roots.answers import CurvePiece
 
 
 class Described(OneLine):
-    """One of the things of which an answer consists, on a piece of a curve: its kind, and what is to be said of it."""
+    """One of the things of which an answer consists, on a piece of a curve: its kind and its description."""
 
     kind: StrEnum
     piece: CurvePiece
 
     @property
     def values(self) -> dict[str, tuple[Real, ...]]:
-        """Numbers, points and vectors that describe it, by name."""
+        """The numbers, points and vectors that describe it, by name."""
         return {}
 
     @property
     def facts(self) -> dict[str, bool]:
-        """What is true of it, by name."""
+        """The facts about it, by name."""
         return {}
 
 
 @dataclass(frozen=True)
 class NamedNumbers(Written):
-    """Numbers by their names: what they are numbers of, and what else is known of it."""
+    """Numbers by their names, the kind of object that they describe, and further facts about it."""
 
     what: str
     values: Mapping[str, Real]

@@ -1,7 +1,7 @@
-"""A question that can be asked about a geometric object: an entry of the registry. It stands where the exact answer
-is computed, as an attribute of what is asked, and carries what else there is to know of it; `questions_of` is the
-registry. The command line, the oracle, sweeps, the JSON and its schema, the comparison of libraries and the glossary
-read it.
+"""A question that can be asked about a geometric object: an entry of the registry. An entry is an attribute of the
+class of the object, next to the code of the exact answer, and has all other data about the question. `questions_of` is
+the registry. The command line, the oracle, sweeps, the JSON and its schema, the comparison of libraries and the
+glossary use it.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ P = ParamSpec("P")
 
 
 class Remembers:
-    """An object that keeps what was computed of it once, also where several threads ask for it."""
+    """An object that keeps its computed properties, each computed once, also if several threads ask for it."""
 
     def __init__(self, shared: Remembers | None = None) -> None:
         self._known: dict[Any, Any]
@@ -42,16 +42,18 @@ class Remembers:
 
     @property
     def again(self) -> Callable[[], Remembers]:
-        """What makes the same of the same object, and holds neither this object nor what it knows."""
+        """A function that makes an equal object; it holds neither this object nor its computed properties."""
         raise NotImplementedError
 
     def asked_as(self, of: tuple[Of, ...]) -> Remembers:
-        """What is known of the object as one of these kinds, where it is of several."""
+        """The computed properties of the object as one of these kinds, if it is of several kinds."""
         return self
 
 
 class Inspected(Remembers):
-    """One that is a value: equal where it is asked of the same (`of`), copied and pickled with what is known of it."""
+    """An inspected object as a value: two are equal if they are about the same object (`of`); copies and pickles keep
+    the computed properties.
+    """
 
     def __init__(self, *of: Hashable) -> None:
         super().__init__()
@@ -59,7 +61,7 @@ class Inspected(Remembers):
 
     @property
     def again(self) -> Callable[[], Remembers]:
-        """What makes the same."""
+        """A function that makes an equal object."""
         return partial(type(self), *self.of)
 
     def __eq__(self, other: object) -> bool:
@@ -79,7 +81,7 @@ F = TypeVar("F", bound=Remembers)
 
 
 class Of(StrEnum):
-    """What a question is asked of."""
+    """The kinds of objects that a question can be about."""
 
     PLANE_CURVE = "plane curve"
     SPACE_CURVE = "space curve"
@@ -101,7 +103,7 @@ ALL_CURVES = (*CURVES, Of.CURVE)
 
 
 class Answered(StrEnum):
-    """What an answer consists of."""
+    """The kinds of things of which an answer consists."""
 
     #: Points, and parts all of whose points belong to it (`exactspline.roots.answers.Answer`).
     PLACES = "places"
@@ -137,13 +139,13 @@ class Answered(StrEnum):
 
 @dataclass(frozen=True)
 class About:
-    """What is said of a question in addition to its name, its meaning and its exact answer.
+    """The data of a question in addition to its name, its meaning and its exact answer.
 
-    ``of``: what it is asked of. ``answered``: what its answer consists of. ``part_of``: another question, whose answer
-    contains this one. ``proof``: the zero set whose certificate shows that an answer is complete, by the object and the
-    arguments. ``takes``: what it is asked with. ``of_piece``: what a table says of one of the pieces. ``on_request``:
-    whether it is answered only where it is asked for by its name. ``nearby``: whether it is asked about all objects
-    within a distance, which is its argument.
+    ``of``: the kinds of objects. ``answered``: the things of which the answer consists. ``part_of``: another question,
+    whose answer contains this one. ``proof``: the zero set whose certificate shows that an answer is complete, by the
+    object and the arguments. ``takes``: the arguments. ``of_piece``: the words of a table for one of the pieces.
+    ``on_request``: whether it is answered only where it is asked for by its name. ``nearby``: whether it is asked about
+    all objects within a distance, which is its argument.
     """
 
     of: tuple[Of, ...]
@@ -157,17 +159,17 @@ class About:
 
     @property
     def argument(self) -> str:
-        """An example of what stands behind the colon, as text; empty for nothing."""
+        """An example of the argument after the colon, as text; empty if there is none."""
         return ",".join(each.example for each in self.takes if not each.placed)
 
     @property
     def place(self) -> str:
-        """An example of what stands behind the @, as text; empty for nothing."""
+        """An example of the parameters after the @, as text; empty if there are none."""
         return ",".join(each.example for each in self.takes if each.placed)
 
     @property
     def reported(self) -> bool:
-        """Whether the answer belongs into a report of everything that is known."""
+        """Whether the answer is part of a full report."""
         return not (self.part_of or self.takes or self.on_request)
 
 
@@ -179,7 +181,7 @@ class Entry(ABC):
 
     @abstractmethod
     def answer(self, facts: Remembers, argument: str = "", place: str = "") -> object:
-        """The exact answer; what it is asked with is given as text (see `exactspline.questions.takes`)."""
+        """The exact answer; the arguments are given as text (see `exactspline.questions.takes`)."""
 
     @abstractmethod
     def proofs(self, facts: Remembers, argument: str = "", place: str = "") -> Iterable[ZeroSet]:
@@ -190,13 +192,13 @@ class Entry(ABC):
 
     @property
     def form(self) -> str:
-        """How it is asked as text: its name, with examples of what it takes."""
+        """The question as text: its name, with examples of its arguments."""
         argument, place = self.about.argument, self.about.place
         return f"{self.name}{':' * bool(argument)}{argument}{'@' * bool(place)}{place}"
 
     @property
     def meaning(self) -> str:
-        """What is asked, in one line: the first paragraph of the docstring, as a part of a sentence."""
+        """The meaning of the question in one line: the first paragraph of the docstring, as a part of a sentence."""
         paragraph = " ".join(cleandoc(self.__doc__ or "").split("\n\n")[0].split())
         return (paragraph[:1].lower() + paragraph[1:]).removesuffix(".").replace("``", "")
 
@@ -213,7 +215,7 @@ class Fact(Generic[F, T]):
         self.name = name
 
     def found(self, facts: F) -> T:
-        """The property, computed."""
+        """The computed property."""
         return self.compute(facts)
 
     @overload
@@ -231,7 +233,7 @@ class Fact(Generic[F, T]):
 
 
 def _remembering(entry: Entry, facts: Remembers, answer: T) -> T:
-    """An answer that knows what was asked, where it can."""
+    """The answer; if its class can remember the question, it does."""
     return answer.asked_with(entry.name, facts.again) if isinstance(answer, Answer) else answer
 
 
@@ -243,7 +245,7 @@ class Question(Fact[F, T], Entry):
         self.about = about
 
     def found(self, facts: F) -> T:
-        """The answer, computed of the object as a kind that the question is asked of."""
+        """The answer, computed for the object as one of the kinds of the question."""
         asked = facts.asked_as(self.about.of)
         return _remembering(self, facts, self.compute(facts)) if asked is facts else getattr(asked, self.name)
 
@@ -297,7 +299,7 @@ class QuestionWith(Entry, Generic[F, P, T]):
         return facts.once(key, lambda: _remembering(self, facts, compute(facts, **arguments)))
 
     def answer(self, facts: Remembers, argument: str = "", place: str = "") -> object:
-        """The exact answer, what it is asked with given as text."""
+        """The exact answer; the arguments are given as text."""
         facts = facts.asked_as(self.about.of)
         return self._of(facts, self._read(facts, argument, place))
 
@@ -307,7 +309,7 @@ class QuestionWith(Entry, Generic[F, P, T]):
         return () if proof is None else proof(facts, *self._read(facts, argument, place).values())
 
     def _read(self, facts: Remembers, argument: str, place: str) -> dict[str, Any]:
-        """What stands behind the colon and behind the @, read."""
+        """The arguments after the colon and after the @, read."""
         given = {name: place if takes.placed else argument for name, takes in self.takes.items()}
         read = {name: self.takes[name].read(text, facts) for name, text in given.items() if text}
         return {name: read.get(name, self.signature.parameters[name].default) for name in given}
@@ -334,7 +336,7 @@ def question_with(
     nearby: bool = False,
 ) -> Callable[[Callable[Concatenate[F, P], T]], QuestionWith[F, P, T]]:
     """Make a method that computes an answer an entry of the registry; it takes these arguments, in the order of its
-    parameters: at most one that stands behind the colon, and one behind the @.
+    parameters: at most one after the colon, and one after the @.
     """
     given = takes if isinstance(takes, tuple) else (takes,)
     return lambda compute: QuestionWith(compute, About(of, answered, proof=proof, takes=given, nearby=nearby))

@@ -1,6 +1,5 @@
-"""What a question takes in addition to the object that it is asked of, and how a question is written as text: its name,
-arguments behind a colon, parameters behind an @, as in ``length``, ``nearest:1/2,2``, ``derivative:2@0,1/3``,
-``value@cusps``.
+"""The arguments of a question in addition to its object, and the question as text: its name, arguments after a colon,
+parameters after an @, as in ``length``, ``nearest:1/2,2``, ``derivative:2@0,1/3``, ``value@cusps``.
 """
 
 from __future__ import annotations
@@ -19,7 +18,7 @@ MOST = 999
 
 
 class QuestionError(ExactSplineError):
-    """A question that cannot be read, or that has no answer for what it is asked of."""
+    """The error for a question that cannot be read, or that has no answer for its object."""
 
 
 def parts_of(asked: str, forms: Mapping[str, str], optional: Container[str] = ()) -> tuple[str, str, str]:
@@ -29,8 +28,8 @@ def parts_of(asked: str, forms: Mapping[str, str], optional: Container[str] = ()
     >>> parts_of("derivative:2@0,1/3", {"derivative": "derivative:2@1/2"})
     ('derivative', '2', '0,1/3')
 
-    Raises `QuestionError` for another name, with the nearest, and with the form of the question for what it does not
-    take and for what it lacks; with those of ``length_between`` and the like for ``length`` at parameters.
+    Raises `QuestionError` for an unknown name, with the nearest names, and for missing and superfluous arguments, with
+    the form of the question; for ``length`` at parameters, with the form of ``length_between``, and likewise.
     """
     asked, name = as_text(asked, "a question").strip(), name_of(asked)
     if name not in forms:
@@ -55,15 +54,15 @@ def name_of(asked: str) -> str:
 
 
 def unknown(name: str, names: Iterable[str]) -> QuestionError:
-    """The error for a question that does not exist, with the nearest of the names."""
+    """The error for a question that does not exist, with the nearest names."""
     remedy = nearest(name, dict.fromkeys(names), listed_by="list questions")
     return QuestionError(f"there is no question called {name!r}", remedy=remedy)
 
 
 @dataclass(frozen=True)
 class Takes:
-    """One thing that a question takes: an example of it as text, and how it is read, from text or from a value in
-    Python, for what is known of the object. What is `placed` stands behind the @.
+    """One argument of a question: an example as text, and the function that reads it, from text or from a value in
+    Python, for the given object. An argument that is `placed` comes after the @.
     """
 
     example: str
@@ -83,7 +82,7 @@ def _distance(given: Any, facts: object) -> mpq:
 
 
 def _parts(given: Any, facts: object = None) -> tuple[Any, ...]:
-    """What is given with commas between, or as a sequence."""
+    """The parts of a text with commas between them, or of a sequence."""
     return tuple(given.split(",") if isinstance(given, str) else given)
 
 
@@ -114,7 +113,7 @@ TWO_COORDINATES = Takes("01", _two_coordinates)
 
 
 class OnCurve(NamedTuple):
-    """A parameter of a curve, and the side from which limits are taken there, where one is named."""
+    """A parameter of a curve, and the side from which limits are taken, if one is named."""
 
     parameter: mpq | Real
     side: Side | None = None
@@ -134,8 +133,8 @@ def _places(given: Any, facts: Any) -> tuple[OnCurve, ...]:
 
 
 def _named(place: Any, facts: Any) -> list[OnCurve]:
-    """A parameter; or those of the knots or of the features of a curve; each with the side that is named, where the
-    domain is on both sides. The sides of the seam of a closed curve are its two ends.
+    """A parameter, or the parameters of the knots or of the features of a curve, each with the named side if the domain
+    is on both sides. The sides of the seam of a closed curve are its two ends.
     """
     side = SIDES.get(place.strip()[-1:]) if isinstance(place, str) else None
     name = place.strip()[:-1] if side else place

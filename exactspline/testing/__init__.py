@@ -1,8 +1,8 @@
 """Nasty curves to test programs with: families of curves whose numbers are doubles, the same in every run.
 
-Each case is a curve, a parameter at which to ask, and where it comes from. Random and integer control points, outlines
-as in type design, arcs and offsets as in CAD files, curves that are almost degenerate (a cusp, a threefold zero, a
-straight line, up to 2⁻⁵²), and curves from public bug reports of other libraries, each with its link.
+Each case is a curve, a parameter for questions, and its origin. Random and integer control points, outlines as in type
+design, arcs and offsets as in CAD files, curves that are almost degenerate (a cusp, a threefold zero, a straight line,
+up to 2⁻⁵²), and curves from public bug reports of other libraries, each with its link.
 
 >>> case = next(case for case in all_cases() if case.key == "near 2 cusp")
 >>> case.curve.control_points[2], case.note

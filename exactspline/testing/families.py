@@ -22,7 +22,7 @@ DIAL = range(2, 53, 2)
 
 @dataclass(frozen=True)
 class Case:
-    """A curve to ask about, the parameter at which, and where it comes from."""
+    """A curve for questions, a parameter for them, and the origin of the curve."""
 
     key: str
     family: str
@@ -37,8 +37,8 @@ class Case:
     def partner(self) -> Nurbs:
         """Another curve, for questions about two; all its numbers are doubles.
 
-        A curve near a degenerate one is moved in x, by about 2⁻ᵏ of its size; the partner of any other has the same
-        control points in another order: the second, the fourth, …, then the first, the third, ….
+        A curve near a degenerate one is moved in x, by about 2⁻ᵏ of its size; the partner of any other curve has the
+        same control points in another order: the second, the fourth, …, then the first, the third, ….
 
         >>> case = next(all_cases(1))
         >>> case.partner.control_points[0] == case.curve.control_points[1]
@@ -90,7 +90,7 @@ def made(
     note: str = "",
     dial: int = 0,
 ) -> Case | None:
-    """A case of these doubles, None where they are not a curve; its note says its dial."""
+    """A case made of these doubles, None if they are not a curve; its note gives its dial."""
     try:
         curve = Nurbs.from_floats(degree, knots, points, weights, name=key)
     except ExactSplineError:
@@ -189,7 +189,7 @@ def _cad(chance: random.Random) -> Iterator[Case | None]:
 SHAPES: dict[str, Callable[[float], list[Row]]] = {
     # γ′ = 0 at 1/2 for ε = 0
     "cusp": lambda e: [(0, 0), (1, 1), (e, 1), (1, 0)],
-    # one inflection, at 1/3, for every ε but 1, where it is a line
+    # one inflection, at 1/3, for every ε except 1, for which the curve is a line
     "single inflection": lambda e: [(0, 0), (1, 1), (2, 1 + e), (3, 3)],
     # y touches 0 at 1/2 for ε = 0
     "touching": lambda e: [(0, 1 + e), (1, e - 1), (2, 1 + e)],
@@ -213,7 +213,7 @@ FURTHER: dict[str, Callable[[float], list[Row]]] = {
 
 
 def _near(chance: random.Random) -> Iterator[Case | None]:
-    """Almost degenerate: ε = ±2⁻ᵏ away from what a formula divides by or a sign depends on."""
+    """Curves at a distance ε = ±2⁻ᵏ from a degenerate case, in which a formula divides by zero or a sign is zero."""
     for k, (name, shape), sign in product(DIAL, SHAPES.items(), (1, -1)):
         points = [tuple(float(c) for c in point) for point in shape(sign / (1 << k))]
         degree = len(points) - 1

@@ -27,7 +27,7 @@ def nasty_curves(families: Iterable[str] = (), dimension: int | None = None) -> 
     >>> find(nasty_curves(["near"]), lambda curve: True).name
     'near 2 cusp'
 
-    Raises `CurveFileError` for an unknown family, and where no curve has this dimension.
+    Raises `CurveFileError` for an unknown family, and if no curve has this dimension.
     """
     from hypothesis import strategies
 
@@ -50,7 +50,7 @@ def nasty_curves(families: Iterable[str] = (), dimension: int | None = None) -> 
 
 
 def near_cusps() -> SearchStrategy[Nurbs]:
-    """Plane cubics that have a cusp but for ε = ±2⁻ᵏ.
+    """Plane cubics at a distance ε = ±2⁻ᵏ from a cubic with a cusp.
 
     >>> from hypothesis import find
     >>> find(near_cusps(), lambda curve: True).control_points[2]
@@ -60,7 +60,8 @@ def near_cusps() -> SearchStrategy[Nurbs]:
 
 
 def near_double_inflections() -> SearchStrategy[Nurbs]:
-    """Plane quartics that have a double inflection (an undulation) but for ε = ±2⁻ᵏ: two inflections, or none.
+    """Plane quartics at a distance ε = ±2⁻ᵏ from a quartic with a double inflection (an undulation): two inflections,
+    or none.
 
     >>> from hypothesis import find
     >>> [len(x) for x in find(near_double_inflections(), lambda curve: True).control_points]
@@ -70,13 +71,13 @@ def near_double_inflections() -> SearchStrategy[Nurbs]:
 
 
 def near_lines() -> SearchStrategy[Nurbs]:
-    """Plane cubics that are straight lines but for ε = ±2⁻ᵏ."""
+    """Plane cubics at a distance ε = ±2⁻ᵏ from a straight line."""
     return near("straight")
 
 
 def near(shape: str) -> SearchStrategy[Nurbs]:
-    """Plane curves of one of the `SHAPES`, or of those `FURTHER`, ε = ±2⁻ᵏ away from what degenerates; reflected,
-    reversed, and scaled by a power of two, so that no number is rounded.
+    """Plane curves of one of the `SHAPES`, or of those `FURTHER`, at a distance ε = ±2⁻ᵏ from a degenerate curve;
+    reflected, reversed, and scaled by a power of two, so that no number is rounded.
 
     Raises `CurveFileError` with the nearest names.
     """

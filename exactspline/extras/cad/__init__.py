@@ -6,7 +6,7 @@ import json
 from importlib import resources
 from typing import Any
 
-# ---- what codes and keywords of the formats mean
+# ---- the meanings of codes and keywords of the formats
 
 
 #: The table of each kind.

@@ -1,11 +1,12 @@
 """Open CASCADE BRep text: the sections ``Curve2ds`` and ``Curves``.
 
-A curve in space is read in the parts that edges use, and a trimmed curve in the part between its parameters: splines,
-lines and parabolas exactly, circles and ellipses where these are multiples of a right angle, or where an error is
-allowed. What no edge uses is read whole: splines, and circles and ellipses, exact for the axes as written; lines and
-parabolas are unbounded. So are curves in the parameter planes of surfaces. Hyperbolas are skipped, and of an offset
-curve the basis alone is read. For a periodic curve the first poles are repeated and the knots extended by the period.
-Places of edges are ignored; a note states this.
+The parts of a curve in space that edges use are read, and the part of a trimmed curve between its parameters: exactly
+for splines, lines and parabolas, and for circles and ellipses whose parameters are multiples of a right angle; other
+arcs of circles and ellipses only with `approximate`. Splines, circles and ellipses that no edge uses are read whole,
+exact for the axes as written; lines and parabolas that no edge uses are unbounded. Curves in the parameter planes of
+surfaces are read whole, too. Hyperbolas are skipped, and of an offset curve only the basis is read. For a periodic
+curve the first poles are repeated and the knots extended by the period. Places of edges are ignored; a note states
+this.
 """
 
 from __future__ import annotations
@@ -52,7 +53,7 @@ def _looks_like(head: bytes) -> bool:
 
 
 def read(source: Source) -> Reading:
-    """The curves of both sections, those in space as edges use them."""
+    """The curves of both sections; of curves in space the parts that edges use."""
     collector, uses = Collector("brep", source), dict[str, dict[Ends, None]]()
     for edge in _EDGE.finditer(source.text):
         collector.note("edges are read where their curves are defined: they may be placed elsewhere")
@@ -71,8 +72,8 @@ def read(source: Source) -> Reading:
 
 
 def _curve(collector: Collector, words: Tokens, dimension: int, where: str, parts: Sequence[Ends]) -> None:
-    """Read one curve, or the parts of it that edges use, or a trimmed curve; of an offset its basis, over the same
-    parameters.
+    """Read one curve, or the parts of it that edges use, or a trimmed curve; for an offset curve read its basis, over
+    the same parameters.
     """
     while (kind := words.whole()) in (TRIMMED, OFFSET):
         numbers = [words.word() for _ in range(2 if kind == TRIMMED else 1 + (dimension == 3) * 3)]

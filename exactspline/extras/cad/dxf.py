@@ -170,15 +170,15 @@ class _Values:
         return rows
 
     def see_that_all_are_there(self, code: int, what: str, listed: Sequence[object]) -> None:
-        """See that as many are given as the entity announces, where it does."""
+        """Check that there are as many values as the entity announces, if it announces a number."""
         if self.entity.texts(code) and self.flag(code) != len(listed):
             raise CurveFileError(
                 f"{self.flag(code)} {what} announced, {len(listed)} given", remedy="correct the number"
             )
 
     def placed(self, local: Sequence[mpq], radius: mpq, size: mpq = ZERO) -> Round:
-        """A circle in the entity's coordinate system, by the arbitrary axis algorithm; where the axes are irrational,
-        with near ones if an error is allowed.
+        """A circle in the entity's coordinate system, by the arbitrary axis algorithm; irrational axes are approximated
+        if an error is allowed.
         """
         normal, within = self.point(210, (0, 0, 1)), self.collector.source.within
         # the axes move no point by more than the error times its coordinates
@@ -193,8 +193,8 @@ class _Values:
         return Round(Affine(rows), within, near)
 
     def angle(self, code: int, default: int, right: mpq) -> tuple[mpq, mpq, mpq]:
-        """An angle, by default this number of right angles, with what a right angle is, and what its last digit is
-        worth.
+        """An angle, by default this number of right angles, with the value of a right angle and the unit of its last
+        digit.
         """
         [text] = self.entity.texts(code)[:1] or [""]
         return (self.number(code), right, last_digit(text)) if text else (default * right, right, ZERO)

@@ -70,7 +70,7 @@ def _sections(text: str) -> dict[str, list[str]]:
 
 
 def _delimiters(lines: list[str]) -> tuple[str, str, str]:
-    """The parameter delimiter and the record delimiter, from the global section, and what follows them there."""
+    """The parameter delimiter and the record delimiter, from the global section, and the rest of the section."""
     text = "".join(line[:72] for line in lines).lstrip()
     separator = text[2:3] if text[:2] == "1H" else ","
     rest = text[4:] if text[:2] == "1H" else text[1:]
@@ -218,7 +218,7 @@ def read(source: Source) -> Reading:
     collector = Collector("iges", source)
     directory = {entry.number: entry for entry in _entries(source.text, source.limits)}
     collector.unit(_unit_of(source.text))
-    # what is made of other curves comes last
+    # curves that consist of other curves come last
     for entry in sorted(directory.values(), key=lambda entry: entry.kind == COMPOSITE):
         where = entry.place
         reader = partial(_composite, directory) if entry.kind == COMPOSITE else _READERS.get(entry.kind)
@@ -355,8 +355,8 @@ LONGEST_NUMBER = 63
 
 
 def write(splines: Sequence[Spline], numbers: NumberText) -> bytes:
-    """The curves as entities 126, surfaces as entities 128; what is in the plane is placed at z = 0, a curve there
-    flagged planar.
+    """The curves as entities 126, surfaces as entities 128. Plane curves are placed at z = 0 and flagged planar, maps
+    of the plane are placed at z = 0.
     """
     numbers.longest = LONGEST_NUMBER
     entities = []

@@ -2,11 +2,11 @@
 unchanged.
 
 NURBS curves, lines, polylines and every segment of a polycurve are read, and full circles, exact for the plane as
-written. The ends of other arcs are irrational in general: they are moved along the circle where an error is allowed.
+written. The ends of other arcs are irrational in general: they are moved along the circle if an error is allowed.
 openNURBS omits the first and the last knot; they are added again with arbitrary values, since no point of the domain
-depends on them. Surfaces are read where they are NURBS in the file, also those under the faces of a Brep, as wholes:
-trims, edges of Breps and all other objects are skipped. Copies of block definitions are not placed: their curves are
-read as the block defines them, with a note.
+depends on them. Surfaces that are NURBS in the file are read as wholes, also those under the faces of a Brep; trims,
+edges of Breps and all other objects are skipped. Copies of block definitions are not placed: their curves are read as
+the block defines them, with a note.
 """
 
 from __future__ import annotations
@@ -71,9 +71,9 @@ def read(source: Source) -> Reading:
 
 
 def _entries(source: Source) -> list[dict[str, Any]]:
-    """The objects that rhino3dm reads from the archive, in a separate process: of a damaged one it may never end. Its
-    limit is one of processor time, so that it does not depend on what else runs. A process that waits ends after
-    `WAITING` times that, or one on a system without such limits.
+    """The objects that rhino3dm reads from the archive, in a separate process, since reading a damaged archive may
+    never end. The limit is on processor time, so that it does not depend on other processes. A process that waits is
+    ended after `WAITING` times this time, and so is every process on a system without such limits.
     """
     seconds = source.limits.seconds * (1 + (len(source.data) >> 20))
     command = [sys.executable, "-m", "exactspline.extras.cad.rhino_process", str(seconds)]
@@ -117,8 +117,8 @@ def _arc(collector: Collector, entry: dict[str, Any]) -> None:
 
 
 def write(splines: Sequence[Spline], numbers: NumberText) -> bytes:
-    """The curves or surfaces as objects of a version 7 archive, what is in the plane at z = 0; numbers that are not
-    doubles require rounding.
+    """The curves or surfaces as objects of a version 7 archive, plane ones at z = 0. Numbers that are not doubles
+    require rounding.
     """
     rhino = _rhino()
     model = rhino.File3dm()

@@ -63,7 +63,7 @@ def _held(degrees: list[int], knots: list[Any], points: list[Any], rational: boo
 
 
 def entries(data: bytes, seconds: int) -> list[dict[str, object]]:
-    """The contents of an archive; limits the memory of this process and its processor time, from now on, first, so that
+    """The contents of an archive. First the memory of this process and its further processor time are limited, so that
     it ends even if the parent process was killed.
     """
     import rhino3dm

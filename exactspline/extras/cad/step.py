@@ -2,10 +2,10 @@
 Bézier, uniform, quasi-uniform).
 
 Curves are read in the coordinates and units of the file; placements in an assembly are not applied, as a note says. An
-edge is the part of its curve between its vertices, a trimmed curve that between its parameters or points: exactly
-where these lie exactly on it, and otherwise where an error is allowed; a spline that an edge uses and on which a vertex
-does not lie is read whole, with a note. Circles, ellipses and splines that nothing uses are read in full. Surfaces are
-read as wholes: the faces that trim them are not read. Everything else is skipped.
+edge is the part of its curve between its vertices, a trimmed curve the part between its parameters or points. It is
+exact if these lie exactly on the curve; otherwise it is read only if an error is allowed. A spline that an edge uses
+and on which a vertex does not lie is read whole, with a note. Circles, ellipses and splines that nothing uses are read
+in full. Surfaces are read as wholes: the faces that trim them are not read. Everything else is skipped.
 """
 
 from __future__ import annotations
@@ -60,7 +60,7 @@ def read(source: Source) -> Reading:
     trimmed, others, composite = set[str](), set[str](), list[int]()
     for number, text in file.instances.items():
         where, named = f"#{number}", named_by[number]
-        # of a complex instance, whose keywords are in alphabetical order, the one that is known here
+        # the first known keyword of a complex instance, whose keywords are in alphabetical order
         keyword = next((each for each in named if each in KNOWN), named[0] if named else "")
         if not ANY_CURVE.isdisjoint(named):
             with collector.skipping(keyword, where):
@@ -93,8 +93,8 @@ def read(source: Source) -> Reading:
 
 
 def _see_that_there_is_room(file: StepFile, splines: Sequence[str]) -> None:
-    """Raise `ShapeError` where there are too many objects, before any is built: of every spline at least what stands
-    between its commas, its control points and knots, and of every point of one its coordinates.
+    """Raise `ShapeError` for too many objects, before any is built. Counted are the entries between the commas of every
+    spline (its control points and knots), and the coordinates of its points.
     """
     points, least = set[str](), 0
     for text in splines:

@@ -55,7 +55,7 @@ class Keywords:
         """The kind of a spline, the attributes of all kinds, those of this kind, and the list that begins with its
         name: a simple instance has them in one list.
 
-        Raises `CurveFileError` where no kind, which has knots, is among its keywords, and for too few attributes.
+        Raises `CurveFileError` if no kind with knots is among its keywords, and for too few attributes.
         """
         kind = next((kind for kind in self.kinds if kind in entity), "")
         if not kind:
@@ -83,7 +83,7 @@ def add_surface(file: StepFile, entity: dict[str, list[Value]], where: str) -> N
 
 
 def _spline(file: StepFile, what: str, entity: dict[str, list[Value]], where: str) -> dict[str, Any]:
-    """What a collector needs to build the spline of an instance."""
+    """The arguments of a collector that build the spline of an instance."""
     keywords, notes = KEYWORDS[what], list[str]()
     kind, base, specific, name = keywords.parts(entity)
     n = keywords.parameters
@@ -109,7 +109,7 @@ def _spline(file: StepFile, what: str, entity: dict[str, list[Value]], where: st
 
 
 def _rows(file: StepFile, what: str, values: Value) -> Sequence[Value]:
-    """The rows of a net; the list of a curve is one."""
+    """The rows of a net; the list of a curve is a single row."""
     if what == CURVE:
         return [values]
     if not isinstance(values, list):
@@ -217,7 +217,7 @@ class Edges:
                 self.right = DEGREES
 
     def _followed(self, reference: Value) -> str:
-        """The curve in space that a reference means: of a curve on a surface its first."""
+        """The curve in space that a reference means; for a curve on a surface its first curve."""
         for _ in range(self.file.limits.depth):
             kind = self._kind(reference)
             if kind not in (*ON_SURFACES, TRIMMED):
@@ -261,7 +261,7 @@ class Edges:
         else:
             ends = [self._trim(end) for end in given[1:3]]
         whole = keyword == EDGE and given[0] == given[1]
-        # the direction of the curve: from the last end to the first where the sense is not that of the curve
+        # the direction of the curve: from the last end to the first one if the sense is not that of the curve
         ends, notes = (ends, list[str]()) if sense == ".T." else (ends[::-1], ["reversed"])
         if kind == CURVE:
             made, title = self._spline(curve, reference), name_of([name], "")
@@ -301,7 +301,7 @@ class Edges:
         return decimal(end.parameter, self.file.limits)
 
     def _spline(self, reference: str, where: str = "") -> NamedCurve:
-        """The curve with control points of an instance, used by one that is elsewhere."""
+        """The curve with control points of an instance that is used by another instance."""
         where = where or reference
         entity = parts(self.file.instances[int(reference[1:])], self.file.limits)
         if POLYLINE not in entity:
@@ -368,7 +368,7 @@ class Edges:
         return found
 
     def _on_round(self, curve: Round, end: _End) -> tuple[mpq, ...]:
-        """The point of the unit circle for an end: by its parameter where that is a multiple of a right angle."""
+        """The point of the unit circle for an end: by its parameter if that is a multiple of a right angle."""
         if end.parameter:
             angle, digit = self._number(end), last_digit(end.parameter)
             if end.point is None or quarter_turns(angle, self.right, digit) is not None:

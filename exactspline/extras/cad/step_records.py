@@ -31,8 +31,8 @@ _CALLED = re.compile(r"([A-Z0-9_]+)\s*\(", re.ASCII)
 
 
 def _instances(text: str, collector: Collector) -> dict[int, str]:
-    """The text of every instance in the data sections, by instance number. The collector gets what shows that a file
-    is cut off, or that an instance is defined twice.
+    """The text of every instance in the data sections, by instance number. The collector gets an error for a file that
+    is cut off, and for an instance that is defined twice.
     """
     texts: dict[int, str] = {}
     statement, end = "", 0
@@ -53,7 +53,7 @@ def _instances(text: str, collector: Collector) -> dict[int, str]:
 
 
 def _statements(text: str) -> Iterator[tuple[str, int]]:
-    """Each statement with the place behind it."""
+    """Each statement with the position after it."""
     begin = 0
     pieces: list[str] = []
     for match in _NOISE.finditer(text):
@@ -66,8 +66,8 @@ def _statements(text: str) -> Iterator[tuple[str, int]]:
 
 
 def keywords(text: str) -> list[str]:
-    """The keywords of an instance, without reading its arguments: one, or those of a complex instance, and behind them
-    those of typed values; empty for what is not an instance.
+    """The keywords of an instance, without reading its arguments: one keyword, or those of a complex instance, then
+    those of typed values; empty for a text that is not an instance.
 
     >>> keywords("LINE('A(',#1)"), keywords("(A(1.) B((#2),'C()'))")
     (['LINE'], ['A', 'B'])
@@ -136,11 +136,11 @@ class StepFile:
         return [value if isinstance(value, str) else "" for value in values]
 
 
-# ---- as they are written
+# ---- writing
 
 
 class StepText:
-    """A file in the making."""
+    """A file that is being written."""
 
     def __init__(self, numbers: NumberText) -> None:
         self.numbers = numbers
@@ -179,7 +179,7 @@ class StepText:
 
 
 def string(name: str) -> str:
-    """A name as a string; characters that a string cannot hold are left out."""
+    """A name as a string; characters that a string cannot hold are omitted."""
     return "'" + "".join(c for c in name if " " <= c <= "~" and c != "\\").replace("'", "''") + "'"
 
 

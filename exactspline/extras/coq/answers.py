@@ -1,4 +1,6 @@
-"""Answers about one curve as theorems: where its curvature, the derivative of its curvature, its torsion vanish."""
+"""Answers about one curve as theorems: the zeros of its curvature, of the derivative of its curvature, and of its
+torsion.
+"""
 
 from __future__ import annotations
 
@@ -197,7 +199,7 @@ def _cell_text(cell: Cell) -> str:
 
 # ---- the common points of two plane curves
 #
-# The resultant and the first subresultant come with their cofactors, so that Coq checks identities of polynomials.
+# The resultant and the first subresultant are given with their cofactors, so that Coq checks polynomial identities.
 #
 # Source: Brown and Traub, On Euclid's algorithm and the theory of subresultants, JACM 1971 (as determinants).
 
@@ -211,8 +213,9 @@ REMEDY = "theorems are about simple points, inside or at rational parameters, of
 
 @dataclass(frozen=True)
 class _BoxedPoint:
-    """An interval of the second parameter with one zero of the resultant, or a point; and that of the first, None where
-    it is outside the curve. `sign` is that of the slope, `above` on which side it is outside.
+    """An interval of the second parameter with one zero of the resultant, or a point, and the interval of the first
+    parameter, None if it is outside the curve. `sign` is the sign of the slope; `above` says on which side the first
+    parameter is outside.
     """
 
     second: Interval
@@ -223,7 +226,7 @@ class _BoxedPoint:
 
 @dataclass(frozen=True)
 class Elimination:
-    """The resultant, a combination ``slope s + offset``, and the combinations that prove what they say."""
+    """The resultant, a combination ``slope s + offset``, and the combinations that prove both."""
 
     eliminant: fmpq_poly
     slope: fmpq_poly
@@ -240,7 +243,7 @@ def meeting_theorem(first: Nurbs, second: Nurbs) -> str:
     >>> "meet at exactly 1 point" in meeting_theorem(parabola, line)
     True
 
-    Raises `ClaimError` where there is no such theorem.
+    Raises `ClaimError` if there is no such theorem.
     """
     for curve in (first, second):
         if curve.dimension != 2 or curve.segments != 1 or min(curve.weights) <= 0:
@@ -358,7 +361,7 @@ def rational_determinant(matrix: Sequence[Rows]) -> fmpq_poly:
 
 
 def _by_line(p: Rows, line: Rows, resultant: fmpq_poly, exponent: int) -> tuple[Rows, Rows]:
-    """How a power of the slope times p is a combination of the line and the resultant."""
+    """A power of the slope times p as a combination of the line and the resultant."""
     quotient, rest = list[fmpq_poly](), [x * line[1] ** exponent for x in p]
     while len(rest) > 1:
         own = [fmpq_poly([])] * (len(rest) - 2) + [_exactly(rest[-1], line[1])]
@@ -371,7 +374,7 @@ def _by_line(p: Rows, line: Rows, resultant: fmpq_poly, exponent: int) -> tuple[
 
 
 def _places(found: Elimination, first: Interval, second: Interval) -> tuple[list[Cell], list[_BoxedPoint]]:
-    """Cells of the resultant so narrow that each of its zeros has a place, and these places."""
+    """Cells of the resultant, so narrow that each of its zeros has a place, and these places."""
     todo = [(cell, 0) for cell in reversed(cells_of(found.eliminant, *second))]
     cells, places = list[Cell](), list[_BoxedPoint]()
     while todo:
@@ -391,7 +394,7 @@ def _places(found: Elimination, first: Interval, second: Interval) -> tuple[list
 
 
 def _at_point(found: Elimination, first: Interval, t: mpq) -> list[_BoxedPoint]:
-    """The place of a zero at a rational parameter, if it is one."""
+    """The place of a zero, if its parameter is rational."""
     if found.eliminant(to_fmpq(t)) != 0:
         return []
     a, b = (from_flint(p(to_fmpq(t))) for p in (found.slope, found.offset))

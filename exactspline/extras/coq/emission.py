@@ -53,7 +53,7 @@ Difference = tuple[Node, str, str]
 def _refutation(claim: Claim, dimension: int, named: Callable[[Formula], str]) -> str:
     """The theorem that a claim fails.
 
-    Raises `ClaimError` where none of the curves tried is a counterexample.
+    Raises `ClaimError` if none of the curves tried is a counterexample.
     """
     for curve in candidates(kind_of(claim.curve), dimension, polynomial=claim.of == Scope.POLYNOMIAL):
         attempt = _Attempt(claim, dimension, named, curve)
@@ -323,7 +323,7 @@ _PARABOLA = ExplicitCurve(
 
 
 def candidates(kind: Kind, dimension: int, *, polynomial: bool) -> Iterator[ExplicitCurve]:
-    """Explicit arguments of a kind; only polynomial ones where a claim is about these alone.
+    """Explicit arguments of a kind; only polynomial arguments for a claim about polynomial curves.
 
     Raises `ClaimError` for a kind without explicit arguments.
     """
@@ -359,7 +359,7 @@ class Stated:
 
     @property
     def why(self) -> str:
-        """The reason why there is none, as text."""
+        """The reason why there is no theorem, as text."""
         return "" if self.reason is None else self.reason.problem
 
 
@@ -380,7 +380,7 @@ class Library:
     def of(self, claims: Iterable[Claim]) -> Library:
         """The theorems of some claims only, and the files that they require.
 
-        Raises `ClaimError` where none of them has a theorem, with the reasons.
+        Raises `ClaimError`, with the reasons, if none of them has a theorem.
         """
         chosen = list(claims)
         keys = {(claim.paper, claim.key) for claim in chosen}
@@ -497,7 +497,7 @@ def claims_header(name: str, text: str) -> str:
 
 
 def why_unstated(claim: Claim) -> ExactSplineError:
-    """Why a claim has no theorem."""
+    """The reason why a claim has no theorem."""
     if not isinstance(claim, STATED):
         return FormulaError(f"claims of the kind {claim.kind!r} are not equalities")
     foreign = not claim.source_paper.package

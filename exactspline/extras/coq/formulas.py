@@ -171,7 +171,7 @@ class Writer:
         return f"component {index} {inner}"
 
     def joined(self, node: Node) -> str:
-        """A vector, or a scalar as one."""
+        """A vector; a scalar becomes a vector with one component."""
         return self.at(node, APPLICATION) if node.is_vector else f"[{self(node)}]"
 
 

@@ -1,4 +1,4 @@
-"""The kernel of Coq as a judge: the theorems are compiled, and their assumptions printed."""
+"""The kernel of Coq as a second verifier: the theorems are compiled, and their assumptions printed."""
 
 from __future__ import annotations
 
@@ -27,8 +27,8 @@ Axioms = dict[str, tuple[Name, ...]]
 
 
 class Coq:
-    """The judge that has theorems compiled by Coq's kernel: those of a given set of claims (all together, at the first
-    request), or those of one claim at a time.
+    """The verifier that has theorems compiled by Coq's kernel: those of a given set of claims (all together, at the
+    first request), or those of one claim at a time.
     """
 
     name, column = Name("coq"), Name("kernel")
@@ -38,7 +38,7 @@ class Coq:
         self._found: dict[tuple[str, str], Finding] = {}
 
     def decide(self, claim: Claim) -> Finding:
-        """The finding of the kernel; UNDECIDED, with the reason, where there is no theorem, or Coq is not installed."""
+        """The finding of the kernel; UNDECIDED, with the reason, if there is no theorem, or Coq is not installed."""
         if (claim.paper, claim.key) not in self._found:
             self._found |= findings({claim, *self._claims})
         return self._found[claim.paper, claim.key]
@@ -46,7 +46,7 @@ class Coq:
 
 def findings(claims: Iterable[Claim]) -> dict[tuple[str, str], Finding]:
     """The findings of the kernel, by paper and key. A theorem states that a claim holds, or that it fails, according to
-    the record; the kernel rejects a wrong one.
+    the record; the kernel rejects a false theorem.
     """
     claims = list(claims)
     requested = {(claim.paper, claim.key) for claim in claims}
@@ -134,7 +134,7 @@ def assumptions(place: Path, module: str, theorems: Iterable[str]) -> Axioms:
 
 
 def _axioms(answer: str) -> tuple[Name, ...]:
-    """The names in an answer of Coq, none where there are no axioms."""
+    """The names of axioms in an answer of Coq."""
     if CLOSED in answer:
         return ()
     return tuple(map(Name, re.findall(r"^(?!Axioms:)(\S+)(?=\s*:)", answer, re.MULTILINE)))

@@ -1,4 +1,4 @@
-"""Proof scripts: which polynomials do not vanish and why, and the checks that imply an equality."""
+"""Proof scripts: the polynomials that do not vanish, with reasons, and the checks that imply an equality."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ class Premise:
 
 
 def _base(node: Node) -> tuple[Node, int]:
-    """What a tree is a power of, which vanishes where the tree does, and the exponent."""
+    """The base and the exponent of a tree that is a power; the base vanishes where the tree does."""
     power = 1
     while node.op is Operation.POWER and node.value > 0:
         node, power = node.args[0], power * node.value
@@ -42,7 +42,7 @@ def _base(node: Node) -> tuple[Node, int]:
 
 @dataclass(kw_only=True)
 class Nonzero:
-    """Polynomials and prime numbers that do not vanish, and those of their products that occur, by their exponents in
+    """Polynomials and prime numbers that do not vanish, and the products of them that occur, by their exponents in
     numerator and denominator.
     """
 
@@ -67,7 +67,7 @@ class Nonzero:
             self.known.append(entry)
 
     def place(self, atom: Atom) -> int | None:
-        """The position of an atom; None where it is not known."""
+        """The position of an atom; None for an unknown atom."""
         same = (i for i, each in enumerate(self.atoms) if isinstance(each, int) is isinstance(atom, int))
         return next((i for i in same if self.atoms[i] == atom), None)
 
@@ -174,7 +174,8 @@ class Proof(Nonzero):
 
     def _divides_with_derivative(self, polynomial: fmpq_mpoly, premise: Premise) -> bool:
         """``4 B = b S − S′ S′`` implies that S does not vanish where B does not; this applies to ‖γ′‖² and ‖γ′ × γ″‖²
-        (in the plane ``[γ′ γ″]²``)."""
+        (in the plane ``[γ′ γ″]²``).
+        """
         whole_factor = self._whole(polynomial, premise)
         if whole_factor is None:
             return False
@@ -206,7 +207,7 @@ class Proof(Nonzero):
         return None
 
     def follows(self, polynomial: fmpq_mpoly) -> bool:
-        """Whether it follows from the assumptions that a polynomial does not vanish."""
+        """Whether the assumptions imply that a polynomial does not vanish."""
         if self.place(polynomial) is not None or self._given(polynomial):
             return True
         return any(

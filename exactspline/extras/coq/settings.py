@@ -1,5 +1,5 @@
 """The quantified argument of a theorem: the argument of its formulas, as a term, and as jets of the position γ instead
-of the numerators p = w γ; naive formulas are short in these.
+of the numerators p = w γ, since naive formulas are short in γ.
 """
 
 from __future__ import annotations
@@ -59,7 +59,7 @@ WEIGHTS = {
 
 
 class Spelling(NamedTuple):
-    """How an argument is written: the variables of a proof and the hypotheses about them, in the order of the
+    """The notation of an argument: the variables of a proof and the hypotheses about them, in the order of the
     quantifier; the list of jets; the rules for their derivatives; the argument as expressions.
     """
 
@@ -170,7 +170,7 @@ class Setting:
 
     @cached_property
     def spelling(self) -> Spelling:
-        """How the argument is written."""
+        """The notation of the argument."""
         return self._spelled()
 
     def _spelled(self) -> Spelling:

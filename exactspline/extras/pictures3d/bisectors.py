@@ -89,7 +89,9 @@ def plot_curve_bisector(bisector: CurveBisector, ax: Axes | None = None, *, box:
 
 
 def _finished(ax: Axes, box: Box, of: str) -> Axes:
-    """The picture with its title and its legend, and with the box for its frame: what goes on beyond leaves it."""
+    """The picture with its title, its legend, and the box as its frame; parts that continue outside the box cross the
+    frame.
+    """
     if ax.name == "3d":
         show_box(ax, box)
     else:
@@ -121,7 +123,7 @@ def _plot(ax: Axes, mesh: SurfaceMesh, label: str, color: str) -> None:
 
 
 def _lines_mesh(rulings: Sequence[Ruling | None], box: Box) -> SurfaceMesh:
-    """Lines, one after the other, as a surface cut at a box; None where the surface is interrupted.
+    """Lines, one after another, as a surface that is cut at a box; None where the surface is interrupted.
 
     >>> mesh = _lines_mesh([((0, 0, 0), (0, 0, 1)), ((1, 0, 0), (0, 0, 2))], ((-2, -2, -2), (2, 2, 2)))
     >>> len(mesh.faces), max(p[2] for face in mesh.faces for p in face)
@@ -143,7 +145,7 @@ def _lines_mesh(rulings: Sequence[Ruling | None], box: Box) -> SurfaceMesh:
 
 
 def _turned(ruling: Ruling, before: Point | None) -> Ruling:
-    """The line, its direction chosen to agree with that of the line before."""
+    """The line, with its direction chosen to agree with that of the previous line."""
     point, direction = ruling
     against = before is not None and sum(x * y for x, y in zip(before, direction, strict=True)) < 0
     return point, tuple(-x for x in direction) if against else direction
@@ -180,13 +182,13 @@ def _value(generator: Any, u: mpq) -> Point:
 
 
 def _between(low: Any, high: Any) -> list[mpq]:
-    """Parameters strictly inside an interval, and its ends where they are rational."""
+    """Parameters strictly inside an interval, and those of its ends that are rational."""
     a, b = (t.refine(DIGITS) if isinstance(t, Root) else (t, t) for t in (low, high))
     return [a[1] + (b[0] - a[1]) * mpq(k, RULINGS) for k in range(RULINGS + 1)]
 
 
 def _middle(flat: Any) -> Ruling | None:
-    """A line in balls as the line through their midpoints; None where a ball is not finite."""
+    """A line in balls as the line through their midpoints; None if a ball is not finite."""
     rows = [flat.point, flat.direction]
     if not all(x.is_finite() for row in rows for x in row):
         return None
@@ -240,8 +242,8 @@ def plot_point_bisector(bisector: PointBisector, curve: Nurbs, point: Sequence[N
 
 
 def plot_plane_bisector(bisector: PlaneBisector, ax: Axes | None = None) -> Axes:
-    """The bisector of two plane curves: the parts to which no other point of a curve is nearer, and the
-    others in grey.
+    """Draw the bisector of two plane curves: the parts to which no other point of a curve is nearer, and the other
+    parts in grey.
 
     >>> from exactspline import Nurbs
     >>> from exactspline.geometry.bisectors.plane_curves import PlaneBisector
@@ -261,7 +263,7 @@ def plot_plane_bisector(bisector: PlaneBisector, ax: Axes | None = None) -> Axes
 
 
 def _point_of(bisector: PlaneBisector, pair: tuple[mpq, mpq]) -> Point | None:
-    """The point of a pair near the curve of pairs; None where there is none."""
+    """The bisector point of a pair near the curve of pairs; None if there is none."""
     try:
         x, y = (real(x).enclosure(DIGITS).middle for x in bisector.point(*pair))
     except ReachError:

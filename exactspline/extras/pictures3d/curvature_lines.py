@@ -96,7 +96,7 @@ class Samples:
 
     @cached_property
     def _lists(self) -> _Lists:
-        """The grid lines, the points and the directions as lists: single numbers are read faster from these."""
+        """The grid lines, the points and the directions as lists, since single numbers are read faster from lists."""
         us, vs, points, first, second = (each.tolist() for each in (*self.grid, self.whole, *self.directions))
         return _Lists(us, vs, points, (first, second))
 

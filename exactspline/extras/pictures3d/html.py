@@ -1,6 +1,7 @@
 """Interactive 3-D surfaces: a self-contained HTML page for any browser, without a network.
 
-The page is data and ``turning.js``, which draws it by WebGL; the pages of the site use the same two.
+The page consists of data and of ``turning.js``, which draws the data by WebGL; the pages of the site use the same data
+and script.
 """
 
 from __future__ import annotations

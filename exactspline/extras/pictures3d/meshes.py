@@ -50,10 +50,10 @@ Parameters = tuple[mpq, ...]
 class SurfaceMesh:
     """Rows of points in patches (None where there is no point, or a faraway one), and a control net.
 
-    ``cut`` are the polygons that join the patches to the border of what is shown, three or more corners each. ``net``
-    are the polygons of the control points in connected runs, ``points`` is the number of control points, ``hidden`` the
-    number of those that are directions (weight 0) or far away. ``parameters`` are the two parameters of each point of
-    the patches, in their shape, and ``letters`` their names.
+    ``cut`` are the polygons, with three or more corners each, that join the patches to the border of the visible part.
+    ``net`` are the polygons of the control points in connected runs, ``points`` is the number of control points,
+    ``hidden`` the number of those that are directions (weight 0) or far away. ``parameters`` are the two parameters of
+    each point of the patches, in their shape, and ``letters`` their names.
     """
 
     patches: list[list[list[Point | None]]]
@@ -72,7 +72,7 @@ class SurfaceMesh:
 
     @property
     def faces(self) -> list[Run]:
-        """The quadrilaterals with all four corners, and what is cut."""
+        """The quadrilaterals with all four corners, and the cut polygons."""
         points, faces = self.indexed
         return [[points[k] for k in face] for face in faces]
 
@@ -299,7 +299,7 @@ class _Sampled:
         return self._points[s, t]
 
     def corners(self, s: tuple[mpq, mpq], t: tuple[mpq, mpq]) -> list[Point] | None:
-        """The corners of a cell in order around it; None where a pole may run through it."""
+        """The corners of a cell in order around it; None if a pole may run through the cell."""
         found = [self(s[i], t[j]) for i, j in ((0, 0), (0, 1), (1, 1), (1, 0))]
         points = [p for p, _ in found if p is not None]
         return points if len(points) == 4 and len({sign for _, sign in found}) == 1 else None

@@ -1,5 +1,5 @@
-"""A surface coloured by the sign of its curvature, with parabolic curves, umbilics and lines of curvature; and the same
-in the plane of its parameters.
+"""Pictures of a surface in space and of its parameter plane: coloured by the sign of the curvature, with parabolic
+curves, umbilics and lines of curvature.
 
 Regions, curves and points are certified; colours between them and lines of curvature are computed in floats.
 """
@@ -70,7 +70,9 @@ def has_lines(inspection: SurfaceInspection) -> bool:
 
 
 def colour_of(one: PatchInspection, sign: float) -> str:
-    """The colour of a face: by what was proved of its patch; where K has both signs, by the sign at its middle."""
+    """The colour of a face, by the proved sign of K on its patch; if K has both signs there, by the sign at the
+    middle.
+    """
     if one.kind in (PatchKind.ELLIPTIC, PatchKind.ELLIPTIC_BUT, PatchKind.SPHERICAL):
         return ELLIPTIC
     if one.kind in (PatchKind.HYPERBOLIC, PatchKind.HYPERBOLIC_BUT):
@@ -119,8 +121,8 @@ def _in_space(ax: Any, inspection: SurfaceInspection, samples: Samples, lines: A
 
 
 def _of_one_length(polygons: list[Any]) -> list[Any]:
-    """The polygons with as many vertices as the longest, the last one repeated: where they differ, matplotlib 3.11
-    computes with memory that it never filled.
+    """The polygons, all with as many vertices as the longest one, by repeating the last vertex: for unequal numbers,
+    matplotlib 3.11 computes with uninitialized memory.
     """
     most = max(map(len, polygons))
     return [[*polygon, *[polygon[-1]] * (most - len(polygon))] for polygon in polygons]

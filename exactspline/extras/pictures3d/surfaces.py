@@ -57,8 +57,8 @@ def plot_mesh(
     control_net: bool = True,
     net_color: str = GREY,
 ) -> Axes:
-    """A surface given by its points: translucent shaded faces, through which everything else is seen, lines of constant
-    parameters, and its control net with the number of points in the legend.
+    """A surface given by its points: translucent shaded faces, lines of constant parameters, and its control net with
+    the number of points in the legend.
 
     Raises `PlotError` without matplotlib, for axes in the plane, where nothing can be drawn, and for numbers beyond
     1e100.
@@ -200,20 +200,20 @@ def plot_bisector(
     control_net: bool = True,
     box: Box | None = None,
 ) -> Axes:
-    """The bisector of a curve and a point (coordinates) or another curve, in the sense of §6: equal critical distances,
-    untrimmed.
+    """Draw the bisector of a curve and a point (coordinates) or another curve, in the sense of §6 of the paper: equal
+    critical distances, untrimmed.
 
     For a plane curve and a point it is a curve, for a space curve and a point a ruled surface, for two space curves a
-    surface in two parameters. `formula` is the name of a formula of §6 for such arguments; by default the polynomial
-    one.
+    surface in two parameters. `formula` is the name of a formula of that section for such arguments; by default the
+    polynomial one.
 
     >>> from exactspline.interchange.examples import example
     >>> ax = plot_bisector(example("ellipse"), ("1/2", "1/4"))
     >>> ax.get_legend().get_texts()[-1].get_text()
     'bisector: degree 7'
 
-    Raises `ShapeError` where the dimensions do not match, `FormulaError` for an unknown formula, otherwise as
-    `plot_mesh` and `plot_quotient`.
+    Raises `ShapeError` if the dimensions do not match, `FormulaError` for an unknown formula, otherwise as `plot_mesh`
+    and `plot_quotient`.
     """
     check_options(control_net=control_net, box=box)
     kind, default, handed = _argument(curve_of(curve), other)

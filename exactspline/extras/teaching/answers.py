@@ -62,7 +62,7 @@ def _cleaned(answer: str) -> str:
 
 
 def negative(answer: str) -> bool:
-    """Whether the answer says that there is none.
+    """Whether the answer says "none" or "no".
 
     >>> [negative(each) for each in ("none", "No, it is not.", "∅", "0")]
     [True, True, True, False]
@@ -135,7 +135,7 @@ def _number(word: str) -> mpq:
 def _polynomial(formula: str) -> Polynomial:
     raised = re.sub(r"[⁰¹²³⁴⁵⁶⁷⁸⁹]+", lambda m: f"^{m[0].translate(_POWERS)}", formula)
     code = raised.replace("·", "*").replace("**", "^").replace("^", "**")
-    # a number, t or a bracket followed by t or a bracket is a product
+    # a number, t or a bracket, followed by t or a bracket, is a product
     code = re.sub(r"(?<=[\dt)])\s*(?=[t(])", "*", "".join(code.split()))
     problem = AnswerError(f"{shown(formula.strip())} is not a polynomial in t", where="answer", remedy="1 - 3t + 2t^2")
     if len(code) > MAX_FORMULA or not re.fullmatch(r"[0-9t+\-*/().]+", code):
@@ -273,7 +273,7 @@ class Numbers(Answer, OneLine):
         return ", ".join(map(text, self.values))
 
     def differences(self, answer: str) -> Iterator[Difference]:
-        """Each wrong number, or a wrong number of numbers."""
+        """Each wrong number, or a difference in their number."""
         answers = numbers(answer)
         if len(answers) != len(self.values):
             yield OtherCount(Entries.NUMBERS, len(self.values), len(answers))
@@ -409,7 +409,7 @@ class Polynomials(Answer, OneLine):
 
 @dataclass(frozen=True, repr=False)
 class Circle(Answer, OneLine):
-    """Whether it is a circle: ``no``, or its centre and the square of its radius."""
+    """The answer to the question whether an arc is circular: ``no``, or the centre and the square of the radius."""
 
     #: Centre and squared radius; empty if it is not a circle.
     values: Point

@@ -127,7 +127,7 @@ def exercise(
         from exactspline.errors import command_name
         from exactspline.extras.teaching.display.exercises import text_lines
 
-        # these are paragraphs in a pipe, too
+        # lines are also limited in a pipe
         width = min(console.width(), 80)
         sys.stdout.write("\n".join(text_lines(made, width, solutions=solutions)) + "\n")
         if not (solutions or out.quiet):

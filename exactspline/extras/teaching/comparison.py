@@ -1,4 +1,4 @@
-"""Comparison of a student's curve or formula with the reference: equal, or where they differ."""
+"""Comparison of a student's curve or formula with the reference: they are equal, or the places where they differ."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What is wrong in an answer, as data; `exactspline.display.evidence` puts it into words."""
+"""The errors in an answer, as data; `exactspline.display.evidence` puts them into words."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from exactspline.verification.vocabulary import Name
 
 
 class Difference(WordedData):
-    """One thing that is wrong; its `hint` does not tell what would be right."""
+    """One error in an answer; its `hint` does not contain the right value."""
 
     hint: ClassVar[str] = ""
 
@@ -23,7 +23,7 @@ class Difference(WordedData):
 
 
 class Entries(Enum):
-    """What an answer is a list of."""
+    """The kinds of entries in an answer."""
 
     NUMBERS = "number"
     POINTS = "point"
@@ -31,7 +31,7 @@ class Entries(Enum):
 
 
 class Wrong(Difference, Enum, words="{value}"):
-    """What is wrong with an answer that is not a number."""
+    """An error that is not about a number."""
 
     CIRCLE = "it is a circle"
     NOT_A_CIRCLE = "it is not a circle"

@@ -35,9 +35,9 @@ class Triangle:
     """Columns of points; each column after the first is computed from neighbours in the previous one.
 
     In de Boor's algorithm and knot insertion a column has one point fewer than the previous one: ``columns[r][k] = (1 −
-    s) columns[r−1][k] + s columns[r−1][k+1]`` with ``s = ratios[r−1][k]``. In degree elevation it has one more:
-    ``columns[r][k] = s columns[r−1][k−1] + (1 − s) columns[r−1][k]``, where s is 0 for the first point and 1 for the
-    last.
+    s) columns[r−1][k] + s columns[r−1][k+1]`` with ``s = ratios[r−1][k]``. In degree elevation a column has one point
+    more: ``columns[r][k] = s columns[r−1][k−1] + (1 − s) columns[r−1][k]``, where s is 0 for the first point and 1 for
+    the last.
     """
 
     #: ``de Boor``, ``insertion`` or ``elevation``.
@@ -194,7 +194,7 @@ def _expected(curve: Nurbs | BSpline) -> Nurbs | BSpline:
 
 
 def _splines(curve: Nurbs | BSpline) -> tuple[list[BSpline], bool]:
-    """The coordinates, and the weight where there is one; and whether there is."""
+    """The coordinates, with the weight of a rational curve, and whether there is a weight."""
     if isinstance(curve, BSpline):
         return [curve], False
     curve = curve_of(curve)
@@ -227,7 +227,7 @@ def _upwards(points: tuple[Row, ...], span: tuple[mpq, mpq], by: int, has_weight
         above = columns[-1]
         size = len(above)
         shares = tuple(mpq(k, size) for k in range(size + 1))
-        # the first and the last have no neighbour on one side
+        # the first and the last point have a neighbour only on one side
         pairs = zip((above[0], *above), (*above, above[-1]), strict=True)
         columns.append(tuple(_between(1 - s, a, b) for s, (a, b) in zip(shares, pairs, strict=True)))
         ratios.append(shares)

@@ -7,7 +7,7 @@ from exactspline.display.numbers import EXACT, Numbers
 from exactspline.errors import counted
 from exactspline.extras.teaching import differences as wrong
 
-# ---- what is wrong with an answer, in words
+# ---- the errors in an answer, in words
 
 
 @words.register

@@ -62,7 +62,7 @@ def text_lines(made: Sequence[Exercise], width: int, *, solutions: bool) -> list
 
 
 def _with_headings(made: Sequence[Exercise]) -> list[tuple[str, Exercise]]:
-    """Exercises of several topics, the first of each with what its topic asks; those of one topic have no headings."""
+    """Exercises of several topics, each topic with a heading; exercises of one topic have no heading."""
     several = len({each.topic for each in made}) > 1
     before = ["", *(each.topic for each in made)]
     return [
@@ -74,7 +74,7 @@ def _with_headings(made: Sequence[Exercise]) -> list[tuple[str, Exercise]]:
 def solution_lines(made: Exercise, width: int, number: str = "   ") -> list[str]:
     """The answer of an exercise and the way to it."""
     lines = _paragraph(f"{number}{plain(made.answer.parts)}", width)
-    # a triangle in text says itself what it is
+    # a triangle in text has its own title
     said = plain(made.solution).removesuffix("De Boor's triangle:").rstrip()
     lines += _paragraph(f"   {said}", width, 3) if said else []
     for part in made.solution:
@@ -204,7 +204,7 @@ def html_page(made: Sequence[Exercise], *, solutions: bool) -> str:
 
 
 def hinted(difference: Difference) -> str:
-    """What is wrong, without the right value.
+    """An error in words, without the right value.
 
     >>> from exactspline.extras.teaching.differences import OtherNumber
     >>> from exactspline.numbers.exact import mpq

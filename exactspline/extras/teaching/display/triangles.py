@@ -38,7 +38,7 @@ def _title(scheme: Scheme) -> str:
 
 
 def _rule(scheme: Scheme) -> str:
-    """How the entries are computed, in words."""
+    """The rule by which the entries are computed, in words."""
     if isinstance(scheme, ProductTable):
         return (
             "Bézier points times binomial coefficients are multiplied; the sum of a diagonal, divided by the binomial "
