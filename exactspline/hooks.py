@@ -16,8 +16,7 @@ if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
 
-#: From the name of a format (``html``, ``latex``, ``short``, ``words``) and an object to a text, None where there is
-#: none.
+#: From the name of a format (``html``, ``latex``, ``short``, ``words``) and an object to a text; None if there is none.
 Printers = Callable[[str, object], str | None]
 
 

@@ -26,9 +26,9 @@ V = TypeVar("V")
 
 #: Name → the package that it needs besides joblib.
 BACKENDS = {"serial": "", "processes": "", "dask": "distributed"}
-#: How many curves are computed together: a few at first (`FIRST`), so that the first results come soon and all
-#: processes have work, then `GROWTH` times as many as each process has had before, at most `MOST` and of a total weight
-#: of about `HEAVY`.
+#: The number of curves that are computed together: a few at first (`FIRST`), so that the first results come soon and
+#: all processes have work, then `GROWTH` times as many as each process has had before, at most `MOST` and of a total
+#: weight of about `HEAVY`.
 FIRST, GROWTH, MOST, HEAVY = 16, 3, 512, 1 << 18
 #: Curves of this weight are sent a few at a time, and one by one within this process, since an interruption waits for
 #: the current one.
@@ -177,7 +177,7 @@ def _in_processes(jobs: int) -> Iterator[None]:
             yield
     except BrokenExecutor:
         raise BackendError(
-            "a process was ended from outside, for its memory as a rule", remedy="repeat it with fewer jobs"
+            "a process was ended from outside, usually for its memory", remedy="repeat it with fewer jobs"
         ) from None
 
 

@@ -31,7 +31,7 @@ from exactspline.splines.surface import NurbsSurface
 Range = tuple[int, int]
 #: The parameters of a family that are not numbers.
 KINDS = ("no", "yes", "half")
-#: Beyond these a single random curve takes minutes.
+#: The largest values of parameters: beyond them a single random curve takes minutes.
 MOST = {"degree": 60, "segments": 100_000, "bits": 100_000}
 
 
@@ -286,7 +286,7 @@ def _parts(source: Source, taken: Taken) -> Iterator[Part]:
 
 
 def _of_file(place: str, taken: Taken) -> Iterator[Part]:
-    """The curves, or surfaces, of a file and what was skipped in it, in the order of the file, or the problem of the
+    """The curves, or surfaces, of a file and its skipped entities, in the order of the file, or the problem of the
     whole file. No reference to a returned curve is kept here, since a curve stores everything computed from it.
     """
     found = others = 0

@@ -95,10 +95,10 @@ class Line:
     error: Problem | None = None
     #: Notes of the file's reader about the curve.
     notes: tuple[str, ...] = ()
-    #: Of the curve's exact data (see `Item.digest`).
+    #: The digest of the exact data of the curve (see `Item.digest`).
     curve_digest: str = ""
     seconds: float = field(default=0, compare=False)
-    #: How the certified filter decided; None where it was not used, and for lines that were read.
+    #: The way in which the certified filter decided; None if it was not used, and for lines that were read.
     way: Way | None = field(default=None, compare=False)
 
     @one_line

@@ -165,7 +165,7 @@ def _reporting(place: Path, call: Callable[[], V]) -> V:
 # ---- tables of Arrow
 
 
-#: A part has at most this many rows, and is written after this many seconds: which bounds what a kill can lose.
+#: A part has at most this many rows, and is written after this many seconds, so that a kill loses little.
 ROWS, SECONDS = 10_000, 60
 
 

@@ -12,12 +12,12 @@ from exactspline.batch.lines import UNDECIDED as UNDECIDED_PART
 from exactspline.batch.lines import Line, Way
 from exactspline.one_line import OneLine
 
-#: Shown in place of the filter's decision: for lines of a sweep that is continued, and for curves not given to the
-#: filter.
+#: Words in place of the decision of the filter, for lines of a sweep that is continued, and for curves that were not
+#: given to the filter.
 BEFORE, NOT_ASKED = "computed before", "not asked"
-#: How many of the slowest curves, and of the verdicts that differ from the recorded ones, are named.
+#: The number of slowest curves, and of verdicts that differ from the recorded ones, that are named.
 NAMED = 5
-#: How many notes of readers are listed, the most frequent first: notes may differ in a number only.
+#: The number of notes of readers that are listed, the most frequent first, since notes may differ only in a number.
 NOTES = 20
 #: The counts per family.
 REFUSED, FALLBACK, OPEN = "refused", "decided by exact arithmetic after the filter", "with an undecided claim"
@@ -57,14 +57,14 @@ class Summary:
     errors: Counter[str] = field(default_factory=Counter)
     found: Counter[tuple[str, str]] = field(default_factory=Counter)
     verdicts: Counter[tuple[str, str]] = field(default_factory=Counter)
-    #: How the certified filter decided the curves computed now.
+    #: The ways in which the certified filter decided the curves of this run.
     filter: Counter[str] = field(default_factory=Counter)
     notes: Counter[str] = field(default_factory=Counter)
     #: By family, the curves that were not decided or decided by a fallback; and the number of curves of the family.
     aside: Counter[tuple[str, str]] = field(default_factory=Counter)
     of_family: Counter[str] = field(default_factory=Counter)
     differing: int = 0
-    #: Claims that are undecided where the record has a verdict: out of reach, not another verdict.
+    #: Claims with a recorded verdict that were too costly to decide on a curve.
     open: int = 0
     #: Failures on valid input: defects of this program.
     alarms: int = 0

@@ -1,12 +1,12 @@
 """Certificates: proofs as JSON data with exact strings, and their checker, which uses only the standard library and
 shares no code with the programs that write them.
 
-A certificate has a `format` with a version, states in `what` what it proves, and contains the data of the proof: of all
-``zeros`` of a spline (written by `exactspline.roots.zero_set`), of all ``intersections`` of two plane curves (written
-by `exactspline.geometry.pairs.intersections`), of all ``common zeros`` of functions of two parameters
-(written by `exactspline.bivariate.common_zeros_certificate`), of the ``zero curves`` of one and their topology
-(written by `exactspline.bivariate.zero_curve_certificate`), or that the ``degree`` of forms cannot be lowered (written
-by `exactspline.verification.minimality`).
+A certificate has a `format` with a version, names the proved statement in `what`, and contains the data of the proof:
+of all ``zeros`` of a spline (written by `exactspline.roots.zero_set`), of all ``intersections`` of two plane curves
+(written by `exactspline.geometry.pairs.intersections`), of all ``common zeros`` of functions of two parameters (written
+by `exactspline.bivariate.common_zeros_certificate`), of the ``zero curves`` of one function and their topology (written
+by `exactspline.bivariate.zero_curve_certificate`), or that the ``degree`` of forms cannot be lowered (written by
+`exactspline.verification.minimality`).
 """
 
 from collections.abc import Callable, Mapping
@@ -21,7 +21,7 @@ from exactspline.certificates.zeros import check_zeros
 
 ZEROS, DEGREE, INTERSECTIONS, COMMON_ZEROS = "zeros", "degree", "intersections", "common zeros"
 ZERO_CURVES = "zero curves"
-#: The version of the form of each.
+#: The version of each format.
 VERSIONS = {ZEROS: 1, DEGREE: 2, INTERSECTIONS: 2, COMMON_ZEROS: 2, ZERO_CURVES: 2}
 FORMAT = "exactspline certificate {}"
 CHECKERS: dict[str, Callable[[Mapping[str, object]], dict[str, int]]] = {

@@ -1,8 +1,8 @@
 """Checks a certificate of the common zeros of functions of two parameters, with only the standard library.
 
 On each patch the functions are given by integers: Bernstein coefficients on the unit square, up to a positive constant
-for each of them. The square is halved again and again, as the certificate says; on every box that remains a
-combination of the functions has Bernstein coefficients of one strict sign, or the box is inside the region of a zero.
+for each of them. The square is halved repeatedly, as the certificate says. On every remaining box, some combination of
+the functions has Bernstein coefficients of one strict sign, or the box is inside the region of a zero.
 
 In the region of a simple zero the Jacobian of two combinations is regular, even if its rows are taken at different
 points: at most one point is a common zero there. That there is one is proved by opposite signs on opposite sides
@@ -34,7 +34,7 @@ Box = tuple[Side, Side]
 
 #: The cuts of a box: at the middle of its first side, and of its second.
 FIRST, SECOND = "first", "second"
-#: How the existence of a zero is proved.
+#: The ways in which the existence of a zero is proved.
 CROSSED, POINT, EDGE, ELIMINATED = "crossed", "point", "edge", "eliminated"
 HALF = Fraction(1, 2)
 NET = [[integer]]
@@ -86,7 +86,7 @@ def _token(given: Any) -> Any:
     return read(given, [integer])
 
 
-#: What proves the common zeros of functions on a patch.
+#: The form of the proof of the common zeros of functions on a patch.
 ZEROS: dict[str, object] = {"zeros": [_zero], "boxes": [_token]}
 
 

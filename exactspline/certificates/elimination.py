@@ -17,7 +17,7 @@ Polynomial = list[int]
 Rows = list[Polynomial]
 Coefficient = TypeVar("Coefficient")
 Side = tuple[Fraction, Fraction]
-#: What proves that functions have a single zero in a box, with the two combinations of which it is one.
+#: The form of the proof that functions have a single zero in a box, with two combinations that vanish there.
 SINGLE_ZERO = {
     "slope": integer,
     "minimal": [integer],

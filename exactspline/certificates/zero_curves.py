@@ -59,9 +59,9 @@ from exactspline.certificates.zeros import ISOLATION, isolated_zeros, product_of
 #: A zero on a line: its direction (0: x is constant), the value, and the index there; or both coordinates.
 Vertex = tuple[Any, ...]
 UNIT = Fraction(0), Fraction(1)
-#: A box on which the product has one sign; those in which its zeros are graphs, by the constant sign of a derivative.
+#: The kinds of boxes: the product has one sign, or its zeros are a graph, since a derivative has one sign.
 SIGN, ACROSS = "sign", ("first monotone", "second monotone")
-#: What is in the box of a singular point.
+#: The form of the proof for the box of a singular point.
 NODE, POINT, BRANCHES = "node", "point", "branches"
 
 

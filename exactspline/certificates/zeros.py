@@ -10,9 +10,9 @@ from typing import Any, TypeVar
 
 from exactspline.certificates.numbers import count, each, fraction, integer, optional, read, require, truth
 
-#: A zero: bounds, a polynomial that has it, its multiplicity, and the signs on both sides.
+#: A zero: bounds, a polynomial with this zero, its multiplicity, and the signs on both sides.
 Zero = tuple[Fraction, Fraction, list[int], int, tuple[int, int]]
-#: What proves the zeros of one form, and a certificate of those of a spline.
+#: The form of the proof of the zeros of one form, and of the certificate of the zeros of a spline.
 ISOLATION = {"factors": [([integer], count)], "points": [fraction], "leaves": [(fraction, fraction, count)]}
 SIDES = optional(count), optional(count)
 SPLINE = {

@@ -87,7 +87,7 @@ def _unknown(name: str, known: dict[str, str], ctx: click.Context) -> click.Usag
 
 
 def _usage_message(error: click.UsageError) -> str:
-    """The error for bad usage in one line: what is wrong, and the command that explains the right usage."""
+    """The error for bad usage in one line: the error itself, and the command that explains the right usage."""
     said = error.message if isinstance(error, click.BadParameter) and error.message else error.format_message()
     asked = error.ctx.command_path if error.ctx else command_name()
     if isinstance(error, click.NoSuchOption) and (example := _without_option(error)):

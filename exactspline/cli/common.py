@@ -1,4 +1,4 @@
-"""What several commands share: their options, and how they read curves and surfaces."""
+"""The common parts of several commands: their options, and the functions that read curves and surfaces."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ CURVE_HELP = (
     "A file of curves (JSON, SVG, STEP, …), a part of one (font.ttf:glyph, drawing.svg:id, drawing.dxf:layer), the "
     "name of an example curve, or - for standard input."
 )
-#: How the arguments that name places of a paper are given by other commands.
+#: The options by which other commands take a place in a paper, each with an example.
 PLACES = {"--section": "5.4", "--claim": "C4.2b"}
 CurveFiles = Annotated[list[str] | None, Option("--curve", metavar="CURVE", help=f"{CURVE_HELP} May be repeated.")]
 Papers = Annotated[
@@ -121,7 +121,7 @@ def loaded(names: Iterable[str]) -> tuple[list[Nurbs], bool]:
 
 
 def read_curves(given: Iterable[tuple[str, Reading]], good: bool) -> tuple[list[Read], bool]:
-    """The curves in what was read under some names, and whether all could be read."""
+    """The curves in readings, which are given with their names, and whether all could be read."""
     found, all_good = each_read(given, lambda pair: (pair[0], *_curves_in(*pair)))
     curves = [Read(name, index, curve) for name, own, _ in found for index, curve in enumerate(own)]
     return curves, good and all_good and all(complete for *_, complete in found)
@@ -158,7 +158,7 @@ def distinguish(rows: list[dict[str, object]]) -> list[dict[str, object]]:
 
 
 def reading_of(name: str, approximate: str = "") -> Reading:
-    """What a name, a file in any format or standard input (``-``) holds."""
+    """The reading of a name, of a file in any format, or of standard input (``-``)."""
     from exactspline.interchange.examples import example, examples
     from exactspline.interchange.records import NamedCurve, Reading
     from exactspline.splines.nurbs import Nurbs
@@ -175,8 +175,8 @@ def reading_of(name: str, approximate: str = "") -> Reading:
 
 
 def _curves_in(name: str, reading: Reading) -> tuple[list[Nurbs], bool]:
-    """The curves in what was read under a name, and whether all could be read; whatever is skipped is named on standard
-    error. Notes are printed, too, except that of a single curve in our own JSON, since it stands in the file itself.
+    """The curves in a reading, and whether all could be read; whatever is skipped is named on standard error. Notes are
+    printed, too, except that of a single curve in our own JSON, since it stands in the file itself.
     """
     if reading.surfaces and not (reading.curves or reading.skipped):
         problem = f"holds {counted(len(reading.surfaces), 'surface')}, where a curve is expected"
@@ -208,8 +208,8 @@ def tell_notes(reading: Reading, *, curves: bool = True) -> None:
 
 
 def tell_skipped(reading: Reading, name: str, *, surfaces: bool = True) -> None:
-    """Print what a reader skipped of the file with this name on standard error, with its place in the file; `surfaces`
-    says whether surfaces are left out too.
+    """Print on standard error the entities of a file that its reader skipped, with their places; `surfaces` says
+    whether surfaces are skipped, too.
     """
     source = "standard input" if name == "-" else name
     if reading.surfaces and surfaces:
@@ -225,12 +225,12 @@ def tell_skipped(reading: Reading, name: str, *, surfaces: bool = True) -> None:
         to_stderr(f"skipped: {source}: {_placed(what, found)}: {why}")
 
 
-#: How many places are named of what is skipped for one reason.
+#: The number of places that are named of entities that are skipped for one reason.
 NAMED = 3
 
 
 def _placed(what: str, places: list[str]) -> str:
-    """What is skipped, and where in the file."""
+    """The kind of skipped entities, with their places in the file."""
     first = ", ".join(filter(None, places[:NAMED])) + (", …" if len(places) > NAMED else "")
     if len(places) == 1:
         return first if first.startswith(what) else f"{what} ({first})" if first else what
@@ -305,7 +305,7 @@ def _see_that_it_is_positive(option: str, given: str, otherwise: str = "") -> No
         raise OptionsError(f"{option} {given}", remedy=f"give a number above 0, such as 1e-9{otherwise}")
 
 
-#: What writes theorems for Coq about curves, loaded when a file of them is asked for.
+#: The module that writes theorems for Coq about curves; it is imported only if they are asked for.
 THEOREMS = "exactspline.extras.coq.command"
 
 

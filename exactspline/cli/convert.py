@@ -38,7 +38,7 @@ FromFormat = Annotated[
 ToFormat = Annotated[
     str, Option("--to", metavar="FORMAT", help="The format of OUT; by default it is recognized by the suffix.")
 ]
-Rounding = Annotated[bool, Option("--round", help="Round what the format cannot hold exactly to the nearest doubles.")]
+Rounding = Annotated[bool, Option("--round", help="Round numbers that the format cannot hold exactly to doubles.")]
 Only = Annotated[list[str] | None, Option("--only", metavar="NAME", help="Take only this curve; may be repeated.")]
 Degree = Annotated[int | None, Option("--degree", metavar="N", min=0, help="The degree, for a list of points.")]
 Knots = Annotated[str, Option("--knots", metavar="KNOTS", help="All knots, for a list of points.")]
@@ -120,7 +120,7 @@ def convert(
 
 
 def _chosen(reading: Reading, what: str, source: str, only: Sequence[str]) -> list[NamedCurve | NurbsSurface]:
-    """The curves or surfaces to convert, those with the names in `only`; what is not taken is named on standard
+    """The curves or surfaces to convert: those with the names in `only`, or all. Skipped entities are named on standard
     error.
     """
     known: Sequence[NamedCurve | NurbsSurface] = reading.curves

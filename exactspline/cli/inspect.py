@@ -183,7 +183,7 @@ def _inspect_surfaces(
     good: bool,
     with_all: bool,
 ) -> None:
-    """The surfaces in what was read; `for_curves` are the options that are only for curves."""
+    """Inspect the surfaces in the readings; `for_curves` are the options that are only for curves."""
     from exactspline.cli.surfaces import inspect_surfaces, surfaces_in
 
     own = [surface for pair in read for surface in surfaces_in(*pair)]
@@ -208,7 +208,7 @@ def _see_that_they_fit(found: Sequence[Read], epsilon: str, emit_coq: str) -> No
 
 
 def _give(out: Output, inspected: list[Inspected], given: list[Nurbs], certificate: str, plot: str, title: str) -> None:
-    """Print and write what was found, as the options ask."""
+    """Print and write the results, as the options ask."""
     from exactspline.display.features import feature_sheet
     from exactspline.interchange.curve_files import write_json
 

@@ -49,7 +49,7 @@ def surfaces(out: Output) -> None:
 
 @printing
 def formulas(out: Output) -> None:
-    """List what can be derived of a curve: constructions with their variants, and formulas."""
+    """List everything that can be derived from a curve: constructions with their variants, and formulas."""
     from exactspline.geometry.derived.constructions import all_constructions
     from exactspline.language.kinds import CURVE, PLANE, SPACE
     from exactspline.papers import all_formulas

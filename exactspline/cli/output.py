@@ -66,7 +66,7 @@ def leave_out() -> None:
     _State.lacking = True
 
 
-#: The fields of rows that list what is missing in an answer.
+#: The fields of rows that list the missing parts of an answer.
 LACKING = ("missing", "undecided", "skipped")
 
 
@@ -244,7 +244,7 @@ def guard_output() -> None:
 __all__ = ["bar", "seldom", "ticking", "tracked"]
 
 V = TypeVar("V")
-#: Seconds before a bar is shown, and between two lines where there is no terminal.
+#: Seconds before a bar is shown, and between two lines if there is no terminal.
 DELAY, BETWEEN = 1 / 2, 10
 
 

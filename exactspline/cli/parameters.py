@@ -15,7 +15,7 @@ from exactspline.errors import shown
 
 __all__ = ["Argument", "Command", "Exit", "Option", "command_of"]
 
-#: The words that complete what was typed so far.
+#: A function that returns the words that complete a typed text.
 Completion = Callable[[str], Sequence[str]]
 
 
@@ -36,7 +36,7 @@ class Option:
 
 
 class Integer(click.IntRange):
-    """An integer in a range; the error for other text says what is expected."""
+    """An integer in a range; the error for other text names the expected numbers."""
 
     def convert(self, value: object, param: click.Parameter | None, ctx: click.Context | None) -> int:
         """The integer that the text denotes."""

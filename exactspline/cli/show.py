@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from exactspline.verification.statement import Statement
 
 
-#: Up to this many claims are spelled out for a person; of more, the first.
+#: Up to this many claims are spelled out for people; if there are more, only the first.
 FEW = 3
 
 

@@ -1,4 +1,4 @@
-"""Surfaces as arguments of commands, and ``inspect`` of surfaces: which arguments are surfaces, and what is printed."""
+"""Surfaces as arguments of commands: functions that find and read them, and the output of ``inspect`` for surfaces."""
 
 from __future__ import annotations
 

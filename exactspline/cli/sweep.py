@@ -151,7 +151,7 @@ def sweep(
         raise OptionsError("--random and --surfaces", remedy="there are no families of random surfaces")
     sources, work = _sources(corpus or [], random or []), work_of(taken, find, claim or (), digits, values)
     check_backend(backend)
-    # its remarks on dates in fonts do not concern outlines
+    # the remarks of fontTools on dates in fonts do not concern outlines
     logging.getLogger("fontTools").setLevel(logging.ERROR)
     families = frozenset(str(source) for source in sources if isinstance(source, Family))
     summary, where, to_stdout = Summary(families), Where(backend, jobs, scheduler), output == "-"

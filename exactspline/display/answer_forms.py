@@ -223,7 +223,7 @@ FORMS: dict[Any, Form] = {
     Intersections: INTERSECTIONS,
     Distance: DISTANCE,
 }
-#: What `inspect`, `between` and `bisector` have beside answers.
+#: The fields of `inspect`, `between` and `bisector` in addition to the answers.
 FORMS_BESIDE: dict[str, dict[str, Form]] = {
     "bisector": {
         "curves": TEXTS,
@@ -307,7 +307,7 @@ def answers_data(facts: Remembers, digits: int) -> Data:
 def inspection_data(curve: Nurbs, digits: int = 20, tick: Callable[[], None] = lambda: None) -> Data:
     """The features of a curve as data, each answer under the name of its question; `tick` is called after each answer.
 
-    Raises `ExactSplineError` for what is neither a plane nor a space curve.
+    Raises `ExactSplineError` for an object that is neither a plane curve nor a space curve.
     """
     digits = as_integer(digits, "a number of digits", 1)
     if not callable(tick):

@@ -312,7 +312,7 @@ FORMS_OF_POINT: dict[type, Form] = {
         cut=(optional(FLAG), lambda piece: piece.restricted() is None or None),
     ),
 }
-#: Where there is no bisector, and why.
+#: An interval on which there is no bisector, and the reason.
 MISSING = record(interval=(INTERVAL, itemgetter(0)), reason=(TEXT, itemgetter(1)))
 
 
@@ -335,7 +335,7 @@ def _trimmed_data(bisector: TrimmedBisector, digits: int) -> Data:
     return {"kind": "trimmed bisector"} | data | {"complete": not bisector.undecided}
 
 
-#: How bisectors in one part are written, by their types.
+#: The forms of bisectors that consist of one part, by their types.
 WRITTEN: dict[type, Callable[[Any, int], Data]] = {
     PlaneBisector: _plane_bisector_data,
     PointBisector: _point_bisector_data,
@@ -368,7 +368,7 @@ class Row(NamedTuple):
     where: str
     degree: str
     remark: str
-    #: The equation of its pairs where it is short enough to be shown before their parameters.
+    #: The equation of the pairs, if it is short enough to be shown before their parameters.
     equation: PairEquation | None = None
 
     @property

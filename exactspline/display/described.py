@@ -44,7 +44,7 @@ def described_surface(surface: NurbsSurface) -> str:
     return f"{kind}, degree {m} × {n}, {patches}, {net} in R{surface.dimension}"
 
 
-#: Digits of the numbers of a shape where they are longer.
+#: The number of digits shown for long numbers of a shape.
 DIGITS = 12
 
 

@@ -31,7 +31,7 @@ from exactspline.verification.verdict import Finding
 from exactspline.verification.vocabulary import Counter, Verdict
 
 _INNER = r"(?:[^{}|]|\{(?:[^{}]|\{[^{}]*\})*\})*"
-#: A field in a template: its name, and the templates between which it chooses, or what stands between its parts.
+#: A field in a template: its name, and the templates between which it chooses, or the text between its parts.
 _FIELD = re.compile(rf"\{{([\w.]+)(?:\?({_INNER})\|?({_INNER})|:([^{{}}]*))?\}}")
 
 

@@ -34,7 +34,7 @@ from exactspline.roots.answers import CurvePiece
 from exactspline.roots.root import Root
 from exactspline.splines.nurbs import Nurbs
 
-#: What may stand in a remark and is explained below the table.
+#: Words in remarks that are explained below the table.
 REMARKS = (
     "maximum of |κ|",
     "minimum of |κ|",
@@ -61,7 +61,7 @@ def feature_sheet(report: Report, digits: int = DIGITS) -> Sheet:
     return made
 
 
-#: A row of the table: what, where, curvature and torsion, remark.
+#: A row of the table: the kind, the place, curvature and torsion, and the remark.
 _Row = tuple[str, str, list[str], str]
 
 

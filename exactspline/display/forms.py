@@ -1,5 +1,5 @@
-"""Forms of data. One form says how an object is written for programs, what the JSON Schema of this text is, and which
-numbers and words with their names go into tables and data frames.
+"""Forms of data. A form contains the way in which an object is written for programs, the JSON Schema of this text, and
+the numbers and words, with their names, for tables and data frames.
 """
 
 from __future__ import annotations
@@ -45,7 +45,7 @@ def picked(of: object, *names: str) -> Data:
 
 
 Schema = dict[str, object]
-#: How a value is found in an object: the path of an attribute, or a function.
+#: The way in which a value is found in an object: the path of an attribute, or a function.
 Source = str | Callable[..., object]
 #: A number or a word with its name.
 Leaf = tuple[str, object]

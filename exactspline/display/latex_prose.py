@@ -85,18 +85,19 @@ def prose(text: str) -> str:
     return " ".join(_joined(text.split(" ")))
 
 
-#: Short words that are no formulas; those of one letter are where they are next to an operator.
+#: Short words that are not formulas; a word of one letter is a formula if it is next to an operator.
 _ARTICLES = {"a", "A", "I"}
 _SHORT = frozenset(
     ("is", "of", "in", "at", "to", "by", "an", "no", "it", "as", "be", "or", "on", "if", "so", "up", "do")
 )
 #: Signs that stand between formulas.
 _OPERATOR = re.compile(r"[=+−·×/<>≤≥≠≢±∗↦]")
-#: What a formula may consist of: letters one by one, digits, signs; not a number of a section, a claim, or a page.
+#: The parts of which a formula may consist: letters one by one, digits, signs; not the number of a section, claim or
+#: page.
 _SIGN = rf"[A-Za-z0-9+=/()\[\]|<>,\u0304{re.escape(''.join(SIGNS))}⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁽⁾ⁱᵀ₀₁₂₃₄₅₆₇₈₉ₓᵧ]"
 _FORMULA = re.compile(rf"(?![A-CE-Z]\d){_SIGN}+")
 _WORD = re.compile(r"[A-Za-z]{2,}(?!\u0304)(?:_\w+)*|[A-Za-z]\w*_\w+")
-#: Products of two letters: degrees such as kd, and what is beside other signs.
+#: Products of two letters: degrees such as kd, and two letters next to other signs.
 _PRODUCT = re.compile(r"[a-z][A-Za-z]")
 _AFTER = ".,;:?!”"
 _OPEN, _CLOSED = "([⟨⁽", ")]⟩⁾"

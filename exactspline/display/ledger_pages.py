@@ -1,5 +1,5 @@
-"""The ledger as self-contained pages: all rows with filters, and a referee's report, which says what a paper claims,
-which claims hold, and what these verdicts rely on.
+"""The ledger as self-contained pages: all rows with filters, and a referee's report with the claims of a paper, their
+verdicts, and the software on which the verdicts rely.
 """
 
 from __future__ import annotations

@@ -46,7 +46,7 @@ class Run:
     claims: Sequence[Claim]
     curves: Sequence[Nurbs | NurbsSurface] | None
     numbers: Numbers
-    #: The name of a second judge, where one was asked.
+    #: The name of the second verifier, if one was asked.
     judge: str = ""
 
     def data(self) -> list[dict[str, object]]:

@@ -7,7 +7,7 @@ from html import escape
 
 from exactspline.numbers.exact import mpq, text
 
-#: Shared by pages for print.
+#: The style of pages for printers.
 STYLE = """
 body{max-width:48rem;font-size:17px}h2{margin:1.6rem 0 .4rem}p{margin:.4rem 0}
 math{font-size:1.05em}mtd{padding:.25em .7em}.wide{overflow-x:auto}ol>li{margin:1.1rem 0}

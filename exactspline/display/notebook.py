@@ -45,15 +45,15 @@ from exactspline.verification.ledger import Row
 from exactspline.verification.statement import Side as ClaimSide
 from exactspline.verification.statement import Statement, sides
 
-#: How many numbers of a list are written out, and the number of control points above which a vector is described
-#: instead.
+#: The number of entries of a list that are written out, and the number of control points above which a vector is only
+#: described.
 SHOWN, LONG = 8, 6
 #: The most things of an answer in a table.
 LISTED = 100
 #: The fields of a statement that follow its formulas.
 SAID = ("claimed", "found", "factor", "witness", "verdict")
-#: What notebooks show of objects of rooms that are loaded when they are used, by the class:
-#: the printer, whose name ends in the form.
+#: The printers for objects of packages that are imported only when they are used, by the class: the printer, whose name
+#: ends in the form.
 BESIDE = {
     "exactspline.extras.teaching.exercises.Exercise": "exactspline.extras.teaching.display.exercises:task_html",
     "exactspline.extras.teaching.triangles.Triangle": "exactspline.extras.teaching.display.triangles:scheme_latex",
@@ -297,7 +297,7 @@ def _png(figure_or_axes: Any) -> tuple[bytes, dict[str, str]]:
 # Exact numbers become decimals only when they are written.
 
 
-#: Size in pixels, margin, samples in total and at least per segment.
+#: The size in pixels, the margin, and the numbers of samples: in total, and at least per segment.
 WIDTH, HEIGHT, MARGIN, SAMPLES, LEAST = 240, 150, 8, 160, 6
 #: A graph this many times lower than its control polygon is shown without the polygon.
 POLYGON_ABOVE_GRAPH = 20

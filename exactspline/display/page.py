@@ -6,7 +6,7 @@ from collections.abc import Iterable, Sequence
 from html import escape
 from importlib.resources import files
 
-#: The colours and letters that these pages share with the site, and what they share with each other.
+#: The colours and fonts that these pages share with the site, and the style that they share with each other.
 SHARED = files("exactspline.display").joinpath("page.css").read_text(encoding="utf-8")
 BASE = """
 body{font:16px/1.5 var(--letters);margin:2rem auto;padding:0 1rem;color:var(--ink);background:var(--paper)}

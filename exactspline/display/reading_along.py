@@ -28,7 +28,7 @@ from exactspline.verification.vocabulary import Status
 
 #: A sign that the text of a source lost.
 LOST = "\ufffd"
-#: What claims are that a source does not print.
+#: The names for claims that a source does not print.
 STATUS = {Status.MEANT: "corrected statement", Status.OURS: "our own statement"}
 #: The fields of a statement that unfold below its proof.
 UNFOLDED = ("found", "factor", "witness", "assumes", "divides by", "used", "note")

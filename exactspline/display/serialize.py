@@ -129,7 +129,7 @@ def _limits(quantity: Callable[[Nurbs, Root, Side], Real]) -> tuple[Form, Callab
 
 _CURVATURE, _TORSION = _limits(values_along.curvature), _limits(values_along.torsion)
 _PARAMETER = (REAL, "root")
-#: A feature: its parameter; κ there where γ′ ≠ 0, in space also τ; and the angle of a corner.
+#: A feature: its parameter, κ (and in space τ) at the feature if γ′ ≠ 0, and the angle of a corner.
 FEATURE = record(
     kind=(one_of(FeatureKind), "of.kind"),
     parameter=_PARAMETER,
@@ -159,7 +159,7 @@ JOINT = record(
 INTERVALS = replace(list_of(INTERVAL, 1).of("parts"), leaves=INTERVAL.leaves)
 PLANAR_PIECE = record(intervals=(INTERVALS, itemgetter(0)), plane=(TEXT, itemgetter(1)))
 
-#: Numbers by their names, with what they are numbers of.
+#: Numbers by their names, with the object that they describe.
 NAMED_NUMBERS = record(what=TEXT, values=_by_name(REAL), facts=_by_name(Form({"type": ["integer", "string"]})))
 NEAREST_POINT = record(parameter=REAL, distance=REAL, point=POINT)
 
@@ -254,7 +254,7 @@ CURVE = replace(
     ).schema,
     write=lambda curve, digits: curve_data(curve),
 )
-#: A derived curve piece by piece; where it is missing; its poles.
+#: A derived curve piece by piece, with the intervals on which it is missing, and its poles.
 DERIVED = lists(
     pieces=list_of(SPLINE.of(lambda piece: Net.of(piece.value, piece.interval))),
     missing=list_of(record(interval=(INTERVAL, itemgetter(0)), reason=(TEXT, lambda missing: missing[1].words))),

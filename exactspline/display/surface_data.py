@@ -137,8 +137,8 @@ _LINE = record(along=one_of(Along), value=PARAMETER, interval=INTERVAL, closed=F
 _CURVE = record(
     _PATCHES, record(shape=one_of(Shape)), BOX.of(lambda curve: hull(_hull(piece) for piece in curve.pieces))
 )
-#: What there is beside points: the parts of patches all of whose points are answers, and boxes in which something is
-#: undecided.
+#: Places other than points: the parts of patches all of whose points belong to the answer, and boxes in which something
+#: is undecided.
 _REST = {"everywhere": list_of(record(_PART, along_curve=FLAG)), "undecided": list_of(BOX)}
 _KINDS = {"kind": or_null(one_of(ZeroKind)), "multiplicity": or_null(INTEGER), "where": one_of(ZeroPlace)}
 _ZERO = record(u=(REAL, "first"), v=(REAL, "second"), **_KINDS)
@@ -258,7 +258,7 @@ def nearby_umbilics_sheet(found: Sequence[NearbyUmbilic], title: str) -> Sheet:
     return made
 
 
-#: What a table says of whether the projection to a shape is injective.
+#: The words of a table for the injectivity of the projection to a shape.
 COVERED = {True: "injective projection", False: "injectivity not shown"}
 
 

@@ -129,7 +129,7 @@ def breakable(text: str) -> str:
 
 
 class Decided(Grid):
-    """A table of what was decided, with a column of verdicts."""
+    """A table of decided statements, with a column of verdicts."""
 
     def html(self) -> str:
         """The table as HTML: rows that hold are folded away if other rows are refuted, or if there are many rows."""

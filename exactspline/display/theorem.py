@@ -26,7 +26,7 @@ PREAMBLE = r"""% In the preamble:
 % \usepackage{amsmath,amssymb,amsthm}
 % \newtheorem{theorem}{Theorem}
 % \newtheorem{conjecture}{Conjecture}"""
-#: How claims of a kind are proved for all curves; of degrees, by what is measured.
+#: The method of proof for all curves, by the kind of the claim; for degrees, by the measure.
 METHODS = {
     "identity": "Let the derivatives of the arguments be indeterminates. Both sides are quotients of polynomials in "
     "them, and multiplied out they are equal.",

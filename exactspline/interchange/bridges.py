@@ -42,7 +42,7 @@ if TYPE_CHECKING:
         | scipy.interpolate.UnivariateSpline
         | tuple[np.ndarray, np.ndarray | list[np.ndarray], int]
     )
-    #: Those in two.
+    #: The classes of splines in two parameters.
     InTwo: TypeAlias = scipy.interpolate.NdBSpline | scipy.interpolate.BivariateSpline
 
 
@@ -257,7 +257,7 @@ def from_splinepy(curve: splinepy.spline.Spline) -> Nurbs:
     """The curve defined by exactly the numbers that splinepy stores, for any of its four spline classes; the domain of
     a Bézier curve is [0, 1]. If the last control points are the first ones, the curve is closed as by `from_geomdl`.
 
-    Raises `ShapeError` for a surface or a volume, and for what is not a spline of splinepy.
+    Raises `ShapeError` for a surface or a volume, and for an object that is not a spline of splinepy.
     """
     if not isinstance(getattr(curve, "para_dim", None), int) or not hasattr(curve, "degrees"):
         raise ShapeError(f"{a_kind(curve)}, where a spline of splinepy is expected", remedy="give a splinepy.BSpline")
@@ -289,7 +289,7 @@ def to_splinepy(curve: Nurbs) -> splinepy.spline.Spline:
 # ---- matplotlib
 
 
-#: What a pen does at each code of a path: MOVETO, LINETO, CURVE3, CURVE4.
+#: The method of a pen for each code of a path: MOVETO, LINETO, CURVE3, CURVE4.
 STEPS = {1: "moveTo", 2: "lineTo", 3: "qCurveTo", 4: "curveTo"}
 
 
@@ -378,7 +378,7 @@ def to_sympy(curve: Nurbs | BSpline, symbol: sympy.Symbol | None = None) -> tupl
     >>> to_sympy(BSpline(2, [0, 0, 0, 1, 1, 1], [0, 1, 0]))
     (Piecewise((-2*t**2 + 2*t, (t >= 0) & (t <= 1))),)
 
-    Raises `ExactSplineError` for what is not a curve, a spline or a symbol.
+    Raises `ExactSplineError` for an object that is not a curve, a spline or a symbol.
     """
     import sympy
 

@@ -95,7 +95,7 @@ def used(ends: tuple[mpq, mpq], start: mpq, end: mpq) -> tuple[tuple[mpq, mpq] |
 
 
 Points = Sequence[Sequence[mpq]]
-#: Of what is of a kind that a reader does not know.
+#: The remedy for an entity of a kind that a reader does not know.
 UNREAD = "not read; write it as a spline"
 EQUAL = "written as rational, but its weights are equal: a polynomial curve"
 T = TypeVar("T")
@@ -136,7 +136,7 @@ class Collector:
         self.skipped: list[Skipped] = []
         self._notes: dict[str, None] = {}
         self._objects = 0
-        #: Curves by their source, and the sources of those that are parts of others.
+        #: Curves by their source, and the sources of the curves that are parts of other curves.
         self._read: dict[str, Nurbs] = {}
         self._parts: set[str] = set()
 

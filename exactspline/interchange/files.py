@@ -33,7 +33,7 @@ from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.surface import NurbsSurface
 from exactspline.splines.type_checks import curve_of
 
-#: How many bytes of a file are used to recognize its format.
+#: The number of bytes of a file that are used to recognize its format.
 HEAD = 16_384
 #: A byte order mark, and blanks.
 BLANK = b"\xef\xbb\xbf \t\r\n"
@@ -129,7 +129,7 @@ def write(
     rounding: bool = False,
 ) -> tuple[str, ...]:
     """Write a curve, curves, a surface, or surfaces in a format (by default chosen by the suffix) and return notes on
-    what was lost.
+    lost information.
 
     >>> import tempfile
     >>> from exactspline.interchange.examples import example

@@ -185,7 +185,7 @@ _REMEDY = "choose the format json, or ask for rounding"
 # ---- words and numbers of a file, one at a time
 
 
-#: A word, or what is in a pair of brackets.
+#: A word, or the contents of a pair of brackets.
 Nested: TypeAlias = "str | list[Nested]"
 _WORD = re.compile(r"\S+")
 

@@ -1,4 +1,4 @@
-"""The results of readers: named curves, and records of what was skipped."""
+"""The results of readers: named curves, and records of skipped entities."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from exactspline.splines.surface import NurbsSurface
 # ---- limits
 
 
-#: What can be done about a file beyond them.
+#: The remedy for a file beyond the limits.
 LARGER = "divide the file, or read it in Python with limits=Limits(…)"
 
 
@@ -83,8 +83,8 @@ class Skipped(OneLine):
 
 @dataclass(frozen=True)
 class Reading:
-    """The curves of a file in their order, its surfaces (without their trims), what was skipped, and notes that apply
-    to all of them (such as the unit of length).
+    """The curves of a file in their order, its surfaces (without their trims), the skipped entities, and notes that
+    apply to all of them (such as the unit of length).
     """
 
     format: str

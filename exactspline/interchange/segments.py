@@ -22,7 +22,7 @@ from exactspline.splines.bspline import BSpline
 
 
 Vector = list[mpq]
-#: How a message names the option with which a thing without rational numbers is read.
+#: The words of a message for the option with which an arc without rational numbers is read.
 APPROXIMATE = "--approximate E takes one within E"
 
 
@@ -430,11 +430,11 @@ class Round:
         if not all(map(any, list(zip(*frame.rows, strict=True))[:-1])):
             raise ShapeError("a circle or an ellipse of radius 0", remedy="its radius must be positive")
         self.frame, self.within = frame, within
-        #: The note where the axes are irrational, and the map is only near to the one that is meant.
+        #: The note on irrational axes, for which the map is an approximation.
         self.notes = [f"its axes are irrational: it is read within {text(within)} of it"] if within and near else []
-        #: By what angle an end may have been turned.
+        #: The angle by which an end may have been rotated.
         self.turned = ZERO
-        #: By what angle an end may be turned.
+        #: The angle by which an end may be rotated.
         self.error = None if within is None else within / (2 * frame.stretch)
 
     def at_angle(self, angle: mpq, right: mpq, digit: mpq = ZERO) -> Point:

@@ -36,7 +36,7 @@ class Subpath:
 
     segments: list[Segment] = field(default_factory=list)
     problem: str = ""
-    #: Whether an arc next to the segments is left out, and whether an arc among them stands for another.
+    #: Whether an arc next to the segments is omitted, and whether an arc among them replaces another arc.
     divided: bool = False
     approximated: bool = False
 
@@ -110,7 +110,7 @@ def elliptic_arc(
     turns = quarter_turns(degrees, DEGREES)
     if rx != ry and turns is None:
         if within is None:
-            raise NumberError("its axes are turned by no multiple of 90°", remedy=APPROXIMATE)
+            raise NumberError("its axes are rotated by an angle that is not a multiple of 90°", remedy=APPROXIMATE)
         return _turned_arc(start, end, (rx, ry), degrees, large, within)
     if turns and turns % 2:
         rx, ry = ry, rx

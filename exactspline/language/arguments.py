@@ -215,7 +215,7 @@ class Pair(Evaluated, Generic[T]):
 PARAMETERS = (Parameter.FIRST, Parameter.SECOND)
 #: Names of the coordinates and the denominator of the first curve, and the same of the second.
 COORDINATES, BARRED = "xyzuvst", "XYZUVST"
-#: Names of the coordinates of the point. They begin as no name in a formula does, so that no constant is called so.
+#: Names of the coordinates of the point. No name in a formula begins like these, so that no constant has such a name.
 POINT = tuple(f"_q{i}" for i in range(1, 8))
 
 

@@ -29,7 +29,8 @@ class Formula(Displayed):
         self.function: Callable[..., Any] = function
         self.source, self.kind, self.symbol = source, kind, symbol
         self.name = self.__name__ = function.__name__
-        #: Whether its text was read before it ran, by us or by `exactspline.papers.formula_check`.
+        #: Whether the text of the formula was checked before it ran, in the library or by
+        #: `exactspline.papers.formula_check`.
         self.checked = False
         #: The dimensions in which the parameters of its derivatives have been checked.
         self._lettered: set[int] = set()

@@ -146,7 +146,7 @@ class Operand(Displayed, ABC):
     """
 
     __slots__ = ()
-    #: Whether it is a vector (some readings use one class for scalars and vectors).
+    #: Whether the operand is a vector (some readings use one class for scalars and vectors).
     is_vector: bool = False
     #: The parameter of an operand with only one parameter.
     parameter: ClassVar[str] = "s"

@@ -45,7 +45,7 @@ LANGUAGE: dict[str, Callable[..., Any]] = {
     "triple": triple,
     "wronskian": wronskian,
 }
-#: The modules from which they may be imported, and the names of each.
+#: The modules from which these names may be imported, and the names of each module.
 HOMES: dict[str, set[str]] = {
     "exactspline": {"rational"},
     "exactspline.language": LANGUAGE.keys() - {"rational"},
@@ -86,7 +86,7 @@ class Checked:
         return FormulaError(problem, where=f"{self.file}, line {getattr(node, 'lineno', 1)}", remedy=remedy)
 
 
-#: What was refused in a file, by the name of the formula, or by the line.
+#: The errors for refused parts of a file, by the name of the formula, or by the line.
 Refused = dict[str, ExactSplineError]
 
 

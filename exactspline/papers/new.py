@@ -10,7 +10,7 @@ from exactspline.papers.folder import files_in
 
 #: The folder that is copied.
 TEMPLATE = "new_paper"
-#: The suffix of its Python file, which is not a module of this package.
+#: The suffix of the Python file in this folder, which is not a module of this package.
 TEXT = ".txt"
 
 

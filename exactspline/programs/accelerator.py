@@ -24,15 +24,15 @@ from exactspline.programs.error_bounds import factors, known_of
 from exactspline.programs.instructions import UNIT, ZERO
 from exactspline.programs.program import Program
 
-#: The compiled extension, which is not a module of Python: beside this file, absent where there was no compiler; or
-#: the file that this environment variable names ("none": run without it).
+#: The compiled extension, which is not a Python module: a file beside this one, absent if there was no compiler, or the
+#: file that this environment variable names ("none": run without the extension).
 LIBRARY = environ.get("EXACTSPLINE_EXTENSION") or str(Path(__file__).with_name("filter.lib"))
 SOURCE = Path(__file__).with_name("filter.c")
 #: The roundings of an operand: numerator, denominator (twice, for it is divided by), quotient.
 ROUNDINGS = 4
 #: The numbers of the instructions in C.
 NAMES = {name: k for k, name in enumerate(("load", "mul", "sum", "raise", "derive", "du", "dv", "over_u", "scale"))}
-#: What must come out of each instruction: its name, arguments, degree and integers, and both ends of its result. The
+#: The right results: for each instruction its name, arguments, degree and integers, and both ends of its result. The
 #: last one has the zero 2/3.
 KNOWN = (
     ("load", 0, 0, 2, 0, 0, (1 / 8, 1 / 2)),
@@ -46,13 +46,13 @@ KNOWN = (
     ("dv", 0, 0, 1, 2, 0, (1 / 4, 1)),
     ("sum", 7, 8, 1, 3, -1, (1 / 2, -1 / 4)),
 )
-#: The width of an interval around a zero that is known.
+#: The largest width of the interval around a known zero.
 NARROW = 2**-30
 #: The numbers that are returned for a segment beside four for every output, and for a zero.
 OF_SEGMENT, OF_ZERO = 3, 5
 #: With more zeros than this per segment, exact arithmetic decides.
 FEW = 8
-#: What the C function says of a segment: two bits.
+#: The two bits that the C function returns for a segment.
 OPEN = ((False, False), (True, False), (False, True), (True, True))
 
 
@@ -121,7 +121,7 @@ def _carries_out(function: Callable[..., int]) -> bool:
     )
 
 
-#: The function of the extension for one curve, None where there is none.
+#: The function of the extension for one curve; None without the extension.
 filter_curve = loaded("filter_curve", _carries_out, c_void_p, c_void_p, c_int, c_void_p, c_int)
 
 

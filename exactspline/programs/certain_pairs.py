@@ -15,11 +15,11 @@ from exactspline.programs.accelerator import loaded, surrounds
 Segment = tuple[int, Sequence[Sequence[int]]]
 #: As in filter.c: the highest degree of a segment, and the numbers of a common point.
 HIGHEST, OF_POINT = 5, 7
-#: A segment of which nothing is certain.
+#: A segment about which nothing is certain.
 OPEN = [0] * (3 + 3 * (HIGHEST + 1))
 #: This many pairs are decided in one call.
 TOGETHER = 64
-#: Two segments of which it is known where they meet.
+#: Two segments whose common points are known.
 ARCH: Segment = (2, [(0, 2, 2), (0, 8, 0), (1, 2, 1)])
 LINE: Segment = (1, [(0, 6), (3, 3), (2, 2)])
 
@@ -109,5 +109,5 @@ def segment_in_doubles(n: int, forms: Sequence[Sequence[int]]) -> Sequence[float
         return OPEN
 
 
-#: The function of the extension, None where there is none.
+#: The function of the extension; None without the extension.
 filter_pairs = loaded("filter_pairs", _meets, *[c_void_p] * 3, c_int, *[c_void_p] * 2, c_int)

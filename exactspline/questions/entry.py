@@ -85,7 +85,8 @@ class Of(StrEnum):
 
     PLANE_CURVE = "plane curve"
     SPACE_CURVE = "space curve"
-    #: Of these only what needs no lengths and angles is asked as of plane curves; in the plane z = 0 they are these.
+    #: Only questions without lengths and angles are asked about these as about plane curves; curves in the plane z = 0
+    #: are treated as plane curves.
     PLANAR_CURVE = "space curve in another plane than z = 0"
     SURFACE = "surface in space"
     PLANAR_MAP = "map of a rectangle into the plane"
@@ -105,28 +106,28 @@ ALL_CURVES = (*CURVES, Of.CURVE)
 class Answered(StrEnum):
     """The kinds of things of which an answer consists."""
 
-    #: Points, and parts all of whose points belong to it (`exactspline.roots.answers.Answer`).
+    #: Points, and parts all of whose points belong to the answer (`exactspline.roots.answers.Answer`).
     PLACES = "places"
-    #: Joints of its segments.
+    #: Joints of the segments of a curve.
     JOINTS = "joints"
-    #: Pieces of it.
+    #: Pieces of a curve.
     PIECES = "pieces"
-    #: Pieces of it, each with its plane; or one plane.
+    #: Pieces of a curve, each with its plane; or one plane.
     PLANAR_PIECES = "planar pieces"
     PLANE = "plane"
-    #: Pieces of it, each with what is said of it (`exactspline.questions.answers.Described`).
+    #: Pieces of a curve, each with its description (`exactspline.questions.answers.Described`).
     DESCRIBED = "described pieces"
-    #: The patches of a surface, each with what holds of it.
+    #: The patches of a surface, each with its properties.
     PATCHES = "patches"
-    #: Patches of a surface, each with the shape that they are.
+    #: Patches of a surface with their shapes.
     SHAPES = "patches with their shapes"
-    #: Curves on a surface, whole.
+    #: Whole curves on a surface.
     CURVES = "curves"
-    #: Parts of a bisector; what is not known of them is named next to them.
+    #: Parts of a bisector; unknown parts are listed next to them.
     SOLUTIONS = "solutions"
-    #: Pairs of parameters of two curves, and arcs that they have in common; what is not decided is named.
+    #: Pairs of parameters of two curves, and common arcs; undecided places are listed.
     PAIRS = "pairs"
-    #: The points of it at the least distance, and pieces all of whose points are.
+    #: The points of a curve at the least distance, and pieces all of whose points are at this distance.
     NEAREST = "nearest points"
     #: A value, or one point.
     VALUE = "value"
@@ -187,7 +188,7 @@ class Entry(ABC):
     def proofs(self, facts: Remembers, argument: str = "", place: str = "") -> Iterable[ZeroSet]:
         """The zero sets whose certificates show that the answer is complete."""
 
-    #: Whether what stands behind the colon may be left out.
+    #: Whether the argument after the colon may be omitted.
     optional: bool = False
 
     @property

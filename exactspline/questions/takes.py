@@ -96,7 +96,7 @@ DISTANCE, WITHIN = Takes("1/10", _distance), Takes("1/1000000", _distance)
 TOLERANCE = Takes("1/1000", _distance)
 #: An arc length from the start of a curve.
 LENGTH = Takes("1", _distance)
-#: A number that something is to be at most.
+#: A number for an upper bound.
 BOUND = Takes("2", _distance)
 #: The coordinates of a point.
 POINT = Takes("1/2,2", _parts)
@@ -119,7 +119,7 @@ class OnCurve(NamedTuple):
     side: Side | None = None
 
 
-#: Behind a parameter: from the left, and from the right.
+#: The signs after a parameter: from the left, and from the right.
 SIDES = {"-": Side.LEFT, "+": Side.RIGHT}
 
 
@@ -158,8 +158,8 @@ def _place(given: Any, facts: Any) -> mpq:
     return places[0].parameter
 
 
-#: Parameters: numbers, ``knots``, or the name of a question whose answer is a list of places; behind each one may stand
-#: the side from which limits are taken, as in ``1/2-`` and ``knots+`` (at a knot otherwise the right one).
+#: Parameters: numbers, ``knots``, or the name of a question whose answer is a list of places; each may be followed by
+#: the side from which limits are taken, as in ``1/2-`` and ``knots+`` (at a knot by default the right side).
 PLACES = Takes("1/2", _places, placed=True)
 #: One rational parameter.
 PLACE = Takes("1/2", _place, placed=True)
@@ -201,7 +201,7 @@ COORDINATE_VALUE = Takes("0,1/2", _numbers(2, "a coordinate and a value", "0,1/2
 OFFSETS = Takes("1/10,0", _numbers(2, "two distances", "give one for each curve, such as 1/10,0"))
 #: The parameters u and v of a point on a surface.
 PLACE_ON_SURFACE = Takes("1/2,1/3", _numbers(2, "u and v", "as in value@1/2,1/3"), placed=True)
-#: How often to differentiate by u and by v.
+#: The orders of a derivative by u and by v.
 TWO_ORDERS = Takes("1,0", _two_orders)
 #: The coordinates of a point in space.
 POINT_IN_SPACE = Takes("0,0,2", _numbers(3, "three coordinates", "such as 0,0,2"))

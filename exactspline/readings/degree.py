@@ -159,7 +159,9 @@ class Degree(RingOperand, PartlyOrdered):
         return self._made(terms, self.provenance, self.still)
 
     def __eq__(self, other: object) -> bool:
-        """Whether both are equal for all degrees ≥ 1; see `equal_from` for equality above a larger bound."""
+        """Whether two degrees are equal for all named degrees ≥ 1; see `equal_from` for equality above a larger
+        bound.
+        """
         return isinstance(other, Degree) and equal_from(self, other) == 1
 
     def __hash__(self) -> int:

@@ -56,7 +56,7 @@ class FactoredJet(RingOperand):
 
     @property
     def is_zero(self) -> bool:
-        """Whether it vanishes on every curve."""
+        """Whether the value vanishes on every curve."""
         return bool(self.unit == 0)
 
     def expanded(self) -> fmpq_mpoly:

@@ -35,7 +35,7 @@ class Generic(RingOperand):
 
     @property
     def is_zero(self) -> bool:
-        """Whether it vanishes on every curve of this degree."""
+        """Whether the value vanishes on every curve of this degree."""
         return not any(self.coefficients)
 
     def __eq__(self, other: object) -> bool:

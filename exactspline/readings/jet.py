@@ -26,8 +26,8 @@ from exactspline.one_line import OneLine, one_line
 from exactspline.polynomials.factors import bounded_product, greatest_common_divisor, superscript
 
 PRIMES = ("", "′", "″", "‴")
-#: The largest number of indeterminates: every term stores an exponent for each, and FLINT ends the process where it
-#: lacks memory.
+#: The largest number of indeterminates: every term stores an exponent for each, and FLINT ends the process if it lacks
+#: memory.
 MOST_VARIABLES = 4000
 
 
@@ -250,7 +250,7 @@ class Jet(RingOperand):
 
     @property
     def is_zero(self) -> bool:
-        """Whether it is the zero polynomial: zero on every curve."""
+        """Whether the value is the zero polynomial, that is zero on every curve."""
         return not self.polynomial
 
     def __eq__(self, other: object) -> bool:
@@ -402,7 +402,7 @@ class JetFraction(FieldOperand):
 
     @property
     def is_zero(self) -> bool:
-        """Whether it vanishes on every curve."""
+        """Whether the value vanishes on every curve."""
         return not self.top
 
     @property

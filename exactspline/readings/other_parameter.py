@@ -51,7 +51,7 @@ class InOtherParameter(FieldOperand):
 
     @property
     def is_zero(self) -> bool:
-        """Whether it vanishes on every curve."""
+        """Whether the value vanishes on every curve."""
         return bool(self.value.is_zero)
 
     def __eq__(self, other: object) -> bool:

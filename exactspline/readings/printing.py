@@ -254,8 +254,8 @@ class Printer(ABC):
     dot: str
     between: str
     ruling: str
-    #: What stands around a part: a sum, a vector of which the squared length is taken, the vectors of a determinant
-    #: (and what stands between these), those of a generalized cross product.
+    #: The brackets around a sum, around a vector whose squared length is taken, around the vectors of a determinant
+    #: (and the text between these), and around those of a generalized cross product.
     parentheses: str
     norm2: str
     bracket: str

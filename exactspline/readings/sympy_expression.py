@@ -88,7 +88,7 @@ class SympyExpression(FieldOperand):
 
     @property
     def is_zero(self) -> bool:
-        """Whether it vanishes on every curve."""
+        """Whether the value vanishes on every curve."""
         return vanishes(self.expression)
 
     def __eq__(self, other: object) -> bool:

@@ -134,7 +134,7 @@ def series_curve(curve: Curve[T], t: Number, terms: int, side: Side | str = Side
 # These series give values and partial derivatives of any formula at a point, without splines or quotient rules.
 
 
-#: Nonzero coefficients by the exponents of the two variables: exact numbers, or what can be calculated with like them.
+#: Nonzero coefficients by the exponents of the two variables: exact numbers, or objects with the same operations.
 Coefficients = dict[tuple[int, int], mpq]
 
 

@@ -98,7 +98,7 @@ def _factor(constant: mpq, powers: tuple[tuple[str, Terms, int], ...], ring: Jet
     return Factor(constant, Factorization([(Named(name, ring.of_terms(terms)), e) for name, terms, e in powers]), ring)
 
 
-#: What `polynomial` asks.
+#: The name of the option `polynomial` in errors.
 POLYNOMIAL = "whether curves are polynomial"
 
 
@@ -358,7 +358,8 @@ class _Names:
         self._argument = argument.remembering()
         self._known: list[tuple[str, object] | None] = []
         self.formulas: dict[str, Formula] = {}
-        #: One for all, since they are computed in one order: what a claim has spent before is no reason to skip one.
+        #: One budget for all values, since they are computed in a fixed order: a name does not depend on what a claim
+        #: spent before.
         self._budget = Budget()
         self._lock = Lock()
 

@@ -30,7 +30,7 @@ class Case:
     parameter: mpq
     link: str = ""
     note: str = ""
-    #: ± k for ε = ± 2⁻ᵏ where the curve is near a degenerate one, else 0.
+    #: ± k for ε = ± 2⁻ᵏ if the curve is near a degenerate one, otherwise 0.
     dial: int = 0
 
     @cached_property
@@ -185,7 +185,7 @@ def _cad(chance: random.Random) -> Iterator[Case | None]:
         yield made(f"cad {number}", "cad", degree, list(knots), points)
 
 
-#: Curves that are degenerate for ε = 0: what a formula divides by vanishes there, or what a sign depends on.
+#: Curves that are degenerate for ε = 0: then a divisor of a formula vanishes, or a number whose sign matters.
 SHAPES: dict[str, Callable[[float], list[Row]]] = {
     # γ′ = 0 at 1/2 for ε = 0
     "cusp": lambda e: [(0, 0), (1, 1), (e, 1), (1, 0)],

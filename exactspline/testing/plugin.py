@@ -12,7 +12,7 @@ from exactspline.testing.families import all_cases
 if TYPE_CHECKING:
     import pytest
 
-#: How many cases of each family are taken by default.
+#: The number of cases of each family that are taken by default.
 USUAL = "20"
 
 

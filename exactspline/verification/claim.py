@@ -217,16 +217,17 @@ class Claim(Immutable, Displayed):
 
     kind: ClassVar[str] = ""
     reading: ClassVar[Name] = Name("jet")
-    #: What is claimed, and the statement in LaTeX: ``$name`` is the value of a field, in LaTeX the symbol of a formula.
+    #: The claimed value, and the statement in LaTeX: ``$name`` is the value of a field, in LaTeX the symbol of a
+    #: formula.
     value: ClassVar[str] = ""
     notation: ClassVar[str] = ""
     #: The fields that name two formulas, which must be different ones.
     sides: ClassVar[tuple[str, ...]] = ()
-    #: Whether it is about a single curve, not about pairs or the operands of Table 1.
+    #: Whether such claims are about a single curve, and not about pairs or the operands of Table 1 of the paper.
     of_one_curve: ClassVar[bool] = False
     #: Whether such claims can be decided where roots are adjoined.
     of_frames: ClassVar[bool] = False
-    #: Whether it is decided by zeros or signs of functions of one parameter.
+    #: Whether such claims are decided by zeros or signs of functions of one parameter.
     asks_for_zeros: ClassVar[bool] = False
     #: Whether `examine` decides for all arguments with the given curve, and not only for the given one.
     tries_all: ClassVar[bool] = False

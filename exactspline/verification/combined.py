@@ -19,7 +19,7 @@ from exactspline.verification.verdict import CONTRADICTION, REFUTED, VERIFIED, F
 from exactspline.verification.vocabulary import Name
 
 V = TypeVar("V")
-#: The reading in which a claim was decided, and the finding.
+#: The evaluation mode in which a claim was decided, and the finding.
 Decided = tuple[Name, Finding]
 
 
@@ -109,7 +109,7 @@ def combined(claim: Claim) -> Decided:
     return proofs_of_this_run().combined(claim)
 
 
-#: What Python raises where the value of a formula is not of the form that a claim requires.
+#: The errors of Python for a value of a formula that does not have the form that a claim requires.
 NOT_FITTING = (TypeError, ValueError, AttributeError, LookupError, ArithmeticError, AssertionError, RecursionError)
 
 

@@ -247,8 +247,8 @@ class RootConditions:
 
 @dataclass(frozen=True)
 class Conditioning:
-    """All zeros of a construction inside the segments of a curve, the extraneous zeros of a form, and what was not
-    compared, in words.
+    """All zeros of a construction inside the segments of a curve, the extraneous zeros of a form, and the omitted
+    zeros, in words.
     """
 
     curve: str

@@ -44,11 +44,11 @@ class Outcome(Enum):
     """How two sides compare."""
 
     EQUAL = auto()
-    #: They differ; the component in which they differ is known, and the difference there.
+    #: The sides differ; the component in which they differ, and the difference, are known.
     DIFFERENT = auto()
-    #: They are vectors with different numbers of components.
+    #: The sides are vectors with different numbers of components.
     UNLIKE = auto()
-    #: Both vanish: 0 = 0.
+    #: Both sides vanish: 0 = 0.
     NOTHING = auto()
     #: A side does not exist (on a whole segment, or anywhere), because of a division by zero.
     NO_SIDE = auto()

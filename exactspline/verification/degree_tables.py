@@ -114,7 +114,7 @@ class DegreeRow:
     formula: str
     variant: str
     nominal: str
-    #: None where the object does not exist on any segment, also for the next two.
+    #: None if the object does not exist on any segment; the same holds for the next two fields.
     represented: int | None
     true: int | None
     control_points: int | None
@@ -158,7 +158,7 @@ def _row(c: Construction, variant: Variant, curve: Nurbs) -> DegreeRow:
     return DegreeRow(c.name, variant, nominal, *counts, lowest, text, grading, seconds)
 
 
-#: What the minimal variants are.
+#: The descriptions of the minimal variants.
 MINIMAL = "the lifted variant in lowest terms"
 MINIMAL_RULED = "directrix in lowest terms, the generator without its common factor"
 
@@ -193,7 +193,7 @@ GENERATORS = {
 }
 
 
-#: Bisectors, in the parameter of the first curve: naive, polynomial as in §6, lifted.
+#: Bisectors, in the parameter of the first curve: naive, polynomial as in §6 of the paper, lifted.
 BISECTORS = {
     "bisector of two curves, in s": ("bisector", "bisector_polynomial", "bisector_lifted"),
     "planar bisector of a curve and a point": ("plane_bisector", "plane_bisector_polynomial", "plane_bisector_lifted"),
@@ -345,8 +345,8 @@ def formula_table(
 
 @dataclass(frozen=True)
 class FormulaDegrees:
-    """A formula on the generic curve of degree d: the count of Table 1, what cancels, the degree of the reduced form,
-    and that of the value in lowest terms; a reason where the degree theorem does not apply.
+    """A formula on the generic curve of degree d: the count of Table 1 of the paper, the cancelled factors, the degree
+    of the reduced form, the degree of the value in lowest terms, and the reason if the degree theorem does not apply.
     """
 
     formula: str
@@ -407,7 +407,7 @@ def _formula_row(formula: Formula, curve: Nurbs, limit: int | None) -> DegreeRow
 
 #: The seed of witnesses, and the size of their control points.
 SEED, SIZE = 2007, 99
-#: How many formulas an error names.
+#: The number of formulas that an error names.
 NAMED = 3
 
 

@@ -97,7 +97,7 @@ def _primitive_multiple(polynomial: fmpq_mpoly) -> fmpq_mpoly:
     return multiple
 
 
-#: The denominators of curves and of the operands of Table 1: none has zeros.
+#: The denominators of curves and of the operands of Table 1 of the paper: none of them has zeros.
 WEIGHTS = ("w", "W", "w1", "w2")
 
 

@@ -215,12 +215,12 @@ def _has_factor(claim: Identity, dimension: int) -> bool:
         return False
 
 
-#: What the checks import.
+#: The imports of the checks.
 FACTOR = "from exactspline.verification.generic_proof import factor_of"
 JETS = "from exactspline.symbolic.factorization import jets_for"
 LOWEST = "from exactspline.verification.generic_proof import lowest_degree"
 NOMINAL = "from exactspline.readings.degree import DegreeReading"
-#: What a degree is counted by; others are shown by their claim.
+#: The functions that count a degree, by its measure; other degrees are shown by their claim.
 DEGREES = {
     (Measure.NOMINAL, Parameter.FIRST, Counting.TABLE_1): (NOMINAL, "DegreeReading().count"),
     (Measure.LOWEST_TERMS, Parameter.FIRST, Counting.TABLE_1): (LOWEST, "lowest_degree"),
@@ -228,8 +228,8 @@ DEGREES = {
 
 
 def check(claim: Claim) -> tuple[str, ...]:
-    """A few lines of Python that show that the claim fails. Each line that prints names what it prints: lines that are
-    printed for several claims (those that import) are dropped where they repeat.
+    """A few lines of Python that show that the claim fails. Each printing line names the printed value: lines that
+    occur in the checks of several claims (those that import) are written only once.
     """
     return (*_loading(claim.source_paper), *_shown(claim))
 

@@ -27,7 +27,7 @@ class Evidence(WordedData):
 class Fact(Evidence, Enum):
     """Evidence without numbers, each with its phrase."""
 
-    # nothing to decide
+    # findings that there is nothing to decide
     NOTHING = "0 = 0"
     ALL_VANISH = "all vanish"
     NO_SIDE = "a side does not exist on all of this curve: 0/0"

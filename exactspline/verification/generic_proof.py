@@ -64,7 +64,7 @@ def harmful(factor: Factor, assumed: Iterable[Assumption]) -> tuple[list[Name], 
     return names, tuple(used)
 
 
-#: Curves and surfaces on which few formulas vanish, by the dimension and whether w = 1.
+#: Curves and surfaces on which few formulas vanish, by the dimension and by w = 1.
 SHOWN = {
     **{(2, False): "rational_cubic_s", (2, True): "cubic_s"},
     **{(3, False): "rational_space_cubic", (3, True): "twisted_cubic"},

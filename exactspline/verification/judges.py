@@ -74,7 +74,7 @@ class Judge(Protocol):
         """The finding; UNDECIDED if the verifier does not handle claims of this kind."""
 
 
-#: The judges other than the ledger's: where each stands, or what makes one.
+#: The second verifiers, by name: the place of the class, or a function that makes one.
 _others: dict[str, str | Callable[[Sequence[Claim]], Judge]] = {
     "sympy": "exactspline.verification.judges:Sympy",
     "coq": "exactspline.extras.coq.judge:Coq",

@@ -42,7 +42,7 @@ from exactspline.verification.vocabulary import ArgumentKind, Name, Reason, Stat
 # ---- rows
 
 
-#: The name shown in place of a curve's where all curves are meant.
+#: The name that stands for all curves.
 ALL_CURVES = Name("")
 
 
@@ -218,7 +218,7 @@ def error_of(claim: Claim) -> str:
 
 UNNAMED = Name("(unnamed curve)")
 TABLE = Name("splines of degrees 2 and 3 over different knots")
-#: The reading of checks on one curve.
+#: The evaluation mode of checks on one curve.
 SPLINE = Name("spline")
 Task = Callable[[], Row]
 

@@ -44,7 +44,7 @@ from exactspline.words import choice
 TOKEN = re.compile(
     r"(?:\^|\*\*)\s*([-−]?)\s*(\d+)|\[\d\]|(\d+(?:\.\d+)?)|((?:[^\s=+*^(),]+:)?[^\W\d]\w*)|([′'’]+)|[·×−@\0]"
 )
-#: A product without a sign has a sign of its own, which nobody types: it is refused after a division.
+#: A product that is written without a sign gets a special sign here, so that it can be refused after a division.
 SIGNS = {"·": "*", "×": "*", "−": "-", "\0": "@", "@": "?"}
 #: A blank between two operands, or a number before one: a product, as in factors.
 BESIDE = re.compile(r"(?<=[\w)\]′'’])\s+(?=[\w(])|(?<![\w.])\d+(?:\.\d+)?(?=[^\W\d]|\()(?![^\s=+*^(),]*:)")
@@ -194,7 +194,7 @@ class Proof(_Answer):
     """The answer of `prove`: whether ``left = factor · right`` for all curves of these dimensions."""
 
     dimensions: tuple[int, ...]
-    #: The true quotient of the left side by the right side; None for vectors that are not parallel, and where roots are
+    #: The true quotient of the left side by the right side; None for vectors that are not parallel, and if roots are
     #: adjoined.
     quotient: Factor | None
     #: Whether roots are adjoined: then a quotient is not a product of polynomials.
@@ -304,7 +304,7 @@ def proof_of(text: str, *, trust: bool = False, dimension: int | None = None) ->
     the places; also the errors of `exactspline.papers.resolve` and `prove`.
     """
     left, _, right = text.partition("=")
-    # the sides as written: formulas of two places may have one name
+    # the sides are shown as written, since formulas of two places may have one name
     return replace(
         _decided(_equation(text, trust), _given_dimension(dimension)), left=left.strip(), right=right.strip()
     )

@@ -32,7 +32,7 @@ from exactspline.verification.verdict import NOT_ASKED, Finding
 from exactspline.verification.vocabulary import Name, Reason, Scope
 
 NAIVE, REDUCED = "naive", "reduced"
-#: The parts of a formula that stand for something: formulas that it calls, roots, the parameter along a line.
+#: The parts of a formula that are explained: formulas that it calls, roots, the parameter along a line.
 DEFINED = (Operation.NAMED, Operation.LEAF, Operation.RULED)
 
 

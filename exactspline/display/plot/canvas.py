@@ -47,7 +47,7 @@ PAGE = 9.2
 #: The width of an entry of a legend, in inches.
 ENTRY = 1.9
 
-#: The suffixes of pictures, and what would differ in them from run to run.
+#: The suffixes of pictures, and the data in them that would differ from run to run.
 SUFFIXES = {".svg": ["Date"], ".png": [], ".pdf": ["CreationDate"]}
 Point = tuple[mpq, ...]
 Run = list[Point]
@@ -469,7 +469,7 @@ def _is_marker(value: object) -> bool:
 _COLOR = ("a colour", _is_color, "give a name or '#rrggbb'")
 _FLAG = ("a choice between two", lambda x: isinstance(x, bool), "give True or False")
 _SIZE = f"give a number between 0 and {LARGEST_SIZE}"
-#: For each option: what it is, whether a value is that, and what would be.
+#: For each option: its description, a check of values, and the remedy for a wrong value.
 CHECKS: dict[str, tuple[str, Callable[[Any], bool], str]] = {
     **dict.fromkeys(("color", "polygon_color", "net_color"), _COLOR),
     **dict.fromkeys(("control_polygon", "control_net", "knots", "hollow"), _FLAG),

@@ -83,8 +83,8 @@ def inspect_figure(
 
     A panel is ``(title, function, zeros)``, where zeros is a `ZeroSet`. With `evolute` a plane curve is drawn together
     with its evolute; with `stability` its marks are those of `plot_stability`. Degrees and numbers of control points in
-    the titles are those of the objects. Returns the ``matplotlib.figure.Figure``; raises what the functions above
-    raise.
+    the titles are those of the objects. Returns the ``matplotlib.figure.Figure``; raises the errors of `plot_curve`,
+    `plot_function` and `plot_evolute`.
 
     >>> from exactspline.geometry.derived.constructions import construction
     >>> from exactspline.interchange.examples import example

@@ -25,7 +25,7 @@ from exactspline.numbers.exact import mpq
 from exactspline.splines.nurbs import Nurbs
 
 LINE, CIRCLE, ELLIPSE, PARABOLA, HYPERBOLA, BEZIER, BSPLINE, TRIMMED, OFFSET = range(1, 10)
-#: What has no control points: its name, its axes, and its sizes.
+#: The curves without control points, by kind: the name, the axes, and the sizes.
 SHAPES = {
     LINE: ("line", 1, 0),
     CIRCLE: ("circle", 2, 1),
@@ -93,7 +93,7 @@ def _curve(collector: Collector, words: Tokens, dimension: int, where: str, part
         raise CurveFileError(f"a curve of kind {kind}", where=where, remedy="kinds 1 to 9 are known")
     name, axes, sizes = SHAPES[kind]
     vectors = words.rows(1 + axes + (dimension == 3 and axes > 1), dimension)
-    # of a conic in space the second vector is its normal
+    # the second vector of a conic in space is its normal
     frame, numbers_of_it = [vectors[0], *vectors[-axes:]], words.numbers(sizes)
     if not parts and kind not in (CIRCLE, ELLIPSE):
         collector.skip(name, where, "it is unbounded; write its part as a spline", curve=kind != LINE)

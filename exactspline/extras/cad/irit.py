@@ -26,7 +26,7 @@ Node = list[Nested]
 # an unclosed string extends to the end of the text, so that matching takes linear time
 _TOKEN = re.compile(r'"(?:[^"\\]|\\[\s\S])*+\\?(?:"|\Z)|[][]|[^][\s"]+|"')
 _POINT = re.compile(r"([EP])(\d)")
-#: How many parameters an object has.
+#: The number of parameters of an object.
 PARAMETERS = {"CURVE": 1, "SURFACE": 2}
 SKIPPED = ("TRIVAR", "MULTIVAR", "TRISRF", "POLYGON", "POLYLINE", "POINTLIST", "MODEL", "TRIMSRF")
 

@@ -29,7 +29,7 @@ from exactspline.interchange.segments import RADIANS, RIGHT, Affine, Round
 from exactspline.numbers.exact import mpq, rational
 from exactspline.system import LIMITS, OUT_OF_TIME
 
-#: How many times that a process may take by the clock: many where it is ended before.
+#: The ratio of elapsed time to processor time that a process may take; it is large, since most processes end before.
 WAITING = 60 if LIMITS else 5
 #: Objects that are curves or place curves.
 CURVES = ("InstanceReference", "Curve", "PolyCurve", "ArcCurve", "LineCurve", "PolylineCurve", "NurbsCurve")

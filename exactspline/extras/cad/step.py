@@ -33,10 +33,10 @@ from exactspline.interchange.format import Format, Spline
 from exactspline.interchange.numbers import NumberText
 from exactspline.interchange.records import Reading, Source
 
-#: How the sets of curves and of surfaces are represented.
+#: The representations of sets of curves and of surfaces.
 WIREFRAME = "GEOMETRICALLY_BOUNDED_WIREFRAME_SHAPE_REPRESENTATION"
 BOUNDED_SURFACES = "GEOMETRICALLY_BOUNDED_SURFACE_SHAPE_REPRESENTATION"
-#: Keywords that are not read, with the reasons; that place parts; and of surfaces that are not splines.
+#: Keywords that are not read, with the reasons; keywords that place parts; and keywords of surfaces other than splines.
 SKIPPED, PLACING, OTHERS = NAMES["step"], NAMES["step placing"], NAMES["step surfaces"]
 #: Every keyword of an entity that is not a spline and is read, named as skipped, or noted.
 KNOWN = frozenset((*ELEMENTARY, *BOUNDED, COMPOSITE, *SKIPPED, *PLACING, *FACES, *OTHERS))

@@ -48,7 +48,7 @@ class Keywords:
         self.spline, self.rational = f"B_SPLINE_{what}", f"RATIONAL_B_SPLINE_{what}"
         self.with_knots = f"{self.spline}_WITH_KNOTS"
         self.kinds = (self.with_knots, f"BEZIER_{what}", f"UNIFORM_{what}", f"QUASI_UNIFORM_{what}")
-        #: How many attributes splines of all kinds have.
+        #: The number of attributes of splines of all kinds.
         self.inherited = 3 + 2 * self.parameters
 
     def parts(self, entity: dict[str, list[Value]]) -> tuple[str, list[Value], list[Value], list[Value]]:
@@ -168,7 +168,7 @@ def _net(spline: Spline, rows: Sequence[str]) -> str:
 
 EDGE, TRIMMED, POLYLINE, COMPOSITE = "EDGE_CURVE", "TRIMMED_CURVE", "POLYLINE", "COMPOSITE_CURVE"
 ELEMENTARY = ("LINE", "CIRCLE", "ELLIPSE")
-#: How many attributes an edge and a trimmed curve have, and the place of their curve among them.
+#: The number of attributes of an edge and of a trimmed curve, and the index of their curve.
 BOUNDED = {EDGE: (5, 3), TRIMMED: (6, 1)}
 #: Every keyword of a curve with control points.
 ANY_CURVE = frozenset((POLYLINE, KEYWORDS[CURVE].spline, KEYWORDS[CURVE].rational, *KEYWORDS[CURVE].kinds))
@@ -196,11 +196,12 @@ class Edges:
 
     def __init__(self, file: StepFile) -> None:
         self.file, self.within = file, file.collector.source.within
-        #: How far a vertex may be from its curve, if an error is allowed: the file says how uncertain its lengths are.
+        #: The largest distance of a vertex from its curve, if an error is allowed: the uncertainty of lengths stated in
+        #: the file.
         self.reach = self.within
         self.used: set[str] = set()
         self.in_parameters: set[str] = set()
-        #: What a right angle is in the unit of angles of the file.
+        #: A right angle in the unit of angles of the file.
         self.right = RADIANS
         for text in file.instances.values():
             kind, _, rest = text.partition("(")
@@ -333,7 +334,7 @@ class Edges:
         curve, (low, high) = made.curve, made.curve.domain
         if len(point) != curve.dimension:
             return None
-        # the ends first: a point near one may be nearest to a point inside
+        # the ends are tried first, since a point near an end may be even nearer to a point inside
         places = [low, high]
         for place in nearest(curve, point).points:
             exact = place.parameter.exact
@@ -390,7 +391,7 @@ class Edges:
         else:
             _, centre, axis, along = self.file.named(placement, "AXIS2_PLACEMENT_3D", 4)
             (x, y, _), near = axes(self._direction(along, (1, 0, 0)), self._direction(axis, (0, 0, 1)), error)
-        # the centre, which may have another number of coordinates than the axes
+        # the centre may have another number of coordinates than the axes
         middle = minus(self.file.point(centre), [mpq(0)] * len(x))
         rows = [[p * a, q * b, c] for p, q, c in zip(x, y, middle, strict=True)]
         return Round(Affine(rows), self.within, near)

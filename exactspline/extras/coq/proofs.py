@@ -84,9 +84,7 @@ class Nonzero:
 
 @dataclass
 class Proof(Nonzero):
-    """The atoms of one theorem, the reasons why they do not vanish, and what is assumed beyond the claim's
-    assumptions.
-    """
+    """The atoms of one theorem, the reasons why they do not vanish, and the assumptions beyond those of the claim."""
 
     setting: Setting
     name: str

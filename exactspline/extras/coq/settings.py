@@ -43,7 +43,7 @@ SHAPES: dict[type[Kind], tuple[str, str]] = {
     SurfaceCurveKind: ("curve_on_a_surface", "curve_on_a_surface"),
     FormsKind: ("two_forms", "two_forms"),
 }
-#: What follows ``every_`` in the name of a quantifier, where it is not the shape.
+#: The text after ``every_`` in the name of a quantifier, if it is not the shape.
 QUANTIFIERS = {
     **{"plane": "plane_curve", "plane_point": "plane_curve_with_point", "plane_with": "plane_curve_with"},
     **{"space": "space_curve", "space_point": "space_curve_with_point", "space_with": "space_curve_with"},

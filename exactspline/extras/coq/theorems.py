@@ -100,7 +100,7 @@ class Statement(ABC, Generic[Conclusion]):
 
 @singledispatch
 def concluded(claim: Claim, statement: Statement[Conclusion]) -> Conclusion:
-    """What is concluded from a claim once its formulas are traced."""
+    """The conclusion of the theorem of a claim, made from its traced formulas."""
     raise FormulaError(f"claims of the kind {claim.kind!r} are not equalities", remedy="state identities")
 
 

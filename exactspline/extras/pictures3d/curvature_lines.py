@@ -194,7 +194,7 @@ def _between(rows: Rows, i: int, j: int, x: float, y: float) -> list[float]:
     return [(a * (1 - x) + b * x) * (1 - y) + (c * (1 - x) + d * x) * y for a, b, c, d in corners]
 
 
-#: What the two families are called, and their colours.
+#: The names of the two families, and their colours.
 FAMILIES = {"lines of the larger curvature": GREY, "lines of the smaller curvature": "#ffffff"}
 
 
@@ -212,7 +212,7 @@ def _family(samples: Samples, family: int) -> list[Floats]:
     size = float(np.linalg.norm(flat.max(axis=0) - flat.min(axis=0)))
     us, vs, *_ = samples._lists
     seeds = [(us[i], vs[j]) for j in range(1, len(vs) - 1, 3) for i in range(1, len(us) - 1, 3)]
-    # from the middle outwards
+    # seeds from the middle outwards
     middle = (us[0] + us[-1]) / 2, (vs[0] + vs[-1]) / 2
     seeds.sort(
         key=lambda p: (p[0] - middle[0]) ** 2 / (us[-1] - us[0]) ** 2 + (p[1] - middle[1]) ** 2 / (vs[-1] - vs[0]) ** 2

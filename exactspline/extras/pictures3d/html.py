@@ -73,7 +73,7 @@ class DotData(TypedDict):
     color: str
     size: float
     places: list[list[float]]
-    #: What is shown of each under the pointer.
+    #: The text that is shown under the pointer for each dot.
     names: NotRequired[list[str]]
 
 

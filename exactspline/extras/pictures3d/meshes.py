@@ -38,7 +38,7 @@ from exactspline.splines.tensor import TensorSpline
 SAMPLES, LEAST, ALONG = 192, 12, 21
 #: Samples of a surface in two parameters in each direction, in total and at least per segment.
 GRID, LEAST_OF_GRID = 48, 8
-#: A cell at the border of what is shown is halved this often.
+#: A cell at the border of the visible part is halved this often.
 DEPTH = 4
 #: Sampling stops this close to a pole, as a fraction of the distance between samples.
 BESIDE = mpq(1, 8)

@@ -29,7 +29,7 @@ if TYPE_CHECKING:
 ELLIPTIC, HYPERBOLIC, FLAT = "#F3C46B", "#7FBFE6", "#D9D9D9"
 #: Rows and columns of faces, in total and at least per patch.
 GRID, LEAST = 72, 6
-#: How much of the axes a surface fills, relative to the norm of its extents, by which matplotlib scales.
+#: The part of the axes that a surface fills, relative to the norm of its extents, by which matplotlib scales.
 FILLED = 0.93
 #: The number of points of a drawn arc.
 STEPS = 4
@@ -143,7 +143,7 @@ class _Paint:
         flat = corners.reshape(-1, 3) @ self.np.array([self.right, self.up]).T
         #: The larger of the surface's width and height as it is seen.
         self.seen = float((flat.max(axis=0) - flat.min(axis=0)).max()) or size
-        #: How far before the surface: as far as faces reach.
+        #: The distance in front of the surface: the size of the faces.
         depths = corners @ self.view
         self.lift = self.view * float((depths.max(axis=1) - depths.min(axis=1)).max())
         #: The length of a point of the picture.

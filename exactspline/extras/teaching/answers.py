@@ -41,7 +41,7 @@ MAX_TEXT, MAX_FORMULA, MAX_DEGREE = 20_000, 300, 60
 MAX_BITS = 20_000
 _GROUP = re.compile(r"\(([^()]*)\)")
 _SIGNS = str.maketrans({"−": "-", "[": "(", "]": ")", "{": "(", "}": ")", ";": ",", '"': " ", "'": " ", "\ufeff": " "})
-#: What people write before a number: its name (``x =``, ``y(t) =``, ``centre:``), and words around it.
+#: Texts that people write before a number: its name (``x =``, ``y(t) =``, ``centre:``), and words around it.
 _LABELS = re.compile(r"[^\W\d][^=:,\n]*?[=:]|\b(?:yes|centre|center|radius|and|or)\b", re.IGNORECASE)
 _POWERS = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹", "0123456789")
 
@@ -429,7 +429,7 @@ class Circle(Answer, OneLine):
         return ", ".join(map(text, self.values)) or "no"
 
     def differences(self, answer: str) -> Iterator[Difference]:
-        """Whether it is a circle, or which number is wrong."""
+        """The error: it is, or is not, a circle, or a number is wrong."""
         if negative(answer):
             yield from [Wrong.CIRCLE] * bool(self.values)
         elif self.values:

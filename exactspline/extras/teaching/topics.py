@@ -458,7 +458,7 @@ TOPICS: dict[str, Topic] = {
     "circle": circle,
     "weight": weight,
 }
-#: How to begin, without a number of the answer.
+#: Hints for the first step, without numbers of the answer.
 HINTS = {
     "evaluation": "The control points of the segment that contains t begin the triangle. In step k neighbours "
     "are combined with the weights (b − t)/(b − a) and (t − a)/(b − a), where [a, b] consists of degree + 1 − k "

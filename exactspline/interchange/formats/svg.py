@@ -178,7 +178,7 @@ _CALL = re.compile(r"[\s,]*([A-Za-z]+)\s*\(([^()]*)\)")
 
 #: CSS pixels per unit of length (CSS Values and Units, absolute lengths).
 UNITS = {unit: mpq(pixels) for unit, pixels in NAMES["units"].items()}
-#: What can be done about a transform of which no number is rational.
+#: The remedy for a transform without rational numbers.
 APPLY = "write it as matrix(…), whose decimals are read exactly, or apply it to the shape"
 _SIDES = {"left": "0", "top": "0"}
 _LENGTH = re.compile(r"(.*?)(px|in|cm|mm|q|pt|pc)?", re.ASCII | re.IGNORECASE | re.DOTALL)
@@ -282,7 +282,7 @@ IDENTITY = Affine.identity(2)
 SVG = "http://www.w3.org/2000/svg"
 FOREIGN = "not drawn: it is, or is inside, an element of another namespace than SVG"
 
-#: What is said of an arc that stands for another.
+#: The note on an arc that replaces another arc.
 REPLACED = "an arc without rational control points is replaced by one with the same ends, nowhere further from it than"
 LOSES = "SVG stores no knots: segments are kept, their parameter intervals are not"
 

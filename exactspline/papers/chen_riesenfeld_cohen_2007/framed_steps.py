@@ -34,7 +34,7 @@ def tangent_developable_by_unit_tangent(c):
 
 @formula("§4.3, next to eq. (12)", on="framed plane")
 def inverted_curvature(c):
-    """``‖γ′‖³/[γ′ γ″]``: what is printed as κ."""
+    """``‖γ′‖³/[γ′ γ″]``, which is printed as κ."""
     return c.sigma**3 / f0(c)
 
 

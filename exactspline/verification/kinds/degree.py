@@ -241,7 +241,7 @@ class DegreeClaim(Claim):
         return max(self._own(x.true_degree) for x in parts)
 
 
-#: No exceptional d.
+#: The empty set of exceptional d.
 NONE_LOWER: Mapping[int, int] = MappingProxyType({})
 #: The number of values of each of several degrees tried for a witness.
 UNEQUAL = 12

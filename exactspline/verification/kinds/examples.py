@@ -42,7 +42,7 @@ class ExampleClaim(Claim):
         return self.prove()[1]
 
 
-#: What one of them is called.
+#: The singular of the name of a counted quantity.
 SINGULAR = {"root": "roots", "cusp": "cusps", "extremum": "extrema", "control point": "control points"}
 
 

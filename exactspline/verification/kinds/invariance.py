@@ -42,7 +42,7 @@ class Nature(StrEnum):
     POINT = "point"
 
 
-#: The factor of a value is reported only where the sides have fewer terms than this.
+#: The factor of a value is reported only if the sides have fewer terms than this.
 SHORT = 400
 #: The name of the function by which a parameter is changed, which constants cannot have.
 SPEED = "_speed"
@@ -71,7 +71,7 @@ def weight_text(under: Group, weight: int) -> str:
     return f"weight {weight} in {unit}".replace("-", "−") if unit else "no change"
 
 
-#: The changes that move no point, and those that leave lengths, hence the roots of a frame, as they are.
+#: The changes that move no point, and the changes that preserve lengths, and hence the roots of a frame.
 UNMOVED = (Group.REPARAMETRIZATION, Group.REVERSAL, Group.COMMON_FACTOR)
 ISOMETRIES = (Group.REVERSAL, Group.TRANSLATION, Group.ROTATION, Group.MOTION, Group.REFLECTION)
 #: The maps by which a group is generated.
