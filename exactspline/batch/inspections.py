@@ -195,8 +195,8 @@ def _piece(piece: CurvePiece, kind: str) -> Found:
 
 
 def enclosed(place: Real, digits: int) -> tuple[str, str]:
-    """The location of a root, independent of how far it was refined before: a rational root exactly, an irrational one
-    between two neighbouring decimals.
+    """The location of a root, independent of earlier refinements: a rational root exactly, an irrational one between
+    two neighbouring decimals.
 
     >>> from exactspline import BSpline, zeros
     >>> t = BSpline.identity(0, 1)

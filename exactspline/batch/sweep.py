@@ -115,7 +115,7 @@ def sweep_into_file(
     the corpus that is done, the line, and whether it existed before. Once `stopped` returns true, no further curve is
     started; those in progress are finished.
 
-    Raises `ResultsError` where the results cannot be written or belong to another corpus.
+    Raises `ResultsError` if the results cannot be written or belong to another corpus.
     """
     given = takewhile(lambda _: not stopped(), items(sources, taken))
     if not output:

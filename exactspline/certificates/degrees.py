@@ -22,8 +22,8 @@ def check_degrees(certificate: Mapping[str, object]) -> dict[str, int]:
     factor with w; and, if every segment is ``irreducible``, that no polynomial over ℚ of a lower degree vanishes at a
     zero of the form.
 
-    The proof is about the forms in the certificate. It does not show that they belong to the construction, the curve
-    and the intervals named: the answer says that each of these labels was not checked.
+    The proof is about the forms in the certificate. The certificate does not show that these belong to the
+    construction, the curve and the intervals named: the answer says that each of these labels was not checked.
 
     A common factor over ℚ would also be a common factor modulo the prime, of the same degree, because the prime does
     not divide the leading coefficient of some form; but the cofactors combine the forms to 1. A common zero at the
@@ -127,8 +127,8 @@ def _gcd(a: Polynomial, b: Polynomial, p: int) -> Polynomial:
 
 
 def is_square_free(form: Polynomial, p: int) -> bool:
-    """Whether a form has no multiple factor modulo a prime, nor modulo the prime a lower degree: then it has none over
-    ℚ. A zero as last coefficient means a zero at the right end.
+    """Whether a form has no multiple factor modulo a prime and does not have a lower degree modulo the prime. Then the
+    form has no multiple factor over ℚ. A zero as last coefficient means a zero at the right end.
 
     >>> is_square_free([1, 0, 1], 3), is_square_free([1, -2, 1], 3), is_square_free([1, 1, 0, 0], 3)
     (True, False, False)

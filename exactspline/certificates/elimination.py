@@ -137,7 +137,7 @@ def require_only_root(p: Sequence[int], side: Side, whole: Side) -> None:
 
 
 def quotient_by(p: Polynomial, divisor: Polynomial) -> Polynomial | None:
-    """The quotient by a divisor with integer coefficients; None where there is none.
+    """The quotient by a divisor with integer coefficients; None if there is no exact quotient.
 
     >>> quotient_by([-1, 0, 1], [1, 1]), quotient_by([1, 0, 1], [1, 1])
     ([-1, 1], None)
@@ -373,7 +373,9 @@ def is_free(p: Polynomial, minimal: Polynomial, side: Side, depth: int = 32) -> 
 def quotient_over(
     rows: Sequence[Sequence[Fraction]], factor: Sequence[Sequence[Fraction]], minimal: Polynomial
 ) -> list[list[Fraction]] | None:
-    """The quotient of polynomials in y by a monic one, modulo the factor in x; None where there is none."""
+    """The quotient of a polynomial in y by a monic polynomial, modulo the factor in x; None if there is no exact
+    quotient.
+    """
     rest, found = [list(row) for row in rows], list[list[Fraction]]()
     while len(rest) >= len(factor):
         top = remainder_of(rest.pop(), minimal)

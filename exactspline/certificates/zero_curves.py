@@ -277,7 +277,7 @@ class _OnPatch:
         self.counts["points"] += not any(on_line)
 
     def _corner(self, box: Box, on_side: bool, x: Fraction, ends: Sequence[int]) -> Vertex | None:
-        """The point itself, where it is on the border of the square."""
+        """The point itself, if it is on the border of the square."""
         lines = [(0, x)] if on_side else [(1, at) for at, sign in zip(box[1], ends, strict=True) if sign == 0]
         for k, at in lines:
             own = self._on_side(k, at, box[1 - k])

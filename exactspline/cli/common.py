@@ -305,7 +305,7 @@ def _see_that_it_is_positive(option: str, given: str, otherwise: str = "") -> No
         raise OptionsError(f"{option} {given}", remedy=f"give a number above 0, such as 1e-9{otherwise}")
 
 
-#: The module that writes theorems for Coq about curves; it is imported only if they are asked for.
+#: The module that writes theorems for Coq about curves; it is imported only if theorems are requested.
 THEOREMS = "exactspline.extras.coq.command"
 
 

@@ -57,8 +57,8 @@ Stability = Annotated[
     bool,
     Option(
         "--stability",
-        help="For curves: also list for every feature how far control points and weights may change, by proof, while "
-        "it persists, and a change that destroys it.",
+        help="For curves: also list, for every feature, a change of control points and weights up to which it is "
+        "proved to persist, and a change that destroys it.",
     ),
 ]
 Plot = Annotated[

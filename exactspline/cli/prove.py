@@ -92,8 +92,8 @@ def prove(
     digits: Digits = 0,
     exact: Exact = False,
 ) -> None:
-    """Decide every claim of a paper: for all curves at once, and exactly on single curves and surfaces. These are the
-    ones given, by default the curves in the folder of the paper or the example curves.
+    """Decide every claim of a paper: for all curves at once, and exactly on single curves and surfaces. By default
+    these are the curves in the folder of the paper or the example curves.
     """
     from exactspline.atomic_write import write_text
     from exactspline.cli.surfaces import read_surfaces

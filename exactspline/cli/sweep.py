@@ -27,7 +27,7 @@ Tick = Callable[[float, "Line", bool], None]
 
 
 def _completed(given: str) -> list[str]:
-    """The example curves whose names begin like this; the shell itself completes files."""
+    """The example curves whose names begin with a text; the shell itself completes names of files."""
     from exactspline.interchange.examples import example_names
 
     return [name for name in example_names() if name.startswith(given)]

@@ -236,7 +236,7 @@ def common_points_sheet(meetings: Iterable[NearbyMeeting], title: str) -> Sheet:
 
 
 def _stability_sheet(report: Report) -> Sheet:
-    """How far a curve may be changed until its features vanish."""
+    """The changes of a curve up to which its features persist, and changes that destroy them."""
     title = f"Stability of the features of {report.curve.name}"
     columns = ("what", "at", "stable up to", "destroyed by", "ratio", "prominence")
     made = Sheet(*columns, title=title, heads=1, numbers=["stable up to"])

@@ -63,12 +63,12 @@ class ReadingAlong(Displayed):
 
     @property
     def counts(self) -> dict[Status, Counts]:
-        """The numbers of its statements by status: how many hold, and how many are refuted."""
+        """The numbers of statements of the section by status: those that hold, and those that are refuted."""
         return count_statements((each.claim, each.finding.verdict) for each in self.decided.values())
 
     @property
     def head(self) -> str:
-        """The heading: how many statements of the section are decided, and how."""
+        """The heading: the number of decided statements of the section, and their verdicts."""
         printed = self.counts[Status.PRINTED]
         said = f"{printed.hold + printed.refuted} of {counted(printed.statements, 'printed statement')} decided"
         refuted = (
@@ -179,7 +179,7 @@ def _formula(tex: str, remark: str) -> str:
 
 
 def _proof(s: Statement) -> Iterator[str]:
-    """How the claim was decided, as lines of HTML."""
+    """The decision of the claim, as lines of HTML."""
     if s.finding.verdict == PROVED:
         yield escape(method(s))
     yield from (f"{begun(name)}: {breakable(text)}" for name, text in fields(s) if name in UNFOLDED)

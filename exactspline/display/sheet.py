@@ -144,7 +144,7 @@ def _split_text(token: str, width: int) -> list[str]:
     return [f"{quote}{inner[i : i + size]}{quote}" for i in range(0, len(inner), size)]
 
 
-#: Wider than any terminal: output to a file or a pipe is neither broken nor padded at the end.
+#: A width beyond that of any terminal, so that output to a file or a pipe is not broken into lines or padded.
 PIPE = 1 << 20
 #: Blanks between two columns.
 GAP = 2
@@ -171,7 +171,7 @@ class Sheet:
     ``numbers`` names the columns that are aligned to the right, ``prose`` those whose cells may be broken into lines,
     ``lists`` those whose cells may be broken between their numbers.
     ``name`` is the subject of the table: CSV and Markdown put it into a separate column when several tables are
-    combined. Where rows become blocks, the first ``heads`` cells head the block.
+    combined. If rows become blocks, the first ``heads`` cells of a row are the heading of its block.
 
     >>> sheet = Sheet("curve", "degree", rows=[("circle", 2)], numbers=["degree"])
     >>> print(sheet.text(40))

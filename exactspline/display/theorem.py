@@ -1,5 +1,5 @@
-r"""A claim as a LaTeX theorem with its proof: the statement, with the formulas written out, and how it was decided. The
-text needs `PREAMBLE`. Words of a source are escaped.
+r"""A claim as a LaTeX theorem with its proof: the statement, with the formulas written out, and its decision. The text
+needs `PREAMBLE`. Words of a source are escaped.
 """
 
 from __future__ import annotations
@@ -115,7 +115,7 @@ def begun(sentence: str) -> str:
 
 
 def _proof(s: Statement) -> Iterator[str]:
-    """How the claim was decided, with the evaluation mode, and the command that decides it again."""
+    """The decision of the claim, with the evaluation mode, and the command that repeats it."""
     c, f = s.claim, s.finding
     if f.verdict == PROVED:
         yield method(s)
@@ -148,7 +148,7 @@ def _example(s: Statement) -> Iterator[str]:
 
 
 def method(s: Statement) -> str:
-    """How a claim of its kind is proved for all curves."""
+    """The method by which claims of this kind are proved for all curves."""
     if isinstance(s.claim, DegreeClaim):
         return COUNTED if s.claim.measure == Measure.NOMINAL else "The degree is that of the generic curve."
     return METHODS.get(s.claim.kind, "It is decided by exact computation.")

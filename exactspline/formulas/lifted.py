@@ -62,7 +62,7 @@ def critical_curvature_lifted(c):
     return logarithmic_numerator((inflections_lifted(c), 2), (tangent_lifted_squared(c), -3), (c.w, 6))
 
 
-#: κ, κ′ and ‖γ′‖² of a plane curve up to positive factors: from their zeros its features are read.
+#: κ, κ′ and ‖γ′‖² of a plane curve up to positive factors: the zeros of these forms give the features of the curve.
 PLANE_FORMS = (inflections_lifted, critical_curvature_lifted, tangent_lifted_squared)
 
 

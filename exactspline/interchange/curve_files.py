@@ -6,8 +6,8 @@ A control point is a list of coordinates, or ``{"vector": [x, y]}`` for a direct
 single curve in one piece; so is any piece copied from it, restricted to the part of the domain that belongs to the
 piece.
 
-Of a surface ``degree`` is ``[m, n]``, ``knots`` are two lists, ``control_points`` (or ``points``) a net of rows in the
-direction of u, ``weights`` a net of the same shape.
+In a file of a surface, ``degree`` is ``[m, n]``, ``knots`` are two lists, ``control_points`` (or ``points``) is a net
+of rows in the direction of u, and ``weights`` a net of the same shape.
 """
 
 from __future__ import annotations

@@ -142,8 +142,8 @@ def with_point(text: str) -> str:
 
 @dataclass
 class NumberText:
-    """How a writer writes numbers: exactly or, if rounding was requested, as the nearest doubles; `rounded` counts the
-    numbers that were rounded.
+    """The way in which a writer writes numbers: exactly or, if rounding was requested, as the nearest doubles.
+    `rounded` counts the rounded numbers.
 
     >>> numbers = NumberText(rounding=True)
     >>> numbers(mpq(1, 8)), numbers(mpq(1, 3)), numbers.rounded

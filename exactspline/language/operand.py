@@ -61,7 +61,7 @@ class Ring(Protocol):
 
     @property
     def is_zero(self) -> bool:
-        """Whether it vanishes identically."""
+        """Whether the operand vanishes identically."""
 
     def __add__(self, other: Self, /) -> Self: ...
     def __sub__(self, other: Self, /) -> Self: ...
@@ -91,7 +91,7 @@ class Counted(Ring, Protocol):
 
     @property
     def vanishes_somewhere(self) -> bool:
-        """Whether it is identically zero on at least one segment."""
+        """Whether the operand is identically zero on at least one segment."""
 
     def elevated_to(self, other: Self, /) -> Self:
         """The same function, elevated to at least the degree of another operand."""
@@ -161,7 +161,7 @@ class Operand(Displayed, ABC):
 
     @property
     def vanishes_somewhere(self) -> bool:
-        """Whether it is identically zero on at least one segment."""
+        """Whether the operand is identically zero on at least one segment."""
         return bool(self.is_zero)
 
     def hash_of_quotient(self, numerator: Self) -> int:

@@ -64,7 +64,7 @@ class Product(Generic[T]):
         return lacking
 
     def unexpanded(self) -> tuple[T, ...]:
-        """The factors that must be multiplied to obtain its value."""
+        """The factors that must be multiplied to obtain the value of the product."""
         return self.parts if self._value is None else (self._value,)
 
     def same(self, other: Product[T]) -> bool:

@@ -40,8 +40,8 @@ class PairPoint(NamedTuple):
 def certain_pairs(
     first: array[float], second: array[float] | None, pairs: Sequence[tuple[int, int]]
 ) -> list[list[PairPoint] | None]:
-    """The common points of pairs of segments of two tables, or of one, where a segment and itself have those through
-    which it passes twice; None where they are not certain.
+    """The common points of pairs of segments of two tables, or of one, where a pair of a segment with itself has the
+    points through which the segment passes twice; None if the points are not certain.
 
     >>> arch, line = (2, [(0, 2, 2), (0, 8, 0), (1, 2, 1)]), (1, [(0, 3), (1, 1), (1, 1)])
     >>> found = certain_pairs(table_of([arch]), table_of([line]), [(0, 0)])

@@ -194,7 +194,7 @@ class Stage(NamedTuple):
 
 
 class Program:
-    """A formula as instructions, and the way in which its value is assembled from the results.
+    """A formula as instructions, and the way in which its value is assembled from their results.
 
     >>> from exactspline.papers import find
     >>> from exactspline.interchange.examples import example

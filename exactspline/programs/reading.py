@@ -27,8 +27,8 @@ class _TermAtTrueDegree(Term, OwnWronskians):
     r-th partial derivatives divided by a constant: of degree (r+1)(n−r), which is ``kd − 2m``, without any polynomial
     division.
 
-    Where ``F = Π fᵉ`` is homogeneous of degree 0, ``u ∂u + v ∂v`` maps it to zero, so that where ``u + v = 1`` its
-    derivative ``∂v − ∂u`` is ``∂v/u``: the numerator of F′/F has its true degree, too.
+    If ``F = Π fᵉ`` is homogeneous of degree 0, ``u ∂u + v ∂v`` maps F to zero. Hence, for ``u + v = 1``, the derivative
+    ``∂v − ∂u`` of F is ``∂v/u``, and the numerator of F′/F has its true degree, too.
 
     >>> from exactspline.papers import find
     >>> from exactspline.programs.program import operands_of

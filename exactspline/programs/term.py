@@ -95,7 +95,7 @@ class Term(RingOperand):
     def degree(self) -> int:
         """The degree in the one parameter on which it depends.
 
-        Raises `FormulaError` where there are several parameters.
+        Raises `FormulaError` if there are several parameters.
         """
         return self.degrees[self._only()]
 
@@ -284,7 +284,7 @@ class Term(RingOperand):
         return self._with(node=node, raised=raised, below=below, widths=self.widths + (not unit), **known)
 
     def elevated_to(self, other: Term) -> Self:
-        """The same term, at least of the degrees of another."""
+        """The same term, with degrees at least as high as those of another term."""
         degrees = tuple(map(max, self.degrees, other.degrees))
         if self.degrees == degrees:
             return self

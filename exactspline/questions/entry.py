@@ -145,8 +145,8 @@ class About:
     ``of``: the kinds of objects. ``answered``: the things of which the answer consists. ``part_of``: another question,
     whose answer contains this one. ``proof``: the zero set whose certificate shows that an answer is complete, by the
     object and the arguments. ``takes``: the arguments. ``of_piece``: the words of a table for one of the pieces.
-    ``on_request``: whether it is answered only where it is asked for by its name. ``nearby``: whether it is asked about
-    all objects within a distance, which is its argument.
+    ``on_request``: whether it is answered only if it is asked by its name. ``nearby``: whether it is asked about all
+    objects within a distance, which is its argument.
     """
 
     of: tuple[Of, ...]
@@ -260,8 +260,8 @@ class Question(Fact[F, T], Entry):
 
 
 class QuestionWith(Entry, Generic[F, P, T]):
-    """A question that is asked with arguments: a method, whose answers are kept by their arguments, each as it is read
-    (`Takes`).
+    """A question with arguments: a method whose answers are kept, each under the values of its arguments, which `Takes`
+    reads.
     """
 
     def __init__(self, compute: Callable[Concatenate[F, P], T], about: About) -> None:

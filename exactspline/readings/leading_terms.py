@@ -164,8 +164,8 @@ def common_roots(polynomial: fmpq_mpoly) -> tuple[int, ...]:
 
 
 class _StillExpansion(Expansion):
-    """The expansion of an operand that does not depend on the parameter that goes to infinity. It is a constant there,
-    as are its derivatives with respect to its own parameter.
+    """The expansion of an operand that does not depend on the parameter that goes to infinity. The operand is a
+    constant, and so are its derivatives with respect to its own parameter.
     """
 
     __slots__ = ("derivatives",)

@@ -38,7 +38,7 @@ from exactspline.symbolic.covariants import TrueDegree, degree_of_product, gener
 from exactspline.symbolic.factorization import Factor, Named, factored, name_of_vector, named_by
 from exactspline.symbolic.substitution import Substitution
 
-#: The role of a part of a formula: its value matters or, for a generator, whose ruling parameter is free, only its
+#: The role of a part of a formula: its value matters or, for a generator (whose ruling parameter is free), only its
 #: direction.
 VALUE, DIRECTRIX, GENERATOR = "value", "directrix", "generator"
 
@@ -97,7 +97,9 @@ class Part(OneLine):
 
     @property
     def rooted(self) -> Factor:
-        """The factors that may have zeros, which are kept. For a generator they are listed although removed."""
+        """The factors that may have zeros, which are kept. For a generator, these factors are listed although they are
+        removed.
+        """
         return self._factor([(p, p.above - p.below) for p in self.powers if p.has_roots and p.above > p.below], mpq(1))
 
     @property

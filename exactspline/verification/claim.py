@@ -210,7 +210,7 @@ class Claim(Immutable, Displayed):
     rational ones or both. ``assumes`` are assumptions of `exactspline.symbolic.assumptions`; ``context`` explains the
     letters in words. ``error`` groups the statements that fail for one reason. ``witness`` is the example curve that is
     tried first as a counterexample, and ``vacuous`` lists the example curves on which there is nothing to decide.
-    ``on = "curve"`` makes it a claim about one curve alone, the ``example``, which holds where it is VERIFIED.
+    ``on = "curve"`` makes it a claim about one curve only, the ``example``; it holds if it is VERIFIED.
 
     Raises `ClaimError` for a word, a name or a combination without meaning.
     """

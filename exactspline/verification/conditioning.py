@@ -85,8 +85,8 @@ def _derivative(form: Form, n: int, m: int) -> Form:
 
 
 def _range(form: Form, n: int, x: Interval) -> Interval:
-    """Bounds of a form over an interval: those of its positive and of its negative terms, each of which increases with
-    v/u and decreases with 1/u.
+    """Bounds of a form over an interval, from bounds of its positive and of its negative terms: each term increases
+    with v/u and decreases with 1/u.
     """
     low, high = x
     shrink = ((1 - high) / (1 - low)) ** n
@@ -209,7 +209,7 @@ class FormAtRoot:
     exact).
 
     `growth` encloses K of the theorem for the factor by which the form exceeds the minimal one: ``C ≤ K^(1/m)
-    C_minimal``; None where the factor vanishes too or is not a polynomial. `one_sign` says that its Bernstein
+    C_minimal``; None if the factor vanishes too or is not a polynomial. `one_sign` says that its Bernstein
     coefficients have one sign, which proves ``C ≤ C_minimal``.
     """
 
@@ -259,7 +259,7 @@ class Conditioning:
 
     @property
     def verdicts(self) -> dict[str, str]:
-        """For each form, at how many zeros the reduced (minimal) form is worse or better conditioned than it."""
+        """For each form, the numbers of zeros at which the reduced (minimal) form is worse or better conditioned."""
         forms = [f.form for row in self.roots[:1] for f in row.forms if f.form != Variant.MINIMAL]
         return {form: self._verdict(form) for form in forms}
 

@@ -1,5 +1,5 @@
 """Whether two sides are equal: decided in one place, for values of any kind (differential polynomials, splines,
-expressions of sympy). Nothing is decided where both sides vanish, or where there is a division by zero.
+expressions of sympy). If both sides vanish, or a division by zero occurs, nothing is decided.
 
 Every kind of claim that states the equality of two values is decided here: identities and vanishing values, ruled
 surfaces, directrices, values on changed curves, sums of squares.
@@ -103,7 +103,7 @@ class Equation:
         return (self.left, self.right, *factor_formulas(self.factor, self.find))
 
     def compare(self, c: Evaluated) -> Decision:
-        """How the sides compare."""
+        """The comparison of the sides."""
         return decide_identity(self.left(c), self.right(c), factor_of_text(self.factor, c, self.find))
 
     def decide(self, c: Evaluated, holds: Verdict = PROVED) -> Finding:

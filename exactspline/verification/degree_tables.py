@@ -427,7 +427,7 @@ class PatchRow(OneLine):
 
     @property
     def agrees(self) -> bool:
-        """Whether the witness attains the proved degrees; None where these are `missing`."""
+        """Whether the witness attains the proved degrees; None if these are `missing`."""
         return self.true == self.attained
 
 
@@ -504,7 +504,7 @@ def patch_table(formulas: Iterable[Formula], degrees: tuple[int, int]) -> list[C
     >>> [(row.patches, row.naive, row.true, row.agrees) for row in rows]
     [('rational', (32, 32), (8, 8), True), ('polynomial', (8, 8), (7, 7), True)]
 
-    Raises `FormulaError` for degrees below 1, and where none of the formulas is one of surfaces or planar maps.
+    Raises `FormulaError` for degrees below 1, and if no formula is about surfaces or planar maps.
     """
     given = [expect_formula(f) for f in as_items(formulas, "formulas")]
     if not isinstance(degrees, tuple) or len(degrees) != 2 or any(type(n) is not int or n < 1 for n in degrees):

@@ -454,8 +454,8 @@ class OnSegment(NamedTuple):
 
 def on_segments(kind: Kind, curve: Nurbs, order: int, *, same: bool = False) -> Iterator[OnSegment]:
     """The argument of a kind on each segment of a curve: the curve (of a pair the first one, or with `same` both) by
-    explicit polynomials, everything else indeterminate with derivatives up to `order`. Of a hodograph u, v and h are
-    explicit, too: those that the curve gives.
+    explicit polynomials, everything else indeterminate with derivatives up to `order`. For a hodograph, u, v and h are
+    explicit, too: those of the curve.
 
     >>> from exactspline.language.kinds import kind_of
     >>> from exactspline.interchange.examples import example
@@ -492,7 +492,7 @@ def _polynomial(f: BSpline, i: int, ring: JetRing, parameter: str) -> JetFractio
 def at_equal_parameters(value: JetFraction) -> JetFraction:
     """A value in both parameters of `on_segments(…, same=True)` where these are equal.
 
-    Raises `VanishingDivisorError` where its denominator vanishes there.
+    Raises `VanishingDivisorError` if its denominator vanishes there.
     """
     return equated(value, {BAR: OWN})
 
@@ -500,7 +500,7 @@ def at_equal_parameters(value: JetFraction) -> JetFraction:
 def equated(value: JetFraction, images: Mapping[str, str]) -> JetFraction:
     """A quotient with some of its operands replaced by others, and their derivatives by theirs.
 
-    Raises `VanishingDivisorError` where its denominator then vanishes.
+    Raises `VanishingDivisorError` if its denominator then vanishes.
     """
     ring = value.ring
     places = [ring.gens[ring.index[images.get(name, name), order]] for name, order in ring.variables]

@@ -423,7 +423,7 @@ class WrongDegree(Evidence):
 
 
 class Counted(Evidence):
-    """Numbers of a caption; None where there is none."""
+    """Numbers of a caption; None if there is none."""
 
     numbers: tuple[tuple[int | None, Counter], ...]
 
@@ -573,7 +573,7 @@ class NoGenerator(Evidence, words="no surface: the generator{formula? of }{formu
 
 
 class Rulings(Evidence):
-    """How the ruling parameters ζ and λ of one surface are related: ``ζ = shift + scale · λ``."""
+    """The relation of the ruling parameters ζ and λ of one surface: ``ζ = shift + scale · λ``."""
 
     scale: Factor
     shift: Factor | None = None
@@ -672,7 +672,7 @@ class TypeOnExample(
 
 
 class TypeHere(Evidence, words="it is {type} on {special?it, as it may be on special curves|this curve}"):
-    """The type on the given curve; `special` where it is more special than on the generic curve."""
+    """The type on the given curve; `special` if this type is more special than that on the generic curve."""
 
     type: ValueType
     special: bool = False

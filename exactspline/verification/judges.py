@@ -37,7 +37,7 @@ class Sympy:
     name = column = Name(SympyReading.name)
 
     def __init__(self, claims: Iterable[Claim] = ()) -> None:
-        """It decides every claim by itself."""
+        """Make the verifier, which decides every claim by itself."""
 
     def decide(self, claim: Claim) -> Finding:
         """The worst finding over all cases: rational and polynomial curves of every dimension."""
@@ -82,7 +82,7 @@ _others: dict[str, str | Callable[[Sequence[Claim]], Judge]] = {
 
 
 def add_judge(name: str, make: Callable[[Sequence[Claim]], Judge]) -> None:
-    """Add a verifier for ``prove --judge NAME``; it is made for the claims that it will be asked about."""
+    """Add a verifier for ``prove --judge NAME``. It is constructed with the claims that it has to decide."""
     _others[name] = make
 
 

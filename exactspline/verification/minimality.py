@@ -55,7 +55,7 @@ def certificate(name: str, curve: Nurbs) -> dict[str, object]:
     >>> check_certificate(certificate("critical_curvature", example("ellipse_skew")))["irreducible"]
     True
 
-    Raises `ShapeError` where the object does not exist or vanishes, `ReductionError` should the proof fail.
+    Raises `ShapeError` if the object does not exist or vanishes, `ReductionError` should the proof fail.
     """
     made, derived = construction(name), derive(name, curve, Variant.MINIMAL)
     found = [each for piece in derived.pieces for each in _segments(made, piece, curve)]

@@ -86,7 +86,7 @@ def factor_of_text(
 
 
 def spelled(name: str) -> str:
-    r"""The name of a formula as LaTeX, where it has no symbol.
+    r"""The name of a formula without a symbol, as LaTeX.
 
     >>> spelled("evolute_contact_1")
     '\\mathrm{evolute\\_contact\\_1}'

@@ -91,8 +91,8 @@ def worst_case(decide: Callable[..., Finding], *choices: Iterable[object]) -> Fi
 
 
 def compared(proof: Finding, refutation: Finding) -> Finding:
-    """A refutation on one curve, compared with the proof for all: a CONTRADICTION where there is one, because one of
-    the two is wrong.
+    """A refutation on one curve, compared with a proof for all curves: if there is such a proof, it is a CONTRADICTION,
+    because one of the two is wrong.
     """
     if proof.verdict != PROVED:
         return refutation

@@ -1,8 +1,8 @@
 """The zeros of formulas, for all curves: the irreducible factors of a value, or of its numerator as written, that may
 have zeros under the assumptions. On every curve the order of a zero is the sum of the orders of these factors.
 
-A vector vanishes where the sum of the squares of its components does, to twice the order, because they are real. So do
-multiples of the roots of a frame: only squares are factored, and exponents are counted twice.
+The components of a vector are real, so that the vector vanishes at the zeros of the sum of their squares, whose orders
+are doubled. So do multiples of the roots of a frame: only squares are factored, and exponents are counted twice.
 """
 
 from __future__ import annotations

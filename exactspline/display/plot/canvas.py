@@ -1,6 +1,6 @@
-"""The basis of every picture: figures, axes, colours, files, and the only place where exact numbers become floats. It
-has no global state and needs neither pyplot nor a display. Colours after Okabe and Ito (2008), which colour-blind
-readers can distinguish too.
+"""The basis of every picture: figures, axes, colours, files, and the only place where exact numbers become floats. This
+module has no global state and needs neither pyplot nor a display. Colours after Okabe and Ito (2008), which
+colour-blind readers can distinguish too.
 """
 
 from __future__ import annotations
@@ -82,7 +82,7 @@ def new_figure(width: float = 7, height: float = 5) -> Figure:
 
 
 def library(module: str) -> ModuleType:
-    """A module of matplotlib; raises `PlotError` where it is not installed."""
+    """A module of matplotlib; raises `PlotError` if matplotlib is not installed."""
     try:
         return import_module(module)
     except ImportError:
@@ -287,7 +287,7 @@ def inside(point: Point, box: Box) -> bool:
 def usual_box(points: Sequence[Point], poles: bool = True) -> Box:
     """A box around the points with a margin; with `poles` around most of them, so that faraway points do not matter.
 
-    Raises `PlotError` where there are no points.
+    Raises `PlotError` if there are no points.
     """
     if not points:
         raise PlotError(

@@ -58,7 +58,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 
-#: How far beyond the box around its curve an evolute is shown, in multiples of the box's longer side.
+#: The margin around the box of a curve in which its evolute is shown, in multiples of the longer side of the box.
 REACH = mpq(1, 2)
 #: Knots lie on top of marks: where both are at one point, the knot is the dot in the middle of the mark.
 KNOTS = 7

@@ -2,10 +2,10 @@
 Bézier, uniform, quasi-uniform).
 
 Curves are read in the coordinates and units of the file; placements in an assembly are not applied, as a note says. An
-edge is the part of its curve between its vertices, a trimmed curve the part between its parameters or points. It is
-exact if these lie exactly on the curve; otherwise it is read only if an error is allowed. A spline that an edge uses
-and on which a vertex does not lie is read whole, with a note. Circles, ellipses and splines that nothing uses are read
-in full. Surfaces are read as wholes: the faces that trim them are not read. Everything else is skipped.
+edge is the part of its curve between its vertices, a trimmed curve the part between its parameters or points. The part
+is exact if its ends lie exactly on the curve; otherwise it is read only if an error is allowed. A spline that an edge
+uses and on which a vertex does not lie is read whole, with a note. Circles, ellipses and splines that nothing uses are
+read in full. Surfaces are read as wholes: the faces that trim them are not read. Everything else is skipped.
 """
 
 from __future__ import annotations

@@ -187,7 +187,7 @@ def constant_term(value: Constant) -> tuple[str, int]:
 
 
 def integer(value: int) -> str:
-    """An integer, in parentheses where it is negative."""
+    """An integer; a negative one is in parentheses."""
     return f"({text(value)})" if value < 0 else text(value)
 
 
@@ -365,7 +365,7 @@ class Formulas:
 def _constants(formulas: Iterable[Formula]) -> list[str]:
     """The constants that accompany curves, by their positions.
 
-    Raises `FormulaError` where one name has two positions.
+    Raises `FormulaError` if one name has two positions.
     """
     places: dict[str, int] = {}
     for formula in formulas:

@@ -118,7 +118,7 @@ class Proof(Nonzero):
                 self.recognize(parts)
 
     def meet(self, atom: Atom) -> None:
-        """Prove that a polynomial does not vanish; assume it of a prime number."""
+        """Prove that a polynomial does not vanish; for a prime number, assume that it does not vanish."""
         if isinstance(atom, int):
             self.prime(atom)
         else:
@@ -136,8 +136,9 @@ class Proof(Nonzero):
         self.texts.append(text or (f"num {atom}" if isinstance(atom, int) else self.setting.expression(atom)))
 
     def _prove(self, polynomial: fmpq_mpoly) -> None:
-        """Prove that a polynomial does not vanish: it is a denominator of a curve, divides something assumed not to
-        vanish, or its zeros would be common zeros of that and its derivative.
+        """Prove that a polynomial does not vanish: the polynomial is a denominator of a curve, or it divides a
+        polynomial that is assumed not to vanish, or its zeros would be common zeros of such a polynomial and its
+        derivative.
         """
         if hypothesis := self._given(polynomial):
             self._add(polynomial, f"exact {hypothesis}")

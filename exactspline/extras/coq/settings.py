@@ -104,7 +104,7 @@ class Setting:
 
     @property
     def shape(self) -> str:
-        """Its name in the base: ``plane``, ``space_point``, ``pair``, ``table``, …
+        """The name of the kind in the base: ``plane``, ``space_point``, ``pair``, ``table``, …
 
         Raises `FormulaError` for a kind of argument without a name in the base.
         """
@@ -359,7 +359,7 @@ def setting_of(kind: Kind, dimension: int, order: int, *, polynomial: bool, tree
     return SETTINGS.get(type(kind), Setting)(kind, dimension, order, polynomial)
 
 
-#: The settings of kinds that are not those of curves.
+#: The settings of kinds other than curves.
 SETTINGS: dict[type[Kind], type[Setting]] = {
     HodographKind: HodographSetting,
     ImplicitKind: ImplicitSetting,
@@ -378,7 +378,7 @@ class _Rooted(CurveKind):
     """A curve with its roots as symbols, so that they are variables of the ring."""
 
     def symbols(self, dimension: int, *, polynomial: bool = False) -> tuple[Symbol, ...]:
-        """Those of the curve, and the roots."""
+        """The symbols of the curve, and the roots."""
         return (*super().symbols(dimension, polynomial=polynomial), *(Symbol(name, name, ()) for name in ROOTS))
 
     def of_operands(self, named: Mapping[str, T], dimension: int, one: T) -> Evaluated:

@@ -123,7 +123,7 @@ def _plot(ax: Axes, mesh: SurfaceMesh, label: str, color: str) -> None:
 
 
 def _lines_mesh(rulings: Sequence[Ruling | None], box: Box) -> SurfaceMesh:
-    """Lines, one after another, as a surface that is cut at a box; None where the surface is interrupted.
+    """Lines, one after another, as a surface that is cut at a box; None if the surface is interrupted.
 
     >>> mesh = _lines_mesh([((0, 0, 0), (0, 0, 1)), ((1, 0, 0), (0, 0, 2))], ((-2, -2, -2), (2, 2, 2)))
     >>> len(mesh.faces), max(p[2] for face in mesh.faces for p in face)

@@ -53,7 +53,7 @@ class SurfaceData(TypedDict):
     faces: list[list[int]]
     #: The two parameters of the first points (of all but those at which a face is cut), shown under the pointer.
     parameters: list[list[float]]
-    #: The names of these parameters.
+    #: The names of the two parameters.
     letters: list[str]
 
 

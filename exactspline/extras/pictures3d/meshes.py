@@ -48,7 +48,7 @@ Parameters = tuple[mpq, ...]
 
 @dataclass(frozen=True)
 class SurfaceMesh:
-    """Rows of points in patches (None where there is no point, or a faraway one), and a control net.
+    """Rows of points in patches (None if there is no point, or a faraway one), and a control net.
 
     ``cut`` are the polygons, with three or more corners each, that join the patches to the border of the visible part.
     ``net`` are the polygons of the control points in connected runs, ``points`` is the number of control points,
@@ -101,8 +101,8 @@ class SurfaceMesh:
         return points, faces
 
     def isolines(self, along: int = 7, across: int = 24) -> list[Run]:
-        """About this many lines along each patch (including its edges) and across all patches together, where there are
-        points.
+        """About this many lines along each patch (including its edges) and across all patches together, with gaps at
+        missing points.
 
         >>> rows = [[(mpq(i), mpq(j), mpq(0)) for j in range(5)] for i in range(9)]
         >>> lines = SurfaceMesh([rows], [], 0, 0).isolines(2, 3)
@@ -244,7 +244,8 @@ def _net(value: Any, rulings: tuple[mpq, mpq], box: Box) -> tuple[list[Run], int
 def tensor_mesh(surface: Vector[TensorSpline] | Rational[TensorSpline], box: Box | None = None) -> SurfaceMesh:
     """A surface in two parameters, a `Vector` of three `TensorSpline` or a quotient of such, with its control net.
 
-    Where its denominator vanishes it goes to infinity: points far from most of it (or outside `box`) are omitted.
+    The surface goes to infinity where its denominator vanishes: points far from most of the surface (or outside `box`)
+    are omitted.
 
     >>> from exactspline.splines.tensor import TensorSpline
     >>> nets = [[0, 0], [1, 1]], [[0, 1], [0, 1]], [[0, 0], [0, 1]]

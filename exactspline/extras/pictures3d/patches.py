@@ -112,7 +112,7 @@ def _in_space(ax: Any, inspection: SurfaceInspection, samples: Samples, lines: A
         collection(every, facecolors=colors, edgecolors=colors, linewidths=EDGE, rasterized=True, zorder=1)
     )
     ax.set_proj_type("ortho")
-    # a surface that is a point has no extent: a box around it
+    # a surface that is a single point has no extent: its box is a box around the point
     extent = np.maximum(highs - lows, (highs - lows).max() / 1000 or 1)
     for axis, low, length in zip("xyz", lows, extent, strict=True):
         getattr(ax, f"set_{axis}lim")(low, low + length)

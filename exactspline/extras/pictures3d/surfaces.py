@@ -149,8 +149,8 @@ def plot_ruled_surface(
 ) -> Axes:
     """The part of a ruled surface in the spline reading between two ruling parameters: shaded, with its control net.
 
-    Where its denominator has a zero the surface goes to infinity: it is cut there, and points far from most of it are
-    not shown (or those outside `box`, given by two opposite corners).
+    The surface goes to infinity where its denominator has a zero. It is cut there, and points far from most of the
+    surface are not shown (or points outside `box`, given by two opposite corners).
 
     >>> from exactspline.interchange.examples import example
     >>> from exactspline.papers import find

@@ -187,7 +187,7 @@ def _checked(p: fmpq_poly, power: int) -> fmpq_poly:
 
 @dataclass(frozen=True)
 class Finding:
-    """Whether an answer is right, and its errors otherwise. Its truth value is whether the answer is right."""
+    """Whether an answer is right, and its errors otherwise. It is true if the answer is right."""
 
     differences: tuple[Difference, ...]
 

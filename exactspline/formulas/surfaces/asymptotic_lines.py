@@ -1,7 +1,7 @@
 """Asymptotic directions, in which the normal curvature vanishes: the roots of ``L du² + 2M du dv + N dv² = 0``.
 
-They are ``(√δ − M : L)`` and ``(−√δ − M : L)`` with ``δ = M² − LN``, and also ``(N : −M ∓ √δ)``. The root is adjoined,
-so that statements proved for one sign of √δ hold for the other sign.
+These directions are ``(√δ − M : L)`` and ``(−√δ − M : L)`` with ``δ = M² − LN``, and also ``(N : −M ∓ √δ)``. The root
+is adjoined, so that statements proved for one sign of √δ hold for the other sign.
 """
 
 from exactspline.formulas.surfaces.curves_on_surfaces import second_form, second_form_lifted

@@ -103,21 +103,23 @@ def stationary_by_u(c):
 
 @formula("stationary principal curvatures", on="forms", symbol="Q_v")
 def stationary_by_v(c):
-    """The same for ``κ_v``."""
+    """The part of ``2 √Δ a^(5/2) κ_v`` that is free of √Δ: ``a Δ_v − 3 Δ a_v``."""
     a, delta = area_of_forms(c), umbilicity_of_forms(c)
     return a * delta.d(1, by="v") - 3 * delta * a.d(1, by="v")
 
 
 @formula("stationary principal curvatures", on="forms", symbol="R_u")
 def stationary_root_by_u(c):
-    """The coefficient of √Δ in it, with ``h = EN − 2FM + GL``: ``2a h_u − 3h a_u``, zero exactly where H_u is."""
+    """The coefficient of √Δ in ``2 √Δ a^(5/2) κ_u``: ``2a h_u − 3h a_u`` with ``h = EN − 2FM + GL``, zero exactly where
+    H_u is.
+    """
     a, h = area_of_forms(c), minimality_of_forms(c)
     return 2 * a * h.d(1, by="u") - 3 * h * a.d(1, by="u")
 
 
 @formula("stationary principal curvatures", on="forms", symbol="R_v")
 def stationary_root_by_v(c):
-    """The same for ``κ_v``."""
+    """The coefficient of √Δ in ``2 √Δ a^(5/2) κ_v``: ``2a h_v − 3h a_v``, zero exactly where H_v is."""
     a, h = area_of_forms(c), minimality_of_forms(c)
     return 2 * a * h.d(1, by="v") - 3 * h * a.d(1, by="v")
 
@@ -134,7 +136,7 @@ def ridge_rational_part(c):
 
 @formula("ridges", on="forms", symbol="V")
 def ridge_root_part(c):
-    """The coefficient of √Δ in it."""
+    """The coefficient of √Δ in the derivative of κ along its line of curvature."""
     a, h = area_of_forms(c), minimality_of_forms(c)
     bent = stationary_root_by_u(c) * (2 * a * c.M - h * c.F) + stationary_root_by_v(c) * (h * c.E - 2 * a * c.L)
     return bent + c.E * stationary_by_v(c) - c.F * stationary_by_u(c)

@@ -44,7 +44,7 @@ def change_of_forms_by_u(c):
 
 @formula("constant curvature", on="forms")
 def change_of_forms_by_v(c):
-    """The same for ``K_v``."""
+    """``a k_v − 2 k a_v``: zero exactly where K_v is."""
     return change_of_quotient(parabolic_of_forms(c), area_of_forms(c), "v")
 
 

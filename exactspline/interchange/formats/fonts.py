@@ -46,7 +46,7 @@ def read(source: Source) -> Reading:
 
 
 def pieces(source: Source) -> Iterator[Piece]:
-    """The same contours, glyph by glyph."""
+    """The contours that `read` returns, glyph by glyph."""
     collector = Collector("font", source)
     try:
         from fontTools.ttLib import TTFont

@@ -293,17 +293,17 @@ class NotDrawnError(ShapeError):
 
 @dataclass(frozen=True)
 class _Place:
-    """Where an element is drawn: the map from its coordinates, the notes for all curves in it, the path by which it is
-    reached, and the ids of the elements being copied.
+    """The place where an element is drawn: the map from its coordinates, the notes for all curves in it, the path by
+    which it is reached, and the ids of the elements being copied.
     """
 
     placed: Affine = IDENTITY
     notes: tuple[str, ...] = ()
     reached: str = ""
     copies: frozenset[str] = frozenset()
-    #: Whether the element is the one that a `use` copies.
+    #: Whether the element is the copied element of a `use`.
     copied: bool = False
-    #: Whether an `svg` is around it.
+    #: Whether the element is inside an `svg`.
     inside: bool = False
 
 

@@ -50,7 +50,7 @@ def jerk_line_1(c):
 
 @formula("eq. (3), second line")
 def jerk_line_2(c):
-    """The same with two equal terms combined."""
+    """The derivative of eq. (2), with two equal terms combined."""
     once = _square_inverted(c).d(1)
     return D3(c) / c.w**2 + D21(c) / c.w**2 + 2 * (D2(c) * once) + D1(c) * _square_inverted(c).d(2)
 

@@ -116,7 +116,7 @@ def mapped_by_x43(c):
 
 @formula("affine coordinates", on="plane")
 def mapped_by_areas(c):
-    """The same as quotients of areas: ``U₄ = α U₂ + x U₃`` is mapped to ``(x, α + x)``."""
+    """The mapped fourth point by quotients of areas: ``U₄ = α U₂ + x U₃`` is mapped to ``(x, α + x)``."""
     a, b, d = moved_2(c), moved_3(c), moved_4(c)
     return join(det(a, d) / det(a, b), (det(d, b) + det(a, d)) / det(a, b))
 

@@ -131,7 +131,7 @@ Diagonal = Callable[[JetFraction], JetFraction]
 def _on_diagonal(value: JetFraction) -> JetFraction:
     """A quotient of jets of two curves, evaluated where both are the same curve at the same parameter.
 
-    Raises `FormulaError` where its denominator vanishes there.
+    Raises `FormulaError` if its denominator vanishes there.
     """
     return equated(value, BAR)
 
@@ -142,7 +142,7 @@ def _is_singular(formula: Formula, dimension: int, polynomial: bool) -> bool:
     than elsewhere: there is no tangent there, so that contact is not defined. Any formula times ``‖γ(s̄) − γ(s)‖²``
     vanishes there to second order.
 
-    Raises `FormulaError` where the value depends on derivatives at s̄: it is not the equation of an object.
+    Raises `FormulaError` if the value depends on derivatives at s̄: it is not the equation of an object.
     """
     reading = RationalJetReading(order_of(formula, dimension))
     value = split(formula(reading.argument(formula.kind, dimension, polynomial=polynomial)))[0]

@@ -159,7 +159,7 @@ class Vanishing(EqualityClaim):
 
     @property
     def equality(self) -> Zero:
-        """The statement that it vanishes."""
+        """The statement that ``left`` vanishes."""
         return Zero(self.find(self.left))
 
     def decide(self, dimension: int, polynomial: bool) -> Finding:
@@ -190,7 +190,7 @@ class SameSurface(EqualityClaim):
 
     @property
     def equality(self) -> Statement:
-        """The statement that they are equal."""
+        """The statement that the two surfaces are equal."""
         return OneRuledSurface(self.find(self.left), self.find(self.right))
 
     def decide(self, dimension: int, polynomial: bool) -> Finding:

@@ -123,7 +123,7 @@ class Count(ExampleClaim):
         return Finding(REFUTED, counts_here, witness=counts_here)
 
     def _counted(self, what: Counter, value: Any, own: Evaluation) -> int | None:
-        """One of the numbers; None where it is infinite."""
+        """One of the numbers; None if it is infinite."""
         if what == Counter.CUSPS:
             return _cusps(self.find(self.formula), own)
         if what == Counter.ENDS:
@@ -148,7 +148,7 @@ class Count(ExampleClaim):
         return extrema
 
     def _roots(self, whole: ZeroSet) -> int | None:
-        """The number of roots in the interval; None where there are infinitely many."""
+        """The number of roots in the interval; None if there are infinitely many."""
         form, (start, end) = whole.spline, whole.spline.domain
         low, high = self.interval or form.domain
         part = whole if (low, high) == form.domain else zeros(form.restrict(low, high))

@@ -79,7 +79,7 @@ GENERATED = {Group.MOEBIUS: ("similarity", "inversion")}
 
 
 def _whole_number(claim: Claim, name: str, value: object) -> int:
-    """A weight: it may be negative."""
+    """A weight: an integer, which may be negative."""
     if isinstance(value, bool) or not isinstance(value, int) or abs(value) > LARGEST_WEIGHT:
         raise ClaimError(f"{value!r} is not a weight", where=name, remedy=f"an integer, at most {LARGEST_WEIGHT}")
     return value
@@ -213,7 +213,7 @@ class Invariance(Claim):
         return moved, times_unit(value, rho if whole is curve else whole.w.constant(-1), self.weight)
 
     def _carried(self, value: list[Any], made: Map, k: Mapping[str, Any], one: Any, dimension: int) -> list[Any]:
-        """The value, mapped where it is a vector or a point."""
+        """The value; a vector or a point is mapped."""
         if self.nature == Nature.SCALAR:
             return value
         if len(value) != dimension:

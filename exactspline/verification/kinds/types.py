@@ -109,10 +109,10 @@ class TypeClaim(Claim):
                     continue
 
     def type_on(self, curve: Nurbs) -> ValueType | None:
-        """The type on one curve, for all values of the free operands; None where it is undecided because of dependent
+        """The type on one curve, for all values of the free operands; None if it is undecided because of dependent
         roots.
 
-        Raises `VanishingDivisorError` where the formula does not exist.
+        Raises `VanishingDivisorError` if the formula does not exist.
         """
         formula, type_here = self.find(self.formula), ValueType.POLYNOMIAL
         for segment in on_segments(kind_of(self.curve), curve, self.highest_derivative(curve.dimension)):
@@ -147,8 +147,8 @@ class TypeClaim(Claim):
 
 
 def _coefficients(value: Any) -> list[Any]:
-    """The coefficients of 1 and of the adjoined roots: for ``a + b σ`` a, b; with a second root ρ those of 1,
-    σ, ρ, σρ.
+    """The coefficients of 1 and of the adjoined roots: a and b for ``a + b σ``; with a second root ρ, the coefficients
+    of 1, σ, ρ and σρ.
     """
     if not isinstance(value, Adjoined):
         return [value]
@@ -156,7 +156,7 @@ def _coefficients(value: Any) -> list[Any]:
 
 
 def _type_of(value: Any) -> ValueType | None:
-    """The type of a function of one parameter; None where the roots are not independent, or one of them is rational."""
+    """The type of a function of one parameter; None if the roots are not independent, or one of them is rational."""
     parts = _coefficients(value)
     if any(not x.is_zero for x in parts[1:]):
         return ValueType.NOT_RATIONAL if _independent(value) else None
@@ -269,7 +269,7 @@ def _decided(claim: Existence, dimension: int, polynomial: bool) -> Finding:
 
 @claim_kind
 class Applies(Claim):
-    """The equation of ``formula`` applies to such arguments, so that it can be evaluated where it is cited for them. A
+    """The equation of ``formula``, which a source cites for such arguments, applies to them and can be evaluated. A
     determinant of two vectors, for example, requires vectors in the plane.
     """
 
@@ -297,6 +297,6 @@ class Applies(Claim):
         return Finding(REFUTED, OfKind(Name(own.name)), witness=witness)
 
     def examine(self, argument: Evaluated, own: Evaluation) -> Finding:
-        """The same for every curve."""
+        """The finding, which is the same for every curve."""
         found = self.decide(own.curve.dimension, own.curve.polynomial)
         return replace(found, verdict=VERIFIED) if found.verdict == PROVED else found

@@ -60,7 +60,7 @@ class ValueClaim(ExampleClaim):
         return point_text(self.claimed) if self.claimed else "∞"
 
     def _value(self, formula: Any, side: Side) -> tuple[mpq, ...] | None:
-        """The value from a side; None where it does not exist."""
+        """The value from a side; None if it does not exist."""
         parts, below = split(formula)
         divisor = mpq(1) if below is None else below(self.parameter, side)
         return tuple(part(self.parameter, side) / divisor for part in parts) if divisor else None
