@@ -11,6 +11,8 @@ import sys
 import pytest
 from hypothesis import HealthCheck, settings
 
+#: No test decides by what an earlier run has left in the cache of whoever runs them.
+os.environ["EXACTSPLINE_CACHE"] = "none"
 SLOW = [HealthCheck.too_slow, HealthCheck.data_too_large, HealthCheck.filter_too_much]
 settings.register_profile(
     "repeat", deadline=None, max_examples=25, derandomize=True, database=None, suppress_health_check=SLOW

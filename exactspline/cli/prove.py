@@ -27,6 +27,7 @@ if TYPE_CHECKING:
     from exactspline.splines.nurbs import Nurbs
     from exactspline.splines.surface import NurbsSurface
     from exactspline.verification.claim import Claim
+    from exactspline.verification.ledger import Row
 
 #: Up to this many claims are listed one by one; more are summarized.
 FEW = 12
@@ -64,6 +65,9 @@ JudgeName = Annotated[
     ),
 ]
 Rows = Annotated[bool, Option("--rows", help="Print every row of the ledger instead of a summary.")]
+Fresh = Annotated[
+    bool, Option("--fresh", help="Decide everything anew, also what an earlier run with the same formulas has decided.")
+]
 Page = Annotated[str, Option("--html", metavar="FILE", help="Write the ledger as an HTML page with filters.")]
 Tex = Annotated[str, Option("--tex", metavar="FILE", help="Write every claim as a LaTeX theorem with its proof.")]
 Bib = Annotated[str, Option("--bib", metavar="FILE", help="Write BibTeX entries of the papers and of this release.")]
@@ -91,6 +95,7 @@ def prove(
     bib: Bib = "",
     digits: Digits = 0,
     exact: Exact = False,
+    fresh: Fresh = False,
 ) -> None:
     """Decide every claim of a paper: for all curves at once, and exactly on single curves and surfaces. By default
     these are the curves in the folder of the paper or the example curves.
@@ -101,8 +106,6 @@ def prove(
     from exactspline.display.ledger_run import Run
     from exactspline.display.numbers import Numbers
     from exactspline.display.theorem import PREAMBLE, bibliography, theorem
-    from exactspline.verification.judges import judge_named, second_opinion
-    from exactspline.verification.ledger import settled, tasks
     from exactspline.verification.statement import stated
     from exactspline.verification.verdict import NOT_ASKED
 
@@ -116,8 +119,12 @@ def prove(
     if judge and curves is not None:
         options = "--judge and --curve" if curve else "--judge and --surface"
         raise OptionsError(options, remedy="another judge decides for all: leave it out")
-    second = judge_named(judge, claims) if judge else None
-    found = settled(tracked(tasks(claims, curves, limit), "proving"))
+    second = None
+    if judge:
+        from exactspline.verification.judges import judge_named, second_opinion
+
+        second = judge_named(judge, claims)
+    found, remembered = _decided(claims, curves, limit, fresh)
     if second:
         found = tracked([partial(second_opinion, second, row, limit) for row in found], second.name)
     chosen = [row for row in found if not requested or row.verdict in requested]
@@ -136,7 +143,7 @@ def prove(
     if bib:
         write_text(bib, bibliography(dict.fromkeys(each.source_paper for each in claims)))
     listed = rows or bool(claim or section or verdict) or len(claims) <= FEW
-    run = Run(chosen, claims, curves, Numbers(digits, exact), second.column if second else "")
+    run = Run(chosen, claims, curves, Numbers(digits, exact), second.column if second else "", remembered)
     out.give(
         "prove",
         run.data(),
@@ -150,6 +157,19 @@ def prove(
         leave_out()
     if any(row.differs for row in found):
         raise Exit(1)
+
+
+def _decided(
+    claims: Sequence[Claim], curves: Sequence[Nurbs | NurbsSurface] | None, limit: int | None, fresh: bool
+) -> tuple[list[Row], int]:
+    """The rows, and how many of them are those of earlier runs."""
+    from exactspline.verification.ledger import settled, tasks
+    from exactspline.verification.remembered import Memory, cache_file
+
+    memory = Memory(None if fresh else cache_file())
+    found = settled(tracked(tasks(claims, curves, limit, memory.around), "proving"))
+    memory.save()
+    return found, memory.found
 
 
 def named_claims(ids: Sequence[str], claims: Sequence[Claim]) -> Sequence[Claim]:

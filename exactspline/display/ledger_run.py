@@ -48,6 +48,8 @@ class Run:
     numbers: Numbers
     #: The name of the second verifier, if one was asked.
     judge: str = ""
+    #: How many rows are those of earlier runs.
+    remembered: int = 0
 
     def data(self) -> list[dict[str, object]]:
         """Every row, with a unique key, and with the result of the second verifier if one was asked."""
@@ -80,6 +82,9 @@ class Run:
         shown.print()
         console.lines(shown, closing(self.rows, self.judge))
         if not quiet:
+            if self.remembered:
+                earlier = f"{self.remembered} rows are from earlier runs with the same formulas, curves and code"
+                console.lines(shown, f"{earlier}; --fresh decides everything anew.")
             if not listed:
                 called = command_name()
                 commands = f"{called} prove --rows prints every row; {called} errata the errors, each with its witness"

@@ -47,6 +47,10 @@ class Proofs:
         """Whether a claim has been decided in this run."""
         return (claim.source_paper, claim) in self._made
 
+    def take(self, claim: Claim, decided: Decided) -> None:
+        """Take over how a claim was decided in an earlier run."""
+        self._made[claim.source_paper, claim] = decided
+
     def __getitem__(self, claim: Claim) -> Decided:
         """The evaluation mode in which a claim is decided for all curves, and the finding."""
         key = claim.source_paper, claim

@@ -221,6 +221,8 @@ TABLE = Name("splines of degrees 2 and 3 over different knots")
 #: The evaluation mode of checks on one curve.
 SPLINE = Name("spline")
 Task = Callable[[], Row]
+#: What becomes of a check of a claim on a curve (None: for all curves), given the proofs of the run.
+Around = Callable[[Claim, object, Task, Proofs], Task]
 
 
 def audit(claims: Iterable[Claim], curves: Iterable[Nurbs | NurbsSurface] | None = None) -> Iterator[Row]:
@@ -250,28 +252,32 @@ def settled(rows: Sequence[Row]) -> list[Row]:
 
 
 def tasks(
-    claims: Iterable[Claim], curves: Iterable[Nurbs | NurbsSurface] | None = None, limit: int | None = None
+    claims: Iterable[Claim],
+    curves: Iterable[Nurbs | NurbsSurface] | None = None,
+    limit: int | None = None,
+    around: Around = lambda claim, on, task, proofs: task,
 ) -> list[Task]:
     """The checks as calls that return a row each, so that progress can be shown; a row that takes more than `limit`
     seconds of processor time is undecided. Each run evaluates curves with its own objects, so that runs in several
-    threads can share curves.
+    threads can share curves. `around` may replace each check by another one.
     """
     chosen, proofs = list(claims), proofs_of_this_run()
     calls: list[Task] = []
     if curves is None:
-        calls += [partial(decide, claim, proofs, limit) for claim in chosen]
+        calls += [around(claim, None, partial(decide, claim, proofs, limit), proofs) for claim in chosen]
         if of_table := [claim for claim in chosen if claim.curve == ArgumentKind.TABLE]:
             table = Evaluation(table_1_splines())
-            calls += [partial(checked, claim, table, TABLE, proofs, limit) for claim in of_table]
+            checks = [partial(checked, claim, table, TABLE, proofs, limit) for claim in of_table]
+            calls += [around(claim, TABLE, check, proofs) for claim, check in zip(of_table, checks, strict=True)]
         evaluations: dict[int, Evaluation] = {}
         for name in dict.fromkeys(claim.paper for claim in chosen):
             own = [claim for claim in chosen if claim.paper == name]
             tried: list[Nurbs | NurbsSurface] = [*_curves_of(own[0].source_paper)]
             if any(kind_of(claim.curve).made_of_a_surface for claim in own):
                 tried += one_patch_surfaces()
-            calls += _on_curves(own, tried, proofs, evaluations, limit)
+            calls += _on_curves(own, tried, proofs, evaluations, limit, around)
         return calls
-    return _on_curves(chosen, curves, proofs, {}, limit)
+    return _on_curves(chosen, curves, proofs, {}, limit, around)
 
 
 def _curves_of(source: Paper) -> list[Nurbs]:
@@ -285,13 +291,14 @@ def _on_curves(
     proofs: Proofs,
     evaluations: dict[int, Evaluation],
     limit: int | None,
+    around: Around,
 ) -> list[Task]:
     """The checks of claims, curve by curve; formulas are evaluated once per curve, for all papers."""
     calls: list[Task] = []
     for curve in curves:
         own = evaluations.setdefault(id(curve), Evaluation(curve))
         calls += [
-            partial(checked, claim, own, Name(own.curve.name) or UNNAMED, proofs, limit)
+            around(claim, curve, partial(checked, claim, own, Name(own.curve.name) or UNNAMED, proofs, limit), proofs)
             for claim in claims
             if claim.applies_to(curve.dimension, curve.polynomial, surface=isinstance(curve, NurbsSurface))
         ]

@@ -36,10 +36,12 @@ def command_rows(options: Options) -> Iterator[Row]:
 
 @contextmanager
 def _keeping_bytecode(folder: str) -> Iterator[None]:
-    """Within this context processes keep the bytecode of what they import, as they do by default."""
-    kept = {name: os.environ.get(name) for name in ("PYTHONDONTWRITEBYTECODE", "PYTHONPYCACHEPREFIX")}
+    """Within this context processes keep the bytecode of what they import, as they do by default, and verdicts."""
+    names = ("PYTHONDONTWRITEBYTECODE", "PYTHONPYCACHEPREFIX", "EXACTSPLINE_CACHE")
+    kept = {name: os.environ.get(name) for name in names}
     os.environ.pop("PYTHONDONTWRITEBYTECODE", None)
     os.environ["PYTHONPYCACHEPREFIX"] = folder
+    os.environ["EXACTSPLINE_CACHE"] = f"{folder}/verdicts"
     try:
         yield
     finally:
@@ -52,10 +54,12 @@ def _keeping_bytecode(folder: str) -> Iterator[None]:
 
 def _command_rows() -> Iterator[Row]:
     processor_time(["-m", "exactspline", "prove", "--claim", "C4.1a", "-q"], runs=1)  # compiles what it imports
-    took, _ = processor_time(["-m", "exactspline", "prove", "-q"])
+    took, _ = processor_time(["-m", "exactspline", "prove", "-q", "--fresh"])
     yield bounded(COMMANDS, "prove, whole and cold", took, "s", 5)
+    took, _ = processor_time(["-m", "exactspline", "prove", "-q"])
+    yield bounded(COMMANDS, "prove, unchanged formulas", took, "s", 1)
     loaded = imported_by(["prove", "--curve", "rational_cubic", "-q"])
-    whole, _ = processor_time(["-m", "exactspline", "prove", "--curve", "rational_cubic", "-q"], runs=MANY)
+    whole, _ = processor_time(["-m", "exactspline", "prove", "--curve", "rational_cubic", "-q", "--fresh"], runs=MANY)
     imports, _ = processor_time(["-c", "".join(f"import {name}\n" for name in loaded) + AT_THE_END], runs=MANY)
     packages = dict.fromkeys(name.split(".")[0] for name in loaded)
     above, note = whole - imports, f"{whole:.2f} s less {imports:.2f} s of {', '.join(packages)}"
