@@ -552,7 +552,9 @@ def _eliminant(polynomials: Sequence[fmpz_mpoly]) -> fmpz_poly:
 
 
 def _without_t(first: list[fmpz_poly], second: list[fmpz_poly]) -> fmpz_poly:
-    """The resultant in t, or the common divisor of polynomials in which t does not occur, whose resultant is 1."""
+    """The resultant in t. If t does not occur in the polynomials, it is their common divisor instead, because their
+    resultant would be 1.
+    """
     return greatest_common_divisor([*first, *second]) if len(first) == len(second) == 1 else resultant(first, second)
 
 

@@ -129,8 +129,8 @@ class ZeroOnPatch:
 
     @cached_property
     def eliminated(self) -> tuple[Projection, list[list[int]], fmpz_poly]:
-        """The projection of a zero that is not simple, the pair of combinations of which it is a common zero, and the
-        other factors of their resultant.
+        """The projection of a zero that is not simple, the pair of combinations with this common zero, and the other
+        factors of their resultant.
         """
         polynomials, k = self.polynomials, 0
         if greatest_common_divisor(polynomials).total_degree() > 0:

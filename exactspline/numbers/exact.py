@@ -371,8 +371,8 @@ def sign(value: mpq | mpz | int | flint.fmpz | flint.fmpq) -> int:
 
 
 def content(values: Iterable[mpq]) -> mpq:
-    """The content of rational numbers that are not all 0: the positive number of which they are coprime integer
-    multiples.
+    """The content of rational numbers that are not all 0: the positive number such that they are its multiples by
+    coprime integers.
 
     >>> content([mpq(4, 3), mpq(-2)])
     mpq(2,3)

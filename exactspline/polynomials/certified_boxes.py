@@ -109,7 +109,7 @@ class Isolated:
 
 
 class Isolation(NamedTuple):
-    """Certified zeros of two of the forms each, and boxes for which it is not decided which zeros they contain."""
+    """Certified zeros, each of two of the forms, and undecided boxes, which may contain other zeros."""
 
     zeros: list[Isolated]
     undecided: list[Box]
@@ -123,8 +123,8 @@ def isolate(
     be cheaper; boxes that an isolation `before` left undecided are bisected as often as possible.
 
     Every common zero in the square is in the region of one of the zeros returned or in an undecided box; a region may
-    extend beyond the square. A certified zero is a zero of two of the forms; for the other forms it is only not
-    excluded.
+    extend beyond the square. A certified zero is a zero of two of the forms; whether the other forms vanish there is
+    not decided.
 
     >>> circle = PatchForm.of_net([[-1, -1, 0], [-1, -1, 0], [0, 0, 1]])  # x² + y² − 1
     >>> line = PatchForm.of_net([[0, -1], [1, 0]])  # x − y

@@ -415,8 +415,8 @@ def _bits(p: fmpz_poly | fmpz_mpoly | fmpq_mpoly) -> int:
 
 
 def _cost(p: fmpz_poly | fmpz_mpoly | fmpq_mpoly, per_bit: dict[int, int]) -> int:
-    """An estimate in nanoseconds: as for a dense polynomial in one or two variables; by the number of terms in more
-    variables.
+    """An estimate in nanoseconds. A polynomial in one or two variables counts as dense; in more variables its terms are
+    counted.
     """
     degrees, terms = _degrees(p), 1
     if not degrees:

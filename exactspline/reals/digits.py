@@ -218,8 +218,8 @@ class Digits(Immutable):
 
     def shortly(self, digits: int = 6) -> str:
         """The closed form of the number if it has a short one, or this many significant digits followed by dots. There
-        are fewer digits if more would take too long, and only dots if no digit is known. The number 0 is shown as `0`,
-        and a number of which only the nearness to 0 is known as ``0 ± 1e-n``.
+        are fewer digits if more would take too long, and only dots if no digit is known. The number 0 is shown as `0`;
+        a number that is only known to be close to 0 is shown as ``0 ± 1e-n``.
 
         >>> from exactspline.reals.real import square_root
         >>> str(square_root(2) + square_root(3) - square_root(5 + 2 * square_root(6)))

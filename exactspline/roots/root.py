@@ -151,8 +151,8 @@ class LazyRoot:
 
     @property
     def changing(self) -> tuple[LocalPolynomial, int]:
-        """The attribute of a `LocalZero`. This is the form itself, without a new isolation of the zero, if the form is
-        linear or the zero is certainly irrational.
+        """A polynomial that changes its sign at the zero, as for a `LocalZero`. This is the form itself, without a new
+        isolation of the zero, if the form is linear or the zero is certainly irrational.
         """
         form = self.form.form
         whole = form.polynomial.degree() == 1 or form.without_rational_zero

@@ -117,8 +117,8 @@ class BSpline(Immutable, RingOperand, FunctionsOutside):
         knots: KnotVector | None = None,
         points: tuple[mpq, ...] | None = None,
     ) -> BSpline:
-        """The spline with these forms, of which it takes ownership, and with knots and control points if they are
-        known; the caller is responsible for the continuity.
+        """The spline with these forms, and with knots and control points if they are known. The spline takes ownership
+        of the forms; the caller is responsible for the continuity.
         """
         polynomials, denominators = zip(*forms, strict=True)
         provenance = leaf() if provenance is None else provenance

@@ -48,8 +48,8 @@ def splines_over(
     degree: int, knots: KnotVector, columns: Sequence[tuple[mpq, ...]], rows: Sequence[CommonRows] | None = None
 ) -> list[BSpline]:
     """The components of a curve, from their control points over knots that are valid for the degree. Segment by segment
-    they are over a common denominator, so that sums stay cheap; they share one mesh. `rows` are the integers of their
-    forms, if they are known.
+    they are over a common denominator, so that sums stay cheap; they share one mesh. `rows` are the integers of the
+    forms of the components, if known.
 
     >>> x, y = splines_over(1, KnotVector([0, 0, 1, 1]), [(mpq(0), mpq(1)), (mpq(1, 2), mpq(1))])
     >>> int(x.denominators[0]), y.denominators == x.denominators, y.control_points

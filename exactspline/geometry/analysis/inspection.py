@@ -112,12 +112,12 @@ class Report(OneLine):
 
     @property
     def nearby(self) -> tuple[NearbyFeature, ...]:
-        """The features of all curves within the distance, and those that only some of them may have."""
+        """The features of all curves within the distance, and others that only some of them may have."""
         return () if self.within is None else self.analysis.features_within(self.within)
 
     @property
     def meetings(self) -> tuple[NearbyMeeting, ...]:
-        """The self-intersections of all curves within the distance, and those that only some of them may have."""
+        """The self-intersections of all curves within the distance, and others that only some of them may have."""
         return () if self.within is None else self.analysis.self_intersections_within(self.within)
 
     @cached_property

@@ -163,9 +163,9 @@ class _Foot:
 def verdict_on(
     sign: int, across: PatchForm, along: PatchForm, forms: Sequence[PatchForm], own: Interval, sides: Interval
 ) -> bool | None:
-    """True if ``N A − C M``, for N ≥ 0 and M on ``own × sides`` and A, C on ``own ×`` a side of their own, has the
-    given sign or is 0 everywhere; False if it has the opposite sign for some u and all other parameters; None if
-    neither is certain.
+    """The certain sign of ``N A − C M``, for N ≥ 0 and M on ``own × sides`` and A and C each on ``own ×`` another side.
+    True: it nowhere has the sign opposite to the given one. False: for some u it has the opposite sign for all other
+    parameters. None: neither is certain.
     """
     sizes, todo = [sign * x for x in across.range], [(0, sides)]
     while todo:

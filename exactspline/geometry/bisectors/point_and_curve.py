@@ -79,10 +79,11 @@ def point_bisector(
 ) -> PointBisector:
     """The bisector of a point and a space curve.
 
-    `variant` is ``naive``, (31) of the paper (Chen, Riesenfeld and Cohen 2007), ``explicit``, (34) of the paper, or
-    ``direct``: the 2×2 system with a moved component, solvable on the whole piece. The component is chosen exactly: a
-    component may be moved where its determinant, the same component of ``D1 × (p − wQ)``, has no zero. The curve is
-    split so that the pieces cover all parameters except the singular ones, at which no component can be moved.
+    `variant` is ``naive`` or ``explicit`` for the equations (31) and (34) of the paper (Chen, Riesenfeld and Cohen
+    2007), or ``direct`` for the 2×2 system with a moved component, which is solvable on the whole piece. The component
+    is chosen exactly: a component may be moved where its determinant, the same component of ``D1 × (p − wQ)``, has no
+    zero. The curve is split so that the pieces cover all parameters except the singular ones, at which no component can
+    be moved.
 
     >>> from exactspline.interchange.examples import example
     >>> found = point_bisector(example("ellipse_in_space"), (1, 1, 2))

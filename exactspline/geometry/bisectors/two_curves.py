@@ -167,8 +167,9 @@ def curve_bisector(
 ) -> CurveBisector:
     """The bisector of two space curves.
 
-    `variant` is ``naive``, ``levelled`` or ``paper``, which are (22), (26) and (27) of the paper (Chen, Riesenfeld and
-    Cohen 2007), ``symmetric`` ((27) for both curves) or ``minimal`` (``symmetric`` in lowest terms).
+    `variant` is ``naive``, ``levelled`` or ``paper`` for the equations (22), (26) and (27) of the paper (Chen,
+    Riesenfeld and Cohen 2007), ``symmetric`` for (27) made polynomial in both curves, or ``minimal`` for ``symmetric``
+    in lowest terms.
 
     >>> from exactspline.interchange.examples import example
     >>> found = curve_bisector(example("rational_space_cubic"), example("twisted_cubic"))

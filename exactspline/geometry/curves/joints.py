@@ -184,7 +184,7 @@ def geometric_order(left: Jet, right: Jet) -> int:
 
 
 def order_of(left: Jet, right: Jet, angle: Angle | None) -> int | None:
-    """The order of geometric continuity of two sides, of which one may have γ′ = 0; None where only their directions
+    """The order of geometric continuity of two sides, at most one of which has γ′ = 0; None if only their directions
     agree.
     """
     if left[0] != right[0] or (any(left[1]) and any(right[1])):

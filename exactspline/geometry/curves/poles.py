@@ -102,7 +102,7 @@ def _operands(piece: Piece) -> tuple[Vector[BSpline], BSpline | None]:
 
 
 def _gaps(p: Vector[BSpline], w: BSpline, poles: Sequence[Root], domain: Interval) -> list[Interval]:
-    """An interval around each pole that holds no other pole, no knot, and no zero of a form but the pole."""
+    """An interval around each pole that contains no other pole, no knot, and no zero of a form except the pole."""
     curve = Curve(p, w)
     others: list[Root | mpq] = [t for t in w.breakpoints if all(pole != t for pole in poles)]
     for form in PLANE_FORMS:

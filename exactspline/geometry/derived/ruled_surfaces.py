@@ -109,7 +109,7 @@ def as_tensor_product(surface: SplineSurface, a: Number, b: Number) -> Vector[Te
 
 
 def _lifted(part: Any, meshes: tuple[Mesh, Mesh]) -> Any:
-    """A vector, or a vector quotient, of splines in s as one of splines in both parameters."""
+    """A vector, or a vector quotient, of splines in s as a vector or quotient of splines in both parameters."""
     top = Vector(*[lifted(c, meshes, 0) for c in numerator(part)])
     return Rational(top, lifted(part.denominator, meshes, 0)) if isinstance(part, Rational) else top
 

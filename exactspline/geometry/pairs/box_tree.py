@@ -62,7 +62,7 @@ def segments_of(curve: Nurbs) -> Segments:
 
 
 def shift_for(*curves: Segments) -> int:
-    """The shift with which coordinates of the size of the starting points have about `BITS` bits."""
+    """The power of two that scales coordinates as large as those of the starting points to about `BITS` bits."""
     return max(0, BITS - max(own.size for own in curves))
 
 

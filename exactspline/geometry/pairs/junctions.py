@@ -75,7 +75,9 @@ class Sides(NamedTuple):
         return NamedNumbers("ends", values, orders | {"parametric": parametric_order(self.left, self.right)})
 
     def order_within(self, epsilon: mpq) -> int:
-        """The largest order, up to 2, to which points, unit tangents and curvature vectors differ by at most this."""
+        """The largest order, up to 2, to which points, unit tangents and curvature vectors of the two ends differ by at
+        most a distance.
+        """
         if self.gap > epsilon:
             return -1
         cosine = Real(1) if self.angle is None else self.angle.cosine

@@ -275,7 +275,7 @@ def _conic(k: Sequence[mpq]) -> Conic | None:
 
 
 def _conic_through(points: Sequence[Point], plane: Plane | None) -> Conic | None:
-    """The conic through five points: of the conics through the first four, which two pairs of lines span."""
+    """The conic through five points, as a combination of two pairs of lines through the first four points."""
     if len(points) < 5:
         return None
     if plane is not None:
@@ -340,7 +340,9 @@ def _with_rounded_square(k: Sequence[mpq], unit: mpq) -> list[mpq]:
 
 
 def _square_root(k: Sequence[mpq]) -> tuple[mpq, mpq]:
-    """About the vector u whose square ``(u·x)²`` is nearest to a quadratic part, scaled to a largest entry of 1."""
+    """Approximately the vector u whose square ``(u·x)²`` is nearest to a quadratic part, scaled to a largest entry of
+    1.
+    """
     a, b, c = k[:3]
     spread = upper_square_root((a - c) * (a - c) + b * b)
     u, v = (a - c + spread, b) if a >= c else (b, c - a + spread)

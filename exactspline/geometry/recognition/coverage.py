@@ -77,7 +77,9 @@ def covers_once(surface: NurbsSurface, shape: Shape, within: mpq) -> bool:
 
 
 def between_poles(surface: NurbsSurface, shape: Shape) -> Shape | None:
-    """A sphere with its centre moved to the line through two edges that are points, about which a surface may turn."""
+    """A sphere with its centre moved to the line through two edges that are points, which is a possible axis of the
+    surface.
+    """
     if not isinstance(shape, Sphere):
         return None
     for each in (surface, surface.transposed()):
@@ -207,7 +209,7 @@ class _Covering:
         return (1, -1) if self.slack else (0,)
 
     def _twice_rho(self, of: Any) -> Any:
-        """About ``2 R ρ`` times w²."""
+        """Approximately ``2 R ρ`` times w²."""
         x = self._from_origin(of)
         return scalar(x, x) + of.w * of.w * (self.shape.major_squared - self.shape.minor_squared)  # type: ignore[attr-defined]  # of a torus
 
@@ -299,13 +301,13 @@ class _Covering:
         return sum(root < line.domain[1] and sign_at(a, root) > 0 for root in zeros(b)) == 1
 
     def _meridian(self, of: Any) -> tuple[Any, Any]:
-        """About ``2 R (ρ − R)`` and the place along the axis, each times w² and a constant."""
+        """Approximately ``2 R (ρ − R)`` and the place along the axis, each times w² and a constant."""
         along = scalar(self._from_origin(of), self.chart.axis) * of.w
         return self._twice_rho(of) - of.w * of.w * (2 * self.shape.major_squared), along  # type: ignore[attr-defined]  # of a torus
 
     def _is_off(self, pairs: Sequence[tuple[TensorSpline, TensorSpline]]) -> bool:
-        """Whether the patches do not meet a half-plane, on which for one of some pairs the first form would be positive
-        and the second 0.
+        """Whether the patches do not meet a half-plane. Each pair of forms gives a half-plane, on which the first form
+        is positive and the second is 0; one pair suffices.
         """
         todo, flat = list[Sized](), [f for pair in pairs for f in pair]
         for patch in self.forms.patches:

@@ -376,7 +376,7 @@ def _difference_matrix(n: int) -> arb_mat:
 
 @lru_cache(256)
 def cutting(n: int, side: Interval) -> arb_mat:
-    """The matrix that gives the ordinates on an interval: products of the two weights of each of its ends."""
+    """The matrix that gives the ordinates on an interval, from the blossom at copies of both ends."""
     (low, high), rows = side, []
     for i in range(n + 1):
         row = [mpq(1)]

@@ -145,7 +145,7 @@ class _Meeting:
 
     def special_places(self) -> dict[Root, str]:
         """The points of a crease at which the normals are parallel, and points at which one of them is zero; empty if
-        this holds at all points.
+        all points of the crease are of this kind.
         """
         before, behind = self.normals
         product, parallel = dot(before, behind), cross(before, behind)
