@@ -1,5 +1,5 @@
-"""Pictures of a surface in space and of its parameter plane: coloured by the sign of the curvature, with parabolic
-curves, umbilics and lines of curvature.
+"""A surface coloured by the sign of its curvature, with parabolic curves and umbilics; and the same in the plane of its
+parameters, with lines of curvature.
 
 Regions, curves and points are certified; colours between them and lines of curvature are computed in floats.
 """
@@ -7,7 +7,7 @@ Regions, curves and points are certified; colours between them and lines of curv
 from __future__ import annotations
 
 from collections.abc import Iterator
-from math import cos, pi, radians, sin
+from itertools import product
 from typing import TYPE_CHECKING, Any
 
 from exactspline.bivariate.across_borders import Place
@@ -15,7 +15,7 @@ from exactspline.bivariate.signs import Point
 from exactspline.display.plot.canvas import BLACK, GREEN, PAGE, VERMILLION, draw, library, new_figure
 from exactspline.errors import as_instance, counted
 from exactspline.extras.pictures3d.curvature_lines import FAMILIES, Samples, lines_of_curvature
-from exactspline.extras.pictures3d.surfaces import shaded
+from exactspline.extras.pictures3d.surfaces import frame_faces, shaded, show_faces
 from exactspline.geometry.analysis.surfaces import PatchInspection, PatchKind, SurfaceInspection
 from exactspline.numbers.exact import mpq
 from exactspline.roots.of_polynomials import enclosing
@@ -29,12 +29,10 @@ if TYPE_CHECKING:
 ELLIPTIC, HYPERBOLIC, FLAT = "#F3C46B", "#7FBFE6", "#D9D9D9"
 #: Rows and columns of faces, in total and at least per patch.
 GRID, LEAST = 72, 6
-#: The part of the axes that a surface fills, relative to the norm of its extents, by which matplotlib scales.
-FILLED = 0.93
+#: How much larger a surface is drawn without its axes.
+ZOOM = 1.25
 #: The number of points of a drawn arc.
 STEPS = 4
-#: The width of a surface in points, about, the sides of the polygon that is a dot, and the width of every edge.
-POINTS, SIDES_OF_DOT, EDGE = 230, 16, 0.2
 
 
 def surface_figure(inspection: SurfaceInspection) -> Figure:
@@ -53,7 +51,7 @@ def surface_figure(inspection: SurfaceInspection) -> Figure:
     space, plane = figure.add_subplot(grid[0], projection="3d"), figure.add_subplot(grid[1])
     samples = Samples.of(inspection.surface, GRID, LEAST)
     lines = lines_of_curvature(samples) if has_lines(inspection) else ([], [])
-    _in_space(space, inspection, samples, lines)
+    _in_space(space, inspection, samples)
     _in_the_plane(plane, inspection, samples, lines)
     figure.suptitle(inspection.surface.name.replace("_", " ") or "surface")
     _legend(figure, inspection, bool(lines[0]))
@@ -82,88 +80,23 @@ def colour_of(one: PatchInspection, sign: float) -> str:
     return FLAT
 
 
-def _in_space(ax: Any, inspection: SurfaceInspection, samples: Samples, lines: Any) -> None:
-    """The shaded surface with its curves and points."""
-    np, to_rgb = library("numpy"), library("matplotlib.colors").to_rgb
+def _in_space(ax: Any, inspection: SurfaceInspection, samples: Samples) -> None:
+    """The shaded surface, translucent, with its curves and points, which are seen through it."""
+    to_rgb, surface = library("matplotlib.colors").to_rgb, inspection.surface
     faces, shades = [], []
     for one in inspection.patches:
         points, signs = samples.points[one.patch], samples.signs[one.patch]
-        for i in range(points.shape[0] - 1):
-            for j in range(points.shape[1] - 1):
-                corner = [tuple(points[k, h]) for k, h in ((i, j), (i, j + 1), (i + 1, j + 1), (i + 1, j))]
-                faces.append(corner)
-                middle = signs[i : i + 2, j : j + 2].mean()
-                shades.append(shaded(corner, to_rgb(colour_of(one, middle))))
-    lows, highs = (pick([p for face in faces for p in face], axis=0) for pick in (np.min, np.max))
-    paint = _Paint(ax, faces, float((highs - lows).max()) or 1.0)
-    surface = inspection.surface
-    marks = [
-        (paint.line(samples.lifted(line), 0.5), color)
-        for family, color in zip(lines, FAMILIES.values(), strict=True)
-        for line in family
-    ]
-    marks += [(paint.line([surface(*p) for p in run], 1.6), BLACK) for run in parabolic_runs(inspection)]
-    marks += [(paint.spot(surface(*p), 6, SIDES_OF_DOT), VERMILLION) for p in umbilic_spots(inspection)]
-    marks += [(paint.spot(surface(*p), 6, 4), GREEN) for p in singular_spots(inspection)]
-    colors = [*shades, *[to_rgb(color) for polygons, color in marks for _ in polygons]]
-    collection = library("mpl_toolkits.mplot3d.art3d").Poly3DCollection
-    every = _of_one_length([*faces, *[polygon for polygons, _ in marks for polygon in polygons]])
-    ax.add_collection3d(
-        collection(every, facecolors=colors, edgecolors=colors, linewidths=EDGE, rasterized=True, zorder=1)
-    )
-    ax.set_proj_type("ortho")
-    # a surface that is a single point has no extent: its box is a box around the point
-    extent = np.maximum(highs - lows, (highs - lows).max() / 1000 or 1)
-    for axis, low, length in zip("xyz", lows, extent, strict=True):
-        getattr(ax, f"set_{axis}lim")(low, low + length)
-    ax.set_box_aspect(extent, zoom=FILLED * float(np.linalg.norm(extent)) / paint.seen)
+        for i, j in product(*(range(n - 1) for n in signs.shape)):
+            faces.append([tuple(points[k, h]) for k, h in ((i, j), (i, j + 1), (i + 1, j + 1), (i + 1, j))])
+            shades.append(shaded(faces[-1], to_rgb(colour_of(one, signs[i : i + 2, j : j + 2].mean()))))
+    show_faces(ax, faces, shades)
+    for run in parabolic_runs(inspection):
+        draw(ax, [surface(*p) for p in run], color=BLACK, linewidth=1.6, zorder=3)
+    _dots(ax, [surface(*p) for p in umbilic_spots(inspection)], VERMILLION, "o")
+    _dots(ax, [surface(*p) for p in singular_spots(inspection)], GREEN, "s")
+    frame_faces(ax, faces)
+    ax.set_box_aspect([high - low for low, high in (ax.get_xlim(), ax.get_ylim(), ax.get_zlim())], zoom=ZOOM)
     ax.set_axis_off()
-
-
-def _of_one_length(polygons: list[Any]) -> list[Any]:
-    """The polygons, all with as many vertices as the longest one, by repeating the last vertex: for unequal numbers,
-    matplotlib 3.11 computes with uninitialized memory.
-    """
-    most = max(map(len, polygons))
-    return [[*polygon, *[polygon[-1]] * (most - len(polygon))] for polygon in polygons]
-
-
-class _Paint:
-    """Lines and dots on a surface as small polygons that face the viewer and lie a little before it: matplotlib, which
-    orders polygons from back to front, then covers them where the surface covers them.
-    """
-
-    def __init__(self, ax: Any, faces: Any, size: float) -> None:
-        self.np: Any = library("numpy")
-        e, a = radians(ax.elev), radians(ax.azim)
-        self.view = self.np.array([cos(e) * cos(a), cos(e) * sin(a), sin(e)])
-        self.right = self.np.array([-sin(a), cos(a), 0.0])
-        self.up = self.np.cross(self.view, self.right)
-        corners = self.np.array(faces)
-        flat = corners.reshape(-1, 3) @ self.np.array([self.right, self.up]).T
-        #: The larger of the surface's width and height as it is seen.
-        self.seen = float((flat.max(axis=0) - flat.min(axis=0)).max()) or size
-        #: The distance in front of the surface: the size of the faces.
-        depths = corners @ self.view
-        self.lift = self.view * float((depths.max(axis=1) - depths.min(axis=1)).max())
-        #: The length of a point of the picture.
-        self.point = self.seen / POINTS
-
-    def line(self, points: Any, width: float) -> list[Any]:
-        """A line of a width in points."""
-        own = self.np.array([[float(x) for x in p] for p in points])
-        across = self.np.cross(own[1:] - own[:-1], self.view)
-        length = self.np.linalg.norm(across, axis=1)
-        seen = length > 0
-        half = across[seen] / length[seen, None] * self.point * (width - EDGE) / 2
-        p, q = own[:-1][seen], own[1:][seen]
-        return [*(self.np.stack([p - half, p + half, q + half, q - half], axis=1) + self.lift)]
-
-    def spot(self, place: Any, width: float, sides: int) -> list[Any]:
-        """A regular polygon around a point."""
-        turns = [2 * pi * (k + 0.5) / sides for k in range(sides)]
-        ring = self.np.array([cos(t) * self.right + sin(t) * self.up for t in turns]) * self.point * width / 2
-        return [self.np.array([float(x) for x in place]) + 2 * self.lift + ring]
 
 
 def _in_the_plane(ax: Axes, inspection: SurfaceInspection, samples: Samples, lines: Any) -> None:

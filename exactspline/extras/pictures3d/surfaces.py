@@ -76,24 +76,37 @@ def plot_mesh(
     rgb = library("matplotlib.colors").to_rgb(color)
     corners = [[tuple(float(x) for x in p) for p in face] for face in faces]
     shades = [shaded(face, rgb) for face in corners]
-    made = library("mpl_toolkits.mplot3d.art3d").Poly3DCollection(
-        corners, facecolors=shades, alpha=OPACITY, linewidths=0, zorder=1, label="_surface"
-    )
-    # thousands of faces are a picture inside an SVG, not as many paths
-    made.set_rasterized(True)
     space.plot([], [], [], "s", color=color, markersize=9, label=label)
-    space.add_collection3d(made)
-    # curves, nets and points are seen through the surface
-    space.computed_zorder = False
+    show_faces(space, corners, shades)
     draw_runs(ax, mesh.isolines(), "_isoline", color=[0.4 * c for c in rgb], linewidth=0.4, alpha=0.5, zorder=1.5)
-    space.set_proj_type("ortho")
     if control_net and mesh.net:
         draw_runs(ax, mesh.net, "_net", color=net_color, linewidth=0.6, zorder=2)
         points = dict.fromkeys(p for run in mesh.net for p in run)
         draw(ax, points, "o", color=BLUE, markersize=2.5, label=_counted(mesh), zorder=2.1)
-    _framed(ax, [p for face in faces for p in face])
+    frame_faces(ax, corners)
     legend_below(ax)
     return ax
+
+
+def show_faces(ax: Axes, faces: Sequence[Sequence[Sequence[float]]], shades: Sequence[Sequence[float]]) -> None:
+    """Draw translucent faces in these colours; what is drawn later is seen through them."""
+    space: Any = ax  # axes in space have no types
+    made = library("mpl_toolkits.mplot3d.art3d").Poly3DCollection(
+        faces, facecolors=shades, alpha=OPACITY, linewidths=0, zorder=1, label="_surface"
+    )
+    # thousands of faces are a picture inside an SVG, not as many paths
+    made.set_rasterized(True)
+    space.add_collection3d(made)
+    space.computed_zorder = False
+    space.set_proj_type("ortho")
+
+
+def frame_faces(ax: Axes, faces: Sequence[Sequence[Sequence[float]]]) -> None:
+    """Set equal scales on the three axes, with all faces visible."""
+    space: Any = ax  # axes in space have no types
+    space.auto_scale_xyz(*zip(*[p for face in faces for p in face], strict=True))
+    space.set_aspect("equal")
+    _tick(space)
 
 
 def shaded(corners: Sequence[Sequence[float]], color: tuple[float, float, float]) -> tuple[float, ...]:
@@ -110,14 +123,6 @@ def shaded(corners: Sequence[Sequence[float]], color: tuple[float, float, float]
 def _counted(mesh: SurfaceMesh) -> str:
     hidden = f", {mesh.hidden} far away or at infinity" if mesh.hidden else ""
     return f"control net ({mesh.points} points{hidden})"
-
-
-def _framed(ax: Any, points: Iterable[Point]) -> None:
-    """Set equal scales on the three axes, with all points visible."""
-    columns = [[float(x) for x in column] for column in zip(*points, strict=True)]
-    ax.auto_scale_xyz(*columns)
-    ax.set_aspect("equal")
-    _tick(ax)
 
 
 def show_box(ax: Axes, box: Box) -> None:
