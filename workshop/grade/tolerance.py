@@ -33,7 +33,7 @@ DOCUMENTED = {
         "threefold roots show. The `precision` of 10⁻³ in `curveCurveIntersections` is an area: the points of a pair "
         "are at most its square root apart"
     ),
-    "bezier-js": "the points of a pair are at most the threshold of `intersects` apart, here 10⁻⁵",
+    "bezier-js": "the two points of a pair may be 10⁻⁵ apart, the threshold of `intersects`",
 }
 #: The features that a question asks for.
 KINDS = {"inflections": (FeatureKind.INFLECTION,), "extrema": (FeatureKind.MAXIMUM, FeatureKind.MINIMUM)}
