@@ -294,7 +294,7 @@ def common_zeros(
     to another patch. The two ends of a `closed` parameter are identified. The work is limited to about ten seconds
     (somewhat more for many patches); patches that would take more are `undecided`.
 
-    Raises `ShapeError` for anything but functions of two parameters, and `DomainError` for different domains.
+    Raises `ShapeError` for anything except functions of two parameters, and `DomainError` for different domains.
 
     Source: Berberich, Emeliyanenko, Kobel and Sagraloff, Exact symbolic-numeric computation of planar algebraic curves,
     Theoretical Computer Science 2013.
@@ -334,7 +334,7 @@ def zero_curve(function: TensorSpline, closed: Iterable[Along] = ()) -> ZeroCurv
 
     The work is limited as for `common_zeros`; rectangles that would take more are `undecided`.
 
-    Raises `ShapeError` for anything but a function of two parameters.
+    Raises `ShapeError` for anything except a function of two parameters.
     """
     f = function_of_two(function)
     found, undecided, ring = list[_OnPatch](), list[Box](), _ring(closed)

@@ -69,7 +69,7 @@ class Budget:
     def deduct(self, nanoseconds: int, what: Callable[[], str]) -> None:
         """Deduct an estimate; raises `ReachError` if it exceeds the remaining budget."""
         if nanoseconds > self.remaining:
-            problem = f"{what()} ({_duration(nanoseconds)}) exceeds what remains of the bound on the whole answer"
+            problem = f"{what()} ({_duration(nanoseconds)}) exceeds the rest of the bound on the whole answer"
             raise ReachError(problem, remedy=REMEDY, seconds=_seconds(nanoseconds))
         self.remaining -= nanoseconds
 
@@ -124,7 +124,7 @@ def at_its_cost(function: Callable[P, V]) -> Callable[P, V]:
     return call
 
 
-class _TimeIsUp(BaseException):  # no error that a step may take for a bound of its own, and remember
+class _TimeIsUp(BaseException):  # not an `ExactSplineError`, which a step might catch and store as its own result
     """The processor time allowed by the user is over."""
 
 
@@ -192,16 +192,16 @@ def check_reach(nanoseconds: int, what: Callable[[], str], longest: int = LONGES
 
     >>> check_reach(10**10, lambda: "the resultant")
     Traceback (most recent call last):
-    exactspline.errors.ReachError: the resultant is out of reach (about 10 s); ...
+    exactspline.errors.ReachError: the resultant would take too long (about 10 s); ...
     >>> with drawing_on(Budget(10**9)):
     ...     check_reach(2 * 10**9, lambda: "the resultant")
     Traceback (most recent call last):
-    exactspline.errors.ReachError: the resultant (about 2 s) exceeds what remains of the bound on the whole answer; ...
+    exactspline.errors.ReachError: the resultant (about 2 s) exceeds the rest of the bound on the whole answer; ...
     """
     look_at_the_time()
     if nanoseconds > longest:
         raise ReachError(
-            f"{what()} is out of reach ({_duration(nanoseconds)})", remedy=REMEDY, seconds=_seconds(nanoseconds)
+            f"{what()} would take too long ({_duration(nanoseconds)})", remedy=REMEDY, seconds=_seconds(nanoseconds)
         )
     if budget := _BUDGET.get():
         budget.deduct(nanoseconds, what)

@@ -162,8 +162,8 @@ class ZeroSet(Immutable, Displayed):
         on it, and the midpoints that are zeros themselves. If required by multiple zeros, it also contains factors
         whose powers multiply to the form, up to a constant, the zeros at the ends and powers of ``u + v``; the leaves
         then refer to the product of the factors, each taken once. The roots, with the intervals computed so far, are
-        those of the whole spline. An interval on which it vanishes is given by its two ends; if it crosses the seam of
-        a periodic spline, its end is smaller than its beginning.
+        those of the whole spline. An interval on which the spline vanishes is given by its two ends; if the interval
+        crosses the seam of a periodic spline, its end is smaller than its beginning.
 
         >>> zeros(BSpline.bezier([1, -2, 1])).certificate()["segments"][0]["leaves"]
         [['0', '1/2', 1], ['1/2', '1', 1]]
@@ -270,7 +270,7 @@ def zeros(f: BSpline, *, periodic: bool = False) -> ZeroSet:
     >>> found, found.roots, found.intervals
     (<ZeroSet: 1 root, 1 interval, 0 jumps>, (<Root 1/2: multiplicity 1, sign + to −>,), (<ZeroInterval [2, 3]>,))
 
-    Raises `ShapeError` for anything but a `BSpline`.
+    Raises `ShapeError` for anything except a `BSpline`.
     """
     f, periodic = spline_of(f), as_flag(periodic, "whether the ends of the domain are one knot")
     return ZeroSet(f, periodic, [isolate(c, f.degree) if c else None for c in f.numerators])

@@ -114,7 +114,7 @@ class KnotVector(Immutable):
         return made
 
     def domain(self, degree: int) -> Interval:
-        """``[t_n, t_{N−n}]`` for a spline of degree n with knots t_0 … t_N."""
+        """The domain ``[t_n, t_{N−n}]`` of a spline of degree n with knots t_0 … t_N."""
         return Interval(self.knots[degree], self.knots[len(self.knots) - 1 - degree])
 
     def check(self, degree: int) -> None:

@@ -52,10 +52,10 @@ def normalized(v: tuple[mpq, ...], problem: str) -> tuple[Real, ...]:
 class Nurbs(Immutable, Curve[BSpline], FunctionsOutside):
     """A polynomial or rational B-spline curve with exact data.
 
-    Each of the `control_points` is a Cartesian point, all of the same dimension, or a `Direction`; `weights` are
-    optional. The curve is ``Σ wᵢ Pᵢ Nᵢ / Σ wᵢ Nᵢ``: a point of weight 0 adds nothing, a direction v adds ``v Nᵢ`` to
-    the numerator only. Equal weights mean that the curve is polynomial: then ``w`` is the constant 1 of degree 0 and
-    ``gamma`` the vector ``p``, and `polynomial` is true. Otherwise ``gamma`` is the `Rational` ``p/w``.
+    `control_points` are Cartesian points of the same dimension, or objects `Direction`; `weights` are optional. The
+    curve is ``Σ wᵢ Pᵢ Nᵢ / Σ wᵢ Nᵢ``: a point of weight 0 adds nothing, a direction v adds ``v Nᵢ`` to the numerator
+    only. Equal weights mean that the curve is polynomial: then ``w`` is the constant 1 of degree 0 and ``gamma`` the
+    vector ``p``, and `polynomial` is true. Otherwise ``gamma`` is the `Rational` ``p/w``.
 
     >>> arc = Nurbs(2, [0, 0, 0, 1, 1, 1], [(1, 0), (1, 1), (0, 1)], weights=[1, 1, 2])
     >>> arc("1/2"), arc.polynomial

@@ -125,7 +125,7 @@ class Along(StrEnum):
 class NurbsSurface(Immutable, Surface[TensorSpline], FunctionsOutside):
     """A polynomial or rational tensor-product B-spline surface with exact data.
 
-    ``control_points[i][j]``, with i along u and j along v, are Cartesian points, all of the same dimension, or a
+    ``control_points[i][j]``, with i along u and j along v, are Cartesian points of the same dimension, or objects
     `Direction`; `weights` are a net of the same shape, or None. The surface is ``Σ w_ij P_ij N_i(u) N_j(v) / Σ w_ij
     N_i(u) N_j(v)``. Equal weights mean that the surface is polynomial: then ``w`` is the constant 1, and `polynomial`
     is true.

@@ -66,7 +66,7 @@ class Asked(OneLine):
 
 
 def ask(about: About, question: str) -> object:
-    """The exact answer to a question, given as text, of a curve, of a surface, of two curves, or of two surfaces.
+    """The exact answer to a question, given as text, about a curve, a surface, two curves, or two surfaces.
 
     The questions are those of ``exactspline list questions``. The same answers are attributes and methods of the object
     returned by `analyse`.

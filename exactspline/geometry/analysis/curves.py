@@ -555,8 +555,8 @@ def analyse(given: Nurbs | NurbsSurface) -> Analysis | SurfaceInspection | MapIn
     >>> analyse(example("ellipsoid"))
     <SurfaceInspection of <NurbsSurface ellipsoid: rational, degree 2 × 2, 9 × 5 control points in R3>>
 
-    For every question about plane curves, a curve of space in the plane z = 0, as in files of drawings, is a plane
-    curve.
+    A space curve in the plane z = 0, as in files of drawings, is treated as a plane curve in questions about plane
+    curves.
 
     Raises `ShapeError` for anything else, and for a surface that is neither in space nor in the plane.
     """

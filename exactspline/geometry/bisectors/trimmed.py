@@ -57,7 +57,7 @@ from exactspline.splines.type_checks import curve_of
 # member has a double zero or a zero at an end, or at which B is infinite.
 
 
-#: How many segments at most are tested first to see whether an arc is on the true bisector at all.
+#: The largest number of segments that are tested first to see whether an arc is on the true bisector at all.
 ASKED_FIRST = 24
 
 

@@ -83,14 +83,14 @@ def direction_at(curve: Nurbs, place: mpq | Real, side: Side | str = Side.RIGHT,
         return tuple(unit(first, place, "the tangent"))
     if curve.dimension == 2:
         return tuple(unit(perp(first), place, "the normal"))
-    # the second derivative is divided by one power of w more
+    # the second derivative contains one more power of w in its denominator
     second = Vector(*[x * curve.w for x in derivative_splines(space(curve), 2)[0]])
     return tuple(unit(across(first, second), place, "the normal"))
 
 
 def curvature(curve: Nurbs, t: Number | Real, side: Side | str = Side.RIGHT) -> Real:
-    """The curvature of a curve at a parameter: in the plane, z = 0 included, signed (positive where the curve turns
-    left), in space not negative; at a knot the limit from this `side`.
+    """The curvature of a curve at a parameter, at a knot the limit from this `side`. It is signed in the plane and in
+    the plane z = 0 of space (positive where the curve turns left); in space it is not negative.
 
     >>> from exactspline import Nurbs, zeros
     >>> parabola = Nurbs(2, [0, 0, 0, 1, 1, 1], [(0, 0), ("1/2", 0), (1, 1)])

@@ -34,7 +34,7 @@ class Variant(Word):
 
     #: As the algorithm computes it.
     NAIVE = "naive"
-    #: Critical curvature by the derivative of the squared curvature, and by that of the curvature.
+    #: Critical curvature by the derivative of the squared curvature, and by the derivative of the curvature.
     SQUARING = "squaring"
     DIRECT = "direct"
     #: As the paper reduces it, and in a reduced form that the paper does not print.
@@ -79,7 +79,7 @@ class Construction:
     variants: dict[Variant, str]
     zero_set: bool = False
     ruled: bool = False
-    #: The formula of the minimal form, where it is not the lifted one.
+    #: The formula of the minimal form, if this is not the lifted form.
     lowest: str = ""
 
     @one_line

@@ -106,7 +106,7 @@ class Derived(Written):
     variant: Variant
     pieces: tuple[Piece, ...]
     missing: tuple[tuple[Interval, Absence], ...]
-    #: Whether it is a ruled surface; the values are then those of the directrix and the generator.
+    #: Whether the object is a ruled surface; the values are then those of the directrix and the generator.
     ruled: bool = False
 
     @one_line
@@ -180,7 +180,7 @@ class Derived(Written):
     def _value(self, piece: Piece, t: mpq) -> mpq | tuple[mpq, ...]:
         value, w = piece.value, split(piece.value)[1]
         if w is not None and w(t) == 0:
-            # as written numerator and denominator may vanish where there is a value
+            # numerator and denominator as written may both vanish at a parameter where the quotient has a value
             value = in_lowest_terms(value)
             if value.denominator(t) == 0:
                 problem = f"{self.name} has a pole at the parameter {short_text(t)}"

@@ -24,7 +24,7 @@ from exactspline.polynomials.doubles import (
 )
 from exactspline.programs.doubles import in_doubles
 
-#: How many segments are computed together, so that their numbers fit into the cache.
+#: The number of segments that are computed together, so that their numbers fit into the cache.
 AT_ONCE = 4096
 
 

@@ -31,14 +31,14 @@ from exactspline.splines.bspline import BSpline
 
 #: The largest number of angles in a closed form.
 MOST_ANGLES = 1000
-#: The product of degree and bits of coefficients up to which the complex zeros of a polynomial are isolated whatever
-#: they are, and the bits by which those of others must differ: FLINT isolates them in one call that cannot be
-#: interrupted, and zeros near to each other take long (measured for degree 4: 7 ms for 270 bits, 3 s for 806, minutes
-#: for 1337).
+#: The product of the degree and the bits of the coefficients up to which the complex zeros of a polynomial are isolated
+#: in any case; and the number of bits by which the zeros of other polynomials must differ. FLINT isolates zeros in one
+#: call that cannot be interrupted, and zeros close to each other take long (measured for degree 4: 7 ms for 270 bits, 3
+#: s for 806, minutes for 1337).
 NEAR, SEPARATING = 2000, 2048
-#: Nanoseconds for the square of the degree of a denominator and a bit of its coefficients: with one irreducible factor
-#: (measured: up to 60), with several, and for how many bits times the degree one more (measured, for 64 to 400 bits of
-#: the factors: 0.1 to 120 s, at most 1.5 times as much).
+#: The nanoseconds per square of the degree of a denominator and bit of its coefficients: with one irreducible factor
+#: (measured: up to 60), with several factors, and the number of bits times the degree for each further nanosecond
+#: (measured, for 64 to 400 bits of the factors: 0.1 to 120 s, at most 1.5 times as much).
 ONE_FACTOR, SEVERAL, LONG = 60, 90, 800
 
 

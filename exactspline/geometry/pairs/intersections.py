@@ -189,7 +189,7 @@ def _certificate(first: Nurbs, second: Nurbs) -> dict[str, object]:
     differences = [x * pair.second.w - y * pair.first.w for x, y in zip(pair.first.p, pair.second.p, strict=True)]
     zeros = common_zeros_of(*differences)
     if zeros.everywhere or zeros.undecided:
-        raise ReachError("a certificate of curves with arcs in common, or out of reach", remedy=REMEDY)
+        raise ReachError("a certificate of curves with arcs in common, or with undecided common points", remedy=REMEDY)
     found = [(point.place, point.patches) for point in zeros.points]
 
     def proved(i: int, j: int) -> dict[str, object]:

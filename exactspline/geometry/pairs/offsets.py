@@ -222,7 +222,7 @@ class _OfSegments:
         self.equations = [self._distance(*first), self._distance(*second)]
         if abs(one) == abs(other):
             self.equations[1] = pair.equidistant
-        #: Positive where they meet on the side of each offset, unless it is the curve.
+        #: Positive where the normals meet on the side of each offset, for distances other than 0.
         self.beside = [f * pair.across * pair.weight * sign_of(d) for f, _, d in (first, second) if d]
         self.square, self.along, self.normal = norm2(e), dot(a, b), det(a, e) * pair.weight
         self.triangle = self._triangle()

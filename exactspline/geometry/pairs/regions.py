@@ -132,7 +132,7 @@ class Region(Inspected, Displayed):
         for i, curve in enumerate(self.curves):
             turn = 1 if areas[i] > 0 else -1
             around = winding_number([*self.curves[:i], *self.curves[i + 1 :]], curve(curve.domain[0]))
-            # outside, the winding number of the other curves; inside, that of this curve is added
+            # outside this curve only the others wind around the point; inside, this curve does, too
             signs.append((self._is_filled(around + turn) - self._is_filled(around)) * turn)
         return signs
 

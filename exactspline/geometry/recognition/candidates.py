@@ -27,7 +27,7 @@ from exactspline.geometry.recognition.shapes import (
 )
 from exactspline.numbers.exact import decimal_unit, from_flint, mpq, over_one_denominator, to_fmpq
 
-#: The points from which a shape is guessed, at most.
+#: The largest number of points from which a shape is guessed.
 MOST_POINTS = 24
 #: A shape through a few of the points may be this many times farther from the other points than the limit.
 WORSE = 1024

@@ -54,7 +54,7 @@ from exactspline.splines.type_checks import surface_of
 BITS, STEP = 256, mpq(1, 2**100)
 #: Distances below this fraction of the size are assumed to be 0, and denominators of exact numbers to be at most this.
 NOTHING, SIMPLE = mpq(1, 2**120), 10**20
-#: The most steps of the iteration, and the points it uses, at most.
+#: The largest numbers of steps of the iteration, and of points that it uses.
 STEPS, MOST_SAMPLES = 16, 64
 
 Numbers = Sequence[mpfr]

@@ -39,7 +39,7 @@ from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.type_checks import curve_of
 
 EXTREMA = FeatureKind.MAXIMUM, FeatureKind.MINIMUM
-#: Kinds of features by the dimension, with the constructions of which they are zeros, and their forms.
+#: The kinds of features by the dimension, each with the construction whose zeros they are, and its form.
 FORMS: dict[int, dict[FeatureKind, tuple[str, int]]] = {
     2: {FeatureKind.INFLECTION: ("zero_curvature", CURVATURE)}
     | dict.fromkeys(EXTREMA, ("critical_curvature", CRITICAL)),
@@ -271,7 +271,7 @@ class _Lifting:
         if zero == other or middle is None or not middle.height:
             return
         up = -1 if middle.height > 0 else 1
-        # the form may change its sign beside a zero by a jump
+        # next to a zero the form may change its sign by a jump
         at = [t for t, row in known.items() if t in inner or row.height * up > 0]
         rows = self._rows(self.curve, at, up)
         hardest, steps = min(rows.values(), key=lambda row: row.height), dict[int, float]()

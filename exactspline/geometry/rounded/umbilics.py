@@ -41,7 +41,7 @@ MOST, MOST_OF_A_PATCH = 440, 10
 SPREAD = 8
 #: The number of derivatives: two for the forms, and one for their gradients.
 TERMS = 4
-#: How often a rectangle with an umbilic is narrowed.
+#: The number of times that a rectangle with an umbilic is narrowed.
 STEPS = 6
 #: The narrowest rectangle, in bits of the patch.
 NARROWEST = 60

@@ -54,7 +54,7 @@ class SurfaceJointKind(StrEnum):
     CONTINUOUS = "continuous curvature"
 
 
-#: The order of geometric continuity of each kind: −1 for none, 2 for 2 or higher.
+#: The order of geometric continuity of each kind: −1 for a torn joint, 2 for an order of 2 or higher.
 ORDERS: dict[SurfaceJointKind, int | None] = dict(zip(SurfaceJointKind, (-1, 0, 0, None, 1, 2), strict=True))
 
 
