@@ -16,6 +16,7 @@ from exactspline.bivariate.common_zeros import Column, CommonZero, common_zeros,
 from exactspline.numbers.exact import lcm, mpq, rational, to_fmpq, to_fmpz
 from exactspline.numbers.intervals import UNIT, Box, ball_around
 from exactspline.numbers.once import cached_property
+from exactspline.polynomials import two_parameters
 from exactspline.polynomials.bernstein import over_common_denominator
 from exactspline.polynomials.factors import factorize, greatest_common_divisor
 from exactspline.polynomials.over_root import OverRoot
@@ -144,13 +145,26 @@ class Quotient:
         terms = [{(int(i), int(j)): int(x) for (i, j), x in p.terms()} for p in (self.top, self.bottom)]
         return _quotient_of, (*terms, self.sides)
 
+    @cached_property
+    def forms(self) -> list[PatchForm]:
+        """Numerator and denominator as forms, up to one positive constant."""
+        return two_parameters.as_forms([self.top, self.bottom])
+
+    @cached_property
+    def slope_forms(self) -> list[PatchForm]:
+        """Both derivatives as forms, up to positive factors."""
+        if self.bottom.is_constant():
+            return [self.forms[0].derivative(k) for k in (0, 1)]
+        return [as_form(p) for p in self.slopes]
+
     def above(self, bound: mpq) -> fmpz_mpoly:
         """A polynomial that is positive where the value is above a bound."""
         return self.top * to_fmpz(bound.denominator) - self.bottom * to_fmpz(bound.numerator)
 
     def excess(self, bound: mpq) -> PatchForm:
         """The polynomial `above` as a form on the patch."""
-        return as_form(self.above(bound))
+        top, bottom = (form.matrix for form in self.forms)
+        return PatchForm(top * to_fmpz(bound.denominator) - bottom * to_fmpz(bound.numerator)).primitive()
 
     def value(self, s: Parameter, t: Parameter) -> Real:
         """The value at two parameters, one of which is rational."""
@@ -175,16 +189,27 @@ class Quotient:
         local, pair = zero.on(UNIT), pair or (zero.isolated.forms if zero.isolated else ())
         return InBalls(partial(_near, self, local), partial(_exactly, self, local, tuple(pair)) if pair else None)
 
+    @cached_property
+    def shared(self) -> fmpz_mpoly:
+        """The common factor of both derivatives."""
+        return greatest_common_divisor(self.slopes)
+
+    @cached_property
+    def coprime(self) -> list[PatchForm]:
+        """The derivatives that are not zero without their common factor."""
+        if self.shared.total_degree() == 0 and all(self.slopes):
+            return self.slope_forms
+        return [as_form(p / self.shared) for p in self.slopes if p]
+
     def critical(self, bound: mpq) -> Critical:
         """The points inside the patch at which both derivatives, not both identically zero, vanish, unless the value is
         above a bound. Raises `ReachError` if this would take too long.
         """
-        shared = greatest_common_divisor(self.slopes)
-        rest, factor = [as_form(p / shared) for p in self.slopes if p], as_form(shared)
+        rest, factor = self.coprime, as_form(self.shared)
         found = zeros_of(rest, not_positive=[self.excess(bound)])
         points = [(zero, rest) for zero in found.zeros if zero.is_inside and not zero.is_zero_of(factor)]
         arcs = list[tuple[fmpz_mpoly, MonotoneArc]]()
-        for base in factorize(shared).bases:
+        for base in factorize(self.shared).bases:
             if as_form(base).sign is None:
                 own, turning = _monotone_arcs(base)
                 pair = [as_form(base), as_form(base.derivative(0) * base.derivative(1))]

@@ -17,7 +17,7 @@ for solving polynomial equations, 2009 (the preconditioning).
 from __future__ import annotations
 
 from collections import deque
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from functools import partial, reduce
 from itertools import combinations, islice
 from typing import NamedTuple
@@ -44,6 +44,8 @@ HALVING, HALVING_BITS = 4000, 500
 SIMPLE_BITS, SIMPLE = 32, 4096
 #: The contraction factor of Krawczyk's operator required for certification.
 KEPT = 3, 4
+#: Half the sides of a box in which a zero near a point is expected.
+NARROW = mpq(1, 1 << 120)
 
 Pair = tuple[PatchForm, PatchForm]
 
@@ -106,6 +108,21 @@ class Isolated:
             sides.append(Interval(max(mpq(0), middle - radius), min(mpq(1), middle + radius)))
         first, second = (_rounded(side.part(local), side) for local, side in zip(sides, box, strict=True))
         return Box(first, second)
+
+
+def only_zero_in(forms: Sequence[PatchForm], box: Box, near: Sequence[mpq]) -> Isolated | None:
+    """The only common zero of two forms in a box or close to it, where it is shown that there is one; it may be near a
+    point.
+    """
+    given = _pair(*forms)
+    region = certified(given, box, PatchForm.part)
+    if region is None:
+        return None
+    zero, (x, y) = Isolated(given, region), near
+    around = Box(Interval(x - NARROW, x + NARROW), Interval(y - NARROW, y + NARROW))
+    if region.contains(around) and (narrow := certified(given, around, PatchForm.part)) is not None:
+        zero._box = narrow
+    return zero
 
 
 class Isolation(NamedTuple):
@@ -258,11 +275,11 @@ def contracting(pair: Pair) -> list[tuple[tuple[fmpz, fmpz], tuple[fmpz, fmpz]]]
     return found
 
 
-def certified(forms: Pair, box: Box) -> Box | None:
+def certified(forms: Pair, box: Box, on: Callable[[PatchForm, Box], PatchForm] = rounded) -> Box | None:
     """A box around this one that is proved to contain exactly one zero, or None."""
     first, second = (side.grown(side.width * MARGIN) for side in box)
     region = Box(first, second)
-    pair = preconditioned(*(rounded(f, region) for f in forms))
+    pair = preconditioned(*(on(f, region) for f in forms))
     if pair is None or not contracting(pair):
         return None
     crossed = all(max(g.edge(k, 0)) < -g.error and g.error < min(g.edge(k, 1)) for k, g in enumerate(pair))

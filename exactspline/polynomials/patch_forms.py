@@ -16,7 +16,7 @@ from typing import NamedTuple
 from flint import fmpz, fmpz_mat, fmpz_poly
 
 from exactspline.numbers.exact import common_divisor, lcm, mpq
-from exactspline.numbers.intervals import UNIT, Box, hull
+from exactspline.numbers.intervals import UNIT, Box, Interval, hull
 from exactspline.polynomials.cost import height_bits
 
 
@@ -271,6 +271,23 @@ def clusters(boxes: Sequence[Box]) -> list[tuple[Box, list[Box]]]:
     return done
 
 
+def not_positive_part(form: PatchForm) -> Box | None:
+    """A box outside of which a form is shown to be positive on the square, made of products of quarters; None where it
+    is positive everywhere.
+
+    >>> not_positive_part(PatchForm.of_net([[-1, 4], [4, 9]]))
+    Box(Interval(0, 1/4), Interval(0, 1/4))
+    """
+    first, second = map(_quarters, form.degree)
+    values = (first * form.matrix * second.transpose()).entries()
+    found = [divmod(k, second.nrows()) for k, x in enumerate(values) if x <= 0]
+    if not found:
+        return None
+    places = [[4 * k // matrix.nrows() for k in own] for own, matrix in zip(zip(*found), (first, second), strict=True)]
+    left, right = (Interval(mpq(min(own), 4), mpq(max(own) + 1, 4)) for own in places)
+    return Box(left, right)
+
+
 # ---- the matrices of all this
 
 
@@ -373,6 +390,12 @@ def _restriction(n: int, a: mpq, b: mpq) -> fmpz_mat:
 
 
 @lru_cache(maxsize=64)
+def _quarters(n: int) -> fmpz_mat:
+    """The matrix to Bernstein coefficients on all quarters, up to one constant."""
+    return fmpz_mat([row for k in range(4) for row in _restriction(n, mpq(k, 4), mpq(k + 1, 4)).table()])
+
+
+@lru_cache(maxsize=64)
 def _restriction_rounded(n: int, a: mpq, b: mpq, bits: int) -> fmpz_mat:
     """The weights with which coefficients over [a, b] are means, times ``2^bits`` and rounded down."""
     bottom = fmpz(int(lcm(a.denominator, b.denominator))) ** n
@@ -400,6 +423,23 @@ def _weights(n: int, x: mpq) -> tuple[fmpz_mat, mpq]:
     """The Bernstein polynomials at x, over a denominator."""
     top, bottom = int(x.numerator), int(x.denominator)
     return fmpz_mat([_padded(fmpz_poly([bottom - top, top]) ** n, n)]), mpq(bottom**n)
+
+
+def jets(forms: Sequence[PatchForm], place: Sequence[int], one: int) -> list[list[list[fmpz]]]:
+    """The values of forms of one degree at a point in units of 1/one and their derivatives, up to second ones in x
+    (rows) and in y, all times one positive constant.
+    """
+    left, right = (_derivatives(n, at, one) for n, at in zip(forms[0].degree, place, strict=True))
+    return [(left * form.matrix * right.transpose()).table() for form in forms]
+
+
+def _derivatives(n: int, x: int, one: int) -> fmpz_mat:
+    """The Bernstein polynomials at x/one with their first and second derivatives, over a denominator."""
+    p, step = fmpz_poly([one - x, x]), fmpz_poly([-one, one])
+    low = p ** max(n - 2, 0)
+    first = low * p if n > 1 else low
+    rows = [first * p if n else first, n * step * first, n * (n - 1) * step * step * low]
+    return fmpz_mat([_padded(row, n) for row in rows])
 
 
 # ---- rounded forms

@@ -358,7 +358,7 @@ def test_what_rounds_is_found(code):
 
 #: Where FLINT's own functions may be called: the doors, and what costs nothing.
 UNBOUNDED = {
-    "geometry/measures/lengths.py: _rooted": "paid for, by degree and bits, where the zeros are apart",
+    "geometry/measures/lengths.py: _Rooted._roots": "paid for, by degree and bits, where the zeros are apart",
     "geometry/measures/integrals.py: Logarithmic.ball": "where the zeros are apart",
     "geometry/measures/integrals.py: _reduced": "after the bound was checked",
     "geometry/measures/integrals.py: integral": "the same",

@@ -3,12 +3,15 @@ is decided, and what is refused.
 """
 
 import pickle
+from itertools import pairwise
 
 import pytest
 from gmpy2 import mpq
+from mpmath import mp
 
 from exactspline import Nurbs, analyse, ask, circle, example
 from exactspline.errors import DomainError, OpenError, ShapeError
+from exactspline.geometry.measures import lengths
 from exactspline.geometry.pairs.regions import Region
 from exactspline.questions.takes import QuestionError
 from tests.campaigns import measures as campaign
@@ -54,6 +57,34 @@ def test_arcs_of_circles():
     assert low.area.closed_form == "π/3"
     with pytest.raises(OpenError):
         _ = low.length.closed_form
+
+
+@pytest.mark.parametrize("weights", [None, (1, 2, 1, 5)], ids=["polynomial", "rational"])
+@pytest.mark.parametrize("near", ["1e-2", "1e-30"])
+def test_quadrature_and_integration_agree(monkeypatch, weights, near):
+    """Also where the speed nearly vanishes; FLINT's integration is used where zeros cannot be told apart."""
+    curve, digits = Nurbs(3, [0] * 4 + [1] * 4, [(0, 0), (1, 1), (near, 1), (1, 0)], weights), []
+    for _ in range(2):
+        digits.append(lengths.length(curve).decimal(40))
+        monkeypatch.setattr(lengths, "separate", lambda p: False)
+    assert digits[0] == digits[1]
+    with mp.workdps(30):
+        assert abs(mp.quad(lambda t: speed(curve, t), mp.linspace(0, 1, 201)) - mp.mpf(digits[0])) < 1e-12
+
+
+def speed(curve, t):
+    """By mpmath, from Bernstein polynomials and their derivatives."""
+    points = [(*(float(w * x) for x in p), float(w)) for p, w in zip(curve.control_points, curve.weights, strict=True)]
+    values = [sum(mp.binomial(3, k) * t**k * (1 - t) ** (3 - k) * p[i] for k, p in enumerate(points)) for i in range(3)]
+    slopes = [
+        sum(
+            3 * mp.binomial(2, k) * t**k * (1 - t) ** (2 - k) * (q[i] - p[i])
+            for k, (p, q) in enumerate(pairwise(points))
+        )
+        for i in range(3)
+    ]
+    x, y, w = values
+    return mp.hypot(*((d * w - slopes[2] * c) / w**2 for c, d in zip((x, y), slopes, strict=False)))
 
 
 def test_regions_with_arcs():

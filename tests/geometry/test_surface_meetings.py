@@ -2,17 +2,19 @@
 
 import pickle
 from contextlib import suppress
+from random import Random
 
 import pytest
 from gmpy2 import mpq
 
 from exactspline import NurbsSurface, Real, TensorSpline, ask, example, square_root
+from exactspline.bivariate import minima
 from exactspline.bivariate.zeros import ZeroKind
 from exactspline.errors import ReachError, ShapeError
 from exactspline.geometry.analysis.ask import questions
 from exactspline.questions.takes import QuestionError
 from tests.campaigns import surface_meetings as campaign
-from tests.support.dials import ALWAYS
+from tests.support.dials import ALWAYS, DIALS
 
 U, V = (TensorSpline((1, 1), [0, 0, 1, 1], [0, 0, 1, 1], rows) for rows in ([[0, 0], [1, 1]], [[0, 1], [0, 1]]))
 X, Y = 2 * U - 1, 2 * V - 1
@@ -40,6 +42,21 @@ def test_a_nearest_point_inside_on_an_edge_and_at_a_corner():
     ]:
         found = ask(plane, f"nearest:{','.join(map(str, point))}")
         assert (places(found), found.squared, found.everywhere) == ([place], squared, ())
+
+
+@pytest.mark.parametrize("dial", ALWAYS)
+def test_boxes_and_elimination_have_the_same_nearest_points(monkeypatch, dial):
+    """Near a point that is found by Newton's method, and without it."""
+    random, answers = Random(dial), []
+    nets = [[[[DIALS[dial](random) for _ in range(3)] for _ in range(3)] for _ in range(3)] for _ in range(4)]
+    weights = [[random.randint(1, 3) for _ in range(3)] for _ in range(3)]
+    for levels in (minima.LEVELS, 0):
+        monkeypatch.setattr(minima, "LEVELS", levels)
+        for net, own in zip(nets, (None, weights) * 2, strict=True):
+            knots = [0, 0, 0, 1, 1, 1]
+            found = NurbsSurface((2, 2), knots, knots, net, own).nearest(net[0][1])
+            answers.append((found.distance.significant(30), [[x.decimal(30) for x in foot] for foot in found.feet]))
+    assert answers[:4] == answers[4:]
 
 
 def test_a_nearest_point_on_a_crease():

@@ -33,7 +33,7 @@ class SurfaceMeetings(CurvatureValues):
         >>> analyse(example("cylinder")).nearest((2, 0, "1/3")).distance
         <Real 1>
         """
-        return surface_meetings.nearest(self.surface, point, self.closed)
+        return surface_meetings.nearest(self.surface, point, lambda: self.closed)
 
     @question(Of.SURFACE, answered=Answered.NUMBERS, on_request=True)
     def bounding_box(self) -> tuple[NamedNumbers, ...]:

@@ -7,7 +7,7 @@ through the line meet the surface.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, field, replace
 from functools import reduce
 from operator import add
@@ -70,8 +70,10 @@ class LineMeeting(OneNumber):
         return f"{self.zero!r} and {self.parameter.shortly()} of the line"
 
 
-def nearest(surface: NurbsSurface, point: Iterable[Number], closed: Sequence[Along] = ()) -> NearestOnSurface:
-    """The points of a surface that are nearest to a point; `closed` are the parameters in which the surface is closed.
+def nearest(
+    surface: NurbsSurface, point: Iterable[Number], closed: Callable[[], Sequence[Along]] = tuple
+) -> NearestOnSurface:
+    """The points of a surface that are nearest to a point; `closed` answers in which parameters it is closed.
 
     >>> from exactspline import example
     >>> found = nearest(example("hyperbolic_paraboloid"), (mpq(0), mpq(0), mpq(3)))
