@@ -1,8 +1,8 @@
 """The multiple points of a curve of zeros and their kinds, decided by exact signs and multiplicities.
 
-At a double point the sign of the Hessian separates nodes and isolated points. Where the Hessian is zero, the point has
-the type A_μ, and μ is the intersection multiplicity of both derivatives: for an even μ there is one branch, a cusp; for
-an odd μ two branches touch, or the point is isolated.
+At a double point the sign of the Hessian distinguishes nodes from isolated points. Where the Hessian is zero, the point
+has the type A_μ, and μ is the intersection multiplicity of both derivatives: for an even μ there is one branch, a cusp;
+for an odd μ two branches touch, or the point is isolated.
 
 Source: Wall, Singular Points of Plane Curves, Cambridge 2004, §2 (types), §6.3 (Milnor number).
 """

@@ -88,7 +88,7 @@ class Image:
 
     def z(self, bits: int) -> arb | None:
         """A ball around ``z = s/(1 − s)``, from a place known to this many bits; None if it is not known to be finite.
-        FLINT's precision is the caller's.
+        The caller sets FLINT's precision.
         """
         return self.by.near(self.place, bits)
 
@@ -244,7 +244,7 @@ class Coordinate(NamedTuple):
         return None if t is None else value((f.top, ONE), f.degree, t) / value((f.bottom, ONE), f.degree, t)
 
     def near(self, bits: int) -> arb:
-        """A ball around the value; FLINT's precision is the caller's."""
+        """A ball around the value; the caller sets FLINT's precision."""
         if (exact := self.exact) is not None:
             return arb(to_fmpq(exact))
         z = self.place.z(bits)

@@ -227,8 +227,8 @@ def without_quadratic_zero(m: fmpz_poly, top: fmpz_poly, bottom: fmpz_poly) -> b
 
 @lru_cache(256)
 def _primes_for(coefficients: tuple[fmpz, ...]) -> Sequence[int]:
-    """The primes, first one modulo which a polynomial has no factor of degree 1 or 2, if there is one. The result is
-    cached, because many values are computed at zeros of the same polynomial.
+    """The primes, beginning with one modulo which a polynomial has no factor of degree 1 or 2, if there is such a
+    prime. The result is cached, because many values are computed at zeros of the same polynomial.
     """
     m = fmpz_poly(list(coefficients))
     good = (prime for prime in PRIMES if not _possible_degrees(m, X, ONE, prime))

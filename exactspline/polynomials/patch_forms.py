@@ -378,8 +378,8 @@ def _elevation(n: int, to: int) -> fmpz_mat:
 
 @lru_cache(maxsize=64)
 def _restriction(n: int, a: mpq, b: mpq) -> fmpz_mat:
-    """The matrix to Bernstein coefficients over [a, b], times the n-th power of the common denominator: blossoms at a
-    and b.
+    """The matrix to Bernstein coefficients over [a, b], times the n-th power of the common denominator. Its entries are
+    blossoms at a and b.
     """
     if a == 0 and b == 1:
         return _identity(n)
@@ -546,7 +546,7 @@ def _restricted(form: PatchForm, box: Box, dropped: int, bits: int) -> fmpz_mat:
     the form have this many bits, and their means are taken with weights that are rounded down.
 
     Each of the two products adds at most a quarter on either side for the weights, and a unit for its own rounding. The
-    rounding of the coefficients of the form adds another unit, which means do not enlarge.
+    rounding of the coefficients of the form adds another unit; taking means does not enlarge it.
     """
     m, n = form.degree
     scale = bits + max(m, n).bit_length() + 4

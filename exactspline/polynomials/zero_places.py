@@ -286,7 +286,7 @@ class Place:
             bits *= 2
 
     def z(self, bits: int) -> arb:
-        """A ball around ``z = t/(1 − t)``, for a parameter below 1; FLINT's precision is the caller's."""
+        """A ball around ``z = t/(1 − t)``, for a parameter below 1; the caller sets FLINT's precision."""
         low, high = self.refine(bits)
         if self._ball is None or self._ball[0] != bits:
             while high == 1:

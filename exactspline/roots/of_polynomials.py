@@ -61,7 +61,7 @@ def check_isolation(p: fmpz_poly, bits: int = 0) -> None:
 
 
 def ball(t: Parameter, digits: int) -> arb:
-    """A ball around a parameter; the precision of FLINT is the caller's."""
+    """A ball around a parameter; the caller sets FLINT's precision."""
     return ball_around(*(t.refine(digits) if isinstance(t, Root) else (t, t)))
 
 

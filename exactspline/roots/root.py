@@ -180,7 +180,7 @@ class LazyRoot:
 class Root(Real, Displayed):
     """One zero of a spline, in the parameter of the spline: an exact real number, and its place on the spline.
 
-    Either `low` = `high` is the root itself, or it is the only root strictly between them and a simple zero of
+    Either `low` and `high` both equal the root, or the root is the only one strictly between them and a simple zero of
     `polynomial`. The interval shrinks when digits are needed (also for comparisons) and stays valid if this is
     interrupted; everything else is immutable.
 
@@ -495,7 +495,7 @@ class Root(Real, Displayed):
 def _restored(
     low: mpq, high: mpq, multiplicities: Any, signs: Any, zero: Zero | None, segment: Interval | None, reached: Interval
 ) -> Root:
-    """Unpickles a root with its current interval."""
+    """The unpickled root, with its current interval."""
     root = Root(low, high, multiplicities, signs, zero, segment)
     root.narrow_to(*reached)
     return root

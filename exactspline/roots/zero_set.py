@@ -193,7 +193,7 @@ class ZeroSet(Immutable, Displayed):
 
 
 def _restored(spline: BSpline, periodic: bool, isolations: Any, roots: Any, jumps: Any, intervals: Any) -> ZeroSet:
-    """Unpickles a zero set, with the current intervals of its roots."""
+    """The unpickled zero set, with the current intervals of its roots."""
     restored = object.__new__(ZeroSet)
     fill(
         restored, spline=spline, periodic=periodic, isolations=isolations, roots=roots, jumps=jumps, intervals=intervals

@@ -316,7 +316,7 @@ def _curve(p: Floats, w: Floats | None) -> Nurbs:
 
 
 def _exact(row: Floats) -> list[mpq]:
-    """The values of doubles, subnormal ones read by their bits."""
+    """The values of doubles; subnormal doubles are read from their bits."""
     values: list[mpq] = from_floats(row.tolist())
     for k in np.flatnonzero(_subnormal(row)).tolist():
         bits = int(row[k : k + 1].view(np.int64)[0])

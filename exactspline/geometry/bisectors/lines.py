@@ -1,5 +1,5 @@
-"""Lines of solutions over one parameter, where the other parameter is a quotient of polynomials in the first or an
-irrational constant: directrix and generator in lowest terms.
+"""Lines of solutions over one parameter: directrix and generator in lowest terms. The other parameter is a quotient of
+polynomials in the first, or an irrational constant.
 """
 
 from __future__ import annotations

@@ -131,8 +131,8 @@ class _Foot:
 
     @cached_property
     def families(self) -> list[tuple[Interval, list[PatchForm]]]:
-        """For every segment of the curve, with the parameter u, ``|D|²`` and ``w(u) (D·a⊥)`` with a common constant
-        factor; for the segment of the foot divided by ``(u − s)²``.
+        """``|D|²`` and ``w(u) (D·a⊥)`` with a common constant factor, for every segment of the curve, with the
+        parameter u. On the segment of the foot both are divided by ``(u − s)²``.
         """
         found = []
         for j, segment in enumerate(self.curve):
@@ -384,8 +384,8 @@ def _has_one_tangent(curve: Nurbs, before: mpq, behind: mpq) -> bool:
 
 
 def _sides(curve: Nurbs, t: mpq | Real) -> list[Nurbs]:
-    """The parts of a curve behind and before a corner at a parameter that have a tangent there; elsewhere the whole
-    curve.
+    """At a corner, the two parts of a curve before and behind the parameter, without parts that have no tangent there;
+    elsewhere the whole curve.
     """
     low, high = curve.domain
     if isinstance(t, Real) or t not in curve.breakpoints[1:-1] or _has_one_tangent(curve, t, t):

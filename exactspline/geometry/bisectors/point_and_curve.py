@@ -63,8 +63,8 @@ class RuledPiece:
 class PointBisector(Bisector):
     """The ruled bisector surface of a point and a space curve.
 
-    ``singular`` are the parameters at which the generator vanishes (the tangent passes through the point, or the curve
-    does, or γ′ = 0), at a knot from one side at least, the seam of a closed curve at its start. ``missing`` are the
+    ``singular`` are the parameters at which the generator vanishes: the tangent or the curve passes through the point,
+    or γ′ = 0. At a knot, one side is enough; the seam of a closed curve is counted at the start. ``missing`` are the
     intervals on which the generator vanishes identically, each with the reason.
     """
 

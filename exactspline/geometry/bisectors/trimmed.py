@@ -393,8 +393,8 @@ class TrimmedPiece:
         return f"<TrimmedPiece: {self.kind}>"
 
     def __call__(self, t: Number) -> tuple[mpq, ...]:
-        """The point at a parameter of the piece; raises `ShapeError` outside it, `ZeroDivisionError` at an end at
-        infinity.
+        """The point at a parameter of the piece; raises `ShapeError` outside the piece, `ZeroDivisionError` at an end
+        at infinity.
         """
         t = rational(t)
         if not self.low <= t <= self.high:

@@ -97,7 +97,7 @@ class Logarithmic:
 
 @dataclass(frozen=True)
 class Term:
-    """``factor · √radicand``, or that times an integral."""
+    """``factor · √radicand``, possibly times an integral."""
 
     factor: mpq
     radicand: int

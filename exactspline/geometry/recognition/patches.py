@@ -194,8 +194,8 @@ class _Fit:
         return x
 
     def shapes(self, x: list[mpfr], middle: Point, size: mpq) -> Iterator[Shape]:
-        """The shape in the coordinates of the points: with simple numbers where it seems to be exact, and with numbers
-        as short as its distance from them allows.
+        """The shape in the coordinates of the points: with simple numbers if it seems to be exact, and with numbers as
+        short as its distance from the points allows.
         """
         left = mpq(self.worst(x))
         largest = max(x[3:6], key=abs)
@@ -358,7 +358,7 @@ def _places(surface: NurbsSurface, patch: Patch) -> list[tuple[mpq, mpq]]:
 
 
 def _proved(surface: NurbsSurface, samples: Sequence[Sample], shape: Shape, limit: mpq) -> mpq | None:
-    """The proved distance, at most a limit."""
+    """The proved distance; None if none below the limit is proved."""
     found = farthest(shape, [x.point for x in samples])
     if found > limit * limit:
         return None

@@ -122,7 +122,7 @@ class Shape(OneLine, ABC):
 
     @abstractmethod
     def margins(self, of: Homogeneous, within: mpq) -> Iterable[Any]:
-        """Functions that are nowhere negative only where a curve or a surface lies within this distance."""
+        """Functions that are nowhere negative only if the whole curve or surface is within this distance."""
 
     def estimate(self, point: Point) -> mpq:
         """The approximate squared distance of a point, with which the search for a proved bound begins."""
@@ -170,7 +170,7 @@ class Line(CurveShape):
         return [(x, bottom) for x in _beside(_from(of, self.point), self.direction)]
 
     def margins(self, of: Homogeneous, within: mpq) -> Iterable[Any]:
-        """Functions that are nowhere negative only where a curve lies within this distance."""
+        """Functions that are nowhere negative only if the whole curve is within this distance."""
         return [_square_margin(self.parts(of), within)]
 
     def advance(self, curve: Nurbs) -> BSpline:
@@ -287,7 +287,7 @@ class Circle(_Round, CurveShape):
         return [part for each in self._in_space for part in each.parts(of)] if self.normal else super().parts(of)
 
     def margins(self, of: Homogeneous, within: mpq) -> Iterable[Any]:
-        """Functions that are nowhere negative only where a curve lies within this distance."""
+        """Functions that are nowhere negative only if the whole curve is within this distance."""
         if not self.normal:
             return super().margins(of, within)
         plane, cylinder = self._in_space
@@ -487,7 +487,7 @@ class Conic(CurveShape):
         return [*own, *Plane(self.point, self.normal).parts(of)] if self.normal else own
 
     def margins(self, of: Homogeneous, within: mpq) -> Iterable[Any]:
-        """Functions that are nowhere negative only where a curve lies within this distance."""
+        """Functions that are nowhere negative only if the whole curve is within this distance."""
         if self.normal:
             yield from Plane(self.point, self.normal).margins(of, within * ACROSS)
             within = within * IN_PLANE

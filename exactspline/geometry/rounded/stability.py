@@ -340,8 +340,8 @@ def _least(rows: dict[mpq, _Row]) -> float:
 
 
 def _best(rows: Sequence[_Row], steps: dict[int, float], distance: float) -> dict[int, float]:
-    """Approximately the steps of at most a distance for which the least of the forms is largest; `rows` are the forms
-    after the given steps.
+    """Steps, none longer than a distance, that make the least of the forms approximately as large as possible; `rows`
+    are the forms after the given steps.
     """
     answers = [{k: copysign(distance, x) for k, x in row.slopes.items()} for row in rows]
     base = [row.height - row.change(steps) for row in rows]
