@@ -42,7 +42,7 @@ def test_naive_counts_of_rational_curves():
     assert set(verdict_for_all("C6.1b", "by Table 1")) == {"PROVED"}
     for what in (
         "determinant D, rational curves",
-        "Di, added as they come, rational",
+        "Di, rows not brought to one denominator, rational",
         "Di, each row first brought to one denominator, rational",
     ):
         assert verdict_for_all("C6.1b", what)[0] == "REFUTED"

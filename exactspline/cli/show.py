@@ -112,7 +112,8 @@ def _print(out: Output, found: list[Statement]) -> None:
         for s in others:
             console.lines(shown, f"{s.claim.key} {s.finding.verdict}: {s.claim.statement}", indent=4, first=2)
     if not out.quiet:
-        console.legend(shown, ["naive", "reduced", *[s.finding.verdict for s in found]])
+        modes = [s.reading for s in spelled if s.reading in ("jet", "spline")]
+        console.legend(shown, ["naive", "reduced", *[s.finding.verdict for s in found], *modes])
 
 
 # ---- errors

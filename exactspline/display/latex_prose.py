@@ -242,7 +242,7 @@ COMMANDS = {
     r"\norm": r"\mathrm{N}",
     r"\bi": r"\mathrm{B}",
 }
-#: Bold letters of Markdown, and an index of HTML.
+#: Bold letters in Markdown, and an index in HTML.
 _MARKED = re.compile(r"\*\*(?P<bold>\w+)\*\*|\b(?P<name>[A-Za-z]\w*)<sub>(?P<index>\w+)</sub>")
 _DROPPED = re.compile(r"\\(?:eqlbl|label|index)\{[^{}]*\}")
 _COMMAND = re.compile(r"\\[A-Za-z]+")

@@ -118,7 +118,7 @@ class Instructions:
         return a if e == 0 else self._put(Instruction("raise", (a,), (e,)), self.degree(a) + e)
 
     def derived(self, name: str, a: int) -> int:
-        """A derivative or the quotient by u, given by its name, of an argument of positive degree."""
+        """A derivative of an argument of positive degree, or its quotient by u; the operation is given by its name."""
         n = self.degree(a)
         return self._put(Instruction(name, (a,), (n,)), n - 1)
 

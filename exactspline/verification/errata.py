@@ -133,7 +133,7 @@ def unrecorded(claims: Iterable[Claim]) -> Iterator[Erratum]:
 
 
 def left_open(sources: Iterable[Paper]) -> Iterator[tuple[Claim, Verdict]]:
-    """Claims of papers whose every claim `errata` decides that neither hold nor fail, with their verdicts.
+    """The undecided claims of the papers all of whose claims `errata` decides, with their verdicts.
 
     >>> from exactspline.papers import named_papers
     >>> list(left_open(named_papers(["levien_parallel_curves"])))

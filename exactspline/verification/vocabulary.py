@@ -43,7 +43,7 @@ class Reason(StrEnum):
 
 
 class Status(StrEnum):
-    """The source of a statement: the paper as printed, the paper as it must be meant, or this project."""
+    """The source of a statement: the paper as printed, a correction of the paper, or this project."""
 
     PRINTED = "printed"
     MEANT = "meant"

@@ -42,7 +42,7 @@ def test_a_near_arc_is_near(large, sweep, rx, ry, error):
     curve = named.curve
     a, b = curve.domain
     assert (curve(a), curve(b), reading.skipped) == ((0, 0), (1, 0.5), ())
-    assert f"nowhere further from it than {'1/1000000000' if error == '1e-9' else error}" in named.notes[0]
+    assert f"within a distance of {'1/1000000000' if error == '1e-9' else error}" in named.notes[0]
     x, y = 1 / rx, 0.5 / ry
     square = x * x + y * y
     offset = sqrt(1 / square - 1 / 4) * (1 if large == sweep else -1)
@@ -91,7 +91,7 @@ def test_conversion_names_what_it_approximates(tmp_path):
     place.write_text(SVG.format('<path d="M0 0A1 1 0 0 1 1 .5"/>'), encoding="utf-8")
     done = run("convert", place, tmp_path / "arc.json", "--approximate", "1e-6")
     assert done.returncode == 0, done.stderr
-    assert "nowhere further from it than 1/1000000" in done.stderr
+    assert "within a distance of 1/1000000" in done.stderr
     assert run("convert", place, tmp_path / "other.json").returncode == 2
 
 
@@ -103,7 +103,7 @@ def test_every_command_that_reads_drawings_approximates(tmp_path):
         assert run(*command).returncode == 2
         done = run(*command, "--approximate", "1e-6")
         assert done.returncode == 0, done.stderr
-        assert "nowhere further from it than 1/1000000" in done.stderr + done.stdout
+        assert "within a distance of 1/1000000" in done.stderr + done.stdout
         assert run(*command, "--approximate", "0").returncode == 2
 
 

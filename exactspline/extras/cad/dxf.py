@@ -272,7 +272,7 @@ def _polyline(values: _Values) -> None:
         raise CurveFileError("all vertices coincide", remedy="a polyline has at least two vertices")
     lift = values.number(38, 0)
     reach = max(sum(map(abs, vertex[:2]), start=mpq(0)) for vertex in vertices)
-    # an arc reaches no further from its chord than the bulge times half its length
+    # the distance of an arc from its chord is at most the bulge times half the length of the chord
     reach *= 2 + 2 * max(abs(vertex[2]) for vertex in vertices)
     plane = values.placed([ZERO, ZERO, lift], mpq(1), reach)
     values.notes += plane.notes

@@ -283,7 +283,7 @@ SVG = "http://www.w3.org/2000/svg"
 FOREIGN = "not drawn: it is, or is inside, an element of another namespace than SVG"
 
 #: The note on an arc that replaces another arc.
-REPLACED = "an arc without rational control points is replaced by one with the same ends, nowhere further from it than"
+REPLACED = "an arc without rational control points is replaced by an arc with the same ends, within a distance of"
 LOSES = "SVG stores no knots: segments are kept, their parameter intervals are not"
 
 

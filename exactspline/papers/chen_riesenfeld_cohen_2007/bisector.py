@@ -210,7 +210,7 @@ def point_middle_normal_polynomial(c):
 
 @formula("eq. (34)", on="point")
 def point_middle_height_polynomial(c):
-    """``½(‖p‖² − w²‖Q‖²)``: the last height of (34) as it must be."""
+    """``½(‖p‖² − w²‖Q‖²)``: the corrected last height of (34)."""
     return (norm2(c.p) - c.w**2 * norm2(c.point)) / 2
 
 

@@ -135,6 +135,7 @@ def test_every_printing_has_the_same_numbers(curve):
         assert sorted(fractions_in(mathematics(scheme))) == sorted(numbers)
         table = sheets(scheme)[0].text(80)
         page = html_page([scheme], "page")
+        assert ("Weights s:" in page) == bool(getattr(scheme, "ratios", ()))
         for x in numbers:
             assert text(x) in table
             top, slash, below = text(abs(x)).partition("/")

@@ -162,10 +162,19 @@ def html_page(schemes: Sequence[Scheme], heading: str) -> str:
     """A printable page."""
     parts = [
         f"<h2>{escape(_title(s))}</h2><p>{escape(_rule(s))}</p>"
-        f'<div class="wide">{mathml.math(scheme_mathml(s), block=True)}</div>{_result_html(s)}'
+        f'<div class="wide">{mathml.math(scheme_mathml(s), block=True)}</div>{_weights_html(s)}{_result_html(s)}'
         for s in schemes
     ]
     return page(heading, f"<h1>{escape(heading)}</h1>{''.join(parts)}", mathml.STYLE)
+
+
+def _weights_html(scheme: Scheme) -> str:
+    """The weights s of the rule, each at the place of its entry."""
+    if isinstance(scheme, ProductTable) or not scheme.ratios:
+        return ""
+    grid = _grid(scheme, ((), *scheme.ratios), mathml.number)
+    rows = [[mathml.name(f"{label[0]}_{label[1:]}"), *rest] for label, _, *rest in grid if any(rest)]
+    return f'<p>Weights s:</p><div class="wide">{mathml.math(mathml.table(rows), block=True)}</div>'
 
 
 def _result_html(scheme: Scheme) -> str:
