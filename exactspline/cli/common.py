@@ -40,7 +40,7 @@ Papers = Annotated[
         "May be repeated.",
     ),
 ]
-Trust = Annotated[bool, Option("--trust", help="Run formulas of your own without checking them first: any Python.")]
+Trust = Annotated[bool, Option("--trust", help="Run your own formulas unchecked: they may be any Python.")]
 Limit = Annotated[
     int | None,
     Option(

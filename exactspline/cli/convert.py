@@ -40,8 +40,8 @@ ToFormat = Annotated[
 ]
 Rounding = Annotated[bool, Option("--round", help="Round numbers that the format cannot hold exactly to doubles.")]
 Only = Annotated[list[str] | None, Option("--only", metavar="NAME", help="Take only this curve; may be repeated.")]
-Degree = Annotated[int | None, Option("--degree", metavar="N", min=0, help="The degree, for a list of points.")]
-Knots = Annotated[str, Option("--knots", metavar="KNOTS", help="All knots, for a list of points.")]
+Degree = Annotated[int | None, Option("--degree", metavar="N", min=0, help="The degree, for files of points only.")]
+Knots = Annotated[str, Option("--knots", metavar="KNOTS", help="All knots, for files of points only.")]
 Snap = Annotated[
     str,
     Option(

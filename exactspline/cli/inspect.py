@@ -49,8 +49,9 @@ Epsilon = Annotated[
     Option(
         "--epsilon",
         metavar="E",
-        help="Also list the features of all curves whose numbers differ by at most E, and those that some may have (of "
-        "surfaces: umbilics), and shapes within E. E is a number, or written: half a unit of the last digit.",
+        help="Also list the features that all curves have whose control points and weights differ by at most E, and "
+        "those that some of these curves may have (of surfaces: the umbilics), and shapes within E. E is a number, or "
+        "the word written: half a unit of the last digit.",
     ),
 ]
 Stability = Annotated[

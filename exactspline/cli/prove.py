@@ -97,8 +97,8 @@ def prove(
     exact: Exact = False,
     fresh: Fresh = False,
 ) -> None:
-    """Decide every claim of a paper: for all curves at once, and exactly on single curves and surfaces. By default
-    these are the curves in the folder of the paper or the example curves.
+    """Decide every claim of a paper: for all curves at once, and exactly on single curves (--curve) and surfaces
+    (--surface), by default on the curves in the folder of the paper or on the example curves.
     """
     from exactspline.atomic_write import write_text
     from exactspline.cli.surfaces import read_surfaces

@@ -69,9 +69,9 @@ Find = Annotated[
         "--find",
         metavar="WHAT",
         help="A question about points, joints or pieces (see `list questions`; an argument follows after a colon, as "
-        "in offset_cusps:1/10), or all: every one without an argument. With --surfaces a question about surfaces, "
-        "also value@1/2,1/3 and the like. May be repeated. [default: inflections, curvature_extrema, corners; all "
-        "about surfaces]",
+        "in offset_cusps:1/10), or all: every such question without an argument. With --surfaces a question about "
+        "surfaces, also value@1/2,1/3 and the like. May be repeated. [default: inflections, curvature_extrema, "
+        "corners; all about surfaces]",
         completion=_inspections,
     ),
 ]
