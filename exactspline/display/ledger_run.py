@@ -160,7 +160,7 @@ class Run:
                     shown.print(ledger(wrong, "Refuted on this curve", self.numbers))
             speaks = [claim.applies_to(c.dimension, c.polynomial, surface=on_surface) for claim in self.claims]
             if silent := [claim for claim, spoken in zip(self.claims, speaks, strict=True) if not spoken]:
-                who = "1 claim says" if len(silent) == 1 else f"{len(silent)} claims say"
+                who = "1 claim does" if len(silent) == 1 else f"{len(silent)} claims do"
                 console.lines(
-                    shown, f"{who} nothing of this {'surface' if on_surface else 'curve'}: {reasons(silent, c)}"
+                    shown, f"{who} not apply to this {'surface' if on_surface else 'curve'}: {reasons(silent, c)}"
                 )

@@ -64,7 +64,7 @@ class Fact(Evidence, Enum):
     DIFFERENT_ZERO_SETS = "different zero sets"
     TWO_SURFACES = "two surfaces"
     OTHER_CURVE = "another curve"
-    OTHER_SIGN = "the other sign"
+    OTHER_SIGN = "it has the other sign"
     HAS_ZERO = "zero"
     NOT_SO = "not so"
     NO_CONTACT = "no contact"

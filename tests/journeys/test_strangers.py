@@ -59,7 +59,7 @@ def test_claims_that_say_nothing_of_a_curve_say_why_and_print_no_table():
     told = invoke("prove", "--claim", "C4.1", "--curve", "twisted_cubic").stdout
     claims = select(["C4.1"])
     plane = sum(claim.curve == "plane" for claim in claims)
-    assert f"{len(claims)} claims say nothing of this curve: {plane} of plane curves" in told
+    assert f"{len(claims)} claims do not apply to this curve: {plane} of plane curves" in told
     assert "statement" not in told
     assert told.rstrip().endswith("no rows")
 
