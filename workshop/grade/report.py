@@ -201,7 +201,7 @@ def _accuracy(reports: Sequence[Report]) -> str:
     """The largest error of right answers, in ulps of the largest coordinate."""
     asked = ("value", "first", "second")
     lines = ["### The largest error among right answers", ""]
-    lines += ["In ulps of the largest coordinate (for derivatives times the factor above).", ""]
+    lines += ["In ulps of the largest coordinate; for derivatives, times the factor in the table above.", ""]
     lines += ["| library | " + " | ".join(asked) + " |", "|---|" + "---:|" * len(asked)]
     for report in reports:
         worst = [
