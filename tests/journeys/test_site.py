@@ -19,7 +19,7 @@ import pytest
 
 from exactspline.papers import papers
 from exactspline.verification.claims import claims_in
-from tests.support.looking import CHROMIUM, PATIENCE, Seen, looked_at, served, started
+from tests.support.looking import CHROMIUM, HELD, PATIENCE, Seen, looked_at, served, started
 from tests.support.page_picture import PAGE, PICTURE, words
 
 ROOT = Path(__file__).parents[2]
@@ -46,10 +46,11 @@ def browser() -> Iterator[Any]:
 
 
 @contextmanager
-def opened(browser: Any, address: str, page: str, width: int = 1280) -> Iterator[Any]:
+def opened(browser: Any, address: str, page: str, script: str = "") -> Iterator[Any]:
     """A page that may ask this host alone, says nothing on its console, and in the end has nothing wrong to be seen."""
     tab = browser.new_page()
-    tab.set_viewport_size({"width": width, "height": 900})
+    tab.add_init_script(script)
+    tab.set_viewport_size({"width": 1280, "height": 900})
     foreign: list[str] = []
     told: list[str] = []
     tab.on("request", lambda r: r.url.startswith((address, "data:", "blob:")) or foreign.append(r.url))
@@ -107,11 +108,11 @@ def curve_tab(opened_once) -> Any:
     return opened_once
 
 
-def test_the_picture_in_the_readme_shows_this_page(browser, address):
+def test_the_picture_in_the_readme_shows_this_page(curve_tab):
     """Before: nothing kept it current. `python -m tests.support.page_picture` takes it anew."""
     image = pytest.importorskip("PIL.Image")
-    with opened(browser, address, PAGE) as tab:
-        assert words(tab) == image.open(PICTURE).text["Description"]
+    assert urlsplit(curve_tab.url).path == f"/{PAGE}"
+    assert words(curve_tab) == image.open(PICTURE).text["Description"]
 
 
 def test_a_dragged_point_is_answered_as_the_library_answers(curve_tab):
@@ -135,6 +136,8 @@ def test_a_dragged_point_is_answered_as_the_library_answers(curve_tab):
 
 def test_the_keyboard_moves_points_and_weights(curve_tab):
     tab = curve_tab
+    # of one segment: with a weight the forms of six take seconds
+    after(tab, lambda: tab.select_option("#examples", label="cubic s"))
     handle = tab.locator("circle.handle").nth(1)
     handle.focus()
     after(tab, lambda: handle.press("ArrowUp"))
@@ -210,7 +213,7 @@ def test_a_formula_that_is_typed_is_reduced(browser, address):
 
 
 def test_the_ledger_is_whole_and_found_in(browser, address):
-    with opened(browser, address, "play/claims.html") as tab:
+    with opened(browser, address, "play/claims.html", HELD) as tab:
         tab.wait_for_selector("details")
         assert tab.locator("#count").inner_text().split()[0] == str(len(claims_in(papers())))
         tab.fill("#search", "C4.2b")
@@ -259,14 +262,6 @@ def test_de_boors_page_follows_the_point_multiplies_and_refines(browser, address
         assert shown(tab, "triangle") == in_this_python("triangle", {"curve": finer, "share": "21/60"})
 
 
-#: In a page: the library does not start; its questions wait until they are answered from here.
-HELD = """
-window.asked = [];
-window.Worker = class {
-  constructor() { window.worker = this; }
-  postMessage(message) { window.asked.push(message); }
-};
-"""
 #: Whether a question was asked more than some times.
 ASKED = "([name, times]) => window.asked.filter(({ question }) => question === name).length > times"
 #: What is dimmed, in order: the names of elements, and the layers of pictures.
@@ -472,7 +467,7 @@ def test_the_front_page_opened_as_a_file_says_what_to_do(browser):
 
 def test_a_page_has_more_than_one_frame(browser, address):
     """The second script of a page declared a name again, and nothing stood in its place."""
-    with opened(browser, address, "first-hour.html") as tab:
+    with opened(browser, address, "first-hour.html", HELD) as tab:
         pages = [frame.get_attribute("src") for frame in tab.locator("iframe").all()]
         assert [urlsplit(page).path.rpartition("/")[2] for page in pages] == ["curve.html", "de-boor.html"]
         frame = tab.frame_locator("iframe >> nth=1")

@@ -24,6 +24,14 @@ BY_COLOUR = ("poorContrast", "strangeGrounds")
 ONCE = ("formulaErrors", "texAsText", "machineReprs", "withoutAlternative")
 CHECKS = (*ONCE, *BY_WIDTH, *BY_COLOUR, "links")
 PATIENCE = 120_000
+#: In a page: the library does not start; its questions wait in `asked`, to be answered by hand.
+HELD = """
+window.asked = [];
+window.Worker = class {
+  constructor() { window.worker = this; }
+  postMessage(message) { window.asked.push(message); }
+};
+"""
 #: What waits for a page (a tab, and the path of the page) and opens what is folded.
 Ready = Callable[[Any, str], None]
 
@@ -113,6 +121,8 @@ def _context(browser: Any) -> Any:
     size = {"width": WIDE, "height": HEIGHT}
     context = browser.new_context(reduced_motion="reduce", viewport=size, color_scheme="light")
     context.set_default_timeout(PATIENCE)
+    # pages show their first answers without it
+    context.add_init_script(HELD)
     return context
 
 
