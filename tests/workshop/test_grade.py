@@ -330,7 +330,7 @@ def test_the_page_tells_everything(tmp_path):
     written = page([report], [defect], [case, CASES["named geomdl-135"]], [("a", "box", "why")])
     assert "ValueError: no" in written
     assert "- a, box: why" in written
-    assert "value 0 of 1 right (1 crashed)" in written
+    assert "Of 1 answer to *value* 0 are right and 1 crashed." in written
     assert "| scipy 1.0 | 2 | 1 | 0 | 0 | 0 | 1 | 0 | 0 |" in written
     assert PICTURE in written
     assert all(each in written for each in DOCUMENTED.values())
@@ -380,7 +380,7 @@ RESULTS = Path(__file__).resolve().parents[2] / "docs" / "measurements.md"
 @pytest.mark.skipif(not RESULTS.exists(), reason="the documents are in the checkout only")
 def test_the_page_says_what_is_asked_today():
     text = " ".join(RESULTS.read_text(encoding="utf-8").split())
-    assert f"{sum(1 for _ in all_cases())} cases (version {VERSION}:" in text
+    assert f"{sum(1 for _ in all_cases())} cases of version {VERSION} (" in text
     assert all(f"| {q.name} | {q.meaning} | {q.allowed} |" in text for q in QUESTIONS.values())
     assert all(named.link in text for named in REPORTED)
     assert all(f"| {library} " in text for library in LIBRARIES)

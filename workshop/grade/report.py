@@ -77,17 +77,32 @@ COLOURS = {
     TOLERATED: SKY,
 }
 
+#: What is said of one answer, and of several answers, with an outcome.
+VERBS = {
+    RIGHT: ("is right", "are right"),
+    OFF: ("has a wrong value", "have a wrong value"),
+    MISSED: ("lacks a parameter", "lack a parameter"),
+    INVENTED: ("invents a parameter", "invent a parameter"),
+    CRASHED: ("crashed", "crashed"),
+    DECLINED: ("was declined", "were declined"),
+    LATE: ("timed out", "timed out"),
+    TOLERATED: ("is tolerated", "are tolerated"),
+}
+
 #: What of a page `placed` replaces lies between these marks.
 BEGIN, END = "<!-- written by ./run grade --page -->", "<!-- end of what ./run grade writes -->"
 
-HEAD = """Answers of {libraries} libraries about curves on which code in doubles goes wrong: {cases} of {all} cases
-(version {version}: {families}), {questions} questions, {answers} answers compared (`./run grade --page
-docs/measurements.md{share}`). Every exact answer has a certificate that an independent checker
-(`workshop/grade/recheck.py`, `exactspline/certificates`) accepted in this run; {uncertified} without a certificate
-is not used. A library gets only the questions that its public functions answer for the given curve
-(`workshop/grade/adapters`: one file per library), with the tolerance of the question (below). *Declined*: the library
-reports that it has no answer. *Timed out*: no answer within {patience} s of processor time. *Tolerated*: missed or
-invented within the limits that the library documents:
+HEAD = """{libraries} libraries answered {questions} questions about curves on which code in doubles goes wrong: {cases}
+of the {all} cases of version {version} ({families}). Compared are {answers} answers (`./run grade --page
+docs/measurements.md{share}`). An exact answer is used only if an independent checker (`workshop/grade/recheck.py`,
+`exactspline/certificates`) accepted its certificate in this run; {uncertified} had none and is not used. A library gets
+only the questions that its public functions answer for the given curve (`workshop/grade/adapters`: one file per
+library), with the tolerance of the question (below).
+
+- *Missed*: the answer lacks a true parameter. *Invented*: the answer has a parameter that is not true.
+- *Declined*: the library reports that it has no answer. *Timed out*: the library takes more than {patience} s of
+  processor time.
+- *Tolerated*: a parameter is missed or invented within the limits that the library documents:
 
 {documented}
 
@@ -182,12 +197,19 @@ def _scores(reports: Sequence[Report]) -> str:
         others = list[str]()
         for question in QUESTIONS:
             found = Counter(one.verdict.outcome for one in report.judged if one.question == question)
-            rest = ", ".join(f"{found[o]} {o}" for o in OUTCOMES if o != RIGHT and found[o])
+            rest = [_said(o, found[o]) for o in OUTCOMES if o != RIGHT and found[o]]
             if rest:
-                others.append(f"{question} {found[RIGHT]} of {found.total()} right ({rest})")
+                told = ", ".join([_said(RIGHT, found[RIGHT]), *rest[:-1]])
+                others.append(f"Of {counted(found.total(), 'answer')} to *{question}* {told} and {rest[-1]}.")
         if others:
-            lines.append(f"- **{report.library}**: {'; '.join(others)}.")
+            lines.append(f"- **{report.library}**: {' '.join(others)}")
     return "\n".join([*lines, ""])
+
+
+def _said(outcome: str, times: int) -> str:
+    """How many answers have an outcome, with a verb."""
+    one, several = VERBS[outcome]
+    return f"{times} {one if times == 1 else several}"
 
 
 def _meanings() -> str:
@@ -201,7 +223,10 @@ def _accuracy(reports: Sequence[Report]) -> str:
     """The largest error of right answers, in ulps of the largest coordinate."""
     asked = ("value", "first", "second")
     lines = ["### The largest error among right answers", ""]
-    lines += ["In ulps of the largest coordinate; for derivatives, times the factor in the table above.", ""]
+    lines += [
+        "The errors are in ulps of the largest coordinate; those of derivatives are divided by the factor in the table above.",
+        "",
+    ]
     lines += ["| library | " + " | ".join(asked) + " |", "|---|" + "---:|" * len(asked)]
     for report in reports:
         worst = [
@@ -217,8 +242,8 @@ def _defects(defects: Sequence[Defect]) -> str:
     for defect in defects:
         one = defect.example
         note = " ".join((one.verdict.note or _ulps(one.verdict.ulps)).split())[:160]
-        what = f"{defect.question}: {defect.outcome} {counted(defect.times, 'time')}"
-        lines.append(f"- **{defect.library}**, {what}. {_curve(one)}: {note}")
+        what = f"of the answers to *{defect.question}*, {_said(defect.outcome, defect.times)}"
+        lines.append(f"- **{defect.library}**: {what}. Example: {_curve(one)}: {note}.")
     return "\n".join([*lines, ""])
 
 
@@ -228,7 +253,7 @@ def _curve(one: Judged) -> str:
     inner = [t for t in curve.knots if curve.domain[0] < t < curve.domain[1]]
     knots = f", knots inside {' '.join(map(_short, inner))}" if inner else ""
     weights = "" if curve.polynomial else f", weights {' '.join(map(_short, curve.weights))}"
-    return f"Degree {curve.degree}, {points}{knots}{weights}, t = {_short(one.case.parameter)}"
+    return f"degree {curve.degree}, {points}{knots}{weights}, t = {_short(one.case.parameter)}"
 
 
 def _short(x: mpq) -> str:
