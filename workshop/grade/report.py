@@ -199,8 +199,8 @@ def _scores(reports: Sequence[Report]) -> str:
             found = Counter(one.verdict.outcome for one in report.judged if one.question == question)
             rest = [_said(o, found[o]) for o in OUTCOMES if o != RIGHT and found[o]]
             if rest:
-                told = ", ".join([_said(RIGHT, found[RIGHT]), *rest[:-1]])
-                others.append(f"Of {counted(found.total(), 'answer')} to *{question}* {told} and {rest[-1]}.")
+                listed = ", ".join([_said(RIGHT, found[RIGHT]), *rest[:-1]])
+                others.append(f"Of {counted(found.total(), 'answer')} to *{question}* {listed} and {rest[-1]}.")
         if others:
             lines.append(f"- **{report.library}**: {' '.join(others)}")
     return "\n".join([*lines, ""])
@@ -223,10 +223,8 @@ def _accuracy(reports: Sequence[Report]) -> str:
     """The largest error of right answers, in ulps of the largest coordinate."""
     asked = ("value", "first", "second")
     lines = ["### The largest error among right answers", ""]
-    lines += [
-        "The errors are in ulps of the largest coordinate; those of derivatives are divided by the factor in the table above.",
-        "",
-    ]
+    unit = "The errors are in ulps of the largest coordinate; those of derivatives are divided by the factor"
+    lines += [f"{unit} in the table above.", ""]
     lines += ["| library | " + " | ".join(asked) + " |", "|---|" + "---:|" * len(asked)]
     for report in reports:
         worst = [
