@@ -16,6 +16,7 @@ from pathlib import Path
 import pytest
 
 import exactspline as xs
+from exactspline import language
 from exactspline.geometry.analysis.registry import REGISTRY
 from exactspline.geometry.derived.constructions import all_constructions
 from exactspline.hooks import DERIVED, LENT, QUESTIONS, first_guesses
@@ -220,8 +221,11 @@ def remedies():
 
 
 def test_every_call_in_a_remedy_is_there():
-    """Of the front door, or of a curve, a function or their classes, also where ``exactspline.`` is not written."""
-    things = {"curve": xs.example("circle"), "exactspline": xs, **{name: getattr(xs, name) for name in xs.__all__}}
+    """Of the front door, of the language of formulas, or of a curve, a function or their classes, also where
+    ``exactspline.`` is not written.
+    """
+    things = {"curve": xs.example("circle"), "exactspline": xs}
+    things |= {name: getattr(owner, name) for owner in (language, xs) for name in owner.__all__}
     found = [(place, call) for place, text in remedies() for call in ANY_CALL.findall(text) if call not in FOREIGN]
     assert len(found) > 15
     for place, call in found:
