@@ -453,8 +453,7 @@ def zero_at(form: Polynomial, factor: Polynomial, a: Fraction, b: Fraction) -> b
     """
     if a == b:
         return restricted(form, a, b)[0] == 0
-    common = common_divisor(form, factor)
-    return len(common) > 1 and changes_sign(common, a, b)
+    return changes_sign(common_divisor(form, factor), a, b)
 
 
 def common_divisor(p: Polynomial, q: Polynomial) -> Polynomial:
@@ -472,6 +471,6 @@ def common_divisor(p: Polynomial, q: Polynomial) -> Polynomial:
             for i, x in enumerate(q):
                 rest[shift + i] -= top * x
             rest = trimmed(rest[:-1])
-        size = gcd(*rest) or 1
+        size = gcd(*rest)
         p, q = q, [x // size for x in rest]
     return p

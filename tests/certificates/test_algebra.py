@@ -10,6 +10,8 @@ from flint import fmpz_mat
 
 from exactspline.certificates.elimination import (
     at_height,
+    changes_sign,
+    common_divisor,
     determinant,
     has_one_root,
     integral,
@@ -19,6 +21,7 @@ from exactspline.certificates.elimination import (
     quotient_by,
     quotient_over,
     remainder_of,
+    require_place,
     sheared,
     sign_at_root,
     sign_over,
@@ -29,7 +32,9 @@ from exactspline.certificates.elimination import (
     trimmed,
     value_of,
     value_over,
+    zero_at,
 )
+from exactspline.certificates.numbers import CertificateError
 from exactspline.certificates.zero_curves import NODE, POINT, extremes, kind_by_hessian, net_product, on_line
 from exactspline.certificates.zeros import product_of
 
@@ -254,3 +259,60 @@ def test_polynomials_over_a_root(seed):
     scaled = integral(flat)
     assert all(isinstance(c, int) for c in scaled)
     assert all(c * value_of(flat, Fraction(1)) == d * value_of(scaled, 1) for c, d in zip(scaled, flat, strict=False))
+
+
+# ---- places of zeros of forms Σ c_i (1 − t)ⁿ⁻ⁱ tⁱ, which vanish where the polynomial does at t/(1 − t)
+
+
+#: A form with the zeros t = 1/2 and 3/4, and leaves that have one of them inside and the other at an end.
+TWO_ZEROS = [3, -4, 1]
+FIRST, SECOND, WIDE = ("0", "3/4"), ("1/2", "1"), ("0", "5/8")
+
+
+@pytest.mark.parametrize(("leaf", "place", "flaw"), [
+    (("1/2", "1/2"), ("1/2", "1/2"), None), (("1/2", "1/2"), ("3/4", "3/4"), "another place"),
+    (("1/2", "1/2"), ("1/4", "3/4"), "another place"), (SECOND, ("3/4", "3/4"), None), (FIRST, ("1/2", "1/2"), None),
+    (SECOND, ("1/2", "1/2"), "not the zero"), (FIRST, ("3/4", "3/4"), "not the zero"),
+    (SECOND, ("5/8", "5/8"), "not the zero"), (SECOND, ("1/4", "1/4"), "not the zero"),
+    (SECOND, ("5/8", "7/8"), None), (SECOND, ("5/8", "1"), None), (WIDE, ("0", "5/8"), None),
+    (SECOND, ("5/8", "3/4"), "without the zero"), (SECOND, ("3/4", "7/8"), "without the zero"),
+    (SECOND, ("1/2", "7/8"), "without the zero"), (SECOND, ("1/4", "7/8"), "outside the leaf"),
+    (FIRST, ("1/4", "7/8"), "outside the leaf"), (SECOND, ("7/8", "5/8"), "outside the leaf"),
+])  # fmt: skip
+def test_a_place_has_the_zero_of_its_leaf_and_no_other(leaf, place, flaw):
+    zero = (*map(Fraction, leaf), TWO_ZEROS, 1, (1, -1))
+    if flaw is None:
+        require_place(zero, *map(Fraction, place))
+    else:
+        with pytest.raises(CertificateError, match=flaw):
+            require_place(zero, *map(Fraction, place))
+
+
+@pytest.mark.parametrize(("form", "low", "high", "expected"), [
+    ([-1, 1], 0, 1, True), ([1, -1], 0, 1, True), ([0, 1], 0, 1, False), ([1, 0], 0, 1, False), ([1, 1], 0, 1, False),
+    (TWO_ZEROS, "1/4", "5/8", True), (TWO_ZEROS, "1/4", "7/8", False), ([3], 0, 1, False),
+])  # fmt: skip
+def test_a_form_changes_its_sign_between_two_parameters(form, low, high, expected):
+    assert changes_sign(form, Fraction(low), Fraction(high)) is expected
+
+
+@pytest.mark.parametrize(("form", "factor", "low", "high", "expected"), [
+    ([-2, 1], [4, 0, -1], "2/3", "2/3", True), ([-2, 1], [4, 0, -1], "1/2", "1/2", False),
+    ([-2, 1], [4, 0, -1], "1/2", "1", True), ([-3, 1], [4, 0, -1], "1/2", "1", False),
+    # a zero in common, but not the one in the interval
+    ([-5, 1], [10, -7, 1], "1/2", "3/4", False), ([-5, 1], [10, -7, 1], "3/4", "1", True),
+    ([0, 0], [-2, 1], "1/2", "1", True),
+])  # fmt: skip
+def test_a_form_vanishes_at_the_zero_of_a_factor_that_is_in_an_interval(form, factor, low, high, expected):
+    assert zero_at(form, factor, Fraction(low), Fraction(high)) is expected
+
+
+@pytest.mark.parametrize(("p", "q", "expected"), [
+    ([-1, 0, 0, 1], [-1, 1], [-1, 1]), ([-1, 1], [-1, 0, 0, 1], [-1, 1]), ([2, -3, 1], [3, -4, 1], [-1, 1]),
+    ([1, 1], [2, 1], [1]), ([], [4, 2], [4, 2]), ([4, 2, 0], [0], [4, 2]), ([0], [], []),
+    ([-6, 11, -6, 1], [4, -5, 1], [-1, 1]), ([6, 5, 1, 0], [3, 4, 1], [3, 1]),
+])  # fmt: skip
+def test_a_common_divisor_is_one_up_to_a_constant(p, q, expected):
+    found = common_divisor(p, q)
+    assert len(found) == len(expected)
+    assert all(x * expected[0] == y * found[0] for x, y in zip(found, expected, strict=True))
