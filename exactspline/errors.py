@@ -103,7 +103,7 @@ def nearest(name: str, known: Iterable[str], *, listed_by: str = "") -> str:
     'the nearest is C8; `exactspline show` lists all'
     """
 
-    if not isinstance(name, str):  # whatever was written for a name
+    if not isinstance(name, str):  # an object of any type may have been given as a name
         return "names are text" + (f"; `{command_name()} {listed_by}` lists all" if listed_by else "")
     near = _likest(name.lower(), list(dict.fromkeys(known)))
     hint = f"the nearest {'is' if len(near) == 1 else 'are'} {', '.join(near)}" if near else "there are none"

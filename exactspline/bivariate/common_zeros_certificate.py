@@ -33,8 +33,8 @@ from exactspline.splines.tensor import TensorSpline
 BITS, BOXES = (1, 2, 3, 4, 6, 8, 12, 16, 24, 32, 48, 64, 96, 128, 192, 256), 20_000
 #: The largest product of the degrees of two functions whose multiple zeros are proved (a few seconds to check).
 DEGREES = 150
-#: The bits of the smaller coefficient of a combination of two functions; in a small region more by its own bits, and
-#: on boxes more where the fewer do not suffice.
+#: The bits of the smaller coefficient of a combination of two functions: the first number, in a region with its own
+#: bits added; on boxes the second number, too, if the first does not suffice.
 SHORT, LONG = 16, 64
 REMEDY = "ask for the points; they are exact also without a certificate"
 

@@ -46,7 +46,8 @@ from exactspline.roots.vanishing import vanish_at
 #: The bits of the cells that are tried where the Hessian is regular.
 CELL_BITS = (6, 8, 10, 14, 20, 30, 44)
 #: The sizes of other boxes that are tried: bits across the curve and along it, the widest first, since branches that
-#: touch are close to each other at the sides of a narrow box; on narrow patches very narrow boxes are wide.
+#: touch are close to each other at the sides of a narrow box. The last sizes are for patches that are themselves
+#: narrow.
 SIZES = sorted(((m, n) for m in (*range(2, 20), 32, 64) for n in (*range(m, 40), 100, 200, 400, 800)), key=sum)
 
 

@@ -23,7 +23,8 @@ COMBINED, COMBINED_PRIMES = 1500, 10
 #: further nanosecond (measured: 60 to 160, and 150); and the number of coefficients for which this is counted, because
 #: most have the denominator of an earlier one.
 RATIO, RATIO_BITS, RATIOS = 160, 128, 4
-#: Nanoseconds per product in a field and square of its degree, and per bit of the coefficients (measured: half of it).
+#: Nanoseconds per product in a field and square of its degree, and per bit of the coefficients (measured: half of
+#: these).
 PRODUCT, PRODUCT_BITS = 4000, 4
 
 

@@ -209,8 +209,8 @@ class Facts(Remembers):
     # ---- forms
 
     def zero_form(self, name: str, variant: Variant | str = Variant.MINIMAL) -> ZeroForm:
-        """The form of a zero-set construction, with the sign it has for a positive weight function, and its certified
-        zeros; raises `ShapeError` for a curve of another dimension.
+        """The form of a zero-set construction, and its certified zeros; the sign of the form is that for a positive
+        weight function. Raises `ShapeError` for a curve of another dimension.
         """
         if isinstance(name, str) and isinstance(variant, str) and (name, variant) in self._known:
             known: ZeroForm = self._known[name, variant]

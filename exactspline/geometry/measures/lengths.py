@@ -33,7 +33,8 @@ WHAT = "the arc length"
 MOST_WORK = 4_000_000
 #: From this number of bits on a parameter is first computed with half of them; and the number of bits lost by this.
 FIRST_BITS, MARGIN = 200, 35
-#: The number of points of a quadrature is a multiple of this, one of few; the largest half axis of its ellipse.
+#: The number of points of a quadrature is a multiple of this, so that few different rules occur; and the largest half
+#: axis of its ellipse.
 STEP, LARGEST = 8, 16
 #: A segment: the common factor g of the components of γ′, h, and w, with ``‖γ′‖ = |g| √h / w²`` and h > 0.
 Speed: TypeAlias = tuple[fmpq_poly, fmpq_poly, fmpq_poly]
@@ -85,7 +86,7 @@ def length_between(curve: Nurbs, first: mpq | Real, second: mpq | Real) -> Real:
     """
     low, high = sorted((exact_place(first), exact_place(second)), key=real)
     for t in (low, high):
-        evaluate(curve, t)  # it is in the domain
+        evaluate(curve, t)  # an error outside the domain
     if isinstance(low, Real) or isinstance(high, Real):
         return InBalls(partial(_length_ball, curve, low, high))
     return length(curve.restrict(low, high)) if low < high else Real(0)

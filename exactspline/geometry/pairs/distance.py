@@ -247,7 +247,7 @@ class _Search:
                 if squared.enclosure(self.digits).low <= self.bound:
                     self.arcs.append((_overlap(factor, arc, forms.sides), squared))
         except ReachError:
-            pass  # named below
+            pass  # the segments are added to `undecided` below
         if undecided:
             self.undecided.append(f"the points inside the segments over {first} and {second}")
             least = forms.least(undecided, self.bound)

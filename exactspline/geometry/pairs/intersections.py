@@ -154,7 +154,7 @@ class Intersections(Answer[Intersection, Overlap], Displayed):
 
     def certificate(self) -> dict[str, object]:
         """A proof, as JSON data with exact strings, that these are all common points, with their multiplicities (see
-        `exactspline.certificates`). The proof exists for two plane curves without arcs in common.
+        `exactspline.certificates`). Only two plane curves without arcs in common have such a proof.
 
         >>> from exactspline import Nurbs, check_certificate
         >>> first, second = (Nurbs(1, [0, 0, 1, 1], [(0, y), (1, 1 - y)]) for y in (0, 1))

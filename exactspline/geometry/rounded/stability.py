@@ -50,7 +50,8 @@ FORMS: dict[int, dict[FeatureKind, tuple[str, int]]] = {
 DISTANCES = tuple(mpq(m, 8) * mpq(2) ** e for e in range(-60, 0) for m in (8, 10, 12, 14))
 #: The number of places between two zeros of a form at which it is raised above zero, and of places beyond these zeros.
 PLACES, BESIDE = 10, 2
-#: The distances tried for this grow by this factor, from the least one that may be large enough; and their number.
+#: To raise a form, distances are tried that begin with the least one that may be large enough: the factor by which each
+#: exceeds the previous one, and their number.
 STEP, MOST_STEPS = mpq(9, 8), 26
 #: Rounds of the game by which a linear program is solved, and the fractions of its solution that are tried.
 ROUNDS = 120
