@@ -15,7 +15,21 @@ from exactspline.display.plot import PlotError
 from exactspline.errors import FormulaError
 from exactspline.papers import find
 from exactspline.tables import surface_pair
-from workshop.bench import alone, features, forms, inline, inputs, memory, peers, picture, row, splines, sweeps, table
+from workshop.bench import (
+    alone,
+    features,
+    forms,
+    inline,
+    inputs,
+    measures,
+    memory,
+    peers,
+    picture,
+    row,
+    splines,
+    sweeps,
+    table,
+)
 from workshop.bench.__main__ import main
 from workshop.bench.row import OURS, Options, Row, bounded, compared
 
@@ -184,6 +198,15 @@ def test_a_section_that_breaks_off_does_not_lose_the_others(monkeypatch):
     first, broken, last = table.rows(["roots", "splines"], Options())
     assert (first.value, last.value) == (1, 2)
     assert (broken.value, broken.met, broken.note) == (None, False, "RuntimeError: a peer has failed")
+
+
+def test_lengths_distances_and_deviations_are_those_of_scipy(monkeypatch):
+    monkeypatch.setattr(row, "ROUNDS", 1)
+    for name in ("CURVES", "PATCHES", "PAIRS"):
+        monkeypatch.setattr(measures, name, 2)
+    notes = {(each.case[:3], each.peer): each.note for each in measures.measure_rows(Options())}
+    errors = [float(notes[case, "scipy"].split()[-1]) for case in ("len", "nea", "how")]
+    assert all(error <= most for error, most in zip(errors, (1e-12, 1e-8, 2e-2), strict=True))
 
 
 def test_sections_are_known_by_name():

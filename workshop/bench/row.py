@@ -29,6 +29,8 @@ PEERS = {
     "Open CASCADE": ("cadquery-ocp-novtk", "OCP"),
     "geomdl": ("geomdl", "geomdl"),
     "scipy": ("scipy", "scipy"),
+    "kurbopy": ("kurbopy", "kurbopy"),
+    "fontTools": ("fonttools", "fontTools"),
     "dask": ("distributed", "distributed"),
     "numpy": ("numpy", "numpy"),
     "matplotlib": ("matplotlib", "matplotlib"),

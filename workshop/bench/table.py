@@ -8,6 +8,7 @@ from exactspline.display.sheet import Sheet
 from exactspline.errors import FormulaError, nearest
 from workshop.bench.features import feature_rows, linear_rows
 from workshop.bench.forms import form_rows, growth_rows
+from workshop.bench.measures import measure_rows
 from workshop.bench.memory import memory_rows
 from workshop.bench.roots import root_rows
 from workshop.bench.row import OURS, Options, Row, Section
@@ -21,6 +22,7 @@ SECTIONS: dict[str, Section] = {
     "forms": form_rows,
     "roots": root_rows,
     "splines": spline_rows,
+    "measures": measure_rows,
     "growth": growth_rows,
     "linear": linear_rows,
     "commands": command_rows,
