@@ -263,7 +263,7 @@ def _at_right(isolation: Isolation | None) -> _End:
 def zeros(f: BSpline, *, periodic: bool = False) -> ZeroSet:
     """All zeros of a spline on its domain, with proof of completeness.
 
-    With `periodic` the two ends of the domain are treated as one knot like any other, reported at the start.
+    With `periodic` the two ends of the domain are one knot, like any other knot; a zero there is reported at the start.
 
     >>> f = BSpline(1, [0, 0, 1, 2, 3, 3], [1, -1, 0, 0])
     >>> found = zeros(f)

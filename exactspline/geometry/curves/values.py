@@ -89,7 +89,7 @@ def direction_at(curve: Nurbs, place: mpq | Real, side: Side | str = Side.RIGHT,
 
 
 def curvature(curve: Nurbs, t: Number | Real, side: Side | str = Side.RIGHT) -> Real:
-    """The curvature of a curve at a parameter, at a knot the limit from this `side`. It is signed in the plane and in
+    """The curvature of a curve at a parameter; at a knot, the limit from this `side`. It is signed in the plane and in
     the plane z = 0 of space (positive where the curve turns left); in space it is not negative.
 
     >>> from exactspline import Nurbs, zeros

@@ -191,11 +191,11 @@ class Derived(Written):
 def derive(what: str | Formula, curve: Nurbs, variant: Variant | str = Variant.MINIMAL) -> Derived:
     """A construction or a formula on a curve.
 
-    `what` is the name of a construction (``evolute`` of a plane curve; of a space curve ``focal_curve``, the centres of
-    its osculating spheres, ``circle_centres``, the centres of its osculating circles, ``torsion``, …), a formula, or
-    the name of a formula (``f2``, ``g0``, …). The result is in lowest terms unless another variant is requested; the
-    variant ``naive`` of a formula is the formula as written. Where an object does not exist (the evolute of a straight
-    piece), the other pieces are returned and the missing intervals listed.
+    `what` is the name of a construction, a formula, or the name of a formula (``f2``, ``g0``, …). Constructions are for
+    instance the ``evolute`` of a plane curve, and the ``torsion``, ``focal_curve`` (centres of osculating spheres) and
+    ``circle_centres`` (centres of osculating circles) of a space curve. The result is in lowest terms unless another
+    variant is requested; the variant ``naive`` of a formula is the formula as written. Where an object does not exist
+    (the evolute of a straight piece), the other pieces are returned and the missing intervals listed.
 
     >>> from exactspline.interchange.examples import example
     >>> derive("evolute", example("circle"))("1/2")

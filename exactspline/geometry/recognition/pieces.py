@@ -200,7 +200,7 @@ def recognized(curve: Nurbs, epsilon: Number | None = None) -> tuple[RecognizedP
     >>> recognized(rounded, "1e-9")[0].shape.kind.value
     'ellipse'
 
-    Raises `ShapeError` for a curve that is neither in the plane nor in space and for an epsilon that is not positive.
+    Raises `ShapeError` for a curve that is neither in the plane nor in space, and for an epsilon that is not positive.
     Theory: docs/rounded-input.md.
     """
     given = curve_of(curve)

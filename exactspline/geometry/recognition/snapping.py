@@ -52,8 +52,8 @@ def snapped(curve: Nurbs, kinds: Collection[ShapeKind | str] = KINDS, epsilon: N
     >>> print(found.replaced[0].shape, found.replaced[0].within < mpq(1, 10**5))
     circle: centre (0, 0), radius 1 True
 
-    Raises `ShapeError` for a curve that is neither in the plane nor in space or jumps, for another kind of shape and
-    for an epsilon that is not positive.
+    Raises `ShapeError` for a curve that jumps, for one that is neither in the plane nor in space, for another kind of
+    shape, and for an epsilon that is not positive.
     """
     given, requested = curve_of(curve), checked_kinds(kinds)
     replaced, kept = dict[mpq, RecognizedPiece](), list[RecognizedPiece]()
