@@ -5,9 +5,9 @@ for each of them. The square is halved repeatedly, as the certificate says. On e
 the functions has Bernstein coefficients of one strict sign, or the box is inside the region of a zero.
 
 In the region of a simple zero the Jacobian of two combinations is regular, even if its rows are taken at different
-points: at most one point is a common zero there. That there is one is proved by opposite signs on opposite sides
-(Miranda), by its rational parameters, or by a common divisor on an edge of the patch. In the region of any other zero
-all of this is proved by elimination (`exactspline.certificates.elimination`).
+points: at most one point is a common zero there. The existence of the zero is proved by opposite signs on opposite
+sides (Miranda), by its rational parameters, or by a common divisor on an edge of the patch. In the region of any other
+zero all of this is proved by elimination (`exactspline.certificates.elimination`).
 """
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
@@ -61,7 +61,11 @@ def on_each_patch(
     ascend = all(len(knots) > 1 and all(a < b for a, b in pairwise(knots)) for knots in data["knots"])
     require(ascend, "fewer knots than two in a direction, or knots that do not ascend")
     intervals = [knots[1:] for knots in data["knots"]]
-    require_each_once([own["patch"] for own in data["patches"]], intervals, "not every patch between the knots once")
+    require_each_once(
+        [own["patch"] for own in data["patches"]],
+        intervals,
+        "patches between the knots that are not given exactly once",
+    )
     return each("patches", check, data["patches"])
 
 
@@ -131,7 +135,7 @@ def _check_boxes(functions: Sequence[Net], tokens: Sequence[Any], regions: Seque
             inside = all(a <= low <= high <= b for (low, high), (a, b) in zip(box, regions[token], strict=True))
             require(inside, "a box that is not inside the region of a zero")
         else:
-            require(sign_on(_combined(nets, token)) != 0, "a box on which the combination has not one sign")
+            require(sign_on(_combined(nets, token)) != 0, "a box on which the combination does not have one sign")
     require(not todo, "boxes that are missing")
 
 

@@ -24,7 +24,9 @@ def check_intersections(certificate: Mapping[str, object]) -> dict[str, int]:
     data = read(certificate, FORM)
     curves = [each(name, _segment, data[name]) for name in ("first", "second")]
     require(all(curves), "a curve without segments")
-    require_each_once([pair["segments"] for pair in data["pairs"]], curves, "not every pair of segments once")
+    require_each_once(
+        [pair["segments"] for pair in data["pairs"]], curves, "pairs of segments that are not given exactly once"
+    )
 
     def proved(pair: Mapping[str, Any]) -> list[int]:
         first, second = (curve[i] for curve, i in zip(curves, pair["segments"], strict=True))

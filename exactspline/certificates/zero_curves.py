@@ -6,8 +6,8 @@ constant, and by factors whose powers multiply to it up to a constant. Factors i
 product of the others, each taken once, is examined: the square is cut along some lines, and its parts are halved, as
 the certificate says, until in each box the product has Bernstein coefficients of one strict sign, or one of its
 derivatives has. In the second case the zeros are a graph over the other direction, and signs at rational points between
-the zeros on the sides tell which of these are joined. Every singular point has its own box, in which the number of
-branches that leave it is proved. An isolated point counts unless it is on one of the lines.
+the zeros on the sides show which of these zeros are joined. Every singular point has its own box, in which the number
+of branches that leave it is proved. An isolated point counts unless it is on one of the lines.
 """
 
 from collections.abc import Mapping, Sequence
@@ -162,10 +162,10 @@ class _OnPatch:
             if token in (FIRST, SECOND):
                 todo += cut(box, [net], int(token == SECOND))
             elif token == SIGN:
-                require(sign_on(net) != 0, "a box on which the function has not one sign")
+                require(sign_on(net) != 0, "a box on which the function does not have one sign")
             elif token in ACROSS:
                 k = ACROSS.index(token)
-                require(sign_on(_differences(net, k)) != 0, "a box on which the derivative has not one sign")
+                require(sign_on(_differences(net, k)) != 0, "a box on which the derivative does not have one sign")
                 self._graph(box, k)
             else:
                 require(0 <= token < len(self.cells), "a cell that does not exist")
@@ -401,8 +401,7 @@ def on_line(net: Net, direction: int, at: Fraction) -> list[int]:
 
 
 def extremes(net: Net) -> tuple[int, int]:
-    """The least and the largest coefficient; 0 is both where there are none."""
-    """The least and the largest coefficient; 0 is both where there are none."""
+    """The least and the largest coefficient; 0 and 0 for an empty net."""
     values = [x for row in net for x in row] or [0]
     return min(values), max(values)
 

@@ -292,7 +292,7 @@ class Collector:
             turned = [x if forwards else x.reverse() for x, (_, forwards) in zip(found, parts, strict=True)]
             chain = _chained(turned, self.source.within, notes)
         except ShapeError as error:
-            self.skip(what, where, f"its parts are read as curves of their own: {error}", curve=False)
+            self.skip(what, where, f"its parts are read as separate curves: {error}", curve=False)
         else:
             self._add_homogeneous(what, where, *chain, name, notes)
             self._parts.update(sources if len(self.curves) > count else ())

@@ -190,7 +190,9 @@ def _one_piece(data: dict[str, Any]) -> dict[str, Any]:
         raise CurveFileError(problem, where="pieces", remedy="copy a piece: degree, knots and control points")
     if pieces[0].get("cut"):
         problem = "is a part of these control points that ends at an irrational parameter"
-        raise CurveFileError(problem, where="pieces[0]", remedy="see low and high; a curve file ends at a rational one")
+        raise CurveFileError(
+            problem, where="pieces[0]", remedy="see low and high; a curve in a file ends at a rational parameter"
+        )
     of = f" of {data['curve']}" if data.get("curve") else ""
     named: dict[str, Any] = {"name": f"{data.get('name') or data.get('kind') or 'piece'}{of}"}
     return named | curves[0]

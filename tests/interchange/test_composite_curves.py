@@ -66,7 +66,7 @@ def test_ends_that_nearly_meet_are_joined_within_an_error():
     assert skipped.what == "COMPOSITE_CURVE"
     assert skipped.where == "#30"
     assert skipped.why == (
-        "its parts are read as curves of their own: an end 1.00E-9 away from the part before; correct it; "
+        "its parts are read as separate curves: an end 1.00E-9 away from the part before; correct it; "
         "--approximate E takes one within E"
     )
     assert found.complete

@@ -321,7 +321,7 @@ def _remarks(
 
 def _line(collector: Collector, entry: DirectoryEntry, where: str, placed: Affine) -> None:
     if entry.form:
-        raise CurveFileError("an unbounded line or ray", remedy="form 0 is a segment")
+        raise CurveFileError("an unbounded line or ray", remedy="write a segment, which is form 0")
     _add(collector, entry, where, [polynomial(*(placed(point) for point in _Values(entry, collector).rows(2)))])
 
 
