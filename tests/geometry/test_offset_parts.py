@@ -70,12 +70,20 @@ def test_a_part_that_runs_on_across_the_seam_ends_below_its_start():
     assert parts(from_middle, 1)[-1] == ("part", {"start": "9/2", "end": "1/2"})
 
 
+def test_at_the_radius_of_the_largest_circle_inside_points_are_left():
+    """Of the triangle with the sides 3, 4, 5 that is 1: the offset at it is one point, and no part."""
+    triangle = Nurbs(1, [0, 0, 1, 2, 3, 3], [(0, 0), (3, 0), (0, 4), (0, 0)])
+    assert [len(parts(triangle, d)) for d in (mpq(99, 100), 1, mpq(101, 100))] == [3, 0, 0]
+
+
 def test_what_is_refused():
     eight = Nurbs(1, [0, 0, 1, 2, 3, 4, 4], [(0, 0), (2, 2), (2, 0), (0, 2), (0, 0)])
     spike = Nurbs(1, [0, 0, 1, 2, 3, 3], [(0, 0), (2, 0), (1, 0), (0, 0)])
     for curve, d in ((eight, 1), (spike, 1), (SQUARE, 0), (example("cubic_s"), 1)):
         with pytest.raises(ShapeError, match="closed plane curve"):
             analyse(curve).offset_parts(d)
+    with pytest.raises(ShapeError, match="meets itself: <crossing at 1/2 and 5/2>"):
+        analyse(eight).offset_parts(1)
     for curve, d in ((SQUARE, 2), (example("circle"), 1)):
         with pytest.raises(ReachError):
             analyse(curve).offset_parts(d)

@@ -106,7 +106,16 @@ def test_python_blocks_of_a_page_run(page, tmp_path):
 
 
 @in_the_checkout
-@pytest.mark.parametrize("name", ["check-a-formula", "nearest-point-of-a-surface", "ray-meets-a-surface"])
+@pytest.mark.parametrize(
+    "name",
+    [
+        "check-a-formula",
+        "how-curved-at-most",
+        "how-two-edges-meet",
+        "nearest-point-of-a-surface",
+        "ray-meets-a-surface",
+    ],
+)
 def test_the_commands_of_a_how_to_run(name, tmp_path, monkeypatch):
     """As they are copied: the first block of Python is the file that they name, where they name one."""
     page = README.parent / f"docs/how-to/{name}.md"

@@ -58,8 +58,12 @@ def offset_parts(curve: Nurbs, d: mpq) -> tuple[NamedNumbers, ...]:
     distance 0; and `ReachError` where parts of the offset may coincide or be single points.
     """
     turns = {x.parameter: (x.angle.sine * d).sign for x in facts_of(curve).joints if x.angle is not None}
-    if curve.dimension != 2 or not curve.closed or 0 in (d, *turns.values()) or self_intersections(curve):
-        raise ShapeError(f"the offset of {curve}", remedy="give a closed plane curve that does not meet itself")
+    remedy = "give a closed plane curve that does not meet itself"
+    if curve.dimension != 2 or not curve.closed or 0 in (d, *turns.values()):
+        raise ShapeError(f"the offset of {curve}", remedy=remedy)
+    if own := self_intersections(curve):
+        place = next(iter((*own.points, *own.everywhere, *own.undecided)))
+        raise ShapeError(f"the offset of {curve}, which meets itself: {place}", remedy=remedy)
     corners = [t for t, sign in turns.items() if sign < 0]
     met = self_intersections(curve, offset=d)
     if met.undecided:
