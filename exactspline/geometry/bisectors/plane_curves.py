@@ -18,7 +18,7 @@ from exactspline.errors import ReachError, ShapeError
 from exactspline.geometry.bisectors.common import Bisector
 from exactspline.geometry.bisectors.plane_pair import PlanePair, tangent
 from exactspline.language.vector import Vector, det, dot, norm2, perp
-from exactspline.numbers.exact import Number, mpq
+from exactspline.numbers.exact import Number, mpq, over_one_denominator
 from exactspline.numbers.intervals import Box, Interval
 from exactspline.numbers.once import cached_property
 from exactspline.numbers.sides import Side
@@ -186,10 +186,10 @@ def verdict_on(
         return True
     # the value of u with the least value in the middle
     square, twice = (form.part(Box(own, sides)) for form in forms)
-    a, c, half = across.value(HALF, HALF), along.value(HALF, HALF), range(STEPS + 1)
-    worst = min(
-        half, key=lambda k: sign * (square.value(HALF, mpq(k, STEPS)) * a - twice.value(HALF, mpq(k, STEPS)) * c)
-    )
+    a, c = across.value(HALF, HALF), along.value(HALF, HALF)
+    (squares, below), (doubles, under) = (form.values_along(HALF, STEPS) for form in (square, twice))
+    (x, y), _ = over_one_denominator([sign * a / below, sign * c / under])
+    worst = min(range(STEPS + 1), key=lambda k: squares[k] * x - doubles[k] * y)
     there = Interval.point(sides.at(mpq(worst, STEPS)))
     square, twice = (form.part(Box(own, there)) for form in forms)
     fails = square.range[1] * max(sizes) < min(sign * x * y for x in twice.range for y in along.range)
