@@ -55,6 +55,15 @@ def _inspect(count: int) -> Callable[[], object]:
     return lambda: inspect_curve(c).answers
 
 
+def _write(count: int) -> Callable[[], object]:
+    from exactspline.display.answer_forms import inspection_data
+    from workshop.bench.inputs import along
+
+    inspection_data(along(3), 12)
+    c = along(count)
+    return lambda: inspection_data(c, 12)
+
+
 def _read(count: int) -> Callable[[], object]:
     from workshop.bench.inputs import along
 
@@ -123,6 +132,7 @@ def _bisector(degree: int) -> Callable[[], object]:
 
 CASES: dict[str, Callable[[int], Callable[[], object]]] = {
     "inspect": _inspect,
+    "write": _write,
     "read": _read,
     "analyse": _analyse,
     "first use": _first_use,

@@ -204,6 +204,8 @@ def _placed_by_occ(curves: Any) -> list[tuple[object, float]]:
 
 
 LINEAR = "linear"
+#: The number of segments of the spline whose inspection is written.
+WRITTEN = 1_000
 #: What is kept of a segment, and how much of it in kB.
 KEPT = (
     ("read", "a cubic spline of {count} segments, read: memory per segment", Fraction(3, 2)),
@@ -219,6 +221,11 @@ def linear_rows(options: Options) -> Iterator[Row]:
         each = None if took.seconds is None else 1000 * took.seconds / count
         case = f"inspection of a cubic spline of {count} segments, a segment"
         yield bounded(LINEAR, case, each, "ms", Fraction(3, 10), took.note)
+    took = alone.run("write", WRITTEN, options.limit)
+    for value, factor, unit, limit in ((took.seconds, 1000, "ms", Fraction(6, 10)), (took.megabytes, 1024, "kB", 3)):
+        each = None if value is None else factor * value / WRITTEN
+        case = f"inspection of a cubic spline of {WRITTEN} segments written as data, {unit} a segment"
+        yield bounded(LINEAR, case, each, unit, limit, took.note)
     count = 100_000 if options.full else 10_000
     for name, memory_case, kilobytes in KEPT:
         took = alone.run(name, count, 10 * options.limit)

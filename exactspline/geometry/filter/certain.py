@@ -34,6 +34,7 @@ from exactspline.roots.root import LazyRoot, Root
 from exactspline.splines.blossom import CommonRows
 from exactspline.splines.knots import mesh_of
 from exactspline.splines.nurbs import Nurbs
+from exactspline.system import collector_quiet
 
 #: Forms and weights below this are not used: products of their powers could underflow.
 SMALL = 2**-60
@@ -223,6 +224,7 @@ class Certain:
             self._segments[i] = _Segment(program, self.rows[i], ends)
         return self._segments[i]
 
+    @collector_quiet()
     def _features(self, output: int) -> tuple[Feature, ...]:
         """The objects that describe the zeros."""
         bends = _bends(zero for zero in self.zeros[CURVATURE] if isinstance(zero, SegmentZero))
@@ -255,6 +257,7 @@ class Certain:
         return self.positive[zero.segment] == (before % 2 == 0)
 
 
+@collector_quiet()
 def certain(facts: Facts) -> Certain | None:
     """The zeros of κ and κ′ decided in doubles; None where exact arithmetic must decide: without the extension for all
     curves except polygons.
@@ -276,22 +279,20 @@ def certain(facts: Facts) -> Certain | None:
     found = signs(program, rows, rational=rational)
     if found is None:
         return None
-    straight, left = set[int](), set[int]()
-    for i, (open_, slow) in enumerate(found.open):
-        if slow:
-            left.add(i)
-        elif open_:
-            (straight if _is_straight([fmpz_poly(list(c)) for c in rows[i][0]], curve.degree) else left).add(i)
-    left |= _entangled(found.zeros) - straight
-    if left:
+    again = {i for i, uncertain in enumerate(found.open) if any(uncertain)} | _entangled(found.zeros)
+    if again:
         # all segments once more: results for different segments are compared, so that they must have the same unit
-        nearer = [_moved(*row, rational=rational) if i in left else row for i, row in enumerate(rows)]
+        nearer = [_moved(*row, rational=rational) if i in again else row for i, row in enumerate(rows)]
         found = signs(program, nearer, rational=rational)
         if found is None:
             return None
-        left = {i for i, (open_, slow) in enumerate(found.open) if slow or (open_ and i not in straight)}
-        straight -= left
-        left |= _entangled(found.zeros) - straight
+    uncertain = {i: slow for i, (open_, slow) in enumerate(found.open) if open_ or slow}
+    straight = {
+        i
+        for i, slow in uncertain.items()
+        if not slow and _is_straight([fmpz_poly(list(c)) for c in rows[i][0]], curve.degree)
+    }
+    left = (uncertain.keys() | _entangled(found.zeros)) - straight
     zeros: tuple[list[Found], list[Found]] = ([], [])
     if left:
         exactly = _on_runs(curve, left)
