@@ -180,7 +180,7 @@ def encoded(
 
 
 def text(given: Nurbs | NurbsSurface | Iterable[Nurbs | NamedCurve | NurbsSurface], format: str = "json") -> str:
-    """The text that `write` writes in a format of text.
+    """The text of the file that `write` would write, for formats that are text.
 
     >>> text(Nurbs.bezier([(0, 0), (1, 2), (3, 0)]), "svg").count("<path")
     1

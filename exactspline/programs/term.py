@@ -301,7 +301,7 @@ class Term(RingOperand):
         return level
 
     def _partial(self, name: str) -> Self:
-        """A derivative by u or v, or the quotient by u, by the name of its instruction."""
+        """The derivative by u or v, or the quotient by u; `name` is that of the instruction."""
         term = self if self.node == ZERO else self._down_to(0, self.widths)
         node = ZERO if term.node == ZERO else term.recorder.instructions.derived(name, term.node)
         return term._with(node=node, degrees=self._of_degree(self.degree - 1))

@@ -1,8 +1,9 @@
 """The monomial reading: a single term of the curve in the scaled Bernstein basis, for symbolic degree d.
 
 Numerators are the monomial ``u^(d − a) v^a`` and the denominator is ``u^(d − b) v^b`` with symbolic a and b. A formula
-that is linear in p and in w returns a few monomials near that of the product. Their coefficients are polynomials in d,
-a and b: the coefficients of ``p_a w_b`` in every scaled Bernstein coefficient of the result, for all degrees d.
+that is linear in p and in w returns a few monomials, whose exponents differ by small integers from those of the product
+of p and w. Their coefficients are polynomials in d, a and b: the coefficients of ``p_a w_b`` in every scaled Bernstein
+coefficient of the result, for all degrees d.
 """
 
 from __future__ import annotations

@@ -350,7 +350,7 @@ def _reduced(formula: Any, dimension: int, polynomial: bool, parameter: Paramete
 
 
 def _naive(formula: Any, kind: Kind, dimension: int, polynomial: bool, counted: Parameter) -> list[Degree]:
-    """The degrees of the parts by Table 1."""
+    """The degrees of the parts before reduction, by the rules of Table 1."""
     argument = DegreeReading(parameter=counted).argument(kind, dimension, polynomial=polynomial)
     return [part.degree for _, part in _parts(formula(argument), _name_of_function(formula))]
 
