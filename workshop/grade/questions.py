@@ -43,21 +43,22 @@ def _at_places(name: str, entry: str, allowed: str, judged: Judged) -> Asked:
 
 #: The unit of errors.
 ULPS = (
-    "16 (degree + 1) ulps of the largest coordinate of a control point, times the largest ratio of weights (once more "
-    "per derivative)"
+    "16 (degree + 1) ulps of the largest coordinate of a control point, times the largest ratio of weights (for the "
+    "k-th derivative times its power k + 1)"
 )
 PLACES = (
-    "every parameter at which the sign changes is named at least once, within 2⁻¹⁶ of the domain. Optional are zeros "
-    "without a change of sign, ends of the domain, and parameters within 2⁻⁸ of a singular point (for questions about "
-    "curvature, also of a knot). A parameter is invented if no zero is near and the exact function there is above 2⁻³² "
-    "of its largest Bézier point. Zeros nearer than 2⁻¹⁶ count as one"
+    "every parameter at which the sign changes must be named, with an error of at most 2⁻¹⁶ of the length of the "
+    "domain. Three kinds of parameters are optional: zeros without a change of sign, ends of the domain, and "
+    "parameters within 2⁻⁸ of a singular point (for questions about curvature, also of a knot). A parameter is "
+    "invented if no zero is near and the exact function there is above 2⁻³² of its largest Bézier point. Zeros nearer "
+    "than 2⁻¹⁶ count as one"
 )
 STRAIGHT = "any answer is accepted where γ′ × γ″, times the length of the domain, is nowhere above 2⁻²⁰ of ‖γ′‖²"
 MEETINGS = (
-    "every pair is named at least once if the sine of the angle between its directions is above 2⁻²⁰ and neither "
-    "another pair nor an end is within 2⁻¹⁶ of the domain. The named pair is within 2⁻¹⁶ of both domains, or within "
-    "2⁻⁸ if its points are at most 2⁻³² of the largest coordinate apart. A named pair is invented if its points are "
-    "further apart and no true pair is near"
+    "a pair must be named if the sine of the angle of the two tangents is above 2⁻²⁰ and neither another pair nor an "
+    "end is within 2⁻¹⁶ of the length of the domain. The error of both parameters may be 2⁻¹⁶ of this length, or 2⁻⁸ "
+    "if the two points of the named pair are at most 2⁻³² of the largest coordinate apart. A named pair is invented "
+    "if its points are further apart and no true pair is near"
 )
 #: The words in which a tolerance is stated, and what they mean.
 CHANGES, LINES, CROSSINGS = "changes of sign", "straight curves", "crossings"
@@ -66,26 +67,32 @@ QUESTIONS: dict[str, Asked] = {
     asked.name: asked
     for asked in (
         Asked("value", "the point at a parameter", "u", Judged.VECTOR),
-        Asked("first", "the first derivative there", "degree / (shortest segment) times u", Judged.VECTOR),
+        Asked("first", "the first derivative at a parameter", "degree / (shortest segment) times u", Judged.VECTOR),
         Asked(
-            "second", "the second derivative there", "the square of degree / (shortest segment) times u", Judged.VECTOR
+            "second",
+            "the second derivative at a parameter",
+            "the square of degree / (shortest segment) times u",
+            Judged.VECTOR,
         ),
         Asked(
-            "tangent", "the unit tangent there", "the error that follows from the allowed error of γ′", Judged.QUOTIENT
+            "tangent",
+            "the unit tangent at a parameter",
+            "the error that follows from the allowed error of γ′",
+            Judged.QUOTIENT,
         ),
         Asked(
             "curvature",
-            "the absolute curvature there",
+            "the absolute curvature at a parameter",
             "the error that follows from the allowed errors of γ′ and γ″",
             Judged.QUOTIENT,
         ),
         Asked(
             "torsion",
-            "the torsion there",
+            "the torsion at a parameter",
             "the error that follows from the allowed errors of γ′, γ″ and γ‴",
             Judged.QUOTIENT,
         ),
-        Asked("insert", "the control points with a knot there", "2u", Judged.CONTROL_POINTS),
+        Asked("insert", "the control points after a knot is inserted", "2u", Judged.CONTROL_POINTS),
         Asked(
             "remove",
             "the control points after a knot that was inserted exactly is removed",
@@ -95,7 +102,7 @@ QUESTIONS: dict[str, Asked] = {
         Asked(
             "elevate",
             "the control points with the degree raised by one",
-            "2¹⁶ u; over other knots, the curve itself",
+            "2¹⁶ u; if the knots differ, the curve is compared",
             Judged.CONTROL_POINTS,
         ),
         Asked("split", "the control points of the two parts", "2u", Judged.CONTROL_POINTS),
@@ -109,7 +116,9 @@ QUESTIONS: dict[str, Asked] = {
         Asked("roots", "the parameters at which y = 0", CHANGES, Judged.PLACES),
         _at_places("inflections", "inflections", f"{CHANGES}; {LINES}", Judged.REGULAR_PLACES),
         _at_places("extrema", "curvature_extrema", f"{CHANGES}; {LINES}", Judged.REGULAR_PLACES),
-        Asked("length", "the arc length", "10⁻⁶ of it, or the tolerance that the library documents", Judged.NUMBER),
+        Asked(
+            "length", "the arc length", "10⁻⁶ of the length, or the tolerance that the library documents", Judged.NUMBER
+        ),
         Asked("area", "the signed area inside a closed curve", "2¹⁰ u times the largest coordinate", Judged.AREA),
         Asked(
             "nearest",

@@ -92,21 +92,21 @@ VERBS = {
 #: What of a page `placed` replaces lies between these marks.
 BEGIN, END = "<!-- written by ./run grade --page -->", "<!-- end of what ./run grade writes -->"
 
-HEAD = """{libraries} libraries answered {questions} questions about curves on which code in doubles goes wrong: {cases}
-of the {all} cases of version {version} ({families}). Compared are {answers} answers (`./run grade --page
-docs/measurements.md{share}`). An exact answer is used only if an independent checker (`workshop/grade/recheck.py`,
+HEAD = """{libraries} libraries answered {questions} questions about difficult curves: {cases} of the {all} cases of
+version {version} ({families}). The command `./run grade --page docs/measurements.md{share}` compared {answers} answers
+with exact answers. An exact answer is used only if an independent checker (`workshop/grade/recheck.py`,
 `exactspline/certificates`) accepted its certificate in this run; {uncertified} had none and is not used. A library gets
 only the questions that its public functions answer for the given curve (`workshop/grade/adapters`: one file per
-library), with the tolerance of the question (below).
+library). [Below](#what-counts-as-the-same-answer) is the tolerance of each question.
 
 - *Missed*: the answer lacks a true parameter. *Invented*: the answer has a parameter that is not true.
 - *Declined*: the library reports that it has no answer. *Timed out*: the library takes more than {patience} s of
   processor time.
-- *Tolerated*: a parameter is missed or invented within the limits that the library documents:
+- *Tolerated*: a parameter is missed or invented, but the library documents such a limit. These limits are:
 
 {documented}
 
-The questions that take longest are asked for some of the cases: {every}.
+Slow questions are asked in some of the cases: {every}.
 """
 
 
@@ -123,14 +123,14 @@ def page(
         share=share,
         all=sum(1 for _ in all_cases()),
         patience=PATIENCE,
-        every=", ".join(f"*{question}* for one in {n}" for question, n in EVERY.items()),
+        every=", ".join(f"*{question}* in one of {n}" for question, n in EVERY.items()),
         cases=len(cases),
         version=VERSION,
         families=", ".join(f"{count} {name}" for name, count in families.items()),
         questions=len({one.question for report in reports for one in report.judged}),
         libraries=len(reports),
         answers=sum(len(report.judged) for report in reports),
-        uncertified=counted(len(uncertified), "answer"),
+        uncertified=counted(len(uncertified), "exact answer"),
         documented="\n".join(f"- {name}: {each}." for name, each in DOCUMENTED.items()),
     )
     return "\n".join(
@@ -213,7 +213,7 @@ def _said(outcome: str, times: int) -> str:
 
 
 def _meanings() -> str:
-    lines = ["### What counts as the same answer", "", "| question | meaning | tolerance |", "|---|---|---|"]
+    lines = ["### What counts as the same answer", "", "| question | what is asked | tolerance |", "|---|---|---|"]
     lines += [f"| {q.name} | {q.meaning} | {q.allowed} |" for q in QUESTIONS.values()]
     lines += ["", *(f"- *{word}*: {meaning}." for word, meaning in TOLERANCES.items())]
     return "\n".join([*lines, ""])
@@ -223,7 +223,7 @@ def _accuracy(reports: Sequence[Report]) -> str:
     """The largest error of right answers, in ulps of the largest coordinate."""
     asked = ("value", "first", "second")
     lines = ["### The largest error among right answers", ""]
-    unit = "The errors are in ulps of the largest coordinate; those of derivatives are divided by the factor"
+    unit = "The errors are in ulps of the largest coordinate. Errors of derivatives are divided by the factor of u"
     lines += [f"{unit} in the table above.", ""]
     lines += ["| library | " + " | ".join(asked) + " |", "|---|" + "---:|" * len(asked)]
     for report in reports:

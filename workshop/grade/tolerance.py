@@ -24,9 +24,9 @@ THREEFOLD, ROUNDED = mpq(1, 10**10), 6
 DOCUMENTED = {
     "Open CASCADE": (
         "points within δ = 10⁻⁷, the distance of `Precision::Confusion()`, are considered to coincide. A feature may "
-        "be missed if not all curves within δ have it, or if the radius of curvature is at most δ. It may be invented "
-        "if some curve within δ may have it, or within δ of a true feature in space. A common point of two curves may "
-        "be invented where they are at most δ apart"
+        "be missed if not all curves within δ have it, or if the radius of curvature is at most δ. A feature "
+        "may be invented if some curve within δ may have it, or if a true feature is within δ in space. A common point "
+        "of two curves may be invented where the curves are at most δ apart"
     ),
     "fontTools": (
         "`solveCubic` takes the real roots of s³ − 3Qs + 2R for 0 if R² and |Q|³ are below 10⁻¹⁰, as its examples with "
