@@ -1,8 +1,9 @@
-"""``python -m docs.approximated``: what polynomial approximations do to curvature, evolute and torsion of rational
-curves; the table of docs/approximated.md, computed exactly, and its picture.
+"""Write the table of docs/approximated.md, computed exactly, and draw its picture: ``python -m docs.approximated``.
+
+The page shows what polynomial approximations do to the curvature, the evolute and the torsion of rational curves.
 
 A circle, an ellipse and a space curve over the circle are interpolated with their derivatives by the angle, by cubics
-to first and by quintics to second order, at rational points. That a tolerance is met is proved: two polynomials have no
+to first and by quintics to second order, at rational points. A tolerance is proved to be met: some polynomials have no
 zero.
 """
 
@@ -29,7 +30,7 @@ DEGREES, TOLERANCES = (3, 5), tuple(mpq(1, 10**k) for k in range(2, 9, 2))
 #: Angles are rounded to this many parts of a radian: the knots are rational.
 PARTS = 10**15
 HALF = mpq(1, 2)
-#: Of the ellipse: the circle stretched along x, which at most doubles distances.
+#: The ellipse is the circle stretched along x by this factor, so that distances are at most doubled.
 STRETCH = 2
 NAMES = {"circle": "circle", "ellipse": "ellipse", "space": "space curve"}
 DEGREE_NAMES = {0: "", 3: "cubics", 5: "quintics"}
@@ -42,7 +43,9 @@ Jet = tuple[mpq, mpq, mpq]
 
 @dataclass(frozen=True)
 class Found:
-    """What an approximation, or the curve itself, has: isolated places, everywhere where `constant`."""
+    """The numbers of features of an approximation or of the curve itself. If `constant`, the curvature is constant
+    on some piece.
+    """
 
     shape: str
     degree: int
@@ -57,7 +60,9 @@ class Found:
 
 
 def angle(v: mpq) -> mpq:
-    """``2 arctan v``, 0 ≤ v ≤ 1, to 15 decimals: by its series, where v > 1/2 after ``arctan(1/2)`` is taken off."""
+    """Return ``2 arctan v``, 0 ≤ v ≤ 1, to 15 decimals by the series of arctan; if v > 1/2, ``arctan(1/2)`` is
+    subtracted first.
+    """
     if v > HALF:
         return angle(HALF) + angle((v - HALF) / (1 + v * HALF))
     total, power, k = mpq(0), v, 1
@@ -69,7 +74,7 @@ def angle(v: mpq) -> mpq:
 
 @cache
 def stations(quarter: int) -> tuple[tuple[mpq, mpq, mpq], ...]:
-    """Knot, cosine and sine of ``4 · quarter + 1`` rational points around the circle."""
+    """Return the knot, the cosine and the sine of each of ``4 · quarter + 1`` rational points around the circle."""
     tangents = [mpq(k, quarter) for k in range(quarter + 1)]
     points = [((1 - u * u) / (1 + u * u), 2 * u / (1 + u * u)) for u in tangents[:-1]]
     steps = [angle((b - a) / (1 + a * b)) for a, b in itertools.pairwise(tangents)]
@@ -83,7 +88,7 @@ def stations(quarter: int) -> tuple[tuple[mpq, mpq, mpq], ...]:
 
 
 def hermite(knots: list[mpq], jets: list[Jet], degree: int) -> BSpline:
-    """The spline of degree 3 or 5 with these values and derivatives at the knots."""
+    """Return the spline of degree 3 or 5 with these values and derivatives at the knots."""
     order = degree // 2
     forms = []
     for (a, one), (b, other) in zip(zip(knots, jets, strict=True), zip(knots[1:], jets[1:], strict=True), strict=False):
@@ -96,7 +101,9 @@ def hermite(knots: list[mpq], jets: list[Jet], degree: int) -> BSpline:
 
 
 def ends(jet: Jet, h: mpq, n: int) -> list[mpq]:
-    """The first three Bézier coefficients of degree n on an interval of length h with this value and derivatives."""
+    """Return the first three Bézier coefficients in degree n of a function on an interval of length h, with this value
+    and these derivatives at the start.
+    """
     f, d, dd = jet
     b0 = f
     b1 = b0 + d * h / n
@@ -105,7 +112,7 @@ def ends(jet: Jet, h: mpq, n: int) -> list[mpq]:
 
 
 def approximation(shape: str, degree: int, quarter: int) -> Nurbs:
-    """The polynomial spline of ``4 · quarter`` segments."""
+    """Return the polynomial spline of ``4 · quarter`` segments."""
     own = stations(quarter)
     knots = [t for t, _, _ in own]
     x = hermite(knots, [(x, -y, -x) for _, x, y in own], degree)
@@ -119,7 +126,7 @@ def approximation(shape: str, degree: int, quarter: int) -> Nurbs:
 
 
 def exact(shape: str) -> Nurbs:
-    """The curve itself: rational, over four quarters of the circle."""
+    """Return the rational curve itself, over four quarters of the circle."""
     circle = xs.example("circle")
     (x, y), w = circle.p, circle.w
     if shape == "circle":
@@ -130,7 +137,8 @@ def exact(shape: str) -> Nurbs:
 
 
 def within(curve: Nurbs, shape: str, tolerance: mpq) -> bool:
-    """Whether it is proved that the distance from the circle, and that of z from xy/2, is below the tolerance.
+    """Return whether it is proved that the distance from the circle, and the difference of z and xy/2, are below the
+    tolerance.
 
     Stretching the circle to the ellipse at most doubles distances.
     """
@@ -146,7 +154,7 @@ def within(curve: Nurbs, shape: str, tolerance: mpq) -> bool:
 
 
 def least(shape: str, degree: int, tolerance: mpq) -> Nurbs:
-    """The approximation with the fewest segments of the series 4, 8, 12, … that is within the tolerance."""
+    """Return the approximation within the tolerance that has the fewest segments (4, 8, 12, …)."""
     low, high = 0, 1
     while not within(approximation(shape, degree, high), shape, tolerance):
         low, high = high, 2 * high
@@ -160,7 +168,7 @@ def least(shape: str, degree: int, tolerance: mpq) -> Nurbs:
 
 
 def found(shape: str, degree: int, tolerance: mpq | None) -> Found:
-    """What an approximation has, or the curve itself (degree 0)."""
+    """Return the numbers of features of an approximation, or of the curve itself (degree 0)."""
     curve = least(shape, degree, tolerance) if tolerance is not None else exact(shape)
     own = xs.analyse(curve)
     space = curve.dimension == 3
@@ -182,7 +190,7 @@ def found(shape: str, degree: int, tolerance: mpq | None) -> Found:
 
 
 def rows() -> list[Found]:
-    """The curves themselves, each followed by its approximations."""
+    """Return the rows of the table: each curve itself, followed by its approximations."""
     made = []
     for shape in NAMES:
         made.append(found(shape, 0, None))
@@ -191,7 +199,7 @@ def rows() -> list[Found]:
 
 
 def table(made: list[Found]) -> str:
-    """The rows as Markdown."""
+    """Return the rows as Markdown."""
     lines = [f"| {' | '.join(HEADS)} |", "|---|---|" + "---:|" * (len(HEADS) - 2)]
     for row in made:
         tolerance = "itself" if row.tolerance is None else f"10⁻{SUPERSCRIPTS[TOLERANCES.index(row.tolerance)]}"
@@ -206,7 +214,7 @@ def table(made: list[Found]) -> str:
 
 
 def draw() -> None:
-    """The evolutes of a circle's and of an ellipse's approximations."""
+    """Draw the evolutes of a circle, of an ellipse and of their approximations."""
     import matplotlib as mpl
 
     mpl.use("Agg")

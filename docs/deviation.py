@@ -1,4 +1,4 @@
-"""``python -m docs.deviation``: the picture of docs/how-to/how-far-is-this-approximation.md."""
+"""Draw the picture of docs/how-to/how-far-is-this-approximation.md: ``python -m docs.deviation``."""
 
 from __future__ import annotations
 
@@ -8,12 +8,14 @@ import exactspline as xs
 
 PICTURE = Path(__file__).with_name("pictures") / "deviation.png"
 CORNERS = [(0, 0), (100, 200), (300, 180), (400, 0)]
-#: How much the distances are enlarged in the second picture.
+#: The number of intervals of the parameter at whose ends the curves and the distances are drawn.
 PARTS = 400
 
 
 def draw() -> None:
-    """Both curves, and the distance of each point of the cubic from the pieces between the bounds."""
+    """Draw a cubic and its quadratic pieces; below, the distances of the points of the cubic from the pieces, and the
+    proved bounds of the largest distance.
+    """
     import matplotlib as mpl
 
     mpl.use("Agg")

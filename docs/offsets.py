@@ -1,4 +1,4 @@
-"""``python -m docs.offsets``: the picture of docs/how-to/parts-of-an-offset.md."""
+"""Draw the picture of docs/how-to/parts-of-an-offset.md: ``python -m docs.offsets``."""
 
 from __future__ import annotations
 
@@ -12,12 +12,12 @@ from exactspline.questions.answers import NamedNumbers
 PICTURE = Path(__file__).with_name("pictures") / "offsets.png"
 CORNERS = [(0, 0), (4, 0), (4, 2), (2, 2), (2, 4), (0, 4), (0, 0)]
 DISTANCES = ("-1/2", "1/4", "7/10", "11/10")
-#: Points of an arc.
+#: The number of chords that are drawn for an arc.
 PARTS = 40
 
 
 def points_of(found: NamedNumbers, d: float) -> list[list[tuple[float, float]]]:
-    """Lines of the offset between corners, or an arc about one, as points."""
+    """Return the points of one part of the offset at a distance d: of its lines, or of an arc around a corner."""
     values = {name: float(value) for name, value in found.values.items()}
     if "corner" in values:
         x, y = CORNERS[round(values["corner"])]
@@ -38,7 +38,7 @@ def points_of(found: NamedNumbers, d: float) -> list[list[tuple[float, float]]]:
 
 
 def draw() -> None:
-    """The outline, and the parts of its offsets."""
+    """Draw the outline, and the parts of its offsets."""
     import matplotlib as mpl
 
     mpl.use("Agg")
