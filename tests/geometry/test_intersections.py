@@ -483,3 +483,16 @@ def test_an_interrupt_while_points_are_listed_repeats_none(monkeypatch):
     with suppress(KeyboardInterrupt):
         list(found)
     assert len(list(found)) == len(found) == len({pair.first for pair in found})
+
+
+@pytest.mark.parametrize(
+    ("heights", "count"), [((0, 0, mpq(2, 3), 2), 1), ((3, 3, 3, 3), 0)], ids=["meets", "passes above"]
+)
+def test_a_rational_parameter_of_one_curve_and_an_irrational_one_of_the_other_in_space(heights, count):
+    """The projections of a line and of (2t² + (2t² − 1)t, 2 − 2t²) meet at 1 and at √2/2."""
+    line = Nurbs(1, [0, 0, 1, 1], [(0, 0, 0), (1, 1, 1)])
+    points = zip((0, mpq(-1, 3), 0, 3), (2, 2, mpq(4, 3), 0), heights, strict=True)
+    bent = Nurbs(3, [0] * 4 + [1] * 4, [*points])
+    for pair in ((line, bent), (bent, line)):
+        found = intersections(*pair)
+        assert (len(found), found.undecided) == (count, ())

@@ -19,7 +19,7 @@ from exactspline.polynomials.factors import greatest_common_divisor
 from exactspline.polynomials.plane_pairs import meetings, meetings_of_point
 from exactspline.polynomials.zero_places import Place
 from exactspline.roots.segment_forms import parameter
-from exactspline.roots.values import value_at
+from exactspline.roots.values import exact_place, value_at
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.knots import Mesh
 
@@ -125,7 +125,7 @@ def _third(curve: SpaceForms, place: Place) -> mpq:
 def _real_third(curve: SpaceForms, place: Local) -> object:
     mesh = Mesh(UNIT.first)
     z, w = (BSpline.from_forms(curve.degree, mesh, (), [(form, ONE)]) for form in (curve.z, curve.w))
-    return value_at(z, w, parameter(place, UNIT.first, UNIT.first))
+    return value_at(z, w, exact_place(parameter(place, UNIT.first, UNIT.first)))
 
 
 def _agrees_along(arc: Arc, first: SpaceForms, second: SpaceForms) -> bool:
