@@ -1,7 +1,6 @@
-"""Write ``docs/ten-claims.md``: ten claims in print, in Python and in Coq, and what is said of them.
+"""Write ``docs/ten-claims.md``: ten claims in print, in Python and in Coq, with their verdicts.
 
-``python -m docs.ten_claims`` asks Coq, too, and needs its ``coqc``; what it says is what the page is expected to say,
-which a test compares.
+``python -m docs.ten_claims`` also runs Coq and needs its ``coqc``. A test compares the page with the expected verdicts.
 """
 
 from __future__ import annotations
@@ -46,27 +45,29 @@ FIRST = "C41a-f0-f2"
 CURVES = ("cubic_s", "twisted_cubic", "rational_cubic", "rational_space_cubic")
 INTRODUCTION = """# Ten claims, side by side
 
-Each claim is shown in print, as a Python function, and as a theorem of Coq. Three verdicts follow: for all curves (by
-polynomials in jets), on example curves (by splines), and from Coq's kernel. For the first claim, Coq's definitions of
-the functions are shown too; `./run coq DIR` writes all definitions and theorems. The operations in them are defined in
-[`Base.v`](../exactspline/extras/coq/theory/Base.v). What a verdict relies on: [the trusted base](what-is-trusted.md).
+Each section shows a claim, its formulas as Python functions, and the claim (or its refutation) as a theorem of Coq. In
+the docstrings, *naive* means by the definition, without cancellation. Three verdicts follow: for all curves, on example
+curves (– if there is none), and of Coq, whose kernel accepts the theorem without axioms. For the first claim, Coq's
+definitions of the functions are also shown; `./run coq DIR` writes all definitions, by the operations of
+[`Base.v`](../exactspline/extras/coq/theory/Base.v). [The trusted base](what-is-trusted.md) lists what the
+verdicts rely on.
 
 <!-- written by python -m docs.ten_claims -->
 """
 
 
 def chosen() -> list[Claim]:
-    """The ten claims."""
+    """Return the ten claims."""
     return [claim for paper, keys in CLAIMS.items() for key in keys for claim in claims_of(paper) if claim.key == key]
 
 
 def expected(claim: Claim) -> str:
-    """What Coq should say of a claim."""
+    """Return the verdict that is expected of Coq."""
     return f"{'fails' if claim.expected == Verdict.REFUTED else 'holds'}, no axioms"
 
 
 def page(kernel: Mapping[str, str]) -> str:
-    """The page, with what Coq says of each claim by its key."""
+    """Return the text of the page, given Coq's verdict on each claim by its key."""
     stated = {each.claim.key: each for own in library().theorems.values() for each in own}
     parts = [_section(claim, stated[claim.key], kernel[claim.key]) for claim in chosen()]
     return "\n".join([INTRODUCTION, *parts])
@@ -96,14 +97,14 @@ def _definition(formula: Formula, formulas: Formulas) -> str:
 
 
 def _on_curves(claim: Claim) -> Iterator[str]:
-    """The verdicts on the curves of which the claim speaks."""
+    """Yield the verdicts on the example curves to which the claim applies."""
     for name in CURVES:
         for task in tasks([claim], [example(name)]):
             yield f"{task().verdict} on `{name}`"
 
 
 def main() -> int:
-    """Write the page; the exit code says whether Coq says what is expected."""
+    """Write the page; the exit code is 1 if a verdict of Coq differs from the expected verdict."""
     claims = chosen()
     found = {key: opinion(each) for (_, key), each in coq_judge.findings(claims).items()}
     PAGE.write_text(page(found), encoding="utf-8")
