@@ -45,12 +45,12 @@ FIRST = "C41a-f0-f2"
 CURVES = ("cubic_s", "twisted_cubic", "rational_cubic", "rational_space_cubic")
 INTRODUCTION = """# Ten claims, side by side
 
-Each section shows a claim, its formulas as Python functions, and the claim (or its refutation) as a theorem of Coq. In
-the docstrings, *naive* means by the definition, without cancellation. Three verdicts follow: for all curves, on example
-curves (– if there is none), and of Coq, whose kernel accepts the theorem without axioms. For the first claim, Coq's
-definitions of the functions are also shown; `./run coq DIR` writes all definitions, by the operations of
-[`Base.v`](../exactspline/extras/coq/theory/Base.v). [The trusted base](what-is-trusted.md) lists what the
-verdicts rely on.
+Each section shows a claim, its formulas as Python functions (*naive*: by the definition, without cancellation), and the
+claim, or its refutation, as a theorem of Coq. Three verdicts follow: for all curves, on example curves (– if there is
+none), and of Coq, whose kernel accepts the theorem without axioms. For the first claim, Coq's definitions of the
+functions are also shown; `./run coq DIR` writes all definitions, with the operations of
+[`Base.v`](../exactspline/extras/coq/theory/Base.v). [The trusted
+base](what-is-trusted.md) lists what the verdicts rely on.
 
 <!-- written by python -m docs.ten_claims -->
 """
