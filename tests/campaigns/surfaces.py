@@ -288,13 +288,11 @@ def _fraction(x: object) -> Fraction:
 
 #: What is compared, by the sentence of the documentation that it judges.
 COMPARED = {
-    "**The sign of K** follows from Bernstein coefficients on smaller and smaller parts.": wrong_signs,
-    "Lines of constant u or v on which K vanishes are listed as parabolic lines, whether or not they are knot lines;": (
+    "**The sign of K** follows from Bernstein coefficients on smaller and smaller parts of the patch.": wrong_signs,
+    "Lines of constant u or v on which K vanishes are listed as parabolic lines, whether or not they are knot lines.": (
         wrong_lines
     ),
-    "along every knot line inside the domain and every seam both sides are compared as polynomials along the edge.": (
-        wrong_joints
-    ),
+    "The two patches at a joint are compared by polynomials along the common edge.": wrong_joints,
 }
 
 
@@ -375,15 +373,13 @@ def _crossed(found: SurfaceInspection, name: str, k: int, at: mpq) -> set[object
 
 #: The same, of knots that are inserted.
 KNOTTED = {
-    "a corner of a patch on a curve of umbilics is not listed.": (
+    "an umbilic on a curve or line of umbilics is not listed as a single point": (
         other_umbilics,
         other_singular_points,
         other_parabolic_points,
     ),
-    "parts that end at the same point of a common border, or of the seam of a closed surface, are joined;": (
-        other_curves,
-    ),
-    "Lines of constant u or v on which K vanishes are listed as parabolic lines, whether or not they are knot lines;": (
+    "parts on two patches that end at the same point of a common border or seam are joined;": (other_curves,),
+    "Lines of constant u or v on which K vanishes are listed as parabolic lines, whether or not they are knot lines.": (
         other_lines,
     ),
 }
