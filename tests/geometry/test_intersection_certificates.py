@@ -53,8 +53,8 @@ def forged(change):
     ("change", "flaw"),
     [
         (lambda c: c["pairs"][0]["zeros"].pop(), "region that does not exist"),
-        (lambda c: c["pairs"].pop(), "not every pair"),
-        (lambda c: c["pairs"].append(c["pairs"][0]), "not every pair"),
+        (lambda c: c["pairs"].pop(), "pairs of segments that are not given exactly once"),
+        (lambda c: c["pairs"].append(c["pairs"][0]), "pairs of segments that are not given exactly once"),
         (lambda c: c.update(first=[], pairs=[]), "a curve without segments"),  # accepted before
         (lambda c: c.update(first=[], second=[], pairs=[]), "a curve without segments"),
         (lambda c: c["pairs"][0]["zeros"].append(c["pairs"][0]["zeros"][0]), "regions of two zeros that meet"),

@@ -36,6 +36,8 @@ FIRST_BITS, MARGIN = 200, 35
 #: The number of points of a quadrature is a multiple of this, so that few different rules occur; and the largest half
 #: axis of its ellipse.
 STEP, LARGEST = 8, 16
+#: Bits by which the errors of parts are smaller than the requested one, for their sum.
+SPARE = 8
 #: A segment: the common factor g of the components of γ′, h, and w, with ``‖γ′‖ = |g| √h / w²`` and h > 0.
 Speed: TypeAlias = tuple[fmpq_poly, fmpq_poly, fmpq_poly]
 
@@ -319,8 +321,11 @@ class _Rooted:
         return self.top(x).nonnegative_part().sqrt() / self.bottom(x)
 
     def integral(self, low: arb, high: arb) -> arb:
-        """The integral of the speed: an interval near a zero is halved, and a short one is estimated."""
-        total, todo = arb(0), [(low, high, 0)]
+        """The integral of the speed: an interval near a zero is halved, and a short one is estimated. The error of a part
+        is small compared with the integral over the part, or with the speed at two places of the whole.
+        """
+        total, todo, quarter = arb(0), [(low, high, 0)], (high - low) / 4
+        self.small = self.at(low + quarter).max(self.at(high - quarter)) * quarter * arb((1, -ctx.prec - SPARE))
         while todo:
             low, high, depth = todo.pop()
             self.budget.take(6 + len(self.zeros))
@@ -329,7 +334,7 @@ class _Rooted:
             axis = reduce(arb.min, [*axes, *((1 + a) / 2 for a in far)], arb(LARGEST)).lower()
             if 5 * axis > 6:
                 total += self._by_points(middle, half, axis, far)
-            elif depth > ctx.prec:
+            elif depth > ctx.prec or self.at(low.union(high)) * half < self.small:
                 total += self.at(low.union(high)) * 2 * half
             else:
                 todo += [(low, middle, depth + 1), (middle, high, depth + 1)]
@@ -344,7 +349,7 @@ class _Rooted:
         square = prod(((abs(z - middle) + radius) ** times for z, times in self.zeros), start=self.square)
         most = self.sizes(abs(middle) + radius) * square.sqrt() / prod(apart, start=self.lead**2)
         error = 64 * half * most / (15 - 15 / rho**2)
-        n, allowed = 0, half * self.at(middle) * arb((1, -ctx.prec))
+        n, allowed = 0, self.small.max(half * self.at(middle) * arb((1, -ctx.prec)))
         while not error / rho ** (2 * n) < allowed and n < 4 * ctx.prec:
             n += STEP * (1 + n // (4 * STEP))
         self.budget.take(n * (1 + len(self.zeros)))
