@@ -321,8 +321,8 @@ class _Rooted:
         return self.top(x).nonnegative_part().sqrt() / self.bottom(x)
 
     def integral(self, low: arb, high: arb) -> arb:
-        """The integral of the speed: an interval near a zero is halved, and a short one is estimated. The error of a part
-        is small compared with the integral over the part, or with the speed at two places of the whole.
+        """The integral of the speed: an interval near a zero is halved, and a short one is estimated. The error of a
+        part is small compared with the integral over that part, or with the speed at two points of the whole interval.
         """
         total, todo, quarter = arb(0), [(low, high, 0)], (high - low) / 4
         self.small = self.at(low + quarter).max(self.at(high - quarter)) * quarter * arb((1, -ctx.prec - SPARE))
