@@ -94,7 +94,7 @@ def convert(
     what = "surface" if reading.surfaces and (surfaces or not reading.curves) else "curve"
     chosen = _chosen(reading, what, source, only or [])
     if snap and what == "surface":
-        raise OptionsError("--snap and surfaces", remedy="it is for curves")
+        raise OptionsError("--snap and surfaces", remedy="omit --snap: it is only for curves")
     repairs = [_repaired(each, snap, epsilon) for each in chosen]
     replacements = _all_replacements(chosen, repairs, snap)
     chosen = list(map(_with_repair, chosen, repairs))

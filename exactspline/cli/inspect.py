@@ -189,7 +189,7 @@ def _inspect_surfaces(
 
     own = [surface for pair in read for surface in surfaces_in(*pair)]
     if refused := next((option for option, value in for_curves.items() if value), ""):
-        raise OptionsError(f"{refused} and a surface", remedy="it is for curves")
+        raise OptionsError(f"{refused} and a surface", remedy=f"omit {refused}: it is only for curves")
     if ask:
         answer_about_surfaces(out, own, ask, digits, good=good)
         return

@@ -118,7 +118,7 @@ def prove(
     curves = on if curve or surface else None
     if judge and curves is not None:
         options = "--judge and --curve" if curve else "--judge and --surface"
-        raise OptionsError(options, remedy="another judge decides for all: leave it out")
+        raise OptionsError(options, remedy="omit --judge: the second verifier decides for all curves")
     second = None
     if judge:
         from exactspline.verification.judges import judge_named, second_opinion

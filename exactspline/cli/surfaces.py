@@ -89,7 +89,7 @@ def _inspected(
 
     if surface.dimension == 2:
         if plot:
-            raise OptionsError("--plot and a map of the plane", remedy="surfaces in space are drawn")
+            raise OptionsError("--plot and a map of the plane", remedy="omit --plot: only surfaces in space are drawn")
         sign = jacobian_sign(surface)
         return surface_inspection_data(sign, digits), [map_sheet(sign)]
     found = inspect_surface(surface)

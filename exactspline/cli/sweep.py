@@ -148,7 +148,7 @@ def sweep(
         find = with_distance(find or (["all"] if surfaces else USUAL), epsilon, usual)
     taken = Taken.of(surfaces=surfaces, approximate=approximate or None)
     if surfaces and random:
-        raise OptionsError("--random and --surfaces", remedy="there are no families of random surfaces")
+        raise OptionsError("--random and --surfaces", remedy="omit one of them: the families are of curves")
     sources, work = _sources(corpus or [], random or []), work_of(taken, find, claim or (), digits, values)
     check_backend(backend)
     # the remarks of fontTools on dates in fonts do not concern outlines

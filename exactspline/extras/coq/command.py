@@ -50,7 +50,7 @@ def see_that_coq_can_name(path: str) -> None:
     if Path(path).name != f"{named}.v":
         raise OptionsError(
             f"--emit-coq {path!r}: a file of Coq is named by letters, digits and underscores, a letter first, and .v",
-            remedy=f"{Path(path).with_name(f'{named}.v')} would do",
+            remedy=f"write --emit-coq {Path(path).with_name(f'{named}.v')}",
         )
 
 

@@ -173,7 +173,7 @@ def check(
     if bool(text) == bool(answer) or (text and reference):
         raise OptionsError("one answer is needed", remedy="name a file, or write --topic TOPIC --text ANSWER")
     if hint and reference:
-        raise OptionsError("--hint and --reference", remedy="there are hints for exercises")
+        raise OptionsError("--hint and --reference", remedy="omit one of them: only exercises have hints")
     found, against = (
         _exercise(topic, seed, text or _read(answer)) if topic else _compared(answer, reference, factor, trust)
     )

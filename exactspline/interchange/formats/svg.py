@@ -4,10 +4,11 @@ Lines, quadratics and cubics are exact. Elliptic arcs are exact if the centre is
 the coordinate axes (or the arc is circular); any other arc is skipped and divides its subpath or, with `approximate`,
 is replaced by an arc within that distance. Transforms are applied exactly, about their origin; elements under a
 transform with an irrational sine, cosine or tangent are skipped. Path data with an error are read up to the error, as
-the standard requires. Copies (`use`) are placed. The first child of a `switch` that requires no extension and no
-language is drawn. Elements that style sheets may move or reshape are skipped; a note names those that style sheets may
-hide. Elements of other namespaces inside the drawing, and their children, are not drawn. Definitions (`defs`, `marker`,
-…) are not drawn. svgelements and svgpathtools store floats, so the text is parsed here.
+the standard requires. An element that is used again (`use`) is copied to every such place. The first child of a
+`switch` that requires no extension and no language is drawn. Elements that style sheets may move or reshape are
+skipped; a note names those that style sheets may hide. Elements of other namespaces inside the drawing, and their
+children, are not drawn. Definitions (`defs`, `marker`, …) are not drawn. svgelements and svgpathtools store floats, so
+the text is parsed here.
 """
 
 from __future__ import annotations

@@ -233,7 +233,7 @@ def test_from_the_command_line(tmp_path: Path) -> None:
     for name, better in (("3dm_x.v", "curve_3dm_x.v"), ("a-b.v", "a_b.v"), ("x.txt", "x_txt.v")):
         refused = run("inspect", "cubic_s", "--emit-coq", tmp_path / name)
         assert refused.returncode == 2
-        assert f"{tmp_path / better} would do" in " ".join(refused.stderr.split())
+        assert f"write --emit-coq {tmp_path / better}" in " ".join(refused.stderr.split())
     for folder in ("/", "."):
         refused = run("inspect", "cubic_s", "--emit-coq", folder)
         assert refused.returncode == 2
