@@ -1,5 +1,5 @@
-"""Exact curves: circles, ellipses and conic arcs as rational quadratics with rational weights; curves through points;
-closed curves, and curves joined.
+"""Functions that make exact curves: conic arcs as quadratics with rational weights, curves through points, closed
+curves, and joined curves.
 """
 
 from __future__ import annotations
@@ -36,7 +36,7 @@ __all__ += ["from_powers", "hermite", "interpolate", "joined", "line", "polyline
 
 
 def line(start: Iterable[Number], end: Iterable[Number]) -> Nurbs:
-    """The line segment between two points, over [0, 1].
+    """Return the line segment between two points, over [0, 1].
 
     >>> line((0, 0), (4, 2))("1/2")
     (mpq(2,1), mpq(1,1))
@@ -45,7 +45,8 @@ def line(start: Iterable[Number], end: Iterable[Number]) -> Nurbs:
 
 
 def polyline(points: Iterable[Iterable[Number]], *, closed: bool = False) -> Nurbs:
-    """The polygon through points, over the parameters 0, 1, 2, …; with `closed` it returns to the first point.
+    """Return the polygon through points, over the parameters 0, 1, 2, …; with `closed` the polygon ends at its first
+    point.
 
     >>> polyline([(0, 0), (1, 0), (1, 1)], closed=True)("5/2")
     (mpq(1,2), mpq(1,2))
@@ -58,7 +59,7 @@ def polyline(points: Iterable[Iterable[Number]], *, closed: bool = False) -> Nur
 
 
 def circle(centre: Iterable[Number] = (0, 0), radius: Number = 1) -> Nurbs:
-    """A full circle in the plane, counter-clockwise from its rightmost point, in four segments.
+    """Return a full circle in the plane, counter-clockwise from its rightmost point, in four segments.
 
     >>> x, y = circle((1, 0), "5/2")("1/3")
     >>> (x - 1) ** 2 + y**2
@@ -74,7 +75,7 @@ def circle(centre: Iterable[Number] = (0, 0), radius: Number = 1) -> Nurbs:
 
 
 def ellipse(centre: Iterable[Number], u: Iterable[Number], v: Iterable[Number]) -> Nurbs:
-    """The full ellipse ``centre + cos t u + sin t v`` in the plane or in space.
+    """Return the full ellipse ``centre + cos t u + sin t v`` in the plane or in space.
 
     >>> ellipse((0, 0, 1), (2, 0, 0), (0, 1, 1))(1)
     (mpq(0,1), mpq(1,1), mpq(2,1))
@@ -86,8 +87,8 @@ def ellipse(centre: Iterable[Number], u: Iterable[Number], v: Iterable[Number]) 
 
 
 def arc(centre: Iterable[Number], start: Iterable[Number], end: Iterable[Number]) -> Nurbs:
-    """The circular arc in the plane, counter-clockwise from `start` to `end` (the full circle if the two points
-    coincide).
+    """Return the circular arc in the plane, counter-clockwise from `start` to `end`, or the full circle if these points
+    coincide.
 
     >>> quarter = arc((0, 0), (3, 4), (-4, 3))
     >>> quarter.degree, quarter.weights
@@ -101,8 +102,8 @@ def arc(centre: Iterable[Number], start: Iterable[Number], end: Iterable[Number]
 
 
 def conic(form: Sequence[Number], start: Iterable[Number], end: Iterable[Number]) -> Nurbs:
-    """The arc of the conic A x² + B x y + C y² + D x + E y + F = 0, given by its six coefficients: counter-clockwise on
-    an ellipse; on a parabola or a hyperbola along the branch that contains both ends.
+    """Return an arc of the conic A x² + B x y + C y² + D x + E y + F = 0, which is given by its six coefficients. The
+    arc is counter-clockwise on an ellipse; on a parabola or a hyperbola it lies on the branch that contains both ends.
 
     >>> conic([0, 1, 0, 0, 0, -1], (1, 1), (4, "1/4"))("1/2")
     (mpq(28,13), mpq(13,28))
@@ -123,7 +124,7 @@ def _curve(segments: Sequence[Segment], name: str) -> Nurbs:
 
 
 def arc_through(start: Iterable[Number], middle: Iterable[Number], end: Iterable[Number]) -> Nurbs:
-    """The circular arc in the plane from `start` through `middle` to `end`.
+    """Return the circular arc in the plane from `start` through `middle` to `end`.
 
     >>> arc_through((1, 0), (0, -1), (0, 1))(1)
     (mpq(0,1), mpq(-1,1))
@@ -141,8 +142,8 @@ def arc_through(start: Iterable[Number], middle: Iterable[Number], end: Iterable
 
 
 def from_powers(coefficients: Iterable[Iterable[Number]], a: Number = 0, b: Number = 1) -> Nurbs:
-    """The curve over [a, b] whose coordinates are polynomials in the parameter, given by their coefficients, constant
-    term first (``paramPoly3`` of OpenDRIVE).
+    """Return the curve over [a, b] whose coordinates are polynomials in the parameter. A polynomial is given by its
+    coefficients, constant term first (as in ``paramPoly3`` of OpenDRIVE).
 
     >>> from_powers([[1, 2], [0, 0, 1]])("1/2")
     (mpq(2,1), mpq(1,4))
@@ -157,7 +158,7 @@ def from_powers(coefficients: Iterable[Iterable[Number]], a: Number = 0, b: Numb
 def hermite(
     points: Iterable[Iterable[Number]], slopes: Iterable[Iterable[Number]], parameters: Iterable[Number] | None = None
 ) -> Nurbs:
-    """The cubic spline, of class C¹, through points with these derivatives at the parameters (0, 1, 2, …).
+    """Return the cubic spline of class C¹ through these points, with these derivatives, at the parameters 0, 1, 2, ….
 
     >>> curve = hermite([(0, 0), (1, 1)], [(1, 0), (0, 3)])
     >>> curve(1), curve.derivative(1, 0), curve.derivative(1, 1)
@@ -171,8 +172,9 @@ def hermite(
 
 
 def catmull_rom(points: Iterable[Iterable[Number]], *, closed: bool = False) -> Nurbs:
-    """The Catmull–Rom spline through points, over the parameters 0, 1, 2, …: the slope at each point is half of the
-    step from the previous point to the next one; at the ends of an open spline it is the first and the last step.
+    """Return the Catmull–Rom spline through points, over the parameters 0, 1, 2, …. The derivative at a point is half
+    of the step from the previous point to the next point; at the ends of an open spline, it is the first or the last
+    step.
 
     >>> catmull_rom([(0, 0), (1, 1), (2, 0)]).derivative(1, 1)
     (mpq(1,1), mpq(0,1))
@@ -190,7 +192,8 @@ def catmull_rom(points: Iterable[Iterable[Number]], *, closed: bool = False) -> 
 def closed_spline(
     points: Iterable[Iterable[Number]], degree: int = 3, weights: Iterable[Number] | None = None
 ) -> Nurbs:
-    """The closed spline with these control points and uniform knots; it is as smooth at its seam as at the other knots.
+    """Return the closed spline with these control points and uniform knots, which is as smooth at its seam as at the
+    other knots.
 
     >>> curve = closed_spline([(0, 0), (2, 0), (2, 2), (0, 2)])
     >>> curve.closed, str(curve.domain), curve.derivative(1, 0) == curve.derivative(1, 4)
@@ -203,8 +206,8 @@ def closed_spline(
 
 
 def joined(curves: Iterable[Nurbs]) -> Nurbs:
-    """One curve made of several curves, each of which begins where the previous one ends; each segment is over an
-    interval of length 1.
+    """Return one curve made of several curves, each of which begins where the previous curve ends. Every segment of the
+    result has a parameter interval of length 1.
 
     >>> joined([Nurbs.bezier([(0, 0), (1, 0)]), Nurbs.bezier([(1, 0), (2, 1), (3, 0)])]).breakpoints
     (mpq(0,1), mpq(1,1), mpq(2,1))
@@ -219,8 +222,9 @@ def joined(curves: Iterable[Nurbs]) -> Nurbs:
 
 
 def closed(curve: Nurbs, *, within: Number) -> Nurbs:
-    """The closed curve made of a curve whose ends nearly meet: the last control point is moved to the first one, by at
-    most `within`; with positive weights no point of the curve moves farther. The `note` of the result has the distance.
+    """Return the closed curve made of a curve whose ends nearly meet: the last control point is moved to the first
+    control point, by at most `within`. If the weights are positive, no point of the curve moves farther. The `note` of
+    the result gives the distance.
 
     >>> closed(Nurbs.bezier([(0, 0), (1, 1), ("1e-12", 0)]), within="1e-9").note
     'closed: the last control point was moved by at most 1/1000000000000'
@@ -237,8 +241,8 @@ def closed(curve: Nurbs, *, within: Number) -> Nurbs:
 
 
 def rotate(curve: Nurbs, degrees: Number, *, within: Number = "1e-9") -> Nurbs:
-    """A plane curve rotated counter-clockwise about the origin. The angle has a rational sine and cosine, and differs
-    from the given angle by at most `within` radians.
+    """Return a plane curve rotated counter-clockwise about the origin. The angle has a rational sine and cosine, and
+    differs from the given angle by at most `within` radians.
 
     >>> turned = rotate(circle(), 60)
     >>> abs(2 * turned(0)[0] - 1) < mpq(1, 10**8), turned == circle(), rotate(circle(), 90)(0)
@@ -272,9 +276,9 @@ def interpolate(
     slopes: Iterable[Iterable[Number]] = (),
     within: Number = "1e-6",
 ) -> Nurbs:
-    """The cubic spline, of class C², through points at given parameters; by default these are the chord lengths,
-    rounded by less than a distance. `ends` are ``natural``, ``clamped`` (with two `slopes`) or ``periodic``, which is
-    the same as `closed`; then the last point may repeat the first.
+    """Return the cubic spline of class C² through points at given parameters, by default the chord lengths, rounded.
+    `ends` is ``natural``, ``clamped`` (with two `slopes`) or ``periodic`` (the same as `closed`). The last point of a
+    periodic spline may repeat the first point.
 
     >>> curve = interpolate([(0, 0), (1, 1), (2, 0)], [0, 1, 2])
     >>> curve(1), curve.derivative(2, 0), curve.p[1].continuity_at(1)

@@ -21,7 +21,7 @@ T = TypeVar("T")
 
 
 class ExactSplineError(ValueError):
-    """Base of all errors that bad input can cause.
+    """The base class of all errors that bad input can cause.
 
     >>> print(KnotError("knots decrease", where="knots[3]", remedy="sort them", knot="1/2"))
     knots[3]: knots decrease; sort them
@@ -33,7 +33,7 @@ class ExactSplineError(ValueError):
         super().__init__((f"{where}: " if where else "") + message + (f"; {remedy}" if remedy else ""))
 
     def at(self, place: str) -> ExactSplineError:
-        """The same error with its place prefixed, by a caller that knows the file or the field.
+        """Return the same error with a place (a file or a field that only the caller knows) before its own place.
 
         >>> print(NumberError("not a number", where="[2]").at("weights"))
         weights[2]: not a number
@@ -42,7 +42,7 @@ class ExactSplineError(ValueError):
         return type(self)(self.problem, where=where, remedy=self.remedy, **self.data)
 
     def moved(self, old: str, new: str) -> ExactSplineError:
-        """The same error with another name for its place, by a caller that knows which row or argument it is.
+        """Return the same error with another name for its place: the row or the argument, which only the caller knows.
 
         >>> print(NumberError("not a number", where="knots[2]").moved("knots", "knots_u"))
         knots_u[2]: not a number

@@ -100,12 +100,12 @@ class Written(Displayed):
     __slots__ = ()
 
     def to_dict(self, digits: int = 20) -> dict[str, object]:
-        """The answer as data for ``json.dumps``, irrational numbers to this many digits."""
+        """Return the answer as data for ``json.dumps``, with this many digits of irrational numbers."""
         return cast("Callable[..., dict[str, object]]", _outside[0]("to_dict", self))(digits=digits)
 
     def to_records(self) -> list[dict[str, object]]:
-        """The things of which the answer consists, as records for ``pandas.DataFrame`` and ``polars.DataFrame``;
-        numbers are correctly rounded doubles.
+        """Return the parts of the answer as records for ``pandas.DataFrame`` and ``polars.DataFrame``, with correctly
+        rounded doubles as numbers.
         """
         return cast("Callable[..., list[dict[str, object]]]", _outside[0]("to_records", self))()
 
@@ -153,7 +153,7 @@ class _Outside:
 
 def _question(name: str) -> property:
     """A question as an attribute; a property, so that completion does not ask it."""
-    return property(lambda thing: _outside[0](name, thing), doc=f"``exactspline.analyse(self).{name}``: see there.")
+    return property(lambda thing: _outside[0](name, thing), doc=f"The answer ``exactspline.analyse(self).{name}``.")
 
 
 class OtherNames:
@@ -182,8 +182,8 @@ class FunctionsOutside(OtherNames):
         rounding: str = "nearest",
         side: str = "right",
     ) -> NDArray[np.float64]:
-        """Correctly rounded doubles at parameters, as an array: of points, or by ``of="curvature"``, ``order=1``, … of
-        other quantities. `exactspline.floats` of this object returns the same.
+        """Return an array of correctly rounded doubles at parameters: of points or, with ``of="curvature"``,
+        ``order=1``, …, of other quantities. `exactspline.floats` of this object returns the same.
         """
         evaluate = cast("Callable[..., NDArray[np.float64]]", _outside[0]("floats", self))
         return evaluate(*parameters, of=of, order=order, rounding=rounding, side=side)

@@ -37,8 +37,8 @@ MOST = {"degree": 60, "segments": 100_000, "bits": 100_000}
 
 @dataclass(frozen=True, repr=False)
 class Family(OneLine):
-    """Random curves with simple knots 0, 1, 2, …, integer control points of a given number of bits and weights of 1 to
-    20.
+    """A family of random curves with the simple knots 0, 1, 2, …, integer control points of a given number of bits, and
+    weights from 1 to 20.
 
     >>> family = Family.parsed("degree=2-5 segments=1-4 rational=half count=400 seed=1")
     >>> curve = family.curve(7)
@@ -56,7 +56,8 @@ class Family(OneLine):
 
     @classmethod
     def parsed(cls, text: str | Iterable[str]) -> Family:
-        """The family that ``degree=5 count=1000 seed=1`` describes, words separated by blanks or commas.
+        """Return the family that a text such as ``degree=5 count=1000 seed=1`` describes; blanks or commas separate the
+        words.
 
         Raises `CurveFileError` for an unknown word or a number out of range.
         """
@@ -74,7 +75,7 @@ class Family(OneLine):
         return cls(**values)  # type: ignore[arg-type]  # each field gets a value of its own type
 
     def curve(self, number: int) -> Nurbs:
-        """The curve with this index, counted from 0."""
+        """Return the curve with this index, counted from 0."""
         chance = Random(f"exactspline {self.seed} {number}")
         degree, segments = chance.randint(*self.degree), chance.randint(*self.segments)
         most = 1 << self.bits

@@ -37,24 +37,23 @@ def sweep(
     surfaces: bool = False,
     approximate: Number | None = None,
 ) -> Iterator[Line]:
-    """The features of each of many curves, one line per curve, in order, one at a time. A source is a curve, the name
-    of a file, a folder, a font or an example, or a `Family` of random curves. `find` names the questions to ask
-    (`asked_by_sweeps`), `claims` the claims to check, by id; with `values` every point has its coordinates and the
-    curvature, as correctly rounded doubles; `backend` is one of `BACKENDS`. A curve that cannot be read or handled
-    yields a line with its error. With `surfaces` surfaces are taken instead of curves, and `find` names questions about
-    them (all without it). `approximate` is the distance within which arcs of drawings that have no rational control
-    points are replaced (see `exactspline.interchange.read`).
+    """Yield the features of many curves, one line per curve, in order. A curve is given by itself, by the name of a
+    file, a folder, a font or an example, or by a `Family` of random curves. `find` names the questions to ask
+    (`asked_by_sweeps`); `claims` are the ids of the claims to check. With `values` every point has its coordinates and
+    the curvature, as correctly rounded doubles. `backend` is one of `BACKENDS`. A curve that cannot be read or handled
+    yields a line with the error. With `surfaces`, the surfaces are taken instead of the curves, and `find` names
+    questions about surfaces (by default all). `approximate` is explained at `exactspline.interchange.read`.
 
-    Plane curves are read and computed in groups, the first of 16, later ones of up to 512: the generator computes ahead
-    by the rest of a group, with several processes by up to 4096 curves each.
+    Plane curves are computed in groups of 16 to 512: the generator computes ahead by the rest of a group, and with
+    several processes by up to 4096 curves for each process.
 
     >>> for line in sweep(["circle", "six_segment_cubic"], find=["turning_points:0"]):
     ...     print(line.curve, [each.low for each in line.found["turning_points:0"]])
     circle ['0', '2']
     six_segment_cubic ['1.9264459962', '5.1715728752']
 
-    Raises `QuestionError`, `ClaimError` or `BackendError` for unknown names, and `ShapeError` for
-    claims or values of surfaces, before anything is computed.
+    Raises `QuestionError`, `ClaimError` or `BackendError` for unknown names, and `ShapeError` for claims or values of
+    surfaces, before anything is computed.
     """
     jobs, scheduler = as_integer(jobs, "a number of processes", 1), as_text(scheduler, "the address of a scheduler")
     taken = Taken.of(surfaces=surfaces, approximate=approximate)

@@ -275,8 +275,9 @@ class ZeroCurves:
 def common_zeros(
     first: TensorSpline, second: TensorSpline, *more: TensorSpline, closed: Iterable[Along] = ()
 ) -> CommonZeros:
-    """All points at which two or more functions of two parameters vanish together: simple and multiple ones, on borders
-    and at knots, each once; and `everywhere` the patches, lines and curves on which they vanish together.
+    """Return all points at which two or more functions of two parameters vanish together, each point once. Simple and
+    multiple zeros, also on borders and at knots, are found. `everywhere` lists the patches, lines and curves on which
+    the functions vanish together.
 
     >>> from exactspline import TensorSpline
     >>> knots = [0, 0, 0, 1, 1, 1]
@@ -290,9 +291,9 @@ def common_zeros(
     >>> common_zeros(line, line.partial(1, 0))
     nowhere
 
-    Points of a patch, an edge or a curve on which the functions vanish everywhere are not listed, even if this belongs
-    to another patch. The two ends of a `closed` parameter are identified. The work is limited to about ten seconds
-    (somewhat more for many patches); patches that would take more are `undecided`.
+    Points of parts in `everywhere` are not listed, even as points of a neighbouring patch. The two ends of a `closed`
+    parameter are identified. The work is limited to about ten seconds (somewhat more for many patches); patches that
+    would take more are `undecided`.
 
     Raises `ShapeError` for anything except functions of two parameters, and `DomainError` for different domains.
 
@@ -317,8 +318,8 @@ def common_zeros(
 
 
 def zero_curve(function: TensorSpline, closed: Iterable[Along] = ()) -> ZeroCurves:
-    """All zeros of a function of two parameters with their topology: lines parallel to an axis, connected curves
-    (loops, arcs, branches that cross; followed across knots), and single points.
+    """Return all zeros of a function of two parameters with their topology: lines parallel to an axis, connected curves
+    (loops, arcs, and branches that cross), and single points. Curves are followed across knots.
 
     >>> from exactspline import TensorSpline
     >>> knots = [0, 0, 0, 1, 1, 1]
@@ -330,7 +331,7 @@ def zero_curve(function: TensorSpline, closed: Iterable[Along] = ()) -> ZeroCurv
     >>> line.value
     mpq(1,2)
 
-    The two ends of a `closed` parameter are identified: curves continue there.
+    Curves continue across the two ends of a `closed` parameter.
 
     The work is limited as for `common_zeros`; rectangles that would take more are `undecided`.
 

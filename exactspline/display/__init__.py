@@ -1,4 +1,5 @@
-"""Display of objects: HTML and LaTeX in a notebook, and one line in place of an exact text that would be too long.
+"""This package displays objects: as HTML and LaTeX in a notebook, and in one line in place of an exact text that would
+be too long.
 
 ``%load_ext exactspline.display`` in a notebook also shows exact numbers as fractions.
 """

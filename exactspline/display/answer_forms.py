@@ -305,7 +305,8 @@ def answers_data(facts: Remembers, digits: int) -> Data:
 
 
 def inspection_data(curve: Nurbs, digits: int = 20, tick: Callable[[], None] = lambda: None) -> Data:
-    """The features of a curve as data, each answer under the name of its question; `tick` is called after each answer.
+    """Return the features of a curve as data: each answer has the name of its question. `tick` is called after each
+    answer.
 
     Raises `ExactSplineError` for an object that is neither a plane curve nor a space curve.
     """

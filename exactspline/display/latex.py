@@ -33,13 +33,13 @@ _SUPERSCRIPTS = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻", "0123456789-")
 
 @singledispatch
 def mathematics(x: object) -> str | None:
-    """LaTeX of an object without dollar signs; None for an object that is not written as LaTeX."""
+    """Return the LaTeX of an object without dollar signs, or None for an object that is not written as LaTeX."""
     return None
 
 
 def latex(x: object) -> str | None:
-    r"""LaTeX of a formula (or its name), a function, a number, a claim, …: a display formula, with line breaks if it is
-    too long. None for other objects.
+    r"""Return the LaTeX of a formula (or its name), a function, a number, a claim, …, as a display formula, with line
+    breaks if it is long. Return None for other objects.
 
     >>> latex("D1").strip("$")
     "D_1 = p'\\,w - p\\,w'"

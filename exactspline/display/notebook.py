@@ -67,7 +67,7 @@ _short = Numbers()
 
 @singledispatch
 def html(x: object) -> str | None:
-    """HTML for a notebook, None for other objects (then LaTeX or text is shown)."""
+    """Return HTML for a notebook, or None for an object that is shown as LaTeX or text."""
     return None
 
 
@@ -251,7 +251,7 @@ def _(s: Statement) -> str:
 
 
 def short(x: object) -> str:
-    """One line for IPython: the `repr`, or the description of a long vector.
+    """Return one line for IPython: the `repr`, or the description of a long vector.
 
     >>> short(BSpline.bezier([0, 1])), short(BSpline.bezier([0] * 50))
     ('BSpline(1, [0, 0, 1, 1], [0, 1])', '<BSpline: degree 49, 50 control points on [0, 1], 1 segment>')
@@ -263,8 +263,8 @@ def short(x: object) -> str:
 
 
 def load_ipython_extension(shell: object) -> None:
-    """``%load_ext exactspline.display``: exact numbers as fractions, tuples of them as points, triangles of fractions,
-    exercises, and figures and axes as pictures.
+    """Make ``%load_ext exactspline.display`` show exact numbers as fractions, tuples of exact numbers as points, and
+    figures and axes as pictures; triangles of fractions and exercises are shown, too.
     """
     formatters = cast(Any, shell).display_formatter.formatters
     for module, name in (("matplotlib.figure", "Figure"), ("matplotlib.axes._axes", "Axes")):

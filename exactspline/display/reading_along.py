@@ -94,13 +94,13 @@ class ReadingAlong(Displayed):
 
 
 def reading_along(section: str, source: Paper | None = None) -> ReadingAlong:
-    """A section of a source, every passage with its claims and their verdicts. A claim is shown with the first passage
-    that makes it.
+    """Return a section of a paper: all passages, each with its claims and the verdicts of these claims. A claim is
+    shown with the first passage that makes the claim.
 
     >>> reading_along("5.2")
     <Reading along §5.2: 8 of 8 printed statements decided: 7 hold, 1 refuted (1 error); 1 corrected statement>
 
-    Raises `ClaimError` for a section that the source does not have.
+    Raises `ClaimError` for a section that the paper does not have.
     """
     own = default_papers()[0] if source is None else as_instance(source, Paper, "a paper", 'give paper("lifted")')
     sections, number = sections_of(own), str(section).lstrip("§ ")

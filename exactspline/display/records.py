@@ -105,8 +105,8 @@ def to_dict(about: Written, *, digits: int = 20) -> dict[str, object]:
 
 
 def to_dict(about: About | Written, question: str = "", digits: int = 20) -> dict[str, object]:
-    """The answer to a question (see `ask`) as data for ``json.dumps``, irrational numbers to this many digits. An
-    answer itself may be given, too; ``answer.to_dict()`` is the same.
+    """Return the answer to a question (see `ask`) as data for ``json.dumps``, with this many digits of irrational
+    numbers. ``answer.to_dict()`` returns the same.
 
     >>> from exactspline import example
     >>> to_dict(example("torus"), "umbilics")
@@ -131,8 +131,8 @@ def to_records(about: Written) -> list[dict[str, object]]:
 
 
 def to_records(about: About | Written, question: str = "") -> list[dict[str, object]]:
-    """The answer to a question (see `ask`) as a list of records for ``pandas.DataFrame`` and ``polars.DataFrame``:
-    numbers are correctly rounded doubles. An answer itself may be given, too; ``answer.to_records()`` is the same.
+    """Return the answer to a question (see `ask`) as a list of records for ``pandas.DataFrame`` and
+    ``polars.DataFrame``, with correctly rounded doubles as numbers. ``answer.to_records()`` returns the same.
 
     >>> from exactspline import example
     >>> to_records(example("cubic_s"), "inflections")[0]["parameter"]

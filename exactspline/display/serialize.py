@@ -263,10 +263,9 @@ DERIVED = lists(
 
 
 def derived_data(derived: Derived, curve: str) -> Data:
-    """A derived object as JSON data: control points as exact text, piece by piece.
+    """Return the JSON data of a derived object: the control points of each piece, as exact text.
 
-    A quotient is given by homogeneous control points ``(w x, w y, …, w)``, a scalar one by ``(w f, w)``; it has no
-    value at its poles.
+    A quotient is given by homogeneous control points ``(w x, w y, …, w)``, a scalar quotient by ``(w f, w)``.
     """
     derived = as_instance(derived, Derived, "a derived object", "give the result of exactspline.derive")
     layout = "directrix, generator" if derived.ruled else ""

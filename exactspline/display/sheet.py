@@ -207,7 +207,7 @@ class Sheet:
 
     @property
     def tags(self) -> list[str]:
-        """The words in those columns that name kinds of things, each word once."""
+        """The words in columns such as `verdict` that name kinds of things, each word once."""
         columns = [i for i, name in enumerate(self.columns) if name in TAGGED]
         return list(dict.fromkeys(row[i] for i in columns for row in self.rows))
 
@@ -217,11 +217,11 @@ class Sheet:
             yield line
 
     def text(self, width: int = PIPE) -> str:
-        """The table as lines of at most that width."""
+        """Return the table as lines of at most that width."""
         return "\n".join(line.plain for line in self.lines(width))
 
     def lines(self, width: int = PIPE) -> list[Text]:
-        """The styled lines of the table: none is longer than the width, and no cell is cropped."""
+        """Return the styled lines of the table: none is longer than the width, and no cell is cropped."""
         from rich.text import Text  # imported only when a table is printed: help texts need no tables
 
         head = [Text(line, style="bold") for line in hanging(self.title, width)] if self.title else []
@@ -336,7 +336,7 @@ class Sheet:
         return [*lines, current] if current else lines
 
     def markdown(self) -> str:
-        r"""The table in Markdown.
+        r"""Return the table in Markdown.
 
         >>> sheet = Sheet("form", "degree", numbers=["degree"])
         >>> sheet.add_row("|κ|", "2")
@@ -351,7 +351,7 @@ class Sheet:
         return head + "\n".join(f"| {' | '.join(row)} |" for row in rows)
 
     def latex(self) -> str:
-        r"""The table as a LaTeX table.
+        r"""Return the table as a LaTeX table.
 
         >>> print(Sheet("form", "degree", rows=[("f2", "9d − 6")], title="Of a curve", numbers=["degree"]).latex())
         % Of a curve

@@ -54,7 +54,8 @@ QUOTATIONS = ("words", "printed")
 
 
 class Grid(Sheet, Displayed):
-    """A table of texts: HTML in a notebook, aligned columns in a terminal. A cell between dollar signs is LaTeX.
+    """A table of texts, shown as HTML in a notebook and as aligned columns in a terminal. A cell between dollar signs
+    is LaTeX.
 
     >>> print(Grid(["curve", "degree"], [["circle", 2], ["ellipse", 2]]))
     curve    degree
@@ -76,7 +77,7 @@ class Grid(Sheet, Displayed):
     __hash__ = None  # type: ignore[assignment]  # its lists can be changed
 
     def __getitem__(self, column: str) -> list[str]:
-        """The cells of a column."""
+        """Return the cells of a column."""
         i = self.columns.index(column)
         return [row[i] for row in self.rows]
 
@@ -88,7 +89,7 @@ class Grid(Sheet, Displayed):
         return f"<{type(self).__name__} of {', '.join(self.columns)}: {counted(len(self.rows), 'row')}>"
 
     def html(self) -> str:
-        """The table as HTML."""
+        """Return the table as HTML."""
         return self._table(self.rows)
 
     def _table(self, rows: Iterable[Sequence[str]]) -> str:
@@ -178,7 +179,8 @@ def _cut(text: str) -> str:
 
 
 def verdicts(*ids: str, curves: Iterable[Nurbs] = (), without: Sequence[str] = ()) -> Verdicts:
-    """Decide claims, except those of certain kinds: for all curves, or on the given curves.
+    """Decide the claims with these ids, for all curves or, if `curves` are given, on these curves. Claims of the kinds
+    `without` are left out.
 
     >>> verdicts("C4.1a")["verdict"]
     ['PROVED', 'PROVED']
@@ -192,7 +194,8 @@ def verdicts(*ids: str, curves: Iterable[Nurbs] = (), without: Sequence[str] = (
 
 
 def degree_table(curve: Nurbs) -> Grid:
-    """The constructions of a curve in every form: degrees, control points, time.
+    """Return a table of all constructions on a curve in all their variants: degrees, numbers of control points, and
+    times.
 
     >>> from exactspline.interchange.examples import example
     >>> degree_table(example("ellipse"))["control points"][:3]
@@ -208,8 +211,8 @@ def degree_table(curve: Nurbs) -> Grid:
 
 
 def measured(curve: Nurbs, *names: str) -> Grid:
-    """Formulas on a curve (by default all that apply to the curve): nominal, represented and true degree, control
-    points.
+    """Return a table of formulas on a curve, by default of all formulas that apply to the curve: their nominal,
+    represented and true degrees, and their numbers of control points.
 
     >>> from exactspline.interchange.examples import example
     >>> measured(example("ellipse"), "f2")["degree in d"]
@@ -225,11 +228,10 @@ def measured(curve: Nurbs, *names: str) -> Grid:
 
 
 def symbolic_table(*, polynomial: bool = False) -> Grid:
-    """The degrees of constructions, generators of ruled surfaces and bisectors on the generic curve of degree d: naive,
-    in the paper, minimal.
+    """Return a table of degrees of constructions, generators of ruled surfaces and bisectors on the generic curve of
+    degree d: the degree without cancellation (naive), the degree of the formula in the paper, and the minimal degree.
 
-    The minimal degree is proved by the degree theorem, and attained by certified witnesses at the degrees d in the last
-    column.
+    The degree theorem proves the minimal degree; for the degrees d in the last column, certified curves attain it.
 
     >>> table = symbolic_table()
     >>> [table[column][0] for column in ("object", "naive", "paper", "minimal")]
@@ -242,7 +244,8 @@ def symbolic_table(*, polynomial: bool = False) -> Grid:
 
 
 def reduction_table(*names: str) -> Grid:
-    """The results of factoring formulas for the indeterminate curve: cancelled factors, remaining form, and degrees.
+    """Return a table of the factors of formulas, found for a curve whose derivatives are indeterminates: the cancelled
+    factors, the remaining factor, and the degrees.
 
     >>> reduction_table("g0")["cancelled"]
     ['1/2·w⁻⁸']
@@ -265,7 +268,7 @@ class PrintedNumbers(Decided):
 
 
 def printed_numbers(*ids: str) -> PrintedNumbers:
-    """Every degree and every count that the paper prints, from its claims, next to the computed one.
+    """Return a table of every degree and every count that the paper prints, each next to the computed number.
 
     >>> printed_numbers("C4.2d")["computed"]
     ['6d − 6', '24d']
@@ -274,7 +277,9 @@ def printed_numbers(*ids: str) -> PrintedNumbers:
 
 
 def numerical_claims(*ids: str) -> list[Claim]:
-    """The claims with a degree or a count: the claims with these ids, or by default all that the paper makes."""
+    """Return the claims that state a degree or a count, among the claims with these ids; without ids, among all claims
+    of the paper.
+    """
     return [
         claim
         for claim in select(ids)

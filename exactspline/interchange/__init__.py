@@ -1,4 +1,5 @@
-"""Exact import and export of curves: `read` and `write` for file formats, and bridges to other libraries.
+"""This package imports and exports curves exactly: `read` and `write` are for file formats, the other functions for
+other libraries.
 
 >>> import os, tempfile
 >>> from exactspline.interchange.examples import example

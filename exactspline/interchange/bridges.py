@@ -54,8 +54,8 @@ class ReadSpline(NamedTuple):
 
 
 def from_scipy(spline: Piecewise | InTwo, *, literal: bool = False) -> Nurbs | BSpline | NurbsSurface | TensorSpline:
-    """The exact curve of a vector-valued spline, or the exact `BSpline` of a scalar one; in two parameters the
-    `NurbsSurface` or the `TensorSpline`. `read_scipy` returns the same with notes.
+    """Return the exact curve of a vector-valued spline, or the exact `BSpline` of a scalar spline. A spline in two
+    parameters becomes a `NurbsSurface` or a `TensorSpline`. `read_scipy` returns the same with notes.
 
     >>> from scipy.interpolate import CubicSpline
     >>> spline = from_scipy(CubicSpline([0, 1, 2, 3], [0, 1, 0, 2]))
@@ -66,18 +66,18 @@ def from_scipy(spline: Piecewise | InTwo, *, literal: bool = False) -> Nurbs | B
 
 
 def read_scipy(spline: Piecewise | InTwo, *, literal: bool = False) -> ReadSpline:
-    """The exact spline of a spline of scipy, every double with its binary value, and notes on the changes that were
-    made.
+    """Return the exact spline of a spline of scipy, with the binary value of every double, and notes on the changes
+    that were made.
 
-    Takes `BSpline`, `PPoly` (with it `CubicSpline`, `PchipInterpolator`, `Akima1DInterpolator`), `BPoly`,
-    `UnivariateSpline` and its kin, the ``(t, c, k)`` of `splrep` and `splprep`, `NdBSpline` of one and two parameters,
-    and `RectBivariateSpline`.
+    The spline may be a `BSpline`, a `PPoly` (such as `CubicSpline`, `PchipInterpolator` and `Akima1DInterpolator`), a
+    `BPoly`, a `UnivariateSpline`, the ``(t, c, k)`` of `splrep` and `splprep`, an `NdBSpline` of one or two parameters,
+    or a `RectBivariateSpline`.
 
-    Neighbouring pieces of a `PPoly` agree only up to rounding at their common breakpoint, and so do the ends of a
-    periodic spline. The smoothness that the class promises is restored: a `CubicSpline` is of class C²,
-    `PchipInterpolator`, `Akima1DInterpolator` and `CubicHermiteSpline` are C¹, and a periodic one is closed and as
-    smooth at its seam. A note gives the largest change of a Bézier coefficient. With `literal` the pieces stay as they
-    are.
+    Neighbouring pieces of a `PPoly` agree only up to rounding at their common breakpoint, as do the ends of a periodic
+    spline. The smoothness that the class of the spline promises is restored: a `CubicSpline` becomes C²; a
+    `PchipInterpolator`, an `Akima1DInterpolator` or a `CubicHermiteSpline` becomes C¹. A periodic spline becomes closed
+    and equally smooth at its seam. A note gives the largest change of a Bézier coefficient. With `literal` the pieces
+    are not changed.
 
     >>> from scipy.interpolate import CubicSpline
     >>> read_scipy(CubicSpline([0, 0.1, 1], [0, 1, 0.3])).notes
@@ -192,7 +192,7 @@ def _joined(breaks: list[mpq], pieces: list[list[tuple[mpq, ...]]], counts: list
 
 
 def to_scipy(curve: Nurbs | BSpline) -> scipy.interpolate.BSpline:
-    """A scipy spline with the correctly rounded knots and control points.
+    """Return a scipy spline with the correctly rounded knots and control points.
 
     Raises `ShapeError` for a rational curve, for which scipy has no class, and for anything but a curve or a spline.
     """
@@ -214,10 +214,10 @@ def to_scipy(curve: Nurbs | BSpline) -> scipy.interpolate.BSpline:
 
 
 def from_geomdl(curve: geomdl.abstract.Curve) -> Nurbs:
-    """The curve defined by exactly the numbers that geomdl stores. By default geomdl maps the knots to [0, 1], which
-    rounds them: if the last control points are the first ones, the knots outside of the domain are moved, by at most 8
-    units in the last place, so that the curve is closed, and a note says so. For a rational curve geomdl stores
-    homogeneous points (w x, w), and these are read.
+    """Return the curve defined by exactly the numbers that geomdl stores. By default geomdl maps the knots to [0, 1],
+    which rounds the knots: if the last control points equal the first ones, the knots outside of the domain are moved,
+    by at most 8 units in the last place, so that the curve is closed, and a note says so. The homogeneous points (w x,
+    w) that geomdl stores for a rational curve are read.
 
     Raises `ShapeError` for a surface, a volume, and objects that are not from geomdl.
     """
@@ -234,7 +234,7 @@ def from_geomdl(curve: geomdl.abstract.Curve) -> Nurbs:
 
 
 def to_geomdl(curve: Nurbs) -> geomdl.abstract.Curve:
-    """A geomdl curve with the correctly rounded knots and points; the knots are not normalized to [0, 1]."""
+    """Return a geomdl curve with the correctly rounded knots and points; the knots are not normalized to [0, 1]."""
     curve = curve_of(curve)
 
     from geomdl import NURBS
@@ -254,8 +254,9 @@ def to_geomdl(curve: Nurbs) -> geomdl.abstract.Curve:
 
 
 def from_splinepy(curve: splinepy.spline.Spline) -> Nurbs:
-    """The curve defined by exactly the numbers that splinepy stores, for any of its four spline classes; the domain of
-    a Bézier curve is [0, 1]. If the last control points are the first ones, the curve is closed as by `from_geomdl`.
+    """Return the curve defined by exactly the numbers that splinepy stores, for any of the four spline classes. The
+    domain of a Bézier curve is [0, 1]. If the last control points equal the first ones, the curve is closed as by
+    `from_geomdl`.
 
     Raises `ShapeError` for a surface or a volume, and for an object that is not a spline of splinepy.
     """
@@ -275,7 +276,7 @@ def from_splinepy(curve: splinepy.spline.Spline) -> Nurbs:
 
 
 def to_splinepy(curve: Nurbs) -> splinepy.spline.Spline:
-    """A splinepy ``BSpline`` or ``NURBS`` with the correctly rounded knots, points and weights."""
+    """Return a splinepy ``BSpline`` or ``NURBS`` with the correctly rounded knots, points and weights."""
     curve = curve_of(curve)
     import splinepy
 
@@ -294,7 +295,7 @@ STEPS = {1: "moveTo", 2: "lineTo", 3: "qCurveTo", 4: "curveTo"}
 
 
 def from_matplotlib(path: Path) -> list[Nurbs]:
-    """The curves of a path, one for each of its parts that begin with ``MOVETO``, with the doubles as they are.
+    """Return the curves of a path, one for each part that begins with ``MOVETO``, with the exact values of the doubles.
 
     >>> from matplotlib.path import Path
     >>> (triangle,) = from_matplotlib(Path([(0, 0), (4, 0), (0, 2), (0, 0)], closed=True))
@@ -320,7 +321,7 @@ def from_matplotlib(path: Path) -> list[Nurbs]:
 
 
 def to_matplotlib(curve: Nurbs) -> Path:
-    """The path of a polynomial plane curve of degree 1 to 3, its points rounded correctly.
+    """Return the path of a polynomial plane curve of degree 1 to 3, with correctly rounded points.
 
     >>> path = to_matplotlib(Nurbs.bezier([(0, 0), (1, 2), (3, 0)]))
     >>> path.codes.tolist(), path.vertices.tolist()
@@ -343,8 +344,8 @@ def to_matplotlib(curve: Nurbs) -> Path:
 
 
 def to_mpmath(curve: Nurbs) -> Callable[[object], list[mpmath.mpf]]:
-    """The function that maps a parameter to a point. Every coordinate is rounded once, to the working precision at the
-    time of the call.
+    """Return the function that maps a parameter to a point. Every coordinate is rounded once, to the working precision
+    at the time of the call.
 
     >>> from mpmath import mpf, workdps
     >>> from exactspline.interchange.examples import example
@@ -372,8 +373,8 @@ def to_mpmath(curve: Nurbs) -> Callable[[object], list[mpmath.mpf]]:
 
 
 def to_sympy(curve: Nurbs | BSpline, symbol: sympy.Symbol | None = None) -> tuple[sympy.Expr, ...]:
-    """The coordinates over the domain, each a `Piecewise` in the symbol, by default t: segments are half-open intervals
-    [a, b), the last one closed.
+    """Return the coordinates, each as a `Piecewise` in the symbol, by default t. The segments are half-open intervals
+    [a, b), except that the last interval is closed.
 
     >>> to_sympy(BSpline(2, [0, 0, 0, 1, 1, 1], [0, 1, 0]))
     (Piecewise((-2*t**2 + 2*t, (t >= 0) & (t <= 1))),)

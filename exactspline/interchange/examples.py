@@ -32,7 +32,7 @@ SurfaceName = Literal[
 
 
 def examples(of: str = "") -> tuple[str, ...]:
-    """The names of the example ``curves`` or ``surfaces``, by default of both.
+    """Return the names of the example ``curves`` or ``surfaces``, by default of both.
 
     >>> "circle" in examples("curves"), "torus" in examples("surfaces"), "circle" in examples()
     (True, True, True)
@@ -56,14 +56,14 @@ def example(name: str) -> Nurbs:
 
 
 def example(name: str) -> Nurbs | NurbsSurface:
-    """The example curve or surface with this name (see `examples`).
+    """Return the example curve or surface with this name (see `examples`).
 
     >>> example("circle")("1/2")
     (mpq(3,5), mpq(4,5))
     >>> example("sphere")(0, 1)
     (mpq(1,1), mpq(0,1), mpq(0,1))
 
-    Raises `CurveFileError` with the nearest names.
+    Raises `CurveFileError`, with the nearest names, for an unknown name.
     """
     known = as_text(name, "the name of an example") in example_surface_names()
     return example_surface(name) if known else _example_curve(name)
@@ -99,7 +99,7 @@ def example_surface(name: str) -> NurbsSurface:
     >>> example_surface("sphere")(0, 1)
     (mpq(1,1), mpq(0,1), mpq(0,1))
 
-    Raises `CurveFileError` with the nearest names.
+    Raises `CurveFileError`, with the nearest names, for an unknown name.
     """
     if as_text(name, "the name of a surface") not in example_surface_names():
         remedy = nearest(name, example_surface_names(), listed_by="list surfaces")

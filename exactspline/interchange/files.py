@@ -49,13 +49,13 @@ def read(
     limits: Limits | None = None,
     approximate: Number | None = None,
 ) -> Reading:
-    """The curves of a file, and the surfaces of our JSON (``-`` for standard input; for a part
-    ``font.ttf:glyph``, ``drawing.svg:id``, ``drawing.dxf:layer``), or of bytes.
+    """Read the curves and surfaces of a file or of bytes. ``-`` means standard input; ``font.ttf:glyph``,
+    ``drawing.svg:id`` and ``drawing.dxf:layer`` mean a part of a file.
 
-    Unless the format is named, it is recognized by the content, then by the suffix. `degree` and `knots` are for
-    formats that hold only control points. With `approximate`, a distance above 0, an arc without rational control
-    points is replaced by a rational arc within this distance (in SVG with the same ends, in other formats on the same
-    circle if that is rational); a note says so.
+    By default the format is recognized by the content, then by the suffix. `degree` and `knots` are for formats that
+    hold only control points. With `approximate`, a distance above 0, an arc without rational control points is replaced
+    by a rational arc within this distance, and a note says so. In SVG the new arc has the same ends; in other formats
+    the new arc is on the same circle if this circle is rational.
 
     >>> read(b"100 1 0 0\\n2 0\\n2 2\\n0 0 1 1\\n0 0\\n0.1 2\\n").curves[0].curve(1)
     (mpq(1,10), mpq(2,1))
@@ -128,8 +128,8 @@ def write(
     *,
     rounding: bool = False,
 ) -> tuple[str, ...]:
-    """Write a curve, curves, a surface, or surfaces in a format (by default chosen by the suffix) and return notes on
-    lost information.
+    """Write one or several curves or surfaces in a format, by default chosen by the suffix, and return notes on lost
+    information.
 
     >>> import tempfile
     >>> from exactspline.interchange.examples import example
@@ -138,9 +138,9 @@ def write(
     ...     read(f"{folder}/torus.json").surface == example("torus")
     True
 
-    Every number is written exactly, or the file is not written: raises `NumberError` for a number that the format
-    cannot represent, unless `rounding` requests the nearest doubles, and another `ExactSplineError` for anything else
-    that it cannot represent.
+    Every number is written exactly, or the file is not written: this function raises `NumberError` for a number that
+    the format cannot represent, unless `rounding` requests the nearest doubles, and another `ExactSplineError` for
+    anything else that the format cannot represent.
     """
     place = as_path(place)
     chosen = _by_suffix(place) if format is None else _named_format(format)
@@ -180,7 +180,7 @@ def encoded(
 
 
 def text(given: Nurbs | NurbsSurface | Iterable[Nurbs | NamedCurve | NurbsSurface], format: str = "json") -> str:
-    """The text of the file that `write` would write, for formats that are text.
+    """Return the text of the file that `write` would write, for formats that are text.
 
     >>> text(Nurbs.bezier([(0, 0), (1, 2), (3, 0)]), "svg").count("<path")
     1

@@ -22,12 +22,12 @@ LARGER = "divide the file, or read it in Python with limits=Limits(…)"
 
 @dataclass(frozen=True, repr=False)
 class Limits(OneLine):
-    """Limits on an input file; to raise them, call `read(…, limits=Limits(megabytes=200))`.
+    """Limits on an input file. A call such as `read(…, limits=Limits(megabytes=200))` raises a limit.
 
-    `digits` limits the characters of one number, `exponent` its power of ten, `depth` the nesting of brackets and
-    elements, `objects` the number of entities, points and numbers in a file, `work` the cost of converting one curve to
-    Bézier segments (see `work`; 10⁸ is about two seconds), `seconds` the processor time of a library that reads the
-    file in another process (``3dm``), for every megabyte begun.
+    `digits` limits the characters of a number, `exponent` the power of ten of a number, `depth` the nesting of brackets
+    and elements, and `objects` the number of entities, points and numbers in the file. `work` limits the cost of
+    converting one curve to Bézier segments (10⁸ is about two seconds). `seconds` limits the processor time per megabyte
+    of a library that reads the file in another process (``3dm``).
     """
 
     megabytes: int = 32
@@ -57,7 +57,7 @@ def work(degree: int, knots: Sequence[mpq], numbers: int) -> int:
 
 @dataclass(frozen=True, repr=False)
 class NamedCurve(OneLine):
-    """A curve with its name in the file, and notes on information in the file that a `Nurbs` does not hold."""
+    """A curve of a file with its name, and notes on information that a `Nurbs` does not hold."""
 
     name: str
     curve: Nurbs
@@ -66,9 +66,9 @@ class NamedCurve(OneLine):
 
 @dataclass(frozen=True, repr=False)
 class Skipped(OneLine):
-    """An entity of a file that is not read: its type, its place in the file, the reason, whether a curve is missing
-    as a result (not the case for surfaces, texts, or definitions that are not drawn), and the numbers of curves and of
-    surfaces that were read before it (in a font: before it in its glyph).
+    """An entity of a file that is not read: the type, the place in the file, the reason, whether a curve is missing as
+    a result (not for a surface, a text, or a definition that is not drawn), and the numbers of curves and of surfaces
+    that were read before the entity, in a font within the same glyph.
     """
 
     what: str
@@ -83,8 +83,8 @@ class Skipped(OneLine):
 
 @dataclass(frozen=True)
 class Reading:
-    """The curves of a file in their order, its surfaces (without their trims), the skipped entities, and notes that
-    apply to all of them (such as the unit of length).
+    """The contents of a file: the curves in their order, the surfaces (without trims), the skipped entities, and notes
+    that apply to the whole file (such as the unit of length).
     """
 
     format: str
@@ -95,14 +95,14 @@ class Reading:
 
     @property
     def curve(self) -> Nurbs:
-        """The only curve; raises `CurveFileError` for none or several."""
+        """The only curve of the file. Raises `CurveFileError` for none or several."""
         if len(self.curves) != 1:
             raise self._not_one(len(self.curves), "curve", ".curves")
         return self.curves[0].curve
 
     @property
     def surface(self) -> NurbsSurface:
-        """The only surface; raises `CurveFileError` for none or several."""
+        """The only surface of the file. Raises `CurveFileError` for none or several."""
         if len(self.surfaces) != 1:
             raise self._not_one(len(self.surfaces), "surface", ".surfaces")
         return self.surfaces[0]

@@ -1,4 +1,4 @@
-"""The language of formulas: operands, vectors, quotients, arguments, formulas, ruled surfaces."""
+"""This package is the language of formulas: operands, vectors, quotients, arguments, formulas and ruled surfaces."""
 
 import lazy_loader
 

@@ -48,7 +48,7 @@ class Evaluated(Argument):
     _values: dict[Callee, Priced[object]] | None = None
 
     def calls(self, formula: Callee) -> object:
-        """The value of a formula."""
+        """Return the value of a formula."""
         if self._values is None:
             return self.remembering().calls(formula)
         if formula not in self._values:
@@ -56,25 +56,29 @@ class Evaluated(Argument):
         return self._values[formula].value
 
     def remembering(self) -> Evaluated:
-        """A copy that memoizes every formula for its lifetime; for evaluating many formulas on one argument."""
+        """Return a copy that stores the value of every formula. This saves time if many formulas are evaluated on one
+        argument.
+        """
         kept = self.copied()
         kept._values = {}
         return kept
 
     @abstractmethod
     def copied(self) -> Evaluated:
-        """A new argument with the same operands."""
+        """Return a new argument with the same operands."""
 
     @abstractmethod
     def operands(self) -> Mapping[str, Operand | Vector[Operand]]:
-        """The operands by name."""
+        """Return the operands by name."""
 
     @abstractmethod
     def mapped(self, change: Callable[[Operand], Operand]) -> Evaluated:
-        """The argument with `change` applied to every operand, such as a conversion to another reading or domain."""
+        """Return the argument with `change` applied to every operand. An example of `change` is a restriction to
+        another domain.
+        """
 
     def together(self) -> tuple[Evaluated, ...]:
-        """This argument and the arguments that it consists of."""
+        """Return this argument and the arguments of which it consists."""
         return (self,)
 
 
@@ -138,7 +142,7 @@ class Curve(Evaluated, Generic[T]):
 
     @property
     def dimension(self) -> int:
-        """Number of coordinates."""
+        """The number of coordinates."""
         return len(self.p)
 
     @property
@@ -157,21 +161,21 @@ class Curve(Evaluated, Generic[T]):
         return Vector(0, 0, 1, *[0] * (self.dimension - 3))
 
     def operands(self) -> dict[str, T]:
-        """Coordinates, denominator and the coordinates of the point, by name."""
+        """Return the coordinates, the denominator and the coordinates of the point, by name."""
         named = dict(zip(COORDINATES, self.p, strict=False)) | {"w": self.w}
         return named if self.point is None else named | dict(zip(POINT, self.point, strict=False))
 
     def copied(self) -> Curve[T]:
-        """A new `Curve` with the same operands."""
+        """Return a new `Curve` with the same operands."""
         return Curve(self.p, self.w, polynomial=self.polynomial, gamma=self.gamma, point=self.point)
 
     def mapped(self, change: Callable[[T], U]) -> Curve[U]:
-        """The curve with `change` applied to every operand, such as a conversion to another reading or domain."""
+        """Return the curve with `change` applied to every operand."""
         point = None if self.point is None else self.point.mapped(change)
         return Curve(self.p.mapped(change), change(self.w), polynomial=self.polynomial, point=point)
 
     def with_point(self, point: Iterable[Constant]) -> Curve[T]:
-        """The curve together with a point, whose coordinates are exact constants."""
+        """Return the curve together with a point, whose coordinates are exact constants."""
         beside = Vector(*map(self.w.constant, as_items(point, "the coordinates of a point")))
         return Curve(self.p, self.w, polynomial=self.polynomial, point=beside)
 
@@ -189,7 +193,7 @@ class Pair(Evaluated, Generic[T]):
 
     @property
     def dimension(self) -> int:
-        """Number of coordinates."""
+        """The number of coordinates."""
         return self.first.dimension
 
     def operands(self) -> dict[str, T]:

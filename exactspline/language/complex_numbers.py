@@ -13,7 +13,7 @@ from exactspline.language.vector import F, S, Vector, expect_vector, join, norm2
 
 
 def complex_product(a: Vector[S], b: Vector[S]) -> Vector[S]:
-    """``a b``, a plane vector.
+    """Return the product ``a b`` of two plane vectors as complex numbers, a plane vector.
 
     >>> from exactspline.language.vector import Vector
     >>> complex_product(Vector(1, 2), Vector(3, 4))
@@ -25,7 +25,7 @@ def complex_product(a: Vector[S], b: Vector[S]) -> Vector[S]:
 
 
 def conjugate(a: Vector[S]) -> Vector[S]:
-    """``ā``: the plane vector reflected in the first axis.
+    """Return ``ā``, the plane vector reflected in the first axis.
 
     >>> from exactspline.language.vector import Vector
     >>> conjugate(Vector(1, 2))
@@ -46,7 +46,7 @@ def complex_quotient(a: Vector[C], b: Vector[C]) -> Rational[C]:
 
 
 def complex_quotient(a: Vector[S], b: Vector[S]) -> object:
-    """``a / b = a b̄ / (b b̄)``, a quotient over the squared length of b.
+    """Return the complex quotient ``a / b = a b̄ / (b b̄)``, whose denominator is the squared length of b.
 
     >>> from exactspline.language.kinds import PLANE
     >>> from exactspline.readings.jet import RationalJetReading

@@ -86,7 +86,7 @@ def expect_formula(given: object) -> Formula:
 
 
 def formula(source: str, *, on: Kind | str = CURVE, symbol: str = "") -> Callable[[Callable[..., object]], Formula]:
-    """Declare a function as a formula of a paper (or of a user), for arguments of a kind, given as a `Kind` or by its
+    """Declare a function as a formula, of a paper or of a user, for arguments of a kind. The kind is a `Kind` or its
     name.
 
     >>> @formula("Table 1, T16")
@@ -139,10 +139,10 @@ class Reading(ABC):
 
     @abstractmethod
     def argument(self, kind: Kind, dimension: int, *, polynomial: bool = False) -> Argument:
-        """The argument for formulas of a kind in a dimension; polynomial curves have no denominator."""
+        """Return the argument for formulas of a kind in a dimension. Polynomial curves have no denominator."""
 
     def of(self, formula: Formula, dimension: int, *, polynomial: bool = False) -> object:
-        """The value of a formula in this reading.
+        """Return the value of a formula in this reading (evaluation mode).
 
         >>> from exactspline.papers import find
         >>> from exactspline.readings.degree import DegreeReading

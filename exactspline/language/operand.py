@@ -155,7 +155,7 @@ class Operand(Displayed, ABC):
 
     @property
     def is_zero(self) -> bool:
-        """Whether the operand vanishes identically. Raises `FormulaError` in a reading that cannot decide this."""
+        """Whether the operand vanishes identically. Raises `FormulaError` if this cannot be decided."""
         problem = f"whether a {type(self).__name__} vanishes cannot be decided"
         raise FormulaError(problem, remedy="use a reading that has values, such as jets or splines")
 
@@ -165,7 +165,7 @@ class Operand(Displayed, ABC):
         return bool(self.is_zero)
 
     def hash_of_quotient(self, numerator: Self) -> int:
-        """A hash of the quotient by this operand, the same for equal quotients; a reading may refine it."""
+        """Return a hash of the quotient of `numerator` by this operand; equal quotients have the same hash."""
         return 1
 
     def __add__(self, other: Self | Constant, /) -> Self:
@@ -186,20 +186,20 @@ class Operand(Displayed, ABC):
 
     @abstractmethod
     def scaled(self, constant: Constant, /) -> Self:
-        """The operand times an exact constant."""
+        """Return the operand times an exact constant."""
 
     def elevated_to(self, other: Self, /) -> Self:
-        """The same function, of at least the degree of another operand; the operand itself in a reading without
-        degrees.
+        """Return the same function, of at least the degree of another operand, if operands have degrees; otherwise
+        return the operand itself.
         """
         return self
 
     @abstractmethod
     def constant(self, value: Constant, /) -> Self:
-        """An exact constant in this reading."""
+        """Return an exact constant as an operand."""
 
     def d(self, order: int = 1, *, by: str | None = None) -> Self:
-        """The derivative of an order, by the only parameter or by the one that is named."""
+        """Return the derivative of an order, by the only parameter or by the parameter `by`."""
         result = self
         for _ in range(order):
             result = result._first_derivative(by)
@@ -250,17 +250,17 @@ class Operand(Displayed, ABC):
         raise no_truth_value(self)
 
     def coerced(self, other: object) -> Self | None:
-        """Another operand of the same reading, constants converted; None for anything else."""
+        """Return an operand of the same type unchanged, a constant as an operand, and None for anything else."""
         if isinstance(other, type(self)):
             return other
         return self.constant(other) if isinstance(other, CONSTANTS) else None
 
     @abstractmethod
     def dividing(self, numerator: object) -> object:
-        """`numerator`, an operand or a vector of this reading, divided by this operand."""
+        """Return the quotient of `numerator`, an operand or a vector of operands, by this operand."""
 
     def times_vector(self, vector: Components) -> object:
-        """The product with a vector, component by component."""
+        """Return the product with a vector, component by component."""
         return vector.mapped(lambda component: component * self)
 
     def only_parameter(self, by: str | None) -> None:
@@ -306,7 +306,7 @@ class OwnProducts(ABC):
 
     @abstractmethod
     def multilinear(self, function: Callable[..., object], vectors: tuple[object, ...]) -> object:
-        """The product `function` of `vectors`, of which this is one."""
+        """Return the product `function` of `vectors`, of which this is one."""
 
 
 class OwnJoining(ABC):
@@ -316,7 +316,7 @@ class OwnJoining(ABC):
 
     @abstractmethod
     def joining(self, parts: tuple[object, ...]) -> object:
-        """One vector with the components of all parts."""
+        """Return one vector with the components of all parts."""
 
 
 class OwnVectors(OwnProducts, OwnJoining):

@@ -97,10 +97,11 @@ class _HasParts(Protocol[D_co]):
 
 
 class Rational(Immutable, Operand, OwnProducts, OwnJoining, Generic[T]):
-    """``numerator / denominator`` over one reading; the numerator is a scalar or a `Vector`, the denominator a scalar.
+    """A quotient ``numerator / denominator`` of operands of one type: the numerator is a scalar or a `Vector`, the
+    denominator is a scalar.
 
-    Numerator and denominator have separate degrees; `degree` is the larger one. Only the quotient rule elevates the
-    numerator to the degree of the denominator. Nothing is ever cancelled.
+    Numerator and denominator have separate degrees; `degree` is the larger degree. Only the quotient rule elevates the
+    numerator to the degree of the denominator. No factor is ever cancelled.
 
     >>> from exactspline import BSpline
     >>> t = BSpline.identity(0, 1)
@@ -122,7 +123,7 @@ class Rational(Immutable, Operand, OwnProducts, OwnJoining, Generic[T]):
 
     @property
     def denominator(self) -> T:
-        """The denominator, expanded."""
+        """The denominator, multiplied out."""
         return self.product.value
 
     @property
@@ -161,7 +162,7 @@ class Rational(Immutable, Operand, OwnProducts, OwnJoining, Generic[T]):
         return self.numerator
 
     def with_numerator(self, change: Callable[[Vector[T]], Vector[T]]) -> Rational[T]:
-        """The vector quotient with another numerator over the same denominator."""
+        """Return the vector quotient with another numerator over the same denominator."""
         return Rational(change(self.vector), self.product)
 
     def __len__(self) -> int:
@@ -175,13 +176,13 @@ class Rational(Immutable, Operand, OwnProducts, OwnJoining, Generic[T]):
         return f"Rational({self.numerator!r}, {self.denominator!r})"
 
     def __call__(self, *place: Number, **side: Side | str) -> mpq | tuple[mpq, ...]:
-        """The value at one parameter (as a limit from a side if one is given) or two: an exact number, or a tuple of
-        them for a vector. Raises `ZeroDivisionError` at a pole.
+        """Return the value at one or two parameters: an exact number, or a tuple of exact numbers for a vector. If a
+        side is given, the value is the limit from this side. Raises `ZeroDivisionError` at a pole.
         """
         return self.point(*place, **side) if self.is_vector else self.number(*place, **side)
 
     def point(self, *place: Number, **side: Side | str) -> tuple[mpq, ...]:
-        """The value of a vector quotient.
+        """Return the value of a vector quotient.
 
         Raises `FormulaError` for a scalar quotient, `ZeroDivisionError` at a pole.
         """
@@ -191,7 +192,7 @@ class Rational(Immutable, Operand, OwnProducts, OwnJoining, Generic[T]):
         return tuple(a(*place, **side) / w for a in functions)
 
     def number(self, *place: Number, **side: Side | str) -> mpq:
-        """The value of a scalar quotient.
+        """Return the value of a scalar quotient.
 
         Raises `FormulaError` for a vector, `ZeroDivisionError` at a pole.
         """
@@ -254,11 +255,11 @@ class Rational(Immutable, Operand, OwnProducts, OwnJoining, Generic[T]):
         return Rational(p * other.denominator + other.numerator * self.denominator, self.product * other.product)
 
     def scaled(self, constant: Constant) -> Rational[T]:
-        """The rational times an exact constant."""
+        """Return the quotient times an exact constant."""
         return Rational(self.numerator.scaled(constant), self.product)
 
     def constant(self, value: Constant) -> Rational[T]:
-        """An exact constant over one, in the reading of the operands."""
+        """Return an exact constant as a quotient with the denominator 1."""
         one = self.denominator.constant(1)
         return Rational(one.scaled(value), one)
 
@@ -282,12 +283,12 @@ class Rational(Immutable, Operand, OwnProducts, OwnJoining, Generic[T]):
         return Rational(self.numerator, self.product * Product(factor))
 
     def dividing(self, numerator: object) -> Rational[T]:
-        """`numerator`, an operand or a vector that is not a quotient, divided by this quotient."""
+        """Return the quotient of `numerator`, an operand or a vector that is not a quotient, by this quotient."""
         top: Any = numerator
         return Rational(top * self.denominator, self.scalar)
 
     def times_vector(self, vector: Components) -> Rational[T]:
-        """The product with a vector, as one quotient."""
+        """Return the product with a vector as one quotient."""
         untyped: Any = vector
         return Rational(untyped * self.scalar, self.product)
 
@@ -297,11 +298,11 @@ class Rational(Immutable, Operand, OwnProducts, OwnJoining, Generic[T]):
         return self.dividing(cast(Operand, other)) if _fits(other) else NotImplemented
 
     def d(self, order: int = 1, *, by: str | None = None) -> Rational[T]:
-        """The derivative of the given order: the quotient rule, row T17, ``(p'w - p w') / (w w)``, applied `order`
-        times.
+        """Return the derivative of the given order, by `order` applications of the quotient rule ``(p'w - p w') / (w
+        w)`` (row T17 of the paper's Table 1).
 
-        Nothing is cancelled, so that the degree of the denominator doubles each time. Raises `FormulaError` if it would
-        be a product of more than `MOST_FACTORS` factors.
+        No factor is cancelled, so that the degree of the denominator doubles each time. Raises `FormulaError` if the
+        denominator would be a product of more than `MOST_FACTORS` factors.
         """
         result = self
         factors = len(self.product.factors) << min(checked_order(order), MOST_FACTORS.bit_length())
@@ -318,9 +319,7 @@ class Rational(Immutable, Operand, OwnProducts, OwnJoining, Generic[T]):
         return result
 
     def levelled(self, other: object) -> tuple[Rational[T], Rational[T]]:
-        """This quotient and another value over a common denominator, their numerators multiplied by the missing
-        factors.
-        """
+        """Return this quotient and another value, both expanded to a common denominator."""
         if not isinstance(other, Rational):
             return self, Rational(cast(Any, other) * self.denominator, self.product)
         mine, its = self.product.missing(other.product), other.product.missing(self.product)
@@ -330,7 +329,9 @@ class Rational(Immutable, Operand, OwnProducts, OwnJoining, Generic[T]):
         return Rational(_all_times(self.numerator, mine), shared), Rational(_all_times(other.numerator, its), shared)
 
     def multilinear(self, function: Callable[..., object], vectors: tuple[object, ...]) -> Rational[T]:
-        """A multilinear product of vectors: the product of the numerators over the product of the denominators."""
+        """Return a multilinear product of vectors: the product of the numerators divided by the product of the
+        denominators.
+        """
         numerators = [v.numerator if isinstance(v, Rational) else v for v in vectors]
         first, *rest = [v.product for v in vectors if isinstance(v, Rational)]
         for product in rest:
@@ -338,7 +339,7 @@ class Rational(Immutable, Operand, OwnProducts, OwnJoining, Generic[T]):
         return Rational(function(*numerators), first)
 
     def joining(self, parts: tuple[object, ...]) -> Rational[T]:
-        """One quotient with the components of all parts, over a common denominator."""
+        """Return one quotient with the components of all parts and a common denominator."""
         one = self.denominator.constant(1)
         first, *rest = [one.scaled(part) if isinstance(part, CONSTANTS) else part for part in parts]
         joined, product = _components(first), first.product if isinstance(first, Rational) else Product(one)
@@ -354,8 +355,8 @@ class Rational(Immutable, Operand, OwnProducts, OwnJoining, Generic[T]):
         return Rational(Vector(*joined), product)
 
     def elevated(self) -> tuple[T | Vector[T], T]:
-        """Numerator and denominator elevated to the same degree, as required for the control points and weights of a
-        NURBS.
+        """Return the numerator and the denominator elevated to the same degree, as required for the control points and
+        weights of a NURBS.
         """
         w = highest = self.denominator
         for x in self.numerator if isinstance(self.numerator, Vector) else [self.numerator]:
@@ -363,7 +364,7 @@ class Rational(Immutable, Operand, OwnProducts, OwnJoining, Generic[T]):
         return self.numerator.elevated_to(highest), w.elevated_to(highest)
 
     def elevated_to(self, other: T) -> Rational[T]:  # type: ignore[override]  # a numerator has the degree of an operand
-        """The same quotient, its numerator elevated to at least the degree of `other`."""
+        """Return the same quotient, with the numerator elevated to at least the degree of `other`."""
         return Rational(self.numerator.elevated_to(other), self.product)
 
 
@@ -384,7 +385,7 @@ class RingOperand(Operand):
         return other.dividing(self) if isinstance(other, Operand) else NotImplemented
 
     def dividing(self: T, numerator: object) -> Rational[T]:
-        """`numerator`, an operand or a vector of this reading, over this operand."""
+        """Return the quotient of `numerator`, an operand or a vector of operands, by this operand."""
         return Rational(cast("T | Vector[T]", numerator), self)
 
 

@@ -71,7 +71,7 @@ class RuledSurface(OneLine, Immutable, Displayed, Generic[T_co]):
 
 
 def ruled(directrix: V, generator: V) -> RuledSurface[V]:
-    """The ruled surface ``directrix + ζ generator`` (in the tree reading a node).
+    """Return the ruled surface ``directrix + ζ generator``.
 
     >>> ruled(Vector(1, 0, 0), Vector(0, 0, 1)).at(2)
     Vector(1, 0, 2)
@@ -125,7 +125,7 @@ def numerator(value: V) -> V:
 
 
 def numerator(value: object) -> object:
-    """The numerator of a quotient; any other value unchanged."""
+    """Return the numerator of a quotient, and any other value unchanged."""
     return value.numerator if isinstance(value, Rational) else value
 
 

@@ -40,19 +40,19 @@ class Surface(Evaluated, Generic[T]):
 
     @property
     def dimension(self) -> int:
-        """Number of coordinates."""
+        """The number of coordinates."""
         return len(self.p)
 
     def operands(self) -> dict[str, T]:
-        """Coordinates and denominator by name."""
+        """Return coordinates and denominator by name."""
         return dict(zip(COORDINATES, self.p, strict=False)) | {"w": self.w}
 
     def copied(self) -> Surface[T]:
-        """A new surface with the same operands."""
+        """Return a new surface with the same operands."""
         return Surface(self.p, self.w, polynomial=self.polynomial)
 
     def mapped(self, change: Callable[[T], U]) -> Surface[U]:
-        """The surface with `change` applied to every operand, such as a conversion to another reading or domain."""
+        """Return the surface with `change` applied to every operand."""
         return Surface(self.p.mapped(change), change(self.w), polynomial=self.polynomial)
 
 

@@ -40,7 +40,7 @@ P = ParamSpec("P")
 
 
 class Vector(Immutable, Displayed, Generic[T_co]):
-    """A tuple of scalar operands of one reading.
+    """A tuple of scalar operands of one type.
 
     >>> a, b = Vector(1, 2), Vector(mpq(1, 2), 0)
     >>> a + b, 2 * a, dot(a, b), det(a, b)
@@ -71,11 +71,11 @@ class Vector(Immutable, Displayed, Generic[T_co]):
     @overload
     def __getitem__(self, index: slice) -> Vector[T_co]: ...
     def __getitem__(self, index: int | slice) -> T_co | Vector[T_co]:
-        """A component, or the vector of the components in a slice."""
+        """Return a component, or the vector of the components in a slice."""
         return Vector(*self.components[index]) if isinstance(index, slice) else self.components[index]
 
     def __call__(self, *place: Number, **side: Side | str) -> tuple[mpq, ...]:
-        """The values of components that are functions, at one or two parameters."""
+        """Return the values of components that are functions, at one or two parameters."""
         functions: tuple[Any, ...] = self.components
         return tuple(a(*place, **side) for a in functions)
 
@@ -93,7 +93,7 @@ class Vector(Immutable, Displayed, Generic[T_co]):
         raise no_truth_value(self)
 
     def mapped(self, change: Callable[[T_co], U]) -> Vector[U]:
-        """The vector of the images of its components.
+        """Return the vector of the images of its components.
 
         >>> Vector(1, 2).mapped(lambda x: x + 1)
         Vector(2, 3)
@@ -142,7 +142,7 @@ class Vector(Immutable, Displayed, Generic[T_co]):
         return scalar.dividing(cast("Vector[Operand]", self)) if isinstance(scalar, Operand) else NotImplemented
 
     def d(self: Vector[R], order: int = 1, *, by: str | None = None) -> Vector[R]:
-        """The derivative of the given order, component by component.
+        """Return the derivative of the given order, component by component.
 
         Raises `FormulaError` for a negative order.
         """
@@ -157,18 +157,18 @@ class Vector(Immutable, Displayed, Generic[T_co]):
         return result
 
     def scaled(self, constant: Constant) -> Vector[T_co]:
-        """The vector times an exact constant."""
+        """Return the vector times an exact constant."""
         components: tuple[Any, ...] = self.components
         return Vector(*[a * constant for a in components])
 
     def elevated_to(self, other: object) -> Vector[T_co]:
-        """The same vector, every component elevated to at least the degree of `other`."""
+        """Return the same vector, every component elevated to at least the degree of `other`."""
         components: tuple[Any, ...] = self.components
         return Vector(*[a.elevated_to(other) for a in components])
 
     @property
     def degree(self: Vector[HasDegree[D]]) -> D:
-        """The largest degree of the components: a number, a pair of numbers, or an expression."""
+        """The largest degree of the components: a number, a pair of numbers, or a symbolic degree."""
         degree = self.components[0].degree
         for a in self.components[1:]:
             degree = larger(degree, a.degree)
@@ -233,7 +233,7 @@ def _of_proportions(function: Callable[..., T], vectors: Sequence[Any]) -> T:
 
 @_multilinear
 def dot(a: Vector[S], b: Vector[S]) -> S:
-    """Scalar product of two vectors of the same dimension (rows T11, T14, T15).
+    """Return the scalar product of two vectors of the same dimension (rows T11, T14, T15 of the paper's Table 1).
 
     >>> dot(Vector(1, 2, 3), Vector(4, 5, 6))
     32
@@ -248,7 +248,7 @@ def dot(a: Vector[S], b: Vector[S]) -> S:
 
 
 def norm2(a: Vector[S]) -> S:
-    """Squared length ``a·a``.
+    """Return the squared length ``a·a``.
 
     >>> norm2(Vector(3, 4))
     25
@@ -258,7 +258,7 @@ def norm2(a: Vector[S]) -> S:
 
 @_multilinear
 def perp(a: Vector[S]) -> Vector[S]:
-    """The plane vector rotated by a right angle to the left, ``(-a_y, a_x)``.
+    """Return the plane vector rotated by a right angle to the left, ``(-a_y, a_x)``.
 
     >>> perp(Vector(1, 2))
     Vector(-2, 1)
@@ -270,7 +270,7 @@ def perp(a: Vector[S]) -> Vector[S]:
 
 @_multilinear
 def cross(a: Vector[S], b: Vector[S]) -> Vector[S]:
-    """Cross product in space (rows T10, T12, T13).
+    """Return the cross product of two vectors in space (rows T10, T12, T13 of the paper's Table 1).
 
     >>> cross(Vector(1, 0, 0), Vector(0, 1, 0))
     Vector(0, 0, 1)
@@ -285,10 +285,11 @@ def cross(a: Vector[S], b: Vector[S]) -> Vector[S]:
 
 @_multilinear
 def det(*rows: Vector[S]) -> S:
-    """Determinant of n vectors in Rⁿ: ``[a b]``, the triple scalar product ``[a b c]``, the n-fold scalar product.
+    """Return the determinant of n vectors in Rⁿ, such as ``[a b]`` or the triple scalar product ``[a b c]``.
 
-    Two vectors: ``a_x b_y - a_y b_x``. Three vectors: a cross product followed by a dot product, as counted in the
-    paper. More: Laplace expansion with shared minors.
+    The determinant of two vectors is ``a_x b_y - a_y b_x``, that of three vectors a cross product followed by a dot
+    product, as counted in the paper. The determinant of more vectors is computed by Laplace expansion with shared
+    minors.
 
     >>> det(Vector(1, 0), Vector(0, 1)), det(Vector(1, 0, 0), Vector(0, 1, 0), Vector(0, 0, 1))
     (1, 1)
@@ -309,9 +310,10 @@ triple = det
 
 @_multilinear
 def generalized_cross(*rows: Vector[S]) -> Vector[S]:
-    """The vector orthogonal to n−1 vectors of Rⁿ with ``det(a, …, z, x) = generalized_cross(a, …, z)·x`` for all x.
+    """Return the vector orthogonal to n−1 vectors a, …, z of Rⁿ such that ``det(a, …, z, x) = generalized_cross(a, …,
+    z)·x`` for every vector x.
 
-    In space it is the cross product; in the plane it is `perp` up to the sign required by the determinant.
+    In space this is the cross product; in the plane it is `perp` up to the sign required by the determinant.
 
     >>> generalized_cross(Vector(1, 0, 0, 0), Vector(0, 1, 0, 0), Vector(0, 0, 1, 0))
     Vector(0, 0, 0, 1)
@@ -342,7 +344,7 @@ def _expand(minors: dict[tuple[int, ...], S], row: Vector[S], columns: tuple[int
 
 
 def join(*parts: Vector[S] | S | Constant) -> Vector[S]:
-    """One vector with the components of all parts: vectors, scalars and constants of one reading.
+    """Return one vector with the components of all parts, which are vectors, scalars and constants.
 
     >>> join(Vector(1, 2), 3)
     Vector(1, 2, 3)

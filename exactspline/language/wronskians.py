@@ -35,10 +35,10 @@ class OwnWronskians(ABC):
 
 
 def wronskian(a: Vector[R], order: int | None = None) -> R:
-    """Determinant of a vector of n components and its first n−1 derivatives.
+    """Return the determinant of a vector of n components and its first n−1 derivatives.
 
-    It vanishes identically if the components are linearly dependent. `order` is the number of components, required if
-    `a` does not know it (a node of a tree).
+    The determinant vanishes identically if the components are linearly dependent. `order` is the number n, which is
+    required only if `a` is a node of a formula's tree.
 
     >>> from exactspline import BSpline
     >>> from exactspline.language import Vector

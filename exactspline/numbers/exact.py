@@ -77,17 +77,17 @@ _HEX = re.compile(r"\s*([+-]?)0[xX]([0-9a-fA-F]*)(?:\.([0-9a-fA-F]*))?(?:[pP]([+
 
 
 def rational(value: Number) -> mpq:
-    """The exact value of a number as ``gmpy2.mpq``.
+    """Return the exact value of a number as a ``gmpy2.mpq``.
 
-    Accepts ``int``, ``Fraction``, ``mpz``, ``mpq``, finite ``Decimal``, FLINT's ``fmpz`` and ``fmpq``, the integers and
-    fractions of other libraries (such as numpy and sympy), and text: ``"3/4"``, ``"0.1"``, ``"1e-6"``, C99 hex floats
-    such as ``"0x1.8p-3"``.
+    The number may be an ``int``, a ``Fraction``, an ``mpz``, an ``mpq``, a finite ``Decimal``, FLINT's ``fmpz`` or
+    ``fmpq``, an integer or a fraction of another library (such as numpy or sympy), or a text such as ``"3/4"``,
+    ``"0.1"``, ``"1e-6"`` or the C99 hex float ``"0x1.8p-3"``.
 
     >>> rational("0.1"), rational("3/4"), rational("0x1.8p-3")
     (mpq(1,10), mpq(3,4), mpq(3,16))
 
-    Raises `NumberError` for anything else: a float, a NaN, an mpfr or a numpy float is rejected, because the decimal
-    that it prints is not its value.
+    Raises `NumberError` for anything else: floats (also mpfr and numpy floats) are rejected, because the decimal that a
+    float prints is not its value.
 
     >>> rational(0.1)  # doctest: +ELLIPSIS
     Traceback (most recent call last):
@@ -174,16 +174,15 @@ def from_floats(values: Iterable[Iterable[float]], *, snap: bool = ...) -> list[
 def from_floats(
     values: float | Iterable[float] | Iterable[Iterable[float]], *, snap: bool = False
 ) -> mpq | list[mpq] | list[list[mpq]]:
-    """The exact binary value of a float, of floats in a sequence, or of rows of floats such as control points: the way
-    to use doubles as data. With `snap`, the value is the shortest decimal as which the float prints. Integers are
-    unchanged.
+    """Return the exact binary value of a float, of floats in a sequence, or of rows of floats such as control points.
+    With `snap`, the value is the shortest decimal as which the float prints. Integers are unchanged.
 
     >>> from_floats(0.1) == rational("0.1"), from_floats(0.1, snap=True)
     (False, mpq(1,10))
     >>> from_floats([(0.5, 1.0), (0.25, -2.0)])
     [[mpq(1,2), mpq(1,1)], [mpq(1,4), mpq(-2,1)]]
 
-    Raises `NumberError`, with its position, for an element that is neither a float nor an integer.
+    Raises `NumberError`, with the position, for an element that is neither a float nor an integer.
     """
     if type(values) is int:
         return rational(values)

@@ -6,7 +6,7 @@ from exactspline.words import Word
 
 
 class Side(Word):
-    """The side from which a limit is taken or a one-sided value is reached."""
+    """The side from which a limit or a one-sided value is taken."""
 
     LEFT = "left"
     RIGHT = "right"

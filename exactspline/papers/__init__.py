@@ -72,7 +72,7 @@ def default_papers() -> tuple[Paper, ...]:
 
 
 def paper(name: str | Path, *, trust: bool = False, partly: bool = False) -> Paper:
-    """The paper with this name, one included in the library, or the one in a user's folder (see `load_paper`).
+    """Return the paper with this name from the library, or the paper in a user's folder (see `load_paper`).
 
     >>> paper("lifted").uses[0].name
     'chen_riesenfeld_cohen_2007'
@@ -242,7 +242,7 @@ def find(name: str) -> Formula:
 
 
 def formula_of(given: Formula | str) -> Formula:
-    """The given formula, or the formula of the library with the given name.
+    """Return the given formula, or the formula of the library with the given name.
 
     Raises `FormulaError` for anything else.
     """

@@ -1,5 +1,5 @@
-"""Readings, that is evaluation modes: the possible interpretations of the operands of a formula. The spline reading is
-provided directly by `exactspline.splines.bspline` and `exactspline.splines.nurbs`.
+"""Readings are the types of operands with which a formula can be evaluated, for example degrees or Taylor series. The
+operands of the spline reading are in `exactspline.splines.bspline` and `exactspline.splines.nurbs`.
 """
 
 import lazy_loader

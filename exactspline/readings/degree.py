@@ -237,7 +237,7 @@ def _in_hull(term: Term, b: Degree, start: int) -> bool:
 
 
 def parse_degree(text: str) -> Degree:
-    """Parse a degree: ``9d-6``, ``12(d−1)``, ``d1 + d2``, ``max(d1, d2)``.
+    """Parse a degree such as ``9d-6``, ``12(d−1)``, ``d1 + d2`` or ``max(d1, d2)``.
 
     >>> parse_degree("12(d-1)"), parse_degree("max(d1, d2)")
     (12d − 12, max(d2, d1))
@@ -279,9 +279,9 @@ class _DifferentiatedPartByPart(Rational[Degree]):
 
 
 class DegreeReading(Reading):
-    """Degrees with respect to one parameter: ``s`` of the first curve, ``s̄`` of the second one, ``u`` or ``v`` of a
-    surface. With the `counting` ``part by part``, a rational curve is differentiated as in eq. (24) of the paper.
-    `degree` is the name of the degree of the curve.
+    """The evaluation mode whose operands are degrees in one parameter: ``s`` of the first curve, ``s̄`` of the second
+    curve, ``u`` or ``v`` of a surface. With the `counting` ``part by part``, a rational curve is differentiated as in
+    eq. (24) of the paper of 2007. `degree` is the name of the degree of the curve.
 
     >>> from exactspline.language.kinds import PAIR
     >>> c = DegreeReading().argument(PAIR, 3)
@@ -302,7 +302,7 @@ class DegreeReading(Reading):
         self.counting = choice(Counting, counting, "counting")
 
     def count(self, formula: Formula, dimension: int, *, polynomial: bool = False) -> Degree:
-        """The degree of a formula; for a value of several parts the larger one.
+        """Return the degree of a formula. For a value with several parts, this is the largest degree of a part.
 
         >>> from exactspline.papers import find
         >>> DegreeReading().count(find("g2"), 2)
@@ -312,7 +312,7 @@ class DegreeReading(Reading):
         return degree
 
     def argument(self, kind: Kind, dimension: int, *, polynomial: bool = False) -> Evaluated:
-        """The degrees of the operands; those that do not depend on the parameter `counted` have degree 0."""
+        """Return the degrees of the operands. Operands that do not depend on the parameter have degree 0."""
         parameter = self.parameter
 
         def operand(symbol: Symbol) -> Degree:

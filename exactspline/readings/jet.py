@@ -301,7 +301,7 @@ class IndeterminateReading(Reading):
 
 
 class JetReading(IndeterminateReading):
-    """The argument with indeterminate operands, and their derivatives up to an order.
+    """The evaluation mode whose operands, and their derivatives up to an order, are indeterminates (jets).
 
     >>> from exactspline.language.kinds import PAIR
     >>> c = JetReading(1).argument(PAIR, 3)
@@ -312,7 +312,7 @@ class JetReading(IndeterminateReading):
     name = "jet"
 
     def argument(self, kind: Kind, dimension: int, *, polynomial: bool = False) -> Evaluated:
-        """The argument in which every operand is an indeterminate; a polynomial curve has the denominator 1."""
+        """Return the argument in which every operand is an indeterminate. A polynomial curve has the denominator 1."""
         ring = JetRing(kind, dimension, self.order, polynomial=polynomial)
         return kind.argument(dimension, lambda symbol: ring[symbol.name], ring.number(1), polynomial=polynomial)
 

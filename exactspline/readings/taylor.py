@@ -122,7 +122,7 @@ def taylor(spline: Function, t: Number, terms: int, side: Side | str = Side.RIGH
 
 
 def series_curve(curve: Curve[T], t: Number, terms: int, side: Side | str = Side.RIGHT) -> Curve[Series]:
-    """The expansion of a concrete curve at a parameter."""
+    """Return the Taylor expansion of a curve at a parameter."""
     curve = as_instance(curve, Curve, "a curve", 'give one such as exactspline.example("cusp")')
     terms = as_integer(terms, "a number of terms", 1)
     expanded: Curve[Series] = curve.mapped(lambda spline: taylor(cast(Function, spline), t, terms, side))

@@ -157,7 +157,7 @@ class Traced(Argument):
 
     @property
     def dimension(self) -> int:
-        """Number of coordinates."""
+        """The number of coordinates."""
         return self._dimension
 
     def __getattr__(self, name: str) -> Node | Traced:
@@ -237,7 +237,7 @@ def nodes(tree: Node) -> Iterator[Node]:
 
 
 def trace(formula: Formula, dimension: int = 3, *, expand: bool = False) -> Node:
-    """The tree of a formula.
+    """Return the expression tree of a formula.
 
     >>> from exactspline.papers import find
     >>> trace(find("D1"))

@@ -79,7 +79,7 @@ class Algebraic(Digits):
 
     @property
     def exact(self) -> mpq | None:
-        """The rational value of the number, None if it is irrational: decided exactly, without factorization.
+        """The rational value of the number, or None if the number is irrational.
 
         >>> from exactspline.reals.real import square_root
         >>> (square_root(2) * square_root(18)).exact, square_root(2).exact
@@ -98,8 +98,8 @@ class Algebraic(Digits):
         raise NotImplementedError
 
     def around(self, digits: int) -> Interval:
-        """The number itself if it is known to be rational, otherwise the interval between the two multiples of
-        ``10^−digits`` on both sides of the nearest multiple.
+        """Return the number itself if it is known to be rational. Otherwise return the interval between the two
+        neighbours of the nearest multiple of ``10^−digits``, which are multiples, too.
 
         >>> from exactspline.reals.real import square_root
         >>> square_root(2).around(2)
@@ -111,18 +111,21 @@ class Algebraic(Digits):
         return Interval(nearest - unit, nearest + unit)
 
     def minimal_polynomial(self) -> list[int]:
-        """The irreducible integer polynomial with this zero, constant term first.
+        """Return the coefficients of the irreducible integer polynomial that vanishes at this number, constant term
+        first.
 
         >>> from exactspline.reals.real import square_root
         >>> (square_root(2) + square_root(8)).minimal_polynomial()
         [-18, 0, 1]
 
-        Raises `ReachError` if its computation would be too expensive.
+        Raises `ReachError` if the computation would be too expensive.
         """
         return [int(x) for x in self.irreducible_polynomial().coeffs()]
 
     def irreducible_polynomial(self) -> fmpz_poly:
-        """The polynomial whose coefficients `minimal_polynomial` lists: it is shared and must not be changed."""
+        """Return the polynomial whose coefficients `minimal_polynomial` lists. The polynomial is shared and must not be
+        changed.
+        """
         if self._minimal is None:
             fill(self, _minimal=self._computed_minimal())
         return cast(fmpz_poly, self._minimal)
@@ -132,7 +135,7 @@ class Algebraic(Digits):
         return linear(low) if low == high else next(f for f in irreducible_factors(p) if changes_sign(f, low, high))
 
     def is_root_of(self, polynomial: fmpz_poly) -> bool:
-        """Whether a polynomial with integer coefficients vanishes at this number, decided exactly.
+        """Return whether a polynomial with integer coefficients vanishes at this number.
 
         >>> from exactspline.reals.real import square_root
         >>> square_root(2).is_root_of(fmpz_poly([0, -2, 0, 1])), square_root(2).is_root_of(fmpz_poly([-1, 1]))

@@ -42,7 +42,7 @@ class Digits(Immutable):
 
     @property
     def closed_form(self) -> str | None:
-        """The number as text ``p/q`` or ``(a + b√c)/d``, None if it is neither."""
+        """The number as text ``p/q`` or ``(a + b√c)/d``, or None if the number has no such form."""
         raise NotImplementedError
 
     @property
@@ -51,7 +51,7 @@ class Digits(Immutable):
         return self._against_number(mpq(0))
 
     def enclosure(self, digits: int) -> Interval:
-        """A closed interval with rational ends, at most ``10^−digits`` wide, that contains this number.
+        """Return a closed interval with rational ends, at most ``10^−digits`` wide, that contains this number.
 
         >>> from exactspline.reals.real import square_root
         >>> square_root(2).enclosure(3)
@@ -60,14 +60,14 @@ class Digits(Immutable):
         return self._enclosed(as_integer(digits, "a number of digits"))
 
     def double(self, rounding: str = Rounding.NEAREST) -> float:
-        """The correctly rounded double: to nearest (ties to even), or rounded ``up`` or ``down``.
+        """Return the correctly rounded double: to nearest (ties to even), or rounded ``up`` or ``down``.
 
         Raises `OverflowError` beyond the largest double.
         """
         return double_between(self._enclosed, self._against_number, rounding)
 
     def doubles(self) -> dict[str, float]:
-        """The correctly rounded doubles for the three rounding modes, by their names."""
+        """Return the correctly rounded doubles for the three rounding modes, each under the name of the mode."""
         enclosed = cache(self._enclosed)
         return {str(way): double_between(enclosed, self._against_number, way) for way in Rounding}
 
@@ -156,7 +156,7 @@ class Digits(Immutable):
             digits *= 2
 
     def decimal(self, digits: int) -> str:
-        """The number to this many digits after the decimal point, rounded to the nearest such number (a tie upwards).
+        """Return the number rounded to the nearest decimal with this many digits after the point (a tie upwards).
 
         >>> from exactspline.reals.real import Real, square_root
         >>> square_root(2).decimal(5), Real("2/3").decimal(3)
@@ -180,8 +180,8 @@ class Digits(Immutable):
             reached += SUSPICIOUS
 
     def mpf(self, digits: int = 15) -> mpmath.mpf:
-        """An ``mpmath.mpf`` with an error of at most ``10^−digits`` that prints these digits; the working precision of
-        mpmath is not changed.
+        """Return an ``mpmath.mpf`` with an error of at most ``10^−digits`` that prints this many digits. The working
+        precision of mpmath is not changed.
 
         >>> from exactspline.reals.real import square_root
         >>> square_root(2).mpf(30)
@@ -195,13 +195,13 @@ class Digits(Immutable):
         return mpq(self._multiple(digits), mpz(10) ** digits)
 
     def significant(self, digits: int) -> mpmath.mpf:
-        """An ``mpmath.mpf`` with a relative error below ``10^−digits``; exactly 0 if the number is 0."""
+        """Return an ``mpmath.mpf`` with a relative error below ``10^−digits``, or 0 if the number is 0."""
         from exactspline.reals.shown_mpf import significant
 
         return significant(self.rational_near(digits), digits)
 
     def rational_near(self, digits: int) -> mpq:
-        """A rational number with a relative error below ``10^−digits``; 0 if the number is 0.
+        """Return a rational number with a relative error below ``10^−digits``, or 0 if the number is 0.
 
         >>> from exactspline.reals.real import square_root
         >>> abs(square_root(2).rational_near(5) ** 2 - 2) < mpq(4, 10**5)
@@ -217,9 +217,10 @@ class Digits(Immutable):
             requested *= 2
 
     def shortly(self, digits: int = 6) -> str:
-        """The closed form of the number if it has a short one, or this many significant digits followed by dots. There
-        are fewer digits if more would take too long, and only dots if no digit is known. The number 0 is shown as `0`;
-        a number that is only known to be close to 0 is shown as ``0 ± 1e-n``.
+        """Return the closed form of the number if the number has a short closed form; otherwise return this many
+        significant digits followed by dots. Fewer digits are returned if more digits would take too long, and only dots
+        if no digit is known. The number 0 is shown as `0`; a number that is only known to be close to 0 is shown as ``0
+        ± 1e-n``.
 
         >>> from exactspline.reals.real import square_root
         >>> str(square_root(2) + square_root(3) - square_root(5 + 2 * square_root(6)))

@@ -86,10 +86,10 @@ LARGE, BIT = 100_000, 60
 
 
 class Real(Algebraic, Written):
-    """An exact real number: ``Real(number)`` is a rational number; others are roots and values of curves, and the
-    results of `+ − * /`, `abs` and `square_root`.
+    """An exact real number. ``Real(number)`` is a rational number; roots and values of curves, and results of `+ − *
+    /`, `abs` and `square_root`, may be irrational.
 
-    Numbers are compared by value, also with exact numbers of other libraries; equal numbers have equal hashes.
+    Numbers are compared by value, also with exact numbers of other libraries. Equal numbers have equal hashes.
     ``float(x)`` is the correctly rounded double.
 
     >>> x = square_root(2)
@@ -100,8 +100,8 @@ class Real(Algebraic, Written):
     ([1, 0, -10, 0, 1], '1.414213562373095048801688724210')
 
     Operations that require a polynomial (equality of numbers that enclosures do not separate, hash, `exact`,
-    `minimal_polynomial`) raise `ReachError` if its degree would be too high, and `OpenError` for a number not known to
-    be algebraic.
+    `minimal_polynomial`) raise `ReachError` if the degree of the polynomial would be too high, and `OpenError` for a
+    number that is not known to be algebraic.
     """
 
     __slots__ = ()
@@ -150,7 +150,7 @@ class Real(Algebraic, Written):
         return 2 * self._height() + 1
 
     def in_closed_form(self) -> Real | None:
-        """The number as a `RationalNumber` or a `Quadratic`, None if it is neither."""
+        """Return the number as a `RationalNumber` or a `Quadratic`, or None if the number is neither."""
         if isinstance(self._exact, type(mpq())):
             return RationalNumber(self._exact)
         if self._closed is None:
@@ -166,13 +166,13 @@ class Real(Algebraic, Written):
 
     @property
     def closed_form(self) -> str | None:
-        """The number as text ``p/q`` or ``(a + b√c)/d``, None if it is proved to be neither.
+        """The number as text ``p/q`` or ``(a + b√c)/d``, or None if it is proved that the number has no such form.
 
         >>> t = square_root(2) + square_root(3)
         >>> ((t * t - 1) / 2).closed_form, (t * square_root(5 - 2 * square_root(6))).closed_form, t.closed_form
         ('2 + √6', '1', None)
 
-        Raises `ReachError` or `OpenError` if this remains undecided.
+        Raises `ReachError` or `OpenError` if this is not decided.
         """
         closed = self.in_closed_form()
         return None if closed is None else closed.closed_form
@@ -194,7 +194,7 @@ class Real(Algebraic, Written):
         return polynomial.real_roots()[k] if len(p) < 4 else sympy.CRootOf(polynomial, k)
 
     def is_root_of(self, polynomial: fmpz_poly) -> bool:
-        """Whether a polynomial with integer coefficients vanishes at this number, decided exactly."""
+        """Return whether a polynomial with integer coefficients vanishes at this number."""
         place, top, bottom = self._in_terms()
         if place is None or place is self:
             return super().is_root_of(polynomial)
@@ -276,7 +276,7 @@ class Real(Algebraic, Written):
         return 0
 
     def conjugate(self) -> Real:
-        """The complex conjugate: the number itself."""
+        """Return the complex conjugate: the number itself."""
         return self
 
     def __neg__(self) -> Real:
@@ -629,7 +629,7 @@ def _quadratic(a: mpq, b: mpq, c: int) -> Real:
 
 
 def square_root(x: Number | Real) -> Real:
-    """The square root of a non-negative number.
+    """Return the square root of a non-negative number.
 
     >>> square_root("9/4"), square_root(12), square_root(1 + square_root(2))
     (<Real 3/2>, <Real 2√3>, <Real 1.553774…>)

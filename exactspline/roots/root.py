@@ -178,13 +178,13 @@ class LazyRoot:
 
 
 class Root(Real, Displayed):
-    """One zero of a spline, in the parameter of the spline: an exact real number, and its place on the spline.
+    """One zero of a spline: the parameter, which is an exact real number, and the place on the spline.
 
-    Either `low` and `high` both equal the root, or the root is the only one strictly between them and a simple zero of
-    `polynomial`. The interval shrinks when digits are needed (also for comparisons) and stays valid if this is
-    interrupted; everything else is immutable.
+    Either `low` and `high` both equal the root, or the root is a simple zero of `polynomial` and the only root strictly
+    between `low` and `high`. The interval shrinks when digits are needed, also for comparisons, and stays valid if the
+    computation is interrupted; all other attributes are immutable.
 
-    Roots, also of different splines, are compared exactly with each other and with exact numbers, by value; equal
+    Roots, also of different splines, are compared exactly, by value, with each other and with exact numbers. Equal
     numbers have equal hashes. ``float(root)`` is the correctly rounded double.
 
     >>> from exactspline import BSpline, zeros
@@ -278,17 +278,17 @@ class Root(Real, Displayed):
 
     @property
     def high(self) -> mpq:
-        """The upper end of the isolating interval; equal to `low` if the root is known exactly."""
+        """The upper end of the isolating interval, which equals `low` if the root is known exactly."""
         return self._reached[1]
 
     @property
     def multiplicity(self) -> int:
-        """The smaller of the multiplicities on the two sides."""
+        """The smaller of the multiplicities of the root on the two sides."""
         return min(m for m in (self.left_multiplicity, self.right_multiplicity) if m is not None)
 
     @property
     def sign_change(self) -> bool:
-        """Whether the spline has opposite signs on the two sides (False at an end of the domain)."""
+        """Whether the spline has opposite signs on the two sides of the root (False at an end of the domain)."""
         left, right = self.signs
         return left is not None and right is not None and left != right
 
@@ -356,11 +356,13 @@ class Root(Real, Displayed):
 
     @property
     def polynomial(self) -> list[int]:
-        """Integer coefficients, constant term first, of a polynomial in the parameter of the spline with this root.
+        """The integer coefficients, constant term first, of a polynomial in the parameter of the spline that vanishes
+        at this root.
 
-        The polynomial is primitive with a positive leading coefficient, and has the root as a simple root. On the
-        segment [a, b] it is ``Σ c_i (b − t)ⁿ⁻ⁱ (t − a)ⁱ`` up to a constant, where the ``c_i`` are the integers of the
-        form of the segment or of its square-free factor; for a root that is known exactly it is linear.
+        The polynomial is primitive with a positive leading coefficient, and the root is a simple root of it. For a root
+        that is known exactly the polynomial is linear. Otherwise it is ``Σ c_i (b − t)ⁿ⁻ⁱ (t − a)ⁱ`` up to a constant,
+        where [a, b] is the segment and the ``c_i`` are the integers of the form of the segment or of a square-free
+        factor of the form.
         """
         return [int(x) for x in self._integers().coeffs()]
 
@@ -375,23 +377,27 @@ class Root(Real, Displayed):
 
     @property
     def ball(self) -> arb | None:
-        """A small ball around ``z = t/(1 − t)`` for the local parameter t of a root that doubles isolate."""
+        """A small interval around ``z = t/(1 − t)``, where t in (0, 1) is the local parameter of the root on its
+        segment; None if the root was not isolated in doubles.
+        """
         return self._zero.ball if isinstance(self._zero, LazyRoot) else None
 
     @property
     def local_polynomial(self) -> fmpz_poly:
-        """A polynomial with the zero ``z = t/(1 − t)``, for the local parameter t of a root inside a segment."""
+        """A polynomial with the zero ``z = t/(1 − t)``, where t in (0, 1) is the local parameter of the root on its
+        segment.
+        """
         return cast(Zero, self._zero).changing[0].polynomial
 
     def refine(self, digits: int, progress: Callable[[int], None] | None = None) -> Interval:
-        """An interval that contains the root, at most ``10^−digits`` wide: ``low < root < high``, or ``low = high`` is
-        the root.
+        """Return an interval that contains the root and is at most ``10^−digits`` wide: ``low < root < high``, or ``low
+        = high = root``.
 
-        The spline has its `signs` at the two ends, so that for a root of odd multiplicity its values there are an
-        independent proof.
+        At the two ends of the interval the spline has the signs in `signs`. For a root of odd multiplicity, the two
+        values are therefore an independent proof of the root.
 
         The result of every step is stored: after an interrupt, `low` and `high` are the best interval so far, and the
-        next call continues from there. `progress` is called after every step with the number of digits reached.
+        next call continues from this interval. `progress` is called after every step with the number of digits reached.
         """
         if type(digits) is not int:
             raise NumberError(f"{digits!r} digits", where="digits", remedy="an integer")
@@ -424,7 +430,7 @@ class Root(Real, Displayed):
         return low < high and ((high - low) * scale > 1 or low == self._first[0] or high == self._first[1])
 
     def narrow_to(self, low: mpq, high: mpq) -> None:
-        """Store an interval, unless another thread has stored a narrower one."""
+        """Store an interval, unless another thread has stored a narrower interval."""
         if low == high:
             self._set_rational(low)
         elif high - low < self.high - self.low:
@@ -443,8 +449,8 @@ class Root(Real, Displayed):
         return self.refine(digits)
 
     def double(self, rounding: str = Rounding.NEAREST) -> float:
-        """The correctly rounded double: from a ball around the root if doubles isolate it, otherwise as for any real
-        number.
+        """Return the correctly rounded double. If computations in doubles have isolated the root, they also give the
+        rounded value, which is faster than the general method for real numbers.
         """
         found = None
         if isinstance(self._zero, LazyRoot) and self.segment is not None:
@@ -462,7 +468,7 @@ class Root(Real, Displayed):
         return f"<Root {self.shortly()}: {times}, sign {left} to {right}{', at a knot' if self.at_knot else ''}>"
 
     def moved(self, side: Interval) -> Root:
-        """The parameter in the interval `side` whose local parameter is this number.
+        """Return the number that has the same position in the interval `side` as this number has in [0, 1].
 
         >>> from exactspline import BSpline, zeros
         >>> (root,) = zeros(BSpline.bezier([-1, -1, 1]))  # 2t² − 1

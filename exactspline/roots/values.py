@@ -143,8 +143,8 @@ def evaluate(function: Nurbs, t: Number | Real, *, side: Side | str = Side.RIGHT
 def evaluate(
     function: BSpline | Nurbs, t: Number | Real, *, side: Side | str = Side.RIGHT
 ) -> mpq | Real | tuple[mpq | Real, ...]:
-    """The value of a spline, or the point of a curve, at a parameter: rational numbers at a rational parameter, `Real`
-    numbers at an irrational `Root`.
+    """Return the value of a spline, or the point of a curve, at a parameter: as rational numbers for a rational
+    parameter, as `Real` numbers for an irrational `Root`.
 
     >>> from exactspline import BSpline, Nurbs, zeros
     >>> parabola = Nurbs(2, [0, 0, 0, 1, 1, 1], [(0, 0), ("1/2", 0), (1, 1)])

@@ -87,10 +87,10 @@ class ZeroInterval:
 
 
 class ZeroSet(Immutable, Displayed):
-    """All zeros of a spline; as a sequence it contains the roots in ascending order, each parameter once.
+    """All zeros of a spline. As a sequence, a zero set contains the roots in ascending order, each parameter once.
 
     `roots`, `intervals` and `jumps` are complete and disjoint: a zero at an end of an interval belongs to the interval.
-    Two zero sets are equal if these agree, including multiplicities and signs.
+    Two zero sets are equal if they have the same roots, intervals and jumps, including multiplicities and signs.
     """
 
     __slots__ = ("intervals", "isolations", "jumps", "periodic", "roots", "spline")
@@ -141,8 +141,8 @@ class ZeroSet(Immutable, Displayed):
         return f"<ZeroSet: {', '.join(counted(len(found), what) for what, found in parts.items())}>"
 
     def refine(self, digits: int, progress: Callable[[int, int], None] | None = None) -> list[Interval]:
-        """Intervals at most ``10^−digits`` wide that contain the roots; `progress` is called after each root with the
-        number of roots done and the total.
+        """Return intervals at most ``10^−digits`` wide that contain the roots. `progress` is called after each root
+        with the number of refined roots and the number of all roots.
 
         The method may be interrupted: the roots keep their current intervals.
         """
@@ -154,16 +154,17 @@ class ZeroSet(Immutable, Displayed):
         return result
 
     def certificate(self) -> dict[str, object]:
-        """A proof that these are all zeros: JSON data with exact strings, for `exactspline.certificates` or any other
-        checker.
+        """Return a proof that these are all zeros, as JSON data with exact strings, for `exactspline.certificates` or
+        any other checker.
 
-        A segment contains the integers ``c_i`` of its form ``Σ c_i (1 − t)ⁿ⁻ⁱ tⁱ`` (t from 0 to 1 on the segment), the
-        leaves of a subdivision of [0, 1], each with the number, 0 or 1, of sign changes of the Bernstein coefficients
-        on it, and the midpoints that are zeros themselves. If required by multiple zeros, it also contains factors
-        whose powers multiply to the form, up to a constant, the zeros at the ends and powers of ``u + v``; the leaves
-        then refer to the product of the factors, each taken once. The roots, with the intervals computed so far, are
-        those of the whole spline. An interval on which the spline vanishes is given by its two ends; if the interval
-        crosses the seam of a periodic spline, its end is smaller than its beginning.
+        Each entry of ``segments`` contains the integers ``c_i`` of the form ``Σ c_i (1 − t)ⁿ⁻ⁱ tⁱ`` of a segment (t
+        goes from 0 to 1 on the segment); the subintervals (leaves) of a subdivision of [0, 1], each with the number, 0
+        or 1, of sign changes of its Bernstein coefficients; and the midpoints that are zeros. If there are multiple
+        zeros, the entry may also contain factors. The product of powers of these factors is the form, up to a constant,
+        the zeros at the ends and powers of ``u + v`` (with u = 1 − t, v = t), and the leaves refer to the product of
+        the factors, each taken once. ``roots`` lists the roots of the whole spline, with the intervals computed so far.
+        ``intervals`` lists the two ends of each interval on which the spline vanishes; if the interval crosses the seam
+        of a periodic spline, its end is smaller than its beginning.
 
         >>> zeros(BSpline.bezier([1, -2, 1])).certificate()["segments"][0]["leaves"]
         [['0', '1/2', 1], ['1/2', '1', 1]]
@@ -261,9 +262,10 @@ def _at_right(isolation: Isolation | None) -> _End:
 
 
 def zeros(f: BSpline, *, periodic: bool = False) -> ZeroSet:
-    """All zeros of a spline on its domain, with proof of completeness.
+    """Return all zeros of a spline on its domain, with a proof that no zero is missing.
 
-    With `periodic` the two ends of the domain are one knot, like any other knot; a zero there is reported at the start.
+    With `periodic` the two ends of the domain are one knot, and a zero at this knot is reported at the start of the
+    domain.
 
     >>> f = BSpline(1, [0, 0, 1, 2, 3, 3], [1, -1, 0, 0])
     >>> found = zeros(f)

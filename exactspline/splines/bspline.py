@@ -49,11 +49,11 @@ LONG, BIT = 256, 4
 
 
 class BSpline(Immutable, RingOperand, FunctionsOutside):
-    """A scalar piecewise polynomial of the given degree over the given knots, with exact control points.
+    """A scalar piecewise polynomial of a given degree over given knots, with exact control points.
 
-    `knots` are given with full multiplicities, clamped or not; an interior multiplicity is at most degree + 1 (then the
-    spline may jump). The domain is ``[t_n, t_{N−n}]`` for knots t_0 … t_N. Parameters and values are unitless exact
-    numbers, read by `exactspline.numbers.exact.rational`.
+    `knots` are given with full multiplicities, clamped or not. An interior multiplicity is at most degree + 1; at a
+    knot of this multiplicity the spline may jump. The domain is ``[t_n, t_{N−n}]`` for the degree n and the knots t_0 …
+    t_N. Parameters and values are exact numbers, read by `exactspline.numbers.exact.rational`.
 
     >>> f = BSpline(2, [0, 0, 0, 1, 2, 2, 2], [0, 1, 0, "1/2"])
     >>> f(1), (f * f).degree, f.d().control_points
@@ -117,15 +117,15 @@ class BSpline(Immutable, RingOperand, FunctionsOutside):
         knots: KnotVector | None = None,
         points: tuple[mpq, ...] | None = None,
     ) -> BSpline:
-        """The spline with these forms, and with knots and control points if they are known. The spline takes ownership
-        of the forms; the caller is responsible for the continuity.
+        """Return the spline with these forms (the polynomials of the segments), and with knots and control points if
+        these are known. The forms must not be changed afterwards; the caller is responsible for the continuity.
         """
         polynomials, denominators = zip(*forms, strict=True)
         provenance = leaf() if provenance is None else provenance
         return from_parts(degree, mesh, continuity, polynomials, denominators, provenance, knots, points)
 
     def over_forms(self, mesh: Mesh, forms: Iterable[Form]) -> BSpline:
-        """This spline with its forms over other denominators; the caller ensures that they are the same functions."""
+        """Return this spline with other forms and denominators. The caller ensures that the functions are the same."""
         return BSpline.from_forms(self.degree, mesh, self.continuity, forms, self.provenance, *self._known())
 
     def _known(self) -> tuple[KnotVector | None, tuple[mpq, ...] | None]:
@@ -134,7 +134,7 @@ class BSpline(Immutable, RingOperand, FunctionsOutside):
 
     @classmethod
     def bezier(cls, points: Sequence[Number], a: Number = 0, b: Number = 1) -> BSpline:
-        """The polynomial with these Bézier points over [a, b].
+        """Return the polynomial with these Bézier points over [a, b].
 
         >>> BSpline.bezier([0, 0, 1])("1/2")
         mpq(1,4)
@@ -144,7 +144,7 @@ class BSpline(Immutable, RingOperand, FunctionsOutside):
 
     @classmethod
     def identity(cls, a: Number, b: Number) -> BSpline:
-        """The function t ↦ t on [a, b].
+        """Return the function t ↦ t on [a, b].
 
         >>> BSpline.identity(0, 2)("1/3")
         mpq(1,3)
@@ -164,12 +164,12 @@ class BSpline(Immutable, RingOperand, FunctionsOutside):
 
     @property
     def forms(self) -> tuple[Form, ...]:
-        """The form of every segment: a polynomial (a copy) over its denominator."""
+        """The form of every segment: a copy of its polynomial, over a denominator."""
         return tuple(zip(map(fmpz_poly, self.numerators), self.denominators, strict=True))
 
     @property
     def knots(self) -> KnotVector:
-        """The knots, as given; for a computed spline the clamped knots."""
+        """The knots as given, or the clamped knots of a computed spline."""
         known: KnotVector | None = getattr(self, "_knots", None)
         if known is None:
             known = clamped(self.mesh, self.continuity, self.degree)
@@ -229,13 +229,13 @@ class BSpline(Immutable, RingOperand, FunctionsOutside):
         return _restored, (self.degree, self.mesh, self.continuity, forms, *self._known())
 
     def same_representation(self, other: BSpline) -> bool:
-        """Whether degree, knots and control points agree (`==` tests only whether the functions agree)."""
+        """Return whether degree, knots and control points agree (`==` tests only whether the functions agree)."""
         return self.degree == other.degree and self.knots == other.knots and self.control_points == other.control_points
 
     # ---- arithmetic
 
     def constant(self, number: Number) -> BSpline:
-        """The constant spline of degree 0 on this domain."""
+        """Return the constant spline of degree 0 on this domain."""
         q, segments = rational(number), len(self.mesh)
         c, m = fmpz_poly([int(q.numerator)]), to_fmpz(q.denominator)
         return from_parts(
@@ -288,7 +288,7 @@ class BSpline(Immutable, RingOperand, FunctionsOutside):
         )
 
     def scaled(self, constant: Number) -> BSpline:
-        """The spline times an exact constant."""
+        """Return the spline times an exact constant."""
         q = constant if type(constant) is int else rational(constant)
         provenance = (MULTIPLE, self.provenance, q)
         if type(q) is int:
@@ -300,10 +300,10 @@ class BSpline(Immutable, RingOperand, FunctionsOutside):
         return from_parts(self.degree, self.mesh, self.continuity, polynomials, denominators, provenance)
 
     def d(self, order: int = 1, *, by: str | None = None) -> BSpline:
-        """The derivative of the given order.
+        """Return the derivative of the given order.
 
-        The formal degree decreases by one with each derivative, if necessary below 0 (then the spline is zero and has
-        no control points). The continuity decreases, too, but not below −1.
+        The formal degree decreases by one with each derivative, also below 0 (the spline is then zero and has no
+        control points). The continuity decreases, too, but not below −1.
 
         >>> BSpline.bezier([0, 0, 1]).d(2).control_points
         (mpq(2,1),)
@@ -320,7 +320,7 @@ class BSpline(Immutable, RingOperand, FunctionsOutside):
         return result
 
     def integral(self) -> BSpline:
-        """The antiderivative that is 0 at the start of the domain, one degree higher and continuous.
+        """Return the continuous antiderivative that is 0 at the start of the domain; its degree is higher by one.
 
         >>> f = BSpline(1, [0, 0, 1, 3, 3], [2, 0, 4])
         >>> f.integral().d() == f, f.integral()(0), f.integral()(3)
@@ -336,7 +336,7 @@ class BSpline(Immutable, RingOperand, FunctionsOutside):
         return BSpline(degree, [t for t in self.breakpoints for _ in range(degree + 1)], points)
 
     def integrate(self, a: Number, b: Number) -> mpq:
-        """The integral from `a` to `b`.
+        """Return the integral from `a` to `b`.
 
         >>> BSpline(1, [0, 0, 1, 3, 3], [2, 0, 4]).integrate(1, 3)
         mpq(4,1)
@@ -345,14 +345,14 @@ class BSpline(Immutable, RingOperand, FunctionsOutside):
         return antiderivative(b) - antiderivative(a)
 
     def elevated_to(self, other: BSpline) -> BSpline:
-        """The same function, with at least the degree of `other`."""
+        """Return the same function, with at least the degree of `other`."""
         return self if self.degree >= other.degree else self.elevate_degree(other.degree - self.degree)
 
     # ---- the function
 
     def __call__(self, t: Number, side: Side | str = Side.RIGHT) -> mpq:
-        """The exact value at a parameter; at a jump the limit from the right (from the left at the end), or from the
-        given `side`.
+        """Return the exact value at a parameter. At a jump this is the limit from the right (from the left at the end
+        of the domain), or from the given `side`.
 
         Raises `DomainError` outside the domain.
         """
@@ -386,7 +386,9 @@ class BSpline(Immutable, RingOperand, FunctionsOutside):
         return not all(self.numerators)
 
     def hash_of_quotient(self, numerator: BSpline) -> int:
-        """A hash of the limits of the quotient at fixed parameters, which common factors do not change."""
+        """Return a hash of the limits of the quotient at fixed parameters. Common factors of numerator and denominator
+        do not change the hash.
+        """
         return hash((*self.domain, *[_limit(numerator, self, t) for t in self._places]))
 
     @property
@@ -401,7 +403,8 @@ class BSpline(Immutable, RingOperand, FunctionsOutside):
     # ---- other representations and parts
 
     def insert_knot(self, t: Number, times: int = 1) -> BSpline:
-        """The same function with one more knot (or several) inside the domain, or at an end that is not clamped.
+        """Return the same function with one or several additional knots inside the domain, or at an end that is not
+        clamped.
 
         >>> BSpline(1, [0, 1, 2, 3], [4, 6]).insert_knot(1).knots
         KnotVector(0, 1, 1, 2, 3)

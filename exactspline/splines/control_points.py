@@ -15,11 +15,11 @@ from exactspline.splines.knots import KnotVector
 
 
 class Direction(tuple[mpq, ...]):
-    """A control vector: a control point at infinity, ``(x, y, 0)`` in homogeneous coordinates.
+    """A control vector, that is, a control point at infinity: ``(x, y, 0)`` in homogeneous coordinates.
 
-    A direction v adds ``N v`` to the numerator of the curve and nothing to its denominator (Piegl and Tiller call it an
-    infinite control point). A Cartesian point of weight 0 is different: it adds nothing to the numerator or the
-    denominator.
+    A direction v with basis function N adds ``N v`` to the numerator of the curve and nothing to the denominator (Piegl
+    and Tiller call v an infinite control point). In contrast, a Cartesian point of weight 0 adds nothing to the
+    numerator or the denominator.
 
     >>> from exactspline import Nurbs
     >>> half_circle = Nurbs(2, [0, 0, 0, 1, 1, 1], [(1, 0), Direction(0, 1), (-1, 0)])
@@ -129,8 +129,8 @@ def projected(row: Sequence[mpq]) -> Point:
 
 
 def greville_abscissae(f: BSpline) -> list[mpq]:
-    """The parameters over which the control points of a function are drawn: means of n consecutive knots (for a
-    constant, the midpoints of segments).
+    """Return the parameters over which the control points of a function are drawn: the means of n consecutive knots for
+    the degree n, or the midpoints of segments for degree 0.
 
     >>> from exactspline import BSpline
     >>> greville_abscissae(BSpline(2, [0, 0, 0, 1, 2, 2, 2], [0, 1, 0, 1]))

@@ -78,11 +78,11 @@ class KnotVector(Immutable):
         return f"KnotVector({', '.join(map(text, self.knots))})"
 
     def multiplicity(self, t: Number) -> int:
-        """The multiplicity of t: how often it occurs."""
+        """Return the multiplicity of t: how often t occurs as a knot."""
         return self.knots.count(rational(t))
 
     def has_room_at_end(self, degree: int, t: mpq, times: int) -> bool:
-        """Whether this many knots can be inserted at an end of the domain, which must not be clamped.
+        """Return whether this many knots can be inserted at an end of the domain, which must not be clamped.
 
         >>> uniform = KnotVector(range(6))
         >>> [uniform.has_room_at_end(2, mpq(t), 1) for t in (1, 2, 3)], uniform.has_room_at_end(2, mpq(3), 3)
@@ -98,7 +98,7 @@ class KnotVector(Immutable):
 
     @property
     def multiplicities(self) -> tuple[int, ...]:
-        """How often each distinct knot occurs."""
+        """The multiplicities of the distinct knots."""
         return tuple(len(list(same)) for _, same in groupby(self.knots))
 
     def __or__(self, other: KnotVector) -> KnotVector:
@@ -107,14 +107,14 @@ class KnotVector(Immutable):
         return KnotVector(t for t in both for _ in range(max(self.multiplicity(t), other.multiplicity(t))))
 
     def insert(self, t: Number, times: int = 1) -> KnotVector:
-        """The vector with t inserted this many more times."""
+        """Return the knot vector with t inserted this many more times."""
         t = rational(t)
         place, made = bisect_right(self.knots, t), object.__new__(KnotVector)
         fill(made, knots=(*self.knots[:place], *[t] * times, *self.knots[place:]), _known={})
         return made
 
     def domain(self, degree: int) -> Interval:
-        """The domain ``[t_n, t_{N−n}]`` of a spline of degree n with knots t_0 … t_N."""
+        """Return the domain ``[t_n, t_{N−n}]`` of a spline of degree n with these knots t_0 … t_N."""
         return Interval(self.knots[degree], self.knots[len(self.knots) - 1 - degree])
 
     def check(self, degree: int) -> None:

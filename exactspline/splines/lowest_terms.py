@@ -63,8 +63,8 @@ def _scalars(value: SplineValue) -> list[BSpline]:
 
 
 def control_point_count(value: SplineValue) -> int:
-    """The number of control points of a spline, a vector or a rational, with the common degree, the lowest continuity
-    and the knots of all components.
+    """Return the number of control points of a spline, a vector or a quotient, if all components are written with their
+    largest degree, their lowest continuity, and the knots of all components.
     """
     common = with_common_knots(spline_of(each) for each in _scalars(value))[0]
     inner_points: int = sum(max(common.degree - c, 0) for c in common.continuity)

@@ -52,22 +52,23 @@ def normalized(v: tuple[mpq, ...], problem: str) -> tuple[Real, ...]:
 class Nurbs(Immutable, Curve[BSpline], FunctionsOutside):
     """A polynomial or rational B-spline curve with exact data.
 
-    `control_points` are Cartesian points of the same dimension, or objects `Direction`; `weights` are optional. The
-    curve is ``Σ wᵢ Pᵢ Nᵢ / Σ wᵢ Nᵢ``: a point of weight 0 adds nothing, a direction v adds ``v Nᵢ`` to the numerator
-    only. Equal weights mean that the curve is polynomial: then ``w`` is the constant 1 of degree 0 and ``gamma`` the
-    vector ``p``, and `polynomial` is true. Otherwise ``gamma`` is the `Rational` ``p/w``.
+    `control_points` are Cartesian points of the same dimension, or `Direction` objects; `weights` are optional. With
+    the points Pᵢ, the weights wᵢ and the basis functions Nᵢ, the curve is ``Σ wᵢ Pᵢ Nᵢ / Σ wᵢ Nᵢ``: a point of weight 0
+    adds nothing, and a direction v adds ``v Nᵢ`` to the numerator only. Equal weights mean that the curve is
+    polynomial: `polynomial` is true, the denominator ``w`` is the constant 1 of degree 0, and ``gamma`` is the vector
+    ``p`` of the numerators. Otherwise ``gamma`` is the `Rational` ``p/w``.
 
     >>> arc = Nurbs(2, [0, 0, 0, 1, 1, 1], [(1, 0), (1, 1), (0, 1)], weights=[1, 1, 2])
     >>> arc("1/2"), arc.polynomial
     ((mpq(3,5), mpq(4,5)), False)
 
-    A curve is a value: it never changes, and ``==`` tests whether two curves are the same function.
+    A curve never changes, and ``==`` tests whether two curves are the same function.
 
     >>> arc == arc.insert_knot("1/3").elevate_degree(), arc == arc.reverse()
     (True, False)
 
-    Raises `ShapeError`, `KnotError`, `NumberError` with the place of the error, and `WeightError` if the denominator
-    has a zero on the domain, with the parameter (or an interval around it) as witness.
+    Raises `ShapeError`, `KnotError` or `NumberError` with the place of the error, and `WeightError` if the denominator
+    has a zero on the domain, with the parameter of the zero or an interval around the zero.
     """
 
     degree: int
@@ -104,7 +105,7 @@ class Nurbs(Immutable, Curve[BSpline], FunctionsOutside):
     def bezier(
         cls, points: Sequence[Iterable[Number]], weights: Iterable[Number] | None = None, a: Number = 0, b: Number = 1
     ) -> Nurbs:
-        """The Bézier curve with these points over [a, b].
+        """Return the Bézier curve with these points over [a, b].
 
         >>> Nurbs.bezier([(0, 0), (1, 2), (2, 0)])("1/2")
         (mpq(1,1), mpq(1,1))
@@ -123,7 +124,7 @@ class Nurbs(Immutable, Curve[BSpline], FunctionsOutside):
         source: str = "",
         note: str = "",
     ) -> Nurbs:
-        """The curve with homogeneous control points ``(w x, w y, …, w)``; a point with w = 0 is a direction.
+        """Return the curve with the homogeneous control points ``(w x, w y, …, w)``. A point with w = 0 is a direction.
 
         >>> Nurbs.from_homogeneous(1, [0, 0, 1, 1], [(2, 4, 2), (0, 3, 1)]).control_points
         ((mpq(1,1), mpq(2,1)), (mpq(0,1), mpq(3,1)))
@@ -143,9 +144,9 @@ class Nurbs(Immutable, Curve[BSpline], FunctionsOutside):
         snap: bool = False,
         name: str = "",
     ) -> Nurbs:
-        """The curve with floating-point data, integers included: lists, or numpy's arrays of any width.
+        """Return the curve with these floats and integers as data, in lists or in numpy's arrays of any type of float.
 
-        Every float means its exact binary value; with `snap`, the shortest decimal as which it prints.
+        A float means its exact binary value or, with `snap`, the shortest decimal as which the float prints.
 
         >>> curve = Nurbs.from_floats(1, [0, 0, 1, 1], [(0.1, 0), (0.5, 1)])
         >>> curve(0)[0] == mpq(1, 10), curve(1)
@@ -161,7 +162,8 @@ class Nurbs(Immutable, Curve[BSpline], FunctionsOutside):
 
     @classmethod
     def from_splines(cls, p: Iterable[BSpline], w: BSpline | None = None, *, name: str = "") -> Nurbs:
-        """The curve ``p/w`` (or ``p``) made of splines, which may differ in degrees and knots.
+        """Return the curve ``p/w`` (or ``p``) with these splines as components, which may have different degrees and
+        knots.
 
         >>> t = BSpline.identity(0, 2)
         >>> Nurbs.from_splines([t, t * t]).control_points
@@ -256,12 +258,11 @@ class Nurbs(Immutable, Curve[BSpline], FunctionsOutside):
     # ---- the curve
 
     def __call__(self, t: Number, side: Side | str = Side.RIGHT) -> tuple[mpq, ...]:
-        """The exact point at a parameter (at a jump the limit from the right, or from the given `side`)."""
+        """Return the exact point at a parameter; at a jump, the limit from the right, or from the given `side`."""
         return self.evaluation.points([rational(t)], left=checked_side(side))[0]
 
     def points_at(self, ts: Iterable[Number], side: Side | str = Side.RIGHT) -> list[tuple[mpq, ...]]:
-        """The exact points at many parameters: the same points as from calling the curve for each parameter, in less
-        time.
+        """Return the exact points at many parameters, in less time than single calls of the curve.
 
         >>> Nurbs(2, [0, 0, 0, 1, 1, 1], [(1, 0), (1, 1), (0, 1)], weights=[1, 1, 2]).points_at([0, "1/2"])
         [(mpq(1,1), mpq(0,1)), (mpq(3,5), mpq(4,5))]
@@ -272,7 +273,7 @@ class Nurbs(Immutable, Curve[BSpline], FunctionsOutside):
 
     @cached_property
     def evaluation(self) -> Evaluation:
-        """The splines of the curve as integers, from which points and derivatives are computed."""
+        """The integers of the curve's splines, from which points and derivatives are computed."""
         return Evaluation(self.p.components, None if self.polynomial else self.w)
 
     @overload
@@ -286,8 +287,8 @@ class Nurbs(Immutable, Curve[BSpline], FunctionsOutside):
     def derivative(
         self, order: int = 1, t: Number | None = None, side: Side | str = Side.RIGHT
     ) -> Nurbs | tuple[mpq, ...]:
-        """The derivative of the given order at a rational parameter, exactly; at a knot the limit from the `side`.
-        Without a parameter, the curve of the derivatives; for order 1 this is the hodograph.
+        """Return the derivative of the given order at a rational parameter, exactly; at a knot, the limit from `side`.
+        Without a parameter, return the curve of the derivatives (for order 1, the hodograph).
 
         >>> from exactspline import Nurbs
         >>> arc = Nurbs(2, [0, 0, 0, 1, 1, 1], [(1, 0), (1, 1), (0, 1)], weights=[1, 1, 2])
@@ -303,7 +304,7 @@ class Nurbs(Immutable, Curve[BSpline], FunctionsOutside):
         return self.evaluation.jet(rational(t), checked_order(order), left=checked_side(side))[-1]
 
     def tangent(self, t: Number, side: Side | str = Side.RIGHT) -> tuple[mpq, ...]:
-        """The tangent vector γ′ at a rational parameter (see `unit_tangent`).
+        """Return the tangent vector γ′ at a rational parameter (see `unit_tangent`).
 
         >>> from exactspline import Nurbs
         >>> Nurbs(1, [0, 0, 1, 1], [(0, 0), (1, 2)]).tangent(0)
@@ -312,7 +313,7 @@ class Nurbs(Immutable, Curve[BSpline], FunctionsOutside):
         return self.derivative(1, t, side)
 
     def unit_tangent(self, t: Number, side: Side | str = Side.RIGHT) -> tuple[Real, ...]:
-        """The unit tangent γ′/‖γ′‖ at a rational parameter, exactly.
+        """Return the unit tangent γ′/‖γ′‖ at a rational parameter, exactly.
 
         >>> from exactspline import Nurbs
         >>> [str(x) for x in Nurbs(1, [0, 0, 1, 1], [(0, 0), (1, 2)]).unit_tangent(0)]
@@ -323,15 +324,15 @@ class Nurbs(Immutable, Curve[BSpline], FunctionsOutside):
         return normalized(self.tangent(t, side), f"γ′ = 0 at the parameter {text(rational(t))}")
 
     def normal(self, t: Number, side: Side | str = Side.RIGHT) -> tuple[Real, ...]:
-        """The unit normal at a rational parameter, exactly: in the plane γ′⊥/‖γ′‖, to the left of the curve; in space
-        the principal normal, towards the centre of curvature.
+        """Return the unit normal at a rational parameter, exactly. In the plane the normal γ′⊥/‖γ′‖ points to the left
+        of the curve; in space the principal normal points towards the centre of curvature.
 
         >>> from exactspline import Nurbs
         >>> arc = Nurbs(2, [0, 0, 0, 1, 1, 1], [(1, 0), (1, 1), (0, 1)], weights=[1, 1, 2])
         >>> arc.normal("1/2")
         (<Real -3/5>, <Real -4/5>)
 
-        Raises `DomainError` where γ′ = 0, in space also where κ = 0, and `ShapeError` in other dimensions.
+        Raises `DomainError` where γ′ = 0, in space also where the curvature is 0, and `ShapeError` in other dimensions.
         """
         where = f"at the parameter {text(rational(t))}"
         first = self.tangent(t, side)
@@ -358,7 +359,7 @@ class Nurbs(Immutable, Curve[BSpline], FunctionsOutside):
 
     @cached_property
     def rows(self) -> tuple[CommonRows, ...]:
-        """The integers of the forms of the components on every segment, over a common denominator.
+        """The integer coefficients of the components on every segment, over a common denominator.
 
         >>> Nurbs(1, [0, 0, 1, 1], [(0, 0), (4, "1/2")]).rows
         ((((0, 8), (0, 1)), 2),)
@@ -438,7 +439,8 @@ class Nurbs(Immutable, Curve[BSpline], FunctionsOutside):
     # ---- other representations, parts, images
 
     def insert_knot(self, t: Number, times: int = 1) -> Nurbs:
-        """The same curve with one more knot (or several) inside the domain, or at an end that is not clamped.
+        """Return the same curve with one or several additional knots inside the domain, or at an end that is not
+        clamped.
 
         >>> line = Nurbs(1, [0, 0, 1, 1], [(0, 0), (4, 2)])
         >>> line.insert_knot("1/4").control_points
@@ -454,7 +456,7 @@ class Nurbs(Immutable, Curve[BSpline], FunctionsOutside):
         return Nurbs._unchanged(self.name, self.degree, knots, points, weights)
 
     def elevate_degree(self, by: int = 1) -> Nurbs:
-        """The same curve with the degree raised.
+        """Return the same curve with the degree raised.
 
         >>> Nurbs(1, [0, 0, 1, 1], [(0, 0), (4, 2)]).elevate_degree().control_points
         ((mpq(0,1), mpq(0,1)), (mpq(2,1), mpq(1,1)), (mpq(4,1), mpq(2,1)))
@@ -462,7 +464,7 @@ class Nurbs(Immutable, Curve[BSpline], FunctionsOutside):
         return changed(self, lambda f: f.elevate_degree(by))
 
     def split(self, t: Number) -> tuple[Nurbs, Nurbs]:
-        """The two parts of the curve before and after an inner parameter.
+        """Return the two parts of the curve before and after an inner parameter.
 
         >>> first, second = Nurbs(1, [0, 0, 1, 1], [(0, 0), (4, 2)]).split("1/2")
         >>> first.control_points[1] == second.control_points[0], str(second.domain)
@@ -474,7 +476,7 @@ class Nurbs(Immutable, Curve[BSpline], FunctionsOutside):
         return self.restrict(a, t), self.restrict(t, b)
 
     def bezier_segments(self) -> list[Nurbs]:
-        """The segments as separate curves.
+        """Return the segments as separate curves.
 
         >>> [str(part.domain) for part in Nurbs(1, [0, 0, 1, 3, 3], [(0, 0), (4, 2), (5, 0)]).bezier_segments()]
         ['[0, 1]', '[1, 3]']
@@ -482,8 +484,8 @@ class Nurbs(Immutable, Curve[BSpline], FunctionsOutside):
         return [self.restrict(*ends) for ends in pairwise(self.breakpoints)]
 
     def sample(self, count: int = 100) -> NDArray[np.float64]:
-        """The points at this many equally spaced parameters, both ends of the domain included, as correctly rounded
-        doubles.
+        """Return the points at this many equally spaced parameters, from one end of the domain to the other, as
+        correctly rounded doubles.
 
         >>> Nurbs(1, [0, 0, 1, 1], [(0, 0), (4, 2)]).sample(3).tolist()
         [[0.0, 0.0], [2.0, 1.0], [4.0, 2.0]]
@@ -496,7 +498,7 @@ class Nurbs(Immutable, Curve[BSpline], FunctionsOutside):
         return self.floats([a + (b - a) * i / (count - 1) for i in range(count)])
 
     def restrict(self, a: Number, b: Number) -> Nurbs:
-        """The part of the curve over [a, b], with the same parameters.
+        """Return the part of the curve over [a, b], with the same parameters.
 
         >>> Nurbs(1, [0, 0, 1, 1], [(0, 0), (4, 2)]).restrict("1/4", "3/4").control_points
         ((mpq(1,1), mpq(1,2)), (mpq(3,1), mpq(3,2)))
@@ -506,7 +508,7 @@ class Nurbs(Immutable, Curve[BSpline], FunctionsOutside):
         return changed(self, lambda f: f.restrict(a, b))
 
     def reverse(self) -> Nurbs:
-        """The reversed curve, over the same domain.
+        """Return the reversed curve, over the same domain.
 
         >>> Nurbs(1, [0, 0, 1, 1], [(0, 0), (4, 2)]).reverse()(0)
         (mpq(4,1), mpq(2,1))
@@ -514,10 +516,11 @@ class Nurbs(Immutable, Curve[BSpline], FunctionsOutside):
         return changed(self, lambda f: f.reverse())
 
     def transform(self, matrix: Sequence[Sequence[Number]]) -> Nurbs:
-        """The image under a linear, an affine or a projective map with exact entries.
+        """Return the image under a linear, an affine or a projective map with exact entries.
 
-        In Rⁿ a matrix of n columns is linear, a matrix of n rows and n + 1 columns is affine (the last column is the
-        translation), a matrix of n + 1 rows and columns is projective, acting on ``(w x, …, w)``.
+        In Rⁿ a matrix of n columns gives a linear map. A matrix of n rows and n + 1 columns gives an affine map (the
+        last column is the translation). A matrix of n + 1 rows and columns gives a projective map, which acts on ``(w
+        x, …, w)``.
 
         >>> line = Nurbs(1, [0, 0, 1, 1], [(0, 0), (4, 2)])
         >>> line.transform([[0, -1], [1, 0]])(1), line.transform([[1, 0, 5], [0, 1, 0]])(0)
@@ -552,7 +555,7 @@ def derivative_splines(curve: Nurbs, order: int) -> tuple[list[BSpline], BSpline
 
 
 def graph(f: BSpline) -> Nurbs:
-    """The graph of a function as a plane curve: t ↦ (t, f(t)).
+    """Return the graph t ↦ (t, f(t)) of a function f as a plane curve.
 
     >>> graph(BSpline.bezier([0, 0, 1]))("1/2")
     (mpq(1,2), mpq(1,4))

@@ -105,7 +105,7 @@ def _parts(f: Piecewise, mesh: Mesh) -> Iterator[bernstein.Form]:
 
 
 def elevate_degree(f: S, by: int = 1) -> S:
-    """The same function with the degree raised."""
+    """Return the same function with the degree raised."""
     if type(by) is not int or not 0 <= by <= MAX_DEGREE:
         remedy = f"an integer from 0 to {MAX_DEGREE} (use reduce_degree to lower a degree)"
         raise ShapeError(f"degree elevation by {shown(by)}", remedy=remedy)
@@ -114,8 +114,8 @@ def elevate_degree(f: S, by: int = 1) -> S:
 
 
 def reduce_degree(f: S, by: int = 1) -> S:
-    """The same function with the degree lowered; the `ReductionError` names a segment on which this is not possible
-    exactly.
+    """Return the same function with a lower degree. Raises `ReductionError`, which names a segment, if this is not
+    possible exactly.
     """
     if type(by) is not int or by < 0:
         raise ShapeError(
@@ -192,8 +192,8 @@ def insert_knot(f: S, t: Number, times: int = 1) -> S:
 
 
 def remove_knot(f: S, t: Number, times: int = 1) -> S:
-    """The same function with one knot (or several) removed; the `ReductionError` names the derivative that jumps
-    there.
+    """Return the same function with a knot removed once or several times. Raises `ReductionError`, which names a
+    derivative, if this derivative jumps at the knot.
     """
     t = inner(f.mesh, t)
     multiplicity = max(f.degree - f.continuity[f.mesh.breaks.index(t) - 1], 0) if t in f.mesh.breaks else 0
@@ -220,8 +220,7 @@ def _replaced(continuity: tuple[int, ...], position: int, by: int) -> tuple[int,
 
 
 def continuity_at(f: Piecewise, t: Number) -> int:
-    """The number of derivatives that agree at a parameter: −1 at a jump, the degree if the two sides are the same
-    polynomial.
+    """Return the order of continuity at a parameter: −1 at a jump, the degree if both sides are the same polynomial.
 
     >>> from exactspline import BSpline
     >>> BSpline(2, [0, 0, 0, 1, 1, 2, 2, 2], [0, 0, 1, 2, 5]).continuity_at(1)
@@ -239,18 +238,18 @@ def continuity_at(f: Piecewise, t: Number) -> int:
 
 
 def split(f: S, t: Number) -> tuple[S, S]:
-    """The parts left and right of an inner parameter."""
+    """Return the parts of the spline left and right of an inner parameter."""
     a, b = f.domain
     return restrict(f, a, t), restrict(f, t, b)
 
 
 def bezier_segments(f: S) -> list[S]:
-    """One polynomial spline per segment."""
+    """Return the segments as separate splines."""
     return [restrict(f, a, b) for a, b in pairwise(f.mesh.breaks)]
 
 
 def restrict(f: S, a: Number, b: Number) -> S:
-    """The part over [a, b]."""
+    """Return the part of the spline over [a, b]."""
     a, b = rational(a), rational(b)
     low, high = f.domain
     if not low <= a < b <= high:
@@ -262,7 +261,7 @@ def restrict(f: S, a: Number, b: Number) -> S:
 
 
 def reverse(f: S) -> S:
-    """The reversed spline, over the same domain: ``t ↦ f(a + b − t)`` on [a, b]."""
+    """Return the reversed spline, over the same domain: ``t ↦ f(a + b − t)`` on [a, b]."""
     a, b = f.domain
     mesh = Mesh([a + b - t for t in reversed(f.mesh.breaks)])
     return type(f).from_forms(
@@ -271,7 +270,7 @@ def reverse(f: S) -> S:
 
 
 def reparametrize(f: S, a: Number, b: Number) -> S:
-    """The spline with the same control points over the domain [a, b], to which the knots are mapped affinely."""
+    """Return the spline with the same control points whose knots are mapped affinely, so that the domain is [a, b]."""
     a, b = rational(a), rational(b)
     if not a < b:
         raise DomainError(f"[{text(a)}, {text(b)}] is empty", remedy="give a < b (see reverse)")
@@ -281,11 +280,11 @@ def reparametrize(f: S, a: Number, b: Number) -> S:
 
 
 def compose(outer: S, inner: S) -> S:
-    """The composition ``t ↦ outer(inner(t))``, whose degree is the product of the degrees.
+    """Return the composition ``t ↦ outer(inner(t))``, whose degree is the product of the degrees.
 
     The domain is cut at the knots of `inner` and wherever `inner` crosses a knot of `outer`. Raises `DomainError` if
-    `inner` leaves the domain of `outer`, and `ReductionError` if a crossing is irrational, because the composition is
-    then not a spline with rational knots.
+    `inner` leaves the domain of `outer`, and `ReductionError` if the parameter of a crossing is irrational, because the
+    composition then has an irrational knot.
     """
     if outer.degree < 0 or inner.degree < 0:
         return inner.constant(outer(0) if outer.degree >= 0 else 0)

@@ -125,22 +125,22 @@ class Along(StrEnum):
 class NurbsSurface(Immutable, Surface[TensorSpline], FunctionsOutside):
     """A polynomial or rational tensor-product B-spline surface with exact data.
 
-    ``control_points[i][j]``, with i along u and j along v, are Cartesian points of the same dimension, or objects
-    `Direction`; `weights` are a net of the same shape, or None. The surface is ``Σ w_ij P_ij N_i(u) N_j(v) / Σ w_ij
-    N_i(u) N_j(v)``. Equal weights mean that the surface is polynomial: then ``w`` is the constant 1, and `polynomial`
-    is true.
+    ``control_points[i][j]``, with i along u and j along v, are Cartesian points of the same dimension, or `Direction`
+    objects; `weights` are a net of the same shape, or None. With the points P_ij, the weights w_ij and the basis
+    functions N_i, N_j, the surface is ``Σ w_ij P_ij N_i(u) N_j(v) / Σ w_ij N_i(u) N_j(v)``. Equal weights mean that the
+    surface is polynomial: `polynomial` is true, and the denominator ``w`` is the constant 1.
 
     >>> saddle = NurbsSurface((1, 1), [0, 0, 1, 1], [0, 0, 1, 1], [[(0, 0, 0), (0, 1, 0)], [(1, 0, 0), (1, 1, 1)]])
     >>> saddle("1/2", "1/3"), saddle.partial(1, 1, 0, 0)
     ((mpq(1,2), mpq(1,3), mpq(1,6)), (mpq(0,1), mpq(0,1), mpq(1,1)))
 
-    A surface is a value: it never changes, and ``==`` tests whether two surfaces are the same function.
+    A surface never changes, and ``==`` tests whether two surfaces are the same function.
 
     >>> saddle == saddle.insert_knot("u", "1/3").elevate_degree(0, 2), saddle == saddle.transposed().transposed()
     (True, True)
 
-    Raises `ShapeError`, `KnotError`, `NumberError` with the place of the error, and `WeightError` if the denominator
-    has a zero on the domain, with its place.
+    Raises `ShapeError`, `KnotError` or `NumberError` with the place of the error, and `WeightError`, with the place, if
+    the denominator has a zero on the domain.
     """
 
     #: The degrees in u and v.
@@ -195,7 +195,8 @@ class NurbsSurface(Immutable, Surface[TensorSpline], FunctionsOutside):
     def from_splines(
         cls, p: Iterable[TensorSpline], w: TensorSpline | None = None, *, name: str = "", note: str = ""
     ) -> NurbsSurface:
-        """The surface ``p/w`` (or ``p``) made of splines, which may differ in degrees and knots.
+        """Return the surface ``p/w`` (or ``p``) with these splines as components, which may have different degrees and
+        knots.
 
         >>> u = TensorSpline((1, 0), [0, 0, 1, 1], [0, 2], [[0], [1]])
         >>> v = TensorSpline((0, 1), [0, 1], [0, 0, 2, 2], [[0, 2]])
@@ -242,12 +243,12 @@ class NurbsSurface(Immutable, Surface[TensorSpline], FunctionsOutside):
 
     @property
     def domain(self) -> Box:
-        """The rectangle of parameters, as its two sides."""
+        """The rectangle of parameters, given by its two sides."""
         return self.w.domain
 
     @property
     def meshes(self) -> tuple[Mesh, Mesh]:
-        """The distinct knots of the domain, in each parameter."""
+        """The distinct knots of the domain, for each parameter."""
         return self.w.meshes
 
     @property
@@ -256,7 +257,7 @@ class NurbsSurface(Immutable, Surface[TensorSpline], FunctionsOutside):
         return len(self.meshes[0]), len(self.meshes[1])
 
     def __call__(self, u: Number, v: Number) -> tuple[mpq, ...]:
-        """The exact point; at a jump the limit from the right.
+        """Return the exact point at a pair of parameters; at a jump, the limit from the right.
 
         Raises `DomainError` outside the rectangle.
         """
@@ -264,12 +265,12 @@ class NurbsSurface(Immutable, Surface[TensorSpline], FunctionsOutside):
         return tuple(x(u, v) / w for x in self.p)
 
     def at(self, u: Number, v: Number) -> tuple[mpq, ...]:
-        """The exact point, as by calling the surface."""
+        """Return the same exact point as a call of the surface."""
         return self(u, v)
 
     def partial(self, i: int, j: int, u: Number, v: Number) -> tuple[mpq, ...]:
-        """The derivative of order i with respect to u and j with respect to v at a point, exactly; at a knot the limit
-        from the right.
+        """Return the exact derivative of order i with respect to u and of order j with respect to v at a pair of
+        parameters; at a knot, the limit from the right.
 
         >>> f = NurbsSurface((1, 1), [0, 0, 1, 1], [0, 0, 1, 1], [[(0, 0), (0, 1)], [(1, 0), (1, 1)]],
         ...                  [[1, 1], [1, 2]])
@@ -294,7 +295,7 @@ class NurbsSurface(Immutable, Surface[TensorSpline], FunctionsOutside):
         return tuple(found[i, j])
 
     def normal(self, u: Number, v: Number) -> tuple[Real, ...]:
-        """The unit normal ``S_u × S_v/‖S_u × S_v‖`` of a surface in space at a pair of parameters, exactly.
+        """Return the unit normal ``S_u × S_v/‖S_u × S_v‖`` of a surface in space at a pair of parameters, exactly.
 
         >>> f = NurbsSurface((1, 1), [0, 0, 1, 1], [0, 0, 1, 1], [[(0, 0, 0), (0, 1, 0)], [(1, 0, 0), (1, 1, 1)]])
         >>> f.normal(0, 0)
@@ -308,7 +309,7 @@ class NurbsSurface(Immutable, Surface[TensorSpline], FunctionsOutside):
         return normalized(upright.components, f"no tangent plane at {rational(u)}, {rational(v)}")
 
     def isocurve(self, along: Along | str, at: Number) -> Nurbs:
-        """The curve on the surface along one parameter, with the other parameter fixed.
+        """Return the curve on the surface along which one parameter is fixed.
 
         >>> f = NurbsSurface((1, 1), [0, 0, 1, 1], [0, 0, 2, 2], [[(0, 0), (0, 1)], [(1, 0), (1, 1)]])
         >>> f.isocurve("u", 1).control_points
@@ -329,7 +330,7 @@ class NurbsSurface(Immutable, Surface[TensorSpline], FunctionsOutside):
     # ---- other representations, parts, images
 
     def insert_knot(self, along: Along | str, t: Number, times: int = 1) -> NurbsSurface:
-        """The same surface with one more knot in one parameter.
+        """Return the same surface with an additional knot in one parameter.
 
         Raises `DomainError` outside the domain and at its ends, `KnotError` if the multiplicity would exceed degree +
         1.
@@ -338,11 +339,11 @@ class NurbsSurface(Immutable, Surface[TensorSpline], FunctionsOutside):
         return self._changed(lambda f: f.insert_knot(direction, t, times))
 
     def elevate_degree(self, by_u: int = 1, by_v: int = 1) -> NurbsSurface:
-        """The same surface with the degrees raised."""
+        """Return the same surface with the degrees raised."""
         return self._changed(lambda f: f.elevate_degree(by_u, by_v))
 
     def split(self, along: Along | str, t: Number) -> tuple[NurbsSurface, NurbsSurface]:
-        """The two parts of the surface before and after an inner value of one parameter.
+        """Return the two parts of the surface before and after an inner value of one parameter.
 
         >>> f = NurbsSurface((1, 1), [0, 0, 1, 1], [0, 0, 2, 2], [[(0, 0), (0, 1)], [(1, 0), (1, 1)]])
         >>> [str(part.domain.second) for part in f.split("v", 1)]
@@ -359,18 +360,18 @@ class NurbsSurface(Immutable, Surface[TensorSpline], FunctionsOutside):
         return self.restrict(sides[0], (a, t)), self.restrict(sides[0], (t, b))
 
     def restrict(self, side_u: tuple[Number, Number], side_v: tuple[Number, Number]) -> NurbsSurface:
-        """The part of the surface over a smaller rectangle, with the same parameters.
+        """Return the part of the surface over a smaller rectangle, with the same parameters.
 
-        Raises `DomainError` unless it is a nondegenerate rectangle inside the domain.
+        Raises `DomainError` unless the rectangle is nondegenerate and inside the domain.
         """
         return self._changed(lambda f: f.restrict(side_u, side_v))
 
     def transposed(self) -> NurbsSurface:
-        """The surface with its parameters exchanged."""
+        """Return the surface with its parameters exchanged."""
         return self._changed(lambda f: f.transposed())
 
     def transform(self, matrix: Sequence[Sequence[Number]]) -> NurbsSurface:
-        """The image under a linear, an affine or a projective map with exact entries, shaped as for `Nurbs.transform`.
+        """Return the image under a linear, an affine or a projective map, given by a matrix as for `Nurbs.transform`.
 
         >>> f = NurbsSurface((1, 1), [0, 0, 1, 1], [0, 0, 1, 1], [[(0, 0), (0, 1)], [(1, 0), (1, 1)]])
         >>> f.transform([[2, 0, 5], [0, 1, 0]])(1, 1)

@@ -67,8 +67,8 @@ DIRECTION = {Parameter.FIRST: 0, Parameter.U: 0, Parameter.SECOND: 1, Parameter.
 class TensorSpline(Immutable, TensorParts, RingOperand, FunctionsOutside):
     """A scalar tensor-product B-spline in two parameters s and t, over a rectangle.
 
-    `degrees`, knots and `control_points` are as for `BSpline`, in each direction: ``control_points[i][j]`` has i along
-    s and j along t.
+    `degrees`, knots and `control_points` are as for `BSpline`, in each direction. In ``control_points[i][j]`` the index
+    i runs along s and j along t.
 
     >>> f = TensorSpline((1, 2), [0, 0, 1, 1], [0, 0, 0, 1, 1, 1], [[0, 0, 0], [0, 0, 4]])
     >>> f("1/2", "1/2"), tuple((f * f).degree), f.partial(0, 1)(1, "1/2")
@@ -117,7 +117,7 @@ class TensorSpline(Immutable, TensorParts, RingOperand, FunctionsOutside):
 
     @property
     def domain(self) -> Box:
-        """The rectangle of definition, by its two sides."""
+        """The rectangle of definition, given by its two sides."""
         return Box(self.meshes[0].domain, self.meshes[1].domain)
 
     @property
@@ -128,7 +128,7 @@ class TensorSpline(Immutable, TensorParts, RingOperand, FunctionsOutside):
 
     @property
     def control_points(self) -> tuple[tuple[mpq, ...], ...]:
-        """The control net over `knots`, rows along s."""
+        """The control net over `knots`, with one row for each index along s."""
         points: tuple[tuple[mpq, ...], ...] | None = getattr(self, "_points", None)
         if points is None:
             nets = [[self.bezier_net(i, j) for j in range(len(self.meshes[1]))] for i in range(len(self.meshes[0]))]
@@ -142,17 +142,17 @@ class TensorSpline(Immutable, TensorParts, RingOperand, FunctionsOutside):
         return (0, 0) if min(self.degree) < 0 else control_point_counts(self.knots, self.degree)
 
     def bezier_net(self, i: int, j: int) -> list[list[mpq]]:
-        """The Bézier points of the patch over segment i of s and segment j of t."""
+        """Return the Bézier points of the patch over segment i of s and segment j of t."""
         at = i * len(self.meshes[1]) + j
         return tensor_bernstein.bezier_net((self.numerators[at], self.denominators[at]), self.degree, self.stride)
 
     def patch(self, i: int, j: int) -> Box:
-        """The rectangle of the patch over segment i of s and segment j of t."""
+        """Return the parameter rectangle of the patch over segment i of s and segment j of t."""
         first, second = (Interval(*mesh.breaks[k : k + 2]) for mesh, k in zip(self.meshes, (i, j), strict=True))
         return Box(first, second)
 
     def patch_form(self, i: int, j: int) -> PatchForm:
-        """The patch over segment i of s and segment j of t, up to a positive constant.
+        """Return the polynomial of the patch over segment i of s and segment j of t, up to a positive constant.
 
         >>> f = TensorSpline((1, 1), [0, 0, 1, 1], [0, 0, 1, 1], [[0, "1/2"], [1, 2]])
         >>> f.patch_form(0, 0).entries
@@ -170,7 +170,7 @@ class TensorSpline(Immutable, TensorParts, RingOperand, FunctionsOutside):
     # ---- arithmetic
 
     def constant(self, number: Number) -> TensorSpline:
-        """The constant of degree 0 × 0 on this rectangle."""
+        """Return the constant function of degree 0 × 0 on this rectangle."""
         a, b = self.meshes[0].domain
         return lifted(refinement.over(BSpline.identity(a, b).constant(number), self.meshes[0]), self.meshes, 0)
 
@@ -250,9 +250,9 @@ class TensorSpline(Immutable, TensorParts, RingOperand, FunctionsOutside):
         return make(self.degree, self.meshes, self.continuity, self.stride, polynomials, denominators, provenance)
 
     def d(self, order: int = 1, *, by: str | None = None) -> TensorSpline:
-        """The derivative with respect to the named parameter: u or v on a surface, s or s̄ on two curves, any of these
-        for other splines. The name may be omitted for a spline in one parameter only. Raises `FormulaError` for
-        anything else (see `partial`).
+        """Return the derivative with respect to the parameter with this name: u or v on a surface, s or s̄ on two
+        curves, any of these names for other splines. The name may be omitted for a spline that depends on one parameter
+        only. Raises `FormulaError` for another name.
         """
         if by is not None:
             if by not in DIRECTION:
@@ -273,7 +273,8 @@ class TensorSpline(Immutable, TensorParts, RingOperand, FunctionsOutside):
         return lifted(self.profile[1].d(order), self.meshes, self.profile[0], self.stride)
 
     def partial(self, i: int, j: int) -> TensorSpline:
-        """The derivative of order i with respect to s and j with respect to t; beyond the degree it is the constant 0.
+        """Return the derivative of order i with respect to s and of order j with respect to t. For orders above the
+        degree this is the constant 0.
 
         >>> s = TensorSpline((1, 0), [0, 0, 1, 1], [0, 1], [[0], [1]])
         >>> (s * s * s).partial(2, 0)("1/2", 1), s.partial(0, 1).is_zero
@@ -289,14 +290,15 @@ class TensorSpline(Immutable, TensorParts, RingOperand, FunctionsOutside):
         return found
 
     def elevated_to(self, other: TensorSpline) -> TensorSpline:
-        """The same function, in each direction with at least the degree of `other`."""
+        """Return the same function with at least the degree of `other` in each direction."""
         by = [max(theirs - own, 0) for own, theirs in zip(self.degree, other.degree, strict=True)]
         return self.elevate_degree(*by)
 
     # ---- the function
 
     def __call__(self, s: Number, t: Number) -> mpq:
-        """The exact value at two parameters; at a jump the limit from the right (from the left at the end).
+        """Return the exact value at two parameters; at a jump, the limit from the right (at the end of the domain, from
+        the left).
 
         Raises `DomainError` outside the rectangle.
         """
@@ -307,7 +309,7 @@ class TensorSpline(Immutable, TensorParts, RingOperand, FunctionsOutside):
         return tensor_bernstein.evaluated(self.numerators[at], self.denominators[at], self.degree, self.stride, *place)
 
     def at_t(self, t: Number) -> BSpline:
-        """The iso-curve of constant t, a spline in s."""
+        """Return the spline in s that the function is for a fixed t."""
         t, forms = rational(t), []
         for own in lines(self):
             integers, common = over_one_denominator([line(t) for line in own])
@@ -315,7 +317,7 @@ class TensorSpline(Immutable, TensorParts, RingOperand, FunctionsOutside):
         return BSpline.from_forms(self.degree.s, self.meshes[0], self.continuity[0], forms)
 
     def at_s(self, s: Number) -> BSpline:
-        """The iso-curve of constant s, a spline in t."""
+        """Return the spline in t that the function is for a fixed s."""
         return self.transposed().at_t(s)
 
     @property
@@ -338,20 +340,20 @@ class TensorSpline(Immutable, TensorParts, RingOperand, FunctionsOutside):
         return not all(self.numerators)
 
     def hash_of_quotient(self, numerator: TensorSpline) -> int:
-        """A hash of the rectangle only, which equal quotients share; values are not used, because a common factor may
-        vanish at a point.
+        """Return a hash of the rectangle, which is the same for equal quotients. Values are not used, because a common
+        factor may vanish at a point.
         """
         return hash((TensorSpline, self.domain))
 
     @property
     def true_degree(self) -> Degrees:
-        """The largest degrees in each parameter of the polynomials of the patches (−1 for the zero function)."""
+        """The largest degree of the polynomials of the patches in each parameter (−1 for the zero function)."""
         return true_degrees(self)
 
     # ---- other representations and parts, as for `BSpline`, in either direction
 
     def along(self, direction: int, change: Callable[[BSpline], BSpline]) -> TensorSpline:
-        """The spline with a linear map of splines applied along one direction (0: along s)."""
+        """Return the spline with a linear map of splines applied along the direction of s (0) or of t (1)."""
         if direction not in (0, 1):
             raise ShapeError(f"the direction {shown(direction)}", remedy="0 for s or 1 for t")
         if self.profile is not None:
@@ -368,26 +370,26 @@ class TensorSpline(Immutable, TensorParts, RingOperand, FunctionsOutside):
         return make(*joined_lines([[change(line) for line in own] for own in lines(self)], self), leaf())
 
     def elevate_degree(self, by_s: int = 0, by_t: int = 0) -> TensorSpline:
-        """The same function with the degrees raised."""
+        """Return the same function with the degrees raised."""
         first = self.along(0, lambda f: f.elevate_degree(by_s)) if by_s else self
         return first.along(1, lambda f: f.elevate_degree(by_t)) if by_t else first
 
     def reduce_degree(self, by_s: int = 0, by_t: int = 0) -> TensorSpline:
-        """The same function with the degrees lowered; raises `ReductionError` if this is not possible exactly."""
+        """Return the same function with lower degrees. Raises `ReductionError` if this is not possible exactly."""
         if (parts := lowered(self, by_s, by_t)) is not None:
             return make(*parts, leaf())
         return self.along(0, lambda f: f.reduce_degree(by_s)).along(1, lambda f: f.reduce_degree(by_t))
 
     def insert_knot(self, direction: int, t: Number, times: int = 1) -> TensorSpline:
-        """The same function with one more knot in one direction."""
+        """Return the same function with an additional knot in one direction."""
         return self.along(direction, lambda f: f.insert_knot(t, times))
 
     def restrict(self, side_s: tuple[Number, Number], side_t: tuple[Number, Number]) -> TensorSpline:
-        """The part over a smaller rectangle."""
+        """Return the part of the spline over a smaller rectangle."""
         return self.along(0, lambda f: f.restrict(*side_s)).along(1, lambda f: f.restrict(*side_t))
 
     def transposed(self) -> TensorSpline:
-        """The spline with its parameters exchanged."""
+        """Return the spline with its parameters exchanged."""
         meshes, continuity = exchanged(self.meshes), (self.continuity[1], self.continuity[0])
         if self.profile is not None:
             return lifted(self.profile[1], meshes, 1 - self.profile[0])
@@ -504,7 +506,7 @@ BISECTOR_ROOM = 4
 
 
 def surface_pair(first: Curve[BSpline], second: Curve[BSpline]) -> Pair[TensorSpline]:
-    """Two curves as the argument of formulas whose values are splines in both parameters.
+    """Return the argument for formulas of two curves, whose values are splines in the parameters of both curves.
 
     >>> from exactspline.interchange.examples import example
     >>> c = surface_pair(example("twisted_cubic"), example("rational_space_cubic"))

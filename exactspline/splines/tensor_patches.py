@@ -159,7 +159,9 @@ class TensorParts:
     _points: tuple[tuple[mpq, ...], ...]
 
     def at_stride(self, stride: int) -> tuple[fmpz_poly, ...]:
-        """The packed polynomials of all patches, t running faster; the stride must be large enough for the degree."""
+        """Return the packed polynomials of all patches, ordered by s, then by t. The stride must be large enough for
+        the degree.
+        """
         found = self._packed.get(stride)
         if found is None:
             if self.profile is None:
@@ -171,14 +173,14 @@ class TensorParts:
 
     @property
     def numerators(self) -> tuple[fmpz_poly, ...]:
-        """The packed polynomials at the current stride, which are shared and must not be changed; zero if the spline is
-        zero.
+        """The packed polynomials at the current stride, which are shared and must not be changed. They are zero if the
+        spline is zero.
         """
         return self.at_stride(self.stride)
 
     @property
     def denominators(self) -> tuple[fmpz, ...]:
-        """The denominators, patch by patch, t running faster."""
+        """The denominators of the patches, ordered by s, then by t."""
         known = self._denominators
         if known is None:
             assert self.profile is not None

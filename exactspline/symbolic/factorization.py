@@ -105,9 +105,10 @@ POLYNOMIAL = "whether curves are polynomial"
 def jets_for(
     formulas: Iterable[str | Formula], dimension: int, *, polynomial: bool = False, factor: str = "1"
 ) -> Evaluated:
-    """The indeterminate curve (and point, or two curves) with as many derivatives as the formulas need, in the fraction
-    reading; with w = 1 if `polynomial` is set. If the roots of a frame are adjoined, formulas in γ alone (and a
-    `factor` in the notation of claims) get indeterminate coordinates of γ.
+    """Return the argument of the formulas (a curve, a curve and a point, or two curves) whose coordinates, with as many
+    derivatives as the formulas need, are indeterminates. If `polynomial` is set, the denominator w is 1. The values of
+    the formulas are fractions of polynomials in the indeterminates. If the formulas need the square roots of a moving
+    frame, and only the curve γ and not w occurs in the formulas and in `factor`, then w is 1, too.
 
     >>> jets_for(("f2",), 2, polynomial=True).w
     (1) / (1)

@@ -79,7 +79,7 @@ def near(shape: str) -> SearchStrategy[Nurbs]:
     """Plane curves of one of the `SHAPES`, or of those `FURTHER`, at a distance ε = ±2⁻ᵏ from a degenerate curve;
     reflected, reversed, and scaled by a power of two, so that no number is rounded.
 
-    Raises `CurveFileError` with the nearest names.
+    Raises `CurveFileError`, with the nearest names, for an unknown name.
     """
     from hypothesis import strategies
 

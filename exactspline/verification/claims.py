@@ -215,8 +215,8 @@ def all_claims() -> tuple[Claim, ...]:
 
 
 def claims(*ids: str, paper: Paper | str | None = None) -> tuple[Claim, ...]:
-    """The claims of a paper (by default of the default papers) with these ids or keys; without any, all claims. An id
-    also selects all ids that begin with it (``C3`` all of §3).
+    """Return the claims with these ids or keys, or without ids all claims, of a paper (by default of the default
+    papers). An id also selects all ids that begin with this id (``C3`` selects all of §3).
 
     >>> [claim.key for claim in claims("C4.1a")]
     ['C41a-f1-f2', 'C41a-f0-f2']

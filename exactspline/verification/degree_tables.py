@@ -78,7 +78,7 @@ class Measure:
 
 
 def measure(formula: Formula, curve: Nurbs) -> Measure:
-    """The degrees and the number of control points of a formula on a curve.
+    """Return the degrees and the number of control points of a formula on a curve.
 
     >>> from exactspline.interchange.examples import example
     >>> from exactspline.papers import find
@@ -97,7 +97,7 @@ def _applies(formula: Formula, dimension: int) -> bool:
 
 
 def measurable(dimension: int) -> list[Formula]:
-    """The formulas that apply to curves of this dimension."""
+    """Return the formulas that apply to curves of this dimension."""
     n = as_integer(dimension, "a dimension", 1)
     return [formula for formula in all_formulas().values() if _applies(formula, n)]
 
@@ -447,8 +447,8 @@ class _VariantsRow:
 
 
 def variants_table(source: Paper) -> list[_VariantsRow]:
-    """The formulas of surfaces that a paper has in three variants: ``NAME``, ``NAME_reduced``, and ``NAME_projective``
-    or else ``NAME_lifted``.
+    """Return one row of degrees for each formula of surfaces that a paper has in three variants: ``NAME``,
+    ``NAME_reduced``, and ``NAME_projective`` or ``NAME_lifted``.
 
     >>> from exactspline.papers import paper
     >>> row = variants_table(paper("surfaces"))[-2]
@@ -495,8 +495,9 @@ def _in_both(u: str, v: str) -> str:
 
 
 def patch_table(formulas: Iterable[Formula], degrees: tuple[int, int]) -> list[Callable[[], PatchRow]]:
-    """The rows for the formulas of surfaces and of planar maps among these, rational and polynomial patches one after
-    the other, as calls.
+    """Return functions that compute the rows of a table, two functions for each formula of surfaces or of planar maps:
+    the first computes the row for rational patches, the second the row for polynomial patches. Other formulas are left
+    out.
 
     >>> from exactspline.papers import paper
     >>> parabolic = paper("surfaces").find("parabolic")

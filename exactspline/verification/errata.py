@@ -89,7 +89,8 @@ class Erratum(Displayed):
 
 
 def errata(sources: Iterable[Paper] | None = None) -> tuple[Erratum, ...]:
-    """The errors of papers, decided anew, in the order of each paper; by default the errors of the default papers.
+    """Return the errors of these papers (by default of the default papers), in the order of each paper, with claims
+    decided anew.
 
     >>> first, *others = errata()
     >>> first.error, [each.id for each in first.statements], len(others)

@@ -33,7 +33,8 @@ if TYPE_CHECKING:
 
 
 def factor_of(left: str | Formula, right: str | Formula, dimension: int, *, polynomial: bool = False) -> Factor | None:
-    """The quotient of two formulas for all curves of that dimension, or None when they are not proportional.
+    """Return the quotient of two formulas for all curves of this dimension, or None if the formulas are not
+    proportional.
 
     >>> str(factor_of("f0", "f2", 2)), str(factor_of("f0", "f2", 2, polynomial=True))
     ('w⁻³', '1')
@@ -137,7 +138,7 @@ def degree_in_table_1(formula: Formula) -> Degree:
 
 
 def table_1_degrees() -> Operands:
-    """The operands of Table 1 in the degree reading."""
+    """Return the degrees of the operands of the paper's Table 1."""
     one, two = [[Degree.named(name) for _ in range(5)] for name in ("d1", "d2")]
     return Operands(p1=one[0], w1=one[1], v1=Vector(*one[2:]), p2=two[0], w2=two[1], v2=Vector(*two[2:]))
 

@@ -306,7 +306,9 @@ def _on_curves(
 
 
 def decide(claim: Claim, proofs: Proofs | None = None, limit: int | None = None) -> Row:
-    """A claim decided for all curves; undecided if that takes more than `limit` seconds of processor time."""
+    """Decide a claim for all curves. The claim is undecided if the decision takes more than `limit` seconds of
+    processor time.
+    """
     start = perf_counter()
     made = as_instance(proofs_of_this_run() if proofs is None else proofs, Proofs, "proofs", "leave them out")
     try:

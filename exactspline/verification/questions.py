@@ -238,12 +238,12 @@ class Check(_Answer):
 
 
 def prove(left: Named, right: Named = "", factor: str = "1", *, dimension: int | None = None) -> Proof:
-    """Whether ``left = factor · right`` for all curves: decided for indeterminate derivatives. Both sides may also be
-    stated in one text, as expressions of the language of formulas.
+    """Decide whether ``left = factor · right`` for all curves, by computing with derivatives that are indeterminates.
+    Both sides may also be stated in one text, as expressions of the language of formulas.
 
     A factor is written like ``"2 w^29 f2"`` or ``"w^-4"``. Without a `dimension` the identity must hold in all
-    dimensions in which the formulas are defined; if it fails, the answer is about a dimension in which it fails. The
-    answer also contains the true quotient.
+    dimensions in which the formulas are defined; otherwise the answer is about a dimension in which the identity fails.
+    The answer also contains the true quotient.
 
     >>> print(prove("f1", "f2", "w"))
     f1 = w · f2 for all curves in R2
@@ -252,7 +252,7 @@ def prove(left: Named, right: Named = "", factor: str = "1", *, dimension: int |
     >>> print(prove("det(γ', γ'') = w^-3 * f2"))
     det(γ', γ'') = w^-3 * f2 for all curves in R2
 
-    Raises `FormulaError` for an unknown formula or two formulas without a common dimension, `ClaimError` when the
+    Raises `FormulaError` for an unknown formula or two formulas without a common dimension, and `ClaimError` if the
     factor cannot be read.
     """
     if isinstance(left, str) and not right:
@@ -374,15 +374,16 @@ class DegreeAnswer(OneLine):
 def degree(
     formula: Named, *, dimension: int | None = None, polynomial: bool = False, parameter: Parameter | str | None = None
 ) -> DegreeAnswer:
-    """The degrees of a formula on the generic curve of degree d; with several parameters the degrees in the given one,
-    by default in the first.
+    """Return the degrees of a formula on the generic curve of degree d. For a formula with several parameters, these
+    are the degrees in `parameter`, by default in the first parameter.
 
     >>> print(degree("g2"))
     g2 in R2: nominal 9d − 6, in lowest terms 9d − 12
     >>> print(degree("surfaces:L_lifted", parameter="v"))
     L_lifted in R3: nominal 4d_v − 1, in lowest terms 4d_v − 2
 
-    Raises `FormulaError` for an unknown formula, and where the degree theorem does not apply to its argument.
+    Raises `FormulaError` for an unknown formula, and for a formula to whose kind of argument the degree theorem does
+    not apply.
     """
     (named,) = _formulas(formula)
     dimension, polynomial = _given_dimension(dimension), as_flag(polynomial, POLYNOMIAL)
@@ -400,7 +401,7 @@ def degree(
 
 
 def verify(left: Named, right: Named, curve: Nurbs, factor: str = "1") -> Check:
-    """Whether ``left = factor · right`` as functions on a curve, exactly.
+    """Decide whether ``left = factor · right`` as functions on a curve, exactly.
 
     >>> from exactspline import example
     >>> bool(verify("f1", "f2", example("six_segment_cubic")))  # w = 1 here
@@ -410,7 +411,7 @@ def verify(left: Named, right: Named, curve: Nurbs, factor: str = "1") -> Check:
     >>> bool(verify("f1", "f2", example("rational_cubic"), "w"))
     True
 
-    If a side does not exist on a segment (a denominator vanishes there), the answer is VACUOUS.
+    If a denominator vanishes on a segment, so that a side does not exist on this segment, the answer is VACUOUS.
 
     Raises `FormulaError` for an unknown formula, for a formula that is not defined for curves of this dimension, and
     for formulas with different numbers of components.
@@ -436,13 +437,13 @@ def reduction(
     polynomial: bool = False,
     parameter: Parameter | str | None = None,
 ) -> Reduction:
-    """The factors that cancel in a formula, for all curves, and the lowest degree that remains (see
-    `exactspline.symbolic.reduction`); with several parameters the degree in the given one, by default in the first.
+    """Return the factors that cancel in a formula for all curves, and the lowest degree that remains. For a formula
+    with several parameters, this is the degree in `parameter`, by default in the first parameter.
 
     >>> print(reduction("evolute").main.generic)
     6d − 6
 
-    Raises `FormulaError` for an unknown formula, and `ShapeError` if it is not defined in this dimension.
+    Raises `FormulaError` for an unknown formula, and `ShapeError` if the formula is not defined in this dimension.
     """
     named = find(formula) if isinstance(formula, str) else formula
     counted = None if parameter is None else choice(Parameter, parameter, "parameter")

@@ -101,7 +101,7 @@ class Statement(Displayed):
 
 
 def statements(claim_id: str) -> Iterator[Statement]:
-    """The statements of the claims with this id, or with ids that begin with it, each decided anew.
+    """Return the statements of the claims with this id, or with ids that begin with this id, each decided anew.
 
     >>> [(s.sides[0].name, s.sides[-1].name, str(s.finding.factor)) for s in statements("C4.1a")]
     [('f1', 'f2', 'w'), ('f0', 'f2', 'w⁻³')]

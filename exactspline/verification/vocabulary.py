@@ -16,9 +16,9 @@ Name = NewType("Name", str)
 
 
 class Verdict(Word):
-    """The result of a check: proved for all curves, verified on one, refuted, not decided; nothing to decide (0 = 0,
-    0/0); a claim that does not apply to this curve; two routes that contradict each other; a statement that could not
-    be asked, or is said not to be.
+    """The result of a check. PROVED means for all curves, VERIFIED means on one curve. VACUOUS means that there was
+    nothing to decide (0 = 0 or 0/0), INAPPLICABLE that the claim is not about such a curve, CONTRADICTION that two
+    computations contradict each other. NOT ASKED stands for a statement that was not or could not be checked.
     """
 
     PROVED = "PROVED"

@@ -52,16 +52,16 @@ def picture(what: str, *of: object, **how: object) -> Any:
 
 
 def plot(*things: object, ax: Axes | None = None, **how: object) -> Axes:
-    """Draw a curve, a function, a zero set, a derived curve, a surface, its analysis (in a figure of its own), a
-    bisector, or several of them, also as a list, into matplotlib's axes (None: those of a new figure), which are
-    returned. `how` is passed to the function of `exactspline.display.plot` for this type of object.
+    """Draw one or several objects (curves, functions, zero sets, derived curves, surfaces, bisectors) into matplotlib's
+    axes, by default those of a new figure, and return the axes. The analysis of a surface is drawn in a figure of its
+    own. `how` is passed to the function of `exactspline.display.plot` for this type of object.
 
     >>> from exactspline import BSpline, example, zeros
     >>> f = BSpline.bezier([1, -1, 1])
     >>> [plot(x).get_legend().get_texts()[-1].get_text() for x in (example("circle"), f, zeros(f))]
     ['knots', 'graph', '1 root']
 
-    Raises `PlotError` without matplotlib and for options that it does not have, `ShapeError` for other objects.
+    Raises `PlotError` without matplotlib and for unknown options, `ShapeError` for other objects.
     """
     for thing in _listed(things):
         ax = _drawn(of_file(thing), ax, how)

@@ -36,7 +36,7 @@ STEPS = 4
 
 
 def surface_figure(inspection: SurfaceInspection) -> Figure:
-    """The picture of an inspected surface: in space, and in the plane of its parameters.
+    """Draw an inspected surface in space and in the plane of its parameters, and return the figure.
 
     >>> from exactspline import analyse, example
     >>> [ax.name for ax in surface_figure(analyse(example("biquadratic"))).axes]

@@ -152,10 +152,10 @@ def plot_ruled_surface(
     net_color: str = GREY,
     box: Box | None = None,
 ) -> Axes:
-    """The part of a ruled surface in the spline reading between two ruling parameters: shaded, with its control net.
+    """Draw the part of a ruled surface between two ruling parameters, shaded, with its control net.
 
-    The surface goes to infinity where its denominator has a zero. It is cut there, and points far from most of the
-    surface are not shown (or points outside `box`, given by two opposite corners).
+    The surface is cut where it goes to infinity. Points outside `box`, which is given by two opposite corners, are not
+    shown; without `box`, points far from most of the surface are not shown.
 
     >>> from exactspline.interchange.examples import example
     >>> from exactspline.papers import find
@@ -163,7 +163,7 @@ def plot_ruled_surface(
     >>> ax.name, ax.get_legend().get_texts()[-1].get_text()
     ('3d', 'control net (12 points)')
 
-    Raises `ShapeError` for anything but a ruled surface of splines in space, otherwise as `plot_mesh`.
+    Raises `ShapeError` for anything but a ruled surface of splines in space, and the errors of `plot_mesh`.
     """
     check_options(label=label, color=color, control_net=control_net, net_color=net_color, box=box)
     mesh = ruled_mesh(surface, rulings, exact_box(box, 3))
@@ -178,7 +178,7 @@ def plot_surface(
     control_net: bool = True,
     box: Box | None = None,
 ) -> Axes:
-    """A tensor-product surface: shaded, with its control net; cut where it goes to infinity.
+    """Draw a tensor-product surface, shaded, with its control net. The surface is cut where it goes to infinity.
 
     >>> from exactspline.language import Vector
     >>> from exactspline.splines.tensor import TensorSpline
@@ -187,8 +187,8 @@ def plot_surface(
     >>> plot_surface(Vector(s, t, st)).get_legend().get_texts()[-1].get_text()
     'control net (4 points)'
 
-    Raises `ShapeError` for anything but a vector of three `TensorSpline` or a quotient of such, otherwise as
-    `plot_mesh`.
+    Raises `ShapeError` for anything but a vector of three `TensorSpline` or a quotient of such a vector, and the errors
+    of `plot_mesh`.
     """
     check_options(label=label, control_net=control_net, box=box)
     axes = axes_for(ax, 3)
@@ -205,20 +205,19 @@ def plot_bisector(
     control_net: bool = True,
     box: Box | None = None,
 ) -> Axes:
-    """Draw the bisector of a curve and a point (coordinates) or another curve, in the sense of §6 of the paper: equal
-    critical distances, untrimmed.
+    """Draw the bisector of a curve and a point (its coordinates) or another curve, in the sense of §6 of the paper of
+    2007: the points at equal critical distances, untrimmed.
 
-    For a plane curve and a point it is a curve, for a space curve and a point a ruled surface, for two space curves a
-    surface in two parameters. `formula` is the name of a formula of that section for such arguments; by default the
-    polynomial one.
+    The bisector of a plane curve and a point is a curve, that of a space curve and a point a ruled surface, and that of
+    two space curves a surface in two parameters. `formula` is the name of a formula of §6 for such arguments.
 
     >>> from exactspline.interchange.examples import example
     >>> ax = plot_bisector(example("ellipse"), ("1/2", "1/4"))
     >>> ax.get_legend().get_texts()[-1].get_text()
     'bisector: degree 7'
 
-    Raises `ShapeError` if the dimensions do not match, `FormulaError` for an unknown formula, otherwise as `plot_mesh`
-    and `plot_quotient`.
+    Raises `ShapeError` if the dimensions do not match, `FormulaError` for an unknown formula, and the errors of
+    `plot_mesh` and `plot_quotient`.
     """
     check_options(control_net=control_net, box=box)
     kind, default, handed = _argument(curve_of(curve), other)

@@ -1,4 +1,6 @@
-"""Exercises with simple answers, generated from a seed and solved by the library; exact checks of students' answers."""
+"""This package generates exercises with simple answers from a seed, solves the exercises, and checks students' answers
+exactly.
+"""
 
 import lazy_loader
 

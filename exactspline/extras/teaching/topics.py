@@ -500,7 +500,7 @@ def about(topic: str) -> str:
 
 
 def exercise(topic: str, seed: int) -> Exercise:
-    """The exercise of a topic for a seed, which is an integer ≥ 0.
+    """Return the exercise of a topic for a seed, which is an integer ≥ 0.
 
     >>> made = exercise("evaluation", 1)
     >>> made == exercise("evaluation", 1), bool(made.answer.check(made.answer.written))

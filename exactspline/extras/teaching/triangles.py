@@ -110,7 +110,8 @@ class ProductTable(OneLine):
 
 
 def de_boor_triangle(curve: Nurbs | BSpline, t: Number) -> Triangle:
-    """De Boor's triangle at a parameter; its tip is the point of the curve there (at a jump, the limit from the right).
+    """Return de Boor's triangle at a parameter. The tip of the triangle is the point of the curve (at a jump, the limit
+    from the right).
 
     >>> triangle = de_boor_triangle(BSpline(2, [0, 0, 0, 1, 2, 2, 2], [0, 4, 8, 2]), "1/2")
     >>> triangle.columns[1], triangle.ratios, triangle.tip
@@ -125,8 +126,9 @@ def de_boor_triangle(curve: Nurbs | BSpline, t: Number) -> Triangle:
 
 
 def insertion_triangle(curve: Nurbs | BSpline, t: Number, times: int = 1) -> Triangle:
-    """Boehm's insertion of a knot: `times` columns of de Boor's triangle. The edges of the triangle are the new control
-    points (`Triangle.made`, over `Triangle.knots`); those outside it do not change.
+    """Return the triangle of Boehm's insertion of a knot: `times` columns of de Boor's triangle. The edges of the
+    triangle are the new control points (`Triangle.made`, over `Triangle.knots`); the other control points do not
+    change.
 
     >>> triangle = insertion_triangle(BSpline.bezier([0, 2, 4, 0]), "1/2")
     >>> [row[0] for row in triangle.made] == list(BSpline.bezier([0, 2, 4, 0]).insert_knot("1/2").control_points)
@@ -149,7 +151,8 @@ def insertion_triangle(curve: Nurbs | BSpline, t: Number, times: int = 1) -> Tri
 
 
 def elevation_triangles(curve: Nurbs | BSpline, by: int = 1) -> tuple[Triangle, ...]:
-    """The Bézier points of every segment, followed in the next columns by those of degree n + 1, n + 2, …
+    """Return one triangle per segment. The first column has the Bézier points of degree n, the next columns have the
+    Bézier points of degrees n + 1, n + 2, ….
 
     >>> (triangle,) = elevation_triangles(BSpline.bezier([0, 3]), 2)
     >>> [[str(row[0]) for row in column] for column in triangle.columns]
@@ -171,7 +174,7 @@ def elevation_triangles(curve: Nurbs | BSpline, by: int = 1) -> tuple[Triangle, 
 
 
 def product_tables(left: BSpline, right: BSpline) -> tuple[ProductTable, ...]:
-    """The multiplication of two functions, as one table per segment of the product.
+    """Return the multiplication tables of two functions, one table per segment of the product.
 
     >>> t = BSpline.identity(0, 1)
     >>> (table,) = product_tables(t, t)

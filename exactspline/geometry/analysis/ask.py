@@ -66,10 +66,10 @@ class Asked(OneLine):
 
 
 def ask(about: About, question: str) -> object:
-    """The exact answer to a question, given as text, about a curve, a surface, two curves, or two surfaces.
+    """Return the exact answer to a question, given as text, about a curve, a surface, two curves, or two surfaces.
 
-    The questions are those of ``exactspline list questions``. The same answers are attributes and methods of the object
-    returned by `analyse`.
+    ``exactspline list questions`` lists the questions. The object that `analyse` returns has the same answers as
+    attributes and methods.
 
     >>> from exactspline import example
     >>> circle = example("circle")
@@ -81,7 +81,7 @@ def ask(about: About, question: str) -> object:
     nowhere
 
     Raises `QuestionError`, which names the right form, for an unknown question and for a question about other kinds of
-    objects; raises another `ExactSplineError` if the question has no answer.
+    objects, and another `ExactSplineError` if the question has no answer.
     """
     return asked_of(about, question).answer
 
@@ -127,7 +127,7 @@ def nearest(thing: NurbsSurface, point: Iterable[Number]) -> NearestOnSurface:
 
 
 def nearest(thing: Nurbs | NurbsSurface, point: Iterable[Number]) -> Nearest | NearestOnSurface:
-    """The points of a curve, or of a surface in space, that are nearest to a point: all of them, exactly.
+    """Return all points of a curve, or of a surface in space, that are nearest to a point, exactly.
 
     >>> from exactspline import example
     >>> nearest(example("circle"), (0, 3)), nearest(example("torus"), (0, 0, 0)).distance

@@ -107,11 +107,11 @@ def floats(
     rounding: str = Rounding.NEAREST,
     side: str = Side.RIGHT,
 ) -> float | list[float] | list[list[float]] | NDArray[np.float64]:
-    """Correctly rounded doubles (``nearest``, ``down`` or ``up``): of numbers, and of a curve, a function or a surface
-    at parameters, which may be doubles. ``curve.floats(ts)`` is ``floats(curve, ts)``.
+    """Return the correctly rounded doubles of numbers, or of a curve, a function or a surface at parameters, which may
+    be doubles. `rounding` is ``nearest``, ``down`` or ``up``. ``curve.floats(ts)`` is ``floats(curve, ts)``.
 
-    The result is a double for a number or a feature (which means its parameter), and lists of doubles for a sequence or
-    rows of these (knots, control points, zeros, features):
+    The result for a number, or for a feature (which stands for its parameter), is a double. The result for a sequence
+    (knots, zeros) or for rows (control points) is a list of doubles or of lists:
 
     >>> from exactspline import analyse, example
     >>> curve = example("cubic_s")
@@ -122,8 +122,8 @@ def floats(
     shape, with one more axis for vectors. The array contains the points, the derivatives of an `order` (for a surface a
     pair), or the quantity `of`: ``tangent``, ``unit_tangent``, ``normal``, ``curvature``, ``torsion``; for a surface
     ``normal``, ``gaussian_curvature``, ``mean_curvature``. The array contains NaN where the quantity is not defined. A
-    parameter that is a double means its exact binary value; if this is outside the domain, the double nearest to an end
-    means this end. Numbers beyond the largest double are rounded as in IEEE 754.
+    double as a parameter means its exact binary value; if this value is outside the domain, the double nearest to an
+    end means the end. Numbers beyond the largest double are rounded as in IEEE 754.
 
     >>> circle = example("circle")
     >>> circle.floats([0.5, "1/3"]).tolist(), circle.floats(0.5, of="curvature").tolist()

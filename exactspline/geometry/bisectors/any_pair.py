@@ -28,12 +28,12 @@ def bisector(first: Nurbs, second: Iterable[Number]) -> PointBisector | TrimmedB
 
 
 def bisector(first: Nurbs, second: Nurbs | Iterable[Number]) -> Bisector:
-    """The bisector of a curve and another curve, or a point (its coordinates), in pieces.
+    """Return the bisector of a curve and another curve, or of a curve and a point (its coordinates), in pieces.
 
-    For two space curves the bisector is a surface in patches, of equal *critical* distances, with lines, planes and
-    single pairs; for a space curve and a point it consists of ruled surfaces. For a plane curve and a point it consists
-    of the curves of equal distances; for two plane curves, also in the plane z = 0 of space, of correspondences of
-    parameters, which are not trimmed.
+    The bisector of two space curves consists of surface patches of equal *critical* distances, and of lines, planes and
+    single pairs. The bisector of a space curve and a point consists of ruled surfaces. The bisector of a plane curve
+    and a point consists of curves of equal distances. The bisector of two curves in the plane, or in the plane z = 0 of
+    space, consists of correspondences of parameters, which are not trimmed.
 
     >>> from exactspline import example
     >>> bisector(example("twisted_cubic"), example("rational_space_cubic"))
@@ -44,7 +44,7 @@ def bisector(first: Nurbs, second: Nurbs | Iterable[Number]) -> Bisector:
     >>> bisector(line, (0, 2)).pieces[0]("1/2")
     (mpq(0,1), mpq(1,1))
 
-    Raises `ShapeError` where dimensions do not fit, and for a point on a plane curve.
+    Raises `ShapeError` if the dimensions do not fit, and for a point on a plane curve.
     """
     first = curve_of(first)
     if isinstance(second, Nurbs):

@@ -89,8 +89,9 @@ def direction_at(curve: Nurbs, place: mpq | Real, side: Side | str = Side.RIGHT,
 
 
 def curvature(curve: Nurbs, t: Number | Real, side: Side | str = Side.RIGHT) -> Real:
-    """The curvature of a curve at a parameter; at a knot, the limit from this `side`. It is signed in the plane and in
-    the plane z = 0 of space (positive where the curve turns left); in space it is not negative.
+    """Return the curvature of a curve at a parameter; at a knot, the limit from `side`. In the plane, and in the plane
+    z = 0 of space, the curvature is positive where the curve turns left and negative where it turns right. In space the
+    curvature is not negative.
 
     >>> from exactspline import Nurbs, zeros
     >>> parabola = Nurbs(2, [0, 0, 0, 1, 1, 1], [(0, 0), ("1/2", 0), (1, 1)])
@@ -168,8 +169,8 @@ def _curvature_forms(curve: Nurbs, i: int) -> tuple[BSpline, BSpline, BSpline]:
 
 
 def torsion(curve: Nurbs, t: Number | Real, side: Side | str = Side.RIGHT) -> Real:
-    """The torsion of a space curve at a parameter (its limit where κ = 0), positive for a right-handed helix; at a knot
-    the limit from this `side`.
+    """Return the torsion of a space curve at a parameter: where the curvature is 0, the limit of the torsion; at a
+    knot, the limit from `side`. The torsion of a right-handed helix is positive.
 
     >>> from exactspline import example
     >>> torsion(example("twisted_cubic"), 0)
@@ -236,11 +237,11 @@ class CurvaturePiece:
 
 
 def curvature_function(curve: Nurbs) -> list[CurvaturePiece]:
-    """Signed curvature (positive where the curve turns left), segment by segment, where it is rational up to a constant
-    square root.
+    """Return the signed curvature (positive where the curve turns left) of each segment on which the curvature is
+    rational up to a constant square root.
 
-    The curvature is of this form exactly where ‖γ′‖² is a positive constant times a square, that is, where the curve is
-    a Pythagorean-hodograph curve (Farouki and Sakkalis 1990).
+    The curvature is of this form exactly where ‖γ′‖² is a positive constant times a square: where the curve is a
+    Pythagorean-hodograph curve (Farouki and Sakkalis 1990).
 
     >>> from exactspline.interchange.examples import example
     >>> [(piece.radicand, piece.value(piece.interval[0])) for piece in curvature_function(example("circle"))][:2]

@@ -30,7 +30,7 @@ Values = Callable[[Formula], SplineValue]
 
 
 class Variant(Word):
-    """The method by which a construction is computed."""
+    """A method by which a construction is computed."""
 
     #: As the algorithm computes it.
     NAIVE = "naive"
@@ -189,7 +189,7 @@ def all_constructions() -> dict[str, Construction]:
 
 
 def construction(name: str) -> Construction:
-    """The construction with this name.
+    """Return the construction with this name.
 
     >>> [f"{variant}: {formula}" for variant, formula in construction("evolute").variants.items()]
     ['naive: evolute', 'paper: evolute_reduced', 'lifted: evolute_lifted']

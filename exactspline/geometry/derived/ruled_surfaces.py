@@ -46,16 +46,16 @@ class RulingRelation(OneLine):
 
 
 def ruled_surface(name: str, curve: Nurbs, variant: Variant | str = Variant.MINIMAL) -> SplineSurface:
-    """A ruled surface of §5 of the paper (Chen, Riesenfeld and Cohen 2007) on a space curve: naive, as in the paper, or
-    minimal (see `exactspline.splines.lowest_terms.in_lowest_terms`).
+    """Return a ruled surface of §5 of the paper (Chen, Riesenfeld and Cohen 2007) on a space curve. The `variant` is
+    ``naive`` (without cancellation), ``paper`` (as in the paper) or ``minimal`` (in lowest terms).
 
     >>> from exactspline.interchange.examples import example
     >>> curve = example("rational_space_cubic")
     >>> [ruled_surface("tangent_developable", curve, variant).degree for variant in ("naive", "paper", "minimal")]
     [9, 5, 4]
 
-    Raises `ShapeError` for a curve that is not in space, and where the construction is not a ruled surface;
-    `ReductionError` where it does not exist on a whole segment.
+    Raises `ShapeError` for a curve that is not in space, and for a construction that is not a ruled surface, and
+    `ReductionError` if the surface does not exist on a whole segment.
     """
     curve = curve_of(curve)
     value = construction(name).formula(variant)(space(curve))
@@ -81,12 +81,11 @@ def _value(part: Any, s: Any, side: Side | str) -> tuple[mpq, ...]:
 
 
 def as_tensor_product(surface: SplineSurface, a: Number, b: Number) -> Vector[TensorSpline] | Rational[TensorSpline]:
-    """The surface between the ruling parameters a and b as a tensor-product B-spline: a `Vector` of `TensorSpline`, or
-    a `Rational` of them.
+    """Return the surface between the ruling parameters a and b as a tensor-product B-spline: a `Vector` of
+    `TensorSpline`, or a `Rational` of them.
 
-    The degree is 1 in the ruling parameter, and in s that of the surface; all components are over the same knots, so
-    that their control points, with those of the denominator as weights, are the net of a NURBS surface in homogeneous
-    coordinates.
+    The degree in the ruling parameter is 1. All components have the same knots, so that their control points, with the
+    control points of the denominator as weights, are the net of a NURBS surface in homogeneous coordinates.
 
     >>> from exactspline.interchange.examples import example
     >>> tangents = ruled_surface("tangent_developable", example("rational_space_cubic"), "paper")
@@ -115,7 +114,8 @@ def _lifted(part: Any, meshes: tuple[Mesh, Mesh]) -> Any:
 
 
 def is_developable(surface: SplineSurface) -> bool:
-    """Whether the tangent plane is constant along every ruling: ``[δ′ G G′]`` vanishes identically, decided exactly.
+    """Return whether the tangent plane of the ruled surface δ + ζ G is constant along every ruling: whether the
+    determinant ``[δ′ G G′]`` vanishes identically.
 
     >>> from exactspline.interchange.examples import example
     >>> curve = example("rational_space_cubic")

@@ -99,7 +99,7 @@ class Distance(OneNumber, Written):
 
 
 def distance(first: Nurbs, second: Nurbs) -> Distance:
-    """The distance of two curves in the plane or in space, and the pairs of parameters at which they are nearest.
+    """Return the distance of two curves in the plane or in space, and the pairs of parameters of their nearest points.
 
     >>> from exactspline import Nurbs
     >>> parabola = Nurbs(2, [0, 0, 0, 1, 1, 1], [(-1, 1), (0, -1), (1, 1)])  # y = x²

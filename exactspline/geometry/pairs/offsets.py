@@ -69,11 +69,11 @@ class OffsetIntersection(Intersection):
 
 
 def intersections(first: Nurbs, second: Nurbs, *, offset: Number | tuple[Number, Number] = 0) -> Intersections:
-    """All common points of two curves, in the plane or in space; curves in the plane z = 0 are plane curves.
+    """Return all common points of two curves in the plane or in space. Curves in the plane z = 0 are plane curves.
 
-    Each point is a pair of exact parameters, with its intersection multiplicity and its kind: a crossing, a touching
-    point (of contact order multiplicity − 1), an end, or a knot. Arcs that both curves run along are given as intervals
-    with the exact map between the parameters. The seam of a closed curve is a knot like any other.
+    Each point is a pair of exact parameters, with the intersection multiplicity and the kind: a crossing, a touching
+    point (the order of contact is the multiplicity − 1), an end, or a knot. Common arcs of the curves are given as
+    intervals with the exact map between the parameters. The seam of a closed curve is a knot.
 
     >>> from exactspline import Nurbs, example
     >>> line = Nurbs(1, [0, 0, 1, 1], [(-4, 0), (4, 0)])
@@ -86,21 +86,21 @@ def intersections(first: Nurbs, second: Nurbs, *, offset: Number | tuple[Number,
     >>> intersections(parabola, parabola.restrict("1/2", 1).reverse())
     everywhere on <overlap of [1, 1/2] and [1/2, 1], reversed>
 
-    With `offset`, a signed distance (positive to the left) or one for each curve, the result is the common points of
-    the offsets of two plane curves, by the parameters of the curves themselves.
+    With `offset`, the result is the common points of the offsets of two plane curves, given by the parameters of the
+    curves themselves. `offset` is a signed distance (positive to the left), or one distance for each curve.
 
     >>> intersections(example("ellipse"), line, offset=("1/4", 0))
     [<knot at 0 and 23/32>, <knot at 2 and 9/32>]
 
-    The work is limited to about ten seconds (somewhat more for many pairs of segments); pairs of segments that exceed
-    it are listed in ``undecided``. For offsets, segments with points without a tangent and segments whose offsets are a
-    single point or may coincide are listed there, too.
+    The work is limited to about ten seconds (somewhat more for many pairs of segments). Pairs of segments that exceed
+    the limit are listed in ``undecided``; for offsets also segments with points without a tangent, and segments whose
+    offsets are a single point or may coincide.
 
     Raises `ShapeError` for curves of different dimensions, outside plane and space, for offsets in space, and for more
     than two distances.
 
-    Source: Bézout's matrix as in Manocha and Demmel, Algorithms for intersecting parametric and algebraic curves I,
-    ACM Transactions on Graphics 1994.
+    Source: Bézout's matrix as in Manocha and Demmel, Algorithms for intersecting parametric and algebraic curves I, ACM
+    Transactions on Graphics 1994.
     """
     given = offset if isinstance(offset, tuple) else (offset, offset)
     if len(given) != 2:
@@ -110,16 +110,16 @@ def intersections(first: Nurbs, second: Nurbs, *, offset: Number | tuple[Number,
 
 
 def self_intersections(curve: Nurbs, *, offset: Number = 0) -> Intersections:
-    """The points through which a plane curve passes more than once, each as a pair of parameters s < t; neighbouring
-    segments, and the ends of a closed curve, do not meet in their common knot.
+    """Return the points through which a plane curve passes more than once, each as a pair of parameters s < t. The
+    common knot of neighbouring segments, or of the two ends of a closed curve, does not count.
 
     >>> from exactspline import Nurbs
     >>> loop = Nurbs(3, [0] * 4 + [1] * 4, [(0, 0), (3, 3), (-2, 3), (1, 0)])
     >>> self_intersections(loop)
     [<crossing at (2 - √3)/4 and (2 + √3)/4>]
 
-    With `offset`, a signed distance (positive to the left), the result is the self-intersections of the offset curve at
-    this distance, by the parameters of the curve itself. The cusps of the offset are not among them (see
+    With `offset`, a signed distance (positive to the left), the result is the self-intersections of the offset at this
+    distance, given by the parameters of the curve itself. Cusps of the offset are not included (see
     `analyse(curve).offset_cusps`).
 
     >>> parabola = Nurbs(2, [0, 0, 0, 1, 1, 1], [(-2, 4), (0, -4), (2, 4)])  # y = x²

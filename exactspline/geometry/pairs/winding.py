@@ -51,7 +51,7 @@ class Position(Word):
 
 
 def winding_number(curves: Nurbs | Iterable[Nurbs], point: Iterable[Number]) -> int:
-    """How often closed plane curves, one or several, wind around a point, counterclockwise.
+    """Return how often one or several closed plane curves wind around a point, counterclockwise.
 
     >>> from exactspline import example
     >>> circle = example("circle")
@@ -60,9 +60,9 @@ def winding_number(curves: Nurbs | Iterable[Nurbs], point: Iterable[Number]) -> 
     >>> winding_number([circle, circle], (0, "1/3"))
     2
 
-    Raises `DomainError` for a point on a curve, with its parameter, and `ShapeError` for curves that are not closed,
-    not in one plane or not connected. In a plane of space other than z = 0, counterclockwise is as seen from the tip of
-    the normal whose first nonzero coordinate is positive.
+    In a plane of space other than z = 0, counterclockwise means as seen from the tip of the normal whose first nonzero
+    coordinate is positive. Raises `DomainError`, with the parameter, for a point on a curve, and `ShapeError` for
+    curves that are not closed, not in one plane or not connected.
 
     Source: Hormann and Agathos, The point in polygon problem for arbitrary polygons, 2001 (for polygons).
     """
@@ -79,7 +79,8 @@ def winding_number(curves: Nurbs | Iterable[Nurbs], point: Iterable[Number]) -> 
 def contains(
     curves: Nurbs | Iterable[Nurbs], point: Iterable[Number], rule: FillRule | str = FillRule.NONZERO
 ) -> Position:
-    """Whether a point is inside closed plane curves, by the rule ``nonzero`` or ``even-odd``, or on one of them.
+    """Return whether a point is inside closed plane curves, by the rule ``nonzero`` or ``even-odd``, or on one of the
+    curves.
 
     >>> from exactspline import example
     >>> [str(contains(example("circle"), point)) for point in ((0, 0), (1, 1), ("3/5", "4/5"))]
