@@ -103,7 +103,7 @@ def exchanged(zero):
         (lambda patch, zeros: patch.update(functions=[[[]], [[]]], zeros=[]), "different degrees"),
         (lambda patch, zeros: patch["boxes"].pop(), "boxes that are missing"),
         (lambda patch, zeros: patch["boxes"].append(["1", "0"]), "more boxes"),
-        (lambda patch, zeros: patch["boxes"].__setitem__(0, ["1", "0"]), "not one sign"),
+        (lambda patch, zeros: patch["boxes"].__setitem__(0, ["1", "0"]), "does not have one sign"),
         (lambda patch, zeros: patch["boxes"].__setitem__(0, 0), "not inside the region"),
         (lambda patch, zeros: patch["boxes"].__setitem__(0, 6), "does not exist"),
         (lambda patch, zeros: patch["boxes"].__setitem__(0, "12"), "neither a cut"),
@@ -172,7 +172,7 @@ def test_one_zero_is_not_counted_in_two_regions(regions, boxes):
 @pytest.mark.parametrize("sign", [1, -1])
 def test_a_function_that_vanishes_at_a_corner_has_not_one_sign(sign):
     """A mutant passed: that s and t have no zero in common, as no coefficient of −s is positive."""
-    with pytest.raises(ValueError, match="not one sign"):
+    with pytest.raises(ValueError, match="does not have one sign"):
         check_certificate(of_lines((), [["1", "0"]], sign))
 
 
