@@ -13,7 +13,6 @@ from pathlib import Path
 
 import jsonschema
 import pytest
-from click.testing import CliRunner
 from gmpy2 import mpq
 
 import exactspline as xs
@@ -27,12 +26,11 @@ from exactspline.batch.results import JsonLines, ResultsError
 from exactspline.batch.summary import Summary
 from exactspline.batch.sweep import Where, sweep_into_file
 from exactspline.batch.work import Work
-from exactspline.cli import app
 from exactspline.errors import CurveFileError
-from exactspline.interchange.curve_files import curve_data
 from exactspline.interchange.files import read_in_pieces
-from exactspline.questions.takes import QuestionError
+from exactspline.questions import takes
 from exactspline.verification.ledger import audit
+from tests.support.command import invoke
 from tests.support.interchange_seeds import SVG, truetype
 
 FAMILY = Family.parsed("degree=2-4 segments=1-3 rational=half count=40 seed=3")
@@ -40,7 +38,7 @@ SOURCES = ["six_segment_cubic", FAMILY, "no_such_file.json", "cusp"]
 
 
 def run(*arguments):
-    return CliRunner().invoke(app, ["sweep", *map(str, arguments)])
+    return invoke("sweep", *map(str, arguments))
 
 
 # ---- what is in a line
@@ -118,7 +116,7 @@ def test_words_of_a_family_that_say_nothing_are_refused(words):
 
 def test_a_corpus_is_read_in_order_and_what_is_broken_is_named(tmp_path):
     (tmp_path / "b").mkdir()
-    (tmp_path / "b" / "one.json").write_text(json.dumps(curve_data(xs.example("cusp"))))
+    xs.write(xs.example("cusp"), tmp_path / "b" / "one.json")
     (tmp_path / "a.svg").write_bytes(SVG)
     (tmp_path / "c.json").write_text("{}")
     (tmp_path / "README.md").write_text("no curve")
@@ -262,7 +260,7 @@ def test_what_is_not_there_is_told_before_anything_is_computed(monkeypatch):
     for wrong in ({"find": ["inflexions"]}, {"claims": ["C99"]}, {"backend": "dusk"}, {"jobs": 0}, {"digits": -1}):
         with pytest.raises(ExactSplineError):
             xs.sweep("circle", **wrong)
-    with pytest.raises(QuestionError, match="nearest are inflections"):
+    with pytest.raises(takes.QuestionError, match="nearest are inflections"):
         xs.sweep("circle", find=["inflexions"])
     monkeypatch.setattr(backends, "find_spec", lambda name: None)
     with pytest.raises(backends.BackendError, match="pip install distributed"):

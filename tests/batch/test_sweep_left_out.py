@@ -17,7 +17,6 @@ from exactspline.batch.results import ResultsError
 from exactspline.batch.summary import Summary
 from exactspline.batch.sweep import Where, sweep_into_file
 from exactspline.batch.work import Work
-from exactspline.interchange.curve_files import curve_data
 from tests.batch.test_sweep import run
 
 
@@ -92,10 +91,11 @@ def test_a_changed_field_in_a_finished_line_is_noticed(tmp_path, kind, field):
 def test_a_curve_that_changed_under_its_name_is_noticed(tmp_path):
     """False before: a sweep was continued although its first file held another curve by then."""
     place, lines = tmp_path / "one.json", tmp_path / "lines.jsonl"
-    place.write_text(json.dumps(curve_data(xs.example("cusp"))))
+    cusp = xs.example("cusp")
+    xs.write(cusp, place)
     assert run(place, "-o", lines).exit_code == 0
     assert run(place, "-o", lines).exit_code == 0
-    place.write_text(json.dumps(curve_data(xs.example("cusp")) | {"knots": [0, 0, 0, 0, 2, 2, 2, 2]}))
+    xs.write(xs.Nurbs(3, [0, 0, 0, 0, 2, 2, 2, 2], cusp.control_points, name="cusp"), place)
     assert isinstance(run(place, "-o", lines).exception, ResultsError)
 
 

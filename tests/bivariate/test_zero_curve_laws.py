@@ -8,7 +8,7 @@ import pytest
 from gmpy2 import mpq
 
 from exactspline import zero_curve
-from exactspline.bivariate.zero_curve import FIRST_CUTS, Shape, ZeroCurve
+from exactspline.bivariate.zero_curve import FIRST_CUTS, ZeroCurve
 from exactspline.bivariate.zero_lines import square_free, without_lines
 from exactspline.numbers.intervals import UNIT
 from exactspline.polynomials.two_parameters import S, T, as_form
@@ -72,12 +72,12 @@ def test_arcs_join_and_their_points_are_on_the_curve(name):
     assert curve.complete
     for part in curve.parts:
         ends = part.ends
-        assert (part.shape is Shape.POINT) == (not ends)
-        if part.shape is not Shape.CROSSED and not part.cells:
+        assert (part.shape == "single point") == (not ends)
+        if part.shape != "branches that cross" and not part.cells:
             joined = [{one.first, one.last} & {other.first, other.last} for one, other in pairwise(part.arcs)]
             assert all(joined)
-            assert len({*part.vertices}) == len(part.arcs) + (part.shape is Shape.ARC)
-            assert sorted({*ends.values()}) == [1, 2][part.shape is Shape.LOOP :][: len(part.arcs) + 1]
+            assert len({*part.vertices}) == len(part.arcs) + (part.shape == "arc from border to border")
+            assert sorted({*ends.values()}) == [1, 2][part.shape == "closed loop" :][: len(part.arcs) + 1]
         for arc in part.arcs:
             points = curve.points(arc, 3)
             assert len(points) == 4
@@ -104,7 +104,7 @@ def test_a_line_on_which_the_square_is_cut_is_undecided(monkeypatch):
     """It is cut elsewhere where it can be: else the sides of boxes are zeros, and no box is a graph."""
     form = as_form((61 * S - 29) * (T * T + S + 1))
     curve = ZeroCurve(form)
-    assert (curve.complete, [part.shape for part in curve.parts]) == (True, [Shape.ARC])
+    assert (curve.complete, [part.shape for part in curve.parts]) == (True, ["arc from border to border"])
     monkeypatch.setattr("exactspline.bivariate.zero_curve.FIRST_CUTS", FIRST_CUTS[:1])
     curve = ZeroCurve(form)
     assert {box.first for box in curve.undecided} == {(0, FIRST_CUTS[0]), (FIRST_CUTS[0], 1)}
@@ -116,7 +116,10 @@ def test_no_box_is_halved_along_a_line_of_zeros(line, middle):
     """The line is in the middle of a part of the square, beside a loop for which the part is halved."""
     circle = (100 * S - int(100 * middle)) ** 2 + (100 * T - 30) ** 2 - 9
     curve = ZeroCurve(as_form((int(line.denominator) * S - int(line.numerator)) * circle))
-    assert (curve.complete, sorted(part.shape for part in curve.parts)) == (True, [Shape.ARC, Shape.LOOP])
+    assert (curve.complete, sorted(part.shape for part in curve.parts)) == (
+        True,
+        ["arc from border to border", "closed loop"],
+    )
 
 
 def test_more_boxes_than_the_limit_are_undecided(monkeypatch):

@@ -5,8 +5,7 @@ import json
 import pytest
 
 from exactspline import Nurbs, write
-from exactspline.cli.schema import schema_of
-from tests.support.command import run
+from tests.support.command import run, schema_of
 
 
 def test_points_with_parameters_coordinates_and_multiplicities():

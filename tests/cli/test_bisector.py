@@ -4,18 +4,14 @@ import json
 from types import SimpleNamespace
 
 import pytest
-from click.testing import CliRunner
 from gmpy2 import mpq
 
-from exactspline import Nurbs, bisector, example, read
-from exactspline.cli import app
+from exactspline import Nurbs, bisector, example, read, write
 from exactspline.display import bisector_data
-from exactspline.display.bisector_data import Pairs, PairsKind
 from exactspline.geometry.bisectors.two_curves import curve_bisector
-from exactspline.interchange.curve_files import curve_data, write_json
 from exactspline.numbers.intervals import Interval
 from tests.support.bisector_oracle import FAMILIES
-from tests.support.command import run
+from tests.support.command import invoke, run
 from tests.support.sampled import sample
 
 
@@ -76,12 +72,12 @@ def test_two_plane_curves():
 
 def test_pairs_of_plane_curves_are_shown_by_their_kind(monkeypatch):
     """An arc that ends in an undecided box was shown like one that ends at its start."""
-    pair, one = (mpq(0), mpq(1, 3)), mpq(1, 2)
+    pair, one, kinds = (mpq(0), mpq(1, 3)), mpq(1, 2), bisector_data.PairsKind
     told = [
-        Pairs(PairsKind.ARC, None, pair),
-        Pairs(PairsKind.LOOP),
-        Pairs(PairsKind.PAIR, pair, pair),
-        Pairs(PairsKind.LINE, sides=((one, one), pair)),
+        bisector_data.Pairs(kinds("correspondence of parameters"), None, pair),
+        bisector_data.Pairs(kinds("closed correspondence of parameters")),
+        bisector_data.Pairs(kinds("pair"), pair, pair),
+        bisector_data.Pairs(kinds("line of pairs"), sides=((one, one), pair)),
     ]
     monkeypatch.setattr(bisector_data, "pairs_of", lambda bisector: told)
     boxes = SimpleNamespace(kept=(), undecided=())
@@ -153,12 +149,12 @@ def files(folder, name):
     paths = []
     for i, curve in enumerate(FAMILIES[name]):
         paths.append(folder / f"curve_{i}.json")
-        write_json(paths[-1], curve_data(curve))
+        write(curve, paths[-1])
     return paths
 
 
 def shown_at(width, *arguments):
-    done = CliRunner().invoke(app, ["bisector", "-q", *map(str, arguments)], env={"COLUMNS": str(width)})
+    done = invoke("bisector", "-q", *map(str, arguments), env={"COLUMNS": str(width)})
     assert done.exit_code == 0
     return done.stdout
 
@@ -222,7 +218,7 @@ def test_irrational_pairs_have_their_polynomials():
 def test_an_arc_is_written_trimmed(tmp_path):
     """A line so long that only a part of its parabola is kept; its ends are rational."""
     line, file = tmp_path / "line.json", tmp_path / "arc.json"
-    write_json(line, curve_data(Nurbs(1, [0, 0, 1, 1], [(-4, 0), (4, 0)])))
+    write(Nurbs(1, [0, 0, 1, 1], [(-4, 0), (4, 0)]), line)
     data = json.loads(run("bisector", line, "--point", "0,2", "--json").stdout)["rows"][0]
     for piece in data["pieces"]:
         low, high = mpq(piece["low"]["exact"]), mpq(piece["high"]["exact"])

@@ -4,10 +4,8 @@ import json
 import re
 
 import pytest
-from click.testing import CliRunner
 
-from exactspline.cli import app
-from tests.support.command import run, run_alone
+from tests.support.command import invoke, run, run_alone
 
 
 def test_prove_on_a_curve_shows_the_cancelled_factor():
@@ -40,20 +38,13 @@ def test_degrees_of_formulas_on_a_curve():
 @pytest.mark.parametrize("name", ["straight_line", "planar_in_space", "space_line", "jump", "twisted_cubic"])
 def test_degrees_go_on_where_an_object_does_not_exist(name):
     for option in ([], ["--formulas"]):
-        rows = json.loads(CliRunner().invoke(app, ["formula", "degrees", "--curve", name, "--json", *option]).stdout)[
-            "rows"
-        ]
+        rows = json.loads(invoke("formula", "degrees", "--curve", name, "--json", *option).stdout)["rows"]
         assert len(rows) > 5
 
 
 def test_a_ruled_surface_is_written_with_directrix_and_generator(tmp_path):
     file = tmp_path / "surface.json"
-    assert (
-        CliRunner()
-        .invoke(app, ["derive", "tangent_developable_reduced", "rational_space_cubic", "-o", str(file)])
-        .exit_code
-        == 0
-    )
+    assert invoke("derive", "tangent_developable_reduced", "rational_space_cubic", "-o", str(file)).exit_code == 0
     data = json.loads(file.read_text())
     assert data["layout"] == "directrix, generator"
     assert all(len(point) == 7 for point in data["pieces"][0]["homogeneous_control_points"])
@@ -77,7 +68,7 @@ def test_status_1_when_a_verdict_differs_from_the_record(monkeypatch):
 
     wrong = tuple(replace(c, factor="w^2") if c.id == "C4.1a" else c for c in claims.all_claims())
     monkeypatch.setattr(claims, "claims_in", lambda sources: wrong)
-    result = CliRunner().invoke(app, ["prove", "--claim", "C4.1a"])
+    result = invoke("prove", "--claim", "C4.1a")
     assert result.exit_code == 1
     assert "DIFFER" in result.output
 
@@ -160,9 +151,7 @@ def test_digits_show_decimals_beside_exact_numbers():
 
 
 def test_reduce_on_a_formula_of_the_library():
-    (part,) = json.loads(
-        CliRunner().invoke(app, ["formula", "reduce", "curvature_squared_derivative", "--json"]).stdout
-    )["rows"]
+    (part,) = json.loads(invoke("formula", "reduce", "curvature_squared_derivative", "--json").stdout)["rows"]
     assert (part["naive"], part["reduced"], part["true"]) == ("48d", "[X X′ X″ X‴]·f2", "11d − 18")
     assert part["meaning"]["f2"] == "may have zeros"
     table = run("formula", "reduce", "rectifying_developable").stdout
@@ -245,7 +234,7 @@ def test_reduce_reports_errors_of_the_user_in_one_line(target, message, tmp_path
 
 
 def test_the_generic_degree_table():
-    found = json.loads(CliRunner().invoke(app, ["formula", "degrees", "--generic", "--json"]).stdout)["rows"]
+    found = json.loads(invoke("formula", "degrees", "--generic", "--json").stdout)["rows"]
     rows = {row["object"]: row for row in found if row["curves"] == "rational"}
     row = rows["critical curvature"]
     assert (row["naive"], row["paper"], row["true"]) == ("48d", "9d − 6", "8d − 12")
@@ -258,7 +247,7 @@ def test_certificates_from_the_command_line():
     from exactspline import check_certificate
 
     chosen = ["--curve", "ellipse_skew", "--curve", "circle"]
-    rows = json.loads(CliRunner().invoke(app, ["formula", "degrees", "--certify", *chosen]).stdout)["rows"]
+    rows = json.loads(invoke("formula", "degrees", "--certify", *chosen).stdout)["rows"]
     checked = {row["key"]: check_certificate(row["certificate"])["degree"] for row in rows if not row["missing"]}
     assert checked["ellipse_skew: critical_curvature"] == 4
     assert any("vanishes" in row["missing"] for row in rows)

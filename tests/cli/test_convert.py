@@ -6,18 +6,17 @@ import re
 from functools import partial
 
 import pytest
-from click.testing import CliRunner
 
 import exactspline as xs
 from exactspline import read
-from exactspline.cli import app
 from exactspline.errors import CurveFileError, NumberError
 from exactspline.interchange import Limits, files
+from tests.support.command import invoke
 from tests.support.interchange_seeds import G2, SVG, dxf, truetype
 
 
 def run(*arguments, **options):
-    return CliRunner().invoke(app, ["convert", *map(str, arguments)], **options)
+    return invoke("convert", *map(str, arguments), **options)
 
 
 def test_from_one_format_to_another(tmp_path):
@@ -76,7 +75,7 @@ def test_nothing_to_convert_and_no_overwriting_of_the_source(tmp_path):
 
 def test_what_was_converted_is_told_as_json_under_its_schema(tmp_path):
     jsonschema = pytest.importorskip("jsonschema")
-    from exactspline.cli.schema import schema_of
+    from tests.support.command import schema_of
 
     source, target = tmp_path / "drawing.svg", tmp_path / "curves.json"
     source.write_bytes(SVG if isinstance(SVG, bytes) else SVG.encode())
@@ -105,7 +104,7 @@ def test_a_message_names_its_file_and_a_note_its_curve_once(tmp_path, monkeypatc
     noted = tmp_path / "two.json"
     curve = '{"degree": 1, "knots": [0, 0, 1, 1], "control_points": [[0, 0], [1, 1]], "note": "drawn by hand"}'
     noted.write_text(f"[{curve}, {curve}]")
-    assert "note: 2 curves: drawn by hand\n" in CliRunner().invoke(app, ["inspect", str(noted)]).stderr
+    assert "note: 2 curves: drawn by hand\n" in invoke("inspect", str(noted)).stderr
 
 
 def test_pieces_are_replaced_on_request_and_each_is_listed(tmp_path):

@@ -6,7 +6,7 @@ import re
 import pytest
 from click.testing import CliRunner
 
-from exactspline import example
+from exactspline import Verdict, example
 from exactspline.cli import app
 from exactspline.display.latex_prose import in_mathematics, prose
 from exactspline.display.theorem import theorem
@@ -15,7 +15,7 @@ from exactspline.tables import statements
 from exactspline.verification.claims import claims_in, select
 from exactspline.verification.evidence import Fact
 from exactspline.verification.statement import Statement, definitions, sides
-from exactspline.verification.verdict import PROVED, REFUTED, UNDECIDED, VERIFIED, Finding
+from exactspline.verification.verdict import Finding
 
 runner = CliRunner()
 
@@ -84,13 +84,13 @@ def test_every_text_of_every_claim_is_latex_that_can_be_set():
         assert can_be_set(in_mathematics(claim.latex))
 
 
-@pytest.mark.parametrize("verdict", [PROVED, VERIFIED, REFUTED, UNDECIDED])
+@pytest.mark.parametrize("verdict", [Verdict.PROVED, Verdict.VERIFIED, Verdict.REFUTED, Verdict.UNDECIDED])
 def test_a_theorem_of_any_verdict_can_be_set(verdict):
     for claim in claims_in(papers())[::40]:
-        finding = Finding(verdict, witness=Fact.NOWHERE if verdict == REFUTED else None)
+        finding = Finding(verdict, witness=Fact.NOWHERE if verdict == Verdict.REFUTED else None)
         told = theorem(Statement(claim, claim.latex, sides(claim), definitions(claim, finding), claim.reading, finding))
         assert can_be_set(told)
-        assert ("conjecture" in told) == (verdict == UNDECIDED)
+        assert ("conjecture" in told) == (verdict == Verdict.UNDECIDED)
 
 
 def test_a_theorem_is_complete_in_itself():

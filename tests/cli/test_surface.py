@@ -9,10 +9,8 @@ import sys
 import jsonschema
 import pytest
 
-from exactspline import analyse, example, write
-from exactspline.cli.output import OptionsError
-from exactspline.cli.schema import schema_of
-from tests.support.command import invoke
+from exactspline import ExactSplineError, analyse, example, write
+from tests.support.command import invoke, schema_of
 
 
 @pytest.fixture(autouse=True)
@@ -89,7 +87,7 @@ def test_files_of_surfaces(tmp_path):
 @pytest.mark.parametrize("option", [["--coordinates"], ["--certificate", "x.json"], ["--emit-coq", "x.v"]])
 def test_options_that_are_for_curves(option):
     found = invoke("inspect", "torus", *option)
-    assert isinstance(found.exception, OptionsError)
+    assert isinstance(found.exception, ExactSplineError)
     assert option[0] in str(found.exception)
 
 
@@ -101,7 +99,7 @@ def test_the_picture(tmp_path):
 
 def test_what_is_not_drawn(tmp_path):
     assert invoke("inspect", "folded_map", "--plot", tmp_path / "a.png").exit_code == 2
-    assert isinstance(invoke("inspect", "torus", "sphere", "--plot", tmp_path / "a.png").exception, OptionsError)
+    assert "--plot" in str(invoke("inspect", "torus", "sphere", "--plot", tmp_path / "a.png").exception)
     assert not list(tmp_path.iterdir())
 
 

@@ -9,9 +9,8 @@ import pytest
 
 from exactspline import example, read, write
 from exactspline.batch.lines import line_schema
-from exactspline.cli.schema import schema_of
 from exactspline.interchange.files import encoded
-from tests.support.command import run
+from tests.support.command import run, schema_of
 
 
 @pytest.fixture

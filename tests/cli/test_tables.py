@@ -8,14 +8,13 @@ import sys
 from collections import Counter
 
 import pytest
-from click.testing import CliRunner
 from hypothesis import given
 from hypothesis import strategies as st
 from rich.cells import cell_len
 
-from exactspline.cli import app
+from exactspline import examples
 from exactspline.display.sheet import PIPE, Sheet, csv_of, hanging
-from exactspline.interchange.examples import example_names
+from tests.support.command import invoke
 from tests.support.sampled import sample
 
 WIDTHS = (60, 100)
@@ -98,10 +97,10 @@ COMMANDS = (
 @pytest.mark.parametrize("command", COMMANDS)
 def test_a_command_says_the_same_at_every_width(command):
     arguments = command.split()
-    full = CliRunner().invoke(app, arguments, env={"COLUMNS": ""})
+    full = invoke(*arguments, env={"COLUMNS": ""})
     assert full.exit_code == 0, full.output
     # every width of every table of a command: below
-    shown = CliRunner().invoke(app, arguments, env={"COLUMNS": str(WIDTHS[0])}).stdout
+    shown = invoke(*arguments, env={"COLUMNS": str(WIDTHS[0])}).stdout
     missing = words(full.stdout) - words(shown)
     assert set(missing) <= HEADINGS
     assert_whole(shown, " ".join(word for word in full.stdout.split() if word not in HEADINGS), WIDTHS[0])
@@ -109,7 +108,7 @@ def test_a_command_says_the_same_at_every_width(command):
 
 def test_lines_of_errata_fit():
     """Code is broken between tokens: what is pasted is tested with the README."""
-    shown = CliRunner().invoke(app, ["errata"], env={"COLUMNS": "60"})
+    shown = invoke("errata", env={"COLUMNS": "60"})
     assert shown.exit_code == 0
     assert all(cell_len(line) <= 60 for line in shown.output.splitlines())
 
@@ -122,13 +121,13 @@ def test_every_table_on_every_example_curve_is_whole(monkeypatch):
         return render(sheet, width)
 
     monkeypatch.setattr(Sheet, "lines", recorded)
-    names = [option for name in sample(example_names(), 12) for option in ("--curve", name)]
+    names = [option for name in sample(examples("curves"), 12) for option in ("--curve", name)]
     ledger = ["prove", "--rows", "--section", "5"]
-    for arguments in (ledger, ["formula", "degrees", *names], ["inspect", *example_names()]):
-        result = CliRunner().invoke(app, arguments, env={"COLUMNS": ""})
+    for arguments in (ledger, ["formula", "degrees", *names], ["inspect", *examples("curves")]):
+        result = invoke(*arguments, env={"COLUMNS": ""})
         assert result.exit_code == 0, result.output[-300:]
     monkeypatch.undo()
-    assert len(made) > 2 * len(example_names())
+    assert len(made) > 2 * len(examples("curves"))
     for sheet in made:
         for width in WIDTHS:
             assert_whole(sheet.text(width), " ".join(cell for row in sheet.rows for cell in row), width)
@@ -138,11 +137,9 @@ def test_csv_and_markdown_have_every_row():
     sheet = Sheet("form", "degree", name="circle")
     sheet.add_row("|κ|, squared", 2)
     assert csv_of([sheet], "curve") == 'curve,form,degree\ncircle,"|κ|, squared",2\n'
-    full = CliRunner().invoke(app, ["list", "curves", "--csv"]).output.splitlines()
-    assert len(full) == 1 + len(example_names())
-    assert len(CliRunner().invoke(app, ["list", "curves", "--markdown"]).output.splitlines()) == 2 + len(
-        example_names()
-    )
+    full = invoke("list", "curves", "--csv").output.splitlines()
+    assert len(full) == 1 + len(examples("curves"))
+    assert len(invoke("list", "curves", "--markdown").output.splitlines()) == 2 + len(examples("curves"))
 
 
 def environment(**more):
@@ -200,9 +197,9 @@ def test_a_reader_that_leaves_changes_no_verdict(arguments):
 )
 def test_degrees_as_latex(options):
     """There was no such option. LaTeX knows every sign, and every row has as many cells as columns."""
-    shown = CliRunner().invoke(app, ["formula", "degrees", *options.split(), "--latex", "-q"]).stdout
+    shown = invoke("formula", "degrees", *options.split(), "--latex", "-q").stdout
     tables = [table.splitlines() for table in shown.rstrip().split("\n\n")]
-    plain = CliRunner().invoke(app, ["formula", "degrees", *options.split(), "--csv"]).stdout
+    plain = invoke("formula", "degrees", *options.split(), "--csv").stdout
     assert sum(len(lines) - 5 for lines in tables) == len(plain.splitlines()) - 1
     for title, begin, head, rule, *rows, end in tables:
         assert (title[:2], rule, end) == ("% ", r"\hline", r"\end{tabular}")

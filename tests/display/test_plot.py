@@ -11,6 +11,8 @@ from xml.etree import ElementTree
 import pytest
 from gmpy2 import mpq
 
+from exactspline import examples
+
 pytest.importorskip("matplotlib")
 
 import exactspline as xs
@@ -20,7 +22,6 @@ from exactspline.display.plot import PlotError, canvas, curves
 from exactspline.display.plot.comparisons import inspect_figure
 from exactspline.errors import DomainError, ShapeError
 from exactspline.geometry.analysis.inspection import solved
-from exactspline.interchange.examples import example_names
 from exactspline.language import Rational, Vector
 from exactspline.tables import construction, greville_abscissae
 from tests.support import command
@@ -98,7 +99,7 @@ def test_names_are_shown_as_they_stand(tmp_path):
 
 
 def test_every_example_curve_can_be_drawn():
-    for name in example_names():
+    for name in examples("curves"):
         assert plot.plot_curve(example(name)).has_data()
 
 

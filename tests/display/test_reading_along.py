@@ -5,13 +5,10 @@ from collections import Counter
 
 import pytest
 
-from exactspline import paper
-from exactspline.display.reading_along import along_html
+from exactspline import claims, paper
 from exactspline.errors import ClaimError
 from exactspline.papers.passages import passages, reading_of, sections_of
 from exactspline.tables import reading_along
-from exactspline.verification.claims import claims_of
-from exactspline.verification.vocabulary import Status
 
 SOURCE = paper("chen_riesenfeld_cohen_2007")
 SECTIONS = list(sections_of(SOURCE))
@@ -37,36 +34,36 @@ def test_every_claim_of_the_text_is_read_in_one_section():
     counted = Counter(first.values())
     assert set(counted) == set(SECTIONS)
     assert sum(counted.values()) == len(named)
-    printed = [claim for claim in claims_of(SOURCE) if claim.status == Status.PRINTED]
+    printed = [claim for claim in claims(paper=SOURCE) if claim.status == "printed"]
     assert {claim.key for claim in printed} <= named
 
 
 @pytest.mark.parametrize("number", ["4.3", "5.2", "7"])
 def test_a_section_shows_each_of_its_claims_once_with_its_verdict(number):
     read = reading_along(f"§{number}")
-    text = along_html(read)
+    text = read._repr_html_()
     assert read.as_recorded
     assert sorted(re.findall(r'class="passage" id="([^"]+)"', text)) == sorted(read.decided)
     for key, each in read.decided.items():
         row = text.split(f'id="{key}"')[1].split('class="passage')[0]
         assert f"<b>{each.finding.verdict}</b>" in row
         assert each.claim.id in row
-    printed = read.counts[Status.PRINTED]
+    printed = read.counts["printed"]
     assert (
         printed.statements
         == printed.hold + printed.refuted
-        == sum(each.claim.status == Status.PRINTED for each in read.decided.values())
+        == sum(each.claim.status == "printed" for each in read.decided.values())
     )
     assert read.head.startswith(f"{printed.statements} of {printed.statements} printed statement")
     assert read.head in text
 
 
 def test_what_a_passage_is_besides_claims_is_shown():
-    text = along_html(reading_along("4.3"))
+    text = reading_along("4.3")._repr_html_()
     assert "citation" in text
     assert "Refs. 30, 31" in text
     assert "definition" in text
-    assert "slip" in along_html(reading_along("5.3"))
+    assert "slip" in reading_along("5.3")._repr_html_()
     assert "Passages that decide nothing: " in text
 
 

@@ -10,13 +10,12 @@ import pytest
 
 import exactspline as xs
 from exactspline import Real
-from exactspline.display.records import answer_data, answer_sheet, records
 from exactspline.display.sheet import Sheet
 from exactspline.geometry.analysis.ask import asked_of, facts_about, kind_of
 from exactspline.geometry.analysis.registry import REGISTRY
 from exactspline.hooks import Written
 from exactspline.questions.entry import Of
-from tests.support.command import run
+from tests.support.command import invoke, run
 
 OBJECTS = {
     Of.PLANE_CURVE: "cubic_s",
@@ -46,6 +45,11 @@ def asked(of):
     return asked
 
 
+def answer_data(entry, found):
+    """An answer as JSON."""
+    return xs.tables.to_dict(found.facts, entry.form, 12)["answer"]
+
+
 def numbers(data):
     """The doubles of all real numbers in data, in order."""
     if isinstance(data, dict) and "double" in data:
@@ -60,7 +64,7 @@ def test_json_and_records_have_the_same_numbers(of):
     """Each question: a number that JSON has is in a record, and the other way round, but for exact text."""
     seen = 0
     for entry, found in asked(of):
-        data = json.loads(json.dumps(answer_data(found, 12)))
+        data = json.loads(json.dumps(answer_data(entry, found)))
         rows = xs.tables.to_records(found.facts, entry.form)
         floats = [x for row in rows for x in row.values() if isinstance(x, float)]
         assert set(numbers(data)) <= set(floats), entry.name
@@ -74,17 +78,17 @@ def test_answers_fit_the_form_that_is_published(of):
     from exactspline.display.answer_forms import form_of
 
     for entry, found in asked(of):
-        jsonschema.validate(json.loads(json.dumps(answer_data(found, 12))), form_of(entry).schema)
+        jsonschema.validate(json.loads(json.dumps(answer_data(entry, found))), form_of(entry).schema)
 
 
 def test_nothing_is_told_from_something_without_numbers():
     """Passed before: the two loops of the bisector of two ellipses, which have no ends, were *there is none*."""
     circle, ellipse = xs.example("circle"), xs.example("ellipse_skew")
-    found = records(asked_of((circle, ellipse), "bisector"))
-    assert [each.what for each in found] == ["closed correspondence of parameters"] * 2
-    assert [row[0] for row in answer_sheet("", found, 12).rows] == ["closed correspondence of parameters"] * 2
-    assert records(asked_of(xs.example("twisted_cubic"), "plane")) == []
-    assert answer_sheet("", [], 12).rows == [("nothing", "", "there is none", "")]
+    rows = xs.tables.to_records((circle, ellipse), "bisector")
+    assert [row["what"] for row in rows] == ["closed correspondence of parameters"] * 2
+    assert xs.bisector(circle, ellipse)._repr_html_().count("closed correspondence of parameters") == 2
+    assert xs.tables.to_records(xs.example("twisted_cubic"), "plane") == []
+    assert "there is none" in invoke("inspect", "twisted_cubic", "--ask", "plane").stdout
 
 
 def test_records_make_a_data_frame_and_dictionaries_are_json():
@@ -105,7 +109,7 @@ def test_an_answer_writes_itself_as_its_question_is_written(of):
     for entry, found in asked(of):
         answer = found.answer
         if isinstance(answer, Written):
-            assert json.dumps(answer.to_dict(12)) == json.dumps(answer_data(found, 12)), entry.name
+            assert json.dumps(answer.to_dict(12)) == json.dumps(answer_data(entry, found)), entry.name
             own, rows = answer.to_records(), xs.tables.to_records(found.facts, entry.form)
             assert [[*row.values()][1:] for row in own] == [[*row.values()][1:] for row in rows], entry.name
             assert isinstance(answer, Real) or "<table" in answer._repr_html_()
@@ -166,10 +170,10 @@ def test_a_cell_with_two_numbers_is_broken_between_them():
 
 def test_what_is_missing_is_in_every_form():
     """Left out of tables and records before: where the curve is straight and its line passes through the point."""
-    found = asked_of(xs.example("straight_between_arcs"), "bisector:1/2,2")
-    (why,) = answer_data(found, 12)["missing"]
-    assert ("missing", "", why, "") in answer_sheet("", records(found), 12).rows
-    assert {"what": "missing", "value": why} in xs.tables.to_records(found.facts, "bisector:1/2,2")
+    asked = xs.example("straight_between_arcs"), "bisector:1/2,2"
+    (why,) = xs.tables.to_dict(*asked)["answer"]["missing"]
+    assert " ".join(why.split()) in " ".join(invoke("inspect", asked[0].name, "--ask", asked[1]).stdout.split())
+    assert {"what": "missing", "value": why} in xs.tables.to_records(*asked)
 
 
 @pytest.mark.parametrize(

@@ -3,12 +3,8 @@
 import re
 from html import unescape
 
-from exactspline.display.ledger_pages import digest_of
-from exactspline.papers import load_paper
-from exactspline.papers.new import write_new_paper
-from exactspline.verification.claims import claims_of
-from exactspline.verification.ledger import audit
-from tests.support.command import invoke
+from exactspline import paper
+from tests.support.command import invoke, new_paper
 
 CLAIMS = """
 [[claim]]
@@ -46,7 +42,7 @@ spans = [
 
 
 def folder_in(tmp_path):
-    folder = write_new_paper(tmp_path / "mine")[0].parent
+    folder = new_paper(tmp_path / "mine")
     with (folder / "claims.toml").open("a") as file:
         file.write(CLAIMS)
     (folder / "reading.toml").write_text(READING)
@@ -58,7 +54,7 @@ def test_the_report_has_what_a_reader_needs_to_check_it(tmp_path):
     done = invoke("prove", "--paper", folder, "--report", tmp_path / "report.html")
     assert done.exit_code == 2
     page = unescape(re.sub(r"<[^>]+>", " ", (tmp_path / "report.html").read_text()))
-    arch = load_paper(folder).folder / "curves" / "arch.json"
+    arch = paper(folder).folder / "curves" / "arch.json"
     assert arch.exists()
     assert "arch of degree" in page
     assert "control points (" in page
@@ -69,7 +65,6 @@ def test_the_report_has_what_a_reader_needs_to_check_it(tmp_path):
         assert heading in page
     assert "7 (not asked)" in page
     assert "2 of 3 are read; p. 1, span 3: Hence <b>" in page
-    assert digest_of(audit(claims_of(load_paper(folder)))) in page
     assert (
         "<b>" not in (tmp_path / "report.html").read_text().partition("passages of the text")[2].partition("</dl>")[0]
     )
@@ -96,10 +91,18 @@ def test_every_formula_without_a_claim_is_named(tmp_path):
 
 
 def test_a_verdict_changes_the_digest(tmp_path):
-    folder = folder_in(tmp_path)
-    rows = list(audit(claims_of(load_paper(folder))))
-    assert digest_of(rows) == digest_of(rows[::-1])
-    assert digest_of(rows) != digest_of(rows[1:])
+    folder, report = folder_in(tmp_path), tmp_path / "report.html"
+    table = folder / "claims.toml"
+    entries = table.read_text().split("[[claim]]")
+
+    def digest(*chosen):
+        table.write_text("[[claim]]".join(chosen))
+        invoke("prove", "--paper", folder, "--report", report)
+        return re.search(r"digest of the verdicts(?:<[^>]*>\s*)+(\w{64})", report.read_text())[1]
+
+    whole = digest(*entries)
+    assert digest(entries[0], *entries[2:0:-1], *entries[3:]) == whole
+    assert digest(*entries[:-1]) != whole
 
 
 def test_the_whole_paper_as_theorems_and_its_bibliography(tmp_path):

@@ -2,10 +2,9 @@
 
 import pytest
 
-from exactspline import example
+from exactspline import example, formula_of
 from exactspline.language import Vector, cross, det, norm2
 from exactspline.language.kinds import SURFACE
-from exactspline.papers import find
 from exactspline.readings.taylor import DoubleTaylorReading
 from tests.formulas.test_surface_formulas import CURVED, PLACES, at, inside, partials
 
@@ -15,7 +14,7 @@ FORMS = ("point_bisector_of_surface", *(f"point_bisector_of_surface_{n}" for n i
 def point_at(name, surface, u, v):
     """A formula whose values are points, at a point of the surface."""
     series = DoubleTaylorReading(surface.remembering(), u, v, 2).argument(SURFACE, 3)
-    return Vector(*[x.value for x in find(f"surfaces:{name}")(series)])
+    return Vector(*[x.value for x in formula_of(f"surfaces:{name}")(series)])
 
 
 @pytest.mark.parametrize("name", CURVED)

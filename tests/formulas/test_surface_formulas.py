@@ -7,18 +7,15 @@ from dataclasses import replace
 from pathlib import Path
 
 import pytest
-from click.testing import CliRunner
 from gmpy2 import isqrt, mpq
 
 import exactspline as xs
-from exactspline import ExactSplineError, example, paper
-from exactspline.cli import app
+from exactspline import ExactSplineError, Verdict, claims, example, formula_of, paper
 from exactspline.errors import ClaimError, FormulaError
 from exactspline.language import Vector, cross, dot, norm2
 from exactspline.language.arguments import Curve
 from exactspline.language.kinds import CURVE_ON_SURFACE, FORMS, SURFACE
 from exactspline.language.operand import Parameter
-from exactspline.papers import find, load_paper
 from exactspline.readings import DegreeReading, JetReading
 from exactspline.readings.jet import RationalJetReading
 from exactspline.readings.leading_terms import LeadingTermsReading
@@ -26,9 +23,8 @@ from exactspline.readings.sympy_expression import SympyReading
 from exactspline.readings.taylor import DoubleTaylorReading, Series, double_taylor
 from exactspline.symbolic.reduction import reduce
 from exactspline.tables import patch_table, variants_table
-from exactspline.verification.claims import claims_of
 from exactspline.verification.ledger import audit
-from exactspline.verification.verdict import PROVED, REFUTED
+from tests.support.command import invoke
 
 SOURCE = paper("surfaces")
 CURVED = ("ellipsoid", "torus", "cyclide", "rational_biquadratic", "monkey_saddle", "biquadratic", "enneper")
@@ -48,7 +44,7 @@ def inside(surface, place):
 def at(name, surface, u, v, terms=4):
     """A formula at a point, by Taylor series."""
     series = DoubleTaylorReading(surface.remembering(), u, v, terms).argument(SURFACE, 3)
-    return find(f"surfaces:{name}")(series).value
+    return formula_of(f"surfaces:{name}")(series).value
 
 
 @pytest.mark.parametrize("name", CURVED)
@@ -100,12 +96,12 @@ def test_normal_curvature_is_that_of_curves_on_the_surface(name, direction):
     assert length == norm2(first)
     assert bent == dot(second, n)
     geodesic = dot(cross(first, second), n)
-    curvature = find("space_curvature_squared")(curve).value
+    curvature = formula_of("space_curvature_squared")(curve).value
     assert curvature == bent**2 / (length**2 * norm2(n)) + geodesic**2 / (length**3 * norm2(n))
 
 
 def value(name, surface):
-    return find(f"surfaces:{name}")(surface.remembering())
+    return formula_of(f"surfaces:{name}")(surface.remembering())
 
 
 LINES = ("line_coefficient_uu_projective", "line_coefficient_uv_projective", "line_coefficient_vv_projective")
@@ -227,13 +223,13 @@ def test_the_spline_reading_and_the_series_agree(name):
     ],
 )
 def test_false_statements_are_refuted(key, change):
-    claim = next(c for c in claims_of("surfaces") if c.key == key)
-    assert claim.prove()[1].verdict == PROVED
-    assert replace(claim, **change).prove()[1].verdict == REFUTED
+    claim = next(c for c in claims(paper="surfaces") if c.key == key)
+    assert claim.prove()[1].verdict == Verdict.PROVED
+    assert replace(claim, **change).prove()[1].verdict == Verdict.REFUTED
 
 
 def test_a_degree_is_one_in_u_or_in_v():
-    claim = next(c for c in claims_of("surfaces") if c.key == "S11-parabolic-rational-u")
+    claim = next(c for c in claims(paper="surfaces") if c.key == "S11-parabolic-rational-u")
     for parameter in (Parameter.FIRST, Parameter.SECOND):
         with pytest.raises(ClaimError, match="no parameter"):
             replace(claim, parameter=parameter).validate()
@@ -301,7 +297,7 @@ def test_forms_alone_say_nothing_of_a_surface():
 
 def test_derive_writes_the_value_on_a_surface():
     for name, surface, degree in (("gaussian_curvature", "sphere", [0, 0]), ("parabolic_lifted", "torus", [8, 8])):
-        done = CliRunner().invoke(app, ["derive", f"surfaces:{name}", surface])
+        done = invoke("derive", f"surfaces:{name}", surface)
         assert done.exit_code == 0
         assert json.loads(done.output)["degree"] == degree
 
@@ -318,14 +314,12 @@ def test_derive_writes_the_value_on_a_surface():
     ],
 )
 def test_what_does_not_fit_is_told(words):
-    done = CliRunner().invoke(app, words)
+    done = invoke(*words)
     assert isinstance(done.exception, ExactSplineError)
 
 
 def test_degrees_on_a_patch_by_command():
-    done = CliRunner().invoke(
-        app, ["formula", "degrees", "--paper", "surfaces", "--patch", "2,2", "parabolic", "--json"]
-    )
+    done = invoke("formula", "degrees", "--paper", "surfaces", "--patch", "2,2", "parabolic", "--json")
     rows = json.loads(done.output)["rows"]
     assert [(row["patches"], row["true"], row["agrees"]) for row in rows] == [
         ("rational", [8, 8], True),
@@ -369,8 +363,8 @@ def test_a_stranger_writes_formulas_of_surfaces(tmp_path):
         '[[claim]]\nid = "3"\nkind = "degree"\nstatement = "too low"\nformula = "tangents"\nclaimed = "4d_u"\n'
         'parameter = "u"\ncurve = "surface"\nof = "rational"\n'
     )
-    rows = [row for row in audit(claims_of(load_paper(folder))) if not row.curve]
-    assert [row.verdict for row in rows] == [PROVED, PROVED, REFUTED]
+    rows = [row for row in audit(claims(paper=paper(folder))) if not row.curve]
+    assert [row.verdict for row in rows] == [Verdict.PROVED, Verdict.PROVED, Verdict.REFUTED]
 
 
 def test_questions_of_surfaces_are_answered_in_either_parameter():

@@ -10,14 +10,13 @@ from random import Random
 import pytest
 from gmpy2 import mpq
 
-from exactspline import Nurbs, analyse, example
+from exactspline import Nurbs, analyse, example, examples
 from exactspline.errors import ShapeError
 from exactspline.geometry.analysis.inspection import inspect_curve, solved
 from exactspline.geometry.curves import facts as facts_module
 from exactspline.geometry.curves import space_features
 from exactspline.geometry.curves.joints import Ends
 from exactspline.geometry.derived.constructions import Construction
-from exactspline.interchange.examples import example_names
 from exactspline.papers.chen_riesenfeld_cohen_2007.figures import compare_approaches
 from exactspline.polynomials import isolation as isolation_module
 from exactspline.programs import accelerator
@@ -120,7 +119,7 @@ def test_an_analysis_belongs_to_one_curve_and_is_no_part_of_it():
     assert analyse(same).critical_points is not found.critical_points
 
 
-@pytest.mark.parametrize("name", example_names())
+@pytest.mark.parametrize("name", examples("curves"))
 def test_the_sign_of_a_form_is_that_of_its_values(name):
     """At every root of every other form, asked of the certified zeros alone, and held against interval evaluation."""
     curve = example(name)

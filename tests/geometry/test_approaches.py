@@ -3,9 +3,7 @@
 import pytest
 from gmpy2 import mpq
 
-from exactspline import analyse, example, read
-from exactspline.interchange.examples import example_names
-from exactspline.papers import find
+from exactspline import analyse, example, examples, formula_of, read
 from exactspline.papers.chen_riesenfeld_cohen_2007.figures import compare_approaches
 from tests.geometry.test_shared_curves import FILES
 from tests.support.sampled import sample
@@ -25,7 +23,7 @@ def check_agreement(curve):
     assert {root for root in own.zero_form("critical_curvature", "squaring").zeros if root not in true} <= extra
 
 
-@pytest.mark.parametrize("name", [name for name in example_names() if example(name).dimension < 4])
+@pytest.mark.parametrize("name", [name for name in examples("curves") if example(name).dimension < 4])
 def test_on_the_example_curves(name):
     check_agreement(example(name))
 
@@ -43,7 +41,7 @@ SPACE = ["rational_space_cubic", "rational_space_cubic_spline", "helix_like", "s
 def test_curvature_is_extremal_where_it_says_so(name):
     """Exactly: κ² on both sides of an extremum of |κ|, at rational parameters nearby, is beyond none."""
     curve = example(name)
-    kappa = find("curvature_squared" if name in PLANE else "space_curvature_squared")(curve)
+    kappa = formula_of("curvature_squared" if name in PLANE else "space_curvature_squared")(curve)
     a, b = curve.domain
     kinds = [(f.root, f.of_absolute or f.kind) for f in analyse(curve).curvature_extrema]
     assert kinds

@@ -8,23 +8,21 @@ from random import Random
 
 import mpmath
 import pytest
-from click.testing import CliRunner
 from flint import fmpq_poly, fmpz_poly
 from gmpy2 import mpq
 
-from exactspline import BSpline, zeros
-from exactspline.cli import app
+from exactspline import BSpline, write, zeros
 from exactspline.display.answer_forms import bisector_answer
 from exactspline.errors import ReachError
 from exactspline.geometry.bisectors import lines
 from exactspline.geometry.bisectors.system import vanish_together
 from exactspline.geometry.bisectors.two_curves import curve_bisector
-from exactspline.interchange.curve_files import curve_data, write_json
 from exactspline.polynomials.elimination import resultant
 from exactspline.polynomials.over_root import OverRoot, by_powers
 from exactspline.polynomials.two_parameters import S, T, least_value, rows_of
 from exactspline.roots.of_polynomials import as_splines, roots_in
 from tests.support.bisector_oracle import bezier, curve_of, point_and_tangent, spans
+from tests.support.command import invoke
 from tests.support.vectors import cross, dot
 
 U = BSpline.identity(0, 1)
@@ -151,8 +149,8 @@ def test_lines_over_a_root_as_data(tmp_path):
     """A point of the surface from the control points of the file."""
     files = [tmp_path / "cusp.json", tmp_path / "other.json"]
     for file, curve in zip(files, (CUSP, OTHERS["a parabola"]), strict=True):
-        write_json(file, curve_data(curve))
-    done = CliRunner().invoke(app, ["bisector", *map(str, files), "--digits", "20", "--json"])
+        write(curve, file)
+    done = invoke("bisector", *map(str, files), "--digits", "20", "--json")
     assert done.exit_code == 0
     (line,) = json.loads(done.stdout)["rows"][0]["lines"]
     data, (t, a, b) = line["over_root"], (mpq(1, 3), mpq(line["fixed"]["low"]), mpq(line["fixed"]["high"]))
@@ -170,7 +168,7 @@ def test_lines_over_a_root_as_data(tmp_path):
     away = [[x - y for x, y in zip(point, end, strict=True)] for end in (foot, q)]
     assert abs(dot(away[1], tangent)) < mpq(1, 10**15)
     assert abs(dot(away[0], away[0]) - dot(away[1], away[1])) < mpq(1, 10**15)
-    shown = CliRunner().invoke(app, ["bisector", *map(str, files)], env={"COLUMNS": "200"}).stdout
+    shown = invoke("bisector", *map(str, files), env={"COLUMNS": "200"}).stdout
     assert "s = √2/2" in shown
 
 

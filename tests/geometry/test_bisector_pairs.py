@@ -14,7 +14,6 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
 from exactspline import BSpline, Nurbs, Root
-from exactspline.geometry.bisectors.components import Solutions
 from exactspline.geometry.bisectors.two_curves import curve_bisector
 from exactspline.language import Rational
 from exactspline.numbers.exact import to_fmpq
@@ -25,7 +24,7 @@ from tests.support.sampled import sample
 from tests.support.vectors import cross, dot
 
 over_families = pytest.mark.parametrize("name", FAMILIES)
-DIMENSIONS = {Solutions.LINE: 1, Solutions.PLANE: 2, Solutions.SPACE: 3}
+DIMENSIONS = {"line": 1, "plane": 2, "all of space": 3}
 
 
 def patches(first, second):
@@ -85,12 +84,12 @@ def of_line(line, s, t, rows):
 
 def of_pair(pair, rows):
     """Whether a single pair has what it says for these planes."""
-    if pair.solutions == Solutions.LINE:
+    if pair.solutions == "line":
         point, direction = pair.exact.point, pair.exact.direction
         return any(direction) and all(
             holds(rows, [p + k * d for p, d in zip(point, direction, strict=True)]) for k in (0, 1)
         )
-    return pair.solutions == Solutions.SPACE or in_plane(pair.exact, rows)
+    return pair.solutions == "all of space" or in_plane(pair.exact, rows)
 
 
 def claimed(found, sides, s, t, rows):

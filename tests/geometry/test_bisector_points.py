@@ -12,7 +12,6 @@ import pytest
 from gmpy2 import mpq
 
 from exactspline import Root
-from exactspline.geometry.bisectors.components import Solutions
 from exactspline.geometry.bisectors.two_curves import curve_bisector
 from exactspline.language import Rational
 from tests.support.bisector_answers import of_family, of_random_pair, random_pair
@@ -177,7 +176,7 @@ def of_line(line, s, t, b):
 
 
 def of_plane(plane, s, t):
-    return plane.solutions in (Solutions.PLANE, Solutions.SPACE) and equation_holds(plane.equation, s, t)
+    return plane.solutions in ("plane", "all of space") and equation_holds(plane.equation, s, t)
 
 
 def explained(found, sides, s, t, b):
@@ -192,7 +191,7 @@ def explained(found, sides, s, t, b):
 
 def at(pair, s, t):
     """Of a single pair no more than its place: a random line meets its plane, never its line."""
-    return pair.solutions is not Solutions.LINE and all(
+    return pair.solutions != "line" and all(
         abs(number(x.refine(40)[0] if isinstance(x, Root) else x) - number(y)) < NEAR
         for x, y in zip(pair.place, (s, t), strict=True)
     )

@@ -5,13 +5,11 @@ from random import Random
 
 import jsonschema
 import pytest
-from click.testing import CliRunner
 from gmpy2 import mpq
 
 import exactspline as xs
-from exactspline.cli import app
-from exactspline.cli.schema import schema_of
 from exactspline.geometry.analysis.pairs import CurvePair
+from tests.support.command import invoke, schema_of
 from tests.support.drawn import light_curve
 from workshop.vectors.items import items
 
@@ -105,7 +103,7 @@ def test_in_the_plane_z_0_all_doors_have_the_bisector_in_the_plane(tmp_path):
         for curve, file in zip(curves, files, strict=True):
             xs.write(curve, file)
         for arguments in (["bisector", *files], ["bisector", files[0], "--point", "1,1"]):
-            row = json.loads(CliRunner().invoke(app, [*arguments, "--json"]).stdout)["rows"][0]
+            row = json.loads(invoke(*arguments, "--json").stdout)["rows"][0]
             found.append(row["pieces"])
     assert found[:2] == found[2:]
 
@@ -149,6 +147,6 @@ def test_each_offset_has_its_own_sign():
     ],
 )
 def test_they_are_asked_by_commands(arguments):
-    document = json.loads(CliRunner().invoke(app, [*arguments, "--json"]).stdout)
+    document = json.loads(invoke(*arguments, "--json").stdout)
     jsonschema.Draft202012Validator(schema_of("answers")).validate(document)
     assert all(row["answer"] and not row["error"] for row in document["rows"])

@@ -9,17 +9,15 @@ from gmpy2 import mpq
 from hypothesis import given
 from hypothesis import strategies as st
 
-from exactspline import Nurbs, example, zeros
+from exactspline import Nurbs, example, examples, formula_of, zeros
 from exactspline.errors import FormulaError, ShapeError
 from exactspline.geometry.bisectors.point_and_curve import AXES, point_bisector
 from exactspline.geometry.bisectors.two_curves import CURVE_FORMS, curve_bisector
-from exactspline.interchange.examples import example_names
-from exactspline.papers import find
 from tests.support.bisector_oracle import mapped
 from tests.support.dials import factors, over_dials
 from tests.support.strategies import nurbs
 
-SPACE = [name for name in example_names() if example(name).dimension == 3]
+SPACE = [name for name in examples("curves") if example(name).dimension == 3]
 PAIRS = [
     ("rational_space_cubic", "twisted_cubic"),
     ("helix_like", "ellipse_in_space"),
@@ -33,7 +31,7 @@ def square(a, b):
 
 def slope(curve, t, b):
     """(B − γ)·D1: zero when B lies in the normal plane."""
-    return sum((y - x) * d(t) for x, y, d in zip(curve(t), b, find("D1")(curve), strict=True))
+    return sum((y - x) * d(t) for x, y, d in zip(curve(t), b, formula_of("D1")(curve), strict=True))
 
 
 def places(interval, count=3):
@@ -73,7 +71,7 @@ def test_a_ruled_bisector_is_a_bisector(name, point):
     try:
         found = point_bisector(curve, point)
     except ShapeError:
-        assert find("point_bisector_generator_polynomial")(curve.with_point(q)).is_zero
+        assert formula_of("point_bisector_generator_polynomial")(curve.with_point(q)).is_zero
         return
     for piece in found.pieces:
         k = AXES.index(piece.moved)
@@ -242,7 +240,7 @@ def test_bad_input_is_refused():
 
 @given(nurbs(dimension=3, low=1, high=2, most=1), st.tuples(*[st.integers(-3, 3)] * 3))
 def test_random_curves_and_points(curve, point):
-    generator = find("point_bisector_generator_polynomial")(curve.with_point(tuple(map(mpq, point))))
+    generator = formula_of("point_bisector_generator_polynomial")(curve.with_point(tuple(map(mpq, point))))
     if generator.is_zero:
         with pytest.raises(ShapeError, match=r"passes through the point|stands still|is one point"):
             point_bisector(curve, point)

@@ -8,10 +8,9 @@ from math import ceil, comb
 
 import pytest
 
-from exactspline import Nurbs, from_floats
+from exactspline import Nurbs, formula_of, from_floats
 from exactspline.errors import FormulaError, NumberError, ShapeError, WeightError
 from exactspline.language.kinds import PLANE
-from exactspline.papers import find
 from exactspline.programs.program import program_of
 from exactspline.programs.reading import Signature
 from tests.campaigns import filter as campaign
@@ -91,7 +90,7 @@ FORMS = [(name, *each) for name in ("f2", "g2", "vertices_lifted", "D1_squared")
 @pytest.mark.parametrize("mode", [*MODES, *FLUSHED])
 @pytest.mark.parametrize(("name", "degree", "rational"), sample(FORMS, 6))
 def test_no_number_is_farther_from_the_exact_one_than_its_bound(name, degree, rational, mode):
-    program = program_of(find(name), signature(degree, rational))
+    program = program_of(formula_of(name), signature(degree, rational))
     points, weights = hostile(degree, rational)
     scale = np.array([comb(degree, i) for i in range(degree + 1)], dtype=float)
     with rounding(mode):
@@ -324,10 +323,10 @@ def test_curves_with_zero_and_negative_weights():
 
 
 def test_programs_that_doubles_cannot_hold_are_refused():
-    program = program_of(find("g2"), Signature(PLANE, 2, False, (3,) * 3, (0, 0, 2), False))
+    program = program_of(formula_of("g2"), Signature(PLANE, 2, False, (3,) * 3, (0, 0, 2), False))
     with pytest.raises(FormulaError, match="in doubles"):
         in_doubles(program, [np.ones((1, 4))] * 3, 2)
-    steep = program_of(find("g2"), signature(60, True))
+    steep = program_of(formula_of("g2"), signature(60, True))
     with pytest.raises(FormulaError, match="doubles"):
         in_doubles(steep, [np.ones((1, 61))] * 3, 2)
 

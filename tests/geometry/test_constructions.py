@@ -8,12 +8,11 @@ from functools import cache
 import pytest
 from gmpy2 import mpq
 
-from exactspline import BSpline, Nurbs, example
+from exactspline import BSpline, Nurbs, example, formula_of
 from exactspline.errors import FormulaError, ReductionError
 from exactspline.geometry.derived.constructions import all_constructions
 from exactspline.geometry.derived.ruled_surfaces import same_surface
 from exactspline.language.ruled import split
-from exactspline.papers import find
 from exactspline.splines.lowest_terms import in_lowest_terms, lowest_terms, true_degree
 from exactspline.tables import Variant, construction
 from exactspline.verification.generic_proof import symbolic_minimum
@@ -107,7 +106,7 @@ def test_unknown_names_are_refused():
 
 def test_a_denominator_that_vanishes_on_a_segment_is_named():
     with pytest.raises(ReductionError, match=r"\[1, 2\]"):
-        lowest_terms(find("evolute")(example("straight_between_arcs")))
+        lowest_terms(formula_of("evolute")(example("straight_between_arcs")))
 
 
 @pytest.mark.parametrize("name", [c.name for c in all_constructions().values() if c.zero_set])

@@ -13,7 +13,7 @@ from exactspline import Nurbs, analyse, ask, circle, example
 from exactspline.errors import DomainError, OpenError, ShapeError
 from exactspline.geometry.measures import lengths
 from exactspline.geometry.pairs.regions import Region
-from exactspline.questions.takes import QuestionError
+from exactspline.questions import takes
 from tests.campaigns import measures as campaign
 from tests.support.dials import ALWAYS
 from tests.support.sampled import FULL
@@ -142,11 +142,11 @@ def test_where_a_coordinate_has_a_value():
     ("at_length:-1", DomainError, "stay on the curve"),
     ("at_length:6", DomainError, "of the length 5"),
     ("length_between@0,2", DomainError, "outside"),
-    ("length_between@0", QuestionError, "two parameters"),
-    ("length_between@0,1/2-", QuestionError, "two parameters"),
-    ("equally_spaced:0", QuestionError, "one part or more"),
+    ("length_between@0", takes.QuestionError, "two parameters"),
+    ("length_between@0,1/2-", takes.QuestionError, "two parameters"),
+    ("equally_spaced:0", takes.QuestionError, "one part or more"),
     ("at_coordinate:2,1", ShapeError, "the coordinate 2"),
-    ("at_coordinate:0", QuestionError, "0,1/2"),
+    ("at_coordinate:0", takes.QuestionError, "0,1/2"),
     ("centroid", ShapeError, "not closed"),
 ])  # fmt: skip
 def test_what_is_refused(asked, error, told):

@@ -6,13 +6,8 @@ import pytest
 from gmpy2 import mpq
 
 import exactspline as xs
-from exactspline import Direction, Nurbs, NurbsSurface
+from exactspline import Direction, Nurbs, NurbsSurface, example
 from exactspline.errors import ShapeError
-from exactspline.geometry.rounded.features import features_nearby
-from exactspline.geometry.rounded.intersections import intersections_nearby
-from exactspline.geometry.rounded.stability import stability
-from exactspline.geometry.rounded.umbilics import umbilics_nearby
-from exactspline.interchange.examples import example_surface
 from tests.support.command import run
 
 POINTS = [(0, 0), (1, 2), (2, -2), (3, 1)]
@@ -48,22 +43,22 @@ def test_common_points_too():
     """Before: refused."""
     first, line = bezier(POINTS, (1, 2, 1, 3)), Nurbs(1, [0, 0, 1, 1], [(0, "1/2"), (4, "1/3")])
     negative = bezier(POINTS, (-1, -2, -1, -3))
-    found = intersections_nearby(first, line, "1/1000")
+    found = xs.ask((first, line), "intersections_within:1/1000")
     assert [each.robust for each in found] == [True]
-    assert intersections_nearby(negative, line, "1/1000") == found
+    assert xs.ask((negative, line), "intersections_within:1/1000") == found
 
 
 def test_surfaces_too():
     """Before: refused, whatever the epsilon."""
-    found = example_surface("biquadratic")
+    found = example("biquadratic")
     weights = [[-w for w in row] for row in found.weights]
     negative = NurbsSurface(found.degree, *found.knots, found.control_points, weights)
-    assert umbilics_nearby(negative, "1/100000") == umbilics_nearby(found, "1/100000")
+    assert xs.analyse(negative).umbilics_within("1/100000") == xs.analyse(found).umbilics_within("1/100000")
 
 
 def test_the_curves_that_show_where_a_feature_is_gone_are_near_the_curve_as_it_is_written():
     negative = bezier(POINTS, [-1, -2, -1, -3])
-    for found in stability(negative):
+    for found in xs.analyse(negative).stability:
         near = found.witness
         assert near is not None
         differences = [abs(a - b) for a, b in zip(negative.weights, near.weights, strict=True)]
@@ -75,12 +70,12 @@ def test_what_is_advised_for_weights_of_both_signs_helps():
     curve = Nurbs(2, [0, 0, 0, 1, 1, 1], [(0, 0), (1, 2), (3, 0)], [1, "-1/10", 1])
     for epsilon in ("1/100", mpq(1, 10**30)):
         with pytest.raises(ShapeError, match="insert knots until all weights"):
-            features_nearby(curve, epsilon)
+            xs.analyse(curve).features_within(epsilon)
     inserted = curve.insert_knot("1/2")
     assert min(inserted.weights) > 0
-    assert features_nearby(inserted, mpq(1, 10**6))
+    assert xs.analyse(inserted).features_within(mpq(1, 10**6))
     with pytest.raises(ShapeError, match="a smaller epsilon"):
-        features_nearby(inserted, 1)
+        xs.analyse(inserted).features_within(1)
 
 
 def test_a_direction_is_no_point_near_others():
@@ -90,10 +85,10 @@ def test_a_direction_is_no_point_near_others():
     points = [(0, 0), (1, 0), Direction(1, 2), (3, 0), (4, 3)]
     curve = Nurbs(3, range(9), points, [1, 1, 0, 1, 1])
     epsilon = mpq(1, 10**5)
-    for asked in (lambda: features_nearby(curve, epsilon), lambda: stability(curve)):
+    for asked in (lambda: xs.analyse(curve).features_within(epsilon), lambda: xs.analyse(curve).stability):
         with pytest.raises(ShapeError, match="a direction among its control points; restrict it"):
             asked()
     curve = curve.restrict(3, 5).insert_knot(4, 2)
-    places = [found.place for found in features_nearby(curve, epsilon) if found.robust]
+    places = [found.place for found in xs.analyse(curve).features_within(epsilon) if found.robust]
     extrema = [float(found.root) for found in xs.analyse(curve).curvature_extrema]
     assert [any(a <= t <= b for a, b in places) for t in extrema] == [True, True]

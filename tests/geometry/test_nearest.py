@@ -5,9 +5,8 @@ from random import Random
 import pytest
 from gmpy2 import mpq
 
-from exactspline import Nurbs, example, square_root
+from exactspline import Nurbs, example, nearest, square_root
 from exactspline.errors import ShapeError
-from exactspline.geometry.pairs.nearest import nearest
 
 
 def curve_of(random, dimension, *, rational):

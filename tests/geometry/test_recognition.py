@@ -8,9 +8,7 @@ from gmpy2 import mpq
 
 import exactspline as xs
 from exactspline.errors import ShapeError
-from exactspline.geometry.recognition.patches import recognized_surface
 from exactspline.geometry.recognition.pieces import recognized, rounded_up, signs
-from exactspline.geometry.recognition.shapes import Circle, Conic, Line, ShapeKind
 from tests.campaigns import recognition as campaign
 
 SHARED = Path(__file__).parents[3] / "shared" / "curves"
@@ -64,7 +62,7 @@ def test_pieces_near_a_plane():
     flat = [(0, 0, 0), (1, 2, 0), (3, -1, 0), (4, 1, mpq(1, 10**9))]
     curve = xs.Nurbs(3, [0] * 4 + [1] * 4, flat)
     (found,) = recognized(curve, "1e-8")
-    assert found.kind is ShapeKind.PLANE
+    assert found.kind == "plane"
     assert mpq(1, 10**11) < found.within < mpq(1, 10**9)
     assert recognized(curve, "1e-11") == ()
 
@@ -86,7 +84,7 @@ def test_patches_that_share_a_shape_are_given_together():
     net = [[(mpq(x, w), mpq(y, w), z) for z in (0, 1)] for x, y, w in profile]
     weights = [[w, w] for *_, w in profile]
     gutter = xs.NurbsSurface((2, 1), knots, [0, 0, 1, 1], net, weights)
-    found = recognized_surface(gutter)
+    found = xs.analyse(gutter).shapes
     assert [(str(part.kind), part.patches, part.exact) for part in found] == [
         ("plane", ((0, 0),), True),
         ("cylinder", ((1, 0), (2, 0)), True),
@@ -109,7 +107,7 @@ def test_a_circle_that_runs_around_twice_is_two_pieces():
     knots = [0, 0, 0, 1, 1, 2, 2, 3, 3, 4, 4, 5, 5, 6, 6, 6]
     exact = xs.Nurbs.from_homogeneous(2, knots, rows_of_turns(3))
     pieces = recognized(exact)
-    assert [piece.shape.kind for piece in pieces] == [ShapeKind.CIRCLE] * len(pieces)
+    assert [piece.shape.kind for piece in pieces] == ["circle"] * len(pieces)
     assert len(pieces) >= 2
     assert pieces[0].exact
 
@@ -150,7 +148,7 @@ def test_what_runs_over_a_surface_once(kind, profile):
     """A whole turn is proved to cover once, one and a half are not, though the Jacobian has one sign."""
     for halves, once in ((2, True), (3, False)):
         surface = turned_around(halves, profile)
-        part, *_ = recognized_surface(surface)
+        part, *_ = xs.analyse(surface).shapes
         assert (part.kind, part.exact, part.once) == (kind, True, once)
         assert campaign.layers(surface, part.shape) == 2 - once
 
@@ -161,7 +159,7 @@ def test_both_halves_of_a_cone_are_one(profile, away):
     """No shape at all before, without a knot at the apex: the profile was taken for a line on one side of the axis."""
     surface = turned_around(2, profile)
     rows = [[(x, y, z + away * ((7 * i) % 5 == 3)) for x, y, z in row] for i, row in enumerate(surface.control_points)]
-    (part,) = recognized_surface(xs.NurbsSurface(surface.degree, *surface.knots, rows, surface.weights))
+    (part,) = xs.analyse(xs.NurbsSurface(surface.degree, *surface.knots, rows, surface.weights)).shapes
     assert (part.kind, part.exact, part.whole, part.once) == ("cone", not away, True, False)
     assert part.shape.tangent_squared == 1
 
@@ -169,7 +167,7 @@ def test_both_halves_of_a_cone_are_one(profile, away):
 def test_patches_that_are_all_of_a_surface_are_whole():
     """They were not where the torus is proposed by one patch, and not by all together."""
     for halves in (2, 3):
-        (part,) = recognized_surface(turned_around(halves, [(4, 0, 1), (4, 1, 1), (6, 2, 2)]))
+        (part,) = xs.analyse(turned_around(halves, [(4, 0, 1), (4, 1, 1), (6, 2, 2)])).shapes
         assert (part.kind, len(part.patches), part.whole) == ("torus", 2 * halves, True)
 
 
@@ -181,7 +179,7 @@ def test_a_sphere_as_kernels_write_it():
     net = [[(x * r, y * r, z) for r, z, _ in profile] for x, y, _ in (*around, around[0])]
     weights = [[v * w for *_, w in profile] for *_, v in (*around, around[0])]
     surface = xs.NurbsSurface((2, 2), [0, 0, 0, 1, 1, 2, 2, 3, 3, 4, 4, 4], [0, 0, 0, 1, 1, 2, 2, 2], net, weights)
-    (part,) = recognized_surface(surface)
+    (part,) = xs.analyse(surface).shapes
     assert (part.kind, part.exact, part.whole, part.once) == ("sphere", False, True, True)
     assert part.within < mpq(1, 10**15)
 
@@ -190,10 +188,10 @@ def test_folds_of_a_plane_are_not_covered_once():
     """A quadrilateral is; one whose sides cross, and a strip that turns back, are not."""
     for ends, once in ((((0, 0), (0, 1), (2, 0), (1, 1)), True), (((0, 0), (0, 1), (1, 1), (1, 0)), False)):
         a, b, c, d = ((*p, 0) for p in ends)
-        (part,) = recognized_surface(xs.NurbsSurface((1, 1), [0, 0, 1, 1], [0, 0, 1, 1], [[a, b], [c, d]]))
+        (part,) = xs.analyse(xs.NurbsSurface((1, 1), [0, 0, 1, 1], [0, 0, 1, 1], [[a, b], [c, d]])).shapes
         assert part.once == once
     strip = [[(x, y, 0) for y in (0, 1)] for x in (0, 2, 1)]
-    (part,) = recognized_surface(xs.NurbsSurface((2, 1), [0, 0, 0, 1, 1, 1], [0, 0, 1, 1], strip))
+    (part,) = xs.analyse(xs.NurbsSurface((2, 1), [0, 0, 0, 1, 1, 1], [0, 0, 1, 1], strip)).shapes
     assert not part.once
 
 
@@ -208,9 +206,9 @@ def test_a_chain_of_a_line_and_arcs():
     stadium = [(-1, -1, 1), (0, -1, 1), (1, -1, 1), (2, -1, 1), (4, 0, 2), (4, 2, 2), (4, 4, 4)]
     curve = xs.Nurbs.from_homogeneous(2, [0, 0, 0, 1, 1, 2, 2, 3, 3, 3], stadium)
     line, circle = recognized(curve)
-    assert isinstance(line.shape, Line)
+    assert type(line.shape).__name__ == "Line"
     assert str(line.piece) == "[0, 1]"
-    assert isinstance(circle.shape, Circle)
+    assert type(circle.shape).__name__ == "Circle"
     assert circle.shape.centre == (1, 0)
     assert str(circle.piece) == "[1, 3]"
 
@@ -237,7 +235,7 @@ def test_circles_in_space_with_rounded_data():
         points = [tuple(x + mpq(random.randint(-9, 9), 10**9) for x in p) for p in moved.control_points]
         noisy = xs.Nurbs(2, moved.knots, points, moved.weights)
         (found,) = recognized(noisy, "1e-6")
-        assert isinstance(found.shape, Circle)
+        assert type(found.shape).__name__ == "Circle"
         assert 0 < found.within < mpq(1, 10**7)
         for i in range(41):
             point = noisy(mpq(i, 40))
@@ -251,7 +249,7 @@ def test_circles_in_space_with_rounded_data():
 
 
 def test_words_and_errors():
-    assert isinstance(recognized(xs.example("ellipse"))[0].shape, Conic)
+    assert type(recognized(xs.example("ellipse"))[0].shape).__name__ == "Conic"
     for epsilon in (0, "-1/2"):
         with pytest.raises(ShapeError, match="above 0"):
             recognized(xs.example("circle"), epsilon)
@@ -277,5 +275,5 @@ WRITTEN = (
 @pytest.mark.parametrize("name", WRITTEN)
 def test_circles_as_kernels_write_them(name):
     (found,) = recognized(xs.read(SHARED / f"{name}.json").curve)
-    assert found.shape.kind is ShapeKind.CIRCLE
+    assert found.shape.kind == "circle"
     assert found.within <= found.shape.radius * mpq(1, 10**9)

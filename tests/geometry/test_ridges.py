@@ -14,7 +14,6 @@ from mpmath import mp, mpf
 
 from exactspline import NurbsSurface, analyse, example
 from exactspline.geometry.surfaces import ridges
-from exactspline.geometry.surfaces.ridges import RidgeSearch, bisected, other_family, principal_directions, winds_once
 from exactspline.numbers.exact import sign
 from exactspline.numbers.intervals import UNIT, Box, Interval
 from exactspline.polynomials.cost import Budget, drawing_on
@@ -157,7 +156,7 @@ def test_four_signs_that_do_not_wind_prove_no_node():
     cross = as_form((2 * S - 1) * (2 * T - 1))
 
     def winds(first, second, form=cross):
-        return winds_once(form, UNIT, lambda x, y: (sign(first(x, y)), sign(second(x, y))))
+        return ridges.winds_once(form, UNIT, lambda x, y: (sign(first(x, y)), sign(second(x, y))))
 
     assert winds(lambda x, y: 2 * x - 1, lambda x, y: 2 * y - 1)
     assert not winds(lambda x, y: (2 * x - 1) * (2 * y - 1), lambda x, y: 1)
@@ -243,13 +242,13 @@ def test_the_other_family_of_lines_of_curvature():
         cubic = [a * rest[0], a * rest[1] + b * rest[0], a * rest[2] + b * rest[1], b * rest[2]]
         p, q = d, -c
         value = cubic[0] * p**3 + cubic[1] * p**2 * q + cubic[2] * p * q**2 + cubic[3] * q**3
-        found, shared = other_family(lines, cubic), greatest_common_divisor([c, d])
+        found, shared = ridges.other_family(lines, cubic), greatest_common_divisor([c, d])
         expected = value / shared**3
         assert found is not None
         assert found * expected.leading_coefficient() == expected * found.leading_coefficient()
         e, f = S - T + 4, S * T + 1
         both = [lines[0] * e, lines[1] * e + lines[0] * f, lines[2] * e + lines[1] * f, lines[2] * f]
-        assert other_family(lines, both) is None
+        assert ridges.other_family(lines, both) is None
 
 
 def test_directions_solve_their_equation_and_do_not_jump():
@@ -261,12 +260,12 @@ def test_directions_solve_their_equation_and_do_not_jump():
         for a, b, c in ((sign(uu), 0, 0), (0, 0, sign(vv)), (0, sign(uv), 0)):
             if not (a or b or c):
                 continue
-            ways = principal_directions(uu, uv, vv, a, b, c)
+            ways = ridges.principal_directions(uu, uv, vv, a, b, c)
             assert all(uu * p * p + uv * p * q + vv * q * q == 0 for p, q in ways)
             (p, q), (r, s) = ways
             assert p * s != q * r
             by = mpq(1, 10**6)
-            moved = principal_directions(uu + by, uv - by, vv + by, a, b, c)
+            moved = ridges.principal_directions(uu + by, uv - by, vv + by, a, b, c)
             for way, after in zip(ways, moved, strict=True):
                 p, q, r, s = map(float, (*way, *after))
                 assert p * r + q * s > 0.99 * hypot(p, q) * hypot(r, s)
@@ -276,7 +275,7 @@ def test_zeros_are_in_the_boxes_of_a_bisection(monkeypatch):
     """In a finished box one derivative has a sign; what is cut too often, or too dear, remains."""
     form = as_form((2 * S - 1) ** 2 - (3 * T - 1) ** 2 * (T + 1))
     monkeypatch.setattr(ridges, "DEPTH", 8)
-    boxes, remaining = bisected(form)
+    boxes, remaining = ridges.bisected(form)
     assert boxes
     assert remaining
     for part in boxes:
@@ -288,14 +287,14 @@ def test_zeros_are_in_the_boxes_of_a_bisection(monkeypatch):
     for k in range(1, 40):
         for root in roots_in(at(as_polynomial(form), 0, mpq(k, 40)), mpq(0), mpq(1)):
             assert any(b.low <= mpq(k, 40) <= b.high and c.low <= root <= c.high for b, c in every)
-    assert bisected(as_form((3 * S - 1) ** 2 + (2 * T - 1) ** 2 - 1))[1] == []
+    assert ridges.bisected(as_form((3 * S - 1) ** 2 + (2 * T - 1) ** 2 - 1))[1] == []
     with drawing_on(Budget(0)):
-        assert bisected(form) == ([], [UNIT])
+        assert ridges.bisected(form) == ([], [UNIT])
 
 
 def test_a_node_is_proved_only_where_what_is_divided_out_has_no_zeros(monkeypatch):
     """The product of both derivatives may have other factors: where one has a zero in the box, none is proved."""
-    proved, found = RidgeSearch._node, []
+    proved, found = ridges.RidgeSearch._node, []
 
     def node(self, form, whole, box):
         cell = proved(self, form, whole, box)
@@ -307,6 +306,6 @@ def test_a_node_is_proved_only_where_what_is_divided_out_has_no_zeros(monkeypatc
             found.append(cell)
         return cell
 
-    monkeypatch.setattr(RidgeSearch, "_node", node)
+    monkeypatch.setattr(ridges.RidgeSearch, "_node", node)
     assert analyse(generic(2, 3, 1)).ridges.complete
     assert len(found) == 1

@@ -8,7 +8,6 @@ from gmpy2 import mpq
 
 from exactspline import BSpline, Nurbs, analyse, curvature, torsion
 from exactspline.geometry.curves import values as values_along
-from exactspline.geometry.curves.kinds import JointKind
 from exactspline.papers.chen_riesenfeld_cohen_2007.figures import compare_approaches
 from exactspline.tables import curvature_function
 from tests.support.command import invoke
@@ -158,7 +157,7 @@ def test_a_rest_does_not_depend_on_idle_knots():
         assert [(f.kind, f.root.exact) for f in analyse(curve).singular_points] == [("rest", 1), ("rest", 2)]
         assert [str(piece) for piece in analyse(curve).standing_pieces] == ["[1, 2]"]
         assert [str(piece) for piece in analyse(curve).straight_pieces] == ["[0, 1]", "[2, 3]"]
-    assert [joint.kind for joint in analyse(idle).joints][1:3] == [JointKind.STILL] * 2
+    assert [joint.kind for joint in analyse(idle).joints][1:3] == ["standing still"] * 2
 
 
 def test_standing_still_across_the_seam():
@@ -173,10 +172,9 @@ def test_standing_still_across_the_seam():
 
 def test_the_sign_of_the_curvature_at_roots_of_other_forms():
     """Held against the value at a nearby parameter, and against the definition at knots."""
-    from exactspline import example
-    from exactspline.interchange.examples import example_names
+    from exactspline import example, examples
 
-    for name in example_names():
+    for name in examples("curves"):
         curve = example(name)
         if curve.dimension != 2:
             continue

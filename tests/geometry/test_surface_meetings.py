@@ -9,10 +9,9 @@ from gmpy2 import mpq
 
 from exactspline import NurbsSurface, Real, TensorSpline, ask, example, square_root
 from exactspline.bivariate import minima
-from exactspline.bivariate.zeros import ZeroKind
 from exactspline.errors import ReachError, ShapeError
 from exactspline.geometry.analysis.ask import questions
-from exactspline.questions.takes import QuestionError
+from exactspline.questions import takes
 from tests.campaigns import surface_meetings as campaign
 from tests.support.dials import ALWAYS, DIALS
 
@@ -167,11 +166,11 @@ def test_the_first_hit_is_first():
 def test_a_tangent_has_multiplicity_2():
     paraboloid = surface(X, Y, X * X + Y * Y)
     (one,) = ask(paraboloid, "line_intersections:0,0,0,1,0,0")
-    assert (one.zero.kind, one.zero.multiplicity, one.zero.where) == (ZeroKind.TOUCHING, 2, "inside a patch")
+    assert (one.zero.kind, one.zero.multiplicity, one.zero.where) == ("touching", 2, "inside a patch")
     # neither of the two planes that are taken is the tangent plane
     turned = paraboloid.transform([[0, 2, -1, 0], [1, 1, 1, 0], [1, 0, -2, 0]])
     (other,) = ask(turned, "line_intersections:0,0,0,0,1,1")
-    assert (other.zero.kind, other.zero.multiplicity) == (ZeroKind.TOUCHING, 2)
+    assert (other.zero.kind, other.zero.multiplicity) == ("touching", 2)
     flat = surface(X, Y, X**3 + Y * Y)
     assert [x.zero.multiplicity for x in ask(flat, "line_intersections:0,0,0,1,0,0")] == [3]
 
@@ -199,7 +198,7 @@ def test_a_line_in_the_surface():
 
 def test_a_seam_is_met_once():
     (hit,) = ask(example("sphere"), "ray_intersections:0,0,0,1,0,0")
-    assert (hit.zero.kind, hit.zero.multiplicity) == (ZeroKind.TRANSVERSAL, 1)
+    assert (hit.zero.kind, hit.zero.multiplicity) == ("transversal", 1)
 
 
 @pytest.mark.parametrize(
@@ -212,7 +211,7 @@ def test_a_seam_is_met_once():
     ],
 )
 def test_what_is_no_line_or_plane_is_refused(question):
-    with pytest.raises(QuestionError, match="expected"):
+    with pytest.raises(takes.QuestionError, match="expected"):
         ask(example("sphere"), question)
 
 

@@ -10,11 +10,10 @@ from flint import Ordering, fmpz_mpoly_ctx, fmpz_poly
 from gmpy2 import mpq
 from mpmath import mp
 
-from exactspline import BSpline, Nurbs, Root, example, zeros
+from exactspline import BSpline, Nurbs, Root, example, formula_of, zeros
 from exactspline.errors import ShapeError
 from exactspline.geometry.bisectors import trimmed as module
-from exactspline.geometry.bisectors.trimmed import PieceKind, trimmed_bisector
-from exactspline.papers import find
+from exactspline.geometry.bisectors.trimmed import trimmed_bisector
 from exactspline.polynomials.elimination import discriminant
 from tests.support.dials import factors, over_dials
 from tests.support.vectors import mpf_of
@@ -62,7 +61,7 @@ def inner(low, high, part):
 def test_random_points_of_the_untrimmed_bisector_against_distances(curve, point):
     """A parameter is kept exactly where no point of the curve lies inside the circle around B through Q."""
     random, result = Random(7), trimmed_bisector(curve, point)
-    untrimmed = find("plane_bisector_polynomial")(curve.with_point(exact(point)))
+    untrimmed = formula_of("plane_bisector_polynomial")(curve.with_point(exact(point)))
     a, b = curve.domain
     places = [a + (b - a) * mpq(k, 60) for k in range(61)]
     decided = 0
@@ -276,7 +275,7 @@ def test_a_similar_curve_has_the_similar_bisector(number):
 def test_the_line_of_a_corner_runs_from_its_middle_to_both_sides_alike():
     """At −u and u as far from the middle of the point and the corner, and everywhere as far from both."""
     polygon = Nurbs(1, [0, 0, 1, 2, 2], [(1, 0), (3, 1), (1, 2)])
-    found = [one for one in trimmed_bisector(polygon, (6, 1)).pieces if one.kind is PieceKind.CORNER]
+    found = [one for one in trimmed_bisector(polygon, (6, 1)).pieces if one.kind == "corner"]
     assert found
     corner, q = (mpq(3), mpq(1)), (mpq(6), mpq(1))
     for one in found:

@@ -5,12 +5,11 @@ from pathlib import Path
 
 import pytest
 
-from exactspline import read
+from exactspline import Verdict, read
 from exactspline.interchange import formats
 from exactspline.verification import judges
 from exactspline.verification.claims import select
-from exactspline.verification.verdict import PROVED, Finding
-from exactspline.verification.vocabulary import Name
+from exactspline.verification.verdict import Finding
 from tests.support.command import run
 
 PAGE = Path(__file__).parents[2] / "docs" / "formats.md"
@@ -30,18 +29,18 @@ def test_a_format_that_was_added_is_read_like_the_others(monkeypatch, tmp_path):
 
 def test_a_judge_that_was_added_is_asked_like_the_others(monkeypatch):
     class Credulous:
-        name = column = Name("credulous")
+        name = column = "credulous"
 
         def __init__(self, claims):
             self.claims = claims
 
         def decide(self, claim):
-            return Finding(PROVED)
+            return Finding(Verdict.PROVED)
 
     monkeypatch.setattr(judges, "_others", dict(judges._others))
     judges.add_judge("credulous", Credulous)
     claim = select(["C4.1a"])[0]
-    assert judges.judge_named("credulous", [claim]).decide(claim).verdict == PROVED
+    assert judges.judge_named("credulous", [claim]).decide(claim).verdict == Verdict.PROVED
     done = run("prove", "--claim", "C4.2b", "--judge", "credulous")
     assert done.returncode == 1
     assert "CONTRADICTION" in done.stdout

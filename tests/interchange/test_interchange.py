@@ -1,23 +1,21 @@
 """Files of other programs: known answers, conventions that are easily confused, and what is named as skipped."""
 
 import json
+from importlib.resources import files
 
 import jsonschema
 import pytest
-from click.testing import CliRunner
 from gmpy2 import mpq
 from hypothesis import given
 from hypothesis import strategies as st
 
-from exactspline import ExactSplineError, Nurbs, example, read, write
-from exactspline.cli import app
+from exactspline import ExactSplineError, Nurbs, example, examples, read, write
 from exactspline.errors import CurveFileError, NumberError, ShapeError, WeightError
 from exactspline.interchange import Limits
-from exactspline.interchange.examples import example_names
 from exactspline.interchange.files import encoded
 from exactspline.interchange.formats import formats
-from exactspline.interchange.own_json import schema
 from exactspline.interchange.records import work
+from tests.support.command import invoke
 from tests.support.interchange_seeds import (
     ARC,
     BREP,
@@ -38,6 +36,9 @@ from tests.support.strategies import nurbs
 
 WRITERS = [known.name for known in formats() if known.write and known.name != "3dm"]
 CARTESIAN_IN_SPACE = ("iges", "3dm")
+
+#: The published schema of a file of curves.
+SCHEMA = json.loads(files("exactspline.interchange").joinpath("curve.schema.json").read_text(encoding="utf-8"))
 
 
 def same(a, b):
@@ -126,9 +127,9 @@ def test_cartesian_formats_refuse_a_control_vector(name):
 
 
 def test_own_files_follow_the_published_schema():
-    jsonschema.Draft202012Validator.check_schema(schema())
-    published = jsonschema.Draft202012Validator(schema())
-    for name in example_names():
+    jsonschema.Draft202012Validator.check_schema(SCHEMA)
+    published = jsonschema.Draft202012Validator(SCHEMA)
+    for name in examples("curves"):
         published.validate(json.loads(encoded([example(name)], "json")[0]))
     published.validate(json.loads(encoded([*CURVES, CONTROL_VECTOR], "json")[0]))
 
@@ -145,7 +146,7 @@ def test_what_the_reader_refuses_is_refused(broken):
         read(broken.encode())
     if "1/0" not in broken:
         with pytest.raises(jsonschema.ValidationError):
-            jsonschema.validate(json.loads(broken), schema())
+            jsonschema.validate(json.loads(broken), SCHEMA)
 
 
 @pytest.mark.parametrize("number", ["1e+-9", "1e", "1e20001", "0x1p99999", "1/0", "٣", "", "1 2", "--1", "1e9e9"])
@@ -445,7 +446,7 @@ def test_the_work_that_is_estimated_is_knot_insertion():
 def test_what_derive_wrote_is_read_as_inspect_reads_it(tmp_path):
     """Whole, among other curves, and one piece of it alone."""
     written = tmp_path / "evolute.json"
-    assert CliRunner().invoke(app, ["derive", "evolute", "ellipse", "-o", str(written)]).exit_code == 0
+    assert invoke("derive", "evolute", "ellipse", "-o", str(written)).exit_code == 0
     derived = json.loads(written.read_text(encoding="utf-8"))
     several, piece = tmp_path / "several.json", tmp_path / "piece.json"
     several.write_text(json.dumps({"curves": [derived, derived]}), encoding="utf-8")

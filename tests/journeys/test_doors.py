@@ -13,7 +13,6 @@ from gmpy2 import mpq
 import exactspline as xs
 from exactspline.certificates import CertificateError
 from exactspline.display import plot as plots
-from exactspline.display.described import described
 from exactspline.errors import ShapeError
 from exactspline.extras import pictures3d
 from exactspline.geometry.analysis.curves import QUESTIONS
@@ -474,8 +473,14 @@ def test_examples_by_name_where_files_are_wanted(tmp_path):
         xs.read("ellipze")
 
 
-def test_a_point_of_weight_0_is_remarked():
+def test_a_point_of_weight_0_is_remarked(tmp_path):
     """Nothing was said of it; then a point that adds nothing was called a direction."""
+
+    def described(curve):
+        xs.write(curve, tmp_path / "curve.json")
+        lines = run("prove", "--claim", "C41a-f1-f2", "--curve", tmp_path / "curve.json").stdout.splitlines()
+        return next(line for line in lines if "control points in R" in line)
+
     assert described(AT_INFINITY).endswith("3 control points in R2, of these 1 direction")
     idle = xs.Nurbs(2, [0, 0, 0, 1, 1, 1], [(0, 0), (1, 1), (2, 0)], [1, 0, 1])
     assert described(idle).endswith("3 control points in R2, 1 with the weight 0 (without effect)")

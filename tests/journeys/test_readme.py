@@ -13,10 +13,9 @@ from pathlib import Path
 import pytest
 from rich.cells import cell_len
 
-from exactspline.cli.commands import leaves
 from exactspline.display.sheet import code_lines
 from exactspline.papers import default_papers
-from tests.support.command import run
+from tests.support.command import leaves, run
 from tests.support.decided import errors_in_print, remarks
 
 README = Path(__file__).resolve().parents[2] / "README.md"

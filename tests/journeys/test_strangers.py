@@ -11,20 +11,17 @@ import pytest
 from gmpy2 import mpq
 from mpmath import mp
 
-from exactspline import ExactSplineError, example, read
-from exactspline.cli.commands import leaves
-from exactspline.cli.common import load_curve
-from exactspline.display.evidence import worded
+from exactspline import example, read
 from exactspline.errors import CurveFileError, DomainError, KnotError, NumberError
 from exactspline.extras.teaching import de_boor_triangle, insertion_triangle
-from exactspline.interchange.curve_files import curve_data
+from exactspline.interchange import text
 from exactspline.interchange.formats import formats
 from exactspline.language import formula
 from exactspline.papers import named_papers
 from exactspline.readings import trace
 from exactspline.verification.claims import claims_in, select
-from exactspline.verification.combined import combined
-from tests.support.command import invoke
+from tests.support.claims import one_verdict
+from tests.support.command import invoke, leaves
 
 JUNK = b"{\x00\x01\xffjunk"
 OTHERS = sorted({suffix for known in formats() for suffix in known.suffixes} - {".json"})
@@ -34,21 +31,22 @@ OTHERS = sorted({suffix for known in formats() for suffix in known.suffixes} - {
 def test_bytes_that_begin_with_a_brace_are_what_the_suffix_says(tmp_path, suffix):
     place = tmp_path / f"junk{suffix}"
     place.write_bytes(JUNK)
-    with pytest.raises(ExactSplineError) as caught:
-        load_curve(str(place))
-    assert "JSON" not in str(caught.value)
+    refused = invoke("inspect", place)
+    assert refused.exit_code != 0
+    assert "JSON" not in f"{refused.exception}{refused.output}"
     with suppress(CurveFileError, NumberError):
         assert not read(place).curves
 
 
 def test_one_curve_under_any_other_suffix_is_read(tmp_path):
     place = tmp_path / "curve.txt"
-    place.write_text(json.dumps(curve_data(example("circle"))), encoding="utf-8")
-    assert load_curve(str(place)) == example("circle")
+    place.write_text(text(example("circle")), encoding="utf-8")
+    assert invoke("convert", place, tmp_path / "again.json").exit_code == 0
+    assert read(tmp_path / "again.json").curve == example("circle")
 
 
 def test_a_list_of_curves_is_read_by_commands(tmp_path):
-    both = [curve_data(example(name)) for name in ("circle", "ellipse")]
+    both = [json.loads(text(example(name))) for name in ("circle", "ellipse")]
     place = tmp_path / "list.json"
     place.write_text(json.dumps(both), encoding="utf-8")
     rows = json.loads(invoke("inspect", place, "--json").stdout)["rows"]
@@ -131,9 +129,7 @@ def test_open_slices_are_printed():
 
 def test_sums_without_a_symbol_are_in_parentheses_where_they_are_factors():
     claims = claims_in(named_papers(["primer_on_bezier_curves"]))
-    factors = [
-        worded(combined(claim)[1].factor) for claim in claims if claim.key.startswith(("PB5e-cusp_edge", "PB5f-"))
-    ]
+    factors = [str(one_verdict(claim).factor) for claim in claims if claim.key.startswith(("PB5e-cusp_edge", "PB5f-"))]
     assert len(factors) == 2
     for factor in factors:
         assert re.fullmatch(r"(144·)?\(-18 P2\[0\] P1\[1\] .* \+ 18 P2\[0\] P3\[1\]\)⁻²", factor)

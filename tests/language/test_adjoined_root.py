@@ -3,23 +3,18 @@
 The formulas are written in γ alone: what holds for indeterminate coordinates x, y, z holds for those of γ = p/w, too.
 """
 
-from dataclasses import fields
-
 import pytest
 from gmpy2 import mpq
 
-from exactspline import decide, example, prove, reduction
+from exactspline import claims, decide, example, formula_of, prove, reduction
 from exactspline.errors import ClaimError, FormulaError
 from exactspline.language import cross, det, norm2
 from exactspline.language.adjoined_root import Adjoined, framed, root_of
 from exactspline.language.kinds import CURVE, PLANE, PLANE_POINT, kind_of
-from exactspline.papers import find
-from exactspline.papers.chen_riesenfeld_cohen_2007 import frames
 from exactspline.readings.jet import RationalJetReading
 from exactspline.readings.sympy_expression import SympyReading
-from exactspline.verification.claims import all_claims
 from exactspline.verification.judges import Sympy
-from exactspline.verification.kinds.degree import DegreeClaim
+from tests.support.claims import stated
 from tests.support.numeric_reading import numeric_curve
 from tests.support.sampled import sample
 
@@ -67,33 +62,37 @@ def test_elements_of_two_extensions_do_not_mix():
 
 
 def test_the_square_of_the_signed_curvature_has_no_root(plane):
-    n, kappa = frames.unit_normal_in_plane(plane), frames.signed_curvature(plane)
+    n, kappa = formula_of("unit_normal_in_plane")(plane), formula_of("signed_curvature")(plane)
     assert norm2(n) == one(plane)
-    assert kappa**2 == find("curvature_squared")(plane)
+    assert kappa**2 == formula_of("curvature_squared")(plane)
 
 
 def test_footnote_b_the_frenet_normal_with_positive_curvature_gives_the_same_evolute(plane):
     """T′/σ is the positive curvature times the Frenet normal whatever the sign; over its squared length it is N/κ."""
-    bend = frames.unit_tangent(plane).d() / plane.sigma
-    assert vanishes(plane.gamma + bend / norm2(bend) - find("evolute")(plane))
+    bend = formula_of("unit_tangent")(plane).d() / plane.sigma
+    assert vanishes(plane.gamma + bend / norm2(bend) - formula_of("evolute")(plane))
 
 
 def test_offsets_are_parallel_and_their_evolute_is_that_of_the_curve():
     """γ + rN for an indeterminate r: (γ + rN)′ = (1 − rκ) γ′, curvature κ/|1 − rκ|, centre E."""
     c = framed(RationalJetReading(3).argument(PLANE_POINT, 2, polynomial=True)).remembering()
-    r, n, kappa = c.point[0], frames.unit_normal_in_plane(c), frames.signed_curvature(c)
+    r, n, kappa = c.point[0], formula_of("unit_normal_in_plane")(c), formula_of("signed_curvature")(c)
     offset = c.gamma + n * r
     shrink = 1 - r * kappa
     assert vanishes(offset.d() - c.gamma.d() * shrink)
     speed = c.sigma * shrink
     assert det(offset.d(), offset.d(2)) / speed**3 == kappa / shrink
-    assert vanishes(offset + n * (shrink / kappa) - find("evolute")(c))
+    assert vanishes(offset + n * (shrink / kappa) - formula_of("evolute")(c))
 
 
 def test_the_same_over_sympy():
     """The frame of a polynomial plane curve over an algebra that shares no code with the jets."""
     c = framed(SympyReading().argument(PLANE, 2, polynomial=True))
-    t, n, kappa = frames.unit_tangent(c), frames.unit_normal_in_plane(c), frames.signed_curvature(c)
+    t, n, kappa = (
+        formula_of("unit_tangent")(c),
+        formula_of("unit_normal_in_plane")(c),
+        formula_of("signed_curvature")(c),
+    )
     assert norm2(t) == one(c)
     assert vanishes(t.d() - n * (c.sigma * kappa))
     assert not vanishes(t.d() + n * (c.sigma * kappa))
@@ -110,9 +109,9 @@ def test_the_same_at_eighty_digits():
         assert isinstance(x, Adjoined)
         return x.plain.plain.value + x.plain.rooted.value * s + (x.rooted.plain.value + x.rooted.rooted.value * s) * r
 
-    n = [value(x) for x in frames.unit_normal(c)]
+    n = [value(x) for x in formula_of("unit_normal")(c)]
     assert abs(sum(x * x for x in n) - 1) < ctx.mpf(10) ** -75
-    kappa = value(frames.curvature_in_space(c))
+    kappa = value(formula_of("curvature_in_space")(c))
     assert kappa > 0
     assert abs(kappa - r / s**3) < ctx.mpf(10) ** -75
 
@@ -124,7 +123,7 @@ def test_a_frame_needs_a_curve_that_can_be_divided_by():
         framed(still)
 
 
-FRAMES = [claim for claim in all_claims() if kind_of(claim.curve).adjoins_roots]
+FRAMES = [claim for claim in claims() if kind_of(claim.curve).adjoins_roots]
 #: What is said of types, and of what an equation speaks, is decided in one algebra alone.
 EQUATIONS = [claim for claim in FRAMES if claim.kind not in ("type", "applies")]
 
@@ -150,11 +149,8 @@ def test_what_rational_curves_need_is_not_taken_from_polynomial_ones():
 
 
 def test_a_degree_of_what_has_roots_is_refused():
-    told = {f.name: getattr(FRAMES[0], f.name) for f in fields(FRAMES[0]) if f.init}
-    told |= {"formula": "binormal", "measure": "true", "claimed": "3d", "status": "ours"}
-    told |= {"id": "E13", "key": "E13-binormal", "expected": "PROVED"}
-    known = {f.name for f in fields(DegreeClaim)}
+    told = {"curve": FRAMES[0].curve, "formula": "binormal", "measure": "true", "claimed": "3d"}
     with pytest.raises(ClaimError, match="not decided where roots are adjoined"):
-        DegreeClaim(**{name: value for name, value in told.items() if name in known})
+        stated("degree", source=FRAMES[0].paper, **told)
     with pytest.raises(FormulaError, match="contains square roots"):
         reduction("unit_normal")

@@ -5,10 +5,11 @@ from random import Random
 
 import pytest
 
+from exactspline import paper
 from exactspline.errors import FormulaError
-from exactspline.papers import load_paper, resolve
+from exactspline.papers import resolve
 from exactspline.papers.formula_check import formulas_of
-from exactspline.papers.new import write_new_paper
+from tests.support.command import new_paper
 from tests.verification.test_own_paper import LANGUAGE, written
 
 
@@ -203,9 +204,9 @@ def test_no_line_runs_before_all_are_read(tmp_path):
         formulas_of(LANGUAGE + text, "f.py", {})
     folder = written(tmp_path / "p", f"\n{text}@formula('e')\ndef f(c):\n    return c.w\n", [])
     with pytest.raises(FormulaError, match=r"line 3.*--trust"):
-        load_paper(folder)
+        paper(folder)
     assert not sign.exists()
-    assert list(load_paper(folder, trust=True).formulas) == ["f"]
+    assert list(paper(folder, trust=True).formulas) == ["f"]
     assert sign.exists()
 
 
@@ -215,10 +216,10 @@ def test_formulas_cannot_reach_the_built_in_names():
 
 
 def test_links_lead_nowhere(tmp_path):
-    folder = write_new_paper(tmp_path / "mine")[0].parent
+    folder = new_paper(tmp_path / "mine")
     (folder / "curves" / "round").symlink_to(folder)
     (folder / "passwords").symlink_to("/etc/passwd")
-    assert set(load_paper(folder).digests()) == {"README.md", "claims.toml", "curves/arch.json", "formulas.py"}
+    assert set(paper(folder).digests()) == {"README.md", "claims.toml", "curves/arch.json", "formulas.py"}
 
 
 def test_whatever_stands_in_a_file_of_formulas_is_read_or_refused():

@@ -5,12 +5,12 @@ from fractions import Fraction
 import pytest
 from gmpy2 import mpq
 
-from exactspline import Nurbs
+from exactspline import Nurbs, formula_of
 from exactspline.language import Rational, Vector, cross, dot, norm2, ruled
 from exactspline.language.arguments import Curve, Pair
 from exactspline.language.kinds import PAIR, POINT_IN_SPACE, kind_of
 from exactspline.language.ruled import RuledSurface
-from exactspline.papers import all_formulas, find
+from exactspline.papers import all_formulas
 from exactspline.readings import DegreeReading, JetReading, parse_degree, trace
 from exactspline.readings.differential_order import Order, order_of
 from exactspline.readings.jet import RationalJetReading
@@ -103,12 +103,12 @@ def test_a_tree_evaluates_to_the_formula_and_prints(name):
 
 
 def test_the_second_curve_gets_a_bar():
-    assert print_text(trace(find("bisector_determinant"))) == "[γ′ γ̄′ (γ − γ̄)]"
+    assert print_text(trace(formula_of("bisector_determinant"))) == "[γ′ γ̄′ (γ − γ̄)]"
     assert (
-        print_latex(trace(find("bisector_determinant")))
+        print_latex(trace(formula_of("bisector_determinant")))
         == r"[\gamma'\ \bar{\gamma}'\ \left(\gamma - \bar{\gamma}\right)]"
     )
-    assert print_text(trace(find("bisector_determinant_symmetric"))) == "[D1 D̄1 C]"
+    assert print_text(trace(formula_of("bisector_determinant_symmetric"))) == "[D1 D̄1 C]"
 
 
 @over_formulas
@@ -121,13 +121,13 @@ def test_jets_have_the_order_that_was_found(name):
 
 def test_a_jet_of_two_curves_is_substituted_by_their_splines():
     jets = JetReading(1).argument(PAIR, 3)
-    value = find("bisector_determinant_symmetric")(jets)
+    value = formula_of("bisector_determinant_symmetric")(jets)
     given = argument("pair")
-    assert substitute(value, given) == find("bisector_determinant_symmetric")(given)
+    assert substitute(value, given) == formula_of("bisector_determinant_symmetric")(given)
     jets = JetReading(1).argument(POINT_IN_SPACE, 3)
     given = argument("point")
-    value = find("direct_determinant_z")(jets)
-    assert substitute(value, given) == find("direct_determinant_z")(given)
+    value = formula_of("direct_determinant_z")(jets)
+    assert substitute(value, given) == formula_of("direct_determinant_z")(given)
 
 
 def test_the_point_is_constant():
@@ -149,7 +149,7 @@ def test_operands_are_what_was_assembled(kind):
 
 def test_the_true_degree_in_one_parameter():
     """D1 loses one degree at infinity, the rest nothing: kd − m − 1 for the determinant in either curve's parameter."""
-    assert generic_true_degree(find("bisector_determinant_symmetric"), 3) == parse_degree("3d - 2")
+    assert generic_true_degree(formula_of("bisector_determinant_symmetric"), 3) == parse_degree("3d - 2")
 
 
 def test_a_bisector_point_by_hand():
@@ -158,7 +158,7 @@ def test_a_bisector_point_by_hand():
     """
     first = Nurbs(1, [0, 0, 1, 1], [(0, 0, 0), (1, 0, 0)])
     second = Nurbs(1, [0, 0, 1, 1], [(0, 0, 1), (0, 1, 1)])
-    surface = find("bisector")(pair_with(first, second))
+    surface = formula_of("bisector")(pair_with(first, second))
     for s, t in (("1/3", "1/2"), (0, 1), ("2/7", 0)):
         x, y, z = surface(s, t)
         assert (x, y) == (mpq(Fraction(s)), mpq(Fraction(t)))
@@ -170,13 +170,15 @@ def test_the_order_of_addition_counts_where_two_terms_share_a_denominator():
     row.
     """
     c = DegreeReading().argument(POINT_IN_SPACE, 3)
-    generator, offset, velocity = find("point_bisector_generator")(c), c.gamma - c.point, c.gamma.d(1)
-    first = cross(generator, offset) * find("normal_height")(c)
+    generator, offset, velocity = formula_of("point_bisector_generator")(c), c.gamma - c.point, c.gamma.d(1)
+    first = cross(generator, offset) * formula_of("normal_height")(c)
     second = cross(offset, velocity) * dot(c.point, generator)
     third = cross(velocity, generator) * ((norm2(c.gamma) - norm2(c.point)) / 2)
-    below = find("point_bisector_determinant")(c)
+    below = formula_of("point_bisector_determinant")(c)
     assert (
-        ((first + second + third) / below).degree == find("point_bisector_directrix")(c).degree == parse_degree("26d")
+        ((first + second + third) / below).degree
+        == formula_of("point_bisector_directrix")(c).degree
+        == parse_degree("26d")
     )
     shared_first = (first + third + second) / below
     assert shared_first.degree == parse_degree("19d")
@@ -185,7 +187,7 @@ def test_the_order_of_addition_counts_where_two_terms_share_a_denominator():
 
 def test_a_point_and_a_line_give_a_parabolic_cylinder():
     line = Nurbs(1, [0, 0, 1, 1], [(0, 0, 0), (1, 0, 0)])
-    surface = find("point_bisector_direct_z")(line.with_point((mpq(0), mpq(1), mpq(0))))
+    surface = formula_of("point_bisector_direct_z")(line.with_point((mpq(0), mpq(1), mpq(0))))
     assert isinstance(surface, RuledSurface)
     for s in ("0", "1/3", "7/8"):
         x, y, z = surface.at(5)(s)

@@ -2,10 +2,10 @@
 
 import re
 
-from exactspline.verification.claims import all_claims
+from exactspline import claims
 from reading.cutter import squeezed
 
-PRINTED = [claim for claim in all_claims() if claim.status == "printed"]
+PRINTED = [claim for claim in claims() if claim.status == "printed"]
 
 
 def test_squeezing_keeps_what_distinguishes():
@@ -22,9 +22,9 @@ def test_what_is_printed_is_quoted_or_carries_the_number_of_its_equation():
 
 def test_refuted_statements_in_print_belong_to_errors_and_every_error_says_what_is_true():
     refuted = {claim.error for claim in PRINTED if claim.expected == "REFUTED"}
-    meant = {claim.error for claim in all_claims() if claim.status == "meant"}
+    meant = {claim.error for claim in claims() if claim.status == "meant"}
     assert refuted
     # what is not an error but a remark of ours: a statement that would be false if it were said of another formula
-    remarks = {claim.error for claim in all_claims() if claim.status == "ours" and claim.expected == "REFUTED"} - {""}
+    remarks = {claim.error for claim in claims() if claim.status == "ours" and claim.expected == "REFUTED"} - {""}
     assert refuted <= meant <= refuted | remarks
     assert not any(claim.error for claim in PRINTED if claim.expected != "REFUTED")

@@ -4,13 +4,13 @@ import re
 
 import pytest
 
-from exactspline.verification.claims import claims_of
+from exactspline import claims
 from reading.cutter import spans, squeezed
 from reading.readings import READINGS, ROOT, TEXT, decided, needs_reason, readings, runs, spans_of_text, table
 from reading.second import READ as READ_AGAIN
 from reading.second import drawn, second_readings, undecided
 
-CLAIMS = {claim.key: claim for claim in claims_of("chen_riesenfeld_cohen_2007")}
+CLAIMS = {claim.key: claim for claim in claims(paper="chen_riesenfeld_cohen_2007")}
 READ = readings()
 FURNITURE = set(table()["furniture"]["words"])
 at_hand = pytest.mark.skipif(not TEXT.exists(), reason="the text of the paper is not part of the repository")

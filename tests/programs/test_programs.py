@@ -4,16 +4,14 @@ import random
 
 import pytest
 
-from exactspline import BSpline, Nurbs, example, rational
+from exactspline import BSpline, Nurbs, example, formula_of, rational
 from exactspline.errors import FormulaError
-from exactspline.formulas.lifted import critical_curvature_lifted, tangent_lifted
-from exactspline.geometry.curves.facts import TOGETHER
 from exactspline.geometry.derived.derive import part
 from exactspline.language import Rational, Vector, det, formula
 from exactspline.language.arguments import Curve, Operands
 from exactspline.language.kinds import PAIR, PLANE, SPACE, CurveKind, PairKind, TableKind
 from exactspline.language.ruled import joined
-from exactspline.papers import find, papers
+from exactspline.papers import papers
 from exactspline.programs import evaluated, program_for
 from exactspline.programs.instructions import Instruction, Instructions, needed
 from exactspline.programs.program import operands_of, program_of, values
@@ -23,6 +21,13 @@ from workshop.bench.inputs import curve as bench_curve
 
 FORMULAS = [f for source in papers() for f in source.formulas.values()]
 ON_CURVES = [f for f in FORMULAS if type(f.kind) is CurveKind and not f.kind.constants]
+#: The forms of the curvature and the torsion, which are computed together.
+LOWEST = {
+    2: tuple(map(formula_of, ("tangent_lifted", "inflections_lifted", "critical_curvature_lifted"))),
+    3: tuple(
+        formula_of(f"{name}_lifted") for name in ("tangent", "binormal", "torsion_zeros", "space_critical_curvature")
+    ),
+}
 CURVES = ["rational_cubic_spline", "unclamped", "space_quartic", "rational_space_cubic_spline"]
 
 
@@ -117,23 +122,23 @@ def test_equal_subexpressions_are_computed_once():
 def test_the_lowest_forms_of_a_plane_curve_are_those_of_the_lifts(name):
     """κ and κ′ by one program at their true degree are the Wronskians of the lifts; so are γ′ and D1."""
     c = example(name)
-    found = values(TOGETHER[2], operands_of(PLANE, c, true_degree=True))
+    found = values(LOWEST[2], operands_of(PLANE, c, true_degree=True))
     for own, paper in zip(found, ("D1", "inflections_lifted", "vertices_lifted"), strict=True):
-        written_out = find(paper)(c)
+        written_out = formula_of(paper)(c)
         assert found[own] == written_out == own(c)
         assert found[own].degree <= written_out.degree
-    assert found[critical_curvature_lifted].degree < find("vertices_lifted")(c).degree
+    assert found[formula_of("critical_curvature_lifted")].degree < formula_of("vertices_lifted")(c).degree
 
 
 @pytest.mark.parametrize("name", ["rational_space_cubic_spline", "space_quartic", "twisted_cubic"])
 def test_the_lowest_forms_of_a_space_curve_are_those_of_the_lifts(name):
     """Passed before: a sign or a factor in one of them."""
     c = example(name)
-    found = values(TOGETHER[3], operands_of(SPACE, c, true_degree=True))
+    found = values(LOWEST[3], operands_of(SPACE, c, true_degree=True))
     for own, value in found.items():
         assert value == own(c)
         assert value.degree <= own(c).degree
-    assert found[tangent_lifted] == find("D1")(c)
+    assert found[formula_of("tangent_lifted")] == formula_of("D1")(c)
 
 
 def pairs_of_curves():
@@ -171,7 +176,7 @@ def test_the_forms_of_the_bisector_have_programs():
         "bisector_numerators_symmetric",
         "chen_riesenfeld_cohen_2007:chord",
     )
-    assert all(program_of(find(name), given.signature).count("spread") for name in names)
+    assert all(program_of(formula_of(name), given.signature).count("spread") for name in names)
 
 
 def test_two_curves_without_a_program_are_read_as_splines():
@@ -180,9 +185,9 @@ def test_two_curves_without_a_program_are_read_as_splines():
     for one, two in ((curve, curve), (curve, example("twisted_cubic")), (curve, odd)):
         pair = surface_pair(one, two)
         assert operands_of(PAIR, pair) is None
-        assert evaluated(find("chen_riesenfeld_cohen_2007:chord"), pair) == find("chen_riesenfeld_cohen_2007:chord")(
-            pair
-        )
+        assert evaluated(formula_of("chen_riesenfeld_cohen_2007:chord"), pair) == formula_of(
+            "chen_riesenfeld_cohen_2007:chord"
+        )(pair)
 
 
 def test_what_is_needed_are_instructions_and_their_arguments():
@@ -202,7 +207,6 @@ def test_what_is_needed_are_instructions_and_their_arguments():
 
 def test_bounds_grow_with_the_roundings():
     np = pytest.importorskip("numpy")
-    from exactspline.polynomials.roundings import ROUNDING, UNDERFLOW
     from exactspline.programs.doubles import bounded_by
     from exactspline.programs.error_bounds import SLACK, Known
 
@@ -210,5 +214,7 @@ def test_bounds_grow_with_the_roundings():
     for roundings in (1, 8, 64):
         told = bounded_by(masses, masses, Known(roundings, 5, 0))
         assert told.values.tolist() == masses.tolist()
-        assert told.errors.tolist() == (masses * (SLACK * roundings * ROUNDING)).tolist()
-    assert bounded_by(masses, masses * 0, Known(1, 5, 3)).errors.tolist() == [[SLACK * 3 * UNDERFLOW] * 2]
+        assert told.errors.tolist() == (masses * (SLACK * roundings * np.finfo(float).eps)).tolist()
+    assert bounded_by(masses, masses * 0, Known(1, 5, 3)).errors.tolist() == [
+        [SLACK * 3 * np.finfo(float).smallest_normal] * 2
+    ]

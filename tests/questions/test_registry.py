@@ -5,24 +5,20 @@ import json
 
 import jsonschema
 import pytest
-from click.testing import CliRunner
 
 import exactspline as xs
 from exactspline import analyse
 from exactspline.batch.inspections import LISTED, asked_by_sweeps, checked_names, inspected
-from exactspline.cli import app
-from exactspline.cli.schema import answers, schema_of
-from exactspline.display.console import glossary
 from exactspline.errors import ReachError, ShapeError
 from exactspline.geometry.analysis import curves as analysis
 from exactspline.geometry.analysis import surfaces as inspection
 from exactspline.geometry.analysis.ask import questions
 from exactspline.geometry.analysis.curves import QUESTIONS, Analysis, questions_about
 from exactspline.geometry.analysis.registry import REGISTRY
-from exactspline.geometry.curves.kinds import Feature
+from exactspline.questions import takes
 from exactspline.questions.entry import ALL_CURVES, CURVES, Of, question, question_with, questions_of
-from exactspline.questions.takes import Takes
-from exactspline.roots.answers import Places
+from exactspline.roots.answers import CurvePiece, Places
+from tests.support.command import invoke, schema_of
 from workshop.vectors.items import items
 
 LINE = xs.Nurbs(1, [0, 0, 1, 1], [(0, 0), (1, 1)])
@@ -45,6 +41,16 @@ def test_every_entry_says_what_is_asked():
         assert entry.about.part_of in ("", *REGISTRY[of])
 
 
+def fields_of_curves():
+    """The fields of an inspected curve, as they are published now."""
+    return json.loads(invoke("schema", "inspect").stdout)["properties"]["rows"]["items"]["properties"]
+
+
+def glossary():
+    """The words of the glossary with their meanings."""
+    return json.loads(invoke("list", "words", "--json").stdout)["rows"]
+
+
 @pytest.mark.parametrize(("of", "name"), ALL)
 def test_the_example_of_an_entry_runs(of, name):
     """pytest looks for examples in functions and classes alone."""
@@ -59,14 +65,14 @@ def test_the_example_of_an_entry_runs(of, name):
 def test_of_surfaces_every_question_of_the_registry_is_answered(of, names):
     """Passed before: a question about surfaces that the schema or the glossary does not have."""
     for name in names:
-        document = json.loads(CliRunner().invoke(app, ["inspect", name, "--json"]).output)
+        document = json.loads(invoke("inspect", name, "--json").output)
         jsonschema.validate(document, schema_of("inspect surface"))
         assert {name for name, entry in REGISTRY[of].items() if entry.about.reported} <= set(document["rows"][0])
-    assert {entry.meaning for entry in REGISTRY[of].values()} <= set(glossary()["questions"].values())
+    assert {entry.meaning for entry in REGISTRY[of].values()} <= {row["meaning"] for row in glossary()}
 
 
 def test_of_a_pair_every_question_of_the_registry_is_answered():
-    document = json.loads(CliRunner().invoke(app, ["bisector", "space_line", "twisted_cubic", "--json"]).output)
+    document = json.loads(invoke("bisector", "space_line", "twisted_cubic", "--json").output)
     jsonschema.validate(document, schema_of("bisector"))
     assert set(REGISTRY[Of.PAIR]) <= set(document["rows"][0])
 
@@ -109,11 +115,13 @@ def test_every_list_of_questions_is_that_of_the_registry():
     of_one = {(of, name) for of in CURVES for name in REGISTRY[Of.TWO_CURVES] if name not in REGISTRY[of]}
     assert listed - set(ALL) == of_one
     # one whose name has another meaning too is named with what it is asked of
-    named = {term.split(" of a ")[0] for term in glossary()["questions"]}
+    named = {term.split(" of a ")[0] for term in (row["key"] for row in glossary())}
     assert {name.replace("_", " ") for name in QUESTIONS} <= named
-    assert set(answers(*CURVES)) <= set(schema_of("inspect")["properties"]["rows"]["items"]["properties"])
+    assert {name for of in CURVES for name, entry in REGISTRY[of].items() if entry.about.reported} <= set(
+        fields_of_curves()
+    )
     for name in ("circle", "twisted_cubic"):
-        row = json.loads(CliRunner().invoke(app, ["inspect", name, "--json"]).output)["rows"][0]
+        row = json.loads(invoke("inspect", name, "--json").output)["rows"][0]
         expected = {n for n, q in questions_about(xs.example(name)).items() if q.about.reported}
         assert expected <= set(row)
     assert set(asked_by_sweeps()) == {n for n, q in QUESTIONS.items() if q.about.answered in LISTED}
@@ -126,20 +134,18 @@ def test_a_question_that_stands_nowhere_else_is_asked_everywhere(monkeypatch):
 
     class Added(Analysis):
         @question(*CURVES)
-        def left_half(self) -> Places[Feature]:
+        def left_half(self) -> Places[CurvePiece]:
             """The left half of the curve."""
             a, b = self.curve.domain
             return Places((), (xs_piece(a, (a + b) / 2),))
 
-        @question_with(Takes("1/2", lambda part, facts: xs.rational(part)), *CURVES)
-        def beginning(self, part) -> Places[Feature]:
+        @question_with(takes.Takes("1/2", lambda part, facts: xs.rational(part)), *CURVES)
+        def beginning(self, part) -> Places[CurvePiece]:
             """The beginning of the curve, up to this part of it."""
             a, b = self.curve.domain
             return Places((), (xs_piece(a, a + part * (b - a)),))
 
     def xs_piece(a, b):
-        from exactspline.roots.answers import CurvePiece
-
         return CurvePiece(((a, b),))
 
     assert set(questions_of(Added)) - set(QUESTIONS) == {"left_half", "beginning"}
@@ -152,7 +158,7 @@ def test_a_question_that_stands_nowhere_else_is_asked_everywhere(monkeypatch):
     assert inspected(curve, checked_names(["left_half"]), 5)["left_half"][0].high == "1"
     assert inspected(curve, checked_names(["beginning:1/4"]), 5)["beginning:1/4"][0].high == "1/2"
     assert "left_half" in questions_about(curve)
-    assert answers(*CURVES)["left_half"]["description"] == "the left half of the curve"
+    assert fields_of_curves()["left_half"]["description"] == "the left half of the curve"
     assert str(analyse(curve).beginning("1/2")) == "everywhere on [0, 1]"
 
 
@@ -200,7 +206,7 @@ def test_answers_say_of_which_curve_they_are(tmp_path):
         (tmp_path / name).write_text(json.dumps({"curves": [curve, other]}))
         files.append(str(tmp_path / name))
     for command in (["inspect", *files, "--ask", "bounding_box"], ["inspect", *files]):
-        rows = json.loads(CliRunner().invoke(app, [*command, "--json"]).stdout)["rows"]
+        rows = json.loads(invoke(*command, "--json").stdout)["rows"]
         assert len({row["key"] for row in rows}) == 4
         assert [(row["source"], row["index"]) for row in rows] == [(file, i) for file in files for i in (0, 1)]
         assert rows[0]["digest"] == rows[2]["digest"]

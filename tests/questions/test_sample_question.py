@@ -28,7 +28,7 @@ from click.testing import CliRunner
 import exactspline as xs
 from exactspline.geometry.analysis.ask import asked_of
 from exactspline.cli import app
-from exactspline.cli.schema import schema_of
+from tests.support.command import schema_of
 from exactspline.display.features import feature_sheet
 from exactspline.display.console import glossary
 from exactspline.geometry.analysis.inspection import inspect_curve
@@ -80,7 +80,7 @@ from random import Random
 import exactspline as xs
 from click.testing import CliRunner
 from exactspline.cli import app
-from exactspline.cli.schema import schema_of
+from tests.support.command import schema_of
 from exactspline.display.console import glossary
 from exactspline.geometry.analysis.pairs import CurvePair
 from exactspline.interchange.files import write

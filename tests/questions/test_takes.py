@@ -4,7 +4,7 @@ import pytest
 from gmpy2 import mpq
 
 import exactspline as xs
-from exactspline.questions.takes import QuestionError
+from exactspline.questions import takes
 
 JUMP = xs.example("jump")
 #: y = x² and then y = 0: κ jumps at 1, and so does the tangent.
@@ -35,7 +35,7 @@ def test_a_side_of_knots_or_features():
 
 @pytest.mark.parametrize("asked", ["value@0-", "value@2+", "split@1-", "insert:1@1+"])
 def test_a_side_that_is_outside_or_has_no_meaning_is_refused(asked):
-    with pytest.raises(QuestionError, match=r"outside of the domain|one rational parameter"):
+    with pytest.raises(takes.QuestionError, match=r"outside of the domain|one rational parameter"):
         xs.ask(JUMP, asked)
 
 

@@ -8,15 +8,12 @@ from gmpy2 import mpq
 from hypothesis import given
 from hypothesis import strategies as st
 
-from exactspline import Nurbs, example
-from exactspline.display.evidence import worded
+from exactspline import Nurbs, claims, example, formula_of
 from exactspline.language.kinds import CURVE
-from exactspline.papers import find
 from exactspline.readings import JetReading
 from exactspline.readings.leading_terms import LeadingTermsReading, common_roots
 from exactspline.symbolic.covariants import degree_of_product, true_degree
 from exactspline.symbolic.reduction import reduction
-from exactspline.verification.claims import all_claims
 
 coefficients = st.lists(st.integers(-9, 9), min_size=4, max_size=8).filter(lambda c: c[-1])
 
@@ -93,7 +90,7 @@ def test_common_roots_tell_powers_of_one_variable_apart():
 @pytest.mark.parametrize("exponent", [1, 2])
 def test_a_product_has_the_degree_that_its_factors_tell(one, other, dimension, exponent):
     c = JetReading(3).argument(CURVE, dimension)
-    f, g = find(one)(c), find(other)(c)
+    f, g = formula_of(one)(c), formula_of(other)(c)
     told = degree_of_product([(true_degree(f), 1), (true_degree(g), exponent)])
     assert told == true_degree(f * g**exponent)
     assert all(told.at(d) == true_degree(f * g**exponent).at(d) for d in range(1, 7))
@@ -136,11 +133,11 @@ def test_a_reduced_part_has_the_degree_it_tells_on_a_curve(name, dimension, d):
 def test_what_exists_nowhere_on_a_curve_is_told_to_be_missing_also_of_ruled_surfaces():
     """On a straight line γ′ × γ″ = 0: quotients and ruled surfaces with that denominator do not exist."""
     line, found = example("space_line"), set()
-    for claim in all_claims():
+    for claim in claims():
         if claim.kind == "same surface" and "focal_surface" in claim.named and claim.applies_to(3, line.polynomial):
             finding = claim.check(line)
             assert finding.verdict == "INAPPLICABLE"
-            assert worded(finding.witness) == "γ′×γ″ vanishes on all of [0, 1]"
-            assert "does not exist" in worded(finding.computed)
+            assert str(finding.witness) == "γ′×γ″ vanishes on all of [0, 1]"
+            assert "does not exist" in str(finding.computed)
             found.add(claim.id)
     assert found

@@ -7,13 +7,11 @@ from math import comb
 import pytest
 from flint import fmpq
 
-from exactspline.display.evidence import worded
+from exactspline import claims, formula_of
 from exactspline.errors import FormulaError
 from exactspline.language.kinds import CURVE
-from exactspline.papers import find
 from exactspline.readings.bernstein_term import BernsteinTermReading, every_coefficient
 from exactspline.readings.generic_bezier import GenericReading
-from exactspline.verification.claims import select
 
 
 @pytest.mark.parametrize("degree", [1, 2, 3, 5])
@@ -22,8 +20,8 @@ def test_the_coefficients_are_those_of_every_single_degree(name, degree):
     """Term by term: what the symbolic monomials give at d, a, b is the coefficient of the product of control point a
     and weight b.
     """
-    symbolic = find(name)(BernsteinTermReading().argument(CURVE, 2))[0]
-    concrete = find(name)(GenericReading(degree).argument(CURVE, 2))[0]
+    symbolic = formula_of(name)(BernsteinTermReading().argument(CURVE, 2))[0]
+    concrete = formula_of(name)(GenericReading(degree).argument(CURVE, 2))[0]
     expected = [{} for _ in concrete.coefficients]
     for a in range(degree + 1):
         for b in range(degree + 1):
@@ -43,10 +41,10 @@ def test_the_coefficients_are_those_of_every_single_degree(name, degree):
 
 
 def test_every_coefficient_of_d1_is_proved_and_of_others_computed():
-    chosen = next(c for c in select(["C3f"]) if c.curves == "generic")
+    chosen = next(c for c in claims("C3f") if c.curves == "generic")
     reading, finding = chosen.prove()
     assert (reading, finding.verdict) == ("generic", "PROVED")
-    assert "d ≥ 1" in worded(finding.computed)
+    assert "d ≥ 1" in str(finding.computed)
     told = replace(chosen, formula="D2").prove()[1]
     assert (told.verdict, told.reason) == ("UNDECIDED", "tried on a part")  # for d = 2…6
 
@@ -56,7 +54,7 @@ def test_what_is_not_of_that_kind_is_not_proved():
     comes of p alone.
     """
     c = BernsteinTermReading().argument(CURVE, 2)
-    for value in (c.p * c.w.d(1), (c.p * c.w).d(1), find("D2")(c), c.p.d(1), c.w.d(1), c.p - c.p):
+    for value in (c.p * c.w.d(1), (c.p * c.w).d(1), formula_of("D2")(c), c.p.d(1), c.w.d(1), c.p - c.p):
         assert every_coefficient(value) is None
 
 

@@ -7,12 +7,10 @@ import random
 import pytest
 from gmpy2 import mpq
 
-from exactspline import derive, example, zeros
+from exactspline import derive, example, examples, formula_of, zeros
 from exactspline.errors import DomainError
 from exactspline.geometry.bisectors.point_and_curve import point_bisector
 from exactspline.geometry.bisectors.two_curves import curve_bisector
-from exactspline.interchange.examples import example_names
-from exactspline.papers import find
 from exactspline.readings import series_curve
 from tests.support.numeric_reading import arithmetic, number, numeric_curve
 from tests.support.sampled import sample
@@ -54,7 +52,7 @@ def parallel(ctx, exact, direction):
     assert all(abs(x) < size * ctx.mpf(10) ** -DIGITS for x in cross(a, direction))
 
 
-@pytest.mark.parametrize("name", sample(sorted(example_names()), 9))
+@pytest.mark.parametrize("name", sample(sorted(examples("curves")), 9))
 def test_the_expansion_is_that_of_the_splines(name):
     curve = example(name)
     for t in [*parameters(curve, 2), *curve.breakpoints[:2]]:
@@ -166,7 +164,7 @@ def test_roots_refined_by_mpmath_agree_to_all_digits_printed():
     for name in ("six_segment_cubic", "rational_cubic", "rational_cubic_spline", "cubic_s"):
         curve = example(name)
         for form in ("f2", "g2"):
-            formula = find(form)
+            formula = formula_of(form)
             for root in zeros(formula(curve)):
                 if root.at_knot or root.multiplicity > 1:
                     continue

@@ -20,7 +20,6 @@ from exactspline.polynomials.patch_forms import PatchForm
 from exactspline.polynomials.two_parameters import S, T, as_form, enclosed
 from exactspline.roots import vanishing
 from exactspline.roots.of_polynomials import as_splines, ball, distinct, exactly, roots_in
-from exactspline.roots.vanishing import is_certainly_not_zero, vanish_at
 from tests.campaigns.common_zeros import FAMILIES
 from tests.support.local_algebra import local_dimension
 
@@ -82,7 +81,7 @@ def test_zeros_under_exchange_reflection_and_other_multiples(seed):
         assert places([f, g, f * (S + 2) + g * (T - 3)]) == found
         assert places([f * f, g, f * (S + 2)]) == found
         assert places([f, g], also=[(S + T - 1) * f + g, S + T + 1 - 9 * (S - T) ** 2]) == [
-            place for place in found if not is_certainly_not_zero(S + T + 1 - 9 * (S - T) ** 2, *place)
+            place for place in found if not vanishing.is_certainly_not_zero(S + T + 1 - 9 * (S - T) ** 2, *place)
         ]
 
 
@@ -188,18 +187,18 @@ def test_values_that_vanish_and_nearly_vanish():
         for y in numbers:
             p, q = (_vanishing(one, variable) for one, variable in ((x, S), (y, T)))
             for f in (p * (T + 3), q * (S + 1), p * (S - T) + q * (T + 5), p * T + q * S):
-                assert vanish_at([f], x, y)
-                assert not is_certainly_not_zero(f, x, y)
-                assert not vanish_at([f, tiny * f + 1], x, y)
-                assert not vanish_at([tiny * f - 1], x, y)
-            assert vanish_at([S * 0, p], x, y)
+                assert vanishing.vanish_at([f], x, y)
+                assert not vanishing.is_certainly_not_zero(f, x, y)
+                assert not vanishing.vanish_at([f, tiny * f + 1], x, y)
+                assert not vanishing.vanish_at([tiny * f - 1], x, y)
+            assert vanishing.vanish_at([S * 0, p], x, y)
             for f in (S + T - 1, 3 * S - 1, 5 * T - 2, S * T - 7):
                 with ctx.workprec(3000):
                     value = enclosed(f, *(ball(one, 500) for one in (x, y)))
-                assert vanish_at([f], x, y) is value.contains(0)
-                assert is_certainly_not_zero(f, x, y) is not value.contains(0)
-    assert vanish_at([2 * S**2 * T**2 - 1 + 2 * S * (T - S)], s, s) is False
-    assert vanish_at([S - T, 2 * S * T - 1], s, s)
+                assert vanishing.vanish_at([f], x, y) is value.contains(0)
+                assert vanishing.is_certainly_not_zero(f, x, y) is not value.contains(0)
+    assert vanishing.vanish_at([2 * S**2 * T**2 - 1 + 2 * S * (T - S)], s, s) is False
+    assert vanishing.vanish_at([S - T, 2 * S * T - 1], s, s)
 
 
 def _vanishing(x, variable):
@@ -214,13 +213,13 @@ def test_a_value_below_its_bound_is_zero(monkeypatch):
     (t,) = roots_in(fmpz_poly([-1, 0, 8]), mpq(0), mpq(1))
     for shortest in (8, 64, 512):
         monkeypatch.setattr(vanishing, "SHORTEST", shortest)
-        assert vanish_at([S - 2 * T], s, t)
-        assert vanish_at([(S - 2 * T) * (S + T + 1) ** 3], s, t)
-        assert not vanish_at([(S - 2 * T) * 10**90 + 1], s, t)
-        assert not vanish_at([S * T * 4 - 1 + (S - T) * (S + T)], s, t)
+        assert vanishing.vanish_at([S - 2 * T], s, t)
+        assert vanishing.vanish_at([(S - 2 * T) * (S + T + 1) ** 3], s, t)
+        assert not vanishing.vanish_at([(S - 2 * T) * 10**90 + 1], s, t)
+        assert not vanishing.vanish_at([S * T * 4 - 1 + (S - T) * (S + T)], s, t)
     monkeypatch.setattr(vanishing, "LONGEST", 512)
     with pytest.raises(ReachError, match="vanishes at two irrational numbers"):
-        vanish_at([(S - 2 * T) * (S + 10**400 * T + 1) ** 3], s, t)
+        vanishing.vanish_at([(S - 2 * T) * (S + 10**400 * T + 1) ** 3], s, t)
 
 
 def test_numbers_in_intervals():
@@ -323,5 +322,5 @@ def test_points_that_differ_in_one_number_are_two():
 
 def test_a_value_that_is_all_but_zero_at_an_irrational_and_a_rational_number():
     (s,) = roots_in(fmpz_poly([-1, 0, 2]), mpq(0), mpq(1))
-    assert is_certainly_not_zero(10**300 * (2 * S * S - 1) + 3 * T, s, mpq(1, 3))
-    assert is_certainly_not_zero(10**300 * (2 * T * T - 1) + 3 * S, mpq(1, 3), s)
+    assert vanishing.is_certainly_not_zero(10**300 * (2 * S * S - 1) + 3 * T, s, mpq(1, 3))
+    assert vanishing.is_certainly_not_zero(10**300 * (2 * T * T - 1) + 3 * S, mpq(1, 3), s)

@@ -7,7 +7,7 @@ from gmpy2 import mpq
 
 from exactspline import Direction, Nurbs, read, write
 from exactspline.errors import CurveFileError, NumberError, ShapeError, WeightError
-from exactspline.interchange.curve_files import curve_data
+from exactspline.interchange import text
 
 KNOTS = [0, 0, 0, 1, 1, 1]
 POINTS = [(0, 0), (5, 7), (1, 0)]
@@ -102,7 +102,7 @@ def test_a_curve_is_read_back_as_it_was_written(name, tmp_path):
 
 
 def test_the_notation_of_a_direction_in_a_file():
-    data = curve_data(CURVES["a direction"])
+    data = json.loads(text(CURVES["a direction"]))
     assert data["control_points"] == [["1", "0"], {"vector": ["0", "1"]}, ["-1", "0"]]
     assert data["weights"] == ["1", "0", "1"]
     assert read(json.dumps(data | {"weights": None}).encode()).curve == CURVES["a direction"]

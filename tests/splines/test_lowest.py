@@ -10,26 +10,22 @@ from gmpy2 import mpq
 from hypothesis import given
 from hypothesis import strategies as st
 
-from exactspline import BSpline, Nurbs, analyse, derive, example
+from exactspline import BSpline, Nurbs, analyse, derive, example, examples, formula_of
 from exactspline.errors import ShapeError
 from exactspline.geometry.derived.constructions import all_constructions
-from exactspline.interchange.examples import example_names
 from exactspline.language import Vector, det, formula, kinds, wronskian
 from exactspline.language.arguments import Curve
 from exactspline.language.ruled import split
 from exactspline.language.wronskians import logarithmic_numerator, osculating, wronskians
-from exactspline.papers import find
 from exactspline.programs.program import operands_of, program_of
-from exactspline.splines.knots import Mesh
 from exactspline.splines.lowest_terms import primitive, primitive_part, true_degree, without_factor
-from exactspline.splines.refinement import over
 from exactspline.symbolic.reduction import reduction
 from exactspline.tables import Variant, construction
 from exactspline.verification.generic_proof import minimum_at, symbolic_minimum
 from tests.support.sampled import sample
 from tests.support.strategies import nurbs, splines_on_one_domain
 
-SPACE = [name for name in example_names() if example(name).dimension == 3]
+SPACE = [name for name in examples("curves") if example(name).dimension == 3]
 
 
 def test_the_evolute_of_a_circle_is_its_centre():
@@ -40,9 +36,9 @@ def test_the_evolute_of_a_circle_is_its_centre():
 
 @pytest.mark.parametrize("name", [n for n in SPACE if example(n).degree == 3 and not example(n).polynomial])
 def test_a_nondegenerate_rational_space_cubic_has_a_constant_torsion_numerator(name):
-    form = find("torsion_zeros_lifted")(example(name))
+    form = formula_of("torsion_zeros_lifted")(example(name))
     if form.is_zero:
-        assert all(x.is_zero for x in split(find("D1_D2_D3")(example(name)))[0])
+        assert all(x.is_zero for x in split(formula_of("D1_D2_D3")(example(name)))[0])
         return
     assert form.true_degree == 0
     assert construction("zero_torsion").on(example(name), Variant.MINIMAL).degree == 0
@@ -55,11 +51,11 @@ def test_a_pythagorean_hodograph_quintic_loses_more_than_the_generic_quintic():
     curve = example("ph_quintic")
     vertices = construction("critical_curvature").on(curve, Variant.MINIMAL)
     assert vertices.degree == minimum_at(construction("critical_curvature"), 5, polynomial=True) == 13
-    speed = find("speed_squared")(curve)
+    speed = formula_of("speed_squared")(curve)
     sigma = BSpline.from_forms(4, speed.mesh, (), [(root_of(c), m) for c, m in primitive(speed).forms])
     assert primitive(sigma * sigma) == primitive(speed)
     # κ = f/σ³, so κ′ = (f′σ − 3fσ′)/σ⁴, and the vertex form of degree 4d − 7 is that numerator times σ
-    f = find("f2")(curve)
+    f = formula_of("f2")(curve)
     reduced = f.d() * sigma - 3 * f * sigma.d()
     assert primitive(reduced * sigma) in (primitive(vertices), primitive(-vertices))
 
@@ -73,7 +69,7 @@ def root_of(c):
     return root
 
 
-@pytest.mark.parametrize(("curve", "name"), sample([*product(example_names(), all_constructions())], 60))
+@pytest.mark.parametrize(("curve", "name"), sample([*product(examples("curves"), all_constructions())], 60))
 def test_no_curve_exceeds_the_proved_degree(name, curve):
     c, made = example(curve), construction(name)
     if c.dimension != made.dimension:
@@ -107,7 +103,7 @@ def test_continuity_of_a_lifted_form(name, less, curve):
     is.
     """
     c = example(curve)
-    form = find(name)(c)
+    form = formula_of(name)(c)
     inner = c.breakpoints[1:-1]
     of_curve = dict(zip(inner, c.p[0].continuity, strict=True))
     assert dict(zip(inner, form.continuity, strict=True)) == {t: max(r - less, -1) for t, r in of_curve.items()}
@@ -164,9 +160,9 @@ def test_a_wronskian_at_its_true_degree_is_the_wronskian(data):
     """
     size = data.draw(st.integers(3, 4))
     components = data.draw(splines_on_one_domain(size, 0, 4))
-    mesh = reduce(Mesh.union, [f.mesh for f in components])
-    w, *p = [over(f, mesh) for f in components]
-    found = lowest(find("inflections_lifted" if size == 3 else "torsion_zeros_lifted"), Curve(Vector(*p), w))
+    breaks = {t for f in components for t in f.breakpoints}
+    w, *p = [reduce(BSpline.insert_knot, sorted(breaks.difference(f.breakpoints)), f) for f in components]
+    found = lowest(formula_of("inflections_lifted" if size == 3 else "torsion_zeros_lifted"), Curve(Vector(*p), w))
     rows = [Vector(*components)]
     for _ in p:
         rows.append(Vector(*[f.d() for f in rows[-1]]))

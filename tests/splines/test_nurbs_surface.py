@@ -21,7 +21,7 @@ from exactspline.errors import (
     ShapeError,
     WeightError,
 )
-from exactspline.interchange.curve_files import surface_data
+from exactspline.interchange import text as written_as_json
 from exactspline.numbers.intervals import UNIT as SQUARE_OF_PARAMETERS
 from exactspline.polynomials.patch_forms import PatchForm, Sized
 from exactspline.splines.surface import DEPTH, zero_at_corners
@@ -155,7 +155,7 @@ def test_files_round_trip_and_fit_the_schema(name, tmp_path):
     again = read(str(path)).surface
     assert (again, again.name, again.note, again.degree) == (surface, surface.name, surface.note, surface.degree)
     schema = json.loads(resources.files("exactspline.interchange").joinpath("surface.schema.json").read_text("utf-8"))
-    jsonschema.validate(surface_data(surface), schema)
+    jsonschema.validate(json.loads(written_as_json(surface)), schema)
     own = resources.files("exactspline.interchange").joinpath("example_surfaces", f"{name}.json").read_text("utf-8")
     jsonschema.validate(json.loads(own), schema)
 
@@ -172,7 +172,7 @@ def test_the_net_may_be_called_points_and_hold_directions():
         (2, 1), [0, 0, 0, 1, 1, 1], UNIT, [[(1, 0, 0)] * 2, [Direction(0, 1, 0)] * 2, [(-1, 0, 0)] * 2]
     )
     assert quarter("1/2", "1/3") == (0, 1, 0)
-    assert read(json.dumps(surface_data(quarter)).encode()).surface == quarter
+    assert read(written_as_json(quarter).encode()).surface == quarter
 
 
 BASE = {"degree": [1, 1], "knots": [UNIT, UNIT], "control_points": [[[0, 0, 0], [0, 1, 0]], [[1, 0, 0], [1, 1, 1]]]}

@@ -13,7 +13,7 @@ from hypothesis import strategies as st
 from exactspline import BSpline, Nurbs
 from exactspline.errors import DomainError, KnotError, ReductionError, ShapeError
 from exactspline.numbers.exact import from_float
-from exactspline.splines.blossom import forms_of
+from exactspline.splines import blossom
 from tests.support import oracles
 from tests.support.laws import check_ring_axioms
 from tests.support.oracles import assert_function, polar, rebuilt
@@ -334,7 +334,7 @@ def test_the_form_of_a_span_has_the_blossom_for_its_points(n, runs, denominator,
     points = [mpq(numbers.randint(-9, 9), numbers.randint(1, denominator)) for _ in range(len(knots) - n - 1)]
     spans = [j for j in range(n, len(knots) - n - 1) if knots[j] < knots[j + 1]]
     assume(spans)
-    for j, (c, m) in zip(spans, forms_of(knots, n, points, spans), strict=True):
+    for j, (c, m) in zip(spans, blossom.forms_of(knots, n, points, spans), strict=True):
         a, b = knots[j], knots[j + 1]
         expected = [polar(knots, n, points, j, [a] * (n - k) + [b] * k) for k in range(n + 1)]
         assert [mpq(int(c[k]), int(m) * comb(n, k)) for k in range(n + 1)] == expected

@@ -9,14 +9,13 @@ from gmpy2 import mpq
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from exactspline import BSpline
+from exactspline import BSpline, formula_of
 from exactspline.errors import FormulaError
 from exactspline.language import Rational, Vector, cross, dot
-from exactspline.papers.chen_riesenfeld_cohen_2007 import table1
 from exactspline.readings.degree import Degree
 from tests.support.strategies import DOMAINS, knot_vectors, numbers, positive_numbers
 
-ROWS = {name: getattr(table1, name) for name in (f"T{i}" for i in range(1, 18))}
+ROWS = {name: formula_of(name) for name in (f"T{i}" for i in range(1, 18))}
 
 #: The column "carried out as": numerator and denominator, multiplied out by hand.
 CARRIED_OUT = {

@@ -2,11 +2,15 @@
 
 import gc
 import io
+import json
 import os
+import re
 import subprocess
 import sys
 from contextlib import redirect_stderr, redirect_stdout
 from dataclasses import dataclass
+from functools import cache
+from pathlib import Path
 from unittest import mock
 
 from click.testing import CliRunner, Result
@@ -29,6 +33,28 @@ class Done:
 def invoke(*arguments: object, **options: object) -> Result:
     """The command without what `main` adds: an error is the result's exception."""
     return CliRunner().invoke(app, [str(argument) for argument in arguments], **options)
+
+
+@cache
+def leaves(*above: str) -> tuple[str, ...]:
+    """Every command that does something, by the words that call it, as the help lists them."""
+    _, listed, rest = invoke(*above, "--help").stdout.partition("\nCommands:\n")
+    if not listed:
+        return (" ".join(above),)
+    names = re.findall(r"^  (\S+)", rest.partition("\n\n")[0], re.MULTILINE)
+    return tuple(leaf for name in names for leaf in leaves(*above, name))
+
+
+def new_paper(folder: Path) -> Path:
+    """A folder with an example of a formula and of a claim, as a new author gets it."""
+    assert invoke("paper", "new", folder).exit_code == 0
+    return folder
+
+
+@cache
+def schema_of(name: str) -> dict[str, object]:
+    """The JSON Schema of a document, as it is published."""
+    return dict(json.loads(invoke("schema", name).stdout))
 
 
 def run(*arguments: object) -> Done:

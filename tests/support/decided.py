@@ -5,9 +5,9 @@ from contextlib import AbstractContextManager, contextmanager
 from functools import cache, partial
 from unittest import mock
 
+from exactspline import claims
 from exactspline.display import tables
 from exactspline.verification import degree_tables, errata
-from exactspline.verification.claims import claims_of
 from exactspline.verification.combined import Proofs, computed_once
 from exactspline.verification.errata import Erratum
 from exactspline.verification.ledger import Row, audit
@@ -50,7 +50,7 @@ def decided_once() -> Iterator[None]:
 def ledger(source: str) -> tuple[Row, ...]:
     """The rows of a paper: every claim for all curves, and on every example of which it speaks."""
     with decided_once():
-        return tuple(audit(claims_of(source)))
+        return tuple(audit(claims(paper=source)))
 
 
 @cache

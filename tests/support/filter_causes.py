@@ -2,8 +2,7 @@
 
 from itertools import pairwise
 
-from exactspline import zeros
-from exactspline.papers import find
+from exactspline import formula_of, zeros
 
 #: Per mille of the curves of a family that may be left for no exact reason.
 CEILING = 1
@@ -11,7 +10,7 @@ CEILING = 1
 
 def cause(curve):
     """What is exactly true of a curve that no enclosure of numbers can tell; an empty text for none."""
-    inflections, critical, speed = (find(name)(curve) for name in ("f2", "g2", "D1_squared"))
+    inflections, critical, speed = (formula_of(name)(curve) for name in ("f2", "g2", "D1_squared"))
     segments = [form.bezier_segments() for form in (inflections, critical, speed)]
     if any(piece.is_zero for form in segments for piece in form):
         return "κ or κ′ vanishes on a segment"

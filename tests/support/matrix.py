@@ -13,7 +13,7 @@ from types import UnionType
 
 from gmpy2 import mpq
 
-from exactspline import ExactSplineError, Nurbs, NurbsSurface, Real, analyse
+from exactspline import ExactSplineError, Nurbs, NurbsSurface, analyse
 from exactspline.geometry.analysis.ask import asked_of
 from exactspline.geometry.analysis.pairs import CurvePair
 from exactspline.geometry.analysis.registry import REGISTRY
@@ -21,13 +21,12 @@ from exactspline.geometry.analysis.surface_pairs import SurfacePair
 from exactspline.geometry.bisectors.two_curves import CurveBisector
 from exactspline.geometry.pairs.regions import Region
 from exactspline.questions import takes
-from exactspline.questions.answers import NamedNumbers
 from exactspline.questions.entry import Answered, Entry, Of
 from tests.support.changes import CHANGES
 from tests.support.drawn import DRAWN
 from tests.support.exemptions import DEAR, EXEMPTIONS, NOT_TRANSPORTED, WHERE_DECIDED
 from tests.support.images import BothImages, Image, rings
-from tests.support.transport import NUMBERS, POWERS, Refused, To, rows, same, shown
+from tests.support.transport import NUMBERS, POWERS, Refused, To, name_of, rows, same, shown
 
 #: Several curves that are asked together.
 WITH_CURVES = (CurvePair, CurveBisector, Region)
@@ -318,12 +317,12 @@ def without_transport(registry=REGISTRY):
     lacking = []
     for of in CHANGES:
         for entry in questions(of, dear=True, registry=registry):
-            known = rows.registry.keys() - {object}
-            types = [x for x in types_of(entry) if x is not type(mpq()) and not any(issubclass(x, k) for k in known)]
+            types = [x for x in types_of(entry) if x is not type(mpq()) and not name_of(x)]
             lacking += [f"{entry.name} of a {of}: {x.__name__}" for x in types]
             lacking += [f"{entry.name} of a {of}: takes {x.example}" for x in entry.about.takes if x not in TAKEN]
-            for kind, names in ((NamedNumbers, NUMBERS), (Real, POWERS)):
-                lacking += [f"{entry.name} of a {of}: numbers"] * (kind in types_of(entry) and entry.name not in names)
+            own = {kind.__name__ for kind in types_of(entry)}
+            for kind, names in (("NamedNumbers", NUMBERS), ("Real", POWERS)):
+                lacking += [f"{entry.name} of a {of}: numbers"] * (kind in own and entry.name not in names)
     return lacking
 
 

@@ -17,7 +17,6 @@ from exactspline.language import Vector
 from exactspline.language.arguments import Curve
 from exactspline.language.operand import CONSTANTS, Constant
 from exactspline.numbers.exact import Number
-from exactspline.one_line import short_text
 from exactspline.readings.taylor import Coefficient, Series
 
 
@@ -119,7 +118,7 @@ def _span(knots: Sequence[mpq], n: int, t: mpq, side: Side | str) -> int:
     """The index j of a non-empty span [t_j, t_{j+1}] that holds t."""
     inside = [j for j in range(n, len(knots) - n - 1) if knots[j] < knots[j + 1] and knots[j] <= t <= knots[j + 1]]
     if not inside:
-        raise DomainError(f"{short_text(t)} is outside the domain", remedy="choose a parameter of the curve")
+        raise DomainError(f"{t} is outside the domain", remedy="choose a parameter of the curve")
     return inside[0] if side == Side.LEFT else inside[-1]
 
 

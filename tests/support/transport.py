@@ -5,49 +5,19 @@ they must be those of the answer about the changed object. A type that has no fu
 
 from collections import Counter
 from dataclasses import dataclass
-from functools import singledispatch
-from types import NoneType
 
 from gmpy2 import gcd, lcm, mpq
 
-from exactspline import Nurbs, Real
-from exactspline.bivariate.across_borders import Place
-from exactspline.bivariate.answers import SurfacePart, SurfacePlaces
-from exactspline.bivariate.joined_curves import ZeroComponent
-from exactspline.bivariate.zero_lines import ZeroLine
-from exactspline.bivariate.zeros import CommonZero, ZeroCurves
+from exactspline import Nurbs
 from exactspline.errors import ReachError
-from exactspline.geometry.analysis.planar_maps import MapKind
-from exactspline.geometry.analysis.surfaces import PatchInspection
-from exactspline.geometry.bisectors.common import Bisector
-from exactspline.geometry.bisectors.components import LineComponent, PlaneComponent, PoleCurve, SinglePair
-from exactspline.geometry.bisectors.plane_curves import PlaneBisector
-from exactspline.geometry.bisectors.point_and_curve import PointBisector
-from exactspline.geometry.bisectors.trimmed import TrimmedBisector
-from exactspline.geometry.bisectors.two_curves import BisectorPatch, CurveBisector
-from exactspline.geometry.curves.joints import Joint
-from exactspline.geometry.curves.kinds import Feature, JointKind
-from exactspline.geometry.curves.planarity import Plane
-from exactspline.geometry.pairs.distance import ClosestPair, Distance
-from exactspline.geometry.pairs.intersections import Intersection, Intersections, Overlap
-from exactspline.geometry.pairs.nearest import Nearest, NearestPoint
-from exactspline.geometry.pairs.regions import Region
-from exactspline.geometry.pairs.surface_meetings import LineMeeting, NearestOnSurface
-from exactspline.geometry.pairs.winding import Position
-from exactspline.geometry.recognition.patches import RecognizedPart
-from exactspline.geometry.recognition.pieces import RecognizedPiece
-from exactspline.geometry.surfaces.degenerate import Pole
-from exactspline.geometry.surfaces.forms import sides_of
-from exactspline.geometry.surfaces.joints import SurfaceJoint, SurfaceJointKind
-from exactspline.geometry.surfaces.ridges import Ridges
-from exactspline.geometry.surfaces.umbilics import Umbilic
-from exactspline.questions.answers import NamedNumbers
-from exactspline.roots.answers import CurvePiece, Places
 from exactspline.splines.surface import Along
 from tests.support.images import Image, Known, Ring, closed_in, known
 
 OPPOSITE = {"maximum": "minimum", "minimum": "maximum"}
-OTHER_SIGN = {MapKind.POSITIVE: MapKind.NEGATIVE, MapKind.NEGATIVE: MapKind.POSITIVE}
+OTHER_SIGN = {
+    "orientation kept: det > 0": "orientation reversed: det < 0",
+    "orientation reversed: det < 0": "orientation kept: det > 0",
+}
 
 
 @dataclass(frozen=True)
@@ -92,7 +62,7 @@ class To:
 
     def along(self, along):
         """The name of a parameter of a surface."""
-        return str(along) if not self.image.exchanged else "v" if along is Along.U else "u"
+        return str(along) if not self.image.exchanged else "v" if along == "u" else "u"
 
     @property
     def scale(self):
@@ -102,14 +72,34 @@ class To:
     @property
     def turn(self):
         """The sign of what is signed by left and right in the plane; the area of a region is not."""
-        if isinstance(self.asked, Region) and self.name != "winding_number":
+        if type(self.asked).__name__ == "Region" and self.name != "winding_number":
             return 1
         return -1 if self.dimension == 2 and self.image.turns else 1
 
 
-@singledispatch
+#: The functions of this file, by the names of the types of their answers.
+ROWS = {}
+
+
+def of(name):
+    """What follows gives the rows of the answers whose type, or one above it, has this name."""
+
+    def enter(function):
+        ROWS[name] = function
+        return function
+
+    return enter
+
+
+def name_of(kind):
+    """Of the names of a type and of those above it the first one that is transported; "" where there is none."""
+    return next((each.__name__ for each in kind.__mro__ if each.__name__ in ROWS), "")
+
+
 def rows(answer, to):
     """The rows of an answer, moved."""
+    if name := name_of(type(answer)):
+        return ROWS[name](answer, to)
     raise TypeError(f"no transport for {type(answer).__name__}")
 
 
@@ -120,27 +110,27 @@ class Refused:
     error: str
 
 
-@rows.register
-def _(answer: Refused, to):
+@of("Refused")
+def _(answer, to):
     return [(("refused", answer.error), ())]
 
 
-@rows.register
-def _(answer: NoneType, to):
+@of("NoneType")
+def _(answer, to):
     if to.name == "plane" and turned_line(to):
         return []
     return [(("none",), ())]
 
 
-@rows.register
-def _(answer: Position, to):
+@of("Position")
+def _(answer, to):
     return [((str(answer),), ())]
 
 
-@rows.register
-def _(answer: tuple, to):
+@of("tuple")
+def _(answer, to):
     """Several values; a piece with its plane is one, a point is that there is one."""
-    if [type(x) for x in answer] == [CurvePiece, Plane]:
+    if [type(x).__name__ for x in answer] == ["CurvePiece", "Plane"]:
         return [joined(*(rows(x, to)[0] for x in answer))]
     if answer and all(isinstance(x, type(mpq())) for x in answer):
         return [(("a point",), ())]
@@ -160,23 +150,23 @@ def marked(word, found):
 # ---- curves
 
 
-@rows.register
-def _(answer: Places, to):
+@of("Places")
+def _(answer, to):
     """What holds at points, and everywhere on pieces."""
     return [*rows(tuple(answer), to), *marked("everywhere", rows(answer.everywhere, to))]
 
 
-@rows.register
-def _(feature: Feature, to):
+@of("Feature")
+def _(feature, to):
     kind = OPPOSITE.get(feature.kind, feature.kind) if to.flipped else feature.kind
     words = str(kind), f"of |κ|: {feature.of_absolute}", "by a jump" if feature.by_jump else ""
     return [(words, (to.parameter(feature.root),))]
 
 
-@rows.register
-def _(joint: Joint, to):
+@of("Joint")
+def _(joint, to):
     """A knot at which nothing can be seen is none: of the highest order that is told, or inside a rest."""
-    if joint.kind is JointKind.STILL or (joint.order is not None and joint.order >= 3):
+    if joint.kind == "standing still" or (joint.order is not None and joint.order >= 3):
         return []
     numbers = [to.parameter(joint.parameter)]
     if joint.angle is not None:
@@ -189,8 +179,8 @@ def _(joint: Joint, to):
     return [((str(joint.kind), str(joint.order)), tuple(numbers))]
 
 
-@rows.register
-def _(piece: CurvePiece, to):
+@of("CurvePiece")
+def _(piece, to):
     """A piece by its ends; of a whole closed curve no point is an end."""
     ring, ends = to.rings[0], [to.parameter(t) for t in (piece.start, piece.end)]
     if ring.closed and ends[0] == ends[1]:
@@ -198,8 +188,8 @@ def _(piece: CurvePiece, to):
     return [(("piece",), tuple(ends[::-1] if to.image.ways[0].backwards else ends))]
 
 
-@rows.register
-def _(plane: Plane, to):
+@of("Plane")
+def _(plane, to):
     """A plane by a primitive normal and its distance, in the image."""
     if turned_line(to):
         return []
@@ -233,8 +223,8 @@ def primitive(vector):
     return [sign * x // divisor for x in whole]
 
 
-@rows.register
-def _(found: RecognizedPiece, to):
+@of("RecognizedPiece")
+def _(found, to):
     """A shape where it is exact by its numbers, otherwise, being guessed, by its kind."""
     words = str(found.kind), "whole" if found.whole else "", "exact" if found.exact else "near"
     numbers = of_shape(found.shape, to) if found.exact else ()
@@ -292,19 +282,19 @@ def moved_quadric(matrix, move):
     return tuple(known(x / first) for row in image for x in row)
 
 
-@rows.register
-def _(answer: Nearest, to):
+@of("Nearest")
+def _(answer, to):
     return [*rows(tuple(answer), to), *marked("everywhere", rows(answer.everywhere, to))]
 
 
-@rows.register
-def _(found: NearestPoint, to):
+@of("NearestPoint")
+def _(found, to):
     place = to.image.motion.of_known([known(x) for x in found.point])
     return [(("nearest",), (to.parameter(found.parameter), known(found.squared).times(to.scale**2), *place))]
 
 
-@rows.register
-def _(number: int, to):
+@of("int")
+def _(number, to):
     return [((), (known(number).times(-1 if to.image.turns else 1),))]
 
 
@@ -314,8 +304,8 @@ def _(number: int, to):
 POWERS = {"length": (1, False), "length_between": (1, False), "at_length": (0, False), "area": (2, True)}
 
 
-@rows.register
-def _(number: Real, to):
+@of("Real")
+def _(number, to):
     """A number of the whole curve, or a parameter."""
     if to.name == "at_length":
         return [((), (to.parameter(number),))]
@@ -323,8 +313,8 @@ def _(number: Real, to):
     return [((), (known(number).times(to.scale**power * (to.turn if signed else 1)),))]
 
 
-@rows.register
-def _(found: NamedNumbers, to):
+@of("NamedNumbers")
+def _(found, to):
     """By the question that it answers."""
     values = {name: known(x) for name, x in found.values.items()}
     place = (to.parameter(values.pop("parameter")),) if "parameter" in values else ()
@@ -480,7 +470,7 @@ def as_common_border(found, values, to):
         letter, value = found.facts[f"{name} border"].split(" = ")
         way = "uv".index(letter)
         moved = [one.parameter(x, 1 - way) for key, x in values.items() if key.split()[0] == name]
-        borders.append(f"{one.along(Along(letter))} = {one.image.ways[way].to(mpq(value))}")
+        borders.append(f"{one.along(letter)} = {one.image.ways[way].to(mpq(value))}")
         numbers.append(moved)
     if to.image.exchanged:
         borders, numbers = borders[::-1], numbers[::-1]
@@ -517,8 +507,8 @@ NUMBERS = {
 # ---- pairs of parameters
 
 
-@rows.register
-def _(answer: Intersections, to):
+@of("Intersections")
+def _(answer, to):
     alone = isinstance(to.asked, Nurbs)
     points = [of_pair(x, to, alone) for x in answer]
     arcs, _ = whole_arcs(answer.everywhere, to, alone)
@@ -570,18 +560,18 @@ def whole_arcs(arcs, to, alone=False):
     return [*found, *[((word, "loop"), ()) for word, ends in groups if not ends]], joined_at
 
 
-@rows.register
-def _(found: Intersection, to):
+@of("Intersection")
+def _(found, to):
     return [of_pair(found, to, alone=False)]
 
 
-@rows.register
-def _(arc: Overlap, to):
+@of("Overlap")
+def _(arc, to):
     return whole_arcs([arc], to)[0]
 
 
-@rows.register
-def _(found: Distance, to):
+@of("Distance")
+def _(found, to):
     """The pairs but those at which arcs are joined, the arcs, and the distance."""
     arcs, joined_at = whole_arcs(found.everywhere, to)
     pairs = [row for pair in found.pairs for row in rows(pair, to) if key_of(row[1]) not in joined_at]
@@ -589,21 +579,21 @@ def _(found: Distance, to):
     return [*pairs, *value, *arcs, *[(("left out",), ())] * bool(found.undecided)]
 
 
-@rows.register
-def _(found: ClosestPair, to):
+@of("ClosestPair")
+def _(found, to):
     return [(("closest",), tuple(to.both(found.first, found.second)))]
 
 
 # ---- bisectors
 
 
-@rows.register
-def _(found: Bisector, to):
+@of("Bisector")
+def _(found, to):
     raise TypeError(f"no transport for {type(found).__name__}")
 
 
-@rows.register
-def _(found: PlaneBisector, to):
+@of("PlaneBisector")
+def _(found, to):
     """Arcs by the pairs and points of their ends; a box that is not decided."""
     if found.missing:
         return [(("undecided",), ())]
@@ -625,8 +615,8 @@ def at_pair(bisector, first, second, to):
     return (*to.both(first, second), *point)
 
 
-@rows.register
-def _(found: TrimmedBisector, to):
+@of("TrimmedBisector")
+def _(found, to):
     """The ends of arcs, but those in which two of them meet, and those of straight pieces, by their points."""
     if found.undecided:
         return [(("left out",), ())]
@@ -641,45 +631,45 @@ def _(found: TrimmedBisector, to):
     return told
 
 
-@rows.register
-def _(found: PointBisector, to):
+@of("PointBisector")
+def _(found, to):
     """Where there is no ruling, or no one plane; which coordinate is a parameter goes with the axes."""
     parts = [part for interval, _ in found.missing for part in to.interval(interval)]
     missing = [(("missing",), tuple(map(known, part))) for part in parts]
     return [*missing, *[(("singular",), (to.parameter(t),)) for t in found.singular]]
 
 
-@rows.register
-def _(found: CurveBisector, to):
+@of("CurveBisector")
+def _(found, to):
     """The rectangles of the surface, and of what is beside it the single pairs."""
     if found.undecided:
         return [(("left out",), ())]
     return [*rows(found.patches, to), *rows(found.pairs, to)]
 
 
-@rows.register
-def _(patch: BisectorPatch, to):
+@of("BisectorPatch")
+def _(patch, to):
     """A rectangle of the surface, its degree exchanged with the curves."""
     return [(("surface", degrees(patch.value.degree, to)), box) for box in to.boxes(patch.sides)]
 
 
-@rows.register
-def _(pair: SinglePair, to):
+@of("SinglePair")
+def _(pair, to):
     return [((str(pair.solutions), cause_of(pair, to)), tuple(to.both(pair.s, pair.t)))]
 
 
-@rows.register
-def _(lines: LineComponent, to):
+@of("LineComponent")
+def _(lines, to):
     return of_pairs("lines", cause_of(lines, to), lines, to)
 
 
-@rows.register
-def _(planes: PlaneComponent, to):
+@of("PlaneComponent")
+def _(planes, to):
     return of_pairs("planes", cause_of(planes, to), planes, to)
 
 
-@rows.register
-def _(poles: PoleCurve, to):
+@of("PoleCurve")
+def _(poles, to):
     return of_pairs("poles", "certain" if poles.certain else "", poles, to)
 
 
@@ -705,40 +695,40 @@ def cause_of(found, to):
 # ---- surfaces
 
 
-@rows.register
-def _(answer: SurfacePlaces, to):
+@of("SurfacePlaces")
+def _(answer, to):
     undecided = [(("undecided",), ())] * bool(answer.undecided)
     parts = dict.fromkeys(marked("everywhere", rows(answer.everywhere, to)))
     return [*rows(tuple(answer), to), *parts, *undecided]
 
 
-@rows.register
-def _(found: NearestOnSurface, to):
+@of("NearestOnSurface")
+def _(found, to):
     """The places, the distance, and the feet, in order where they are rational."""
     feet = [(("foot",), tuple(to.image.motion.of_known([known(x) for x in foot]))) for foot in found.feet]
-    return [*rows.dispatch(SurfacePlaces)(found, to), *feet, ((), (known(found.squared).times(to.scale**2),))]
+    return [*ROWS["SurfacePlaces"](found, to), *feet, ((), (known(found.squared).times(to.scale**2),))]
 
 
-@rows.register
-def _(found: LineMeeting, to):
+@of("LineMeeting")
+def _(found, to):
     """A common point, and the parameter of the line, which is moved with the surface."""
     return [(words, (*numbers, known(found.parameter))) for words, numbers in rows(found.zero, to)]
 
 
-@rows.register
-def _(zero: CommonZero, to):
+@of("CommonZero")
+def _(zero, to):
     return [((str(zero.kind), str(zero.multiplicity)), tuple(to.both(zero.first, zero.second)))]
 
 
-@rows.register
-def _(found: ZeroCurves, to):
+@of("ZeroCurves")
+def _(found, to):
     parts = dict.fromkeys(marked("everywhere", rows(found.everywhere, to)))
     undecided = [(("undecided",), ())] * bool(found.undecided)
     return [*rows((*found.lines, *found.curves, *found.points), to), *parts, *undecided]
 
 
-@rows.register
-def _(place: Place, to):
+@of("Place")
+def _(place, to):
     return [(("place",), tuple(at(place, to)))]
 
 
@@ -750,22 +740,22 @@ def at(place, to):
         return []
 
 
-@rows.register
-def _(found: Umbilic, to):
+@of("Umbilic")
+def _(found, to):
     words = str(found.kind), "one-sided" if found.one_sided else ""
     return [(words, tuple(at(found.place, to)))]
 
 
-@rows.register
-def _(part: SurfacePart, to):
+@of("SurfacePart")
+def _(part, to):
     """A rectangle or an edge, patch by patch of the image; curves inside are told elsewhere."""
     if part.along_curve:
         return [(("along a curve",), ())]
     return [(("part",), box) for box in to.boxes(part.sides)]
 
 
-@rows.register
-def _(curve: ZeroComponent, to):
+@of("ZeroComponent")
+def _(curve, to):
     """The kind of a curve, its arcs, and the ends of these."""
     closed = [along for along in Along if closed_in(to.asked, along)]
     arcs = curve.arcs(to.asked.domain, closed)
@@ -775,8 +765,8 @@ def _(curve: ZeroComponent, to):
     return [(words, ()), *[((str(curve.shape), "end"), () if x is None else tuple(to.both(*x))) for x in ends]]
 
 
-@rows.register
-def _(line: ZeroLine, to):
+@of("ZeroLine")
+def _(line, to):
     words = to.along(line.along), "closed" if line.closed else "", "one-sided" if line.one_sided else ""
     return [(words, numbers) for numbers in on_line(line, line.value, to)]
 
@@ -788,17 +778,17 @@ def on_line(line, value, to):
     return [(own, *map(known, part)) for part in to.interval(line.interval, k)]
 
 
-@rows.register
-def _(pole: Pole, to):
+@of("Pole")
+def _(pole, to):
     words = "pole", to.along(pole.along), str(pole.gap)
     point = () if pole.point is None else tuple(map(known, to.image.motion(pole.point)))
     return [(words, (*numbers, *point)) for numbers in on_line(pole, pole.value, to)]
 
 
-@rows.register
-def _(joint: SurfaceJoint, to):
+@of("SurfaceJoint")
+def _(joint, to):
     """A line along which nothing can be seen is none; one without tangent planes is a pole."""
-    if joint.kind in (SurfaceJointKind.CONTINUOUS, SurfaceJointKind.SINGULAR):
+    if joint.kind in ("continuous curvature", "no tangent plane"):
         return []
     k = 1 - joint.across.direction
     angle = () if joint.angle is None else (known(joint.angle.cosine),)
@@ -807,25 +797,25 @@ def _(joint: SurfaceJoint, to):
     return [(words, (value, *map(known, part), *angle)) for part in to.interval(joint.interval, k)]
 
 
-@rows.register
-def _(found: RecognizedPart, to):
+@of("RecognizedPart")
+def _(found, to):
     """The shape of patches where it is exact by its numbers, each patch by its rectangle."""
     words = str(found.kind), "whole" if found.whole else "", "exact" if found.exact else "near"
     numbers = of_shape(found.shape, to) if found.exact else ()
-    boxes = [box for patch in found.patches for box in to.boxes(sides_of(to.asked, patch))]
+    boxes = [box for patch in found.patches for box in to.boxes(to.asked.w.patch(*patch))]
     return [(words, (*numbers, *box)) for box in boxes]
 
 
-@rows.register
-def _(patch: PatchInspection, to):
+@of("PatchInspection")
+def _(patch, to):
     """The kind of a patch, and its constant curvature."""
     words = str(patch.kind), "minimal" if patch.minimal else ""
     curvature = () if patch.curvature is None else (known(patch.curvature).times(1 / to.scale**2),)
     return [(words, (*box, *curvature)) for box in to.boxes(patch.sides)]
 
 
-@rows.register
-def _(found: Ridges, to):
+@of("Ridges")
+def _(found, to):
     parts = [
         ((f"stationary {count}", *words), box) for part, count in found.stationary for words, box in rows(part, to)
     ]
@@ -836,8 +826,8 @@ def _(found: Ridges, to):
 # ---- maps of the plane
 
 
-@rows.register
-def _(kind: MapKind, to):
+@of("MapKind")
+def _(kind, to):
     return [((str(OTHER_SIGN.get(kind, kind) if to.image.turns_over else kind),), ())]
 
 

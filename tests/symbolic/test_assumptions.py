@@ -6,17 +6,13 @@ from functools import cache
 
 import pytest
 
-from exactspline import Nurbs, example
-from exactspline.interchange.examples import example_names
+from exactspline import Nurbs, Verdict, claims, example, examples, formula_of
 from exactspline.language.kinds import CURVE, PAIR, SPACE, kind_of
-from exactspline.papers import find
 from exactspline.readings import JetReading
 from exactspline.symbolic.assumptions import ASSUMPTIONS, assumption, zero_free
 from exactspline.symbolic.factorization import named_by
-from exactspline.verification.claims import all_claims
 from exactspline.verification.evaluation import Evaluation
 from exactspline.verification.evidence import Fact, NoGenerator, Undefined, UndefinedAt
-from exactspline.verification.verdict import INAPPLICABLE, VACUOUS
 from tests.support.sampled import sample
 
 SEGMENT, PLANE_SEGMENT = [(0, 0, 0), (1, 0, 1), (2, 2, 0), (3, 1, 2)], [(0, 0), (1, 0), (2, 2), (3, 1)]
@@ -41,11 +37,11 @@ SPECIAL = [
     chain(PLANE_SEGMENT, [(3, 1)] * 4, weights=WEIGHTS),
     chain(PLANE_SEGMENT, [(3, 1), (4, 1), (5, 1), (7, 1)]),
 ]
-CURVES = [*SPECIAL, *map(example, sample(list(example_names()), 8))]
+CURVES = [*SPECIAL, *map(example, sample(list(examples("curves")), 8))]
 #: Claims with values on single curves; of an iso-curve the check itself asks whether it exists.
 CHECKED = [
     claim
-    for claim in all_claims()
+    for claim in claims()
     if any(not each.everywhere for each in claim.assumes)
     and claim.kind in ("identity", "vanishing", "same surface", "zero set", "square class", "iso-curve")
     and not kind_of(claim.curve).adjoins_roots
@@ -66,7 +62,7 @@ def does_not_exist(claim, own):
     if gone := claim.missing(own.argument(claim.curve)):
         return gone
     found = claim.check(own)
-    nothing = found.verdict in (VACUOUS, INAPPLICABLE)
+    nothing = found.verdict in (Verdict.VACUOUS, Verdict.INAPPLICABLE)
     gone = found.computed in (Fact.NO_SIDE, Fact.NO_FACTOR, Fact.NOT_HERE)
     return found.computed if nothing and (gone or isinstance(found.computed, ABSENT)) else None
 
@@ -94,7 +90,7 @@ def test_what_is_assumed_is_enough_and_no_more_than_needed(claim):
 def test_what_every_other_claim_speaks_of_exists_where_its_assumptions_hold():
     others = [
         claim
-        for claim in all_claims()
+        for claim in claims()
         if claim.kind in ("identity", "vanishing", "same surface", "zero set", "square class")
         and claim.curve != "table"
         and all(each.everywhere for each in claim.assumes)
@@ -112,26 +108,26 @@ def test_assumptions_speak_of_the_curve_that_they_name():
     pair = JetReading(1).argument(PAIR, 3)
     assert assumption("w").polynomial(pair) == pair.first.w
     assert assumption("w̄").polynomial(pair) == pair.second.w
-    assert assumption("γ′").polynomial(pair) == find("D1_squared")(pair.first)
-    assert assumption("γ̄′").polynomial(pair) == find("D1_squared")(pair.second)
+    assert assumption("γ′").polynomial(pair) == formula_of("D1_squared")(pair.first)
+    assert assumption("γ̄′").polynomial(pair) == formula_of("D1_squared")(pair.second)
     name = "[γ′ γ̄′ γ−γ̄] ≢ 0"
-    assert assumption(name).polynomial(pair) == find("bisector_determinant_symmetric")(pair)
+    assert assumption(name).polynomial(pair) == formula_of("bisector_determinant_symmetric")(pair)
     space = JetReading(2).argument(SPACE, 3)
-    bend = find("binormal_form")(space)
+    bend = formula_of("binormal_form")(space)
     assert assumption("γ′×γ″").polynomial(space) == sum((x * x for x in bend), space.w.constant(0))
     assert {each.everywhere for name, each in ASSUMPTIONS.items() if "≢" in name} == {False}
 
 
 def test_what_has_no_zero_is_what_divides_a_polynomial_without_one():
     plane = JetReading(1).argument(CURVE, 2)
-    assert zero_free(find("D1_squared")(plane)).name == "γ′"
+    assert zero_free(formula_of("D1_squared")(plane)).name == "γ′"
     assert zero_free(plane.w).name == "w"
     assert zero_free(plane.p[0]) is None
     assert zero_free(plane.w, [assumption("γ′")]) is None
     assert zero_free(plane.w, [assumption("γ′ ≢ 0")]) is None
     space = JetReading(2).argument(SPACE, 3)
     assert zero_free(assumption("γ′×γ″").polynomial(space)).name == "γ′×γ″"
-    assert zero_free(find("D1_squared")(JetReading(1).argument(SPACE, 3))).name == "γ′"
+    assert zero_free(formula_of("D1_squared")(JetReading(1).argument(SPACE, 3))).name == "γ′"
     polynomial = JetReading(1).argument(CURVE, 2, polynomial=True)
-    assert zero_free(find("D1_squared")(polynomial)).name == "γ′"
+    assert zero_free(formula_of("D1_squared")(polynomial)).name == "γ′"
     assert zero_free(polynomial.w).name == "γ′"

@@ -9,13 +9,13 @@ from gmpy2 import mpq
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from exactspline import BSpline
+from exactspline import BSpline, formula_of
 from exactspline.errors import FormulaError, ReachError
 from exactspline.language import Vector
 from exactspline.language.arguments import Curve
 from exactspline.language.kinds import CURVE
 from exactspline.language.operand import Parameter
-from exactspline.papers import all_formulas, find, known_as
+from exactspline.papers import all_formulas, known_as
 from exactspline.readings import JetReading
 from exactspline.readings.differential_order import is_polynomial, order_of
 from exactspline.readings.leading_terms import LeadingTermsReading
@@ -31,7 +31,9 @@ POLYNOMIAL = [
 
 
 def jets(name, dimension, *, polynomial=False):
-    value = find(name)(JetReading(order_of(find(name), dimension)).argument(CURVE, dimension, polynomial=polynomial))
+    value = formula_of(name)(
+        JetReading(order_of(formula_of(name), dimension)).argument(CURVE, dimension, polynomial=polynomial)
+    )
     return list(value) if isinstance(value, Vector) else [value]
 
 
@@ -39,7 +41,7 @@ def at_infinity(name, i, dimension, *, polynomial):
     """Degree and weight of a homogeneous component, and how many of its leading terms vanish at infinity."""
 
     def leading(terms):
-        value = find(name)(LeadingTermsReading(terms).argument(CURVE, dimension, polynomial=polynomial))
+        value = formula_of(name)(LeadingTermsReading(terms).argument(CURVE, dimension, polynomial=polynomial))
         return (value[i] if isinstance(value, Vector) else value).leading
 
     (((k, m), (drop, _)),) = next(found for terms in count(1) if (found := leading(terms)) is not None).items()
@@ -81,7 +83,7 @@ def test_the_true_degree_is_attained_for_every_small_d_too(name, dimension, d):
     """
     numbers = random.Random(101 * d + dimension)
     curve = random_curve(lambda: numbers.randint(-99, 99), d, dimension)
-    value = find(name)(curve)
+    value = formula_of(name)(curve)
     components = list(value) if isinstance(value, Vector) else [value]
     generic = jets(name, dimension)
     expected = -1 if all(jet.is_zero for jet in generic) else true_degree(generic).at(d)
@@ -120,7 +122,7 @@ def test_covariants_follow_a_projective_change_of_parameter(name, dimension, dat
 
     def lowest(points):
         *p, w = [BSpline.bezier(row) for row in points]
-        value = find(name)(Curve(Vector(*p), w))
+        value = formula_of(name)(Curve(Vector(*p), w))
         return list(value) if isinstance(value, Vector) else [value]
 
     k, m = true_degree(jets(name, dimension)).k, true_degree(jets(name, dimension)).m
@@ -136,7 +138,7 @@ def test_covariants_follow_a_projective_change_of_parameter(name, dimension, dat
 def test_what_is_no_covariant_does_not():
     d, change = 3, (2, 1)
     row, w = [1, 4, -2, 5], [1, 2, 3, 7]
-    D2 = find("D2")
+    D2 = formula_of("D2")
 
     def lowest(x, w):
         return D2(Curve(Vector(BSpline.bezier(x), BSpline.bezier(x)), BSpline.bezier(w)))[0].reduce_degree(1)
@@ -185,9 +187,9 @@ def test_the_formula_behind_the_proof():
 
 def test_heights_add():
     c = JetReading(3).argument(CURVE, 2)
-    D2, D3 = find("D2")(c)[0], find("D3")(c)[0]
+    D2, D3 = formula_of("D2")(c)[0], formula_of("D3")(c)[0]
     assert true_degree(D2 * D3).j == true_degree(D2).j + true_degree(D3).j == 3
-    assert true_degree(D2 * find("f2")(c)).j == 1
+    assert true_degree(D2 * formula_of("f2")(c)).j == 1
 
 
 def test_mixed_gradings_take_the_maximum():
@@ -245,7 +247,7 @@ def test_the_degree_of_a_product_is_the_sum_and_lower_where_a_factor_is():
 def test_what_lowers_degrees_is_the_same_for_symbols_and_numbers(name):
     """L = Σ i (d − i + 1) f⁽ⁱ⁻¹⁾ ∂/∂f⁽ⁱ⁾."""
     n = 3 if name == "D1_D2_D3" else 2
-    jet = find(name)(JetReading(order_of(find(name), n)).argument(CURVE, n))
+    jet = formula_of(name)(JetReading(order_of(formula_of(name), n)).argument(CURVE, n))
     symbolic = covariants.lowered(jet.ring, covariants.with_degree(jet.ring, jet.polynomial), Parameter.FIRST)
     again = covariants.lowered(jet.ring, symbolic, Parameter.FIRST)
     gens = [jet.ring.context.gen(i) for i in range(len(jet.ring.gens))]

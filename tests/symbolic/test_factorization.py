@@ -2,9 +2,9 @@
 
 from gmpy2 import mpq
 
+from exactspline import formula_of
 from exactspline.language import Vector, det, norm2
 from exactspline.language.kinds import SPACE
-from exactspline.papers import find
 from exactspline.readings import JetReading
 from exactspline.symbolic import factorization
 from exactspline.symbolic.factorization import Factor, factors_of, find_factor, irreducible_on_a_line, name_of_vector
@@ -13,7 +13,7 @@ from exactspline.tables import jets_for
 
 def test_vectors_are_named_by_what_they_are_multiples_of():
     c = JetReading(2).argument(SPACE, 3)
-    first = list(find("D1")(c))
+    first = list(formula_of("D1")(c))
     assert name_of_vector(first) == ("D1", 1)
     assert name_of_vector([-3 * x for x in first]) == ("D1", -3)
     assert name_of_vector([x * 0 for x in first]) == ("0", 1)
@@ -30,7 +30,7 @@ def test_vectors_are_named_by_what_they_are_multiples_of():
 
 def test_factors_are_quotients():
     c = jets_for(("f1", "f2"), 2)
-    f1, f2 = find("f1")(c), find("f2")(c)
+    f1, f2 = formula_of("f1")(c), formula_of("f2")(c)
     assert str(find_factor(f1, f2)) == "w"
     assert str(find_factor(f2, f1)) == "w⁻¹"
     zero = find_factor(f1 * 0, f2)

@@ -3,9 +3,8 @@
 import pytest
 from gmpy2 import mpq
 
-from exactspline import example
+from exactspline import example, formula_of
 from exactspline.language.kinds import CURVE
-from exactspline.papers import find
 from exactspline.readings import JetReading
 from exactspline.readings.differential_order import order_of
 from exactspline.symbolic.substitution import substitute
@@ -14,7 +13,7 @@ from exactspline.symbolic.substitution import substitute
 @pytest.mark.parametrize("name", ["f2", "vertices_lifted", "D1_squared", "g2"])
 def test_a_jet_on_a_curve_is_the_formula_there(name):
     curve = example("rational_cubic")
-    f = find(name)
+    f = formula_of(name)
     jet = f(JetReading(order_of(f, 2)).argument(CURVE, 2))
     assert substitute(jet, curve) == f(curve)
 

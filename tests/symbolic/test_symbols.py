@@ -4,21 +4,20 @@ import random
 
 import pytest
 
-from exactspline import decide
-from exactspline.papers import all_formulas, find
+from exactspline import claims, decide, formula_of
+from exactspline.papers import all_formulas
 from exactspline.symbolic import factorization, reduction
 from exactspline.symbolic.assumptions import zero_free
 from exactspline.tables import jets_for
 from exactspline.verification import generic_proof
-from exactspline.verification.claims import all_claims
-from exactspline.verification.kinds.zeros import ZeroSet
+from tests.support.claims import stated
 from tests.support.sampled import sample
 
 #: Kinds whose proofs ask for factors; degrees only where a reduction decides.
 CLAIMS = sample(
     [
         claim
-        for claim in all_claims()
+        for claim in claims()
         if claim.kind in ("identity", "zero set", "same surface", "square class")
         or (claim.kind == "degree" and claim.measure != "nominal")
     ],
@@ -39,7 +38,7 @@ def empty():
 
 
 def alike():
-    return dict.fromkeys(all_formulas(), find("D1_squared").symbol)
+    return dict.fromkeys(all_formulas(), formula_of("D1_squared").symbol)
 
 
 def permuted():
@@ -50,7 +49,7 @@ def permuted():
 
 
 def disguised():
-    return {"f2": find("D1_squared").symbol}
+    return {"f2": formula_of("D1_squared").symbol}
 
 
 @pytest.fixture(scope="module")
@@ -72,11 +71,10 @@ def test_no_verdict_changes_with_the_symbols(symbols, honest, monkeypatch):
 
 def test_a_disguise_does_not_take_away_zeros(monkeypatch):
     """f2 under the symbol of ‖D1‖²: the quotient f2² / f2 prints as what has no zero, and has some."""
-    monkeypatch.setattr(find("f2"), "symbol", find("D1_squared").symbol)
+    monkeypatch.setattr(formula_of("f2"), "symbol", formula_of("D1_squared").symbol)
     forget()
-    told = {"paper": "lifted", "id": "X", "key": "X-a", "source": "a test", "statement": "a test", "status": "ours"}
     try:
-        false = ZeroSet(**told, curve="plane", formulas=("f0_g0", "g0"), assumes=("w", "γ′"))
+        false = stated("zero set", curve="plane", formulas=("f0_g0", "g0"), assumes=("w", "γ′"))
         assert "‖D1‖²" in str(generic_proof.factor_of("f0_g0", "g0", 2))
         assert false.prove()[1].verdict == "REFUTED"
     finally:
@@ -86,7 +84,7 @@ def test_a_disguise_does_not_take_away_zeros(monkeypatch):
 def test_assumptions_are_found_by_the_polynomial_whatever_its_constant():
     c = jets_for(("g0",), 2)
     for name, free in (("D1_squared", "γ′"), ("f2", None)):
-        value = find(name)(c)
+        value = formula_of(name)(c)
         jet = factorization.Jet(value.ring, value.top * -3)
         found = zero_free(jet)
         assert (found and found.name) == free

@@ -12,20 +12,16 @@ from dataclasses import replace
 import pytest
 
 import exactspline as xs
-from exactspline import Nurbs, decide, example
-from exactspline.display.evidence import worded
+from exactspline import Nurbs, Verdict, decide, example, formula_of, paper
 from exactspline.display.sheet import Sheet, code_lines, csv_of
 from exactspline.errors import ClaimError, FormulaError
 from exactspline.extras.coq.answers import theorem_of
-from exactspline.papers import find, load_paper, papers, resolve
+from exactspline.papers import papers, resolve
 from exactspline.tables import errata
 from exactspline.verification.claims import claims_of, select
-from exactspline.verification.combined import combined
 from exactspline.verification.judges import Sympy
-from exactspline.verification.kinds.equality import Vanishing
 from exactspline.verification.ledger import audit
-from exactspline.verification.verdict import PROVED, REFUTED, UNDECIDED
-from tests.support.claims import refusal
+from tests.support.claims import one_verdict, refusal
 from tests.support.command import invoke
 from tests.support.decided import errors_in_print
 from tests.verification.test_own_paper import plane_formulas, written
@@ -53,7 +49,7 @@ def test_a_check_to_paste_runs_nothing_but_itself(kind, tmp_path, monkeypatch, c
     name = 'p")) or open("pwned", "w") or print(("\\'
     claim = {"id": "1", "statement": "false", "curve": "plane"} | KINDS[kind] | {"words": "said", "expected": "REFUTED"}
     folder = written(tmp_path / name, FORMULAS, [claim | {"error": "e"}], '[errors]\ne = "an error"\n')
-    (found,) = errata([load_paper(folder)])
+    (found,) = errata([paper(folder)])
     (refuted,) = found.statements
     pasted = "\n".join(refuted.check)
     exec(pasted, {})
@@ -86,13 +82,14 @@ def test_a_symbol_is_a_sign_and_nothing_else(symbol, tmp_path):
     r"""Before, \input and \href stood in the LaTeX and in the pages; later still 10⁴ braces, and a \left alone."""
     body = f"@formula('e', on='plane', symbol={symbol!r})\ndef f(c):\n    return c.w * 1\n"
     with pytest.raises(FormulaError, match=r"line \d: the symbol"):
-        load_paper(written(tmp_path / "p", body, []))
+        paper(written(tmp_path / "p", body, []))
 
 
-def test_symbols_of_the_papers_are_signs():
-    from exactspline.papers.symbols import not_a_symbol
-
-    assert not [f.symbol for p in papers() for f in p.formulas.values() if not_a_symbol(f.symbol)]
+def test_symbols_of_the_papers_are_signs(tmp_path):
+    symbols = sorted({f.symbol for p in papers() for f in p.formulas.values() if f.symbol})
+    head = "@formula('e', on='plane', symbol={!r})\ndef f{}(c):\n    return c.w * 1\n"
+    body = "".join(head.format(symbol, k) for k, symbol in enumerate(symbols))
+    assert len(paper(written(tmp_path / "p", body, [])).formulas) == len(symbols)
 
 
 # ---- tables
@@ -158,7 +155,7 @@ def test_a_determinant_counts_as_what_it_costs(body, tmp_path):
     helper = "def twice(v):\n    return join(v, v)\n"
     formulas = "from exactspline.language import generalized_cross\n" + helper + plane_formulas(f=body)
     with pytest.raises(FormulaError, match="of more than 40320 products"):
-        load_paper(written(tmp_path / "p", formulas, []))
+        paper(written(tmp_path / "p", formulas, []))
 
 
 def test_a_wronskian_of_a_few_components_is_decided(tmp_path):
@@ -181,10 +178,10 @@ def test_many_products_are_bounded_together(tmp_path):
     total = "c.p[0] + c.p[1] + c.w + c.p[0].d(1) + c.p[1].d(1) + c.w.d(1)"
     formulas = plane_formulas(f=f"({total})**60 * (c.w - c.w)")
     claim = {"id": "1", "statement": "said", "curve": "plane", "kind": "invariance", "formula": "f", "under": "motion"}
-    (one,) = claims_of(load_paper(written(tmp_path / "p", formulas, [claim])))
+    (one,) = claims_of(paper(written(tmp_path / "p", formulas, [claim])))
     start = time.process_time()
     rows = audit([one], [example("rational_cubic_s"), example("six_segment_cubic")])
-    assert [row.verdict for row in rows] == [UNDECIDED, UNDECIDED]
+    assert [row.verdict for row in rows] == [Verdict.UNDECIDED, Verdict.UNDECIDED]
     assert time.process_time() - start < 20
 
 
@@ -199,8 +196,8 @@ def test_what_is_read_is_in_the_digests(tmp_path):
     (folder / "formulas.py").symlink_to(real / "formulas.py")
     (folder / "claims.toml").symlink_to(real / "claims.toml")
     (folder / "deep" / "circle").symlink_to(folder)
-    own = load_paper(folder)
-    assert own.digests() == load_paper(real).digests()
+    own = paper(folder)
+    assert own.digests() == paper(real).digests()
     page = tmp_path / "report.html"
     invoke("prove", "--paper", folder, "--report", page)
     assert own.digests()["formulas.py"] in page.read_text(encoding="utf-8")
@@ -235,7 +232,7 @@ def test_a_file_that_is_listed_must_exist(head, tmp_path):
     folder = written(tmp_path / "p", FORMULAS, [FALSE])
     (folder / "paper.toml").write_text(head + "\n")
     with pytest.raises(ClaimError, match="does not exist"):
-        load_paper(folder)
+        paper(folder)
     assert invoke("prove", "--paper", folder).exit_code != 0
 
 
@@ -253,9 +250,9 @@ def test_a_folder_without_claims_is_told(tmp_path):
 def test_a_name_of_several_papers_is_ambiguous(tmp_path):
     """Before, `find("normal")` took the one of the default paper, without a word."""
     with pytest.raises(FormulaError, match="surfaces:normal"):
-        find("normal")
-    assert find("surfaces:normal") is not find("chen_riesenfeld_cohen_2007:normal")
-    assert find("f2").name == "f2"
+        formula_of("normal")
+    assert formula_of("surfaces:normal") is not formula_of("chen_riesenfeld_cohen_2007:normal")
+    assert formula_of("f2").name == "f2"
     uses = 'uses = ["chen_riesenfeld_cohen_2007", "surfaces"]\n'
     folder = written(tmp_path / "p", "", [FALSE | {"left": "chord", "right": "normal", "curve": "pair"}], uses)
     assert "is a formula of chen_riesenfeld_cohen_2007 and of surfaces" in refusal(folder)
@@ -266,11 +263,11 @@ def test_a_broken_formula_elsewhere_changes_no_verdict(tmp_path):
     broken = plane_formulas(a="c.w / (c.w - c.w)", b="c.p[7]", d="dot(c.p, join(c.p, c.w))")
     claims = [FALSE, FALSE | {"id": "2", "left": "h"}]
     formulas = broken + FORMULAS + plane_formulas(h="(c.w + c.p[0]) * det(c.p, c.p.d(1))")
-    found = [decide(claim) for claim in claims_of(load_paper(written(tmp_path / "p", formulas, claims)))]
-    assert [row.verdict for row in found] == [REFUTED, REFUTED]
-    assert worded(found[0].factor) == "1/2"
+    found = [decide(claim) for claim in claims_of(paper(written(tmp_path / "p", formulas, claims)))]
+    assert [row.verdict for row in found] == [Verdict.REFUTED, Verdict.REFUTED]
+    assert str(found[0].factor) == "1/2"
     right = [FALSE | {"factor": "1/2"}]
-    assert decide(claims_of(load_paper(written(tmp_path / "p", formulas, right)))[0]).verdict == PROVED
+    assert decide(claims_of(paper(written(tmp_path / "p", formulas, right)))[0]).verdict == Verdict.PROVED
 
 
 def test_a_denominator_that_vanishes_where_w_is_1_does_not_hide_a_refutation(tmp_path):
@@ -280,15 +277,15 @@ def test_a_denominator_that_vanishes_where_w_is_1_does_not_hide_a_refutation(tmp
     formulas = plane_formulas(a="c.p[0] / c.w.d(1)", b="(c.p[0] + c.w) / c.w.d(1)", h="(2 * c.p[0]) / (2 * c.w.d(1))")
     claim = {"id": "1", "kind": "identity", "statement": "a = b", "curve": "plane", "left": "a", "right": "b"}
     same = claim | {"id": "2", "right": "h"}
-    claims = claims_of(load_paper(written(tmp_path / "p", formulas, [claim, same])))
-    assert [decide(each).verdict for each in claims] == [REFUTED, UNDECIDED]
-    assert Sympy().decide(claims[0]).verdict == REFUTED
+    claims = claims_of(paper(written(tmp_path / "p", formulas, [claim, same])))
+    assert [decide(each).verdict for each in claims] == [Verdict.REFUTED, Verdict.UNDECIDED]
+    assert Sympy().decide(claims[0]).verdict == Verdict.REFUTED
 
 
 def test_a_curve_on_which_a_check_fails_does_not_hide_a_refutation(monkeypatch):
     """Before, the error on the first example curve turned a refutation into UNDECIDED, and ended `errata`."""
     false = replace(next(c for c in select(["C3c"]) if c.kind == "vanishing"), left="D1_D2_D3")
-    honest, calls = Vanishing.check, []
+    honest, calls = type(false).check, []
 
     def failing(self, curve, proof):
         calls.append(curve)
@@ -296,10 +293,10 @@ def test_a_curve_on_which_a_check_fails_does_not_hide_a_refutation(monkeypatch):
             raise FormulaError("it does not fit this curve")
         return honest(self, curve, proof)
 
-    monkeypatch.setattr(Vanishing, "check", failing)
-    found = combined(false)[1]
-    assert found.verdict == REFUTED
-    assert worded(found.witness).startswith("on the example curve")
+    monkeypatch.setattr(type(false), "check", failing)
+    found = one_verdict(false)
+    assert found.verdict == Verdict.REFUTED
+    assert str(found.witness).startswith("on the example curve")
 
 
 def test_errata_name_what_is_not_decided(tmp_path):
@@ -312,15 +309,14 @@ def test_errata_name_what_is_not_decided(tmp_path):
 
 def test_the_kernel_says_why_it_says_nothing(tmp_path):
     """Before, the column of the kernel was blank for every claim of a user's paper."""
-    from exactspline.display.evidence import opinion
-    from exactspline.extras.coq.judge import findings
-
+    pytest.importorskip("sympy")
     folder = written(tmp_path / "p", FORMULAS, [FALSE])
-    (claim,) = claims_of(load_paper(folder))
-    degree = next(c for c in select(["C4.1c"]) if c.kind == "degree")
-    said = {key: opinion(each) for key, each in findings([claim, degree]).items()}
-    assert said[claim.paper, claim.key] == "not stated, formulas of users' folders are not written in Coq"
-    assert said[degree.paper, degree.key] == "not stated, claims of the kind 'degree' are not equalities"
+    for asked, why in (
+        (("--paper", folder), "formulas of users' folders are not written in Coq"),
+        (("--claim", "C4.1c"), "claims of the kind 'degree' are not equalities"),
+    ):
+        told = invoke("prove", *asked, "--judge", "coq", "--csv").stdout
+        assert f"not stated, {why}" in told
 
 
 def test_the_theorem_of_one_claim_is_written(tmp_path):
@@ -360,8 +356,8 @@ def test_what_vanishes_for_the_operand_tried_only_is_refuted(kind, text, tmp_pat
     formulas = f"@formula('f', on={kind!r})\ndef f(c):\n    return {text}\n"
     claim = {"id": "1", "kind": "vanishing", "statement": "f is zero", "curve": kind, "left": "f"}
     folder = written(tmp_path / "p", formulas, [claim | {"expected": "REFUTED"}])
-    (false,) = claims_of(load_paper(str(folder), trust=True))
-    assert combined(false)[1].verdict == REFUTED
+    (false,) = claims_of(paper(str(folder), trust=True))
+    assert one_verdict(false).verdict == Verdict.REFUTED
     rows = json.loads(invoke("prove", "--paper", str(folder), "--trust", "--json").output)["rows"]
     assert [row["verdict"] for row in rows if not row["curve"]] == ["REFUTED"]
 
@@ -372,4 +368,4 @@ def test_what_the_compiler_refuses_is_named_with_its_line(line, tmp_path):
     body = line if line.startswith("def") else f"def h(c): return {line.partition('= ')[2]}"
     folder = written(tmp_path / "own", f"{body}\n{plane_formulas(f='c.w')}", [])
     with pytest.raises(FormulaError, match=r"formulas\.py, line \d+: not Python: .*; correct the syntax"):
-        len(load_paper(folder).formulas)
+        len(paper(folder).formulas)

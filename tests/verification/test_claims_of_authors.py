@@ -2,18 +2,11 @@
 
 import pytest
 
-from exactspline import example, paper
-from exactspline.display.evidence import worded
+from exactspline import Verdict, example, formula_of, paper
 from exactspline.errors import ClaimError
 from exactspline.language import det, dot, formula, norm2
-from exactspline.papers import find
-from exactspline.verification.combined import combined
-from exactspline.verification.kinds.contact import Contact
-from exactspline.verification.kinds.invariance import Invariance
-from exactspline.verification.kinds.zeros import SignClaim
-from exactspline.verification.verdict import PROVED, REFUTED, UNDECIDED, VACUOUS, VERIFIED
+from tests.support.claims import one_verdict, stated
 
-BASE = {"paper": "lifted", "id": "X1", "key": "X1-a", "source": "a test", "statement": "a test", "status": "ours"}
 PLANE, SPACE = ("rational_cubic", "six_segment_cubic"), ("rational_space_cubic", "twisted_cubic")
 
 
@@ -61,24 +54,24 @@ def own_formulas(monkeypatch):
 
 
 def contact(name, order, **more):
-    return Contact(**BASE, **{"curve": "plane pair", "formula": name, "order": order, **more})
+    return stated("contact", **{"curve": "plane pair", "formula": name, "order": order, **more})
 
 
 def invariance(name, under, weight=0, **more):
-    return Invariance(**BASE, **{"curve": "plane", "formula": name, "under": under, "weight": weight, **more})
+    return stated("invariance", **{"curve": "plane", "formula": name, "under": under, "weight": weight, **more})
 
 
 def sign(name, told, squares=(), **more):
-    return SignClaim(**BASE, **{"curve": "plane", "formula": name, "sign": told, "squares": squares, **more})
+    return stated("sign", **{"curve": "plane", "formula": name, "sign": told, "squares": squares, **more})
 
 
 def assert_verdict(claim, verdict):
-    assert combined(claim)[1].verdict == verdict
+    assert one_verdict(claim).verdict == verdict
     for name in PLANE if 2 in claim.dimensions else SPACE:
         curve = example(name)
         if claim.applies_to(curve.dimension, curve.polynomial):
             found = claim.check(curve).verdict
-            assert found == VERIFIED if verdict == PROVED else found != VERIFIED
+            assert found == Verdict.VERIFIED if verdict == Verdict.PROVED else found != Verdict.VERIFIED
 
 
 CONTACTS = {"osculating_circle": 2, "tangent": 1, "circle_through": 0}
@@ -86,19 +79,19 @@ CONTACTS = {"osculating_circle": 2, "tangent": 1, "circle_through": 0}
 
 @pytest.mark.parametrize(("name", "order"), CONTACTS.items())
 def test_contact_is_exactly_what_it_is(name, order):
-    assert_verdict(contact(name, order), PROVED)
-    assert combined(contact(name, order, relation="≥"))[1].verdict == PROVED
-    assert_verdict(contact(name, order + 1), REFUTED)
-    assert worded(contact(name, order + 1).prove()[1].computed) == str(order)
+    assert_verdict(contact(name, order), Verdict.PROVED)
+    assert one_verdict(contact(name, order, relation="≥")).verdict == Verdict.PROVED
+    assert_verdict(contact(name, order + 1), Verdict.REFUTED)
+    assert str(contact(name, order + 1).prove()[1].computed) == str(order)
     if order:
-        assert combined(contact(name, order - 1))[1].verdict == REFUTED
-        assert combined(contact(name, order - 1, relation="≥"))[1].verdict == PROVED
+        assert one_verdict(contact(name, order - 1)).verdict == Verdict.REFUTED
+        assert one_verdict(contact(name, order - 1, relation="≥")).verdict == Verdict.PROVED
 
 
 def test_contact_in_space_and_what_does_not_exist():
-    assert_verdict(contact("osculating_plane", 2, curve="pair"), PROVED)
-    assert_verdict(contact("osculating_plane", 3, curve="pair"), REFUTED)
-    assert combined(contact("nothing", 1))[1].verdict == VACUOUS
+    assert_verdict(contact("osculating_plane", 2, curve="pair"), Verdict.PROVED)
+    assert_verdict(contact("osculating_plane", 3, curve="pair"), Verdict.REFUTED)
+    assert one_verdict(contact("nothing", 1)).verdict == Verdict.VACUOUS
     with pytest.raises(ClaimError, match="two points"):
         contact("f2", 1, curve="plane")
     with pytest.raises(ClaimError, match="higher contact"):
@@ -124,10 +117,10 @@ INVARIANT = [
 
 @pytest.mark.parametrize(("name", "under", "weight"), INVARIANT)
 def test_the_weight_is_the_one_there_is(name, under, weight):
-    assert_verdict(invariance(name, under, weight), PROVED)
+    assert_verdict(invariance(name, under, weight), Verdict.PROVED)
     units = under not in ("motion", "rotation", "translation")
     for wrong in (weight + 1, weight - 1) if units else ():
-        assert_verdict(invariance(name, under, wrong), REFUTED)
+        assert_verdict(invariance(name, under, wrong), Verdict.REFUTED)
 
 
 @pytest.mark.parametrize(
@@ -144,7 +137,7 @@ def test_the_weight_is_the_one_there_is(name, under, weight):
 def test_what_changes_is_not_invariant(claim, monkeypatch):
     for f in (p_squared, across):
         monkeypatch.setitem(OWN, f.__name__, formula("a test", on="plane")(f))
-    assert_verdict(invariance(*claim), REFUTED)
+    assert_verdict(invariance(*claim), Verdict.REFUTED)
 
 
 def across(c):
@@ -170,17 +163,17 @@ def test_moebius_maps_keep_vertices(monkeypatch):
     """κ_s ds² is invariant, so κ_s ‖γ′‖⁶ = (κ′ ‖γ′‖⁵) has the weight 4."""
     for f in (vertices, square_of_speed):
         monkeypatch.setitem(OWN, f.__name__, formula("a test", on="plane")(f))
-    assert_verdict(invariance("square_of_speed", "Möbius map", 2), PROVED)
-    assert_verdict(invariance("vertices", "Möbius map", 4), PROVED)
-    assert_verdict(invariance("vertices", "Möbius map", 3), REFUTED)
-    assert_verdict(invariance("f2", "Möbius map", 3), REFUTED)
+    assert_verdict(invariance("square_of_speed", "Möbius map", 2), Verdict.PROVED)
+    assert_verdict(invariance("vertices", "Möbius map", 4), Verdict.PROVED)
+    assert_verdict(invariance("vertices", "Möbius map", 3), Verdict.REFUTED)
+    assert_verdict(invariance("f2", "Möbius map", 3), Verdict.REFUTED)
 
 
 def test_what_moves_along_is_told():
-    assert_verdict(invariance("evolute", "similarity", nature="point"), PROVED)
-    assert_verdict(invariance("evolute", "similarity", nature="vector"), REFUTED)
-    assert_verdict(invariance("evolute", "similarity"), REFUTED)
-    assert_verdict(invariance("evolute", "affine map", nature="point"), REFUTED)
+    assert_verdict(invariance("evolute", "similarity", nature="point"), Verdict.PROVED)
+    assert_verdict(invariance("evolute", "similarity", nature="vector"), Verdict.REFUTED)
+    assert_verdict(invariance("evolute", "similarity"), Verdict.REFUTED)
+    assert_verdict(invariance("evolute", "affine map", nature="point"), Verdict.REFUTED)
 
 
 @pytest.mark.parametrize(
@@ -192,24 +185,29 @@ def test_what_moves_along_is_told():
         ({"under": "similarity", "curve": "plane with delta"}, "constants"),
         ({"under": "similarity", "curve": "hodograph"}, "not decided"),
         ({"under": "shear"}, "unknown"),
-        ({"under": "scaling", "weight": True}, "not a weight"),
+        ({"under": "scaling", "weight": True}, "not an integer"),
     ],
 )
 def test_invariance_that_says_nothing_is_refused(changes, told):
     with pytest.raises(ClaimError, match=told):
-        Invariance(**BASE, **({"curve": "plane", "formula": "f2"} | changes))
+        stated("invariance", **({"curve": "plane", "formula": "f2"} | changes))
+
+
+@pytest.mark.parametrize("words", ["an affine map", "a scaling", "a reversal"])
+def test_a_change_is_named_with_its_article(words):
+    assert rf"under {words}:" in invariance("f2", words.split(" ", 1)[1]).latex
 
 
 def test_signs():
-    assert_verdict(sign("D1_squared", "≥ 0", ("D1",)), PROVED)
-    assert_verdict(sign("D1_squared", "≤ 0", ("D1",)), REFUTED)
-    assert combined(sign("D1_squared", "> 0", ("D1",)))[1].verdict == REFUTED
-    assert combined(sign("D1_squared", "> 0", ("D1",), assumes=("γ′",)))[1].verdict == PROVED
-    assert combined(sign("D1_squared", "≥ 0"))[1].verdict == UNDECIDED
-    assert combined(sign("D1_squared", "≥ 0", ("f2",)))[1].verdict == UNDECIDED
-    assert combined(sign("f2", "≥ 0", ("D1",)))[1].verdict == REFUTED
-    assert sign("D1_squared", "≥ 0").check(example("cusp")).verdict == VERIFIED
-    assert sign("D1_squared", "> 0").check(example("cusp")).verdict == REFUTED
+    assert_verdict(sign("D1_squared", "≥ 0", ("D1",)), Verdict.PROVED)
+    assert_verdict(sign("D1_squared", "≤ 0", ("D1",)), Verdict.REFUTED)
+    assert one_verdict(sign("D1_squared", "> 0", ("D1",))).verdict == Verdict.REFUTED
+    assert one_verdict(sign("D1_squared", "> 0", ("D1",), assumes=("γ′",))).verdict == Verdict.PROVED
+    assert one_verdict(sign("D1_squared", "≥ 0")).verdict == Verdict.UNDECIDED
+    assert one_verdict(sign("D1_squared", "≥ 0", ("f2",))).verdict == Verdict.UNDECIDED
+    assert one_verdict(sign("f2", "≥ 0", ("D1",))).verdict == Verdict.REFUTED
+    assert sign("D1_squared", "≥ 0").check(example("cusp")).verdict == Verdict.VERIFIED
+    assert sign("D1_squared", "> 0").check(example("cusp")).verdict == Verdict.REFUTED
     for wrong in ("-1", "w^3", "f2", "-2 w^2"):
         with pytest.raises(ClaimError, match="has no sign"):
             sign("D1_squared", "≥ 0", ("D1",), factor=wrong)
@@ -217,16 +215,16 @@ def test_signs():
 
 def test_a_square_that_is_zero_makes_nothing_positive(monkeypatch):
     monkeypatch.setitem(OWN, "zero", formula("a test", on="plane")(lambda c: c.w - c.w))
-    assert combined(sign("D1_squared", "≥ 0", ("D1", "zero")))[1].verdict == PROVED
-    assert combined(sign("D1_squared", "> 0", ("D1", "zero")))[1].verdict == REFUTED
-    assert combined(sign("D1_squared", "> 0", ("zero", "D1"), assumes=("w",)))[1].verdict == REFUTED
+    assert one_verdict(sign("D1_squared", "≥ 0", ("D1", "zero"))).verdict == Verdict.PROVED
+    assert one_verdict(sign("D1_squared", "> 0", ("D1", "zero"))).verdict == Verdict.REFUTED
+    assert one_verdict(sign("D1_squared", "> 0", ("zero", "D1"), assumes=("w",))).verdict == Verdict.REFUTED
 
 
 def test_a_square_with_a_positive_factor_only(monkeypatch):
     def product(c):
-        return 3 * c.w**2 * norm2(find("D1")(c))
+        return 3 * c.w**2 * norm2(formula_of("D1")(c))
 
     monkeypatch.setitem(OWN, "product", formula("a test", on="plane")(product))
-    assert_verdict(sign("product", "≥ 0", ("D1",), factor="3 w^2"), PROVED)
-    assert combined(sign("product", "≥ 0", ("D1",), factor="2 w^2"))[1].verdict == UNDECIDED
-    assert combined(sign("product", "≤ 0", ("D1",), factor="3 w^2"))[1].verdict == REFUTED
+    assert_verdict(sign("product", "≥ 0", ("D1",), factor="3 w^2"), Verdict.PROVED)
+    assert one_verdict(sign("product", "≥ 0", ("D1",), factor="2 w^2")).verdict == Verdict.UNDECIDED
+    assert one_verdict(sign("product", "≤ 0", ("D1",), factor="3 w^2")).verdict == Verdict.REFUTED

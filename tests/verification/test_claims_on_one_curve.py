@@ -7,13 +7,10 @@ import json
 import pytest
 
 import exactspline
-from exactspline import Nurbs, decide, example
-from exactspline.display.evidence import worded
-from exactspline.papers import load_paper
+from exactspline import Nurbs, Verdict, decide, example, paper
 from exactspline.verification.claims import claims_of
 from exactspline.verification.judges import Sympy
 from exactspline.verification.ledger import audit
-from exactspline.verification.verdict import NOT_ASKED, REFUTED, UNDECIDED, VACUOUS, VERIFIED
 from tests.campaigns import one_curve
 from tests.support.claims import refusal
 from tests.support.command import invoke
@@ -86,7 +83,7 @@ def decided(folder, tmp_path, **fields):
             (own / name).symlink_to(folder / name)
     lines = [f"{name} = {json.dumps(value, ensure_ascii=False)}" for name, value in claim.items() if value is not None]
     (own / "claims.toml").write_text("\n".join(["[[claim]]", *lines]))
-    (row,) = audit(claims_of(load_paper(own)))
+    (row,) = audit(claims_of(paper(own)))
     return row
 
 
@@ -130,108 +127,114 @@ HOLD = [
 
 #: What a careless check would pass, each for the reason beside it.
 FAIL = {
-    "another value": ({"kind": "at", "formula": "turning", "parameter": 0, "claimed": -7.0200001}, REFUTED),
+    "another value": ({"kind": "at", "formula": "turning", "parameter": 0, "claimed": -7.0200001}, Verdict.REFUTED),
     "a decimal rounded to a double": (
         {"kind": "at", "formula": "x", "parameter": 0.1, "claimed": "0.1140000000000000013"},
-        REFUTED,
+        Verdict.REFUTED,
     ),
-    "one component is right": ({"kind": "at", "formula": "point", "parameter": 0, "claimed": [0, 1]}, REFUTED),
-    "a number for a vector": ({"kind": "at", "formula": "point", "parameter": 0, "claimed": 0}, REFUTED),
+    "one component is right": ({"kind": "at", "formula": "point", "parameter": 0, "claimed": [0, 1]}, Verdict.REFUTED),
+    "a number for a vector": ({"kind": "at", "formula": "point", "parameter": 0, "claimed": 0}, Verdict.REFUTED),
     "from the right alone": (
         {"kind": "at", "formula": "velocity", "parameter": 1, "claimed": [0, 1], "example": "corner"},
-        REFUTED,
+        Verdict.REFUTED,
     ),
     "from the left alone": (
         {"kind": "limit", "formula": "velocity", "parameter": 1, "claimed": [1, 0], "example": "corner"},
-        REFUTED,
+        Verdict.REFUTED,
     ),
-    "0/0 is no value": ({"kind": "at", "formula": "slope", "parameter": 0, "claimed": "8/3"}, VACUOUS),
+    "0/0 is no value": ({"kind": "at", "formula": "slope", "parameter": 0, "claimed": "8/3"}, Verdict.VACUOUS),
     "a pole is no value": (
         {"kind": "at", "formula": "pole", "parameter": 0.5, "claimed": 0, "example": "corner"},
-        VACUOUS,
+        Verdict.VACUOUS,
     ),
-    "another limit": ({"kind": "limit", "formula": "slope", "parameter": 0, "claimed": "3/8"}, REFUTED),
-    "no pole": ({"kind": "limit", "formula": "slope", "parameter": 0, "claimed": "∞"}, REFUTED),
-    "outside the domain": ({"kind": "at", "formula": "x", "parameter": 2, "claimed": 0}, UNDECIDED),
-    "attained at the end": ({"kind": "bound", "formula": "x", "bound": "< 1.5"}, REFUTED),
-    "touched inside": ({"kind": "bound", "formula": "square", "bound": "> 0"}, REFUTED),
-    "holds at the ends alone": ({"kind": "bound", "formula": "y", "bound": "≤ 1/5"}, REFUTED),
-    "holds at a hundred places": ({"kind": "bound", "formula": "square", "bound": "≥ 1/100000000"}, REFUTED),
-    "a constant that is equal": ({"kind": "bound", "formula": "one", "bound": "< 1"}, REFUTED),
-    "a length and not its square": ({"kind": "bound", "formula": "point", "bound": "≤ 1.53"}, VERIFIED),
-    "a negative length": ({"kind": "bound", "formula": "point", "bound": "≤ -2"}, REFUTED),
+    "another limit": ({"kind": "limit", "formula": "slope", "parameter": 0, "claimed": "3/8"}, Verdict.REFUTED),
+    "no pole": ({"kind": "limit", "formula": "slope", "parameter": 0, "claimed": "∞"}, Verdict.REFUTED),
+    "outside the domain": ({"kind": "at", "formula": "x", "parameter": 2, "claimed": 0}, Verdict.UNDECIDED),
+    "attained at the end": ({"kind": "bound", "formula": "x", "bound": "< 1.5"}, Verdict.REFUTED),
+    "touched inside": ({"kind": "bound", "formula": "square", "bound": "> 0"}, Verdict.REFUTED),
+    "holds at the ends alone": ({"kind": "bound", "formula": "y", "bound": "≤ 1/5"}, Verdict.REFUTED),
+    "holds at a hundred places": ({"kind": "bound", "formula": "square", "bound": "≥ 1/100000000"}, Verdict.REFUTED),
+    "a constant that is equal": ({"kind": "bound", "formula": "one", "bound": "< 1"}, Verdict.REFUTED),
+    "a length and not its square": ({"kind": "bound", "formula": "point", "bound": "≤ 1.53"}, Verdict.VERIFIED),
+    "a negative length": ({"kind": "bound", "formula": "point", "bound": "≤ -2"}, Verdict.REFUTED),
     "a pole inside, of both signs": (
         {"kind": "bound", "formula": "pole", "bound": "> 0", "example": "corner"},
-        REFUTED,
+        Verdict.REFUTED,
     ),
-    "outside the interval": ({"kind": "bound", "formula": "x", "bound": "≤ 1", "interval": [0, 1]}, REFUTED),
+    "outside the interval": ({"kind": "bound", "formula": "x", "bound": "≤ 1", "interval": [0, 1]}, Verdict.REFUTED),
     "an interval outside the domain": (
         {"kind": "bound", "formula": "x", "bound": "≤ 9", "interval": [0, 2]},
-        UNDECIDED,
+        Verdict.UNDECIDED,
     ),
     "a root outside the interval": (
         {"kind": "count", "formula": "less_one", "claimed": "1 roots", "interval": [0, 0.5]},
-        REFUTED,
+        Verdict.REFUTED,
     ),
     "a root seen from the left alone": (
         {"kind": "count", "formula": "y", "claimed": "0 roots", "example": "leap"},
-        UNDECIDED,
+        Verdict.UNDECIDED,
     ),
     "the same in the interval before": (
         {"kind": "count", "formula": "y", "claimed": "1 roots", "interval": [-1, 0], "example": "leap"},
-        UNDECIDED,
+        Verdict.UNDECIDED,
     ),
     "the same in the interval behind": (
         {"kind": "count", "formula": "y", "claimed": "0 roots", "interval": [0, 1], "example": "leap"},
-        UNDECIDED,
+        Verdict.UNDECIDED,
     ),
     "a root on one side of the seam": (
         {"kind": "count", "formula": "rise", "claimed": "0 roots", "example": "closed"},
-        UNDECIDED,
+        Verdict.UNDECIDED,
     ),
     "the same in the whole domain": (
         {"kind": "count", "formula": "rise", "claimed": "1 roots", "interval": [0, 2], "example": "closed"},
-        UNDECIDED,
+        Verdict.UNDECIDED,
     ),
     "the same at the end": (
         {"kind": "count", "formula": "rise", "claimed": "0 roots", "interval": ["3/2", 2], "example": "closed"},
-        UNDECIDED,
+        Verdict.UNDECIDED,
     ),
     "a seam counted twice": (
         {"kind": "count", "formula": "y", "claimed": "2 roots", "interval": [0, 2], "example": "there_and_back"},
-        REFUTED,
+        Verdict.REFUTED,
     ),
     "0/0, whose continuation is 0": (
         {"kind": "bound", "formula": "slope", "bound": "< 0", "interval": [-1, 0], "example": "parabola_2"},
-        REFUTED,
+        Verdict.REFUTED,
     ),
     "a sign where the continuation is 0": (
         {"kind": "sign", "formula": "ratio", "sign": "> 0", "on": "curve", "example": "parabola_2"},
-        REFUTED,
+        Verdict.REFUTED,
     ),
     "a Bézier point that is no control point": (
         {"kind": "coefficients", "formula": "py", "on": "curve", "example": "falling"},
-        REFUTED,
+        Verdict.REFUTED,
     ),
     "a coefficient of the other sign": (
         {"kind": "coefficients", "formula": "px_less_one", "sign": "< 0", "on": "curve"},
-        REFUTED,
+        Verdict.REFUTED,
     ),
-    "a coefficient that is 0": ({"kind": "coefficients", "formula": "px", "sign": "> 0", "on": "curve"}, REFUTED),
-    "not that far": ({"kind": "distance", "other": "circle", "bound": "> 0"}, REFUTED),
-    "not a tenth": ({"kind": "distance", "other": "circle", "bound": "≥ 0.1"}, REFUTED),
-    "a distance is not negative": ({"kind": "distance", "other": "circle", "bound": "≤ -1"}, REFUTED),
-    "the other sign": ({"kind": "sign", "formula": "turning", "sign": "> 0", "on": "curve"}, REFUTED),
+    "a coefficient that is 0": (
+        {"kind": "coefficients", "formula": "px", "sign": "> 0", "on": "curve"},
+        Verdict.REFUTED,
+    ),
+    "not that far": ({"kind": "distance", "other": "circle", "bound": "> 0"}, Verdict.REFUTED),
+    "not a tenth": ({"kind": "distance", "other": "circle", "bound": "≥ 0.1"}, Verdict.REFUTED),
+    "a distance is not negative": ({"kind": "distance", "other": "circle", "bound": "≤ -1"}, Verdict.REFUTED),
+    "the other sign": ({"kind": "sign", "formula": "turning", "sign": "> 0", "on": "curve"}, Verdict.REFUTED),
     "another factor": (
         {"kind": "identity", "left": "twice", "right": "turning", "factor": "3", "on": "curve"},
-        REFUTED,
+        Verdict.REFUTED,
     ),
-    "not zero here": ({"kind": "vanishing", "left": "turning", "on": "curve"}, REFUTED),
-    "other zeros": ({"kind": "zero set", "formulas": ["turning", "y"], "on": "curve"}, REFUTED),
-    "a polynomial here": ({"kind": "type", "formula": "turning", "claimed": "rational", "on": "curve"}, REFUTED),
+    "not zero here": ({"kind": "vanishing", "left": "turning", "on": "curve"}, Verdict.REFUTED),
+    "other zeros": ({"kind": "zero set", "formulas": ["turning", "y"], "on": "curve"}, Verdict.REFUTED),
+    "a polynomial here": (
+        {"kind": "type", "formula": "turning", "claimed": "rational", "on": "curve"},
+        Verdict.REFUTED,
+    ),
     "a lower degree here": (
         {"kind": "degree", "formula": "bent", "claimed": "2d - 2", "measure": "true", "on": "curve"},
-        REFUTED,
+        Verdict.REFUTED,
     ),
 }
 
@@ -239,7 +242,7 @@ FAIL = {
 @pytest.mark.parametrize("claim", HOLD, ids=lambda claim: claim["kind"])
 def test_what_holds_on_the_curve_is_verified(claim, folder, tmp_path):
     row = decided(folder, tmp_path, **claim)
-    assert row.verdict == VERIFIED, worded(row.witness)
+    assert row.verdict == Verdict.VERIFIED, str(row.witness)
     assert row.as_recorded
 
 
@@ -247,9 +250,9 @@ def test_what_holds_on_the_curve_is_verified(claim, folder, tmp_path):
 def test_what_is_false_of_the_curve_is_not(reason, folder, tmp_path):
     claim, verdict = FAIL[reason]
     row = decided(folder, tmp_path, **claim)
-    assert row.verdict == verdict, worded(row.witness)
-    if verdict == REFUTED:
-        assert worded(row.witness).startswith(f"on the example curve {claim.get('example', 'arch')}")
+    assert row.verdict == verdict, str(row.witness)
+    if verdict == Verdict.REFUTED:
+        assert str(row.witness).startswith(f"on the example curve {claim.get('example', 'arch')}")
 
 
 REFUSED = [
@@ -274,7 +277,7 @@ REFUSED = [
 
 @pytest.mark.parametrize(("claim", "problem"), REFUSED)
 def test_what_cannot_be_meant_is_refused(claim, problem, folder, tmp_path):
-    assert decided(folder, tmp_path, **claim).verdict == NOT_ASKED
+    assert decided(folder, tmp_path, **claim).verdict == Verdict.NOT_ASKED
     assert problem in refusal(tmp_path / "p")
 
 
@@ -288,8 +291,8 @@ def test_a_constant_of_our_choice_is_no_value(tmp_path):
         base | {"id": "1", "formula": "scaled", "claimed": x},
         base | {"id": "2", "formula": "scaled", "claimed": "0"},
     ]
-    rows = [decide(claim) for claim in claims_of(load_paper(written(tmp_path / "p", formulas, claims)))]
-    assert [row.verdict for row in rows] == [UNDECIDED, REFUTED]
+    rows = [decide(claim) for claim in claims_of(paper(written(tmp_path / "p", formulas, claims)))]
+    assert [row.verdict for row in rows] == [Verdict.UNDECIDED, Verdict.REFUTED]
 
 
 @pytest.mark.parametrize(
@@ -310,8 +313,8 @@ def test_roots_are_not_counted_for_one_constant_or_point(kind, formula, fields, 
     own = written(tmp_path / "p", formulas, [claim])
     (own / "curves").mkdir()
     exactspline.write(PARABOLA, own / "curves" / "straight_line.json")
-    (row,) = map(decide, claims_of(load_paper(own)))
-    assert row.verdict in (UNDECIDED, REFUTED, VACUOUS)
+    (row,) = map(decide, claims_of(paper(own)))
+    assert row.verdict in (Verdict.UNDECIDED, Verdict.REFUTED, Verdict.VACUOUS)
 
 
 @pytest.mark.parametrize(
@@ -332,7 +335,7 @@ def test_roots_are_not_counted_for_one_constant_or_point(kind, formula, fields, 
     ],
 )
 def test_what_is_printed_is_what_was_decided(claim, words, folder, tmp_path):
-    assert decided(folder, tmp_path, **claim).verdict == VERIFIED
+    assert decided(folder, tmp_path, **claim).verdict == Verdict.VERIFIED
     printed = invoke("show", "1", "--paper", tmp_path / "p", "--latex").output
     assert all(word in printed for word in words)
     if "interval" in claim:
@@ -352,7 +355,7 @@ def test_a_curve_of_the_paper_with_the_name_of_an_undulation_is_the_one_meant(tm
     own = written(tmp_path / "p", formulas, [claim])
     (own / "curves").mkdir()
     exactspline.write(ARCH, own / "curves" / "undulation_2d.json")
-    (claim,) = claims_of(load_paper(own))
+    (claim,) = claims_of(paper(own))
     examples = {name: curve for _, name, curve in claim._examples()}
     assert examples["undulation_2d"] == ARCH
 
@@ -360,7 +363,7 @@ def test_a_curve_of_the_paper_with_the_name_of_an_undulation_is_the_one_meant(tm
 def test_other_judges_are_not_asked_of_one_curve(folder, tmp_path):
     """sympy would refute for all curves what holds on one."""
     row = decided(folder, tmp_path, kind="identity", left="bent", right="turning", on="curve")
-    assert Sympy().decide(row.claim).verdict == UNDECIDED
+    assert Sympy().decide(row.claim).verdict == Verdict.UNDECIDED
     done = invoke("prove", "--paper", tmp_path / "p", "--judge", "sympy")
     assert done.exit_code == 0
     assert "VERIFIED" in done.output
@@ -378,7 +381,7 @@ def test_every_door_takes_them(folder, tmp_path):
         ):
             assert invoke(*command, "--paper", tmp_path / "p").exit_code == 0
     wrong = decided(folder, tmp_path, kind="identity", left="twice", right="turning", factor="3", on="curve")
-    assert wrong.verdict == REFUTED
+    assert wrong.verdict == Verdict.REFUTED
     found = invoke("prove", "--paper", tmp_path / "p").output
     assert "twice = 3" not in found  # the claimed relation was shown as what is found
     assert "Remark: said" in invoke("errata", "--paper", tmp_path / "p").output

@@ -8,16 +8,14 @@ from math import nextafter
 
 import mpmath
 import pytest
-from click.testing import CliRunner
 from flint import fmpz_poly
 from gmpy2 import mpq
 from hypothesis import assume, given
 from hypothesis import strategies as st
 
 from exactspline import BSpline, example, zeros
-from exactspline.cli import app
 from exactspline.errors import FormulaError, ShapeError
-from exactspline.interchange.curve_files import curve_data
+from exactspline.interchange import text
 from exactspline.polynomials.bernstein import from_bezier
 from exactspline.tables import construction
 from exactspline.verification.conditioning import (
@@ -37,6 +35,7 @@ from exactspline.verification.conditioning import (
     to_doubles,
 )
 from tests.campaigns.conditioning import Tally, search_witnesses
+from tests.support.command import invoke
 
 small = st.integers(-9, 9)
 
@@ -235,7 +234,11 @@ def example_inflections():
 
 
 def told(tally):
-    return {**vars(tally), "smallest": curve_data(tally.smallest[1]), "largest": curve_data(tally.largest[1])}
+    return {
+        **vars(tally),
+        "smallest": json.loads(text(tally.smallest[1])),
+        "largest": json.loads(text(tally.largest[1])),
+    }
 
 
 def test_the_search_repeats_itself_and_the_theorem_holds():
@@ -285,7 +288,7 @@ def test_no_zero_is_found_where_the_signs_drown():
 
 
 def run(*arguments):
-    return CliRunner().invoke(app, ["formula", "conditioning", *arguments])
+    return invoke("formula", "conditioning", *arguments)
 
 
 def test_the_command_shows_both_witnesses():

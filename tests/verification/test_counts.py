@@ -8,16 +8,14 @@ import pytest
 
 from docs.counts import PAGE, written
 from docs.ten_claims import CLAIMS
-from exactspline import decide, paper
+from exactspline import Verdict, claims, decide, paper
 from exactspline.display.ledger import closing, headline, summary
-from exactspline.papers import default_papers, load_paper, papers
-from exactspline.papers.new import write_new_paper
+from exactspline.papers import default_papers, papers
 from exactspline.tables import errata
-from exactspline.verification.claims import all_claims, claims_in, claims_of
+from exactspline.verification.claims import claims_in
 from exactspline.verification.errata import remarks
 from exactspline.verification.ledger import Counts, count_statements, recorded_counts
-from exactspline.verification.verdict import PROVED, REFUTED, UNDECIDED
-from exactspline.verification.vocabulary import Status
+from tests.support.command import new_paper
 from tests.support.decided import decided_once, errors_in_print, proofs
 
 ROOT = Path(__file__).parents[2]
@@ -27,26 +25,27 @@ COUNTED = re.compile(rf"\b(\d[\d,]*|{'|'.join(WORDS)})\s+(?:[a-z]+ )?(statements
 
 
 def test_statements_of_a_status_are_counted_by_verdict_and_errors_by_name():
-    first, second, third = all_claims()[:3]
-    assert {claim.status for claim in (first, second, third)} == {Status.PRINTED}
-    found = count_statements([(first, REFUTED), (second, PROVED), (third, UNDECIDED)])
-    assert found[Status.PRINTED] == Counts(3, 1, 1, 1)
-    assert found[Status.PRINTED].neither == 1
-    assert found[Status.MEANT] == found[Status.OURS] == Counts(0, 0, 0, 0)
+    first, second, third = claims()[:3]
+    assert {claim.status for claim in (first, second, third)} == {"printed"}
+    found = count_statements([(first, Verdict.REFUTED), (second, Verdict.PROVED), (third, Verdict.UNDECIDED)])
+    assert found["printed"] == Counts(3, 1, 1, 1)
+    assert Counts(10, 6, 3, 1).neither == 1
+    assert found["printed"].neither == 1
+    assert found["meant"] == found["ours"] == Counts(0, 0, 0, 0)
 
 
 def test_two_refuted_statements_of_one_error_are_one_error_and_unrecorded_ones_are_one_each():
-    joined = [claim for claim in all_claims() if claim.error == "ruling-parameter"]
-    assert count_statements((claim, REFUTED) for claim in joined)[Status.PRINTED].errors == 1
-    alone = [claim for claim in all_claims() if not claim.error and claim.status == Status.PRINTED][:3]
-    assert count_statements((claim, REFUTED) for claim in alone)[Status.PRINTED].errors == 3
+    joined = [claim for claim in claims() if claim.error == "ruling-parameter"]
+    assert count_statements((claim, Verdict.REFUTED) for claim in joined)["printed"].errors == 1
+    alone = [claim for claim in claims() if not claim.error and claim.status == "printed"][:3]
+    assert count_statements((claim, Verdict.REFUTED) for claim in alone)["printed"].errors == 3
 
 
 def test_the_ledger_the_errata_and_the_record_count_alike():
-    rows = [decide(claim, proofs()) for claim in all_claims()]
+    rows = [decide(claim, proofs()) for claim in claims()]
     decided = count_statements((row.claim, row.verdict) for row in rows)
-    assert decided == recorded_counts(all_claims())
-    printed = decided[Status.PRINTED]
+    assert decided == recorded_counts(claims())
+    printed = decided["printed"]
     assert printed.errors == len(errors_in_print())
     assert printed.refuted == sum(len(error.statements) for error in errors_in_print())
     head = f"{printed.refuted} statements of the paper refuted ({printed.errors} errors"
@@ -60,7 +59,7 @@ def test_the_ledger_the_errata_and_the_record_count_alike():
 def test_the_errors_of_each_source_are_counted_in_its_errata(source):
     with decided_once():
         found = list(errata([paper(source)]))
-    printed = recorded_counts(claims_of(source))[Status.PRINTED]
+    printed = recorded_counts(claims(paper=source))["printed"]
     assert len(found) == printed.errors
     assert sum(len(error.statements) for error in found) == printed.refuted
 
@@ -78,12 +77,12 @@ weight = 1
 
 def test_what_fails_unrecorded_is_an_error_each_and_a_remark_where_no_source_says_it(tmp_path):
     """Before, several such statements were one error in `prove`, and those beyond the paper were errors of it."""
-    folder = write_new_paper(tmp_path / "mine")[0].parent
+    folder = new_paper(tmp_path / "mine")
     with (folder / "claims.toml").open("a", encoding="utf-8") as file:
         for number, place in enumerate(('place = "eq. (7)"\n', 'place = "eq. (8)"\n', "")):
             file.write(OWN.format(id=f"8{number}", place=place))
-    source = load_paper(folder)
-    rows = [decide(claim) for claim in claims_of(source)]
+    source = paper(folder)
+    rows = [decide(claim) for claim in claims(paper=source)]
     assert (
         headline(rows)
         == "2 statements of the paper refuted (2 errors, 2 rows); 4 hold; none is undecided for all curves; "
@@ -108,8 +107,8 @@ def pages():
 
 def test_numbers_of_statements_in_the_pages_are_those_that_are_counted():
     """A page that counts statements, claims or errors otherwise is listed here with what it counts, or fails."""
-    printed = recorded_counts(claims_of(PAPER))[Status.PRINTED]
-    primer = recorded_counts(claims_of("primer_on_bezier_curves"))[Status.PRINTED]
+    printed = recorded_counts(claims(paper=PAPER))["printed"]
+    primer = recorded_counts(claims(paper="primer_on_bezier_curves"))["printed"]
     expected = {
         ("mutation.md", "statements"): printed.statements,
         ("ten-claims.md", "claims"): sum(map(len, CLAIMS.values())),
@@ -129,5 +128,5 @@ def test_the_page_of_sources_lists_every_error():
     part = (ROOT / "docs" / "sources.md").read_text(encoding="utf-8").split("## Their errors")[1].split("\n## ")[0]
     listed = re.findall(r"^    - (.*(?:\n      .*)*)", part, re.MULTILINE)
     others = [source for source in papers() if source not in default_papers()]
-    errors = recorded_counts(claims_in(others))[Status.PRINTED].errors
+    errors = recorded_counts(claims_in(others))["printed"].errors
     assert len([each for each in listed if "(a remark" not in each]) == errors

@@ -5,16 +5,13 @@ from dataclasses import replace
 import pytest
 from gmpy2 import mpq
 
-from exactspline import Nurbs, example
+from exactspline import Nurbs, Verdict, claims, example, formula_of, paper
 from exactspline.errors import FormulaError, ReachError
 from exactspline.language.ruled import split
-from exactspline.papers import find, load_paper
 from exactspline.readings import parse_degree
 from exactspline.readings.degree import Degree
-from exactspline.verification.claims import all_claims, claims_of
 from exactspline.verification.evaluation import Evaluation
 from exactspline.verification.notation import factor_parts
-from exactspline.verification.verdict import PROVED, VERIFIED
 from tests.support.sampled import sample
 from tests.verification.test_own_paper import written
 
@@ -27,7 +24,7 @@ NOT_ZERO = {"curve": "D1", "plane": "f2", "space": "D1_D2_D3", "pair": "bisector
 NOT_ZERO |= {"point": "point_bisector_determinant_polynomial", "plane point": "plane_bisector_determinant"}
 #: Ruled surfaces that are none of those that are claimed to be one with another.
 OTHER = {"space": ("tangent_developable", "binormal_scroll"), "point": ("tangent_developable", "binormal_scroll")}
-TRUE = [claim for claim in all_claims() if claim.expected in (PROVED, VERIFIED)]
+TRUE = [claim for claim in claims() if claim.expected in (Verdict.PROVED, Verdict.VERIFIED)]
 #: What is recorded of polynomial curves: where it is another degree, none holds of both.
 POLYNOMIAL_DEGREES = {(c.formula, c.measure): c.claimed for c in TRUE if c.kind == "degree" and c.of == "polynomial"}
 EVERYWHERE, IN_GENERAL = "false on every curve", "false in general"
@@ -143,12 +140,12 @@ def is_true_after_all(claim, false):
     if false.kind == "degree" and false.measure == "nominal" and claim.measure != "nominal":
         names = POLYNOMIAL if false.of == "polynomial" else GENERIC
         own = Evaluation(example(names[false.dimensions[0]]))
-        degree = find(false.formula)(own.argument(false.curve)).degree
+        degree = formula_of(false.formula)(own.argument(false.curve)).degree
         return getattr(degree, "s", degree) == parse_degree(false.claimed).at({"d": 3})
     if false.kind == "zero set" and not any(each.name == "w" for each in false.assumes):
         # numerators all of which vanish where w does have one zero set without that assumption, too
         curve = Nurbs(3, [0] * 4 + [1] * 4, [(1, 0, 3), (2, 5, 1), (0, 1, 1), (3, 1, 4)], [1, 2, -1, 3])
-        return 3 in false.dimensions and false.check(curve).verdict == VERIFIED
+        return 3 in false.dimensions and false.check(curve).verdict == Verdict.VERIFIED
     return False
 
 
@@ -163,7 +160,7 @@ def test_no_false_claim_is_proved(kind):
             verdict = false.prove()[1].verdict
         except FormulaError:  # a false identity may cancel nothing and grow beyond what is worked with: no verdict
             continue
-        if verdict in (PROVED, VERIFIED):
+        if verdict in (Verdict.PROVED, Verdict.VERIFIED):
             fooled.append((claim.key, false))
     assert tried
     assert fooled == []
@@ -177,7 +174,7 @@ def test_what_is_false_everywhere_is_verified_on_no_curve(kind):
         n = false.dimensions[0]
         if where == EVERYWHERE and false.applies_to(n, False) and _is_not_zero(false, own[n]):
             tried += 1
-            if false.check(own[n]).verdict == VERIFIED:
+            if false.check(own[n]).verdict == Verdict.VERIFIED:
                 fooled.append((claim.key, false))
     assert tried > 40
     assert fooled == []
@@ -213,6 +210,6 @@ def weighted(c):
         formulas,
         [{"id": "1", "kind": "identity", "curve": kind, "statement": "w = 1", "left": "weighted", "right": "long"}],
     )
-    (claim,) = claims_of(load_paper(folder))
+    (claim,) = claims(paper=paper(folder))
     with pytest.raises(ReachError):
         claim.prove()

@@ -4,12 +4,11 @@ from dataclasses import replace
 
 import pytest
 
-from exactspline import decide, paper
-from exactspline.papers import Table, load_paper
+from exactspline import Verdict, decide, paper
+from exactspline.papers import Table
 from exactspline.readings import parse_degree
 from exactspline.readings.degree import Degree
 from exactspline.verification.claims import claim_of, claims_of
-from exactspline.verification.verdict import PROVED, REFUTED, VERIFIED
 from tests.support.sampled import sample
 from tests.verification.test_own_paper import written
 
@@ -51,7 +50,7 @@ def test_no_changed_claim_of_the_paper_is_proved(kind):
     makers = {"identity": of_identity, "degree": of_degree}
     false = [each for claim in TRUE if claim.kind == kind for each in makers[kind](claim)]
     assert len(false) > 100
-    fooled = [each for each in sample(false, 70) if decide(each).verdict in (PROVED, VERIFIED)]
+    fooled = [each for each in sample(false, 70) if decide(each).verdict in (Verdict.PROVED, Verdict.VERIFIED)]
     assert fooled == []
 
 
@@ -102,7 +101,7 @@ FALSE = {
 @pytest.mark.parametrize("what", FALSE)
 def test_false_statements_of_every_kind(what):
     entry = {"id": "F", "key": f"F-{FALSE[what]['kind'].replace(' ', '-')}", "statement": what, **FALSE[what]}
-    assert decide(claim_of(Table("here", entry), paper("surfaces"))).verdict not in (PROVED, VERIFIED)
+    assert decide(claim_of(Table("here", entry), paper("surfaces"))).verdict not in (Verdict.PROVED, Verdict.VERIFIED)
 
 
 def test_formulas_of_curves_and_of_surfaces_in_one_claim_of_a_folder(tmp_path):
@@ -122,5 +121,5 @@ def speed(c):
         {"id": "1", "left": "speed_along_u", "right": "speed", **told},
         {"id": "2", "left": "speed", "right": "speed_along_u", **told},
     ]
-    rows = [decide(claim) for claim in claims_of(load_paper(written(tmp_path / "mixed", formulas, claims)))]
-    assert [row.verdict for row in rows] == [REFUTED, REFUTED]
+    rows = [decide(claim) for claim in claims_of(paper(written(tmp_path / "mixed", formulas, claims)))]
+    assert [row.verdict for row in rows] == [Verdict.REFUTED, Verdict.REFUTED]

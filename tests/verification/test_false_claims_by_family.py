@@ -8,15 +8,11 @@ from itertools import product
 
 import pytest
 
-from exactspline import Nurbs, decide
-from exactspline.display.evidence import worded
-from exactspline.papers import load_paper
+from exactspline import Nurbs, Verdict, decide, example, examples, paper
 from exactspline.verification.claims import claims_of
 from exactspline.verification.evaluation import CONSTANTS, point_beside
 from exactspline.verification.kinds import KINDS
 from exactspline.verification.ledger import audit
-from exactspline.verification.paper_curves import one_patch_surfaces
-from exactspline.verification.verdict import PROVED, VERIFIED
 from tests.verification.test_own_paper import written
 
 #: A straight segment, then a parabola; in space another straight one, then a twisted cubic.
@@ -413,10 +409,12 @@ def family(name, folder):
     formulas, entries = FAMILIES[name]()
     told = [{"id": f"F{i}", "statement": "false"} | each for i, each in enumerate(entries)]
     # the check before a formula runs refuses wrong letters; what readings do without it is asked here
-    claims = claims_of(load_paper(written(folder / name, formulas, told), trust=name == "wrong_letters"))
+    claims = claims_of(paper(written(folder / name, formulas, told), trust=name == "wrong_letters"))
     assert len(claims) == len(entries)
     curves = GENERAL.get(name, CURVES)
-    surfaces = one_patch_surfaces() if name in ("wrong_letters",) else ()
+    surfaces = (
+        [s for s in map(example, examples("surfaces")) if s.patches == (1, 1)] if name in ("wrong_letters",) else ()
+    )
     return claims, [*map(decide, claims), *audit(claims, [*curves, *surfaces])]
 
 
@@ -429,8 +427,8 @@ def folder(tmp_path_factory):
 def test_no_false_claim_of_a_family_is_proved_or_verified(name, folder):
     """Passed before: see the docstrings of the families."""
     _, rows = family(name, folder)
-    wrong = [row for row in rows if row.verdict in (PROVED, VERIFIED)]
-    assert [(row.key, row.statement, row.curve, row.claimed, worded(row.computed)) for row in wrong] == []
+    wrong = [row for row in rows if row.verdict in (Verdict.PROVED, Verdict.VERIFIED)]
+    assert [(row.key, row.statement, row.curve, row.claimed, str(row.computed)) for row in wrong] == []
 
 
 def test_there_are_more_than_enough(folder):

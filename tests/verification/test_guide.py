@@ -3,24 +3,26 @@ accepted, and what a kind of claims has is in the guide.
 """
 
 import re
+from dataclasses import fields
 
 import pytest
 
-from exactspline import decide
-from exactspline.display.evidence import worded
-from exactspline.papers import load_paper
-from exactspline.papers.new import write_new_paper
+from exactspline import Verdict, decide, paper
 from exactspline.symbolic.assumptions import ASSUMPTIONS
-from exactspline.verification.claim import Claim
-from exactspline.verification.claim_fields import declared
 from exactspline.verification.claims import claims_of
 from exactspline.verification.kinds import KINDS
-from exactspline.verification.verdict import INAPPLICABLE, NOT_ASKED, PROVED, REFUTED, UNDECIDED, VERIFIED
-from tests.support.command import invoke
+from tests.support.command import invoke, new_paper
 from tests.verification.test_own_paper import DOCS, text_of
 
 pytestmark = pytest.mark.skipif(not DOCS.exists(), reason="the documents are in the checkout only")
-COMMON = set(declared(Claim).entries)
+
+
+def fields_of(kind):
+    """The fields that an entry of a kind may have."""
+    return {each.name for each in fields(kind)} - {"paper"}
+
+
+COMMON = set.intersection(*map(fields_of, KINDS.values()))
 #: A claim of every kind about the formulas of the template and these, with every field of the guide, and its verdict.
 MORE = """
 from exactspline.language import ruled
@@ -54,34 +56,40 @@ def tangents_too(c):
     return ruled(c.gamma + c.gamma.d(1), c.gamma.d(1) * 2)
 """
 CLAIMS = [
-    ({"kind": "identity", "left": "turning", "right": "turning_by_normal", "factor": "1"}, PROVED),
-    ({"kind": "vanishing", "left": "bent", "expected": "REFUTED"}, REFUTED),
+    ({"kind": "identity", "left": "turning", "right": "turning_by_normal", "factor": "1"}, Verdict.PROVED),
+    ({"kind": "vanishing", "left": "bent", "expected": "REFUTED"}, Verdict.REFUTED),
     (
         {"kind": "degree", "formula": "bent", "claimed": "2d - 3", "measure": "nominal", "relation": "=", "least_d": 2}
         | {"parameter": "s", "counting": "Table 1"},
-        PROVED,
+        Verdict.PROVED,
     ),
-    ({"kind": "zero set", "formulas": ["turning", "turning_by_normal"]}, PROVED),
-    ({"kind": "same surface", "left": "tangents", "right": "tangents_too", "curve": "space"}, PROVED),
-    ({"kind": "iso-curve", "left": "to_point", "right": "cone", "curve": "plane point"}, PROVED),
-    ({"kind": "contact", "formula": "tangent", "order": 1, "relation": "=", "curve": "plane pair"}, PROVED),
-    ({"kind": "invariance", "formula": "turning", "under": "motion", "weight": 0, "nature": "scalar"}, PROVED),
-    ({"kind": "sign", "formula": "speed_squared", "sign": "≥ 0", "squares": ["velocity"], "factor": "1"}, PROVED),
-    ({"kind": "square class", "formula": "turning", "right": "turning_by_normal"}, PROVED),
-    ({"kind": "type", "formula": "curvature_squared", "claimed": "rational"}, PROVED),
-    ({"kind": "applies", "formula": "turning"}, PROVED),
-    ({"kind": "existence", "formula": "curvature_squared", "definition": "curvature"}, UNDECIDED),
-    ({"kind": "count", "formula": "turning", "example": "arch", "claimed": "0 roots", "interval": [0, 1]}, VERIFIED),
-    ({"kind": "at", "formula": "bent", "example": "arch", "parameter": 0, "claimed": 0}, REFUTED),
-    ({"kind": "limit", "formula": "bent", "example": "arch", "parameter": 0, "claimed": "∞"}, REFUTED),
-    ({"kind": "bound", "formula": "bent", "example": "arch", "bound": "≥ -9999", "interval": [0, 1]}, VERIFIED),
-    ({"kind": "distance", "example": "arch", "other": "circle", "bound": "≤ 100"}, VERIFIED),
+    ({"kind": "zero set", "formulas": ["turning", "turning_by_normal"]}, Verdict.PROVED),
+    ({"kind": "same surface", "left": "tangents", "right": "tangents_too", "curve": "space"}, Verdict.PROVED),
+    ({"kind": "iso-curve", "left": "to_point", "right": "cone", "curve": "plane point"}, Verdict.PROVED),
+    ({"kind": "contact", "formula": "tangent", "order": 1, "relation": "=", "curve": "plane pair"}, Verdict.PROVED),
+    ({"kind": "invariance", "formula": "turning", "under": "motion", "weight": 0, "nature": "scalar"}, Verdict.PROVED),
+    (
+        {"kind": "sign", "formula": "speed_squared", "sign": "≥ 0", "squares": ["velocity"], "factor": "1"},
+        Verdict.PROVED,
+    ),
+    ({"kind": "square class", "formula": "turning", "right": "turning_by_normal"}, Verdict.PROVED),
+    ({"kind": "type", "formula": "curvature_squared", "claimed": "rational"}, Verdict.PROVED),
+    ({"kind": "applies", "formula": "turning"}, Verdict.PROVED),
+    ({"kind": "existence", "formula": "curvature_squared", "definition": "curvature"}, Verdict.UNDECIDED),
+    (
+        {"kind": "count", "formula": "turning", "example": "arch", "claimed": "0 roots", "interval": [0, 1]},
+        Verdict.VERIFIED,
+    ),
+    ({"kind": "at", "formula": "bent", "example": "arch", "parameter": 0, "claimed": 0}, Verdict.REFUTED),
+    ({"kind": "limit", "formula": "bent", "example": "arch", "parameter": 0, "claimed": "∞"}, Verdict.REFUTED),
+    ({"kind": "bound", "formula": "bent", "example": "arch", "bound": "≥ -9999", "interval": [0, 1]}, Verdict.VERIFIED),
+    ({"kind": "distance", "example": "arch", "other": "circle", "bound": "≤ 100"}, Verdict.VERIFIED),
     (
         {"kind": "coefficients", "formula": "bent", "sign": "≥ 0", "curves": "every", "on": "curve", "example": "arch"},
-        REFUTED,
+        Verdict.REFUTED,
     ),
     ({"kind": "condition", "left": "turning", "right": "turning_by_normal", "example": "arch"}, None),
-    ({"kind": "not asked", "why": "an integral"}, NOT_ASKED),
+    ({"kind": "not asked", "why": "an integral"}, Verdict.NOT_ASKED),
 ]
 
 
@@ -97,7 +105,7 @@ def fields_in_the_guide():
 
 def own_paper(tmp_path, *claims):
     """The template with these claims at its end; of its own claims none."""
-    folder = write_new_paper(tmp_path / "mine")[0].parent
+    folder = new_paper(tmp_path / "mine")
     with (folder / "formulas.py").open("a") as file:
         file.write(MORE)
     entries = [{"id": f"{i}", "statement": "said", "curve": "plane"} | claim for i, claim in enumerate(claims)]
@@ -110,8 +118,8 @@ def test_every_field_of_every_kind_is_in_the_guide_and_no_other():
     guide = fields_in_the_guide()
     assert guide.keys() == KINDS.keys()
     for name, kind in KINDS.items():
-        own = set(declared(kind).entries) - COMMON
-        assert own <= guide[name] <= set(declared(kind).entries), name
+        own = fields_of(kind) - COMMON
+        assert own <= guide[name] <= fields_of(kind), name
 
 
 def test_what_any_claim_may_have_is_in_the_guide():
@@ -124,11 +132,11 @@ def test_what_any_claim_may_have_is_in_the_guide():
 def test_a_claim_of_every_kind_is_accepted_at_the_first_try(tmp_path):
     assert {claim["kind"] for claim, _ in CLAIMS} == set(KINDS)
     assert all(fields_in_the_guide()[claim["kind"]] - {"on"} <= set(claim) for claim, _ in CLAIMS)
-    own = claims_of(load_paper(own_paper(tmp_path, *[claim for claim, _ in CLAIMS])))
+    own = claims_of(paper(own_paper(tmp_path, *[claim for claim, _ in CLAIMS])))
     for claim, (_, verdict) in zip(own, CLAIMS, strict=True):
         found = decide(claim)
-        assert verdict in (None, found.verdict), (claim.kind, worded(found.witness))
-        assert (found.verdict == NOT_ASKED) == (claim.kind == "not asked")
+        assert verdict in (None, found.verdict), (claim.kind, str(found.witness))
+        assert (found.verdict == Verdict.NOT_ASKED) == (claim.kind == "not asked")
 
 
 @pytest.mark.parametrize("place", [{"place": "eq. (3)"}, {"words": "so it is"}, {"place": "eq. (3)", "words": "so"}])
@@ -151,7 +159,7 @@ def test_assumptions_of_the_guide_on_the_template(tmp_path):
     in_guide = re.findall(r'`"([^"`]*(?:≠|≢) 0)"`', page())
     assert set(in_guide) - {"delta ≠ 0"} <= set(stated)
     folder = own_paper(tmp_path, *[base | {"assumes": [each]} for each in stated[:3]])
-    assert not any(claim.kind == "not asked" for claim in claims_of(load_paper(folder)))
+    assert not any(claim.kind == "not asked" for claim in claims_of(paper(folder)))
 
 
 def test_an_assumption_about_a_quotient_says_no_more_than_it_says(tmp_path):
@@ -159,7 +167,7 @@ def test_an_assumption_about_a_quotient_says_no_more_than_it_says(tmp_path):
     both = {"kind": "zero set", "formulas": ["turning", "speed_squared"]}
     nothing = {"kind": "zero set", "formulas": ["turning", "velocity"]}
     own = claims_of(
-        load_paper(
+        paper(
             own_paper(
                 tmp_path,
                 both | {"assumes": ["curvature_squared ≠ 0"]},
@@ -168,9 +176,9 @@ def test_an_assumption_about_a_quotient_says_no_more_than_it_says(tmp_path):
             )
         )
     )
-    assert [decide(claim).verdict for claim in own] == [PROVED, REFUTED, REFUTED]
+    assert [decide(claim).verdict for claim in own] == [Verdict.PROVED, Verdict.REFUTED, Verdict.REFUTED]
     curve = own[0].curve_named("straight_line")
-    assert own[0].check(curve).verdict == INAPPLICABLE
+    assert own[0].check(curve).verdict == Verdict.INAPPLICABLE
 
 
 def test_the_kinds_of_claims_on_framed_arguments_are_those_of_the_guide():

@@ -2,12 +2,10 @@
 
 import pytest
 
-from exactspline import example
-from exactspline.papers import load_paper
+from exactspline import Verdict, example, paper
 from exactspline.verification.claims import claims_of
-from exactspline.verification.combined import combined
 from exactspline.verification.ledger import audit
-from exactspline.verification.verdict import NOT_ASKED, PROVED, REFUTED, VERIFIED
+from tests.support.claims import one_verdict
 from tests.verification.test_own_paper import written
 
 V, A, J = "c.gamma.d(1)", "c.gamma.d(2)", "c.gamma.d(3)"
@@ -88,23 +86,23 @@ def claims(folder, table):
         | {"formula": f"f{[*BODIES].index(kind)}_{[*BODIES[kind]].index(name)}", "weight": weight}
         for k, (kind, name, under, weight, nature) in enumerate(table)
     ]
-    return claims_of(load_paper(written(folder, head + text, told)))
+    return claims_of(paper(written(folder, head + text, told)))
 
 
 def test_what_holds_beside_a_frame_is_proved(tmp_path):
     for line, claim in zip(HOLDS, claims(tmp_path / "p", HOLDS), strict=True):
-        assert combined(claim)[1].verdict == PROVED, line
+        assert one_verdict(claim).verdict == Verdict.PROVED, line
 
 
 def test_what_fails_beside_a_frame_is_refuted(tmp_path):
     """With ‖γ′‖ taken for a number that changes its sign, κ would be the same in both directions."""
     for line, claim in zip(FAILS, claims(tmp_path / "p", FAILS), strict=True):
-        assert combined(claim)[1].verdict == REFUTED, line
+        assert one_verdict(claim).verdict == Verdict.REFUTED, line
 
 
 def test_what_is_not_decided_says_why(tmp_path):
     for line, claim in zip(REFUSED, claims(tmp_path / "p", REFUSED), strict=True):
-        assert combined(claim)[1].verdict == NOT_ASKED, line
+        assert one_verdict(claim).verdict == Verdict.NOT_ASKED, line
         assert claim.why
 
 
@@ -112,4 +110,4 @@ def test_what_is_not_decided_says_why(tmp_path):
 def test_reversal_on_one_curve(tmp_path, name):
     plain = [each for each in HOLDS if each[0] == PLAIN] + [each for each in FAILS if each[0] == PLAIN]
     rows = list(audit(claims(tmp_path / "p", plain), [example(name)]))
-    assert [row.verdict for row in rows] == [VERIFIED, VERIFIED, REFUTED, REFUTED]
+    assert [row.verdict for row in rows] == [Verdict.VERIFIED, Verdict.VERIFIED, Verdict.REFUTED, Verdict.REFUTED]

@@ -6,45 +6,41 @@ from itertools import cycle
 import pytest
 from gmpy2 import mpq
 
-from exactspline import Nurbs, TensorSpline, analyse, decide, example, zeros
+from exactspline import Nurbs, TensorSpline, Verdict, analyse, claims, decide, example, formula_of, zeros
 from exactspline.errors import ClaimError
-from exactspline.language import Vector, join
-from exactspline.language.formula import Formula
+from exactspline.language import Vector, formula, join
 from exactspline.language.kinds import CURVE
 from exactspline.language.operand import Parameter
 from exactspline.language.ruled import split
 from exactspline.numbers.intervals import Interval
-from exactspline.papers import find
 from exactspline.readings.degree import Degree
 from exactspline.readings.jet import JetFraction, RationalJetReading
 from exactspline.symbolic.assumptions import Assumption
-from exactspline.verification.claims import select, stands_at
+from exactspline.verification.claims import stands_at
 from exactspline.verification.decision import Equation, Outcome, decide_identity
 from exactspline.verification.evaluation import Evaluation, fails_on_surface
 from exactspline.verification.evidence import ComponentDiffers, Components, Fact, HeldOn, OnPatch, OnWholePatch
 from exactspline.verification.kinds import examples
 from exactspline.verification.kinds.contact import partial_derivative, rank_of
 from exactspline.verification.kinds.degree import agreed_degree
-from exactspline.verification.kinds.examples import count_of_extrema
 from exactspline.verification.kinds.invariance import MAPS, image_of_point
-from exactspline.verification.verdict import REFUTED, UNDECIDED, VACUOUS, VERIFIED, Finding, sampled
-from exactspline.verification.vocabulary import Reason
+from exactspline.verification.verdict import Finding, sampled
 
 
 @pytest.mark.parametrize(
     ("left", "right", "verdict"),
     [
-        ((1, 2), (3, 4), VERIFIED),
-        ((3, 4), (1, 2), REFUTED),
-        ((2, 3), (1, 2), REFUTED),
-        ((1, 3), (2, 4), UNDECIDED),
-        ((1, 4), (2, 3), UNDECIDED),
-        ((2, 3), (1, 4), UNDECIDED),
+        ((1, 2), (3, 4), Verdict.VERIFIED),
+        ((3, 4), (1, 2), Verdict.REFUTED),
+        ((2, 3), (1, 2), Verdict.REFUTED),
+        ((1, 3), (2, 4), Verdict.UNDECIDED),
+        ((1, 4), (2, 3), Verdict.UNDECIDED),
+        ((2, 3), (1, 4), Verdict.UNDECIDED),
     ],
 )
 def test_enclosures_that_overlap_decide_nothing(monkeypatch, left, right, verdict):
     """Passed by a mutant: an enclosure around another one is "not better"."""
-    (claim,) = select(["O1-g2-curvature_squared_derivative"])
+    (claim,) = claims("O1-g2-curvature_squared_derivative")
     enclosures = cycle([left, right])
     monkeypatch.setattr(examples, "_condition", lambda form, root: Interval(*map(mpq, next(enclosures))))
     own = Evaluation(example("cubic_s"))
@@ -60,12 +56,16 @@ def test_the_witness_of_an_identity_is_what_differs():
         found = Equation(left, right, factor).decide(jets(3))
         return found.verdict, found.computed, found.witness
 
-    third = Formula(lambda c: join(*c.p, c.w), "third", CURVE, "0")
-    other = Formula(lambda c: join(*c.p, c.w * 2), "other", CURVE, "0")
-    assert told(find("f2"), find("D1")) == (REFUTED, Components(1, 2), Fact.OTHER_NUMBER_OF_COMPONENTS)
-    assert told(third, other) == (REFUTED, Fact.NOT_IDENTICAL, ComponentDiffers(3))
-    nothing = Formula(lambda c: c.w - c.w, "nothing", CURVE, "0")
-    found = decide_identity(find("f2")(jets(3)), find("f2")(jets(3)), (jets(3).w, nothing(jets(3))))
+    third = formula("a test", on="curve")(lambda c: join(*c.p, c.w))
+    other = formula("a test", on="curve")(lambda c: join(*c.p, c.w * 2))
+    assert told(formula_of("f2"), formula_of("D1")) == (
+        Verdict.REFUTED,
+        Components(1, 2),
+        Fact.OTHER_NUMBER_OF_COMPONENTS,
+    )
+    assert told(third, other) == (Verdict.REFUTED, Fact.NOT_IDENTICAL, ComponentDiffers(3))
+    nothing = formula("a test", on="curve")(lambda c: c.w - c.w)
+    found = decide_identity(formula_of("f2")(jets(3)), formula_of("f2")(jets(3)), (jets(3).w, nothing(jets(3))))
     assert found.outcome is Outcome.NO_FACTOR
 
 
@@ -78,7 +78,7 @@ def test_the_witness_of_an_identity_is_what_differs():
     ],
 )
 def test_ruling_parameters_differ_by_a_shift_where_directrices_do(key, begins):
-    (claim,) = select([key])
+    (claim,) = claims(key)
     factor = str(decide(claim).factor)
     assert factor.startswith(begins)
     assert (")⁻¹ + (" in factor) == (begins[-1] == "(")
@@ -106,7 +106,7 @@ def test_zeros_on_a_whole_segment_are_no_extrema():
     line = [s.control_points[-1], *[tuple(x + k for x in s.control_points[-1]) for k in (1, 2, 3)]]
     curve = Nurbs(3, [0] * 4 + [1] * 4 + [2] * 4, [*s.control_points, *line])
     for one, count in ((s, len(analyse(s).curvature_extrema)), (curve, None)):
-        assert count_of_extrema(zeros(find("g2")(one)), Evaluation(one)) == count
+        assert examples.count_of_extrema(zeros(formula_of("g2")(one)), Evaluation(one)) == count
 
 
 @pytest.mark.parametrize("name", ["projective map", "inversion", "translation"])
@@ -120,14 +120,14 @@ def test_the_image_of_a_point_is_that_of_a_curve_that_stays_there(name):
 
 
 def test_a_form_that_vanishes_has_no_degree():
-    nothing = Formula(lambda c: c.w - c.w, "nothing", CURVE, "0")
+    nothing = formula("a test", on="curve")(lambda c: c.w - c.w)
     assert agreed_degree(nothing, 2, False, Parameter.FIRST) == (Degree.number(-1), {})
 
 
 def test_a_rational_form_that_does_not_exist_says_nothing():
-    (claim,) = select(["N9-torsion"])
+    (claim,) = claims("N9-torsion")
     line = Nurbs(3, [0] * 4 + [1] * 4, [(k, 2 * k, 3 * k) for k in (0, 1, 2, 4)])
-    for curve, verdict in ((line, VACUOUS), (example("twisted_cubic"), REFUTED)):
+    for curve, verdict in ((line, Verdict.VACUOUS), (example("twisted_cubic"), Verdict.REFUTED)):
         assert claim.examine(curve, Evaluation(curve)).verdict == verdict
 
 
@@ -163,8 +163,8 @@ def test_the_rank_of_a_matrix_of_quotients():
 
 
 def test_what_was_tried_on_a_part_says_so():
-    found = sampled(Finding(VERIFIED, Fact.NOTHING), OnPatch(0, 0))
-    assert (found.verdict, found.reason) == (UNDECIDED, Reason.SAMPLED)
+    found = sampled(Finding(Verdict.VERIFIED, Fact.NOTHING), OnPatch(0, 0))
+    assert (found.verdict, found.reason) == (Verdict.UNDECIDED, "tried on a part")
     assert found.witness == HeldOn(OnPatch(0, 0))
 
 
@@ -175,6 +175,7 @@ def test_a_place_is_not_one_with_more_digits():
         True,
         False,
     ]
+    assert [stands_at(place, "remark") for place in ("remark2", "remark")] == [True, True]
     assert [stands_at("§5, Equation (12)", wanted) for wanted in ("(12)", "(1)", "eq. (12)", "5")] == [
         True,
         False,
@@ -186,7 +187,7 @@ def test_a_place_is_not_one_with_more_digits():
 @pytest.mark.parametrize("key", ["X9-torsion", "N9torsion", "N9", "N9-", "N9-a b", "N9-a;b"])
 def test_a_key_is_the_id_and_words(key):
     """Passed by a mutant: an id of as many letters, or no words."""
-    (claim,) = select(["N9-torsion"])
+    (claim,) = claims("N9-torsion")
     assert replace(claim, key="N9-other-words").key == "N9-other-words"
     with pytest.raises(ClaimError, match="does not begin with the id"):
         replace(claim, key=key)

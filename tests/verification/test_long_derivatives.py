@@ -4,16 +4,14 @@ import re
 
 import pytest
 
+from exactspline import Verdict, claims, paper
 from exactspline.language import Vector, cross, det, dot, formula, norm2
 from exactspline.language.kinds import SPACE
-from exactspline.papers import load_paper
 from exactspline.readings import jet
 from exactspline.readings.differential_order import is_polynomial, order_of
 from exactspline.readings.jet import RationalJetReading
-from exactspline.verification.claims import claims_of
-from exactspline.verification.combined import combined
-from exactspline.verification.verdict import PROVED, REFUTED
 from tests.campaigns import derivatives
+from tests.support.claims import one_verdict
 from tests.verification.test_own_paper import written
 
 
@@ -95,8 +93,8 @@ def test_a_long_factor_is_a_new_form_until_it_has_a_name(tmp_path):
     claim |= {"left": "left", "right": "right"}
 
     def found(folder, more=""):
-        (one,) = claims_of(load_paper(written(tmp_path / folder, text + more, [claim])))
-        return str(combined(one)[1].factor)
+        (one,) = claims(paper=paper(written(tmp_path / folder, text + more, [claim])))
+        return str(one_verdict(one).factor)
 
     assert found("a") == "(a new form of degree 4, weight 8)"
     named = f"@formula('e', on='plane', symbol='Φ')\ndef form(c):\n    return ({form}) * 5\n"
@@ -111,8 +109,8 @@ def test_two_forms_of_one_degree_and_weight_look_different(tmp_path):
         for name, n in zip("lr", "12")
     )
     claim = {"id": "1", "kind": "identity", "statement": "s", "status": "ours", "curve": "plane", "of": "polynomial"}
-    (one,) = claims_of(load_paper(written(tmp_path / "p", text, [claim | {"left": "l", "right": "r"}])))
-    factor = str(combined(one)[1].factor)
+    (one,) = claims(paper=paper(written(tmp_path / "p", text, [claim | {"left": "l", "right": "r"}])))
+    factor = str(one_verdict(one).factor)
     parts = re.fullmatch(r"(\(a new form[^()]+\))·\[(\(a new form[^()]+\)), no. 2\]⁻¹", factor)
     assert parts, factor
     assert parts[1] == parts[2]
@@ -125,7 +123,7 @@ def test_the_focal_curve_is_decided_by_what_its_derivatives_have_in_common(tmp_p
     text += "".join(f"@formula('e', on='space')\ndef {name}(c):\n    return {body}\n" for name, body in bodies.items())
     sides = {"left": "left", "right": "right"}
     folder = written(tmp_path / "p", text, [common | sides | {"id": "1"}, common | sides | {"id": "2", "factor": "-1"}])
-    assert [combined(each)[1].verdict for each in claims_of(load_paper(folder))] == [PROVED, REFUTED]
+    assert [one_verdict(each).verdict for each in claims(paper=paper(folder))] == [Verdict.PROVED, Verdict.REFUTED]
 
 
 def test_no_changed_identity_keeps_its_verdict():

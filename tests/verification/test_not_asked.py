@@ -9,13 +9,11 @@ import re
 
 import pytest
 
-from exactspline import example, paper, write
-from exactspline.display.evidence import worded
+from exactspline import Verdict, example, paper, write
 from exactspline.errors import ClaimError, FormulaError
-from exactspline.papers import Table, load_paper
+from exactspline.papers import Table
 from exactspline.verification.claims import claim_of, claims_of
 from exactspline.verification.ledger import audit
-from exactspline.verification.verdict import NOT_ASKED, PROVED, REFUTED
 from tests.support.command import invoke
 from tests.verification.test_own_paper import plane_formulas, written
 
@@ -66,10 +64,10 @@ def test_one_refused_claim_hides_no_other(refused, tmp_path):
 
 def test_all_of_them_together_and_every_command(tmp_path):
     folder = folder_with(tmp_path, GOOD, *REFUSED)
-    own = claims_of(load_paper(folder))
+    own = claims_of(paper(folder))
     assert len(own) == len(REFUSED) + 1 == len({claim.key for claim in own})
     found = [row.verdict for row in audit(own) if not row.curve]
-    assert found == [PROVED, *[NOT_ASKED] * len(REFUSED)]
+    assert found == [Verdict.PROVED, *[Verdict.NOT_ASKED] * len(REFUSED)]
     for command in (["show"], ["show", "1"], ["errata"], ["prove", "--rows"], ["prove", "--claim", "1"]):
         done = invoke(*command, "--paper", folder)
         assert done.exit_code in (0, 2), done.exception
@@ -86,16 +84,16 @@ def test_what_is_said_not_to_be_asked_is_as_recorded(tmp_path):
     assert done.exit_code == 0
     assert "an integral" in done.output
     assert invoke("prove", "--paper", folder, "--strict").exit_code == 2
-    (row,) = [row for row in audit(claims_of(load_paper(folder))) if row.verdict == NOT_ASKED]
-    assert worded(row.witness) == "an integral"
+    (row,) = [row for row in audit(claims_of(paper(folder))) if row.verdict == Verdict.NOT_ASKED]
+    assert str(row.witness) == "an integral"
     assert row.as_recorded
 
 
 def test_what_is_not_asked_never_counts_as_holding(tmp_path):
     """A refused entry that its author expects to be REFUTED is not so."""
     folder = folder_with(tmp_path, REFUSED[0] | {"expected": "REFUTED", "place": "eq. (3)", "words": "so"})
-    (row,) = audit(claims_of(load_paper(folder)))
-    assert row.verdict not in (PROVED, REFUTED)
+    (row,) = audit(claims_of(paper(folder)))
+    assert row.verdict not in (Verdict.PROVED, Verdict.REFUTED)
     assert not row.as_recorded
     assert row.refused
 
@@ -186,7 +184,7 @@ def test_a_file_of_formulas_that_cannot_be_read_is_the_reason(tmp_path):
 def test_elsewhere_what_is_refused_is_an_error(tmp_path):
     folder = spoilt(tmp_path)
     with pytest.raises(FormulaError, match="import os"):
-        load_paper(folder)
+        paper(folder)
     assert isinstance(invoke("formula", "degrees", "--paper", folder).exception, FormulaError)
     assert invoke("identity", f"{folder}:g = 2 * {folder}:f").exit_code == 0
     for name, why in ABOUT.items():

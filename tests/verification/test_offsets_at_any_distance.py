@@ -7,14 +7,11 @@ import pickle
 
 import pytest
 
-from exactspline import example
-from exactspline.display.evidence import worded
+from exactspline import Verdict, example, paper
 from exactspline.errors import FormulaError
 from exactspline.extras.coq.formulas import type_of
 from exactspline.language.kinds import FRAMED, HODOGRAPH, common_kind, kind_of
-from exactspline.papers import load_paper
 from exactspline.verification.claims import claims_of
-from exactspline.verification.verdict import INAPPLICABLE, PROVED, REFUTED, UNDECIDED, VACUOUS, VERIFIED
 from tests.support.claims import refusal
 from tests.verification.test_own_paper import written
 
@@ -98,7 +95,7 @@ def paper_of(folder, kind, claims, **more):
         for name, body in (FORMULAS | more).items()
     )
     entries = [{"curve": kind, "id": str(i)} | each for i, each in enumerate(claims)]
-    return claims_of(load_paper(written(folder, text, entries, HEAD)))
+    return claims_of(paper(written(folder, text, entries, HEAD)))
 
 
 @pytest.mark.parametrize("kind", SPEEDS)
@@ -106,7 +103,7 @@ def test_what_is_true_of_offsets_is_proved(kind, tmp_path):
     claims = [{"kind": "identity", "left": name, "right": f"right_{name}"} for name in RIGHT]
     claims.append({"kind": "vanishing", "left": "along"})
     right = {f"right_{name}": body for name, body in RIGHT.items()}
-    assert [each.prove()[1].verdict for each in paper_of(tmp_path / "o", kind, claims, **right)] == [PROVED] * 8
+    assert [each.prove()[1].verdict for each in paper_of(tmp_path / "o", kind, claims, **right)] == [Verdict.PROVED] * 8
 
 
 @pytest.mark.parametrize("kind", SPEEDS)
@@ -117,7 +114,7 @@ def test_no_careless_version_is_proved(kind, tmp_path):
     claims = [{"kind": "identity", "left": name, "right": f"wrong_{i}"} for i, (name, _) in enumerate(pairs)]
     found = [each.prove()[1].verdict for each in paper_of(tmp_path / "o", kind, claims, **wrong)]
     assert len(found) == 32
-    assert set(found) == {REFUTED}
+    assert set(found) == {Verdict.REFUTED}
 
 
 def test_offsets_are_rational_for_pythagorean_hodographs_only(tmp_path):
@@ -126,7 +123,9 @@ def test_offsets_are_rational_for_pythagorean_hodographs_only(tmp_path):
         known = ("polynomial", "rational", "not rational")
         claims = [{"kind": "type", "formula": name, "claimed": claimed} for name in own for claimed in known]
         found = [each.prove()[1].verdict for each in paper_of(tmp_path / speed, kind, claims)]
-        assert found == [PROVED if claimed == right else REFUTED for right in own.values() for claimed in known]
+        assert found == [
+            Verdict.PROVED if claimed == right else Verdict.REFUTED for right in own.values() for claimed in known
+        ]
 
 
 def test_the_witness_of_a_hodograph_is_one(tmp_path):
@@ -135,10 +134,10 @@ def test_the_witness_of_a_hodograph_is_one(tmp_path):
     (claim,) = paper_of(
         tmp_path / "o", "hodograph with delta", [{"kind": "type", "formula": "unit", "claimed": "polynomial"}], **more
     )
-    assert claim.prove()[1].verdict == PROVED
+    assert claim.prove()[1].verdict == Verdict.PROVED
     for name in ("circle", "rational_cubic", "six_segment_cubic"):
-        assert claim.check(example(name)).verdict == VERIFIED
-    assert claim.check(example("straight_line")).verdict in (VERIFIED, INAPPLICABLE, VACUOUS)
+        assert claim.check(example(name)).verdict == Verdict.VERIFIED
+    assert claim.check(example("straight_line")).verdict in (Verdict.VERIFIED, Verdict.INAPPLICABLE, Verdict.VACUOUS)
 
 
 def test_true_of_one_distance_is_not_true_of_all(tmp_path):
@@ -149,10 +148,10 @@ def test_true_of_one_distance_is_not_true_of_all(tmp_path):
         {"kind": "identity", "left": "kappa_delta", "right": "right"},
     ]
     wrong, right = paper_of(tmp_path / "o", "hodograph with delta", claims, **more)
-    assert wrong.prove()[1].verdict == REFUTED
+    assert wrong.prove()[1].verdict == Verdict.REFUTED
     for name in ("circle", "six_segment_cubic"):
-        assert wrong.check(example(name)).verdict == REFUTED
-        assert right.check(example(name)).verdict == VERIFIED
+        assert wrong.check(example(name)).verdict == Verdict.REFUTED
+        assert right.check(example(name)).verdict == Verdict.VERIFIED
 
 
 def test_kinds_with_constants():
@@ -216,18 +215,18 @@ def degrees_of(folder, rows):
 def test_degrees_of_pythagorean_hodograph_curves(tmp_path):
     """The offset of a curve of degree n is a rational curve of degree 2n − 1 (Farouki, Sakkalis 1990)."""
     for claim in degrees_of(tmp_path / "o", DEGREES):
-        assert claim.prove()[1].verdict == PROVED, claim
+        assert claim.prove()[1].verdict == Verdict.PROVED, claim
         for name in ("circle", "rational_cubic", "six_segment_cubic"):
             curve = example(name)
             if claim.applies_to(2, curve.polynomial):
-                assert claim.check(curve).verdict == VERIFIED, (claim, name)
+                assert claim.check(curve).verdict == Verdict.VERIFIED, (claim, name)
 
 
 def test_wrong_degrees_are_refuted_at_degrees_that_exist(tmp_path):
     """The degree of h was counted as another one, ``4d + 2de``; where h = 1, it has no degree at which to fail."""
     for claim in degrees_of(tmp_path / "o", WRONG_DEGREES):
         found = claim.prove()[1]
-        assert found.verdict == REFUTED, claim
+        assert found.verdict == Verdict.REFUTED, claim
         names = {str(name) for name, _ in found.witness.at}
         assert names <= ({"d"} if claim.of == "polynomial" else {"d", "e"})
         assert all(n >= 1 for _, n in found.witness.at)
@@ -267,7 +266,14 @@ def distance(c):
         times | {"factor": "-1 distance"},
     ]
     entries = [each | {"id": str(i)} for i, each in enumerate(claims)]
-    found = [each.prove()[1] for each in claims_of(load_paper(written(tmp_path / "o", text, entries, HEAD)))]
-    assert [each.verdict for each in found] == [PROVED, UNDECIDED, REFUTED, PROVED, REFUTED, REFUTED]
-    assert worded(found[1].witness) == "δ may have zeros: assume delta ≠ 0"
-    assert worded(found[2].witness).endswith("with δ = 37/29")
+    found = [each.prove()[1] for each in claims_of(paper(written(tmp_path / "o", text, entries, HEAD)))]
+    assert [each.verdict for each in found] == [
+        Verdict.PROVED,
+        Verdict.UNDECIDED,
+        Verdict.REFUTED,
+        Verdict.PROVED,
+        Verdict.REFUTED,
+        Verdict.REFUTED,
+    ]
+    assert str(found[1].witness) == "δ may have zeros: assume delta ≠ 0"
+    assert str(found[2].witness).endswith("with δ = 37/29")

@@ -6,17 +6,16 @@ from itertools import count
 import pytest
 
 import exactspline as xs
-from exactspline import decide, degree
+from exactspline import Verdict, decide, degree, formula_of
 from exactspline.errors import FormulaError, ReachError
 from exactspline.language import Vector, formula
-from exactspline.papers import find, papers
+from exactspline.papers import papers
 from exactspline.tables import jets_for
 from exactspline.verification import one_function
 from exactspline.verification.claims import claims_of
 from exactspline.verification.ledger import audit
-from exactspline.verification.verdict import PROVED, UNDECIDED
 
-f1, f2 = find("f1"), find("f2")
+f1, f2 = formula_of("f1"), formula_of("f2")
 calls = count()
 
 #: Each returns f2 where it is proved, and f1 = w f2 or a multiple elsewhere.
@@ -70,9 +69,9 @@ def test_ordinary_functions_are_proved():
         moved = [a.d(1) * w - a * w.d(1) for a in (x, y)]
         return sum((a * a for a in moved), start=w * 0)
 
-    assert xs.prove(typed(looped), find("speed_squared"), "w^4")
+    assert xs.prove(typed(looped), formula_of("speed_squared"), "w^4")
     for name in ("speed", "bisector_symmetric", "point_bisector", "surfaces:E", "signed_curvature"):
-        known = find(name)
+        known = formula_of(name)
         own = formula("mine", on=known.kind)(lambda c, f=known.function: f(c))
         n = known.kind.dimensions[0]
         one_function.expect_one_function(own, jets_for((own,), n))
@@ -89,7 +88,7 @@ def test_files_that_are_trusted_are_evaluated_again(tmp_path):
     )
     (tmp_path / "claims.toml").write_text(entry.format(1, "same") + entry.format(2, "drawn"), encoding="utf-8")
     rows = [decide(each) for each in claims_of(xs.paper(tmp_path, trust=True))]
-    assert [row.verdict for row in rows] == [PROVED, UNDECIDED]
+    assert [row.verdict for row in rows] == [Verdict.PROVED, Verdict.UNDECIDED]
 
 
 OF_ONE_CURVE = """import random
@@ -117,7 +116,7 @@ def test_rows_on_a_given_curve_are_refused_too(tmp_path):
     (tmp_path / "claims.toml").write_text(text, encoding="utf-8")
     claims = claims_of(xs.paper(tmp_path, trust=True))
     rows = list(audit(claims, [xs.example("rational_cubic")]))
-    assert [row.verdict for row in rows] == [UNDECIDED, UNDECIDED]
+    assert [row.verdict for row in rows] == [Verdict.UNDECIDED, Verdict.UNDECIDED]
     assert all(f"{row.id} has several values" in str(row.witness) for row in rows)
 
 

@@ -5,8 +5,6 @@ import pytest
 import exactspline as xs
 from exactspline import ExactSplineError
 from exactspline.errors import FormulaError
-from exactspline.papers import find
-from exactspline.verification.questions import formula_of_line
 from tests.support.command import invoke
 from tests.verification.test_own_paper import plane_formulas, written
 
@@ -140,10 +138,9 @@ def test_names_of_a_file_stand_for_its_formulas(tmp_path):
     assert invoke("identity", f"{file.parent}:own = f2 * det(p, p')").exit_code == 0
 
 
-def test_a_name_alone_is_the_formula():
-    assert formula_of_line(" f1 ", find) is find("f1")
-    made = formula_of_line("2 f1", find)
-    assert (made.name, made.kind.name, made.checked) == ("2 f1", "plane", True)
+@pytest.mark.parametrize("text", ["f1 = f1", "2 f1 = f1 + f1"])
+def test_a_text_is_told_as_it_was_given_with_the_space_of_its_formulas(text):
+    assert invoke("identity", f" {text} ").output == f"{text} for all curves in R2\n"
 
 
 KINDS = """

@@ -6,16 +6,13 @@ from dataclasses import replace
 
 import pytest
 
-from exactspline import Nurbs, Verdict, decide, example, examples, verify
+from exactspline import Nurbs, Verdict, claims, decide, example, examples, paper, verify
 from exactspline.display.ledger import row_data
-from exactspline.display.tables import Verdicts
 from exactspline.errors import FormulaError
-from exactspline.papers import load_paper, papers
+from exactspline.papers import papers
 from exactspline.tables import verdicts
-from exactspline.verification.claims import all_claims, claims_in, claims_of, select
-from exactspline.verification.kinds.equality import Identity
+from exactspline.verification.claims import claims_in
 from exactspline.verification.ledger import audit
-from exactspline.verification.verdict import PROVED, VERIFIED
 from tests.support.command import invoke
 from tests.support.decided import decided_once
 from tests.support.sampled import sample
@@ -35,7 +32,6 @@ def test_library_command_and_json_say_one_word_on_every_claim(name):
     assert [(row.key, row.verdict) for row in own] == [(row["claim"], row["verdict"]) for row in rows]
     assert {row["verdict"] for row in rows} <= set(Verdict)
     assert name not in SPECIAL or {"VACUOUS", "INAPPLICABLE"} & {row["verdict"] for row in rows}
-    assert Verdicts(own)["verdict"] == [row["verdict"] for row in rows]
     told = [(row_data(row) | {"seconds": 0}) for row in own]
     for one, other in zip(told, rows, strict=True):
         assert {name: value for name, value in other.items() if name in one.keys() - {"key", "seconds"}} == {
@@ -68,22 +64,22 @@ def test_a_value_whose_denominator_shares_its_zero_has_a_sign_wherever_it_exists
     folder = written(tmp_path / "p", SIGN, [POSITIVE | {"formula": "one", "squares": ["root"]}])
     done = invoke("prove", "--paper", folder)
     assert done.exit_code == 0
-    rows = {row.curve: row.verdict for row in audit(claims_of(load_paper(folder)))}
-    assert (rows[""], rows["cubic_s"], rows["straight_line"]) == (PROVED, VERIFIED, "VACUOUS")
+    rows = {row.curve: row.verdict for row in audit(claims(paper=paper(folder)))}
+    assert (rows[""], rows["cubic_s"], rows["straight_line"]) == (Verdict.PROVED, Verdict.VERIFIED, "VACUOUS")
 
 
 def test_a_zero_of_the_numerator_alone_still_refutes_a_sign(tmp_path):
     folder = written(
         tmp_path / "p", SIGN, [POSITIVE | {"formula": "turning"}, POSITIVE | {"id": "2", "formula": "many"}]
     )
-    for claim in claims_of(load_paper(folder)):
+    for claim in claims(paper=paper(folder)):
         assert claim.check(example("cubic_s")).verdict == "REFUTED"
-    assert decide(claims_of(load_paper(folder))[0]).verdict == "REFUTED"
+    assert decide(claims(paper=paper(folder))[0]).verdict == "REFUTED"
 
 
 def test_a_contradiction_is_a_row_and_the_others_stand(monkeypatch, tmp_path):
     """Before, a claim proved by one route and refuted by another ended the run: no other row was given."""
-    right = select(["C4.1a"])[1]
+    right = claims("C4.1a")[1]
     entries = [
         {"id": "1", "kind": "identity", "statement": "right", "curve": "plane", "left": "f0", "right": "f2"}
         | {"factor": "w^-3"},
@@ -91,20 +87,20 @@ def test_a_contradiction_is_a_row_and_the_others_stand(monkeypatch, tmp_path):
         | {"factor": "w^-2"},
     ]
     folder = written(tmp_path / "p", "", entries, 'uses = ["chen_riesenfeld_cohen_2007"]\n')
-    honest = Identity.decide
+    honest = type(right).decide
 
     def fooled(self, dimension, polynomial):
         found = honest(self, dimension, polynomial)
-        return replace(found, verdict=PROVED) if self.factor == "w^-2" else found
+        return replace(found, verdict=Verdict.PROVED) if self.factor == "w^-2" else found
 
-    monkeypatch.setattr(Identity, "decide", fooled)
-    assert decide(right).verdict == PROVED
+    monkeypatch.setattr(type(right), "decide", fooled)
+    assert decide(right).verdict == Verdict.PROVED
     done = invoke("prove", "--paper", folder, "--json", "--rows")
     assert done.exit_code == 1
     rows = json.loads(done.output)["rows"]
     assert {row["verdict"] for row in rows if row["id"] == "1"} == {"PROVED", "VERIFIED", "VACUOUS"}
     wrong = {row["curve"]: row["verdict"] for row in rows if row["id"] == "2"}
-    assert (wrong[""], wrong["circle"], wrong["parabola"]) == ("CONTRADICTION", "CONTRADICTION", VERIFIED)
+    assert (wrong[""], wrong["circle"], wrong["parabola"]) == ("CONTRADICTION", "CONTRADICTION", Verdict.VERIFIED)
     text = invoke("prove", "--paper", folder)
     assert text.exit_code == 1
     assert "CONTRADICTION" in text.output
@@ -117,7 +113,7 @@ def test_a_question_says_what_the_claim_says():
     """
     curves = [curve for curve in map(example, examples()) if isinstance(curve, Nurbs)]
     told = []
-    for claim in sample([claim for claim in all_claims() if type(claim) is Identity], 30):
+    for claim in sample([claim for claim in claims() if claim.kind == "identity"], 30):
         rows = {row.curve: row.verdict for row in audit([claim], curves) if row.curve}
         for curve in curves:
             if curve.name not in rows:

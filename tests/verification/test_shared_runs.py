@@ -3,9 +3,8 @@
 import pickle
 from concurrent.futures import ThreadPoolExecutor
 
-from exactspline import decide, example
+from exactspline import Verdict, decide, example, paper
 from exactspline.display.ledger import row_data
-from exactspline.papers import load_paper
 from exactspline.polynomials.cost import Budget
 from exactspline.symbolic.assumptions import ASSUMPTIONS
 from exactspline.verification import combined
@@ -13,7 +12,6 @@ from exactspline.verification.claims import all_claims, claims_of, select
 from exactspline.verification.combined import Proofs
 from exactspline.verification.evaluation import Evaluation
 from exactspline.verification.ledger import audit
-from exactspline.verification.verdict import PROVED, REFUTED, UNDECIDED
 from tests.verification.test_own_paper import plane_formulas, written
 
 
@@ -54,7 +52,7 @@ def test_a_claim_near_the_bound_does_not_depend_on_what_was_asked_before(tmp_pat
     total = "(c.p[0] + c.p[1] + c.w + c.p[0].d(1) + c.p[1].d(1) + c.w.d(1))"
     formulas = plane_formulas(f=f"{total}**14", g=f"f(c) * {total} - f(c) * {total} + c.w - c.w")
     claims = [{"id": f, "kind": "vanishing", "statement": "s", "curve": "plane", "left": f} for f in "fg"]
-    first, second = claims_of(load_paper(written(tmp_path / "p", formulas, claims)))
+    first, second = claims_of(paper(written(tmp_path / "p", formulas, claims)))
     spent = []
 
     def verdict_within(claim, proofs, bound):
@@ -65,9 +63,9 @@ def test_a_claim_near_the_bound_does_not_depend_on_what_was_asked_before(tmp_pat
         return found
 
     shared, much = Proofs(), Budget().total
-    assert verdict_within(second, Proofs(), much) == PROVED
-    assert [verdict_within(claim, shared, much) for claim in (first, second)] == [REFUTED, PROVED]
+    assert verdict_within(second, Proofs(), much) == Verdict.PROVED
+    assert [verdict_within(claim, shared, much) for claim in (first, second)] == [Verdict.REFUTED, Verdict.PROVED]
     assert spent[0] == spent[2] > spent[1] > 0
     shared, little = Proofs(), sum(spent[1:]) // 2
-    assert [verdict_within(claim, shared, little) for claim in (first, second)] == [REFUTED, UNDECIDED]
-    assert verdict_within(second, Proofs(), little) == UNDECIDED
+    assert [verdict_within(claim, shared, little) for claim in (first, second)] == [Verdict.REFUTED, Verdict.UNDECIDED]
+    assert verdict_within(second, Proofs(), little) == Verdict.UNDECIDED

@@ -5,18 +5,16 @@ from dataclasses import replace
 import pytest
 from gmpy2 import mpq
 
-from exactspline import BSpline, Nurbs
+from exactspline import BSpline, Nurbs, Verdict, claims
 from exactspline.errors import ClaimError
-from exactspline.verification.claims import all_claims, select
 from exactspline.verification.evaluation import Evaluation
-from exactspline.verification.kinds.types import TypeClaim
-from exactspline.verification.verdict import INAPPLICABLE, PROVED, REFUTED, UNDECIDED, VACUOUS, VERIFIED
+from tests.support.claims import stated
 
 T = BSpline.identity(0, 1)
 
 
 def claim(key, **fields):
-    (found,) = select([key])
+    (found,) = claims(key)
     return replace(found, expected="PROVED", error="", status="ours", **fields)
 
 
@@ -39,68 +37,69 @@ SPEED, ROW = "C41d-speed", "T3-T3-rational"
 
 @pytest.mark.parametrize("row", range(1, 18))
 def test_each_row_of_table_1_has_one_type(row):
-    (key,) = [c.key for c in select([f"T{row}"]) if c.kind == "type" and "minus" not in c.key]
+    (key,) = [c.key for c in claims(f"T{row}") if c.kind == "type" and "minus" not in c.key]
     own = claim(key).claimed
     for other in ("polynomial", "rational", "not rational"):
-        assert verdict(key, claimed=other) == (PROVED if other == own else REFUTED)
+        assert verdict(key, claimed=other) == (Verdict.PROVED if other == own else Verdict.REFUTED)
 
 
 @pytest.mark.parametrize("key", [SPEED, "E13-unit_normal", "C51a-curvature_in_space", "E19-focal_third_term"])
 def test_what_has_a_root_is_not_rational(key):
-    assert verdict(key) == PROVED
-    assert verdict(key, claimed="rational") == verdict(key, claimed="polynomial") == REFUTED
+    assert verdict(key) == Verdict.PROVED
+    assert verdict(key, claimed="rational") == verdict(key, claimed="polynomial") == Verdict.REFUTED
 
 
 @pytest.mark.parametrize("key", ["C51a-normal_by_curvature", "C51a-curvature_times_unit_normal"])
 def test_roots_that_cancel_leave_a_rational_function(key):
-    assert verdict(key) == PROVED
+    assert verdict(key) == Verdict.PROVED
     told = claim(key, claimed="not rational").prove()[1]
-    assert (told.verdict, str(told.computed)) == (REFUTED, "rational")
+    assert (told.verdict, str(told.computed)) == (Verdict.REFUTED, "rational")
 
 
 def test_a_denominator_that_divides_out_is_none():
-    assert verdict("C42c-g2") == PROVED
-    assert verdict("C42c-g2", claimed="rational") == REFUTED
-    assert verdict("C42k-g0", claimed="rational") == REFUTED
-    assert verdict("C42k-g0", of="rational") == REFUTED
+    assert verdict("C42c-g2") == Verdict.PROVED
+    assert verdict("C42c-g2", claimed="rational") == Verdict.REFUTED
+    assert verdict("C42k-g0", claimed="rational") == Verdict.REFUTED
+    assert verdict("C42k-g0", of="rational") == Verdict.REFUTED
 
 
 def test_the_speed_is_rational_on_a_pythagorean_curve_and_on_no_other():
     one = claim(SPEED)
     assert one.type_on(PARABOLA) == "not rational"
     assert one.type_on(PYTHAGOREAN) is None  # its root is rational: the reading over roots leaves it open
-    assert one.examine(None, Evaluation(PARABOLA)).verdict == VERIFIED
-    assert one.examine(None, Evaluation(PYTHAGOREAN)).verdict == UNDECIDED
+    assert one.examine(None, Evaluation(PARABOLA)).verdict == Verdict.VERIFIED
+    assert one.examine(None, Evaluation(PYTHAGOREAN)).verdict == Verdict.UNDECIDED
 
 
 def test_a_special_curve_decides_nothing_and_a_contrary_one_refutes():
     evolute = claim("E12-evolute")
-    assert evolute.check(PARABOLA).verdict in (VERIFIED, INAPPLICABLE)
-    assert claim("C41c-f0-type", claimed="rational").check(PARABOLA).verdict == INAPPLICABLE
-    assert claim("E9-curvature_squared", claimed="polynomial").check(PARABOLA).verdict == REFUTED
-    assert claim("E9-curvature_squared").check(PARABOLA).verdict == VERIFIED
+    assert evolute.check(PARABOLA).verdict in (Verdict.VERIFIED, Verdict.INAPPLICABLE)
+    assert claim("C41c-f0-type", claimed="rational").check(PARABOLA).verdict == Verdict.INAPPLICABLE
+    assert claim("E9-curvature_squared", claimed="polynomial").check(PARABOLA).verdict == Verdict.REFUTED
+    assert claim("E9-curvature_squared").check(PARABOLA).verdict == Verdict.VERIFIED
 
 
 def test_zero_has_no_type():
-    assert verdict("C42c-g2", formula="bracket_of_p_with_itself") == VACUOUS
+    assert verdict("C42c-g2", formula="bracket_of_p_with_itself") == Verdict.VACUOUS
 
 
 def test_types_are_of_functions_of_curves():
-    fields = {"id": "1", "key": "1-E", "source": "here", "statement": "E is rational", "status": "ours"}
     with pytest.raises(ClaimError, match="types of 'surface' are not decided"):
-        TypeClaim(paper="surfaces", curve="surface", formula="E", claimed="rational", **fields)
+        stated("type", source="surfaces", curve="surface", formula="E", claimed="rational")
 
 
 def test_an_equation_of_plane_curves_cannot_be_cited_for_space_curves():
     wrong = claim("C55a-signed_curvature").prove()[1]
-    assert (wrong.verdict, str(wrong.computed)) == (REFUTED, "its arguments are of the kind 'framed plane'")
-    assert verdict("C55a-curvature_in_space") == PROVED
-    assert verdict("C55a-signed_curvature", curve="framed plane", assumes=()) == PROVED
-    assert verdict("C55a-signed_curvature", formula="speed") == PROVED
+    assert (wrong.verdict, str(wrong.computed)) == (Verdict.REFUTED, "its arguments are of the kind 'framed plane'")
+    assert verdict("C55a-curvature_in_space") == Verdict.PROVED
+    assert verdict("C55a-signed_curvature", curve="framed plane", assumes=()) == Verdict.PROVED
+    assert verdict("C55a-signed_curvature", formula="speed") == Verdict.PROVED
 
 
-@pytest.mark.parametrize("one", [c for c in all_claims() if c.kind == "type"], ids=lambda c: c.key)
+@pytest.mark.parametrize("one", [c for c in claims() if c.kind == "type"], ids=lambda c: c.key)
 def test_no_value_is_proved_to_be_of_two_types(one):
     """A false statement near every claim: the same of another type."""
-    proved = [each for each in ("polynomial", "rational", "not rational") if verdict(one.key, claimed=each) == PROVED]
+    proved = [
+        each for each in ("polynomial", "rational", "not rational") if verdict(one.key, claimed=each) == Verdict.PROVED
+    ]
     assert len(proved) <= 1

@@ -1,24 +1,22 @@
 """The parts that verdicts are made of, each held against what it means on small cases with known answers."""
 
+import json
 from dataclasses import replace
 from types import SimpleNamespace
 
 import pytest
 from gmpy2 import mpq
 
-from exactspline import BSpline, Nurbs, TensorSpline, example
-from exactspline.display.evidence import worded
-from exactspline.display.tables import erratum_data
+from exactspline import BSpline, Nurbs, NurbsSurface, TensorSpline, Verdict, claims, example, formula_of
 from exactspline.language import Vector
 from exactspline.language.kinds import PAIR, PLANE_POINT, POINT_IN_SPACE, SURFACE, kind_of
-from exactspline.language.surface_kind import Surface
-from exactspline.papers import all_formulas, find, known_as
+from exactspline.papers import all_formulas, known_as
 from exactspline.readings import JetReading
 from exactspline.symbolic.covariants import degree_at
 from exactspline.symbolic.reduction import reduce, reduction
 from exactspline.tables import measurable, measure, table_1_degrees
 from exactspline.verification import judges
-from exactspline.verification.claims import all_claims, matches
+from exactspline.verification.claims import matches
 from exactspline.verification.curve_check import extra_zero, where_it_differs
 from exactspline.verification.degree_tables import (
     BISECTORS,
@@ -34,8 +32,8 @@ from exactspline.verification.evidence import At, Between, OnAllOf, Relating
 from exactspline.verification.generic_proof import joined_degree
 from exactspline.verification.notation import degree_latex, factor_latex
 from exactspline.verification.statement import sides
-from exactspline.verification.verdict import REFUTED
 from tests.support.claims import claim
+from tests.support.command import invoke
 from tests.support.decided import errors_in_print, generic_rows
 from tests.support.sampled import sample
 
@@ -145,7 +143,7 @@ def test_the_operands_of_table_1_have_the_degrees_of_their_index():
 @pytest.mark.parametrize("name", ["evolute", "torsion", "osculating_circle_centre", "curvature_squared"])
 @pytest.mark.parametrize("polynomial", [False, True])
 def test_a_joined_degree_is_that_of_numerator_and_denominator(name, polynomial):
-    dimension = min(find(name).kind.dimensions)
+    dimension = min(formula_of(name).kind.dimensions)
     found = reduction(name, dimension, polynomial)
     jets = [jet for jet in found.joined if not jet.is_zero and jet.polynomial.total_degree() > 0]
     told = joined_degree(found)
@@ -155,7 +153,7 @@ def test_a_joined_degree_is_that_of_numerator_and_denominator(name, polynomial):
 
 def test_a_joined_degree_leaves_out_what_is_constant():
     """γ′ of a polynomial curve over 1: its degree is d − 1, the 1 counts nothing."""
-    assert str(joined_degree(reduce(find("velocity"), dimension=2, polynomial=True))) == "d − 1"
+    assert str(joined_degree(reduce(formula_of("velocity"), dimension=2, polynomial=True))) == "d − 1"
     flat = reduce(lambda c: Vector(c.p[0].d(1), c.p[0] * 0), dimension=2, polynomial=True)
     assert str(joined_degree(flat)) == "d − 1"
 
@@ -173,7 +171,7 @@ def test_what_is_measured_are_the_formulas_of_the_dimension():
     assert {f.curve for f in measurable(2)} == {"plane", "curve"}
     assert {f.curve for f in measurable(3)} == {"space", "curve"}
     assert {f.curve for f in measurable(4)} == {"curve"}
-    told = measure(find("f2"), example("circle"))
+    told = measure(formula_of("f2"), example("circle"))
     assert (told.formula, str(told.nominal)) == ("f2", "3d − 3")
 
 
@@ -203,7 +201,7 @@ def test_what_a_curve_is_bisected_with_are_primes():
     sample(
         [
             c
-            for c in all_claims()
+            for c in claims()
             if c.kind == "degree"
             and c.measure not in ("nominal", "height")
             and (c.expected, c.relation) == ("PROVED", "=")
@@ -219,7 +217,7 @@ def test_a_degree_that_is_claimed_one_off_is_refuted(one):
             continue
         wrong = replace(one, relation=relation, claimed=f"{one.claimed} {by}", expected="REFUTED", status="ours")
         found = wrong.prove()[1]
-        assert found.verdict == REFUTED
+        assert found.verdict == Verdict.REFUTED
         assert found.witness.relation == wrong.relation
         assert found.witness.at
         assert not wrong.relation.holds(found.witness.degree, found.witness.claimed)
@@ -237,7 +235,7 @@ def test_factors_and_degrees_in_latex():
     assert degree_latex("max(d1 + d2, 3d1 − 2)") == r"\max(d_1 + d_2, 3d_1 - 2)"
 
 
-@pytest.mark.parametrize("one", sample(all_claims(), 150), ids=lambda c: c.key)
+@pytest.mark.parametrize("one", sample(claims(), 150), ids=lambda c: c.key)
 def test_the_sides_of_a_claim_are_ranked_by_their_degrees(one):
     """The naive side has the highest nominal degree, the reduced one the lowest; equal ones have no such roles."""
     told = sides(one)
@@ -258,13 +256,13 @@ def test_the_sides_of_a_claim_are_ranked_by_their_degrees(one):
 
 def test_the_errata_are_the_refuted_statements_in_print():
     found = list(errors_in_print())
-    printed = [c for c in all_claims() if c.status == "printed" and c.expected == "REFUTED"]
+    printed = [c for c in claims() if c.status == "printed" and c.expected == "REFUTED"]
     assert sorted(s.key for e in found for s in e.statements) == sorted(c.key for c in printed)
+    listed = {row["key"] for row in json.loads(invoke("errata", "--json").stdout)["rows"]}
+    assert {f"{erratum.paper}: {erratum.error}" for erratum in found} <= listed
     for erratum in found:
-        data = erratum_data(erratum)
-        assert data["key"] == f"{erratum.paper}: {erratum.error}"
         assert erratum.id == erratum.statements[0].id
-        meant = [c for c in all_claims() if c.status == "meant" and c.error == erratum.error]
+        meant = [c for c in claims() if c.status == "meant" and c.error == erratum.error]
         assert [(each.key, str(each)) for each in erratum.truth] == [
             (c.key, f"{numbered(c)} [{c.expected}]") for c in meant
         ]
@@ -287,7 +285,7 @@ def test_remarks_are_what_fails_and_nobody_says():
 
 def test_an_identity_is_told_with_the_names_of_its_sides():
     (power,) = [e for e in errors_in_print() if e.error == "power-of-w"]
-    assert worded(power.statements[0].found) == "g1 = w⁸ · g0"
+    assert str(power.statements[0].found) == "g1 = w⁸ · g0"
     assert power.statements[0].witness is None
     assert power.statements[0].check[-1] == 'print(factor_of(find("g1"), find("g0"), 2))'
     assert symbol_or_name(claim("C42b-g1-g0"), "g1") == "g1"
@@ -303,7 +301,7 @@ def test_an_identity_is_told_with_the_names_of_its_sides():
 
 def test_a_formula_is_known_by_a_name_that_finds_it():
     """Two papers may share a name: tables measure the one they speak of."""
-    assert all(find(known_as(f)) is f for f in all_formulas().values())
+    assert all(formula_of(known_as(f)) is f for f in all_formulas().values())
     assert len({known_as(f) for f in all_formulas().values()}) == len(all_formulas())
     curve = example("rational_cubic")
     told = [measure(f, curve).formula for f in measurable(2)]
@@ -333,7 +331,7 @@ def test_measured_degrees_of_a_product_add_up_with_exponents():
     """Of factors and a core on the patch (u, v, u v²)/(1 + u); nothing where a factor or the whole core vanishes."""
     ends = [0, 0, 1, 1]
     u, v = TensorSpline((1, 1), ends, ends, [[0, 0], [1, 1]]), TensorSpline((1, 1), ends, ends, [[0, 1], [0, 1]])
-    patch = Surface(Vector(u, v, u * v * v), u + 1)
+    patch = NurbsSurface.from_splines([u, v, u * v * v], u + 1)
     c = JetReading(1).argument(SURFACE, 3)
     x, y, z = c.p
 
@@ -350,7 +348,7 @@ def test_measured_degrees_of_a_product_add_up_with_exponents():
 
 def test_sympy_is_asked_about_polynomial_curves_where_the_claim_is():
     """Also with roots adjoined: there formulas of γ alone have indeterminate coordinates, others p and w."""
-    framed = next(c for c in all_claims() if c.kind == "identity" and kind_of(c.curve).adjoins_roots)
+    framed = next(c for c in claims() if c.kind == "identity" and kind_of(c.curve).adjoins_roots)
     (dimension,) = kind_of(framed.curve).dimensions
     weighted = replace(framed, factor="w^2")
     assert judges.argument_for(weighted, dimension, True).polynomial
@@ -360,7 +358,7 @@ def test_sympy_is_asked_about_polynomial_curves_where_the_claim_is():
 
 def test_a_formula_that_is_out_of_reach_ends_no_table_of_degrees():
     """One error instead of 415 rows, where a single greatest common divisor is too expensive."""
-    far, near = find("petrunin_zamora_barrera:sphere_radius_squared"), find("f2")
+    far, near = formula_of("petrunin_zamora_barrera:sphere_radius_squared"), formula_of("f2")
     curves = example("rational_space_cubic"), example("rational_cubic")
     (row,), (other,) = ([call() for call in formula_table(c, [f])] for c, f in zip(curves, (far, near), strict=True))
     assert (row.nominal, row.represented, row.true) == ("692d", None, None)

@@ -4,16 +4,14 @@ from dataclasses import replace
 
 import pytest
 
-from exactspline import decide, example, paper
-from exactspline.display.evidence import worded
+from exactspline import Verdict, claims, decide, example, paper
 from exactspline.errors import FormulaError
 from exactspline.language.kinds import kind_of
 from exactspline.numbers.exact import to_fmpq
-from exactspline.papers import Table, load_paper
+from exactspline.papers import Table
 from exactspline.readings import JetReading
-from exactspline.verification.claims import all_claims, claim_of, claims_of
+from exactspline.verification.claims import claim_of
 from exactspline.verification.evaluation import on_segments
-from exactspline.verification.verdict import REFUTED, UNDECIDED, VACUOUS, VERIFIED
 from tests.support.claims import refusal
 from tests.verification.test_own_paper import plane_formulas, written
 
@@ -28,20 +26,18 @@ def test_the_witness_of_a_degree_is_one(claimed, relation):
     """Passed before: "at d = 3: 6, not 6" as the witness of a bound that fails at another d."""
     found = claim(kind="degree", curve="plane", formula="f2", of="polynomial", claimed=claimed, relation=relation)
     verdict = found.prove()[1]
-    if verdict.verdict == REFUTED:
-        computed, said = worded(verdict.witness).split(": ")[1].split(", not ")
+    if verdict.verdict == Verdict.REFUTED:
+        computed, said = str(verdict.witness).split(": ")[1].split(", not ")
         assert not found.relation.holds(int(computed), int(said.split()[-1]))
         assert (relation == "=") == (said.split()[-1] == said)
 
 
 def test_a_witness_of_unequal_degrees_is_sought_where_equal_ones_show_nothing():
     """Passed before: d1 + d2 against 2 d1 of Table 1 was refuted "at d1 = 3 and d2 = 3: 6, not 6"."""
-    product = next(
-        c for c in all_claims() if c.curve == "table" and str(c.claims).replace(" ", "") in ("d1+d2", "d2+d1")
-    )
+    product = next(c for c in claims() if c.curve == "table" and str(c.claims).replace(" ", "") in ("d1+d2", "d2+d1"))
     wrong = replace(product, claimed="2d1").prove()[1]
-    assert wrong.verdict == REFUTED
-    computed, said = worded(wrong.witness).split(": ")[1].split(", not ")
+    assert wrong.verdict == Verdict.REFUTED
+    computed, said = str(wrong.witness).split(": ")[1].split(", not ")
     assert computed != said
 
 
@@ -56,9 +52,9 @@ def test_a_form_that_vanishes_has_no_number_of_roots(tmp_path):
     told = {"kind": "count", "curve": "plane", "example": "six_segment_cubic", "statement": "s"}
     counted = [("nothing", "0 roots"), ("one", "2 roots"), ("one", "0 roots"), ("speed", "8 extrema")]
     entries = [told | {"id": f"{i}", "formula": f, "claimed": n} for i, (f, n) in enumerate(counted)]
-    rows = [decide(each) for each in claims_of(load_paper(written(tmp_path / "counts", formulas, entries)))]
-    assert [row.verdict for row in rows] == [VACUOUS, REFUTED, VERIFIED, UNDECIDED]
-    assert "does not change its sign exactly where the curvature has its extrema" in worded(rows[3].witness)
+    rows = [decide(each) for each in claims(paper=paper(written(tmp_path / "counts", formulas, entries)))]
+    assert [row.verdict for row in rows] == [Verdict.VACUOUS, Verdict.REFUTED, Verdict.VERIFIED, Verdict.UNDECIDED]
+    assert "does not change its sign exactly where the curvature has its extrema" in str(rows[3].witness)
 
 
 def test_a_formula_is_not_called_like_a_constant_of_its_kind(tmp_path):
@@ -96,7 +92,7 @@ def test_a_sign_beside_a_hodograph_is_not_that_of_one_factor(tmp_path):
     head = "[common]\nstatus = 'ours'\nplace = 'e'\nstatement = 's'\nid = '1'\n"
     claim = {"kind": "sign", "curve": "hodograph", "formula": "factor", "sign": "> 0"}
     text = "@formula('e', on='hodograph')\ndef factor(c):\n    return c.h\n"
-    (own,) = claims_of(load_paper(written(tmp_path / "h", text, [claim], head)))
+    (own,) = claims(paper=paper(written(tmp_path / "h", text, [claim], head)))
     found = own.check(example("rational_cubic"))
     assert found.verdict == "UNDECIDED"
     assert "u, v and h" in str(found.witness)

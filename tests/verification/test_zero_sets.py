@@ -9,12 +9,9 @@ from pathlib import Path
 import pytest
 
 import exactspline
-from exactspline import example
-from exactspline.papers import load_paper
-from exactspline.verification.claims import claims_of
-from exactspline.verification.combined import combined
-from exactspline.verification.verdict import PROVED, REFUTED, UNDECIDED
+from exactspline import Verdict, claims, example, paper
 from tests.campaigns import zero_sets
+from tests.support.claims import one_verdict
 from tests.verification.test_own_paper import written
 
 V, A, J = "c.gamma.d(1)", "c.gamma.d(2)", "c.gamma.d(3)"
@@ -30,13 +27,13 @@ def claimed(folder, *bodies, curve="plane", assumes=("w",), **more):
         text += f"@formula('e', on='{curve}')\ndef f{i}(c):\n    return {body}\n"
     told = {"id": "1", "kind": "zero set", "statement": "s", "status": "ours", "curve": curve, "assumes": list(assumes)}
     told |= {"formulas": [f"f{i}" for i in range(len(bodies))]}
-    (claim,) = claims_of(load_paper(written(folder, text, [told | more])))
+    (claim,) = claims(paper=paper(written(folder, text, [told | more])))
     return claim
 
 
 def verdict(*args, **more):
-    found = combined(claimed(*args, **more))[1]
-    assert found.verdict != UNDECIDED or found.witness is not None
+    found = one_verdict(claimed(*args, **more))
+    assert found.verdict != Verdict.UNDECIDED or found.witness is not None
     return found.verdict
 
 
@@ -53,7 +50,7 @@ TRUE = {
 
 @pytest.mark.parametrize("bodies", TRUE.values(), ids=TRUE)
 def test_what_a_student_sees_is_proved(tmp_path, bodies):
-    assert verdict(tmp_path, *bodies) == PROVED
+    assert verdict(tmp_path, *bodies) == Verdict.PROVED
 
 
 #: What would pass a careless look at factors and squares.
@@ -75,17 +72,17 @@ FALSE = {
 X = "c.gamma[0]"
 #: f·(1 + x′²) beside a frame, and what is written nearly so.
 SPELLED = {
-    f"{X} * c.sigma * (1 + {X}.d(1) ** 2)": PROVED,
-    f"{X} * (c.sigma + c.sigma * {X}.d(1) ** 2)": PROVED,
-    f"{X} * c.sigma + {X} * c.sigma * {X}.d(1) * {X}.d(1)": PROVED,
-    f"-{X} * c.sigma * (3 + {X}.d(1) ** 2 + {X}.d(1) ** 2 * {X} ** 2)": PROVED,
-    f"{X} * c.sigma * (norm2({V}) + {X}.d(1) ** 2)": PROVED,
-    f"{X} * c.sigma * (1 - {X}.d(1) ** 2)": REFUTED,
-    f"{X} * c.sigma * (1 + {X}.d(1) ** 3)": REFUTED,
-    f"{X} * c.sigma * (1 + {X}.d(1) * {V}[1])": REFUTED,
-    f"{X} * c.sigma * {X}.d(1) ** 2": REFUTED,
-    f"{V}[1] * c.sigma * ({X}.d(1) ** 2 + {X} ** 2)": REFUTED,
-    f"{X} * c.sigma * ({V}[0] ** 2 + {A}[0] ** 2)": UNDECIDED,
+    f"{X} * c.sigma * (1 + {X}.d(1) ** 2)": Verdict.PROVED,
+    f"{X} * (c.sigma + c.sigma * {X}.d(1) ** 2)": Verdict.PROVED,
+    f"{X} * c.sigma + {X} * c.sigma * {X}.d(1) * {X}.d(1)": Verdict.PROVED,
+    f"-{X} * c.sigma * (3 + {X}.d(1) ** 2 + {X}.d(1) ** 2 * {X} ** 2)": Verdict.PROVED,
+    f"{X} * c.sigma * (norm2({V}) + {X}.d(1) ** 2)": Verdict.PROVED,
+    f"{X} * c.sigma * (1 - {X}.d(1) ** 2)": Verdict.REFUTED,
+    f"{X} * c.sigma * (1 + {X}.d(1) ** 3)": Verdict.REFUTED,
+    f"{X} * c.sigma * (1 + {X}.d(1) * {V}[1])": Verdict.REFUTED,
+    f"{X} * c.sigma * {X}.d(1) ** 2": Verdict.REFUTED,
+    f"{V}[1] * c.sigma * ({X}.d(1) ** 2 + {X} ** 2)": Verdict.REFUTED,
+    f"{X} * c.sigma * ({V}[0] ** 2 + {A}[0] ** 2)": Verdict.UNDECIDED,
 }
 
 
@@ -98,23 +95,23 @@ def test_the_answer_beside_a_frame_does_not_depend_on_spelling(tmp_path, body, f
 
 @pytest.mark.parametrize("bodies", FALSE.values(), ids=FALSE)
 def test_what_is_false_is_refuted_or_undecided_with_its_reason(tmp_path, bodies):
-    assert verdict(tmp_path, *bodies) in (REFUTED, UNDECIDED)
+    assert verdict(tmp_path, *bodies) in (Verdict.REFUTED, Verdict.UNDECIDED)
 
 
 def test_a_zero_that_cancels_is_no_zero_of_the_value(tmp_path):
     """x y / y² = x / y has no zero where both vanish to first order: supports alone would prove it."""
     x, y = f"{V}[0]", f"{A}[0]"
-    assert verdict(tmp_path, f"{x}", f"{x} / {y}") in (REFUTED, UNDECIDED)
-    assert verdict(tmp_path, f"{x} / {y}", f"{x} ** 2 / {y}") in (REFUTED, UNDECIDED)
-    assert verdict(tmp_path, f"{x} / {y}", f"{x} ** 2 / {y} ** 2") == PROVED
-    assert verdict(tmp_path, f"{x} / {x} ** 2", f"{y} / {y} ** 3") == PROVED  # neither has a zero
+    assert verdict(tmp_path, f"{x}", f"{x} / {y}") in (Verdict.REFUTED, Verdict.UNDECIDED)
+    assert verdict(tmp_path, f"{x} / {y}", f"{x} ** 2 / {y}") in (Verdict.REFUTED, Verdict.UNDECIDED)
+    assert verdict(tmp_path, f"{x} / {y}", f"{x} ** 2 / {y} ** 2") == Verdict.PROVED
+    assert verdict(tmp_path, f"{x} / {x} ** 2", f"{y} / {y} ** 3") == Verdict.PROVED  # neither has a zero
 
 
 def test_a_sum_of_squares_with_a_pole_does_not_count(tmp_path):
     """1 + 1/y² has no zero but y² of it may: y² + 1 is not shown to be positive, and nothing is proved by it."""
     x, y = f"{V}[0]", f"{A}[0]"
-    assert verdict(tmp_path, x, f"{x} * {y} ** 2 * (1 + 1 / {y} ** 2)") != REFUTED  # it is x (1 + y²)
-    assert verdict(tmp_path, x, f"{x} * (1 + 1 / {y} ** 2)") in (REFUTED, UNDECIDED)
+    assert verdict(tmp_path, x, f"{x} * {y} ** 2 * (1 + 1 / {y} ** 2)") != Verdict.REFUTED  # it is x (1 + y²)
+    assert verdict(tmp_path, x, f"{x} * (1 + 1 / {y} ** 2)") in (Verdict.REFUTED, Verdict.UNDECIDED)
 
 
 VERTEX = f"3 * dot({V}, {A}) * {F} - norm2({V}) * det({V}, {J})"
@@ -125,33 +122,33 @@ EVOLUTE = f"(c.gamma + perp({V}) * (norm2({V}) / {F})).d(1)"
 def test_the_evolute_has_a_cusp_where_the_curvature_is_stationary_but_at_inflections(tmp_path, velocity):
     """At 0 of (t, t⁴) the vertex form vanishes and the velocity has a pole; no example has such a point."""
     bodies, assumes = (velocity, VERTEX), ("w", "γ′")
-    assert verdict(tmp_path / "a", *bodies, assumes=(*assumes, "turning ≠ 0")) == PROVED
-    found = combined(claimed(tmp_path / "b", *bodies, assumes=assumes))[1]
-    assert (found.verdict, str(found.witness.name)) == (REFUTED, "undulation_2d")
-    rational = combined(claimed(tmp_path / "c", *bodies, assumes=assumes, of="rational"))[1]
-    assert (rational.verdict, str(rational.witness.name)) == (REFUTED, "rational_undulation_2d")
+    assert verdict(tmp_path / "a", *bodies, assumes=(*assumes, "turning ≠ 0")) == Verdict.PROVED
+    found = one_verdict(claimed(tmp_path / "b", *bodies, assumes=assumes))
+    assert (found.verdict, str(found.witness.name)) == (Verdict.REFUTED, "undulation_2d")
+    rational = one_verdict(claimed(tmp_path / "c", *bodies, assumes=assumes, of="rational"))
+    assert (rational.verdict, str(rational.witness.name)) == (Verdict.REFUTED, "rational_undulation_2d")
 
 
 def test_two_curves_are_compared_along_lines(tmp_path):
     form, pair = f"det({ONE}, {WAY})", {"curve": "plane pair", "assumes": ("w", "w̄")}
     true = claimed(tmp_path / "a", form, f"{form} * (1 + norm2({WAY}))", **pair)
-    assert combined(true)[1].verdict == PROVED
-    assert true.check(example("rational_cubic")).verdict == UNDECIDED  # on the part that was tried it holds
+    assert one_verdict(true).verdict == Verdict.PROVED
+    assert true.check(example("rational_cubic")).verdict == Verdict.UNDECIDED  # on the part that was tried it holds
     false = claimed(tmp_path / "b", form, f"{form} * dot({ONE}, {WAY})", **pair)
-    found = combined(false)[1]
-    assert found.verdict == REFUTED
+    found = one_verdict(false)
+    assert found.verdict == Verdict.REFUTED
     assert re.search(r"at s̄? = .* of the other curve", str(found.witness))
-    assert verdict(tmp_path / "c", f"{ONE}[0]", f"{ONE}[0] / ({ONE}[0] - c.second.p[0])", **pair) != PROVED
+    assert verdict(tmp_path / "c", f"{ONE}[0]", f"{ONE}[0] / ({ONE}[0] - c.second.p[0])", **pair) != Verdict.PROVED
 
 
 def test_roots_are_squared_away(tmp_path):
     framed = {"curve": "framed plane", "assumes": ("w", "γ′")}
-    assert verdict(tmp_path / "b", F, f"{F} / c.sigma ** 3", **framed) == PROVED
-    assert verdict(tmp_path / "c", F, f"{F} * (c.sigma - 1)", **framed) == UNDECIDED
-    assert verdict(tmp_path / "d", F, f"{F} * c.sigma * dot({V}, {A})", **framed) == REFUTED
-    cusp = combined(claimed(tmp_path / "e", F, f"{F} / c.sigma ** 3", **framed | {"assumes": ("w",)}))[1]
-    assert cusp.verdict == REFUTED
-    assert verdict(tmp_path / "f", F, f"{F} / c.sigma ** 3", **framed | {"assumes": ("γ′",)}) != PROVED
+    assert verdict(tmp_path / "b", F, f"{F} / c.sigma ** 3", **framed) == Verdict.PROVED
+    assert verdict(tmp_path / "c", F, f"{F} * (c.sigma - 1)", **framed) == Verdict.UNDECIDED
+    assert verdict(tmp_path / "d", F, f"{F} * c.sigma * dot({V}, {A})", **framed) == Verdict.REFUTED
+    cusp = one_verdict(claimed(tmp_path / "e", F, f"{F} / c.sigma ** 3", **framed | {"assumes": ("w",)}))
+    assert cusp.verdict == Verdict.REFUTED
+    assert verdict(tmp_path / "f", F, f"{F} / c.sigma ** 3", **framed | {"assumes": ("γ′",)}) != Verdict.PROVED
 
 
 @pytest.mark.parametrize(
@@ -171,9 +168,9 @@ def test_the_assumption_that_is_advised_proves_it_when_typed(tmp_path, bodies, c
     guilty = []
     for polynomial in bare.of.worlds:
         found = bare.decide(bare.dimensions[0], polynomial)
-        guilty += found.witness.assume if found.verdict == UNDECIDED else ()
+        guilty += found.witness.assume if found.verdict == Verdict.UNDECIDED else ()
     if guilty:
-        assert verdict(tmp_path / "b", *bodies, assumes=tuple(dict.fromkeys(guilty)), **more) == PROVED
+        assert verdict(tmp_path / "b", *bodies, assumes=tuple(dict.fromkeys(guilty)), **more) == Verdict.PROVED
 
 
 #: Where nothing is said of a search that found nothing, or of all curves where one alone is asked about: what is

@@ -10,10 +10,10 @@ import jsonschema
 import pytest
 
 from docs.site import benchmarks
+from exactspline import formula_of
 from exactspline.batch.sweep import Where
 from exactspline.display.plot import PlotError
 from exactspline.errors import FormulaError
-from exactspline.papers import find
 from exactspline.tables import surface_pair
 from workshop.bench import (
     alone,
@@ -37,7 +37,7 @@ from workshop.bench.row import OURS, Options, Row, bounded, compared
 @pytest.mark.parametrize(("name", "segments"), [(name, n) for name in forms.BY_HAND for n in (1, 3)])
 def test_what_is_written_by_hand_is_the_formula(name, segments):
     c = inputs.curve(3, segments)
-    ours = find(name)(c)
+    ours = formula_of(name)(c)
     for (own, k), (row_, m) in zip(ours.forms, inputs.forms(c), strict=True):
         by_hand = forms.BY_HAND[name](*row_, 3, inline.form_derivative)
         # the library's denominators are the least, those by hand powers of that of the control points
@@ -50,14 +50,14 @@ def test_what_is_written_by_hand_is_the_formula(name, segments):
 def test_torsion_by_hand_is_the_formula():
     c = inputs.curve(4, dimension=3)
     ((*p, w), _) = next(inputs.forms(c))
-    value = find("torsion_reduced")(c)
+    value = formula_of("torsion_reduced")(c)
     top, bottom = inline.torsion(p, w, 4, inline.form_derivative)
     assert value.numerator.numerators[0] * bottom == top * value.denominator.numerators[0]
 
 
 def test_the_bisector_by_hand_is_the_formula():
     one, two = (inputs.curve(3, dimension=3, seed=seed) for seed in (1, 2))
-    value = find("bisector_symmetric")(surface_pair(one, two))
+    value = formula_of("bisector_symmetric")(surface_pair(one, two))
     ((numerators, below),) = forms.packed_bisector(one, two)
 
     def at(packed, z, y):
@@ -90,7 +90,7 @@ def test_sympys_polynomials_under_the_librarys_formulas():
     ((x, y, w),) = peers.sympy_polys(c)
     (argument,) = peers.sympy_arguments(c)
     for name, by_hand in forms.BY_HAND.items():
-        assert find(name)(argument).poly == by_hand(x, y, w, 3, lambda p, n: p.diff())
+        assert formula_of(name)(argument).poly == by_hand(x, y, w, 3, lambda p, n: p.diff())
 
 
 def test_a_peer_that_is_not_installed_is_told(monkeypatch):

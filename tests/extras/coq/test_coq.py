@@ -7,7 +7,6 @@ corrupted certificates.
 
 from __future__ import annotations
 
-import json
 import os
 import re
 import shutil
@@ -22,7 +21,7 @@ import pytest
 from flint import fmpq, fmpq_poly
 
 from docs import ten_claims
-from exactspline import Nurbs, Verdict, example, examples, intersections, write, zeros
+from exactspline import Nurbs, Verdict, example, examples, formula_of, intersections, paper, write, zeros
 from exactspline.display.evidence import opinion
 from exactspline.errors import ClaimError, FormulaError
 from exactspline.extras.coq import judge as coq_judge
@@ -30,8 +29,7 @@ from exactspline.extras.coq.answers import answers, meeting_theorem, rational_de
 from exactspline.extras.coq.emission import BY_HAND, ROOT, library
 from exactspline.extras.coq.formulas import THEORY, Formulas
 from exactspline.extras.coq.theorems import theorem
-from exactspline.interchange.curve_files import curve_data
-from exactspline.papers import find, load_paper, papers
+from exactspline.papers import papers
 from exactspline.verification.claims import claims_of, select
 from tests.support.bisector_oracle import bezier
 from tests.support.command import run
@@ -239,7 +237,7 @@ def test_from_the_command_line(tmp_path: Path) -> None:
         assert refused.returncode == 2
         assert refused.stderr.startswith("error: ")
     both = tmp_path / "both.json"
-    both.write_text(json.dumps({"curves": [curve_data(example(name)) for name in ("cubic_s", "circle")]}))
+    write([example("cubic_s"), example("circle")], both)
     # of a file with two curves the first alone was written, without a word
     for curves in (("cubic_s", "circle"), (both,)):
         refused = run("inspect", *curves, "--emit-coq", file)
@@ -250,7 +248,7 @@ def test_from_the_command_line(tmp_path: Path) -> None:
 def test_formulas_that_lean_on_each_other_keep_their_names() -> None:
     text = library().files["formulas/chen_riesenfeld_cohen_2007"]
     assert "Definition evolute (c : curve A) : list A :=" in text
-    assert find("evolute").source in text
+    assert formula_of("evolute").source in text
 
 
 def test_the_page_of_ten_claims_says_what_is_so() -> None:
@@ -352,7 +350,7 @@ def lifted(c):
 def theorem_about_plane_pairs(tmp_path: Path, **fields: str) -> str:
     """The theorem of a claim about formulas of two plane curves, with their definitions."""
     claim = {"id": "1", "kind": "identity", "statement": "s", "curve": "plane pair", "left": "turned"}
-    own = load_paper(written(tmp_path / "p", PLANE_PAIRS, [claim | {"right": "lifted"} | fields]))
+    own = paper(written(tmp_path / "p", PLANE_PAIRS, [claim | {"right": "lifted"} | fields]))
     formulas = Formulas((*papers(), own))
     (one,) = claims_of(own)
     text = theorem(one, 2, lambda formula: formulas.named(formula, own))

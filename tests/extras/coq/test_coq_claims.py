@@ -8,31 +8,28 @@ from dataclasses import replace
 
 import pytest
 
-from exactspline import Verdict
+from exactspline import Verdict, claims, formula_of
 from exactspline.errors import FormulaError
 from exactspline.extras.coq.emission import Stated, library
 from exactspline.extras.coq.theorems import STATED, theorem
 from exactspline.language.kinds import kind_of
-from exactspline.papers import find, papers
+from exactspline.papers import papers
 from exactspline.symbolic.assumptions import Assumption
-from exactspline.verification.claim import Claim
-from exactspline.verification.claims import claims_of
-from exactspline.verification.vocabulary import Status
 
 #: Failures whose correction is no equality, with what it is instead: another claim, or a sentence alone.
 CORRECTED_OTHERWISE = {"PB1d-third_derivative": ["count"], "C62f-tilted_plane_bisector_slope": []}
-CLAIMS = [claim for paper in papers() for claim in claims_of(paper.name)]
+CLAIMS = [claim for paper in papers() for claim in claims(paper=paper.name)]
 EQUALITIES = [claim for claim in CLAIMS if isinstance(claim, STATED)]
 REFUTED = [claim for claim in EQUALITIES if claim.expected == Verdict.REFUTED]
 
 
-def theorems(claim: Claim) -> list[Stated]:
+def theorems(claim) -> list[Stated]:
     """The theorems of a claim, one per dimension."""
     found = (each for own in library().theorems.values() for each in own if not each.reason)
     return [each for each in found if (each.claim.paper, each.claim.key) == (claim.paper, claim.key)]
 
 
-def held(claim: Claim) -> bool:
+def held(claim) -> bool:
     """Whether there are theorems that a claim holds, in every dimension."""
     found = theorems(claim)
     return len(found) == len(kind_of(claim.curve).dimensions) and not any(x.name.endswith("_fails") for x in found)
@@ -47,14 +44,14 @@ def test_every_equality_has_theorems_in_every_dimension() -> None:
 
 
 @pytest.mark.parametrize("claim", REFUTED, ids=lambda claim: claim.key)
-def test_what_holds_instead_of_a_failure_is_a_theorem(claim: Claim) -> None:
+def test_what_holds_instead_of_a_failure_is_a_theorem(claim) -> None:
     if not claim.error:  # a control, that fails on purpose: what is compared obeys another equality
         sides = {claim.find(name) for name in claim.named}
-        assert claim.status == Status.OURS
+        assert claim.status == "ours"
         assert any(held(each) and sides & {each.find(name) for name in each.named} for each in EQUALITIES)
         return
     together = [each for each in CLAIMS if (each.paper, each.error) == (claim.paper, claim.error)]
-    meant = [each for each in together if each.status == Status.MEANT and each.expected != Verdict.REFUTED]
+    meant = [each for each in together if each.status == "meant" and each.expected != Verdict.REFUTED]
     if claim.key in CORRECTED_OTHERWISE:
         assert [each.kind for each in meant] == CORRECTED_OTHERWISE[claim.key]
     else:
@@ -68,7 +65,7 @@ def test_what_cannot_be_assumed_is_refused() -> None:
         assuming(claim, "D1_D2_D21")
 
 
-def assuming(claim: Claim, name: str) -> str:
+def assuming(claim, name: str) -> str:
     """The theorem of a claim in space that assumes of a formula that it is not zero."""
-    assumption = Assumption(name, name, name, name, find(name), ("space",), formula=name)
+    assumption = Assumption(name, name, name, name, formula_of(name), ("space",), formula=name)
     return theorem(replace(claim, assumes=(assumption,)), 3, lambda formula: formula.name)

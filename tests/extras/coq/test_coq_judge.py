@@ -4,18 +4,20 @@ from types import SimpleNamespace
 
 import pytest
 
+from exactspline import Verdict, claims
 from exactspline.display.evidence import opinion
 from exactspline.errors import FormulaError
 from exactspline.extras.coq import judge as coq_judge
-from exactspline.verification.claims import all_claims
 from exactspline.verification.evidence import Fact, NoTheorem, Theorem
-from exactspline.verification.verdict import PROVED, REFUTED, UNDECIDED, Finding
+from exactspline.verification.verdict import Finding
 
 
 def test_the_least_favourable_opinion_counts():
-    missing, refused = (Finding(UNDECIDED, witness=fact) for fact in (Fact.COQ_NOT_INSTALLED, Fact.NOT_ACCEPTED))
-    unstated = Finding(UNDECIDED, witness=NoTheorem(FormulaError("no")))
-    holds, fails = (Finding(verdict, Theorem("t")) for verdict in (PROVED, REFUTED))
+    missing, refused = (
+        Finding(Verdict.UNDECIDED, witness=fact) for fact in (Fact.COQ_NOT_INSTALLED, Fact.NOT_ACCEPTED)
+    )
+    unstated = Finding(Verdict.UNDECIDED, witness=NoTheorem(FormulaError("no")))
+    holds, fails = (Finding(verdict, Theorem("t")) for verdict in (Verdict.PROVED, Verdict.REFUTED))
     said = [holds, unstated, fails, refused, missing]
     assert coq_judge.combined_findings(said) is refused
     assert coq_judge.combined_findings(said[:3]) is unstated
@@ -28,14 +30,14 @@ def test_the_least_favourable_opinion_counts():
         "not accepted",
         "Coq is not installed",
     ]
-    assert opinion(Finding(PROVED, Theorem("t", ("x", "y")))) == "holds, axioms x, y"
+    assert opinion(Finding(Verdict.PROVED, Theorem("t", ("x", "y")))) == "holds, axioms x, y"
 
 
 def test_what_coq_is_asked_to_compile(monkeypatch):
     """A file of which no theorem is chosen is not compiled; of one that is not accepted every theorem is tried alone,
     with what it requires; what others are built on is compiled anyhow.
     """
-    asked, one = [], next(c for c in all_claims() if c.key == "C41a-f1-f2")
+    asked, one = [], next(c for c in claims() if c.key == "C41a-f1-f2")
 
     class Made:
         files = ("Base", "None", "Good", "Bad")
@@ -88,8 +90,8 @@ def test_what_is_asked_of_theorems_and_what_is_told(monkeypatch, tmp_path):
 
 
 def test_opinions_of_the_kernel(monkeypatch):
-    one, refuted = (next(c for c in all_claims() if c.expected == v) for v in (PROVED, REFUTED))
-    last = next(c for c in all_claims() if c not in (one, refuted))
+    one, refuted = (next(c for c in claims() if c.expected == v) for v in (Verdict.PROVED, Verdict.REFUTED))
+    last = next(c for c in claims() if c not in (one, refuted))
 
     class Theorem:
         def __init__(self, claim, name, reason=None):

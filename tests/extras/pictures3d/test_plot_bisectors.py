@@ -4,13 +4,10 @@ import pytest
 
 pytest.importorskip("matplotlib")
 
-from exactspline import Nurbs, example
+from exactspline import Nurbs, bisector, example
 from exactspline.display.plot.curves import pair_figure
 from exactspline.extras.pictures3d.bisectors import plot_curve_bisector, plot_plane_bisector, plot_trimmed_bisector
 from exactspline.geometry.analysis.pairs import CurvePair
-from exactspline.geometry.bisectors.plane_curves import PlaneBisector
-from exactspline.geometry.bisectors.trimmed import trimmed_bisector
-from exactspline.geometry.bisectors.two_curves import curve_bisector
 
 
 def named(ax):
@@ -28,7 +25,7 @@ def ends_at_the_frame(ax):
 
 def test_the_curves_of_a_bisector_in_space_have_two_colours_and_their_names():
     """Both were black, and called "curve of s" and "curve of t"."""
-    ax = plot_curve_bisector(curve_bisector(example("twisted_cubic"), example("rational_space_cubic")))
+    ax = plot_curve_bisector(bisector(example("twisted_cubic"), example("rational_space_cubic")))
     lines = named(ax)
     colors = [lines[name].get_color() for name in ("twisted cubic (s)", "rational space cubic (t)")]
     assert len({*colors, lines["surface"].get_color()}) == 3
@@ -37,11 +34,11 @@ def test_the_curves_of_a_bisector_in_space_have_two_colours_and_their_names():
 
 def test_what_goes_on_leaves_the_frame():
     """It ended inside of the frame, as an arc does that ends."""
-    plane = plot_plane_bisector(PlaneBisector(example("cubic_s"), example("ellipse")))
+    plane = plot_plane_bisector(bisector(example("cubic_s"), example("ellipse")))
     outside, ends = ends_at_the_frame(plane)
     assert 2 <= outside < ends
     point = ("7/4", "3/2")
-    trimmed = plot_trimmed_bisector(trimmed_bisector(example("cubic_s"), point), example("cubic_s"), point)
+    trimmed = plot_trimmed_bisector(bisector(example("cubic_s"), point), example("cubic_s"), point)
     assert ends_at_the_frame(trimmed) == (2, 4)
     assert {"arc", "line (foot: end point)", "point"} <= set(named(trimmed))
     assert trimmed.get_title() == "bisector of cubic s and a point"

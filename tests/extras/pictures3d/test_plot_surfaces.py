@@ -5,19 +5,20 @@ pole.
 import pytest
 from gmpy2 import mpq
 
+from exactspline import formula_of
+from exactspline.extras import pictures3d
+
 pytest.importorskip("matplotlib")
 
 from exactspline import BSpline, TensorSpline, example, zeros
 from exactspline.display.plot import PlotError, new_figure, plot_curve, plot_function, plot_quotient, plot_roots
 from exactspline.display.plot.canvas import homogeneous, inside, save
 from exactspline.errors import FormulaError, ShapeError
-from exactspline.extras.pictures3d import plot_bisector, plot_ruled_surface, plot_surface
 from exactspline.extras.pictures3d.html import Scene, scenes_data, turning_page
 from exactspline.extras.pictures3d.meshes import ruled_mesh, tensor_mesh
 from exactspline.extras.pictures3d.surfaces import plot_mesh
 from exactspline.language import Rational, Vector, cross, dot
 from exactspline.language.ruled import RuledSurface
-from exactspline.papers import find
 from exactspline.papers.chen_riesenfeld_cohen_2007.figures import approaches_table, plot_approaches
 from exactspline.tables import surface_pair
 
@@ -38,7 +39,7 @@ def legend(ax):
     ["tangent_developable_reduced", "binormal_scroll", "normal_scroll_reduced", "rectifying_developable_reduced"],
 )
 def test_the_points_of_a_ruled_surface_lie_on_its_rulings(name):
-    surface = find(name)(example("rational_space_cubic_spline"))
+    surface = formula_of(name)(example("rational_space_cubic_spline"))
     mesh = ruled_mesh(surface, ("-1/3", 1), box=((-(10**9),) * 3, (10**9,) * 3))
     assert mesh.faces
     parameters = [mpq(k, 7) for k in range(3)]
@@ -55,7 +56,7 @@ def test_the_points_of_a_ruled_surface_lie_on_its_rulings(name):
 
 
 def test_the_net_of_a_ruled_surface_is_that_of_its_bounding_curves():
-    surface = find("binormal_scroll_reduced")(example("rational_space_cubic"))
+    surface = formula_of("binormal_scroll_reduced")(example("rational_space_cubic"))
     mesh = ruled_mesh(surface, (0, 1), box=((-(10**9),) * 3, (10**9,) * 3))
     drawn = {p for run in mesh.net for p in run}
     for z in (0, 1):
@@ -99,9 +100,9 @@ def test_a_tensor_surface_is_drawn_through_its_exact_points_with_its_net():
     mesh = tensor_mesh(SADDLE)
     assert all(z == x * y for rows in mesh.patches for row in rows for x, y, z in row)
     assert {p for run in mesh.net for p in run} == {(x, y, mpq(x * y)) for x in (0, 1) for y in (0, 1)}
-    ax = plot_surface(SADDLE)
+    ax = pictures3d.plot_surface(SADDLE)
     assert legend(ax)[-1] == "control net (4 points)"
-    assert legend(plot_surface(SADDLE, control_net=False)) == ["surface"]
+    assert legend(pictures3d.plot_surface(SADDLE, control_net=False)) == ["surface"]
 
 
 def test_of_surfaces_that_cross_both_are_seen_and_their_faces_are_one_picture_in_a_file(tmp_path):
@@ -128,7 +129,7 @@ def test_of_surfaces_that_cross_both_are_seen_and_their_faces_are_one_picture_in
 )
 def test_bisectors_of_a_point_are_equidistant_where_they_are_drawn(variant):
     curve, q = example("helix_like"), (mpq(1, 3), mpq(1, 4), mpq(1))
-    surface = find(variant)(curve.with_point(q))
+    surface = formula_of(variant)(curve.with_point(q))
     mesh = ruled_mesh(surface, (0, 1))
     start, end = mesh.patches[0][0][0], mesh.patches[0][0][-1]
     foot = curve(curve.domain[0])
@@ -136,28 +137,28 @@ def test_bisectors_of_a_point_are_equidistant_where_they_are_drawn(variant):
         assert sum((a - b) ** 2 for a, b in zip(p, foot, strict=True)) == sum(
             (a - b) ** 2 for a, b in zip(p, q, strict=True)
         )
-    ax = plot_bisector(curve, q, formula=variant)
+    ax = pictures3d.plot_bisector(curve, q, formula=variant)
     assert f"bisector: degree {surface.degree}" in legend(ax)
 
 
 def test_bisectors_of_curves_and_in_the_plane():
     lines = [example("space_line"), example("twisted_cubic")]
-    ax = plot_bisector(*lines)
-    degree = find("bisector_symmetric")(surface_pair(*lines)).degree
+    ax = pictures3d.plot_bisector(*lines)
+    degree = formula_of("bisector_symmetric")(surface_pair(*lines)).degree
     assert f"bisector: degree {degree.s} × {degree.t}" in legend(ax)
-    flat = plot_bisector(example("ellipse"), (0, 0))
-    value = find("plane_bisector_polynomial")(example("ellipse").with_point((0, 0)))
+    flat = pictures3d.plot_bisector(example("ellipse"), (0, 0))
+    value = formula_of("plane_bisector_polynomial")(example("ellipse").with_point((0, 0)))
     assert flat.name == "rectilinear"
     assert legend(flat)[-1] == f"bisector: degree {value.degree}"
 
 
 def test_a_derived_curve_has_the_polygon_of_its_representation():
-    value = find("evolute")(example("ellipse"))
+    value = formula_of("evolute")(example("ellipse"))
     ax = plot_quotient(value)
     assert legend(ax)[0] == "control polygon (108 points)"
     drawn = sum(len(line.get_xdata()) for line in ax.lines if line.get_label() == "_control points")
     assert drawn == 108
-    parabola = plot_quotient(find("D1")(example("parabola")))
+    parabola = plot_quotient(formula_of("D1")(example("parabola")))
     assert legend(parabola)[0].startswith("control polygon (")
 
 
@@ -199,7 +200,7 @@ def test_approaches_are_compared_by_what_they_cost():
 
 
 def test_pages_need_no_network_and_show_scenes_in_one_box():
-    mesh = ruled_mesh(find("tangent_developable")(example("twisted_cubic")), (0, 1))
+    mesh = ruled_mesh(formula_of("tangent_developable")(example("twisted_cubic")), (0, 1))
     curve = [[(mpq(0),) * 3, (mpq(9),) * 3]]
     scenes = [Scene("a", mesh, [("</script>", curve)], [("Q", (mpq(0),) * 3)]), Scene("b", mesh)]
     page = turning_page(scenes, "title")
@@ -218,7 +219,7 @@ def test_pages_need_no_network_and_show_scenes_in_one_box():
 def test_a_surface_between_two_heights_is_the_same_part_by_either_approach():
     argument = example("helix_like").with_point(("1/3", "1/4", 1))
     for name, rulings in (("point_bisector_polynomial", ("-1/4", "1/4")), ("point_bisector_direct_z", ("-1/2", "5/2"))):
-        mesh = ruled_mesh(find(name)(argument), rulings, heights=("-1/2", "5/2"))
+        mesh = ruled_mesh(formula_of(name)(argument), rulings, heights=("-1/2", "5/2"))
         rows = [row for rows in mesh.patches for row in rows]
         assert {(row[0][2], row[-1][2]) for row in rows} == {(mpq(-1, 2), mpq(5, 2))}
         if name == "point_bisector_polynomial":
@@ -237,7 +238,7 @@ def test_a_surface_between_two_heights_is_the_same_part_by_either_approach():
 def test_the_parameters_of_each_point_of_a_ruled_surface_are_those_of_the_point(formula, argument, shown):
     """Hovering over figures 4 to 6 said nothing; a ruling that is cut ends at other parameters than asked for."""
     curve = example("helix_like")
-    surface = find(formula)(curve.with_point(("1/3", "1/4", 1)) if argument == "point" else curve)
+    surface = formula_of(formula)(curve.with_point(("1/3", "1/4", 1)) if argument == "point" else curve)
     mesh = ruled_mesh(surface, (-1, 1), **shown)
     points, _ = mesh.indexed
     assert len(points) == len(mesh.located) > 1000
@@ -262,7 +263,7 @@ def test_a_level_ruling_has_no_part_between_two_heights():
 
 
 def test_errors_say_what_would_be_right():
-    surface = find("tangent_developable")(example("twisted_cubic"))
+    surface = formula_of("tangent_developable")(example("twisted_cubic"))
     with pytest.raises(ShapeError, match="smaller one"):
         ruled_mesh(surface, (1, 0))
     with pytest.raises(ShapeError, match="ruled surface of splines"):
@@ -270,25 +271,25 @@ def test_errors_say_what_would_be_right():
     with pytest.raises(ShapeError, match="two parameters"):
         tensor_mesh(example("twisted_cubic").p)
     with pytest.raises(PlotError, match="fit"):
-        plot_ruled_surface(surface, ax=new_figure().add_subplot())
+        pictures3d.plot_ruled_surface(surface, ax=new_figure().add_subplot())
     with pytest.raises(PlotError, match="larger box"):
         plot_mesh(ruled_mesh(surface, box=((5, 5, 5), (6, 6, 6))))
     with pytest.raises(PlotError, match="nothing to draw"):
-        plot_quotient(find("focal_curve_reduced")(example("helix_like")))
+        plot_quotient(formula_of("focal_curve_reduced")(example("helix_like")))
     with pytest.raises(ShapeError, match="segment"):
-        ruled_mesh(find("focal_surface")(example("space_line")))
+        ruled_mesh(formula_of("focal_surface")(example("space_line")))
     with pytest.raises(ShapeError, match="both in the plane"):
-        plot_bisector(example("ellipse"), (0, 0, 0))
+        pictures3d.plot_bisector(example("ellipse"), (0, 0, 0))
     with pytest.raises(ShapeError, match="two curves in space"):
-        plot_bisector(example("ellipse"), example("circle"))
+        pictures3d.plot_bisector(example("ellipse"), example("circle"))
     with pytest.raises(FormulaError, match="'point'"):
-        plot_bisector(example("helix_like"), (0, 0, 0), formula="plane_bisector")
+        pictures3d.plot_bisector(example("helix_like"), (0, 0, 0), formula="plane_bisector")
 
 
 def test_a_surface_goes_with_the_curve_on_one_pair_of_axes():
     curve = example("rational_space_cubic")
     ax = plot_curve(curve, control_polygon=False)
-    surface = find("binormal_scroll_reduced")(curve)
-    assert plot_ruled_surface(surface, (0, "1/40"), ax) is ax
+    surface = formula_of("binormal_scroll_reduced")(curve)
+    assert pictures3d.plot_ruled_surface(surface, (0, "1/40"), ax) is ax
     assert legend(ax)[0] == "rational space cubic"
-    assert dot(cross(find("D1")(curve), find("D2")(curve)), find("D1")(curve)).is_zero
+    assert dot(cross(formula_of("D1")(curve), formula_of("D2")(curve)), formula_of("D1")(curve)).is_zero

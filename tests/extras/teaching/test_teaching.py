@@ -4,61 +4,61 @@ import json
 import re
 import shlex
 from fractions import Fraction
-from functools import cache, partial
+from functools import cache
 from math import comb
 from pathlib import Path
 from xml.etree import ElementTree
 
 import pytest
-from click.testing import CliRunner
 from gmpy2 import mpq
 
-from exactspline import Nurbs, example, rational
-from exactspline.cli import app
+from exactspline import ExactSplineError, Nurbs, example, rational, write
 from exactspline.extras.teaching import exercise
-from exactspline.extras.teaching.answers import (
-    AnswerError,
-    Circle,
-    Parameters,
-    Points,
-    Polynomials,
-    numbers,
-    points,
-    polynomials,
-)
-from exactspline.extras.teaching.comparison import compare_curves, compare_formulas
-from exactspline.extras.teaching.differences import (
-    Invented,
-    Missing,
-    OtherDimension,
-    OtherDomain,
-    OtherNumber,
-    OtherPoint,
-    OtherValue,
-    Wrong,
-)
-from exactspline.extras.teaching.display.exercises import html_page, latex_document, plain, text_lines
-from exactspline.extras.teaching.exercises import LARGEST
-from exactspline.extras.teaching.parts import Math
-from exactspline.extras.teaching.topics import HINTS, TOPICS, TopicError, about, exercises
-from exactspline.interchange.curve_files import curve_data
-from exactspline.numbers.exact import point_text
-from exactspline.papers import find
 from tests.support.command import invoke
 
 COUNT = 20
-sheet = cache(partial(exercises, seed=0, count=COUNT))
+#: The largest whole number in a task and in an answer.
+LARGEST = 30
+TOPICS = (
+    "evaluation",
+    "derivative",
+    "insertion",
+    "elevation",
+    "subdivision",
+    "product",
+    "power",
+    "bezier",
+    "continuity",
+    "support",
+    "hull",
+    "inflections",
+    "curvature",
+    "osculating",
+    "circle",
+    "weight",
+)
 topics = pytest.mark.parametrize("topic", TOPICS)
+
+
+@cache
+def sheet(topic):
+    return [exercise(topic, seed) for seed in range(COUNT)]
+
+
+def listed(*arguments):
+    """The rows of a command of teaching."""
+    return json.loads(invoke("teach", *arguments, "--json").stdout)["rows"]
 
 
 @topics
 def test_the_checker_solves_every_exercise_and_the_answers_are_small(topic):
-    for made in sheet(topic):
+    tasks = [row["task"] for row in listed("exercise", topic, "--count", COUNT)]
+    for made, task in zip(sheet(topic), tasks, strict=True):
         assert made.answer.check(made.answer.written).right
-        asked = re.sub(r"\^\d+", "", plain(made.task))
+        asked = re.sub(r"\^\d+", "", task)
         told = made.answer.written.rpartition(",")[0] if topic in ("osculating", "circle") else made.answer.written
         assert all(int(number) <= LARGEST for number in re.findall(r"\d+", asked + told))
-    assert len({plain(made.task) for made in sheet(topic)}) >= COUNT * 3 / 4
+    assert len({*tasks}) >= COUNT * 3 / 4
     assert sheet(topic)[7] == exercise(topic, 7)
 
 
@@ -79,11 +79,22 @@ def wrong_answers(made):
     if len(parts) > 1:
         yield ", ".join(parts[:-1])
         for i in range(len(parts) - 1):
-            if parts[i] != parts[i + 1] and not isinstance(made.answer, Parameters):
+            if parts[i] != parts[i + 1] and made.topic != "inflections":
                 yield ", ".join([*parts[:i], parts[i + 1], parts[i], *parts[i + 2 :]])
     yield ", ".join(
         [*([] if written in ("no", "none") else parts), parts[0] if "t" in written or "(" in written else "7"]
     )
+
+
+@cache
+def hint_of(topic):
+    wrong = next(wrong_answers(exercise(topic, 1)))
+    told = invoke("teach", "check", "--topic", topic, "--seed", 1, "--hint", "--text", wrong).output
+    return " ".join(told.split("hint:")[1].split())
+
+
+def test_every_topic_has_a_hint_of_its_own():
+    assert len({*map(hint_of, TOPICS)}) == len(TOPICS)
 
 
 @topics
@@ -94,25 +105,27 @@ def test_nothing_is_told_before_it_is_asked_for(topic):
     for wrong in wrong_answers(made):
         if made.answer.written == wrong or made.answer.check(wrong):
             continue
-        differences = made.answer.check(wrong).differences
-        right = {f" is {point_text(each.right)}" for each in differences if isinstance(each, OtherPoint)}
-        right |= {f" is {each.right}," for each in differences if isinstance(each, OtherNumber)}
+        # the right values, as they are told where they are asked for
+        said = map(str, made.answer.check(wrong).differences)
+        right = {f" is {value}" for each in said for value in re.findall(r" is (.*), not ", each)}
         told = invoke(*asked, wrong).output
         assert told.startswith("wrong")
         assert not any(each in told for each in right)
-        assert HINTS[topic][:30] in " ".join(invoke(*asked, wrong, "--hint").output.split())
-        assert plain(made.answer.parts) in " ".join(invoke(*asked, wrong, "--show").output.split())
+        assert hint_of(topic) in " ".join(invoke(*asked, wrong, "--hint").output.split())
+        shown = " ".join(invoke(*asked, wrong, "--show").output.split())
+        assert listed("exercise", topic, "--seed", 2, "--solutions")[0]["solution"].rstrip(":") in shown
 
 
 def test_a_sheet_of_several_topics_has_headings_and_lines_for_name_date_and_answers():
-    made = [exercise("circle", 0), exercise("circle", 1), exercise("power", 0)]
-    text = text_lines(made, 80, solutions=False)
-    assert [line for line in text if line.startswith(("Whether", "Conversion"))] == [about("circle"), about("power")]
-    asked = "no, or centre x, centre y, radius²", "no, or centre $x$, centre $y$, radius$^{2}$"
-    pages = html_page(made, solutions=False), latex_document(made, solutions=False)
-    for written, form in zip(pages, asked, strict=True):
-        assert all(word in written for word in ("Name:", "Date:", form))
-    assert invoke("teach", "exercise", "circle", "power", "--count", 2).output.count("[") >= 4
+    asked = ("exercise", "circle", "power", "--count", 2)
+    several = invoke("teach", *asked).stdout
+    about = {row["key"]: row["about"] for row in listed("exercise")}
+    assert [line for line in several.splitlines() if line in about.values()] == [about["circle"], about["power"]]
+    assert several.count("[") >= 4
+    form = "no, or centre x, centre y, radius²", "no, or centre $x$, centre $y$, radius$^{2}$"
+    for option, each in zip(("--html", "--latex"), form, strict=True):
+        written = invoke("teach", *asked, option).stdout
+        assert all(word in written for word in ("Name:", "Date:", each))
 
 
 @topics
@@ -127,7 +140,7 @@ def test_a_wrong_answer_of_every_kind_is_caught(topic):
             assert finding.differences
             caught += 1
         for unreadable in ("", "   ", "seven", "1/0", "(1, 2", "1e", "nan", "1; drop", "x = one"):
-            with pytest.raises(AnswerError):
+            with pytest.raises(ExactSplineError):
                 made.answer.check(unreadable)
     assert caught >= 2 * COUNT
 
@@ -146,8 +159,13 @@ def basis(knots, n, i, t):
 
 def lists_in(made):
     """The rows of numbers or points in a task, in order."""
-    rows = [part.values for part in made.task if isinstance(part, Math)]
+    rows = [part.values for part in made.task if hasattr(part, "values")]
     return [[tuple(map(Fraction, map(str, v))) if isinstance(v, tuple) else Fraction(str(v)) for v in r] for r in rows]
+
+
+def points(written):
+    """The points of an answer."""
+    return [tuple(map(Fraction, pair)) for pair in re.findall(r"\((\S+), (\S+)\)", written)]
 
 
 def by_recursion(knots, points, t):
@@ -163,7 +181,7 @@ def test_evaluation_and_insertion_agree_with_the_recursion():
         assert made.answer.check(", ".join(map(str, by_recursion(knots, given, t))))
     for made in sheet("insertion"):
         knots, given, (t,) = lists_in(made)
-        found = [tuple(map(Fraction, map(str, row))) for row in points(made.answer.written, 2)]
+        found = points(made.answer.written)
         for place in (Fraction(1, 7), t, knots[-1] * Fraction(6, 7)):
             assert by_recursion(sorted([*knots, t]), found, place) == by_recursion(knots, given, place)
 
@@ -175,8 +193,8 @@ def test_bezier_points_and_powers_agree_with_bernstein():
                 (given,) = lists_in(made)
                 polys = made.answer.values
             else:
-                given = [tuple(map(Fraction, map(str, row))) for row in points(made.answer.written, 2)]
-                polys = [part.values[0] for part in made.task if isinstance(part, Math)]
+                given = points(made.answer.written)
+                polys = [part.values[0] for part in made.task if hasattr(part, "values")]
             n, t = len(given) - 1, Fraction(3, 7)
             for k, p in enumerate(polys):
                 value = sum(Fraction(str(c)) * t**i for i, c in enumerate(p.coefficients))
@@ -211,47 +229,54 @@ def determinant(rows):
     return sum((-1) ** k * head[k] * determinant(minor) for k, minor in enumerate(minors))
 
 
-def test_what_differs_is_told():
-    answer = Points(Nurbs(1, [0, 0, 1, 1], [(0, 0), (2, 4)]))
-    found = answer.check("(0,0) (2,5)").differences
-    assert found == (OtherPoint(1, (2, 4), (2, 5)), OtherValue(mpq(1), (2, 4), (2, 5)))
-    assert list(map(str, found)) == [
-        "control point 1 is (2, 4), not (2, 5)",
-        "at t = 1 it gives (2, 5) instead of (2, 4)",
-    ]
-    # wrong at both ends alike, so that the witness is inside
-    answer = Points(Nurbs(2, [0, 0, 0, 1, 1, 1], [(0, 0), (1, 1), (2, 0)]))
-    assert answer.check("0 0\n1 3\n2 0").differences[-1] == OtherValue(mpq(1, 2), (1, mpq(1, 2)), (1, mpq(3, 2)))
-    assert Parameters((mpq(1, 2),)).check("0.5")
-    assert Parameters(()).check("none")
-    assert Parameters((mpq(1, 2),)).check("none").differences == (Missing(mpq(1, 2)),)
-    assert Parameters((mpq(1, 2),)).check("1/2, 1/3").differences == (Invented(mpq(1, 3)),)
-    assert Circle(()).check("no")
-    assert not Circle(()).check("0, 0, 1")
-    assert not Circle((mpq(0), mpq(0), mpq(1))).check("no")
+@pytest.mark.parametrize(
+    ("topic", "written", "told"),
+    [
+        ("inflections", "0.5", ()),
+        ("inflections", "none", ("t = 1/2 is missing",)),
+        ("inflections", "1/2, 1/3", ("t = 1/3 is not one of them",)),
+        ("evaluation", "-6, -5", ("y is -7, not -5",)),
+        (
+            "subdivision",
+            "(4, 4), (8, 9), (11, 5)",
+            ("control point 1 is (8, 8), not (8, 9)", "at t = 1/4 it gives (31/4, 27/4) instead of (31/4, 25/4)"),
+        ),
+        (
+            "subdivision",
+            "(4, 4), (8, 8), (11, 6)",
+            ("control point 2 is (11, 5), not (11, 6)", "at t = 1/2 it gives (11, 6) instead of (11, 5)"),
+        ),
+    ],
+)
+def test_what_differs_is_told(topic, written, told):
+    assert tuple(map(str, exercise(topic, 1).answer.check(written).differences)) == told
+
+
+#: The answer to this exercise is x(t) = -3 + 6t + 9t^2 - 16t^3, y(t) = 12t - 15t^2.
+POWER = "-3 + 6t + 9t^2 - 16t^3, "
 
 
 def test_polynomials_may_be_written_as_one_likes():
-    right = Polynomials(("x(t)",), polynomials("1 - 3t + 2t^2"))
-    for written in (
-        "2t² − 3t + 1",
-        "(1-t)(1-2t)",
-        "(1-t)*(1 - 2*t)",
-        "1-3·t+4t**2/2",
-        "(t-1)^2 + t(t-1)",
-        "1 + t(2t-3)",
-    ):
-        assert right.check(written), written
-    for wrong in ("1 - 3t + 2t^3", "1 - 3t", "(1-t)(1-2t) + 1/1000000", "0", "1 - 3t + 2t^2, 0"):
-        assert not right.check(wrong), wrong
-    for unreadable in ("1/t", "t^t", "sin(t)", "2^-1", "t^61", "(t^60)^2", "s", "t.real", "1 if t else 2", "()"):
-        with pytest.raises(AnswerError):
-            right.check(unreadable)
-    for hostile in ("-" * 299 + "(" * 200, "(" * 140 + "t" + ")" * 140 + "+", "((((9^60)^60)^60)^60)^60", "9^60^60"):
-        with pytest.raises(AnswerError):
-            polynomials(hostile)
-    assert polynomials("-" * 290 + "t") == polynomials("t")
-    assert numbers("[1, 0.5]") == (1, mpq(1, 2))
+    right = exercise("power", 1).answer
+    same = (
+        "12t − 15t²",
+        "3t(4-5t)",
+        "3*t*(4 - 5*t)",
+        "12·t-30t**2/2",
+        "-15(t-4/5)t",
+        "t(12 - 15t)",
+        "-" * 240 + "(12t - 15t^2)",
+    )
+    for written in same:
+        assert right.check(POWER + written), written
+    for wrong in ("12t - 15t^3", "12t", "12t - 15t^2 + 1/1000000", "0", "12t - 15t^2, 0"):
+        assert not right.check(POWER + wrong), wrong
+    unreadable = ("1/t", "t^t", "sin(t)", "2^-1", "t^61", "(t^60)^2", "s", "t.real", "1 if t else 2", "()")
+    hostile = ("-" * 299 + "(" * 200, "(" * 140 + "t" + ")" * 140 + "+", "((((9^60)^60)^60)^60)^60", "9^60^60")
+    for written in (*unreadable, *hostile):
+        with pytest.raises(ExactSplineError, match="write") as caught:
+            right.check(POWER + written)
+        assert caught.value.where == "answer"
 
 
 @pytest.mark.parametrize(
@@ -273,67 +298,78 @@ def test_an_answer_is_read_as_people_write_it(topic, written):
 
 
 def test_no_and_none_mean_that_there_is_none():
-    assert all(Parameters(()).check(each) for each in ("none", "None.", "no", "∅", "{}"))
+    middle = exercise("inflections", 1).answer
+    for none in ("none", "None.", "no", "∅", "{}"):
+        assert [str(each) for each in middle.check(none).differences] == ["t = 1/2 is missing"]
     no_circle = next(made for seed in range(99) if not (made := exercise("circle", seed)).answer.values)
     assert no_circle.answer.check("No, it is not.")
-    assert str(no_circle.answer.check("yes").differences[0]) == "it is not a circle"
+    assert [str(no_circle.answer.check(each).differences[0]) for each in ("yes", "0, 0, 1")] == [
+        "it is not a circle"
+    ] * 2
     assert str(exercise("circle", 1).answer.check("no").differences[0]) == "it is a circle"  # was an empty line
 
 
 @topics
 def test_an_unreadable_answer_is_met_with_the_form_of_its_topic(topic):
     answer = exercise(topic, 1).answer
-    with pytest.raises(AnswerError) as caught:
+    with pytest.raises(ExactSplineError) as caught:
         answer.check("???")
     assert caught.value.remedy == f"write {answer.form}"
 
 
-def test_curves_are_compared_as_functions():
+@pytest.fixture
+def compared(tmp_path):
+    """How a curve differs from another one, as it is told."""
+
+    def told(given, reference):
+        files = [str(tmp_path / f"{k}.json") for k in range(2)]
+        for curve, file in zip((given, reference), files, strict=True):
+            write(curve, file)
+        result = invoke("teach", "check", files[0], "--reference", files[1], "--json")
+        (row,) = json.loads(result.stdout)["rows"]
+        assert result.exit_code == (0 if row["right"] else 1)
+        return row["differences"]
+
+    return told
+
+
+def test_curves_are_compared_as_functions(compared):
     curve = example("rational_cubic")
-    assert compare_curves(curve.elevate_degree().insert_knot("1/3"), curve)
-    told = compare_curves(curve.reverse(), curve).differences
-    assert told[0] is Wrong.REVERSED
-    assert told[1] == OtherValue(mpq(0), curve(0), curve.reverse()(0))
-    (domain,) = compare_curves(curve.restrict(0, "1/2"), curve).differences
-    assert domain == OtherDomain(curve.domain, (0, mpq(1, 2)))
-    assert str(domain) == "its domain is [0, 1/2], not [0, 1]"
-    assert compare_curves(curve, example("twisted_cubic")).differences == (OtherDimension(3, 2),)
+    assert compared(curve.elevate_degree().insert_knot("1/3"), curve) == []
+    first, second = compared(curve.reverse(), curve)
+    assert first == "it is reversed"
+    ends = [", ".join(map(str, curve(t))) for t in curve.domain[::-1]]
+    assert second == "at t = 0 it gives ({}) instead of ({})".format(*ends)
+    assert compared(curve.restrict(0, "1/2"), curve) == ["its domain is [0, 1/2], not [0, 1]"]
+    assert compared(curve, example("twisted_cubic")) == ["it is in R2, not in R3"]
 
 
 @pytest.mark.parametrize("width", [mpq(1, 10), mpq(1, 10**9)])
-def test_curves_that_differ_on_a_short_segment(width):
+def test_curves_that_differ_on_a_short_segment(compared, width):
     """Before, a parameter was looked for among all simple ones of the domain: without end on a segment of 10⁻⁹."""
     knots = [0, 0, 0, *[mpq(1, 2)] * 2, *[mpq(1, 2) + width] * 2, 1, 1, 1]
     points = [(0, 0), (1, 0), (2, 0), (2, 1), (3, 0), (4, 0), (5, 0)]
-    right = Nurbs(2, knots, points)
-    point, value = compare_curves(Nurbs(2, knots, [*points[:3], (2, 2), *points[4:]]), right).differences
-    assert (point.index, value.right) == (3, right(value.at))
-    assert mpq(1, 2) < value.at < mpq(1, 2) + width
-
-
-def test_formulas_are_compared_for_all_curves():
-    given = find("f1")
-    assert compare_formulas(given, find("f2"), "w")
-    proof, value = compare_formulas(given, find("f2")).differences
-    assert value.given != value.right
-    told = str(proof), str(value)
-    assert "the quotient is w" in told[0]
-    left, right = re.search(r"gives (\S+) instead of (\S+)", told[1]).groups()
-    assert rational(left) != rational(right)
+    right, other = (Nurbs(2, knots, [*points[:3], point, *points[4:]]) for point in ((2, 1), (2, 2)))
+    point, value = compared(other, right)
+    assert point == "control point 3 is (2, 1), not (2, 2)"
+    at = rational(re.search(r"at t = (\S+) ", value)[1])
+    assert mpq(1, 2) < at < mpq(1, 2) + width
+    assert value.endswith(f"instead of ({', '.join(map(str, right(at)))})")
 
 
 def test_sheets_have_all_that_is_asked_and_answered():
-    made = [sheet(topic)[0] for topic in TOPICS]
-    lines = text_lines(made, 80, solutions=True)
+    assert [row["key"] for row in listed("exercise")] == [*TOPICS]
+    asked = ("teach", "exercise", "all")
+    lines = invoke(*asked, "--solutions").stdout.splitlines()
     assert all(len(line) <= 80 for line in lines)
     assert "Solutions" in lines
-    assert "Solutions" not in text_lines(made, 80, solutions=False)
-    page = html_page(made, solutions=True)
+    assert "Solutions" not in invoke(*asked).stdout.splitlines()
+    page = invoke(*asked, "--solutions", "--html").stdout
     assert "http" not in page
     for math in re.findall(r"<math.*?</math>", page):
         ElementTree.fromstring(math)
     assert page.count("<li>") == 2 * len(TOPICS)
-    document = latex_document(made, solutions=True)
+    document = invoke(*asked, "--solutions", "--latex").stdout
     assert document.count(r"\item ") == 2 * len(TOPICS)
     bare = document.replace(r"\left(", "").replace(r"\right)", "").replace(r"\{", "").replace(r"\}", "")
     assert bare.count("{") == bare.count("}")
@@ -351,21 +387,21 @@ def test_what_the_page_for_teachers_says_runs(tmp_path, monkeypatch):
     """Every command of the page, in a folder with the files that it names; its tables are what is printed."""
     monkeypatch.chdir(tmp_path)
     Path("answer.txt").write_text(exercise("insertion", 4).answer.written)
-    Path("my-curve.json").write_text(json.dumps(curve_data(example("cubic_s").insert_knot("1/2"))))
+    write(example("cubic_s").insert_knot("1/2"), "my-curve.json")
     Path("mine.py").write_text(
         "from exactspline.language import det\n\n\ndef kappa(c):\n    return det(c.gamma.d(1), c.gamma.d(2)) * c.w**4\n"
     )
     page = PAGE.read_text(encoding="utf-8")
     lesson, rest = page.split("## Triangles of fractions")
     in_class = re.findall(r"^ *\./run (.*)$", lesson, flags=re.MULTILINE)
-    taught = [CliRunner().invoke(app, shlex.split(re.split(r" > ", command)[0])) for command in in_class]
+    taught = [invoke(*shlex.split(re.split(r" > ", command)[0])) for command in in_class]
     assert [result.exit_code for result in taught] == [0, 0, 1]
     assert "hint: The control points of the segment" in taught[2].output
     commands = re.findall(r"^\./run (.*)$", rest, flags=re.MULTILINE)
     printed = []
     for command in commands:
         arguments = shlex.split(re.split(r" {3,}| > ", command)[0])
-        result = CliRunner().invoke(app, arguments, env={"COLUMNS": "80"})
+        result = invoke(*arguments, env={"COLUMNS": "80"})
         assert result.exit_code == 0, (command, result.output)
         printed.append(result.output)
     assert len(commands) == 11
@@ -388,14 +424,24 @@ def test_the_command_line(tmp_path):
     assert row["answer"] == made.answer.written
     assert "Solutions" not in invoke("teach", "exercise", "circle").output
     curve = tmp_path / "curve.json"
-    curve.write_text(json.dumps(curve_data(example("cubic_s").elevate_degree())))
+    write(example("cubic_s").elevate_degree(), curve)
     assert invoke("teach", "check", curve, "--reference", "cubic_s").exit_code == 0
     assert invoke("teach", "check", curve, "--reference", "parabola").exit_code == 1
     formula = tmp_path / "mine.py"
-    formula.write_text("from exactspline.language import det\n\n\ndef mine(c):\n    return det(c.p, c.p.d())\n")
-    told = invoke("teach", "check", f"{formula}:mine", "--reference", "f2")
+    kappa = (
+        "from exactspline.language import det\n\n\ndef mine(c):\n    return det(c.gamma.d(1), c.gamma.d(2)) * c.w**4\n"
+    )
+    formula.write_text(kappa)
+    asked = ("teach", "check", f"{formula}:mine", "--reference", "f2")
+    assert invoke(*asked, "--factor", "w").exit_code == 0
+    told = invoke(*asked)
     assert told.exit_code == 1
     assert "not mine = f2" in told.output
+    assert "the quotient is w" in told.output
+    given, right = re.search(
+        r"gives (\S+) instead of (\S+)", " ".join(invoke(*asked, "--show").output.split())
+    ).groups()
+    assert rational(given) != rational(right)
     for arguments in (
         ["teach", "check", "--topic", "circle"],
         ["teach", "check", file],
@@ -408,5 +454,5 @@ def test_the_command_line(tmp_path):
     ):
         result = invoke(*arguments)
         assert isinstance(result.exception, ValueError), arguments
-    with pytest.raises(TopicError):
+    with pytest.raises(ExactSplineError, match="is not a seed"):
         exercise("circle", -1)

@@ -6,22 +6,20 @@ import sys
 from xml.etree import ElementTree
 
 import pytest
-from click.testing import CliRunner
 from gmpy2 import mpq
 from hypothesis import given
 from hypothesis import strategies as st
 
-from exactspline import BSpline, Direction, ExactSplineError, Nurbs, example
-from exactspline.cli import app
+from exactspline import BSpline, Direction, ExactSplineError, Nurbs, example, examples
 from exactspline.errors import DomainError, KnotError, ShapeError
 from exactspline.extras.teaching import de_boor_triangle, elevation_triangles, insertion_triangle, product_tables
 from exactspline.extras.teaching.display.triangles import html_page, sheets
-from exactspline.interchange.examples import example_names
 from exactspline.numbers.exact import text
 from exactspline.tables import mathematics
+from tests.support.command import invoke
 
 SMALL = st.integers(-9, 9)
-CURVES = [example(name) for name in example_names()]
+CURVES = [example(name) for name in examples("curves")]
 
 
 @st.composite
@@ -153,9 +151,9 @@ def test_the_command_wants_something_to_do():
         ["teach", "triangle", "cubic_s", "--at", "0", "--html", "--json"],
         ["teach", "triangle", "cubic_s", "--insert", "1/2", "--times", "4"],
     ):
-        result = CliRunner().invoke(app, arguments)
+        result = invoke(*arguments)
         assert isinstance(result.exception, ExactSplineError), arguments
-    done = CliRunner().invoke(app, ["teach", "triangle", "cubic_s", "--at", "1/3", "--latex"])
+    done = invoke("teach", "triangle", "cubic_s", "--at", "1/3", "--latex")
     assert done.exit_code == 0
     assert r"\begin{array}" in done.output
 
