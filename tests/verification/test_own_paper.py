@@ -505,6 +505,6 @@ def test_the_check_of_a_degree_shows_the_degree_that_is_claimed(tmp_path, monkey
     }
     formulas = plane_formulas(turn="det(c.gamma.d(1), c.gamma.d(2))", v="c.gamma.d(1)")
     folder = written(tmp_path / "p", formulas, [claim | {"measure": name} for name, (claim, _) in told.items()])
-    for claim, (_, shown) in zip(claims_of(load_paper(folder)), told.values(), strict=True):
+    for claim, (_, shown) in zip(claims_of(paper(folder)), told.values(), strict=True):
         exec("\n".join(check(claim)), {})
         assert shown in capsys.readouterr().out
