@@ -10,9 +10,8 @@ from hypothesis import strategies as st
 
 from exactspline import BSpline, Nurbs, example, floats
 from exactspline.errors import DomainError, NumberError, ShapeError
-from exactspline.interchange import Limits, from_matplotlib, to_matplotlib, to_mpmath, to_sympy
+from exactspline.interchange import Limits, from_matplotlib, pens, to_matplotlib, to_mpmath, to_sympy
 from exactspline.interchange.numbers import NumberText, decimal, decimal_text, exact, finite_double, square_root
-from exactspline.interchange.pens import ContourPen, draw
 from exactspline.numbers.exact import from_float
 from tests.support.interchange_seeds import ARC, CUBIC, SPACE, UNCLAMPED
 
@@ -148,16 +147,16 @@ def test_mpmath_rounds_once():
 
 def test_pens_both_ways():
     dyadic = Nurbs(3, [0, 0, 0, 0, 1, 2, 2, 2, 2], [(0, 0), ("1/8", 1), (2, -1), (3, "5/4"), (4, 0)])
-    pen = ContourPen()
-    draw(dyadic, pen)
+    pen = pens.ContourPen()
+    pens.draw(dyadic, pen)
     [again] = pen.curves()
     assert [part.bezier_points for part in again.p] == [part.bezier_points for part in dyadic.p]
     with pytest.raises(ShapeError, match="this format holds"):
-        draw(ARC, pen)
+        pens.draw(ARC, pen)
 
 
 def test_a_mixed_contour_becomes_one_cubic():
-    pen = ContourPen()
+    pen = pens.ContourPen()
     pen.moveTo((0, 0))
     pen.lineTo((1, 0))
     pen.qCurveTo((2, 0), (2, 2), (0, 2))
@@ -169,7 +168,7 @@ def test_a_mixed_contour_becomes_one_cubic():
 
 
 def test_a_pen_refuses_components_and_floods():
-    pen = ContourPen(most=3)
+    pen = pens.ContourPen(most=3)
     with pytest.raises(ShapeError, match="decompose"):
         pen.addComponent("a", (1, 0, 0, 1, 0, 0))
     pen.moveTo((0, 0))

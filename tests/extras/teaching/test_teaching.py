@@ -17,7 +17,7 @@ from exactspline.extras.teaching import exercise
 from tests.support.command import invoke
 
 COUNT = 20
-#: The largest whole number in a task and in an answer.
+#: The largest integer in a task and in an answer.
 LARGEST = 30
 TOPICS = (
     "evaluation",
