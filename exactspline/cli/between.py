@@ -28,13 +28,15 @@ from exactspline.cli.surfaces import surfaces_among, surfaces_in
 def between(
     out: Output,
     curve: Annotated[str, Argument(help=CURVE_HELP)],
-    other: Annotated[str, Argument(help="A second curve of the same dimension. Or give two surfaces.")],
+    other: Annotated[
+        str, Argument(help="A second curve of the same dimension; or give two surfaces as CURVE and OTHER.")
+    ],
     ask: Annotated[
         list[str] | None,
         Option(
             "--ask",
             metavar="QUESTION",
-            help="Answer only this question about the two curves, as inspect --ask does: intersections, distance, "
+            help="Answer only this question about the two curves, such as intersections, distance or "
             "intersections_within:1/1000 (see list questions). May be repeated.",
         ),
     ] = None,
@@ -44,8 +46,9 @@ def between(
         Option(
             "--epsilon",
             metavar="E",
-            help="Also list the common points of all pairs of curves whose control points and weights differ by at "
-            "most E from these, and those that some of the pairs may have. E is a number, or the word written: half a "
+            help="Also consider all pairs of curves whose control points and weights differ by at most E "
+            "from those of the given curves: list the common points that each of these pairs has, and "
+            "the common points that some of them may have. E is a number, or the word written: half a "
             "unit of the last digit of each curve.",
         ),
     ] = "",
@@ -55,14 +58,14 @@ def between(
         Option(
             "--emit-coq",
             metavar="FILE",
-            help="Write a file for the proof assistant Coq: the theorem that two plane curves, each of one segment, "
-            "meet at these points and no others.",
+            help="Write a file for the proof assistant Coq, with the theorem that two plane curves, each "
+            "of one segment, meet at these points and no others.",
         ),
     ] = "",
 ) -> None:
-    """Find all common points of two curves, exactly, with multiplicities, and their common arcs; if there are none, the
-    pairs of points at the least distance. For two surfaces find the common arcs of their borders, and how the surfaces
-    meet there (common_borders).
+    """Find all common points of two curves, exactly and with multiplicities, and all common arcs. If the curves do not
+    meet, find the pairs of points at the least distance. For two surfaces, find the common arcs of their borders, and
+    how the surfaces meet along these arcs (common_borders).
     """
     from exactspline.display import console
     from exactspline.display.answer_forms import FORMS_BESIDE, answers_data, pair_sheet

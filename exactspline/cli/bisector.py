@@ -31,15 +31,15 @@ def bisector(
     out: Output,
     curve: Annotated[str, Argument(help=CURVE_HELP)],
     other: Annotated[str, Argument(help="A second curve of the same dimension; or give --point instead.")] = "",
-    point: Annotated[str, Option("--point", metavar="POINT", help='A point, "1,1/2" or "0,0,2".')] = "",
+    point: Annotated[str, Option("--point", metavar="POINT", help='A point, such as "1,1/2" or "0,0,2".')] = "",
     variant: Annotated[
         str,
         Option(
             "--variant",
             metavar="VARIANT",
             help=(
-                "Two curves: naive, levelled, paper, symmetric, minimal. Point and space curve: naive, "
-                "explicit, direct."
+                "The variant of the formula. For two curves: naive, levelled, paper, symmetric, "
+                "minimal. For a point and a space curve: naive, explicit, direct."
             ),
         ),
     ] = "",
@@ -49,9 +49,9 @@ def bisector(
     ] = "",
     plot: Drawing = "",
 ) -> None:
-    """Compute the bisector of two space curves (a surface, with the lines, planes, single pairs and poles next to it),
-    of a point and a space curve (a ruled surface), of two plane curves (correspondences of parameters, and the boxes in
-    which these are proved nearest), or of a point and a plane curve (trimmed to equal distances).
+    """Compute the bisector of two space curves (a surface, in addition to lines, planes, single pairs and poles), of a
+    point and a space curve (a ruled surface), of two plane curves (correspondences of parameters, and the boxes in
+    which the corresponding points are proved nearest), or of a point and a plane curve (trimmed to equal distances).
     """
     from exactspline.display.bisector_data import bisector_sheet
     from exactspline.errors import ShapeError

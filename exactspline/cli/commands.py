@@ -21,18 +21,18 @@ DIFFERS = "a verdict differs from the record"
 
 FORMULA = {
     "degrees": Entry(
-        "Degrees and control points.",
+        "Print degrees and numbers of control points.",
         ("formula degrees --generic", "formula degrees --at 3", "formula degrees evolute --curve my.json"),
         "cli.formula:degrees",
         "a degree differs from the printed one",
     ),
     "reduce": Entry(
-        "Factor a formula, your own too.",
+        "Factor a formula, also your own.",
         ("formula reduce rectifying_developable", "formula reduce my_formulas.py:pedal"),
         "cli.formula:reduce",
     ),
     "conditioning": Entry(
-        "Condition numbers of the zeros of each form.",
+        "Print condition numbers of the zeros of variants.",
         ("formula conditioning", "formula conditioning my.json"),
         "cli.formula:conditioning",
     ),
@@ -47,7 +47,7 @@ PAPER = {
 }
 TEACH = {
     "triangle": Entry(
-        "De Boor, step by step, in fractions.",
+        "Print de Boor's algorithm, step by step.",
         (
             "teach triangle cubic_s --at 1/3",
             "teach triangle my.json --insert 1/2 --times 2 --html > page.html",
@@ -56,7 +56,7 @@ TEACH = {
         "extras.teaching.commands:triangle",
     ),
     "exercise": Entry(
-        "Exercises with small answers.",
+        "Print exercises with small answers.",
         (
             "teach exercise",
             "teach exercise evaluation --seed 1 --count 6 --solutions",
@@ -65,7 +65,7 @@ TEACH = {
         "extras.teaching.commands:exercise",
     ),
     "check": Entry(
-        "Is a student's answer right?",
+        "Check a student's answer.",
         (
             "teach check --topic evaluation --seed 0 --text '1, -1'",
             "teach check my.json --reference cubic_s",
@@ -76,12 +76,12 @@ TEACH = {
     ),
 }
 LIST = {
-    "curves": Entry("The example curves.", ("list curves", "list curves --json"), "cli.list:curves"),
-    "surfaces": Entry("The example surfaces.", ("list surfaces",), "cli.list:surfaces"),
-    "formulas": Entry("Constructions and formulas.", ("list formulas",), "cli.list:formulas"),
-    "papers": Entry("The papers that are included.", ("list papers",), "cli.list:papers"),
-    "questions": Entry("Questions about curves, surfaces, pairs.", ("list questions",), "cli.list:questions"),
-    "words": Entry("Words and signs, explained.", ("list words", "list words nominal"), "cli.list:words"),
+    "curves": Entry("List the example curves.", ("list curves", "list curves --json"), "cli.list:curves"),
+    "surfaces": Entry("List the example surfaces.", ("list surfaces",), "cli.list:surfaces"),
+    "formulas": Entry("List constructions and formulas.", ("list formulas",), "cli.list:formulas"),
+    "papers": Entry("List the papers that are included.", ("list papers",), "cli.list:papers"),
+    "questions": Entry("List questions about curves, surfaces, pairs.", ("list questions",), "cli.list:questions"),
+    "words": Entry("Explain words and signs.", ("list words", "list words nominal"), "cli.list:words"),
 }
 COMMANDS = {
     "prove": Entry(
@@ -104,7 +104,7 @@ COMMANDS = {
         "the identity does not hold",
     ),
     "inspect": Entry(
-        "Features of curves and surfaces, certified.",
+        "Find certified features of curves and surfaces.",
         (
             "inspect ellipse",
             "inspect my.json --digits 50",
@@ -114,17 +114,17 @@ COMMANDS = {
         "cli.inspect:inspect",
     ),
     "derive": Entry(
-        "Evolutes, focal curves, … exactly.",
+        "Compute evolutes, focal curves, … exactly.",
         ("derive evolute my.json -o evolute.json", "derive f2 cubic_s"),
         "cli.derive:derive",
     ),
     "between": Entry(
-        "Where two curves meet, or are nearest.",
+        "Find where two curves meet, or are nearest.",
         ("between circle ellipse", "between a.json b.svg --plot both.svg", "between a.json b.json --json"),
         "cli.between:between",
     ),
     "bisector": Entry(
-        "Bisectors of curves and points.",
+        "Compute bisectors of curves and points.",
         (
             "bisector ellipse --point 1,1/2",
             "bisector cubic_s parabola --plot bisector.svg",
@@ -132,9 +132,11 @@ COMMANDS = {
         ),
         "cli.bisector:bisector",
     ),
-    "formula": Entry("Properties of a formula.", ("formula reduce f0", "formula degrees evolute"), commands=FORMULA),
+    "formula": Entry(
+        "Compute properties of a formula.", ("formula reduce f0", "formula degrees evolute"), commands=FORMULA
+    ),
     "sweep": Entry(
-        "Many curves, one line each.",
+        "Inspect many curves, one line each.",
         (
             "sweep fonts/ drawings/*.dxf -o lines.jsonl --jobs 2",
             "sweep --random degree=2-5 count=1000 seed=1 --find inflections",
@@ -151,11 +153,15 @@ COMMANDS = {
     ),
     "paper": Entry("Begin a paper of your own; draw figures.", ("paper new my-paper",), commands=PAPER),
     "coq": Entry(
-        "Theorems for the proof assistant Coq.", ("coq theorems", "coq theorems --claim C4.1"), "extras.coq.command:coq"
+        "Write theorems for the proof assistant Coq.",
+        ("coq theorems", "coq theorems --claim C4.1"),
+        "extras.coq.command:coq",
     ),
-    "teach": Entry("Triangles, exercises, answers.", ("teach triangle cubic_s --at 1/3",), commands=TEACH),
-    "list": Entry("Curves, surfaces, formulas, papers, words.", ("list curves",), commands=LIST),
-    "schema": Entry("The JSON Schema of a command.", ("schema", "schema prove"), "cli.schema:schema"),
+    "teach": Entry(
+        "Print triangles and exercises; check answers.", ("teach triangle cubic_s --at 1/3",), commands=TEACH
+    ),
+    "list": Entry("List curves, surfaces, formulas, papers, words.", ("list curves",), commands=LIST),
+    "schema": Entry("Print the JSON Schema of a command.", ("schema", "schema prove"), "cli.schema:schema"),
 }
 #: Words that users try as commands, and the commands that they mean.
 ELSEWHERE = {"intersections": "between", "distance": "between", "nearest": "between", "features": "inspect"}

@@ -25,7 +25,7 @@ V = TypeVar("V")
 C = TypeVar("C", "Nurbs", "NurbsSurface")
 
 CURVE_HELP = (
-    "A file of curves (JSON, SVG, STEP, …), a part of one (font.ttf:glyph, drawing.svg:id, drawing.dxf:layer), the "
+    "A file of curves (JSON, SVG, STEP, …), a part of a file (font.ttf:glyph, drawing.svg:id, drawing.dxf:layer), the "
     "name of an example curve, or - for standard input."
 )
 #: The options by which other commands take a place in a paper, each with an example.
@@ -47,7 +47,7 @@ Limit = Annotated[
         "--limit",
         metavar="SECONDS",
         min=1,
-        help="Processor time for one row, or one answer; a row that takes longer is UNDECIDED, with that reason.",
+        help="The processor time for one row or one answer. A row that takes longer is UNDECIDED, with this reason.",
     ),
 ]
 Approximate = Annotated[
@@ -55,15 +55,15 @@ Approximate = Annotated[
     Option(
         "--approximate",
         metavar="E",
-        help="Read an arc of a file that has no rational control points, or irrational ends, as a rational arc whose "
-        "distance from it is at most E.",
+        help="Read an arc that has no exact rational form (such as an arc with irrational ends) as a "
+        "rational arc within the distance E. Without this option such an arc is skipped.",
     ),
 ]
 Digits = Annotated[
     int, Option("--digits", metavar="N", min=0, max=100_000, help="Show exact numbers with N significant digits too.")
 ]
 Places = Annotated[
-    int, Option("--digits", metavar="N", min=1, max=100_000, help="Digits of irrational parameters and other numbers.")
+    int, Option("--digits", metavar="N", min=1, max=100_000, help="The number of digits of irrational numbers.")
 ]
 Drawing = Annotated[str, Option("--plot", metavar="FILE", help="Draw a picture into a .svg, .png or .pdf file.")]
 Surfaces = Annotated[bool, Option("--surfaces", help="Take the surfaces of a file that also holds curves.")]

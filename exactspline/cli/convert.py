@@ -40,15 +40,17 @@ ToFormat = Annotated[
 ]
 Rounding = Annotated[bool, Option("--round", help="Round numbers that the format cannot hold exactly to doubles.")]
 Only = Annotated[list[str] | None, Option("--only", metavar="NAME", help="Take only this curve; may be repeated.")]
-Degree = Annotated[int | None, Option("--degree", metavar="N", min=0, help="The degree, for files of points only.")]
-Knots = Annotated[str, Option("--knots", metavar="KNOTS", help="All knots, for files of points only.")]
+Degree = Annotated[
+    int | None, Option("--degree", metavar="N", min=0, help="The degree, if the file holds only points.")
+]
+Knots = Annotated[str, Option("--knots", metavar="KNOTS", help="All knots, if the file holds only points.")]
 Snap = Annotated[
     str,
     Option(
         "--snap",
         metavar="line,circle",
-        help="Replace pieces that are nearly lines or arcs of circles by exact ones with the same end points; each is "
-        "listed with its proved distance.",
+        help="Replace pieces that are nearly lines or arcs of circles by exact lines or arcs with the same "
+        "end points. Each replaced piece is listed with a proved bound of the distance.",
     ),
 ]
 Epsilon = Annotated[
@@ -56,7 +58,8 @@ Epsilon = Annotated[
     Option(
         "--epsilon",
         metavar="E",
-        help="With --snap: the largest distance (a number, or written); by default 1e-9 of the curve's size.",
+        help="With --snap: the largest distance, which is a number or the word written (half a unit of the "
+        "last digit); by default 1e-9 of the curve's size.",
     ),
 ]
 
@@ -77,7 +80,7 @@ def convert(
     snap: Snap = "",
     epsilon: Epsilon = "",
 ) -> None:
-    """Convert curves or surfaces between formats without rounding. Whatever is skipped is named on standard error; if a
+    """Convert curves or surfaces between formats without rounding. Skipped entities are named on standard error; if a
     curve is skipped, the exit status is 2.
     """
     from exactspline.interchange.files import encoded, read, write

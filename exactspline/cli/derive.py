@@ -15,15 +15,15 @@ def derive(
     name: Annotated[
         str,
         Argument(
-            help="A construction (evolute, zero_curvature, critical_curvature, …) or a formula (f2, g2, …), also your "
-            "own: FOLDER:NAME or file.py:NAME (see list formulas)."
+            help="A construction (evolute, zero_curvature, critical_curvature, …) or a formula (f2, g2, …; "
+            "see list formulas). A formula of your own is FOLDER:NAME or file.py:NAME."
         ),
     ],
     curve: Annotated[
         str,
         Argument(
-            help="A file that holds one curve, the name of an example curve, or - for standard input; for a formula of "
-            "surfaces a file that holds one surface, the name of an example surface, or -."
+            help="A file with one curve, the name of an example curve, or - for standard input. For a "
+            "formula of surfaces give a surface in the same ways."
         ),
     ],
     output: Annotated[
@@ -31,11 +31,15 @@ def derive(
     ] = "",
     variant: Annotated[
         str,
-        Option("--variant", metavar="VARIANT", help="naive, paper, minimal or another variant of the construction."),
+        Option(
+            "--variant",
+            metavar="VARIANT",
+            help="The variant of the construction: naive (without cancellation), paper, minimal, ….",
+        ),
     ] = "minimal",
     trust: Trust = False,
 ) -> None:
-    """Write a derived curve or function as exact control points (JSON)."""
+    """Write the exact control points of a derived curve or function (JSON)."""
     from exactspline.cli.surfaces import read_surface
     from exactspline.display.serialize import derived_data
     from exactspline.display.surface_data import surface_value_data

@@ -27,31 +27,38 @@ if TYPE_CHECKING:
 def degrees(
     out: Output,
     name: Annotated[
-        list[str] | None, Argument(help="Only these constructions or formulas (evolute, rectifying_developable, …).")
+        list[str] | None,
+        Argument(help="Print only these constructions or formulas (evolute, rectifying_developable, …)."),
     ] = None,
     curve: CurveFiles = None,
     formulas: Annotated[
-        bool, Option("--formulas", help="Every formula of the library instead of the constructions.")
+        bool, Option("--formulas", help="Print every formula of the library instead of the constructions.")
     ] = False,
     generic: Annotated[
-        bool, Option("--generic", help="The degrees that are proved for the generic curve of degree d.")
+        bool, Option("--generic", help="Print the degrees that are proved for the generic curve of degree d.")
     ] = False,
     at: Annotated[
-        int | None, Option("--at", metavar="D", min=2, max=1000, help="The same degrees as numbers, for d = D.")
+        int | None,
+        Option("--at", metavar="D", min=2, max=1000, help="Print the degrees of --generic as numbers, for d = D."),
     ] = None,
     certify: Annotated[
         bool, Option("--certify", help="Prove that no degree of a minimal form can be lowered (JSON).")
     ] = False,
     patch: Annotated[
-        str, Option("--patch", metavar="M,N", help="With --paper: formulas of surfaces on patches of degrees M, N.")
+        str,
+        Option(
+            "--patch",
+            metavar="M,N",
+            help="With --paper: print the degrees of formulas of surfaces on patches of the degrees M and N.",
+        ),
     ] = "",
     paper: Papers = None,
     trust: Trust = False,
     limit: Limit = None,
     as_latex: Annotated[bool, Option("--latex", help="Print tables of LaTeX.")] = False,
 ) -> None:
-    """Print the nominal degree (in d), the represented and the true degree and the number of control points of every
-    construction in each of its variants: naive, paper, minimal, ….
+    """Print the nominal degree (in d), the represented degree, the true degree and the number of control points of
+    every construction, in each variant: naive (without cancellation), paper, minimal, ….
     """
     from exactspline.verification.degree_tables import construction_table, formula_table
 
@@ -250,14 +257,18 @@ def reduce(
     name: Annotated[
         str,
         Argument(
-            help="A formula of the library, or your own: FOLDER:NAME, file.py:function or, with --trust, "
-            "module:function; by default all."
+            help="A formula of the library, or a formula of your own: FOLDER:NAME, file.py:function or, "
+            "with --trust, module:function. By default all formulas are reduced."
         ),
     ] = "",
     dimension: Annotated[
         int | None,
         Option(
-            "--dimension", metavar="N", min=2, max=7, help="The dimension of the curve; by default that of the formula."
+            "--dimension",
+            metavar="N",
+            min=2,
+            max=7,
+            help="The dimension of the curve; by default the dimension for which the formula is defined.",
         ),
     ] = None,
     polynomial: Annotated[bool, Option("--polynomial", help="Take polynomial curves only (w = 1).")] = False,
@@ -265,8 +276,8 @@ def reduce(
     trust: Trust = False,
     limit: Limit = None,
 ) -> None:
-    """Find the reduction of a formula: its factors with their meaning, the reduced form, and the naive, nominal and
-    true degrees.
+    """Find the reduction of a formula: the factors with their meaning, the formula that remains, and the naive, nominal
+    and true degrees.
     """
     from exactspline.display.formulas import explanations, reduction_rows, reduction_sheet
     from exactspline.language.formula import Formula
@@ -355,10 +366,10 @@ def conditioning(
         list[str] | None, Argument(help=f"{CURVE_HELP} By default two curves with opposite results.")
     ] = None,
     construction: Annotated[
-        str, Option("--construction", metavar="NAME", help="zero_curvature or critical_curvature.")
+        str, Option("--construction", metavar="NAME", help="The construction: zero_curvature or critical_curvature.")
     ] = "critical_curvature",
 ) -> None:
-    """Print the condition number of every zero in every variant of a construction, and the error of the zero in double
+    """Print the condition number of every zero of every variant of a construction, and the error of the zero in double
     precision.
     """
     from exactspline.display.formulas import comparison_data, comparison_sheet, print_comparisons
@@ -387,14 +398,16 @@ def identity(
         str,
         Argument(
             metavar="IDENTITY",
-            help='"2*f1 = f1 + f1", "det(γ\', γ\'\') = w^-3 * f2", "file.py:left = w * right".',
+            help='An equation, such as "2*f1 = f1 + f1", "det(γ\', γ\'\') = w^-3 * f2" or "file.py:left = w * right".',
             instead_of={"-": '-- "-2*f1 = -f1 - f1"'},
         ),
     ],
     trust: Trust = False,
     limit: Limit = None,
 ) -> None:
-    """Decide an identity between formulas, also your own, for all curves. The exit status is 1 if it does not hold."""
+    """Decide for all curves an identity between formulas, which may be your own. The exit status is 1 if the identity
+    does not hold.
+    """
     from exactspline.display import console
     from exactspline.display.evidence import words
     from exactspline.display.numbers import Numbers

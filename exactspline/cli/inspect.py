@@ -40,8 +40,8 @@ Ask = Annotated[
     Option(
         "--ask",
         metavar="QUESTION",
-        help="Answer only this question, exactly, with a certified interval and the correctly rounded double: "
-        "value@1/2, derivative:2@0, length, … (see list questions). May be repeated.",
+        help="Answer only this question, such as value@1/2, derivative:2@0 or length (see list questions): "
+        "exactly, with a certified interval and the correctly rounded double. May be repeated.",
     ),
 ]
 Epsilon = Annotated[
@@ -49,17 +49,19 @@ Epsilon = Annotated[
     Option(
         "--epsilon",
         metavar="E",
-        help="Also list the features that all curves have whose control points and weights differ by at most E, and "
-        "those that some of these curves may have (of surfaces: the umbilics), and shapes within E. E is a number, or "
-        "the word written: half a unit of the last digit.",
+        help="Also consider all curves whose control points and weights differ by at most E from those of "
+        "the given curve: list the features (of surfaces: the umbilics) that each of these curves "
+        "has, the features that some of them may have, and shapes (such as circles) within E. E is a "
+        "number, or the word written: half a unit of the last digit.",
     ),
 ]
 Stability = Annotated[
     bool,
     Option(
         "--stability",
-        help="For curves: also list, for every feature, a change of control points and weights up to which it is "
-        "proved to persist, and a change that destroys it.",
+        help="For curves: also list, for every feature, a size of changes of control points and weights up "
+        "to which the feature is proved to persist, and the size of a change that destroys the "
+        "feature.",
     ),
 ]
 Plot = Annotated[
@@ -67,21 +69,26 @@ Plot = Annotated[
     Option(
         "--plot",
         metavar="FILE",
-        help="Draw the curve and the functions whose zeros are its features, or the surface, into an SVG, PNG or PDF "
-        "file; a surface also into an interactive HTML page.",
+        help="Draw the surface, or the curve with the functions whose zeros are the features, into an SVG, "
+        "PNG or PDF file. A surface can also be drawn into an interactive HTML page.",
     ),
 ]
 Coordinates = Annotated[
-    bool, Option("--coordinates", help="Also list where a coordinate has an extremum (for type design).")
+    bool, Option("--coordinates", help="Also list the points at which a coordinate has an extremum (for type design).")
 ]
-All = Annotated[bool, Option("--all", help="List also features that a rounded circle or sphere has only by rounding.")]
+All = Annotated[
+    bool,
+    Option(
+        "--all", help="Also list features that exist only because the numbers of a circle or a sphere were rounded."
+    ),
+]
 InRegion = Annotated[
     str,
     Option(
         "--region",
         metavar="RULE",
-        help="With --ask: take all curves together as one region with holes, by the rule nonzero or even-odd; "
-        "questions are area, moments, contains:1,2, winding_number:1,2.",
+        help="With --ask: take all curves together as the border of one region with holes, by the rule "
+        "nonzero or even-odd. The questions are area, moments, contains:1,2 and winding_number:1,2.",
     ),
 ]
 Certificates = Annotated[
@@ -92,7 +99,7 @@ CertificateFile = Annotated[
     Option(
         "--certificate",
         metavar="FILE",
-        help="Write a proof that no zero is missing (JSON; see exactspline.certificates).",
+        help="Write a certificate: a proof that no zero is missing (JSON; see exactspline.certificates).",
     ),
 ]
 CoqFile = Annotated[
@@ -100,8 +107,8 @@ CoqFile = Annotated[
     Option(
         "--emit-coq",
         metavar="FILE",
-        help="Write a file for the proof assistant Coq: theorems that say where curvature and its derivative (in "
-        "space: torsion) vanish on this curve.",
+        help="Write a file for the proof assistant Coq, with theorems that say where the curvature and its "
+        "derivative (in space: the torsion) vanish on this curve.",
     ),
 ]
 
@@ -124,9 +131,9 @@ def inspect(
     certificate: CertificateFile = "",
     emit_coq: CoqFile = "",
 ) -> None:
-    """Find corners, cusps, inflections, curvature extrema and torsion zeros of curves in the plane or in space,
-    certified, to any number of digits. For surfaces find the sign of the Gaussian curvature, parabolic curves, umbilics
-    and poles; for maps of the plane the sign of the Jacobian determinant.
+    """Find the corners, cusps, inflections, curvature extrema and torsion zeros of curves in the plane or in space,
+    certified and to any number of digits. For a surface, find the sign of the Gaussian curvature, the parabolic curves,
+    the umbilics and the poles. For a map of the plane, find the sign of the Jacobian determinant.
     """
     from exactspline.cli.surfaces import surfaces_among
 

@@ -49,7 +49,7 @@ def surfaces(out: Output) -> None:
 
 @printing
 def formulas(out: Output) -> None:
-    """List everything that can be derived from a curve: constructions with their variants, and formulas."""
+    """List everything that `derive` can compute from a curve: constructions with their variants, and formulas."""
     from exactspline.geometry.derived.constructions import all_constructions
     from exactspline.language.kinds import CURVE, PLANE, SPACE
     from exactspline.papers import all_formulas
@@ -82,7 +82,7 @@ def papers(out: Output) -> None:
 
 @printing
 def questions(out: Output) -> None:
-    """List all questions that --ask, --find and xs.ask take, with the kinds of objects they can be asked about."""
+    """List all questions that --ask, --find and xs.ask take, with the types of objects to which they apply."""
     from exactspline.geometry.analysis.ask import questions as all_questions
 
     found = all_questions()
@@ -96,9 +96,10 @@ def questions(out: Output) -> None:
 
 @printing
 def words(
-    out: Output, term: Annotated[list[str] | None, Argument(help="Words or signs; by default all of them.")] = None
+    out: Output,
+    term: Annotated[list[str] | None, Argument(help="Words or signs; by default all words and signs.")] = None,
 ) -> None:
-    """Explain the words and signs of the tables: nominal, true, minimal, k, m, j, X, P, every verdict."""
+    """Explain the words and signs in tables: nominal, true, minimal, k, m, j, X, P, and every verdict."""
     from exactspline.display.console import glossary, meaning
 
     topics = {"": {each: meaning(each) for each in term}} if term else glossary()

@@ -167,8 +167,10 @@ _FLAGS = {
     "as_json": Annotated[bool, Option("--json", help=f"Print JSON (see `{command_name()} schema`).")],
     "as_csv": Annotated[bool, Option("--csv", help="Print comma-separated values.")],
     "as_markdown": Annotated[bool, Option("--markdown", help="Print Markdown tables.")],
-    "strict": Annotated[bool, Option("--strict", help="Exit status 2 if anything is skipped or undecided.")],
-    "quiet": Annotated[bool, Option("--quiet", "-q", help="No legend, no progress bar.")],
+    "strict": Annotated[
+        bool, Option("--strict", help="Exit with status 2 if a curve, a question or a claim is skipped or undecided.")
+    ],
+    "quiet": Annotated[bool, Option("--quiet", "-q", help="Print no legend and no progress bar.")],
 }
 
 

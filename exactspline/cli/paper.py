@@ -34,8 +34,8 @@ def figures(
         Option("--figure", metavar="N", min=1, help="The number of a figure; by default all. May be repeated."),
     ] = None,
 ) -> None:
-    """Draw the figures of the paper (SVG and PNG, surfaces also as interactive HTML); counts in captions are computed
-    from the objects.
+    """Draw the figures of the paper of 2007 (SVG and PNG, surfaces also as interactive HTML). The numbers in the
+    captions are computed.
     """
     from exactspline.display import figures as drawing
 

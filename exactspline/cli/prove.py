@@ -37,23 +37,25 @@ Claims = Annotated[
     Option(
         "--claim",
         metavar="ID",
-        help="The id of a claim, its beginning (C3: all of section 3), or a place (eq. (12)). May be repeated.",
+        help="The id of a claim, the beginning of ids (C3: all of section 3), or a place (eq. (12)). May be repeated.",
     ),
 ]
 Sections = Annotated[
     list[str] | None,
-    Option("--section", metavar="SECTION", help="Only this section, for example 4.2. May be repeated."),
+    Option(
+        "--section", metavar="SECTION", help="Take only the claims of this section, for example 4.2. May be repeated."
+    ),
 ]
 Verdicts = Annotated[
-    list[str] | None, Option("--verdict", metavar="VERDICT", help="Only rows with this verdict. May be repeated.")
+    list[str] | None, Option("--verdict", metavar="VERDICT", help="Print only rows with this verdict. May be repeated.")
 ]
 Surfaces = Annotated[
     list[str] | None,
     Option(
         "--surface",
         metavar="SURFACE",
-        help="A file of surfaces, the name of an example surface, or -: the claims about surfaces (of the paper "
-        "surfaces, unless --paper names another) are checked on it. May be repeated.",
+        help="Check the claims about surfaces (of the paper surfaces, or of --paper) on a surface: a file "
+        "of surfaces, the name of an example surface, or -. May be repeated.",
     ),
 ]
 JudgeName = Annotated[
@@ -61,18 +63,18 @@ JudgeName = Annotated[
     Option(
         "--judge",
         metavar="JUDGE",
-        help="Add a column with the verdicts of a second program on the equalities for all curves: sympy or coq.",
+        help="Add a column with the verdicts of a second program, sympy or coq, on the equalities for all curves.",
     ),
 ]
 Rows = Annotated[bool, Option("--rows", help="Print every row of the ledger instead of a summary.")]
 Fresh = Annotated[
-    bool, Option("--fresh", help="Decide everything anew, also what an earlier run with the same formulas has decided.")
+    bool, Option("--fresh", help="Also decide anew the claims that an earlier run with the same formulas has decided.")
 ]
 Page = Annotated[str, Option("--html", metavar="FILE", help="Write the ledger as an HTML page with filters.")]
 Tex = Annotated[str, Option("--tex", metavar="FILE", help="Write every claim as a LaTeX theorem with its proof.")]
 Bib = Annotated[str, Option("--bib", metavar="FILE", help="Write BibTeX entries of the papers and of this release.")]
 Report = Annotated[
-    str, Option("--report", metavar="FILE", help="Write a referee's report as one HTML page, complete in itself.")
+    str, Option("--report", metavar="FILE", help="Write a referee's report as one HTML file that needs no other files.")
 ]
 
 
@@ -97,8 +99,9 @@ def prove(
     exact: Exact = False,
     fresh: Fresh = False,
 ) -> None:
-    """Decide every claim of a paper: for all curves at once, and exactly on single curves (--curve) and surfaces
-    (--surface), by default on the curves in the folder of the paper or on the example curves.
+    """Decide every claim of a paper, for all curves at once, and also check every claim exactly on single curves and
+    surfaces: on those given by --curve and --surface, by default on the curves in the folder of the paper or on the
+    example curves.
     """
     from exactspline.atomic_write import write_text
     from exactspline.cli.surfaces import read_surfaces

@@ -31,9 +31,9 @@ def show(
     claim: Annotated[
         str,
         Argument(
-            help="The id of a claim, its beginning (C4.2: all of §4.2), a place in the paper (eq. (12)), or words of "
-            "the statement (evolute); by default all claims are listed. Of more than three that match, the first is "
-            "spelled out and the others are listed.",
+            help="The id of a claim, the beginning of ids (C4.2: all of §4.2), a place in the paper (eq. "
+            "(12)), or words of the statement (evolute). By default all claims are listed. If more "
+            "than three claims match, the first claim is shown in full and the others are listed.",
             instead_of=PLACES,
         ),
     ] = "",
@@ -41,8 +41,8 @@ def show(
     paper: Papers = None,
     trust: Trust = False,
 ) -> None:
-    """Spell out a claim: its statement, its naive and its reduced side, the factor between them, the degrees, the
-    verdict, the source.
+    """Show a claim in full: the statement, the naive and the reduced side, the factor between the sides, the degrees,
+    the verdict, and the source.
     """
     from exactspline.display.ledger import fields, statement_data
     from exactspline.verification.claims import located
@@ -125,7 +125,7 @@ def errata(
     error: Annotated[
         list[str] | None,
         Argument(
-            help="Names of errors, ids of claims, or places (span, C4.2b, 5.4, p. 19); by default all errors.",
+            help="Names of errors (span), ids of claims (C4.2b), or places (5.4, p. 19); by default all errors.",
             instead_of=PLACES,
         ),
     ] = None,
@@ -134,8 +134,8 @@ def errata(
     digits: Digits = 0,
     exact: Exact = False,
 ) -> None:
-    """List the errors of the paper: the printed words with their place, a witness, the corrected statement, the reason,
-    and a check that can be pasted into Python.
+    """List the errors of a paper: for each error the printed words with their place, a witness, the corrected
+    statement, the reason, and a check that can be pasted into Python.
     """
     from exactspline.display.numbers import Numbers
     from exactspline.display.tables import errata_sheet, erratum_data, print_errata

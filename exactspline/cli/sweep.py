@@ -49,8 +49,9 @@ Corpus = Annotated[
     list[str] | None,
     Argument(
         metavar="CORPUS",
-        help="Files of curves in any readable format, folders of them, fonts (every contour of every glyph), "
-        "names of example curves; with --surfaces files of surfaces and names of example surfaces.",
+        help="Files of curves in any readable format, folders of such files, fonts (every contour of every "
+        "glyph), and names of example curves; with --surfaces files of surfaces and names of example "
+        "surfaces.",
         completion=_completed,
     ),
 ]
@@ -59,8 +60,9 @@ Random = Annotated[
     Option(
         "--random",
         metavar="WORDS",
-        help="Random curves: degree=2-5 segments=1-4 dimension=2 rational=no|yes|half bits=10 count=100 seed=1, "
-        "separated by spaces or commas. May be repeated if commas separate the words.",
+        help="Random curves, described by words such as degree=2-5 segments=1-4 dimension=2 "
+        "rational=no|yes|half bits=10 count=100 seed=1, separated by spaces or commas. May be "
+        "repeated if commas separate the words.",
     ),
 ]
 Find = Annotated[
@@ -68,17 +70,19 @@ Find = Annotated[
     Option(
         "--find",
         metavar="WHAT",
-        help="A question about points, joints or pieces (see `list questions`; an argument follows after a colon, as "
-        "in offset_cusps:1/10), or all: every such question without an argument. With --surfaces a question about "
-        "surfaces, also value@1/2,1/3 and the like. May be repeated. [default: inflections, curvature_extrema, "
-        "corners; all about surfaces]",
+        help="A question about points, joints or pieces (see `list questions`), or all: every such "
+        "question without an argument. An argument follows after a colon, as in offset_cusps:1/10. "
+        "With --surfaces, a question about surfaces, also at parameters, as in value@1/2,1/3. May be "
+        "repeated. [default: inflections, curvature_extrema, corners; all about surfaces]",
         completion=_inspections,
     ),
 ]
 Claims = Annotated[
     list[str] | None, Option("--claim", metavar="ID", help="Check a claim on every curve (see prove). May be repeated.")
 ]
-Places = Annotated[int, Option("--digits", metavar="N", min=0, max=10_000, help="Digits of irrational parameters.")]
+Places = Annotated[
+    int, Option("--digits", metavar="N", min=0, max=10_000, help="The number of digits of irrational parameters.")
+]
 Values = Annotated[
     bool,
     Option(
@@ -86,15 +90,16 @@ Values = Annotated[
     ),
 ]
 Surfaces = Annotated[
-    bool, Option("--surfaces", help="Take the surfaces of the corpus; its curves are reported as skipped.")
+    bool, Option("--surfaces", help="Take the surfaces of the corpus, and report the curves as skipped.")
 ]
 Epsilon = Annotated[
     str,
     Option(
         "--epsilon",
         metavar="E",
-        help="Also find the features that all curves (surfaces) have whose control points and weights differ by at "
-        "most E, and those that some may have; or answer those questions of --find that end in _within. E is a "
+        help="Also consider all curves (surfaces) whose control points and weights differ by at most E "
+        "from those of the given one: find the features that each of them has, and the features that "
+        "some of them may have. E also answers the questions of --find that end in _within. E is a "
         "number, or the word written: half a unit of the last digit.",
     ),
 ]
@@ -109,7 +114,15 @@ OutputFile = Annotated[
     ),
 ]
 Jobs = Annotated[int, Option("--jobs", "-j", metavar="N", min=1, max=4096, help="The number of processes.")]
-Backend = Annotated[str, Option("--backend", metavar="NAME", help="serial, processes or dask.", completion=_backends)]
+Backend = Annotated[
+    str,
+    Option(
+        "--backend",
+        metavar="NAME",
+        help="Where the curves are computed: serial, processes or dask.",
+        completion=_backends,
+    ),
+]
 Scheduler = Annotated[
     str, Option("--scheduler", metavar="ADDRESS", help="The Dask cluster to use. [default: one on this machine]")
 ]
@@ -132,9 +145,9 @@ def sweep(
     backend: Backend = "processes",
     scheduler: Scheduler = "",
 ) -> None:
-    """Find the features of many curves or surfaces, or the verdicts of claims on many curves: one line for each, in
-    order, and a summary. A curve or surface that cannot be read gives a line with the error. After an interruption, the
-    same command continues where it stopped.
+    """Find the features of many curves or surfaces, or the verdicts of claims on many curves. The output has one line
+    for each curve or surface, in order, and a summary. A curve or surface that cannot be read gives a line with the
+    error. After an interruption, the same command continues where the sweep stopped.
     """
     from exactspline.batch.backends import check_backend
     from exactspline.batch.corpus import Family, Taken

@@ -22,7 +22,9 @@ def coq(
     paper: Papers = None,
     trust: Trust = False,
 ) -> None:
-    """Write claims that state equalities as theorems of Coq: all, or only those of some ids, sections or papers."""
+    """Write claims that state equalities as theorems of Coq: all such claims, or only the claims with some ids,
+    sections or papers.
+    """
     from exactspline.display import console
     from exactspline.extras.coq.emission import emit
 

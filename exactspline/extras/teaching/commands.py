@@ -28,9 +28,12 @@ def triangle(
     out: Output,
     curve: Annotated[str, Argument(metavar="CURVE", help=CURVE_HELP)],
     at: Annotated[
-        list[str] | None, Option("--at", metavar="T", help="De Boor's triangle at a parameter. May be repeated.")
+        list[str] | None,
+        Option("--at", metavar="T", help="Print de Boor's triangle at this parameter. May be repeated."),
     ] = None,
-    insert: Annotated[list[str] | None, Option("--insert", metavar="T", help="Insert a knot. May be repeated.")] = None,
+    insert: Annotated[
+        list[str] | None, Option("--insert", metavar="T", help="Insert this knot. May be repeated.")
+    ] = None,
     times: Annotated[int, Option("--times", metavar="N", min=1, help="Insert each knot N times.")] = 1,
     elevate: Annotated[
         int, Option("--elevate", metavar="N", min=0, max=100, help="Raise the degree by N, segment by segment.")
@@ -92,17 +95,17 @@ def _factors(curve: Nurbs, names: str) -> tuple[BSpline, BSpline]:
 def exercise(
     out: Output,
     topic: Annotated[
-        list[str] | None, Argument(help="Topics, or all; by default the topics are listed.", metavar="TOPIC")
+        list[str] | None, Argument(help="Topics, or the word all; by default the topics are listed.", metavar="TOPIC")
     ] = None,
     seed: Annotated[int, Option("--seed", metavar="N", min=0, help="The number of the first exercise.")] = 0,
-    count: Annotated[int, Option("--count", metavar="K", min=1, max=500, help="Number of exercises per topic.")] = 1,
+    count: Annotated[
+        int, Option("--count", metavar="K", min=1, max=500, help="The number of exercises per topic.")
+    ] = 1,
     solutions: Annotated[bool, Option("--solutions", help="Add a sheet of solutions.")] = False,
     latex: Annotated[bool, Option("--latex", help="Print a LaTeX document.")] = False,
     html: Annotated[bool, Option("--html", help="Print an HTML page, for a browser or a printer.")] = False,
 ) -> None:
-    """Print exercises with small numbers, the same for the same seed. The answers are computed; `teach check` checks
-    yours.
-    """
+    """Print exercises with small numbers, the same exercises for the same seed. `teach check` checks your answers."""
     from exactspline.extras.teaching.display.exercises import exercise_data, html_page, latex_document
     from exactspline.extras.teaching.topics import TOPICS, about, exercises
 
@@ -156,17 +159,19 @@ def check(
     seed: Annotated[int, Option("--seed", metavar="N", min=0, help="The seed of the exercise.")] = 0,
     text: Annotated[str, Option("--text", metavar="ANSWER", help="The answer itself, in place of a file.")] = "",
     reference: Annotated[
-        str, Option("--reference", metavar="WHAT", help="The right curve or, for a formula, the right formula.")
+        str, Option("--reference", metavar="WHAT", help="The right answer: a curve or, for a formula, a formula.")
     ] = "",
     factor: Annotated[
         str, Option("--factor", metavar="F", help="For formulas: the answer is the reference times F, such as w^3.")
     ] = "1",
     hint: Annotated[bool, Option("--hint", help="If the answer is wrong, say how to begin.")] = False,
-    show: Annotated[bool, Option("--show", help="If it is wrong, show the right values and the solution.")] = False,
+    show: Annotated[
+        bool, Option("--show", help="If the answer is wrong, show the right values and the solution.")
+    ] = False,
     trust: Trust = False,
 ) -> None:
-    """Prove an answer right, or say where it is wrong; the right values are shown only with --show. The exit status is
-    1 for a wrong answer.
+    """Prove an answer right, or say where the answer is wrong; the right values are shown only with --show. The exit
+    status is 1 for a wrong answer.
     """
     if bool(topic) == bool(reference):
         raise OptionsError("one of --topic and --reference is needed", remedy="say what the answer is compared with")
