@@ -95,9 +95,9 @@ BEGIN, END = "<!-- written by ./run grade --page -->", "<!-- end of what ./run g
 HEAD = """{libraries} libraries answered {questions} questions about difficult curves: {cases} of the {all} cases of
 version {version} ({families}). The command `./run grade --page docs/measurements.md{share}` compared {answers} answers
 with exact answers. An exact answer is used only if an independent checker (`workshop/grade/recheck.py`,
-`exactspline/certificates`) accepted its certificate in this run; {uncertified} had none and is not used. A library gets
-only the questions that its public functions answer for the given curve (`workshop/grade/adapters`: one file per
-library). [Below](#what-counts-as-the-same-answer) is the tolerance of each question.
+`exactspline/certificates`) accepted its certificate in this run. This excludes {uncertified}. A library gets only the
+questions that its public functions answer for the given curve (`workshop/grade/adapters`: one file per library). The
+tolerance of each question is [below](#what-counts-as-the-same-answer).
 
 - *Missed*: the answer lacks a true parameter. *Invented*: the answer has a parameter that is not true.
 - *Declined*: the library reports that it has no answer. *Timed out*: the library takes more than {patience} s of
@@ -192,7 +192,7 @@ def draw(reports: Sequence[Report], path: str) -> None:
 
 def _scores(reports: Sequence[Report]) -> str:
     """A line per library: the questions that were not all answered rightly, with the outcomes."""
-    lines = ["### By question", "", "All answers to the other questions are right.", ""]
+    lines = ["### By question", "", "All answers to questions that are not listed are right.", ""]
     for report in reports:
         others = list[str]()
         for question in QUESTIONS:

@@ -31,7 +31,7 @@ DOCUMENTED = {
     "fontTools": (
         "`solveCubic` takes the real roots of s³ − 3Qs + 2R for 0 if R² and |Q|³ are below 10⁻¹⁰, as its examples with "
         "threefold roots show. The `precision` of 10⁻³ in `curveCurveIntersections` is an area: the points of a pair "
-        "are at most its square root apart"
+        "may be the square root of this area apart"
     ),
     "bezier-js": "the two points of a pair may be 10⁻⁵ apart, the threshold of `intersects`",
 }
