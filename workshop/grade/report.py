@@ -93,11 +93,12 @@ VERBS = {
 BEGIN, END = "<!-- written by ./run grade --page -->", "<!-- end of what ./run grade writes -->"
 
 HEAD = """{libraries} libraries answered {questions} questions about difficult curves: {cases} of the {all} cases of
-version {version} ({families}). The command `./run grade --page docs/measurements.md{share}` compared {answers} answers
-with exact answers. An exact answer is used only if an independent checker (`workshop/grade/recheck.py`,
-`exactspline/certificates`) accepted its certificate in this run. This excludes {uncertified}. A library gets only the
-questions that its public functions answer for the given curve (`workshop/grade/adapters`: one file per library). The
-tolerance of each question is [below](#what-counts-as-the-same-answer).
+version {version} (by family: {families}). The command `./run grade --page docs/measurements.md{share}` compared
+{answers} answers with exact answers. An exact answer is used only if an independent checker
+(`workshop/grade/recheck.py`, `exactspline/certificates`) accepted its certificate in this run. This excludes
+{uncertified}. A library gets only the questions that its public functions answer for the given curve
+(`workshop/grade/adapters`: one file per library). The tolerance of each question is
+[below](#what-counts-as-the-same-answer).
 
 - *Missed*: the answer lacks a true parameter. *Invented*: the answer has a parameter that is not true.
 - *Declined*: the library reports that it has no answer. *Timed out*: the library takes more than {patience} s of
