@@ -153,7 +153,7 @@ class _Outside:
 
 def _question(name: str) -> property:
     """A question as an attribute; a property, so that completion does not ask it."""
-    return property(lambda thing: _outside[0](name, thing), doc=f"The answer ``exactspline.analyse(self).{name}``.")
+    return property(lambda thing: _outside[0](name, thing), doc=f"The same as ``exactspline.analyse(self).{name}``.")
 
 
 class OtherNames:

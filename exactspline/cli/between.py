@@ -48,7 +48,7 @@ def between(
             metavar="E",
             help="Also consider all pairs of curves whose control points and weights differ by at most E "
             "from those of the given curves: list the common points that each of these pairs has, and "
-            "the common points that some of them may have. E is a number, or the word written: half a "
+            "the common points that some of them may have. E is a number, or 'written', which means half a "
             "unit of the last digit of each curve.",
         ),
     ] = "",

@@ -58,7 +58,7 @@ Epsilon = Annotated[
     Option(
         "--epsilon",
         metavar="E",
-        help="With --snap: the largest distance, which is a number or the word written (half a unit of the "
+        help="With --snap: the largest distance, which is a number, or 'written' (half a unit of the "
         "last digit); by default 1e-9 of the curve's size.",
     ),
 ]

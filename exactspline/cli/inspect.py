@@ -52,7 +52,7 @@ Epsilon = Annotated[
         help="Also consider all curves whose control points and weights differ by at most E from those of "
         "the given curve: list the features (of surfaces: the umbilics) that each of these curves "
         "has, the features that some of them may have, and shapes (such as circles) within E. E is a "
-        "number, or the word written: half a unit of the last digit.",
+        "number, or 'written', which means half a unit of the last digit.",
     ),
 ]
 Stability = Annotated[

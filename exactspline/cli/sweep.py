@@ -100,7 +100,7 @@ Epsilon = Annotated[
         help="Also consider all curves (surfaces) whose control points and weights differ by at most E "
         "from those of the given one: find the features that each of them has, and the features that "
         "some of them may have. E also answers the questions of --find that end in _within. E is a "
-        "number, or the word written: half a unit of the last digit.",
+        "number, or 'written', which means half a unit of the last digit.",
     ),
 ]
 OutputFile = Annotated[

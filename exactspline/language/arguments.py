@@ -78,7 +78,7 @@ class Evaluated(Argument):
         """
 
     def together(self) -> tuple[Evaluated, ...]:
-        """Return this argument and the arguments of which it consists."""
+        """Return the objects that a formula gets: for a curve, the curve itself; for a pair, also its two curves."""
         return (self,)
 
 
