@@ -122,13 +122,16 @@ QUESTIONS: dict[str, Asked] = {
         Asked("area", "the signed area inside a closed curve", "2¹⁰ u times the largest coordinate", Judged.AREA),
         Asked(
             "nearest",
-            "the distance of the curve from the first control point of its partner",
+            "the distance of the curve from the first control point of a second curve",
             "2⁻²⁰ of the largest coordinate, and the error that the library documents",
             Judged.DISTANCE,
         ),
         Asked(
-            "distance", "the distance of the curve from its partner", "2⁻²⁰ of the largest coordinate", Judged.DISTANCE
+            "distance",
+            "the distance of the curve from a second curve",
+            "2⁻²⁰ of the largest coordinate",
+            Judged.DISTANCE,
         ),
-        Asked("meetings", "the pairs of parameters at which the curve meets its partner", CROSSINGS, Judged.PAIRS),
+        Asked("meetings", "the pairs of parameters at which the curve meets a second curve", CROSSINGS, Judged.PAIRS),
     )
 }
