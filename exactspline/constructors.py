@@ -102,8 +102,8 @@ def arc(centre: Iterable[Number], start: Iterable[Number], end: Iterable[Number]
 
 
 def conic(form: Sequence[Number], start: Iterable[Number], end: Iterable[Number]) -> Nurbs:
-    """Return an arc of the conic A x² + B x y + C y² + D x + E y + F = 0, which is given by its six coefficients. The
-    arc is counter-clockwise on an ellipse; on a parabola or a hyperbola it lies on the branch that contains both ends.
+    """Return an arc of the conic A x² + B x y + C y² + D x + E y + F = 0, counter-clockwise on an ellipse, otherwise
+    along the branch that contains both ends.
 
     >>> conic([0, 1, 0, 0, 0, -1], (1, 1), (4, "1/4"))("1/2")
     (mpq(28,13), mpq(13,28))
@@ -142,8 +142,8 @@ def arc_through(start: Iterable[Number], middle: Iterable[Number], end: Iterable
 
 
 def from_powers(coefficients: Iterable[Iterable[Number]], a: Number = 0, b: Number = 1) -> Nurbs:
-    """Return the curve over [a, b] whose coordinates are polynomials in the parameter. A polynomial is given by its
-    coefficients, constant term first (as in ``paramPoly3`` of OpenDRIVE).
+    """Return the curve over [a, b] whose coordinates are the polynomials with these coefficients, constant term first
+    (as in ``paramPoly3`` of OpenDRIVE).
 
     >>> from_powers([[1, 2], [0, 0, 1]])("1/2")
     (mpq(2,1), mpq(1,4))
@@ -206,8 +206,8 @@ def closed_spline(
 
 
 def joined(curves: Iterable[Nurbs]) -> Nurbs:
-    """Return one curve made of several curves, each of which begins where the previous curve ends. Every segment of the
-    result has a parameter interval of length 1.
+    """Return one curve made of several curves, each of which begins where the previous curve ends. Every segment is
+    over an interval of length 1.
 
     >>> joined([Nurbs.bezier([(0, 0), (1, 0)]), Nurbs.bezier([(1, 0), (2, 1), (3, 0)])]).breakpoints
     (mpq(0,1), mpq(1,1), mpq(2,1))

@@ -1,6 +1,5 @@
-"""This module has tables for notebooks and terminals (of degrees, control points, verdicts, printed and computed
-numbers, and the sections of a paper), and the objects that the tables compare: constructions with their variants, and
-factors between formulas.
+"""This module has tables of degrees, control points, verdicts, printed and computed numbers, and sections of a paper,
+and the objects that the tables compare: constructions with their variants, and factors between formulas.
 
 >>> from exactspline.papers import find
 >>> from exactspline.interchange.examples import example

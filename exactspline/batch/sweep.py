@@ -42,10 +42,9 @@ def sweep(
     (`asked_by_sweeps`); `claims` are the ids of the claims to check. With `values` every point has its coordinates and
     the curvature, as correctly rounded doubles. `backend` is one of `BACKENDS`. A curve that cannot be read or handled
     yields a line with the error. With `surfaces`, the surfaces are taken instead of the curves, and `find` names
-    questions about surfaces (by default all). `approximate` is explained at `exactspline.interchange.read`.
+    questions about surfaces (by default all). For `approximate`, see `exactspline.interchange.read`.
 
-    Plane curves are computed in groups of 16 to 512: the generator computes ahead by the rest of a group, and with
-    several processes by up to 4096 curves for each process.
+    Plane curves are computed in groups of 16 to 512, with several processes up to 4096 curves ahead for each process.
 
     >>> for line in sweep(["circle", "six_segment_cubic"], find=["turning_points:0"]):
     ...     print(line.curve, [each.low for each in line.found["turning_points:0"]])

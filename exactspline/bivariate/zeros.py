@@ -275,9 +275,8 @@ class ZeroCurves:
 def common_zeros(
     first: TensorSpline, second: TensorSpline, *more: TensorSpline, closed: Iterable[Along] = ()
 ) -> CommonZeros:
-    """Return all points at which two or more functions of two parameters vanish together, each point once. Simple and
-    multiple zeros, also on borders and at knots, are found. `everywhere` lists the patches, lines and curves on which
-    the functions vanish together.
+    """Return all points at which two or more functions of two parameters vanish together, each point once. `everywhere`
+    lists the patches, lines and curves on which the functions vanish together.
 
     >>> from exactspline import TensorSpline
     >>> knots = [0, 0, 0, 1, 1, 1]
@@ -319,7 +318,7 @@ def common_zeros(
 
 def zero_curve(function: TensorSpline, closed: Iterable[Along] = ()) -> ZeroCurves:
     """Return all zeros of a function of two parameters with their topology: lines parallel to an axis, connected curves
-    (loops, arcs, and branches that cross), and single points. Curves are followed across knots.
+    (loops, arcs, and branches that cross), and single points.
 
     >>> from exactspline import TensorSpline
     >>> knots = [0, 0, 0, 1, 1, 1]
@@ -331,7 +330,7 @@ def zero_curve(function: TensorSpline, closed: Iterable[Along] = ()) -> ZeroCurv
     >>> line.value
     mpq(1,2)
 
-    Curves continue across the two ends of a `closed` parameter.
+    Curves continue across knots and across the two ends of a `closed` parameter.
 
     The work is limited as for `common_zeros`; rectangles that would take more are `undecided`.
 

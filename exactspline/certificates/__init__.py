@@ -43,9 +43,8 @@ def certificate(what: str, data: Mapping[str, object]) -> dict[str, object]:
 
 
 def check_certificate(certificate: Mapping[str, object], sturm: bool = True) -> dict[str, int]:
-    """Check a certificate and return what it proves. By the type of the certificate, this is the numbers of roots,
-    jumps and intervals; the number of common points or common zeros; the numbers of curves of zeros of each shape; or
-    the largest degree over the segments, with the labels that were not checked.
+    """Check a certificate and return what it proves: the numbers of roots, jumps and intervals, or of common points,
+    common zeros or curves of zeros; or the largest degree over the segments, with the labels that were not checked.
 
     With ``sturm=False`` the zeros are not counted again by Sturm sequences (which are slow for degrees above 100).
 

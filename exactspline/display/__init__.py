@@ -1,5 +1,4 @@
-"""This package displays objects: as HTML and LaTeX in a notebook, and in one line in place of an exact text that would
-be too long.
+"""This package displays objects: as HTML and LaTeX in a notebook, and in one line in place of long exact texts.
 
 ``%load_ext exactspline.display`` in a notebook also shows exact numbers as fractions.
 """

@@ -263,8 +263,8 @@ def short(x: object) -> str:
 
 
 def load_ipython_extension(shell: object) -> None:
-    """Make ``%load_ext exactspline.display`` show exact numbers as fractions, tuples of exact numbers as points, and
-    figures and axes as pictures; triangles of fractions and exercises are shown, too.
+    """Make ``%load_ext exactspline.display`` show exact numbers as fractions, tuples of exact numbers as points,
+    figures as pictures, and triangles and exercises.
     """
     formatters = cast(Any, shell).display_formatter.formatters
     for module, name in (("matplotlib.figure", "Figure"), ("matplotlib.axes._axes", "Axes")):

@@ -94,8 +94,8 @@ class ReadingAlong(Displayed):
 
 
 def reading_along(section: str, source: Paper | None = None) -> ReadingAlong:
-    """Return a section of a paper: all passages, each with its claims and the verdicts of these claims. A claim is
-    shown with the first passage that makes the claim.
+    """Return a section of a paper: each passage with its claims and their verdicts. A claim is shown with the first
+    passage that makes the claim.
 
     >>> reading_along("5.2")
     <Reading along §5.2: 8 of 8 printed statements decided: 7 hold, 1 refuted (1 error); 1 corrected statement>

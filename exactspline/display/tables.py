@@ -211,8 +211,8 @@ def degree_table(curve: Nurbs) -> Grid:
 
 
 def measured(curve: Nurbs, *names: str) -> Grid:
-    """Return a table of formulas on a curve, by default of all formulas that apply to the curve: their nominal,
-    represented and true degrees, and their numbers of control points.
+    """Return a table of formulas on a curve (by default of all formulas that apply): nominal, represented and true
+    degrees, and numbers of control points.
 
     >>> from exactspline.interchange.examples import example
     >>> measured(example("ellipse"), "f2")["degree in d"]
@@ -229,7 +229,7 @@ def measured(curve: Nurbs, *names: str) -> Grid:
 
 def symbolic_table(*, polynomial: bool = False) -> Grid:
     """Return a table of degrees of constructions, generators of ruled surfaces and bisectors on the generic curve of
-    degree d: the degree without cancellation (naive), the degree of the formula in the paper, and the minimal degree.
+    degree d: without cancellation (naive), of the formula in the paper, and the minimal degree.
 
     The degree theorem proves the minimal degree; for the degrees d in the last column, certified curves attain it.
 
@@ -244,8 +244,8 @@ def symbolic_table(*, polynomial: bool = False) -> Grid:
 
 
 def reduction_table(*names: str) -> Grid:
-    """Return a table of the factors of formulas, found for a curve whose derivatives are indeterminates: the cancelled
-    factors, the remaining factor, and the degrees.
+    """Return a table of the factors of formulas for all curves: the cancelled factors, the remaining factor, and the
+    degrees.
 
     >>> reduction_table("g0")["cancelled"]
     ['1/2·w⁻⁸']

@@ -69,9 +69,8 @@ def read_scipy(spline: Piecewise | InTwo, *, literal: bool = False) -> ReadSplin
     """Return the exact spline of a spline of scipy, with the binary value of every double, and notes on the changes
     that were made.
 
-    The spline may be a `BSpline`, a `PPoly` (such as `CubicSpline`, `PchipInterpolator` and `Akima1DInterpolator`), a
-    `BPoly`, a `UnivariateSpline`, the ``(t, c, k)`` of `splrep` and `splprep`, an `NdBSpline` of one or two parameters,
-    or a `RectBivariateSpline`.
+    The spline is a `BSpline`, a `PPoly` (such as `CubicSpline`), a `BPoly`, a `UnivariateSpline`, the ``(t, c, k)`` of
+    `splrep` and `splprep`, an `NdBSpline` of one or two parameters, or a `RectBivariateSpline`.
 
     Neighbouring pieces of a `PPoly` agree only up to rounding at their common breakpoint, as do the ends of a periodic
     spline. The smoothness that the class of the spline promises is restored: a `CubicSpline` becomes C²; a
@@ -216,8 +215,7 @@ def to_scipy(curve: Nurbs | BSpline) -> scipy.interpolate.BSpline:
 def from_geomdl(curve: geomdl.abstract.Curve) -> Nurbs:
     """Return the curve defined by exactly the numbers that geomdl stores. By default geomdl maps the knots to [0, 1],
     which rounds the knots: if the last control points equal the first ones, the knots outside of the domain are moved,
-    by at most 8 units in the last place, so that the curve is closed, and a note says so. The homogeneous points (w x,
-    w) that geomdl stores for a rational curve are read.
+    by at most 8 units in the last place, so that the curve is closed, and a note says so.
 
     Raises `ShapeError` for a surface, a volume, and objects that are not from geomdl.
     """

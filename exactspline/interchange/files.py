@@ -49,8 +49,8 @@ def read(
     limits: Limits | None = None,
     approximate: Number | None = None,
 ) -> Reading:
-    """Read the curves and surfaces of a file or of bytes. ``-`` means standard input; ``font.ttf:glyph``,
-    ``drawing.svg:id`` and ``drawing.dxf:layer`` mean a part of a file.
+    """Read the curves and surfaces of a file, of a part of a file (``font.ttf:glyph``, ``drawing.svg:id``,
+    ``drawing.dxf:layer``), of standard input (``-``), or of bytes.
 
     By default the format is recognized by the content, then by the suffix. `degree` and `knots` are for formats that
     hold only control points. With `approximate`, a distance above 0, an arc without rational control points is replaced
@@ -138,9 +138,8 @@ def write(
     ...     read(f"{folder}/torus.json").surface == example("torus")
     True
 
-    Every number is written exactly, or the file is not written: this function raises `NumberError` for a number that
-    the format cannot represent, unless `rounding` requests the nearest doubles, and another `ExactSplineError` for
-    anything else that the format cannot represent.
+    Every number is written exactly, or the file is not written: `NumberError` is raised for a number that the format
+    cannot represent, unless `rounding` requests the nearest doubles, and another `ExactSplineError` for other data.
     """
     place = as_path(place)
     chosen = _by_suffix(place) if format is None else _named_format(format)

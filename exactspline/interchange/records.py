@@ -22,7 +22,7 @@ LARGER = "divide the file, or read it in Python with limits=Limits(…)"
 
 @dataclass(frozen=True, repr=False)
 class Limits(OneLine):
-    """Limits on an input file. A call such as `read(…, limits=Limits(megabytes=200))` raises a limit.
+    """Limits on an input file. To raise a limit, write `read(…, limits=Limits(megabytes=200))`.
 
     `digits` limits the characters of a number, `exponent` the power of ten of a number, `depth` the nesting of brackets
     and elements, and `objects` the number of entities, points and numbers in the file. `work` limits the cost of

@@ -56,9 +56,7 @@ class Evaluated(Argument):
         return self._values[formula].value
 
     def remembering(self) -> Evaluated:
-        """Return a copy that stores the value of every formula. This saves time if many formulas are evaluated on one
-        argument.
-        """
+        """Return a copy that stores the value of every formula that is evaluated on it."""
         kept = self.copied()
         kept._values = {}
         return kept
@@ -73,9 +71,7 @@ class Evaluated(Argument):
 
     @abstractmethod
     def mapped(self, change: Callable[[Operand], Operand]) -> Evaluated:
-        """Return the argument with `change` applied to every operand. An example of `change` is a restriction to
-        another domain.
-        """
+        """Return the argument with `change` applied to every operand."""
 
     def together(self) -> tuple[Evaluated, ...]:
         """Return the objects that a formula gets: for a curve, the curve itself; for a pair, also its two curves."""

@@ -189,9 +189,7 @@ class Operand(Displayed, ABC):
         """Return the operand times an exact constant."""
 
     def elevated_to(self, other: Self, /) -> Self:
-        """Return the same function, of at least the degree of another operand, if operands have degrees; otherwise
-        return the operand itself.
-        """
+        """Return the same function, of at least the degree of `other` if operands have degrees."""
         return self
 
     @abstractmethod

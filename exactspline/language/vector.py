@@ -287,9 +287,8 @@ def cross(a: Vector[S], b: Vector[S]) -> Vector[S]:
 def det(*rows: Vector[S]) -> S:
     """Return the determinant of n vectors in Rⁿ, such as ``[a b]`` or the triple scalar product ``[a b c]``.
 
-    The determinant of two vectors is ``a_x b_y - a_y b_x``, that of three vectors a cross product followed by a dot
-    product, as counted in the paper. The determinant of more vectors is computed by Laplace expansion with shared
-    minors.
+    For three vectors this is a cross product followed by a dot product, as counted in the paper, and for more vectors a
+    Laplace expansion with shared minors.
 
     >>> det(Vector(1, 0), Vector(0, 1)), det(Vector(1, 0, 0), Vector(0, 1, 0), Vector(0, 0, 1))
     (1, 1)

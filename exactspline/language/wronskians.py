@@ -37,8 +37,8 @@ class OwnWronskians(ABC):
 def wronskian(a: Vector[R], order: int | None = None) -> R:
     """Return the determinant of a vector of n components and its first n−1 derivatives.
 
-    The determinant vanishes identically if the components are linearly dependent. `order` is the number n, which is
-    required only if `a` is a node of a formula's tree.
+    The determinant vanishes identically if the components are linearly dependent. `order` is n, required only if `a` is
+    a node of a formula's tree.
 
     >>> from exactspline import BSpline
     >>> from exactspline.language import Vector

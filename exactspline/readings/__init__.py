@@ -1,5 +1,5 @@
-"""Readings are the types of operands with which a formula can be evaluated, for example degrees or Taylor series. The
-operands of the spline reading are in `exactspline.splines.bspline` and `exactspline.splines.nurbs`.
+"""Readings are the types of operands with which a formula can be evaluated, for example degrees or Taylor series.
+Splines are in `exactspline.splines`.
 """
 
 import lazy_loader

@@ -217,10 +217,9 @@ class Digits(Immutable):
             requested *= 2
 
     def shortly(self, digits: int = 6) -> str:
-        """Return the closed form of the number if the number has a short closed form; otherwise return this many
-        significant digits followed by dots. Fewer digits are returned if more digits would take too long, and only dots
-        if no digit is known. The number 0 is shown as `0`; a number that is only known to be close to 0 is shown as ``0
-        ± 1e-n``.
+        """Return the closed form if it is short; otherwise return this many significant digits followed by dots, or
+        fewer digits if more digits would take too long. A number that is only known to be close to 0 is shown as ``0 ±
+        1e-n``.
 
         >>> from exactspline.reals.real import square_root
         >>> str(square_root(2) + square_root(3) - square_root(5 + 2 * square_root(6)))

@@ -86,8 +86,8 @@ LARGE, BIT = 100_000, 60
 
 
 class Real(Algebraic, Written):
-    """An exact real number. ``Real(number)`` is a rational number; roots and values of curves, and results of `+ − *
-    /`, `abs` and `square_root`, may be irrational.
+    """An exact real number: a rational number ``Real(number)``, a root or a value of a curve, or a result of `+ − * /`,
+    `abs` or `square_root`.
 
     Numbers are compared by value, also with exact numbers of other libraries. Equal numbers have equal hashes.
     ``float(x)`` is the correctly rounded double.

@@ -377,24 +377,22 @@ class Root(Real, Displayed):
 
     @property
     def ball(self) -> arb | None:
-        """A small interval around ``z = t/(1 − t)``, where t in (0, 1) is the local parameter of the root on its
-        segment; None if the root was not isolated in doubles.
+        """A small interval around ``z = t/(1 − t)``, where t is the local parameter of a root that was isolated in
+        doubles; otherwise None.
         """
         return self._zero.ball if isinstance(self._zero, LazyRoot) else None
 
     @property
     def local_polynomial(self) -> fmpz_poly:
-        """A polynomial with the zero ``z = t/(1 − t)``, where t in (0, 1) is the local parameter of the root on its
-        segment.
-        """
+        """A polynomial with the zero ``z = t/(1 − t)``, where t is the local parameter of the root."""
         return cast(Zero, self._zero).changing[0].polynomial
 
     def refine(self, digits: int, progress: Callable[[int], None] | None = None) -> Interval:
         """Return an interval that contains the root and is at most ``10^−digits`` wide: ``low < root < high``, or ``low
         = high = root``.
 
-        At the two ends of the interval the spline has the signs in `signs`. For a root of odd multiplicity, the two
-        values are therefore an independent proof of the root.
+        At the two ends the spline has the signs in `signs`: for a root of odd multiplicity, an independent proof of the
+        root.
 
         The result of every step is stored: after an interrupt, `low` and `high` are the best interval so far, and the
         next call continues from this interval. `progress` is called after every step with the number of digits reached.
@@ -449,9 +447,7 @@ class Root(Real, Displayed):
         return self.refine(digits)
 
     def double(self, rounding: str = Rounding.NEAREST) -> float:
-        """Return the correctly rounded double. If computations in doubles have isolated the root, they also give the
-        rounded value, which is faster than the general method for real numbers.
-        """
+        """Return the correctly rounded double; this is faster for a root that was isolated in doubles."""
         found = None
         if isinstance(self._zero, LazyRoot) and self.segment is not None:
             found = self._zero.shrunk.double(self.segment, rounding)

@@ -142,7 +142,7 @@ class ZeroSet(Immutable, Displayed):
 
     def refine(self, digits: int, progress: Callable[[int, int], None] | None = None) -> list[Interval]:
         """Return intervals at most ``10^−digits`` wide that contain the roots. `progress` is called after each root
-        with the number of refined roots and the number of all roots.
+        with the numbers of refined and of all roots.
 
         The method may be interrupted: the roots keep their current intervals.
         """

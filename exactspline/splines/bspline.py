@@ -386,9 +386,7 @@ class BSpline(Immutable, RingOperand, FunctionsOutside):
         return not all(self.numerators)
 
     def hash_of_quotient(self, numerator: BSpline) -> int:
-        """Return a hash of the limits of the quotient at fixed parameters. Common factors of numerator and denominator
-        do not change the hash.
-        """
+        """Return a hash of the limits of the quotient at fixed parameters, the same for equal quotients."""
         return hash((*self.domain, *[_limit(numerator, self, t) for t in self._places]))
 
     @property

@@ -18,8 +18,8 @@ class Direction(tuple[mpq, ...]):
     """A control vector, that is, a control point at infinity: ``(x, y, 0)`` in homogeneous coordinates.
 
     A direction v with basis function N adds ``N v`` to the numerator of the curve and nothing to the denominator (Piegl
-    and Tiller call v an infinite control point). In contrast, a Cartesian point of weight 0 adds nothing to the
-    numerator or the denominator.
+    and Tiller call v an infinite control point). A Cartesian point of weight 0 adds nothing to numerator and
+    denominator.
 
     >>> from exactspline import Nurbs
     >>> half_circle = Nurbs(2, [0, 0, 0, 1, 1, 1], [(1, 0), Direction(0, 1), (-1, 0)])

@@ -518,9 +518,8 @@ class Nurbs(Immutable, Curve[BSpline], FunctionsOutside):
     def transform(self, matrix: Sequence[Sequence[Number]]) -> Nurbs:
         """Return the image under a linear, an affine or a projective map with exact entries.
 
-        In Rⁿ a matrix of n columns gives a linear map. A matrix of n rows and n + 1 columns gives an affine map (the
-        last column is the translation). A matrix of n + 1 rows and columns gives a projective map, which acts on ``(w
-        x, …, w)``.
+        In Rⁿ a matrix of n columns is a linear map, a matrix of n rows and n + 1 columns is an affine map (the last
+        column is the translation), and a matrix of n + 1 rows and columns is a projective map of ``(w x, …, w)``.
 
         >>> line = Nurbs(1, [0, 0, 1, 1], [(0, 0), (4, 2)])
         >>> line.transform([[0, -1], [1, 0]])(1), line.transform([[1, 0, 5], [0, 1, 0]])(0)

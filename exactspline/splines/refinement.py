@@ -282,9 +282,8 @@ def reparametrize(f: S, a: Number, b: Number) -> S:
 def compose(outer: S, inner: S) -> S:
     """Return the composition ``t ↦ outer(inner(t))``, whose degree is the product of the degrees.
 
-    The domain is cut at the knots of `inner` and wherever `inner` crosses a knot of `outer`. Raises `DomainError` if
-    `inner` leaves the domain of `outer`, and `ReductionError` if the parameter of a crossing is irrational, because the
-    composition then has an irrational knot.
+    Raises `DomainError` if `inner` leaves the domain of `outer`, and `ReductionError` if `inner` crosses a knot of
+    `outer` at an irrational parameter, because the composition then has an irrational knot.
     """
     if outer.degree < 0 or inner.degree < 0:
         return inner.constant(outer(0) if outer.degree >= 0 else 0)

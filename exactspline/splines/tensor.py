@@ -340,9 +340,7 @@ class TensorSpline(Immutable, TensorParts, RingOperand, FunctionsOutside):
         return not all(self.numerators)
 
     def hash_of_quotient(self, numerator: TensorSpline) -> int:
-        """Return a hash of the rectangle, which is the same for equal quotients. Values are not used, because a common
-        factor may vanish at a point.
-        """
+        """Return a hash of the rectangle, which is the same for equal quotients."""
         return hash((TensorSpline, self.domain))
 
     @property

@@ -105,10 +105,9 @@ POLYNOMIAL = "whether curves are polynomial"
 def jets_for(
     formulas: Iterable[str | Formula], dimension: int, *, polynomial: bool = False, factor: str = "1"
 ) -> Evaluated:
-    """Return the argument of the formulas (a curve, a curve and a point, or two curves) whose coordinates, with as many
-    derivatives as the formulas need, are indeterminates. If `polynomial` is set, the denominator w is 1. The values of
-    the formulas are fractions of polynomials in the indeterminates. If the formulas need the square roots of a moving
-    frame, and only the curve γ and not w occurs in the formulas and in `factor`, then w is 1, too.
+    """Return the argument of the formulas (such as a curve, or a curve and a point) whose coordinates, with as many
+    derivatives as the formulas need, are indeterminates. The denominator w is 1 if `polynomial` is set. It is also 1 if
+    the formulas need the square roots of a moving frame, and w does not occur in the formulas and in `factor`.
 
     >>> jets_for(("f2",), 2, polynomial=True).w
     (1) / (1)

@@ -111,8 +111,8 @@ def _without(p: fmpz_poly, q: fmpz_poly) -> tuple[fmpz_poly, int]:
 
 
 def table_1_splines(d1: int = 2, d2: int = 3) -> Operands:
-    """Return splines as the operands of the paper's Table 1. The splines have different degrees and knots, control
-    points from a fixed recurrence, and positive denominators.
+    """Return splines as the operands of the paper's Table 1, with different degrees and knots and with positive
+    denominators.
     """
     d1, d2 = checked_degree(d1), checked_degree(d2)
     state = 12345

@@ -495,9 +495,8 @@ def _in_both(u: str, v: str) -> str:
 
 
 def patch_table(formulas: Iterable[Formula], degrees: tuple[int, int]) -> list[Callable[[], PatchRow]]:
-    """Return functions that compute the rows of a table, two functions for each formula of surfaces or of planar maps:
-    the first computes the row for rational patches, the second the row for polynomial patches. Other formulas are left
-    out.
+    """Return functions that compute the rows of a table, two for each formula of surfaces or of planar maps: one row
+    for rational patches, one row for polynomial patches. Other formulas are left out.
 
     >>> from exactspline.papers import paper
     >>> parabolic = paper("surfaces").find("parabolic")

@@ -238,8 +238,8 @@ class Check(_Answer):
 
 
 def prove(left: Named, right: Named = "", factor: str = "1", *, dimension: int | None = None) -> Proof:
-    """Decide whether ``left = factor · right`` for all curves, by computing with derivatives that are indeterminates.
-    Both sides may also be stated in one text, as expressions of the language of formulas.
+    """Decide whether ``left = factor · right`` for all curves, by computing with indeterminate derivatives. Both sides
+    may also be stated in one text, as expressions of the language of formulas.
 
     A factor is written like ``"2 w^29 f2"`` or ``"w^-4"``. Without a `dimension` the identity must hold in all
     dimensions in which the formulas are defined; otherwise the answer is about a dimension in which the identity fails.
@@ -411,7 +411,7 @@ def verify(left: Named, right: Named, curve: Nurbs, factor: str = "1") -> Check:
     >>> bool(verify("f1", "f2", example("rational_cubic"), "w"))
     True
 
-    If a denominator vanishes on a segment, so that a side does not exist on this segment, the answer is VACUOUS.
+    If a denominator vanishes on a segment, the answer is VACUOUS.
 
     Raises `FormulaError` for an unknown formula, for a formula that is not defined for curves of this dimension, and
     for formulas with different numbers of components.

@@ -16,9 +16,9 @@ Name = NewType("Name", str)
 
 
 class Verdict(Word):
-    """The result of a check. PROVED means for all curves, VERIFIED means on one curve. VACUOUS means that there was
-    nothing to decide (0 = 0 or 0/0), INAPPLICABLE that the claim is not about such a curve, CONTRADICTION that two
-    computations contradict each other. NOT ASKED stands for a statement that was not or could not be checked.
+    """The result of a check. PROVED means for all curves, VERIFIED on one curve, VACUOUS that there was nothing to
+    decide (0 = 0 or 0/0), INAPPLICABLE that the claim is not about such a curve, CONTRADICTION that two computations
+    contradict each other, NOT ASKED that the statement was not checked.
     """
 
     PROVED = "PROVED"

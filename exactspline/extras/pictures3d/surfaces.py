@@ -154,8 +154,8 @@ def plot_ruled_surface(
 ) -> Axes:
     """Draw the part of a ruled surface between two ruling parameters, shaded, with its control net.
 
-    The surface is cut where it goes to infinity. Points outside `box`, which is given by two opposite corners, are not
-    shown; without `box`, points far from most of the surface are not shown.
+    The surface is cut where it goes to infinity. Points outside `box` (two opposite corners), by default points far
+    from most of the surface, are not shown.
 
     >>> from exactspline.interchange.examples import example
     >>> from exactspline.papers import find
@@ -187,8 +187,8 @@ def plot_surface(
     >>> plot_surface(Vector(s, t, st)).get_legend().get_texts()[-1].get_text()
     'control net (4 points)'
 
-    Raises `ShapeError` for anything but a vector of three `TensorSpline` or a quotient of such a vector, and the errors
-    of `plot_mesh`.
+    Raises `ShapeError` for anything but a vector of three `TensorSpline` or its quotient, and the errors of
+    `plot_mesh`.
     """
     check_options(label=label, control_net=control_net, box=box)
     axes = axes_for(ax, 3)
@@ -205,8 +205,8 @@ def plot_bisector(
     control_net: bool = True,
     box: Box | None = None,
 ) -> Axes:
-    """Draw the bisector of a curve and a point (its coordinates) or another curve, in the sense of §6 of the paper of
-    2007: the points at equal critical distances, untrimmed.
+    """Draw the untrimmed bisector of a curve and a point (its coordinates) or another curve, as in §6 of the paper of
+    2007.
 
     The bisector of a plane curve and a point is a curve, that of a space curve and a point a ruled surface, and that of
     two space curves a surface in two parameters. `formula` is the name of a formula of §6 for such arguments.

@@ -1,6 +1,4 @@
-"""This package generates exercises with simple answers from a seed, solves the exercises, and checks students' answers
-exactly.
-"""
+"""This package generates exercises with simple answers from a seed, solves them, and checks students' answers."""
 
 import lazy_loader
 

@@ -151,8 +151,7 @@ def insertion_triangle(curve: Nurbs | BSpline, t: Number, times: int = 1) -> Tri
 
 
 def elevation_triangles(curve: Nurbs | BSpline, by: int = 1) -> tuple[Triangle, ...]:
-    """Return one triangle per segment. The first column has the Bézier points of degree n, the next columns have the
-    Bézier points of degrees n + 1, n + 2, ….
+    """Return one triangle per segment, whose columns are the Bézier points of the degrees n, n + 1, n + 2, ….
 
     >>> (triangle,) = elevation_triangles(BSpline.bezier([0, 3]), 2)
     >>> [[str(row[0]) for row in column] for column in triangle.columns]

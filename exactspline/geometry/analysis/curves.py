@@ -546,8 +546,7 @@ def analyse(given: NurbsSurface) -> SurfaceInspection | MapInspection:
 
 def analyse(given: Nurbs | NurbsSurface) -> Analysis | SurfaceInspection | MapInspection:
     """Return the analysis of a curve, of a surface in space, or of a map of a rectangle into the plane: an object that
-    answers each question when the question is first asked. The analysis of a curve is made once and stored with the
-    curve.
+    answers each question when it is first asked. The analysis of a curve is stored with the curve.
 
     >>> from exactspline.interchange.examples import example
     >>> curve = example("cusp")

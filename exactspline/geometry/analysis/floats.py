@@ -110,8 +110,8 @@ def floats(
     """Return the correctly rounded doubles of numbers, or of a curve, a function or a surface at parameters, which may
     be doubles. `rounding` is ``nearest``, ``down`` or ``up``. ``curve.floats(ts)`` is ``floats(curve, ts)``.
 
-    The result for a number, or for a feature (which stands for its parameter), is a double. The result for a sequence
-    (knots, zeros) or for rows (control points) is a list of doubles or of lists:
+    The result for a number, or for a feature (its parameter), is a double; for a sequence (knots, zeros) or for rows
+    (control points), a list of doubles or of lists:
 
     >>> from exactspline import analyse, example
     >>> curve = example("cubic_s")

@@ -84,9 +84,9 @@ def _restored(
 
 
 def features_of_curves(curves: Iterable[Nurbs] | ArrayLike, weights: ArrayLike | None = None) -> ManyFeatures:
-    """Return the inflections and curvature extrema of plane curves, which may be polynomial or rational and of any
-    degrees. Bézier curves of the same degree may also be given as arrays of doubles: an array of points of the shape
-    (curves, degree + 1, 2), and an array `weights` of the shape (curves, degree + 1).
+    """Return the inflections and curvature extrema of plane curves of any degrees. Bézier curves of the same degree may
+    also be given as arrays of doubles: points of the shape (curves, degree + 1, 2), and `weights` of the shape (curves,
+    degree + 1).
 
     A curve is refused if it is not in the plane, if a number is not finite or not a double, or if the denominator of
     the curve has a zero; the other curves are computed.

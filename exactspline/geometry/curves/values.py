@@ -90,8 +90,8 @@ def direction_at(curve: Nurbs, place: mpq | Real, side: Side | str = Side.RIGHT,
 
 def curvature(curve: Nurbs, t: Number | Real, side: Side | str = Side.RIGHT) -> Real:
     """Return the curvature of a curve at a parameter; at a knot, the limit from `side`. In the plane, and in the plane
-    z = 0 of space, the curvature is positive where the curve turns left and negative where it turns right. In space the
-    curvature is not negative.
+    z = 0 of space, the curvature is positive where the curve turns left and negative where it turns right; elsewhere it
+    is not negative.
 
     >>> from exactspline import Nurbs, zeros
     >>> parabola = Nurbs(2, [0, 0, 0, 1, 1, 1], [(0, 0), ("1/2", 0), (1, 1)])
@@ -240,8 +240,8 @@ def curvature_function(curve: Nurbs) -> list[CurvaturePiece]:
     """Return the signed curvature (positive where the curve turns left) of each segment on which the curvature is
     rational up to a constant square root.
 
-    The curvature is of this form exactly where ‖γ′‖² is a positive constant times a square: where the curve is a
-    Pythagorean-hodograph curve (Farouki and Sakkalis 1990).
+    This is so exactly where ‖γ′‖² is a positive constant times a square: where the curve is a Pythagorean-hodograph
+    curve (Farouki and Sakkalis 1990).
 
     >>> from exactspline.interchange.examples import example
     >>> [(piece.radicand, piece.value(piece.interval[0])) for piece in curvature_function(example("circle"))][:2]

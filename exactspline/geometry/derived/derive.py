@@ -191,11 +191,11 @@ class Derived(Written):
 def derive(what: str | Formula, curve: Nurbs, variant: Variant | str = Variant.MINIMAL) -> Derived:
     """Return the value of a construction or of a formula on a curve.
 
-    `what` is the name of a construction, a formula, or the name of a formula (``f2``, ``g0``, …). Examples of
-    constructions are the ``evolute`` of a plane curve, and the ``torsion``, the ``focal_curve`` (centres of osculating
-    spheres) and the ``circle_centres`` (centres of osculating circles) of a space curve. The result is in lowest terms
-    unless another variant is requested; the variant ``naive`` of a formula is the formula as written. If the object
-    does not exist on an interval (as the evolute on a straight piece), the interval is listed as missing.
+    `what` is the name of a construction, a formula, or the name of a formula (``f2``, ``g0``, …). Constructions are,
+    for example, the ``evolute`` of a plane curve, and the ``torsion`` and the ``focal_curve`` (centres of osculating
+    spheres) of a space curve. The result is in lowest terms unless another variant is requested; the variant ``naive``
+    of a formula is the formula as written. If the object does not exist on an interval (as the evolute on a straight
+    piece), the interval is listed as missing.
 
     >>> from exactspline.interchange.examples import example
     >>> derive("evolute", example("circle"))("1/2")

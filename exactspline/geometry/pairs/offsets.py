@@ -86,8 +86,8 @@ def intersections(first: Nurbs, second: Nurbs, *, offset: Number | tuple[Number,
     >>> intersections(parabola, parabola.restrict("1/2", 1).reverse())
     everywhere on <overlap of [1, 1/2] and [1/2, 1], reversed>
 
-    With `offset`, the result is the common points of the offsets of two plane curves, given by the parameters of the
-    curves themselves. `offset` is a signed distance (positive to the left), or one distance for each curve.
+    With `offset`, a signed distance (positive to the left) or one distance for each curve, the result is the common
+    points of the offsets of two plane curves, given by the parameters of the curves themselves.
 
     >>> intersections(example("ellipse"), line, offset=("1/4", 0))
     [<knot at 0 and 23/32>, <knot at 2 and 9/32>]
