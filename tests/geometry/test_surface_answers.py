@@ -113,9 +113,9 @@ def test_umbilics_inside_patches_of_an_ellipsoid():
         ("developable", "developable", 0),
         ("hyperbolic_paraboloid", "hyperbolic", 0),
         ("enneper", "hyperbolic", 0),
-        ("monkey_saddle", "hyperbolic but for parabolic points", 1),
+        ("monkey_saddle", "hyperbolic except at parabolic points", 1),
         ("paraboloid", "elliptic", 1),
-        ("cross_cap", "hyperbolic but for parabolic points", 0),
+        ("cross_cap", "hyperbolic except at parabolic points", 0),
     ],
 )
 def test_other_examples(name, kind, umbilics):
@@ -304,8 +304,8 @@ def test_the_sign_of_the_curvature_at_sampled_points(seed, weights):
         "elliptic": {1},
         "hyperbolic": {-1},
         "elliptic and hyperbolic": {1, 0, -1},
-        "elliptic but for parabolic points": {0, 1},
-        "hyperbolic but for parabolic points": {0, -1},
+        "elliptic except at parabolic points": {0, 1},
+        "hyperbolic except at parabolic points": {0, -1},
     }[one.kind]
     assert signs <= allowed
     if one.kind == "elliptic and hyperbolic":

@@ -32,7 +32,7 @@ def test_knots_of_raised_degrees_change_nothing(name, raised, at):
     assert [one.place.exact for one in found.umbilics] == [one.place.exact for one in plain.umbilics]
     assert [place.exact for place in found.singular_points] == [place.exact for place in plain.singular_points]
     assert set(plain.kinds) <= set(found.kinds)
-    strict = {"elliptic but for parabolic points": "elliptic", "hyperbolic but for parabolic points": "hyperbolic"}
+    strict = {"elliptic except at parabolic points": "elliptic", "hyperbolic except at parabolic points": "hyperbolic"}
     assert {strict.get(kind, kind) for kind in found.kinds} == {strict.get(kind, kind) for kind in plain.kinds}
 
 

@@ -76,7 +76,7 @@ def test_a_form_that_touches_zero_on_an_edge_is_cut_there():
     """``(3y − 1)² + x²`` on the unit square: its zero is not a point of a subdivision into halves."""
     form = PatchForm.of_net([[1, -2, 4], [1, -2, 4], [2, -1, 5]])
     found = sign_on_patch(form)
-    assert (found.sign, found.zeros) == ("positive but for single zeros", ((0, mpq(1, 3)),))
+    assert (found.sign, found.zeros) == ("positive except at single zeros", ((0, mpq(1, 3)),))
     below = PatchForm.of_net([[0, -3, 3], [0, -3, 3], [1, -2, 4]])
     assert sign_on_patch(below).sign == "both signs"
 

@@ -59,9 +59,9 @@ def is_complete(found, factor):
 
 
 def test_a_form_that_vanishes_at_all_corners_has_the_sign_of_its_inside():
-    """Passed before: "negative but for single zeros" of a form that is positive inside."""
+    """Passed before: "negative except at single zeros" of a form that is positive inside."""
     net = [[0, 1, 0], [1, 1, 1], [0, 1, 0]]
-    for factor, sign in ((1, "positive but for single zeros"), (-1, "negative but for single zeros")):
+    for factor, sign in ((1, "positive except at single zeros"), (-1, "negative except at single zeros")):
         found = sign_on_patch(PatchForm.of_net([[factor * x for x in row] for row in net]))
         assert (found.sign, len(found.zeros)) == (sign, 4)
         assert (found.positive is None) == (factor < 0)
@@ -87,7 +87,7 @@ def test_signs_are_those_of_values(p):
         found = sign_on_patch(form)
         assert found.sign not in (
             "both signs",
-            "positive but for single zeros" if factor < 0 else "negative but for single zeros",
+            "positive except at single zeros" if factor < 0 else "negative except at single zeros",
         )
         for place, sign in ((found.positive, 1), (found.negative, -1)):
             assert place is None or form.value(*place) * sign > 0
@@ -98,7 +98,7 @@ def test_signs_are_those_of_values(p):
 def test_a_surface_that_is_flat_at_its_corners_alone(number):
     """z = a(x) + a(y) + (x − x²)²(y − y²)²/16 with a″ = x − x²: K > 0 but at the corners.
 
-    Passed before: "hyperbolic but for parabolic points, K ≤ 0", complete.
+    Passed before: "hyperbolic except at parabolic points, K ≤ 0", complete.
     """
 
     def height(u, v):
@@ -108,7 +108,7 @@ def test_a_surface_that_is_flat_at_its_corners_alone(number):
 
     (factor,) = factors(number, Random(1), 1)
     found = analyse(graph(height))
-    assert (found.kinds, is_complete(found, factor)) == (("elliptic but for parabolic points",), True)
+    assert (found.kinds, is_complete(found, factor)) == (("elliptic except at parabolic points",), True)
     assert {place.exact for place in found.parabolic_points} == {(0, 0), (0, 1), (1, 0), (1, 1)}
 
 
@@ -119,7 +119,7 @@ def test_a_surface_that_is_flat_at_its_corners_alone(number):
         (lambda u, v: u * u * u * u + v * v, "elliptic", [0]),
         (
             lambda u, v: (u * 2 - 1) * (u * 2 - 1) * (u * 2 - 1) * (u * 2 - 1) + v * v,
-            "elliptic but for parabolic points",
+            "elliptic except at parabolic points",
             [mpq(1, 2)],
         ),
         (lambda u, v: u * u * u * u * u * u - u * u * u * u * mpq(5, 4) + v * v, "elliptic and hyperbolic", [0, None]),

@@ -103,7 +103,7 @@ def test_signs_are_proved_or_left_open():
     assert sign_on_patch(as_form(third)).sign == "undecided"
     assert sign_on_patch(as_form(third * 1000 - 1)).sign == "both signs"
     half = sign_on_patch(as_form(-((2 * S - 1) ** 2) - (2 * T - 1) ** 2))
-    assert (half.sign, half.zeros) == ("negative but for single zeros", ((mpq(1, 2), mpq(1, 2)),))
+    assert (half.sign, half.zeros) == ("negative except at single zeros", ((mpq(1, 2), mpq(1, 2)),))
     assert sign_on_patch(PatchForm.of_net([[0, 0], [0, 0]])).sign == "zero"
 
 
