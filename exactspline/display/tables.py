@@ -185,7 +185,7 @@ def verdicts(*ids: str, curves: Iterable[Nurbs] = (), without: Sequence[str] = (
     >>> verdicts("C4.1a")["verdict"]
     ['PROVED', 'PROVED']
 
-    Raises `ClaimError` with the existing ids.
+    Raises `ClaimError`, with the existing ids, for an unknown id.
     """
     curves = [curve_of(curve) for curve in as_items(curves, "curves")]
     left_out = as_texts(without, "kinds of claims", "the kind of a claim")

@@ -142,7 +142,7 @@ class Reading(ABC):
         """Return the argument for formulas of a kind in a dimension. Polynomial curves have no denominator."""
 
     def of(self, formula: Formula, dimension: int, *, polynomial: bool = False) -> object:
-        """Return the value of a formula in this reading (evaluation mode).
+        """Return the value of a formula in this reading (type of operands).
 
         >>> from exactspline.papers import find
         >>> from exactspline.readings.degree import DegreeReading

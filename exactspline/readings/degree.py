@@ -279,9 +279,9 @@ class _DifferentiatedPartByPart(Rational[Degree]):
 
 
 class DegreeReading(Reading):
-    """The evaluation mode whose operands are degrees in one parameter: ``s`` of the first curve, ``s̄`` of the second
-    curve, ``u`` or ``v`` of a surface. With the `counting` ``part by part``, a rational curve is differentiated as in
-    eq. (24) of the paper of 2007. `degree` is the name of the degree of the curve.
+    """The reading whose operands are degrees in one parameter: ``s`` of the first curve, ``s̄`` of the second curve,
+    ``u`` or ``v`` of a surface. With the `counting` ``part by part``, a rational curve is differentiated as in eq. (24)
+    of the paper of 2007. `degree` is the name of the degree of the curve.
 
     >>> from exactspline.language.kinds import PAIR
     >>> c = DegreeReading().argument(PAIR, 3)

@@ -301,7 +301,7 @@ class IndeterminateReading(Reading):
 
 
 class JetReading(IndeterminateReading):
-    """The evaluation mode whose operands, and their derivatives up to an order, are indeterminates (jets).
+    """The reading whose operands, and their derivatives up to an order, are indeterminates (jets).
 
     >>> from exactspline.language.kinds import PAIR
     >>> c = JetReading(1).argument(PAIR, 3)

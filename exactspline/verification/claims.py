@@ -221,7 +221,7 @@ def claims(*ids: str, paper: Paper | str | None = None) -> tuple[Claim, ...]:
     >>> [claim.key for claim in claims("C4.1a")]
     ['C41a-f1-f2', 'C41a-f0-f2']
 
-    Raises `ClaimError` with the nearest ids.
+    Raises `ClaimError`, with the nearest ids, for an unknown id.
     """
     return select(ids, None if paper is None else claims_of(paper))
 
@@ -235,7 +235,7 @@ def select(ids: Iterable[str], claims: Iterable[Claim] | None = None) -> tuple[C
     """The claims with the given ids or keys; without any, all claims. An id also selects all ids that begin with it
     (``C3`` all of §3). They are searched for among `claims`, by default those of the default papers.
 
-    Raises `ClaimError` with the nearest ids.
+    Raises `ClaimError`, with the nearest ids, for an unknown id.
     """
     ids = [as_text(each, "the id of a claim") for each in as_items(ids, "ids of claims")]
     known = all_claims() if claims is None else tuple(map(expect_claim, as_items(claims, "claims")))
@@ -274,8 +274,8 @@ def located(requested: str, claims: Iterable[Claim] | None = None) -> tuple[Clai
     >>> located("rectifying developable")[0].id
     'C5.4a'
 
-    They are searched for among `claims`, by default those of the default papers. Raises `ClaimError` with the nearest
-    ids.
+    They are searched for among `claims`, by default those of the default papers. Raises `ClaimError`, with the nearest
+    ids, for an unknown id.
     """
     known = all_claims() if claims is None else tuple(claims)
     chosen = tuple(c for c in known if c.key == requested or matches(c.id, requested))

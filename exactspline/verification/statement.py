@@ -101,12 +101,12 @@ class Statement(Displayed):
 
 
 def statements(claim_id: str) -> Iterator[Statement]:
-    """Return the statements of the claims with this id, or with ids that begin with this id, each decided anew.
+    """Return the statements of the claims whose ids are this id or begin with this id, each decided anew.
 
     >>> [(s.sides[0].name, s.sides[-1].name, str(s.finding.factor)) for s in statements("C4.1a")]
     [('f1', 'f2', 'w'), ('f0', 'f2', 'w⁻³')]
 
-    Raises `ClaimError` with the existing ids.
+    Raises `ClaimError`, with the existing ids, for an unknown id.
     """
     return (statement(claim) for claim in select([claim_id]))
 

@@ -177,7 +177,7 @@ def torsion(curve: Nurbs, t: Number | Real, side: Side | str = Side.RIGHT) -> Re
     <Real 3>
 
     Raises `DomainError` where γ′ = 0 or the torsion has a pole, `ShapeError` unless the curve is in space and not
-    straight there.
+    straight at the parameter.
     """
     curve, place = curve_of(curve), exact_place(t)
     i = segment_at(space(curve), place, side)

@@ -194,7 +194,7 @@ def construction(name: str) -> Construction:
     >>> [f"{variant}: {formula}" for variant, formula in construction("evolute").variants.items()]
     ['naive: evolute', 'paper: evolute_reduced', 'lifted: evolute_lifted']
 
-    Raises `FormulaError` with the names of all constructions if there is none with this name.
+    Raises `FormulaError`, with the names of all constructions, for an unknown name.
     """
     if as_text(name, "the name of a construction") not in all_constructions():
         problem = f"there is no construction called {name!r}"
