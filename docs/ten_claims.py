@@ -46,10 +46,10 @@ CURVES = ("cubic_s", "twisted_cubic", "rational_cubic", "rational_space_cubic")
 INTRODUCTION = """# Ten claims, side by side
 
 Each section shows a claim, its formulas as Python functions (*naive*: by the definition, without cancellation), and the
-claim, or its refutation, as a theorem of Coq. Three verdicts follow: for all curves, on example curves (– if there is
-none), and of Coq, whose kernel accepts the theorem without axioms. For the first claim, Coq's definitions of the
-functions are also shown; `./run coq DIR` writes all definitions, with the operations of
-[`Base.v`](../exactspline/extras/coq/theory/Base.v). [The trusted
+claim, or its refutation, as a theorem of Coq. Three verdicts follow: the verdict for all curves, the verdicts on
+example curves (“–” where the claim has none), and the verdict of Coq, whose kernel accepts the theorem without axioms.
+For the first claim, Coq's definitions of the functions are also shown; `./run coq DIR` writes all definitions, with the
+operations of [`Base.v`](../exactspline/extras/coq/theory/Base.v). [The trusted
 base](what-is-trusted.md) lists what the verdicts rely on.
 
 <!-- written by python -m docs.ten_claims -->

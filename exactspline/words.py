@@ -22,7 +22,9 @@ class _Words(EnumType):
 
 
 class Word(StrEnum, metaclass=_Words):
-    """The base of enumerations that a user names: ``Side("left")`` is a member, another value a `FormulaError`."""
+    """The base of enumerations that a user names: ``Side("left")`` is a member; any other value raises
+    `FormulaError`.
+    """
 
 
 def choice(

@@ -264,7 +264,7 @@ def short(x: object) -> str:
 
 def load_ipython_extension(shell: object) -> None:
     """Make ``%load_ext exactspline.display`` show exact numbers as fractions, tuples of exact numbers as points,
-    figures as pictures, and triangles and exercises.
+    figures as pictures, triangles of the teaching package as formulas, and exercises as HTML.
     """
     formatters = cast(Any, shell).display_formatter.formatters
     for module, name in (("matplotlib.figure", "Figure"), ("matplotlib.axes._axes", "Axes")):

@@ -37,12 +37,12 @@ def conjugate(a: Vector[S]) -> Vector[S]:
 
 @overload
 def complex_quotient(a: Vector[F], b: Vector[F]) -> Vector[F]:
-    """``a / b`` in a reading with division: a vector."""
+    """Return a vector if the components can be divided."""
 
 
 @overload
 def complex_quotient(a: Vector[C], b: Vector[C]) -> Rational[C]:
-    """``a / b`` in a reading without division: a quotient."""
+    """Return a quotient if the components cannot be divided."""
 
 
 def complex_quotient(a: Vector[S], b: Vector[S]) -> object:

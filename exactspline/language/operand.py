@@ -262,7 +262,7 @@ class Operand(Displayed, ABC):
         return vector.mapped(lambda component: component * self)
 
     def only_parameter(self, by: str | None) -> None:
-        """Check that a derivative is taken with respect to the only parameter.
+        """Check that a derivative of this function is taken with respect to its only parameter.
 
         Raises `FormulaError` for another parameter.
         """

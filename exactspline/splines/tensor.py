@@ -309,7 +309,7 @@ class TensorSpline(Immutable, TensorParts, RingOperand, FunctionsOutside):
         return tensor_bernstein.evaluated(self.numerators[at], self.denominators[at], self.degree, self.stride, *place)
 
     def at_t(self, t: Number) -> BSpline:
-        """Return the spline in s that the function is for a fixed t."""
+        """Return this function at a fixed t, as a spline in s."""
         t, forms = rational(t), []
         for own in lines(self):
             integers, common = over_one_denominator([line(t) for line in own])
@@ -317,7 +317,7 @@ class TensorSpline(Immutable, TensorParts, RingOperand, FunctionsOutside):
         return BSpline.from_forms(self.degree.s, self.meshes[0], self.continuity[0], forms)
 
     def at_s(self, s: Number) -> BSpline:
-        """Return the spline in t that the function is for a fixed s."""
+        """Return this function at a fixed s, as a spline in t."""
         return self.transposed().at_t(s)
 
     @property

@@ -43,8 +43,8 @@ def _at_places(name: str, entry: str, allowed: str, judged: Judged) -> Asked:
 
 #: The unit of errors.
 ULPS = (
-    "16 (degree + 1) ulps of the largest coordinate of a control point, times the largest ratio of weights (for the "
-    "k-th derivative times its power k + 1)"
+    "16 (degree + 1) ulps of the largest coordinate of a control point, times r, the largest ratio of weights; for the "
+    "k-th derivative, times rᵏ⁺¹ in place of r"
 )
 PLACES = (
     "every parameter at which the sign changes must be named, with an error of at most 2⁻¹⁶ of the length of the "
