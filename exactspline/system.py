@@ -13,7 +13,6 @@ import threading
 import time
 from collections.abc import Iterator
 from contextlib import contextmanager
-from multiprocessing import resource_tracker
 from pathlib import Path
 
 #: Whether a process can be given a limit of memory and of processor time, and the exit status of one that has used up
@@ -83,6 +82,8 @@ def interrupts_ignored() -> Iterator[None]:
     if threading.current_thread() is not threading.main_thread() or not hasattr(signal, "pthread_sigmask"):
         yield
         return
+    from multiprocessing import resource_tracker  # there is none in a browser
+
     # Python's tracker of resources unblocks the signal when it starts: it has to be there before
     resource_tracker.ensure_running()
     before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
