@@ -412,15 +412,13 @@ def identity(
     from exactspline.display.evidence import words
     from exactspline.display.numbers import Numbers
     from exactspline.polynomials.cost import within_seconds
-    from exactspline.verification.questions import counterexample, proof_of
-    from exactspline.verification.verdict import REFUTED
+    from exactspline.verification.questions import proof_of
 
     with within_seconds(limit):
         found = proof_of(text, trust=trust)
-        witness = counterexample(text, found.dimension, trust=trust) if found.verdict == REFUTED else None
     cells = (found.left, found.factor, found.right, found.verdict, str(found.quotient or "–"))
     made = Sheet("left", "factor", "right", "verdict", "quotient", rows=[cells])
-    said = f"{found}; {words(witness, Numbers())}" if witness else str(found)
+    said = f"{found}; {words(found.counterexample, Numbers())}" if found.counterexample else str(found)
     out.give("identity", [found.data()], [made], lambda: console.lines(console.console(), said))
     if not found:
         raise Exit(1)

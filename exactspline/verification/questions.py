@@ -199,6 +199,8 @@ class Proof(_Answer):
     quotient: Factor | None
     #: Whether roots are adjoined: then a quotient is not a product of polynomials.
     roots: bool = False
+    #: An example curve on which a refuted identity fails, with the place; None if no example shows that.
+    counterexample: OnExample | None = None
 
     @property
     def dimension(self) -> int:
@@ -218,7 +220,9 @@ class Proof(_Answer):
         """The answer as data."""
         sides = {"key": f"{self.left} = {self.factor} {self.right}", "left": self.left, "right": self.right}
         stated = sides | {"factor": self.factor, "dimensions": [*self.dimensions], "holds": self.holds}
-        return stated | {"verdict": self.verdict, "quotient": None if self.quotient is None else str(self.quotient)}
+        shown = {"quotient": self.quotient, "counterexample": self.counterexample}
+        texts = {name: None if value is None else str(value) for name, value in shown.items()}
+        return stated | {"verdict": self.verdict} | texts
 
 
 @dataclass(frozen=True, repr=False)
@@ -288,7 +292,9 @@ def _proved(equation: Equation, kind: Kind, n: int) -> Proof:
         raise FormulaError("a ruled surface in an identity", remedy='write a claim of the kind "same surface"')
     quotient = None if kind.adjoins_roots or right.is_zero else find_factor(left, right)
     names = equation.left.name, equation.right.name
-    return Proof(*names, equation.factor, equation.decide(curve), (n,), quotient, kind.adjoins_roots)
+    finding = equation.decide(curve)
+    shown = _counterexample(equation, kind, n) if finding.verdict == REFUTED else None
+    return Proof(*names, equation.factor, finding, (n,), quotient, kind.adjoins_roots, shown)
 
 
 def proof_of(text: str, *, trust: bool = False, dimension: int | None = None) -> Proof:
@@ -296,6 +302,8 @@ def proof_of(text: str, *, trust: bool = False, dimension: int | None = None) ->
 
     >>> print(proof_of("2*f1 = f1 + f1"))
     2*f1 = f1 + f1 for all curves in R2
+    >>> print(proof_of("f1 = f2").counterexample)
+    on the example curve rational_cubic: the sides differ by -941369/13824 at the parameter 1/12
 
     Names are looked up in the place that the left side names, then in the library; ``w`` and ``p`` without a place are
     operands.
@@ -310,15 +318,8 @@ def proof_of(text: str, *, trust: bool = False, dimension: int | None = None) ->
     )
 
 
-def counterexample(text: str, dimension: int, *, trust: bool = False) -> OnExample | None:
-    """The first example curve of a dimension on which an identity of one line fails, with the place; None if no example
-    shows that.
-
-    >>> print(counterexample("f1 = f2", 2))
-    on the example curve rational_cubic: the sides differ by -941369/13824 at the parameter 1/12
-    """
-    equation = _equation(text, trust)
-    kind = common_kind(f.kind for f in equation.formulas)
+def _counterexample(equation: Equation, kind: Kind, dimension: int) -> OnExample | None:
+    """The first example curve of a dimension on which an identity fails."""
     for name in () if kind.adjoins_roots else CURVES[dimension]:
         with suppress(ExactSplineError):
             if (found := equation.decide(argument(kind.name, example(name)).argument, VERIFIED)).verdict == REFUTED:

@@ -1,5 +1,7 @@
 """Formulas in one line: the language of formulas, read by its checker."""
 
+import json
+
 import pytest
 
 import exactspline as xs
@@ -244,3 +246,13 @@ def test_a_function_that_a_formula_of_the_file_is_called_like_is_refused(tmp_pat
 
 def test_no_traceback_of_ruled_surfaces():
     assert isinstance(invoke("identity", "ruled(γ, γ') = ruled(γ, γ')").exception, ExactSplineError)
+
+
+def test_a_false_identity_has_its_counterexample_through_every_door():
+    """Before, only the text of the command line named the curve."""
+    said = str(xs.prove("f1 = f2").counterexample)
+    assert "rational_cubic" in said
+    [row] = json.loads(invoke("identity", "f1 = f2", "--json").output)["rows"]
+    assert row["counterexample"] == said
+    assert xs.prove("f1", "f2").counterexample == xs.prove("f1 = f2").counterexample
+    assert xs.prove("f1", "f2", "w").counterexample is None
