@@ -130,17 +130,31 @@ def _common_arcs(first: _Border, second: _Border) -> list[list[Real]]:
     return arcs
 
 
+def _pieces(first: _Border, second: _Border) -> list[tuple[list[Real], SurfaceForms | None]]:
+    """The arcs with the patches along them. Where the parameters are not linear functions of each other, there are no
+    patches, and neighbouring arcs are joined.
+    """
+    found = list[tuple[list[Real], SurfaceForms | None]]()
+    for arc in _common_arcs(first, second):
+        forms = _as_one(first, second, *(x.exact for x in arc))
+        if forms and any(joint.kind is SurfaceJointKind.TORN for joint in joints(forms, [], [Along.U])):
+            forms = None
+        if found and not (forms or found[-1][1]) and found[-1][0][1::2] == arc[::2]:
+            found[-1][0][1::2] = arc[1::2]
+        else:
+            found.append((arc, forms))
+    return found
+
+
 def _along(first: _Border, second: _Border) -> Iterator[NamedNumbers]:
     """How two surfaces meet along the arcs that their borders have in common."""
     names: dict[str, object] = {"first border": str(first), "second border": str(second)}
-    for arc in _common_arcs(first, second):
-        forms = _as_one(first, second, *(x.exact for x in arc))
-        found = joints(forms, [], [Along.U]) if forms else ()
-        if not forms or any(joint.kind is SurfaceJointKind.TORN for joint in found):
+    for arc, forms in _pieces(first, second):
+        if not forms:
             yield NamedNumbers("common arc", dict(zip(ENDS, arc, strict=True)), names | {"order": "unknown"})
             continue
         start, rate = arc[2], (arc[3] - arc[2]) / (arc[1] - arc[0])
-        for joint in found:
+        for joint in joints(forms, [], [Along.U]):
             ends = [Real(t) for t in joint.interval]
             values = dict(zip(ENDS, [*ends, *(start + (t - arc[0]) * rate for t in ends)], strict=True))
             values |= {} if joint.angle is None else {"angle": degrees(joint.angle)}
