@@ -58,10 +58,15 @@ def archives() -> list[bytes]:
     return [encoded(curves, "3dm", rounding=True)[0] for curves in (*([c] for c in CURVES), CURVES)]
 
 
+def address_space() -> int:
+    """Bytes that this process has addresses for."""
+    return int(Path("/proc/self/statm").read_text().split()[0]) * resource.getpagesize()
+
+
 def entries_by_fork(source: Source) -> list[dict[str, Any]]:
     """What `rhino._entries` gives, from a fork of this process, which has rhino3dm loaded: ten times as
     fast. On a damaged archive rhino3dm may not come back: it has half a second of its own processor time here,
-    and two there.
+    and two there. Its limit of memory is counted from what this process has.
     """
     ours, theirs = os.pipe()
     child = os.fork()
@@ -71,6 +76,7 @@ def entries_by_fork(source: Source) -> list[dict[str, Any]]:
         try:
             signal.setitimer(signal.ITIMER_PROF, PATIENCE)
             os.dup2(os.open(os.devnull, os.O_WRONLY), 2)
+            rhino_process.MEMORY += address_space()
             with open(theirs, "w") as pipe:
                 json.dump(rhino_process.entries(source.data, SECONDS), pipe)
         except BaseException:
@@ -185,8 +191,7 @@ def main() -> int:
     parser.add_argument("--keep", action="store_true", help="keep files that make a reader say something new")
     options = parser.parse_args()
     names = options.formats or sorted(originals())
-    used = int(Path("/proc/self/statm").read_text().split()[0]) * resource.getpagesize()
-    resource.setrlimit(resource.RLIMIT_AS, (used + MEMORY, resource.RLIM_INFINITY))
+    resource.setrlimit(resource.RLIMIT_AS, (address_space() + MEMORY, resource.RLIM_INFINITY))
     failed = 0
     for name in names:
         start = time.process_time()
