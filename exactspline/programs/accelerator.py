@@ -15,6 +15,7 @@ from collections.abc import Callable, Sequence
 from ctypes import CDLL, POINTER, Structure, byref, c_double, c_int, c_void_p
 from functools import cache, lru_cache
 from hashlib import sha256
+from itertools import chain
 from os import environ
 from pathlib import Path
 from typing import NamedTuple
@@ -139,14 +140,13 @@ class SegmentZero(NamedTuple):
 
 class Signs(NamedTuple):
     """The results for the outputs of a program on the segments of a curve: whether the zeros of an output are
-    uncertain; whether it is uncertain that the last output has no zeros and the weight function is positive; the
-    ordinates of every output at both ends, each followed by a bound of its error; the weight function at both ends; and
-    the zeros.
+    uncertain; whether it is uncertain that the last output has no zeros and the weight function is positive; after one
+    more number the ordinates of every output at both ends, each followed by a bound of its error, and the weight
+    function at both ends; and the zeros.
     """
 
     open: list[tuple[bool, bool]]
-    ends: list[list[float]]
-    weights: list[list[float]]
+    ends: list[array[float]]
     zeros: list[SegmentZero]
 
 
@@ -189,23 +189,23 @@ def signs(program: Program, rows: Sequence[tuple[Sequence[Sequence[int]], int]],
     prepared = _in_c(program, rational) if filter_curve is not None else None
     if prepared is None or filter_curve is None:
         return None
-    segments = len(rows)
-    columns = zip(*[parts for parts, _ in rows], strict=True)
-    numbers = [x for column in columns for row in column for x in row]
+    segments, data = len(rows), array("d")
     try:
-        data = array("d", numbers + [below for _, below in rows])
+        for k in range(prepared.operands):
+            data.extend(chain.from_iterable(parts[k] for parts, _ in rows))
+        data.extend(below for _, below in rows)
     except OverflowError:
         return None
     stride = OF_SEGMENT + 4 * prepared.outputs
     start, room = stride * segments, FEW * segments
-    found = array("d", bytes(8 * (start + OF_ZERO * room)))
+    found = array("d", [0]) * (start + OF_ZERO * room)
     count = filter_curve(byref(prepared), data.buffer_info()[0], segments, found.buffer_info()[0], room)
     if count < 0:
         return None
-    values = found[: start + OF_ZERO * count].tolist()
-    made = [values[s : s + stride] for s in range(0, start, stride)]
+    end = start + OF_ZERO * count
     zeros = [
         SegmentZero(int(k), int(s), low, high, int(before))
-        for k, s, low, high, before in zip(*[values[start + i :: OF_ZERO] for i in range(OF_ZERO)], strict=True)
+        for k, s, low, high, before in zip(*[found[start + i : end : OF_ZERO] for i in range(OF_ZERO)], strict=True)
     ]
-    return Signs([OPEN[int(row[0])] for row in made], [row[1:-2] for row in made], [row[-2:] for row in made], zeros)
+    made = [found[s : s + stride] for s in range(0, start, stride)]
+    return Signs([OPEN[int(x)] for x in found[:start:stride]], made, zeros)

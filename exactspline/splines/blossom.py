@@ -160,7 +160,7 @@ def common_rows(
     >>> for _ in range(4):
     ...     found = common_rows([mpq(k) for k in range(4)], 1, [[mpq(1, 2), mpq(1)], [mpq(0), mpq(2)]], [1])
     >>> found
-    [([[1, 2], [0, 4]], 2)]
+    [(((1, 2), (0, 4)), 2)]
     """
     weights = _weights_along(t, n, spans) if 0 < n <= MOST else None
     if weights is None:
@@ -175,14 +175,15 @@ def common_rows(
             at = j - n - first
             own = [numbers[at + k : at + k + n + 1] for k in offsets]
             if diagonal:
-                parts = [[*map(mul, diagonal, points)] for points in own]
+                parts = tuple([tuple(map(mul, diagonal, points)) for points in own])
             else:
-                parts = [[sum(map(mul, row, points[k:])) for k, row in rows] for points in own]
+                parts = tuple([tuple([sum(map(mul, row, points[k:])) for k, row in rows]) for points in own])
             below = least * bottom
             if below != 1:
                 shared = gcd(below, *[x for part in parts for x in part])
                 if shared != 1:
-                    parts, below = [[x // shared for x in part] for part in parts], below // shared
+                    parts = tuple([tuple([x // shared for x in part]) for part in parts])
+                    below //= shared
             found.append((parts, below))
     return found
 

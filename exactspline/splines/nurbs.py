@@ -369,10 +369,9 @@ class Nurbs(Immutable, Curve[BSpline], FunctionsOutside):
             made = common_rows(self.knots.knots, self.degree, self._columns, mesh_of(self.knots, self.degree)[2])
         if made is None:
             n, splines = self.degree, self._splines
-            columns = [[[int(c[k]) for k in range(n + 1)] for c in f.numerators] for f in splines]
-            below = map(int, splines[0].denominators)
-            made = [(own, m) for *own, m in zip(*columns, below, strict=True)]
-        return tuple((tuple(map(tuple, own)), m) for own, m in made)
+            columns = [[tuple(int(c[k]) for k in range(n + 1)) for c in f.numerators] for f in splines]
+            made = list(zip(zip(*columns, strict=True), map(int, splines[0].denominators), strict=True))
+        return tuple(made)
 
     @cached_property
     def p(self) -> Vector[BSpline]:  # type: ignore[override]  # computed when asked for

@@ -67,21 +67,18 @@ def _is_straight(operands: Sequence[fmpz_poly], degree: int) -> bool:
     return k is None or first * second[k] == second * first[k]
 
 
-def jumps(
-    facts: Facts, ends: Sequence[Sequence[float]], weights: Sequence[Sequence[float]], others: Set[int]
-) -> Iterator[Jump]:
+def jumps(facts: Facts, ends: Sequence[Sequence[float]], others: Set[int]) -> Iterator[Jump]:
     """The changes of sign of κ and κ′ by a jump at the knots of a plane curve, except at the ends of `others`: straight
     segments (a zero at an end of a straight piece belongs to the piece), and the segments decided exactly.
 
-    `ends`: for every segment and output the ordinates at both ends, each followed by a bound of its error; the signs of
-    the ordinates are certain, and γ′ ≠ 0. `weights`: the weight function at both ends.
+    `ends`: for every segment the numbers of `Signs.ends`; the signs of the ordinates are certain, and γ′ ≠ 0.
     """
     continuity = mesh_of(facts.curve.knots, facts.curve.degree)[1]
     for i in range(0 if facts.closed else 1, len(ends)):
         if others and (i in others or (i - 1) % len(ends) in others):
             continue
         left, right = ends[i - 1], ends[i]
-        bends, turns = ((left[4 * k + 2] > 0) != (right[4 * k] > 0) for k in (CURVATURE, CRITICAL))
+        bends, turns = ((left[4 * k + 3] > 0) != (right[4 * k + 1] > 0) for k in (CURVATURE, CRITICAL))
         if not bends and not turns:
             continue
         smooth = continuity[i - 1] if i else 0
@@ -89,9 +86,9 @@ def jumps(
             continue
         if bends:
             # κ jumps from one sign to the other, so that it has no extremum there
-            yield Jump(CURVATURE, i, 1 if left[4 * CURVATURE + 2] > 0 else -1)
-        elif smooth >= 2 or (not _differ(left, right, weights[i - 1][1], weights[i][0]) and facts.same_curvature(i)):
-            yield Jump(CRITICAL, i, 1 if left[4 * CRITICAL + 2] > 0 else -1)
+            yield Jump(CURVATURE, i, 1 if left[4 * CURVATURE + 3] > 0 else -1)
+        elif smooth >= 2 or (not _differ(left, right) and facts.same_curvature(i)):
+            yield Jump(CRITICAL, i, 1 if left[4 * CRITICAL + 3] > 0 else -1)
 
 
 def _on_runs(curve: Nurbs, left: Set[int]) -> tuple[list[Feature], list[Feature]] | None:
@@ -117,17 +114,17 @@ def _on_runs(curve: Nurbs, left: Set[int]) -> tuple[list[Feature], list[Feature]
     return found
 
 
-def _differ(left: Sequence[float], right: Sequence[float], v: float, w: float) -> bool:
+def _differ(left: Sequence[float], right: Sequence[float]) -> bool:
     """Whether the curvatures of two sides, which have the same sign, certainly differ: κ² is ``K² w⁶ / S³`` for the
     forms K of κ and S of the speed, whatever the parameter, up to a factor that both sides share.
     """
-    first, second = _squared(left, Side.LEFT, v), _squared(right, Side.RIGHT, w)
+    first, second = _squared(left, Side.LEFT), _squared(right, Side.RIGHT)
     return bool(first and second and (first[1] < second[0] or second[1] < first[0]))
 
 
-def _squared(end: Sequence[float], side: Side, w: float) -> tuple[float, float] | None:
+def _squared(end: Sequence[float], side: Side) -> tuple[float, float] | None:
     """Bounds of the squared curvature at an end of a segment."""
-    at = 2 if side is Side.LEFT else 0
+    at, w = (3, end[-1]) if side is Side.LEFT else (1, end[-2])
     k, error = abs(end[4 * CURVATURE + at]), end[4 * CURVATURE + at + 1]
     s, off = end[4 * SPEED + at], end[4 * SPEED + at + 1]
     if min(k - error, s - off, w) < SMALL:
@@ -304,13 +301,13 @@ def certain(facts: Facts) -> Certain | None:
     for zero in found.zeros:
         if zero.segment not in others:
             zeros[zero.output].append(zero)
-    at_knots = list(jumps(facts, found.ends, found.weights, others))
+    at_knots = list(jumps(facts, found.ends, others))
     if at_knots or left:
         for jump in at_knots:
             zeros[jump.output].append(jump)
         for own in zeros:
             own.sort(key=partial(_place, facts.breaks))
-    positive = [end[4 * CURVATURE] > 0 for end in found.ends]
+    positive = [end[1 + 4 * CURVATURE] > 0 for end in found.ends]
     pieces = facts.straight_runs(straight) if straight else ()
     return Certain(curve.degree, rational, facts.breaks, rows, zeros, positive, pieces)
 
