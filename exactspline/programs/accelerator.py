@@ -84,12 +84,14 @@ def _library() -> CDLL | None:
 
 
 def loaded(name: str, right: Callable[[Callable[..., int]], bool], *arguments: type) -> Callable[..., int] | None:
-    """A function of the extension, if its answer in a known case is `right`; None without the extension."""
+    """A function of the extension, if its answer in a known case is `right`; None without the extension. Without types
+    of its arguments it takes bytes and arrays of ctypes as they are, which is faster.
+    """
     library = _library()
     if library is None:
         return None
     function = getattr(library, name)
-    function.argtypes, function.restype = list(arguments), c_int
+    function.argtypes, function.restype = list(arguments) or None, c_int
     return function if right(function) else None
 
 

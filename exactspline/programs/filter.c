@@ -23,8 +23,9 @@
    and results. */
 enum { MOST = 51, ROOM = 4096, RESULTS = 256 };
 enum { LOAD, MUL, SUM, RAISE, DERIVE, DU, DV, OVER_U, SCALE };
-/* The depths of subdivision, for isolation and to prove that there is no zero; the steps of Newton's method. */
-enum { DEPTH = 9, DEEP = 22, STEPS = 40 };
+/* The depths of subdivision, for isolation (up to FIRST at SPLIT, then at 1/2: the ends of pieces are exact) and to prove
+   that there is no zero; the steps of Newton's method. */
+enum { FIRST = 9, DEPTH = 17, DEEP = 22, STEPS = 40 };
 
 /* As in exactspline/polynomials/doubles.py, which proves the bounds. */
 static const double ROUNDING = 0x1p-52, UNDERFLOW = 0x1p-1022, SPLIT = 15.0 / 32, REACHED = 0x1p-48;
@@ -128,8 +129,8 @@ static int most_changes(const Form *form) {
     return up > down ? up : down;
 }
 
-/* The parts to the left and right of SPLIT; `left` may be the form itself. */
-static void split(const Form *form, Form *left, Form *right) {
+/* The parts to the left and right of a parameter; `left` may be the form itself. */
+static void split(const Form *form, double at, Form *left, Form *right) {
     int n = form->degree;
     Form row = *form;
     left->degree = right->degree = n;
@@ -139,8 +140,8 @@ static void split(const Form *form, Form *left, Form *right) {
         right->value[n - level] = row.value[n - level];
         right->error[n - level] = row.error[n - level];
         for (int i = 0; i < n - level; i++) {
-            double first = (1 - SPLIT) * row.value[i], second = SPLIT * row.value[i + 1];
-            double carried = (1 - SPLIT) * row.error[i] + SPLIT * row.error[i + 1];
+            double first = (1 - at) * row.value[i], second = at * row.value[i + 1];
+            double carried = (1 - at) * row.error[i] + at * row.error[i + 1];
             double rounding = 3 * ROUNDING * (fabs(first) + fabs(second));
             row.value[i] = first + second;
             row.error[i] = (carried + rounding) * (1 + 8 * ROUNDING) + 8 * UNDERFLOW;
@@ -151,6 +152,7 @@ static void split(const Form *form, Form *left, Form *right) {
 /* The simple zeros inside a piece, in order: how many there are then, or -1 where that is not certain. */
 static int isolated(Form *part, double low, double width, int level, Zero *found, int count, int room) {
     Form right;
+    double at = level < FIRST ? SPLIT : 0.5;
     int first = sign_of(part, 0), most = most_changes(part);
     if (!first || !sign_of(part, part->degree))
         return -1;
@@ -164,9 +166,9 @@ static int isolated(Form *part, double low, double width, int level, Zero *found
     }
     if (level == DEPTH)
         return -1;
-    split(part, part, &right);
-    count = isolated(part, low, width * SPLIT, level + 1, found, count, room);
-    return count < 0 ? -1 : isolated(&right, low + width * SPLIT, width * (1 - SPLIT), level + 1, found, count, room);
+    split(part, at, part, &right);
+    count = isolated(part, low, width * at, level + 1, found, count, room);
+    return count < 0 ? -1 : isolated(&right, low + width * at, width * (1 - at), level + 1, found, count, room);
 }
 
 /* Whether a form certainly has one sign on a piece; `budget` bounds the pieces. */
@@ -181,7 +183,7 @@ static int without_zeros(Form *part, int level, int *budget) {
         return 1;
     if (level == DEEP || --*budget < 0)
         return 0;
-    split(part, part, &right);
+    split(part, SPLIT, part, &right);
     return without_zeros(part, level + 1, budget) && without_zeros(&right, level + 1, budget);
 }
 
@@ -391,9 +393,9 @@ int filter_curve(const Program *program, double *data, int segments, double *fou
 
 /* ---- two curves */
 
-/* The highest degree of a segment; the numbers of one: its degree, a point near it, and the coefficients of x, y and w
-   measured from this point; and those of a common point. */
-enum { HIGHEST = 5, SIDE = HIGHEST + 1, OF_SEGMENT = 3 + 3 * SIDE, OF_POINT = 7 };
+/* The highest degree of a segment; the numbers of one: its degree, a box around it, a point near it, and the coefficients
+   of x, y and w measured from this point. */
+enum { HIGHEST = 5, SIDE = HIGHEST + 1, BOX = 1, MIDDLE = 5, ROWS = 7, OF_SEGMENT = ROWS + 3 * SIDE };
 /* The sets of columns of a matrix, and the coefficients of its determinant. */
 enum { COLUMNS = 1 << HIGHEST, LONG = HIGHEST * HIGHEST + 1 };
 
@@ -420,6 +422,15 @@ typedef struct {
     Bare minors[COLUMNS];
 } Room;
 
+/* Whether the boxes of two segments, whose ends are rounded once, certainly have no point in common. */
+static int apart(const double *a, const double *b) {
+    for (int k = BOX; k < MIDDLE; k += 2)
+        if (b[k] - a[k + 1] > 8 * ROUNDING * (fabs(b[k]) + fabs(a[k + 1])) + 8 * UNDERFLOW ||
+            a[k] - b[k + 1] > 8 * ROUNDING * (fabs(a[k]) + fabs(b[k + 1])) + 8 * UNDERFLOW)
+            return 1;
+    return 0;
+}
+
 /* Both segments in one system of coordinates, no number larger than the binomial coefficients: 0 where they are too
    large or too small for that. The first goes through 1 rounding, the second through 4. */
 static int brought_together(const double *first, const double *second, Points *p, Points *q) {
@@ -428,7 +439,7 @@ static int brought_together(const double *first, const double *second, Points *p
     Points *to[2] = {p, q};
     double unit[2], shift[2], far = 0;
     for (int c = 0; c < 2; c++)
-        shift[c] = second[1 + c] - first[1 + c];
+        shift[c] = second[MIDDLE + c] - first[MIDDLE + c];
     /* a maximum does not notice what is not a number */
     for (int i = 0; i < OF_SEGMENT; i++)
         if (!(fabs(first[i]) <= DBL_MAX && fabs(second[i]) <= DBL_MAX))
@@ -439,14 +450,14 @@ static int brought_together(const double *first, const double *second, Points *p
         if (n < 1 || n > HIGHEST)
             return 0;
         for (int i = 0; i <= n; i++)
-            weight = fmax(weight, fabs(given[k][3 + 2 * SIDE + i]));
+            weight = fmax(weight, fabs(given[k][ROWS + 2 * SIDE + i]));
         if (!(weight < BIG && weight > SMALL))
             return 0;
         frexp(weight, &e);
         unit[k] = ldexp(1, -e);
         for (int i = 0; i <= n; i++)
             for (int c = 0; c < 2; c++)
-                size = fmax(size, fabs(given[k][3 + c * SIDE + i]) * unit[k]);
+                size = fmax(size, fabs(given[k][ROWS + c * SIDE + i]) * unit[k]);
         far = fmax(far, k ? size + fmax(fabs(shift[0]), fabs(shift[1])) : size);
     }
     if (!(far < BIG && far > SMALL))
@@ -457,11 +468,11 @@ static int brought_together(const double *first, const double *second, Points *p
     for (int k = 0; k < 2; k++) {
         to[k]->degree = (int)given[k][0];
         for (int i = 0; i <= to[k]->degree; i++) {
-            double w = given[k][3 + 2 * SIDE + i] * unit[k];
+            double w = given[k][ROWS + 2 * SIDE + i] * unit[k];
             to[k]->value[2][i] = w;
             to[k]->mass[2][i] = fabs(w);
             for (int c = 0; c < 2; c++) {
-                double x = given[k][3 + c * SIDE + i] * unit[k] * scale, moved = k ? shift[c] * scale * w : 0;
+                double x = given[k][ROWS + c * SIDE + i] * unit[k] * scale, moved = k ? shift[c] * scale * w : 0;
                 to[k]->value[c][i] = x + moved;
                 to[k]->mass[c][i] = fabs(x) + fabs(moved);
             }
@@ -671,10 +682,10 @@ static void turned_round(Points *p) {
         }
 }
 
-/* The common points of a pair of segments, as in `filter_pairs`: how many there are, or -1 where a parameter of the
-   first is not certain, which may help to reverse it, -2 where something else is not, or without room. What is found is
-   that of the first as it was before it was `reversed`. Of a segment and `itself` the first parameter is the smaller. */
-static int met(const Points *p, const Points *q, Room *own, int reversed, int itself, int pair, double *point, int room) {
+/* The common points of two segments, as in `filter_pair`: how many there are, or -1 where a parameter of the first is not
+   certain, which may help to reverse it, -2 where something else is not. What is found is that of the first as it was
+   before it was `reversed`. Of a segment and `itself` the first parameter is the smaller. */
+static int met(const Points *p, const Points *q, Room *own, int reversed, int itself, double *point) {
     Form vanishing, top, bottom, copy;
     Zero zeros[MOST];
     if (itself && p->degree < 2)
@@ -694,9 +705,7 @@ static int met(const Points *p, const Points *q, Room *own, int reversed, int it
             return -1;
         if (place < 0)
             continue;
-        if (count++ == room)
-            return -2;
-        *point++ = pair;
+        count++;
         *point++ = zeros[i].low;
         *point++ = zeros[i].high;
         *point++ = reversed && p->degree % 2 ? -zeros[i].before : zeros[i].before;
@@ -707,35 +716,30 @@ static int met(const Points *p, const Points *q, Room *own, int reversed, int it
     return inside < 0 ? -2 : count;
 }
 
-/* The common points of pairs of segments.
+/* The common points of a segment of the first table and one of the second; without a second table of two segments of the
+   first, and for a segment and itself the points through which it passes twice.
 
-   first, second: the segments of both curves, or of one curve and nothing, `OF_SEGMENT` numbers each: the degree (others than 1 to `HIGHEST` are
-   left open), a point near the segment, and the coefficients of x, y and w in the scaled basis measured from this
+   first, second: `OF_SEGMENT` numbers for each segment: the degree (others than 1 to `HIGHEST` are left open), the ends of
+   a box in x and in y, a point near the segment, and the coefficients of x, y and w in the scaled basis measured from this
    point, each rounded once.
-   pairs: the indices of the segments. open: for every pair whether something is not certain.
-   found: for every common point the pair; the ends of an interval of the parameter of the segment of higher degree (of
-   the second, where they are alike), the sign of the determinant before it, its number among all zeros of the
-   determinant, and the ends of an interval of the other parameter.
+   found: for every common point, of which there are at most `HIGHEST`², the ends of an interval of the parameter of the
+   segment of higher degree (of the second, where they are alike), the sign of the determinant before it, its number among
+   all zeros of the determinant, and the ends of an interval of the other parameter.
 
-   Returns the number of common points, at most `room`. */
-int filter_pairs(const double *first, const double *second, const int *pairs, int count, int *open, double *found,
-                 int room) {
-    int points = 0;
+   Returns the number of common points, -1 where something is not certain. */
+int filter_pair(const double *first, int i, const double *second, int j, double *found) {
+    const double *one = first + i * OF_SEGMENT, *other = (second ? second : first) + j * OF_SEGMENT;
+    int exchanged = one[0] > other[0], known = -2;
+    Points p, q;
+    if (apart(one, other))
+        return 0;
     Room *own = malloc(sizeof *own);
-    for (int k = 0; k < count; k++) {
-        const double *one = first + pairs[2 * k] * OF_SEGMENT;
-        const double *other = (second ? second : first) + pairs[2 * k + 1] * OF_SEGMENT;
-        int exchanged = one[0] > other[0], known = -2;
-        Points p, q;
-        if (own && brought_together(exchanged ? other : one, exchanged ? one : other, &p, &q))
-            known = met(&p, &q, own, 0, !second && one == other, k, found + OF_POINT * points, room - points);
-        if (known == -1) {
-            turned_round(&p);
-            known = met(&p, &q, own, 1, 0, k, found + OF_POINT * points, room - points);
-        }
-        open[k] = known < 0;
-        points += known < 0 ? 0 : known;
+    if (own && brought_together(exchanged ? other : one, exchanged ? one : other, &p, &q))
+        known = met(&p, &q, own, 0, !second && i == j, found);
+    if (known == -1) {
+        turned_round(&p);
+        known = met(&p, &q, own, 1, 0, found);
     }
     free(own);
-    return points;
+    return known < 0 ? -1 : known;
 }

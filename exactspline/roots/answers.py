@@ -90,9 +90,8 @@ class Answer(Sequence[T_co], Written, Generic[T_co, W]):
         >>> len(found), found == Places(("first", "second"))
         (2, True)
         """
-        answer = cls((), everywhere, **fields)
-        object.__delattr__(answer, "points")
-        object.__setattr__(answer, "_late", (count, make))
+        answer = object.__new__(cls)
+        vars(answer).update(fields, everywhere=everywhere, _late=(count, make))
         return answer
 
     def __getattr__(self, name: str) -> tuple[T_co, ...]:

@@ -28,7 +28,7 @@ def curve_of(given: object) -> Nurbs:
     Traceback (most recent call last):
     exactspline.errors.ShapeError: a str, where a curve is expected; give a Nurbs, such as exactspline.example("circle")
     """
-    given = of_file(given)
+    given = given if isinstance(given, Nurbs) else of_file(given)
     if isinstance(given, Nurbs):
         return given
     if isinstance(given, BSpline):

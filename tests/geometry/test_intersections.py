@@ -471,7 +471,7 @@ def test_an_interrupt_while_points_are_listed_repeats_none(monkeypatch):
     drawn, knots = Random(1), [0] * 4 + [1] * 3 + [2] * 3 + [3] * 4
     points = [[(drawn.randint(-99, 99), drawn.randint(-99, 99)) for _ in range(10)] for _ in "ab"]
     found = intersections(*(Nurbs(3, knots, each) for each in points))
-    made, calls = PairForm.of, []
+    made, calls = PairForm.parameters, []
 
     def interrupted(*given, **more):
         calls.append(given)
@@ -479,7 +479,7 @@ def test_an_interrupt_while_points_are_listed_repeats_none(monkeypatch):
             raise KeyboardInterrupt
         return made(*given, **more)
 
-    monkeypatch.setattr(PairForm, "of", interrupted)
+    monkeypatch.setattr(PairForm, "parameters", interrupted)
     with suppress(KeyboardInterrupt):
         list(found)
     assert len(list(found)) == len(found) == len({pair.first for pair in found})

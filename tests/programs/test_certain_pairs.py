@@ -17,11 +17,12 @@ from exactspline.geometry.pairs import lazy_intersections as late_meetings
 from exactspline.numbers.intervals import UNIT
 from exactspline.polynomials.plane_pairs import self_meetings
 from exactspline.programs.certain_pairs import (
+    EVERYWHERE,
     HIGHEST,
     OPEN,
-    TOGETHER,
-    certain_pairs,
-    filter_pairs,
+    certain_pair,
+    filter_pair,
+    points_of,
     segment_in_doubles,
     table_of,
 )
@@ -30,7 +31,7 @@ from tests.campaigns import certain_pairs as campaign
 from tests.support.rounding import FLUSHED, MODES, rounding
 from tests.support.sampled import FULL
 
-needs_extension = pytest.mark.skipif(filter_pairs is None, reason="there is no extension here")
+needs_extension = pytest.mark.skipif(filter_pair is None, reason="there is no extension here")
 WAVE = Nurbs(3, [0] * 4 + [1] * 4, [(0, 0), (1, 3), (2, -3), (3, 1)])
 ARCH = Nurbs(3, [0] * 4 + [1] * 4, [(0, -1), (1, 2), (2, 2), (3, -1)])
 
@@ -47,7 +48,7 @@ def test_what_is_certain_is_what_exact_arithmetic_decides():
 def test_answers_do_not_depend_on_the_rounding_of_the_processor(mode):
     def decide(*given):
         with rounding(mode):
-            return certain_pairs(*given)
+            return certain_pair(*given)
 
     made, decided, _, wrong = campaign.campaign(330, 11, decide)
     assert wrong == []
@@ -80,9 +81,10 @@ def test_a_segment_meets_itself_where_exact_arithmetic_says(degree, mode):
         curve = Nurbs.bezier(points, [chance.randint(1, 9) for _ in points] if k % 8 > 3 else None)
         row = segment_rows(curve, 0)
         with rounding(mode):
-            (found,) = certain_pairs(table_of([row]), None, [(0, 0)])
-        if found is None:
+            certain = certain_pair(table_of([row]), 0, None, 0)
+        if certain is None:
             continue
+        found = points_of(certain)
         decided += 1
         true = self_meetings(plane_forms(curve, 0))
         assert not true.arcs
@@ -90,19 +92,22 @@ def test_a_segment_meets_itself_where_exact_arithmetic_says(degree, mode):
         numbers = sorted([parameter(local, *UNIT) for local in (p.second, p.first)] for p in true.points)
         assert len(numbers) == len(found)
         for (t, s), one in zip(numbers, found, strict=True):
-            low, high, first, last = map(mpq, (one.low, one.high, *one.other))
+            low, high, first, last = map(mpq, (*one[:2], *one[4:]))
             assert first < s < last < low < t < high
     assert decided > 60
 
 
 @needs_extension
-def test_more_pairs_than_one_call_takes():
+def test_each_segment_of_a_table_is_as_it_is_alone():
     chance = Random(8)
-    rows = [campaign.cubics(chance) for _ in range(3 * TOGETHER + 1)]
+    rows = [campaign.cubics(chance) for _ in range(40)]
     given = [[segment_rows(campaign.pairs.curve(pair[k]), 0) for pair in rows] for k in (0, 1)]
-    together = certain_pairs(*map(table_of, given), [(i, i) for i in range(len(rows))])
-    alone = [[table_of([one]), table_of([other])] for one, other in zip(*given, strict=True)]
-    assert together == [certain_pairs(*pair, [(0, 0)])[0] for pair in alone]
+    first, second = map(table_of, given)
+    for i, (one, other) in enumerate(zip(*given, strict=True)):
+        alone = certain_pair(table_of([one]), 0, table_of([other]), 0)
+        assert (
+            alone == certain_pair(first, i, second, i) == certain_pair(table_of([other, one]), 1, table_of([other]), 0)
+        )
 
 
 @needs_extension
@@ -139,7 +144,7 @@ def test_without_the_extension_the_answers_are_the_same():
         "from tests.campaigns import certain_pairs as c, intersections as p; r = Random(4); "
         "told = [intersections(*map(p.curve, f(r))) for f in c.FAMILIES for _ in range(12)]; "
         "told += [intersections(*map(p.curve, f(r)[:2])) for f in p.FAMILIES.values() for _ in range(6)]; "
-        "print([(t, [x.point for x in t]) for t in told]); print(c.certain_pairs.__globals__['filter_pairs'] is None)"
+        "print([(t, [x.point for x in t]) for t in told]); print(c.certain_pair.__globals__['filter_pair'] is None)"
     )
     told = []
     for library in ("none", ""):
@@ -154,7 +159,7 @@ def test_the_determinant_of_a_pair_is_primitive_and_eliminates_the_lower_degree(
     """Whichever of the two comes first; its zeros are their common points."""
     given = [segment_rows(curve.elevate_degree() if i else curve, 0) for i, curve in enumerate((WAVE, ARCH))]
     for order in (1, -1):
-        form = late_meetings.PairForm.of(*given[::order])
+        form = late_meetings.PairForm(*given[::order])
         assert form.exchanged is (order == -1)
         assert form.form.polynomial.content() == 1
         assert [zero.low <= x <= zero.high for zero, x in zip(form.inner, (0.281, 0.879), strict=True)] == [True, True]
@@ -168,11 +173,13 @@ def test_coefficients_are_rounded_once():
         n, forms = segment_rows(campaign.pairs.curve(rows), 0)
         own = segment_in_doubles(n, forms)
         assert len(own) == len(OPEN)
-        degree, *middle = own[:3]
+        degree, *ends, x, y = own[:7]
         assert degree == n
-        blocks = [own[3 + k * (HIGHEST + 1) :][: HIGHEST + 1] for k in range(3)]
-        for k, at in enumerate(middle):
+        blocks = [own[7 + k * (HIGHEST + 1) :][: HIGHEST + 1] for k in range(3)]
+        boxed = min(forms[2]) > 0 or max(forms[2]) < 0
+        for k, at in enumerate((x, y)):
             points = [Fraction(int(c), int(w)) for c, w in zip(forms[k], forms[2], strict=True)]
+            assert tuple(ends[2 * k :][:2]) == ((float(min(points)), float(max(points))) if boxed else EVERYWHERE[:2])
             assert min(points) <= Fraction(at) <= max(points) or at == float(points[0])
             exact = [float(int(c) - int(w) * Fraction(at)) for c, w in zip(forms[k], forms[2], strict=True)]
             assert blocks[k] == exact + [0] * (HIGHEST - n)

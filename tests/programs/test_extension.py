@@ -26,7 +26,7 @@ from exactspline.geometry.analysis.curves import Analysis
 from exactspline.geometry.curves.plane_programs import plane_program
 from exactspline.geometry.filter.certain import certain
 from exactspline.programs import accelerator
-from exactspline.programs.certain_pairs import ARCH, LINE, OPEN, filter_pairs, segment_in_doubles
+from exactspline.programs.certain_pairs import ARCH, LINE, OPEN, certain_pair, segment_in_doubles, table_of
 from tests.campaigns import filter as campaign
 from tests.support.rounding import FLUSHED, MODES, rounding
 
@@ -291,11 +291,9 @@ def test_what_is_not_a_number_is_not_made_small():
     data, found = array("d", [0, 1, 2, 3] * 2 + [0]), array("d", bytes(8 * 99))
     assert accelerator.filter_curve(byref(program), data.buffer_info()[0], 1, found.buffer_info()[0], 8) == -1
     for k in range(len(OPEN)):
-        ours, theirs = (array("d", segment_in_doubles(*one)) for one in (ARCH, LINE))
+        ours = array("d", segment_in_doubles(*ARCH))
         ours[k] = float("nan")
-        indices, open_, points = array("i", [0, 0]), array("i", [0]), array("d", bytes(8 * 175))
-        one, other, which, left, to = [x.buffer_info()[0] for x in (ours, theirs, indices, open_, points)]
-        assert (filter_pairs(one, other, which, 1, left, to, 25), open_[0]) == (0, 1)
+        assert certain_pair(ours.tobytes(), 0, table_of([LINE]), 0) is None
 
 
 def test_without_the_extension_the_answers_are_the_same():

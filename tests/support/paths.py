@@ -82,7 +82,7 @@ def after_others(curve, asking):
 @contextmanager
 def plain_python():
     """By exact arithmetic and what is written in Python alone."""
-    with mock.patch.object(accelerator, "filter_curve", None), mock.patch.object(certain_pairs, "filter_pairs", None):
+    with mock.patch.object(accelerator, "filter_curve", None), mock.patch.object(certain_pairs, "filter_pair", None):
         yield
 
 

@@ -165,11 +165,11 @@ class Kept(Remembers):
 
 def kept_by(curve: Nurbs) -> Kept:
     """The results stored with a curve, which are not part of its value."""
-    with _LOCK.held():
-        if curve.kept_analysis is None:
-            curve.kept_analysis = Kept()
-        assert isinstance(curve.kept_analysis, Kept)
-        return curve.kept_analysis
+    if curve.kept_analysis is None:
+        # of two threads the first one sets it
+        curve.kept_analysis = Kept()
+    assert isinstance(curve.kept_analysis, Kept)
+    return curve.kept_analysis
 
 
 class Facts(Remembers):

@@ -4,7 +4,6 @@ may meet are found by boxes around segments in a binary tree, in time linear in 
 
 from __future__ import annotations
 
-from array import array
 from collections.abc import Iterator, Sequence
 
 from exactspline.geometry.curves.facts import kept_by
@@ -37,7 +36,7 @@ class Segments:
         return [*map(forms_of, self.rows)]
 
     @cached_property
-    def table(self) -> array[float]:
+    def table(self) -> bytes:
         """The numbers of the segments for the C extension."""
         return table_of(self.rows)
 

@@ -8,6 +8,7 @@ exactly.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from enum import StrEnum
 from functools import partial
@@ -39,7 +40,7 @@ from exactspline.polynomials.patch_forms import PatchForm
 from exactspline.polynomials.plane_pairs import meetings, self_meetings
 from exactspline.polynomials.two_parameters import S, T
 from exactspline.polynomials.zero_places import Place
-from exactspline.programs.certain_pairs import certain_pairs
+from exactspline.programs.certain_pairs import OF_POINT, certain_pair, points_of
 from exactspline.reals.real import RationalNumber, Real, real
 from exactspline.roots.answers import Answer
 from exactspline.roots.segment_forms import (
@@ -233,6 +234,10 @@ def intersections(first: Nurbs, second: Nurbs) -> Intersections:
 
     Raises `ShapeError` for curves of different dimensions, and outside plane and space.
     """
+    one, other, curves = segments_of(first), segments_of(second), (first, second)
+    if len(one.rows) == len(other.rows) == 1 and (found := certain_pair(one.table, 0, other.table, 0)) is not None:
+        make = partial(_in_order, [], curves, curves, [((0, 0), found)])
+        return Intersections.late(len(found) // OF_POINT, make, curves=curves)
     check_in_one_space(first, second)
     return CollectedPoints(first, second).answer()
 
@@ -295,8 +300,9 @@ class CollectedPoints:
         self._cones: dict[int, Cone | None] = {}
         trees = [own.boxes(shift_for(*prepared)) for own in prepared]
         pairs = list(pairs_that_may_meet(trees[0], trees[-1]))
-        certain = certain_pairs(prepared[0].table, None if alone else prepared[1].table, pairs)
-        #: The common points that are certain in doubles.
+        table, others = prepared[0].table, None if alone else prepared[1].table
+        certain = [certain_pair(table, i, others, j) for i, j in pairs]
+        #: The numbers of the common points that are certain in doubles.
         self.certain = [(pair, found) for pair, found in zip(pairs, certain, strict=True) if found]
         if None in certain:
             with drawing_on(Budget(QUESTION + PATCH * (len(pairs) - 1))):
@@ -327,9 +333,6 @@ class CollectedPoints:
         n, forms = segment_forms(self.curves[k], i)
         return (SpaceForms if self.in_space else PlaneForms)(n, *forms)
 
-    def _side(self, k: int, i: int) -> Interval:
-        return Interval(*self.curves[k].breakpoints[i : i + 2])
-
     def _collect(self, i: int, j: int) -> None:
         one, other = self._form(0, i), self._form(1, j)
         try:
@@ -341,7 +344,7 @@ class CollectedPoints:
             try:
                 self._collect_by_chord(i, j)
             except ReachError:
-                sides = " and ".join(str(self._side(k, at)) for k, at in enumerate((i, j)))
+                sides = " and ".join(str(_side(self.curves[k], at)) for k, at in enumerate((i, j)))
                 self.undecided.append(f"the segments over {sides}: {error.problem}")
             return
         self._add(found, i, j)
@@ -357,7 +360,7 @@ class CollectedPoints:
             chord = [divided_out(f, S - T) for f in chord]
         if greatest_common_divisor(chord).total_degree() > 0:
             raise ReachError("segments that may have an arc in common")
-        sides, found = Box(self._side(0, i), self._side(1, j)), list[_Found]()
+        sides, found = Box(_side(self.curves[0], i), _side(self.curves[1], j)), list[_Found]()
         for zero in common_zeros(chord, sides):
             place = real(zero.s), real(zero.t)
             if not alone or place[0] < place[1]:
@@ -371,7 +374,7 @@ class CollectedPoints:
                 self._put(point)
 
     def _add(self, found: Meetings, i: int, j: int) -> None:
-        sides = self._side(0, i), self._side(1, j)
+        sides = _side(self.curves[0], i), _side(self.curves[1], j)
         for point in found.points:
             knots = self._knot(0, i, point.first), self._knot(1, j, point.second)
             if knots == (None, None):
@@ -441,23 +444,15 @@ class CollectedPoints:
             for group in groups
             if not self._ends_an_arc(group[0])
         ] + [self._at_knot([point]) for point in self.by_chord]
-        count = len(at_knots) + len(self.inner) + sum(len(found) for _, found in self.certain)
-        make, curves = partial(self._in_order, at_knots), None if self.alone else self.given
+        exact = [*at_knots, *starmap(self._inside, self.inner)]
+        count = len(exact) + sum(len(found) for _, found in self.certain) // OF_POINT
+        make = partial(_in_order, exact, self.given, self.curves, self.certain)
+        curves = None if self.alone else self.given
         return Intersections.late(count, make, tuple(self.arcs), undecided=tuple(self.undecided), curves=curves)
-
-    def _in_order(self, at_knots: list[Intersection]) -> tuple[Intersection, ...]:
-        """All common points, in the order of the first curve. An interrupt changes nothing."""
-        inner = [*self.inner]
-        for pair, found in self.certain:
-            alone = self.alone and pair[0] == pair[1]
-            forms = PairForm.of(self.segments[0][pair[0]], self.segments[-1][pair[1]], alone=alone)
-            inner += [(pair, forms.meeting(each)) for each in found]
-        points = [*at_knots, *starmap(self._inside, inner)]
-        return tuple(sorted(points, key=lambda point: point.first) if len(points) > 1 else points)
 
     def _inside(self, pair: tuple[int, int], point: Meeting) -> Intersection:
         times = point.multiplicity
-        parameters = _parameters(point, *(self._side(k, i) for k, i in enumerate(pair)))
+        parameters = _parameters(point, *(_side(self.curves[k], i) for k, i in enumerate(pair)))
         if self.in_space:
             return Intersection(*parameters, IntersectionKind.SPACE, None, self.given)
         kind = IntersectionKind.CROSSING if times is not None and times % 2 else IntersectionKind.TOUCHING
@@ -531,6 +526,27 @@ class CollectedPoints:
             half_branches(self._form(k, self._before(k, knot)), self._form(k, knot)) for k, knot in enumerate((s, t))
         )
         return interlace(one, other)
+
+
+def _in_order(
+    exact: list[Intersection],
+    given: tuple[Nurbs, Nurbs],
+    curves: Sequence[Nurbs],
+    certain: list[tuple[tuple[int, int], Sequence[float]]],
+) -> tuple[Intersection, ...]:
+    """The common points that are decided exactly, and those of pairs of segments that are certain in doubles, in the
+    order of the first curve. An interrupt changes nothing.
+    """
+    points, (one, other) = [*exact], (segments_of(curve).rows for curve in curves)
+    for (i, j), found in certain:
+        forms, sides = PairForm(one[i], other[j]), [_side(curve, k) for curve, k in zip(curves, (i, j), strict=True)]
+        parameters = (forms.parameters(point, *sides) for point in points_of(found))
+        points += [Intersection(*pair, IntersectionKind.CROSSING, 1, given) for pair in parameters]
+    return tuple(sorted(points, key=lambda point: point.first) if len(points) > 1 else points)
+
+
+def _side(curve: Nurbs, i: int) -> Interval:
+    return Interval(*curve.breakpoints[i : i + 2])
 
 
 def _parameters(point: Meeting, first: Interval, second: Interval) -> tuple[Real, Real]:

@@ -10,41 +10,41 @@ from exactspline.numbers.exact import mpq
 from exactspline.numbers.intervals import Interval
 from exactspline.numbers.once import cached_property
 from exactspline.polynomials.bezout import PlaneForms
-from exactspline.polynomials.common_arcs import Image, Meeting, RationalMap
+from exactspline.polynomials.common_arcs import Image, RationalMap
 from exactspline.polynomials.isolation import LocalPolynomial, LocalZero
 from exactspline.polynomials.plane_pairs import Elimination, elimination, self_elimination
 from exactspline.polynomials.zero_places import Place
 from exactspline.programs.certain_pairs import PairPoint
-from exactspline.roots.root import LazyRoot, Shrinking, Shrunk
-from exactspline.roots.segment_forms import SegmentRows
+from exactspline.reals.real import Real
+from exactspline.roots.root import LazyRoot, Root, Shrinking, Shrunk
+from exactspline.roots.segment_forms import ImageValue, SegmentRows
 
 
 @dataclass
 class PairForm:
-    """Bézout's determinant of two segments, and the map of the parameter."""
+    """Bézout's determinant of two segments, and the map of the parameter; of a segment and itself the determinant
+    without the pairs of equal parameters, which are not common points.
+    """
 
-    first: PlaneForms
-    second: PlaneForms
-    #: Whether both are the same segment, so that pairs of equal parameters are not common points.
-    alone: bool = False
-
-    @classmethod
-    def of(cls, first: SegmentRows, second: SegmentRows, *, alone: bool = False) -> PairForm:
-        """The form of two segments in the degrees in which they are given."""
-        one, other = (PlaneForms(n, *(fmpz_poly([*c]) for c in rows)) for n, rows in (first, second))
-        return cls(one, other, alone)
+    first: SegmentRows
+    second: SegmentRows
 
     @property
     def exchanged(self) -> bool:
         """Whether the second segment has the lower degree, so that its parameter is eliminated."""
-        return self.first.degree > self.second.degree
+        return self.first[0] > self.second[0]
+
+    @cached_property
+    def _segments(self) -> list[PlaneForms]:
+        """The forms of both segments in the degrees in which they are given."""
+        return [PlaneForms(n, *(fmpz_poly([*c]) for c in rows)) for n, rows in (self.first, self.second)]
 
     @cached_property
     def elimination(self) -> Elimination:
         """The matrix of the curve of lower degree."""
-        if self.alone:
-            return self_elimination(self.first)
-        return elimination(*((self.second, self.first) if self.exchanged else (self.first, self.second)))
+        if self.first is self.second:
+            return self_elimination(self._segments[0])
+        return elimination(*self._segments[:: -1 if self.exchanged else 1])
 
     @cached_property
     def form(self) -> LocalPolynomial:
@@ -69,7 +69,7 @@ class PairForm:
     @cached_property
     def _forms(self) -> list[tuple[fmpz_poly, fmpz_poly]]:
         """The six forms with their derivatives, first the forms of the first segment."""
-        return [(f, f.derivative()) for segment in (self.first, self.second) for f in segment.forms]
+        return [(f, f.derivative()) for segment in self._segments for f in segment.forms]
 
     def _closer(self, box: list[arb]) -> list[arb]:
         """A step towards the zero of ``x₁w₂ − x₂w₁`` and ``y₁w₂ − y₂w₁``."""
@@ -82,10 +82,12 @@ class PairForm:
         below = a * d - b * c
         return [middle[0] - (d * one - b * other) / below, middle[1] - (a * other - c * one) / below]
 
-    def meeting(self, found: PairPoint) -> Meeting:
-        """A common point."""
-        interval, k = (found.low, found.high), int(not self.exchanged)
-        shrinking = Shrinking([interval, found.other][:: 1 - 2 * k], self._closer)
-        place = Place(LazyRoot(self, found.number, found.before, interval, Shrunk(shrinking, k)))
-        meeting = Meeting(Image(place, self, Interval(*map(mpq, found.other)), Shrunk(shrinking, 1 - k)), place, 1)
-        return meeting.exchanged() if self.exchanged else meeting
+    def parameters(self, found: PairPoint, first: Interval, second: Interval) -> tuple[Real, Real]:
+        """The parameters of a common point of the segments over two intervals."""
+        interval, other, k = (found.low, found.high), (found.other_low, found.other_high), int(not self.exchanged)
+        shrinking = Shrinking([interval, other][:: 1 - 2 * k], self._closer)
+        zero = LazyRoot(self, int(found.number), int(found.before), interval, Shrunk(shrinking, k))
+        image = Image(Place(zero), self, Interval(*map(mpq, other)), Shrunk(shrinking, 1 - k))
+        if self.exchanged:
+            return Root(None, None, (1, 1), zero.signs, zero, first), ImageValue(image, second, first)
+        return ImageValue(image, first, second), Root(None, None, (1, 1), zero.signs, zero, second)

@@ -102,6 +102,8 @@ def intersections(first: Nurbs, second: Nurbs, *, offset: Number | tuple[Number,
     Source: Bézout's matrix as in Manocha and Demmel, Algorithms for intersecting parametric and algebraic curves I, ACM
     Transactions on Graphics 1994.
     """
+    if type(offset) is int and not offset:
+        return intersections_of_curves(*in_one_plane(curve_of(first), curve_of(second)))
     given = offset if isinstance(offset, tuple) else (offset, offset)
     if len(given) != 2:
         raise ShapeError(counted(len(given), "offset"), remedy="give one distance, or one for each curve")
