@@ -142,16 +142,16 @@ def _check_boxes(functions: Sequence[Net], tokens: Sequence[Any], regions: Seque
 def cut(box: Box, nets: Sequence[Net], direction: int) -> list[tuple[Box, list[Net]]]:
     """The upper and the lower half of a box, with the functions there."""
     low, high = box[direction]
-    middle, pairs = (low + high) / 2, [halves(net, direction) for net in nets]
+    middle, pairs = (low + high) / 2, [_halves(net, direction) for net in nets]
     sides = (middle, high), (low, middle)
     boxes = [(box[0], side) if direction else (side, box[1]) for side in sides]
     return [(half, [pair[end] for pair in pairs]) for half, end in zip(boxes, (1, 0), strict=True)]
 
 
-def halves(net: Net, direction: int) -> tuple[Net, Net]:
+def _halves(net: Net, direction: int) -> tuple[Net, Net]:
     """The Bernstein coefficients on both halves in a direction, up to a positive constant.
 
-    >>> halves([[0, 1], [2, 3]], 0)
+    >>> _halves([[0, 1], [2, 3]], 0)
     ([[0, 2], [2, 4]], [[2, 4], [4, 6]])
     """
     rows = [halves_at(row, HALF) for row in (net if direction else turned(net))]

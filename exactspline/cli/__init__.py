@@ -34,7 +34,7 @@ def _statuses(entry: Entry) -> str:
     return f"Exit status: 0 success;{one} 2 {entry.status_2}."
 
 
-class Commands(click.Group):
+class _Commands(click.Group):
     """A group of commands. Only the command that is called is imported; a misspelt name is answered by the nearest
     ones.
     """
@@ -53,7 +53,7 @@ class Commands(click.Group):
         if entry is None:
             return None
         if entry.commands:
-            return Commands(cmd_name, entry.short, entry.commands, epilog=_examples(entry.examples, "Examples"))
+            return _Commands(cmd_name, entry.short, entry.commands, epilog=_examples(entry.examples, "Examples"))
         from exactspline.cli.parameters import command_of
 
         made = named(f"exactspline.{entry.home}")
@@ -110,7 +110,7 @@ def _without_option(error: click.NoSuchOption) -> str:
 def _with_option(error: click.NoSuchOption) -> list[str]:
     """Other commands of the same group that have the option which this one lacks; at most two."""
     ctx = error.ctx.parent if error.ctx else None
-    if ctx is None or not isinstance(ctx.command, Commands):
+    if ctx is None or not isinstance(ctx.command, _Commands):
         return []
     others = [(name, ctx.command.get_command(ctx, name)) for name in ctx.command.list_commands(ctx)]
     found = [name for name, each in others if each and any(error.option_name in param.opts for param in each.params)]
@@ -148,7 +148,7 @@ def _eager(name: str, callback: Callable[..., None], help: str, **fields: object
     return click.Option([name], is_eager=True, expose_value=False, callback=callback, help=help, **fields)  # type: ignore[arg-type]  # what click takes
 
 
-app = Commands(
+app = _Commands(
     "exactspline",
     ABOUT,
     COMMANDS,

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from exactspline.splines.nurbs import Nurbs
 
 
-class Answer(NamedTuple):
+class _Answer(NamedTuple):
     """The result: as data, as tables, and as a drawing."""
 
     data: dict[str, Any]
@@ -91,7 +91,7 @@ def _coordinates(point: str) -> list[str]:
     return [x.strip() for x in point.split(",")]
 
 
-def _of_two(c: Nurbs, other: Nurbs, variant: str, digits: int) -> Answer:
+def _of_two(c: Nurbs, other: Nurbs, variant: str, digits: int) -> _Answer:
     from exactspline.display import bisector_data
     from exactspline.display.answer_forms import bisector_answer
     from exactspline.display.plot.anything import picture
@@ -107,7 +107,7 @@ def _of_two(c: Nurbs, other: Nurbs, variant: str, digits: int) -> Answer:
             raise FormulaError(f"the variant {variant!r} of a bisector in the plane", remedy="leave the variant out")
         flat = PlaneBisector(c, other)
         data = head | bisector_answer(flat, digits) | bisector_data.feet_data(flat, digits)
-        return Answer(
+        return _Answer(
             data,
             *bisector_data.of_plane_curves(flat, digits),
             title,
@@ -116,10 +116,10 @@ def _of_two(c: Nurbs, other: Nurbs, variant: str, digits: int) -> Answer:
     found = curve_bisector(c, other, variant or SurfaceVariant.MINIMAL)
     data = head | bisector_answer(found, digits)
     rows, notes = bisector_data.of_two_curves(found, digits)
-    return Answer(data, rows, notes, f"{title}, {found.variant}", partial(picture, "bisector of curves", found))
+    return _Answer(data, rows, notes, f"{title}, {found.variant}", partial(picture, "bisector of curves", found))
 
 
-def _of_point(c: Nurbs, point: list[str], variant: str, digits: int) -> Answer:
+def _of_point(c: Nurbs, point: list[str], variant: str, digits: int) -> _Answer:
     from exactspline.display import bisector_data
     from exactspline.display.answer_forms import bisector_answer
     from exactspline.display.plot.anything import picture
@@ -135,17 +135,17 @@ def _of_point(c: Nurbs, point: list[str], variant: str, digits: int) -> Answer:
         ruled = point_bisector(c, point, variant or "direct")
         data, title = head | bisector_answer(ruled, digits), f"{title} ({ruled.variant})"
         rows, notes = bisector_data.of_point_in_space(ruled, digits)
-        return Answer(data, rows, notes, title, partial(picture, "bisector of a point", ruled, c, point))
+        return _Answer(data, rows, notes, title, partial(picture, "bisector of a point", ruled, c, point))
     if variant:
         problem = f"the variant {variant!r} of a planar bisector"
         raise FormulaError(problem, remedy="leave the variant out: it is trimmed, in lowest terms")
     found = trimmed_bisector(c, point)
     data, title = head | bisector_answer(found, digits), f"{title}, trimmed"
     rows, notes = bisector_data.of_point_in_plane(found, digits)
-    return Answer(data, rows, notes, title, partial(picture, "trimmed bisector", found, c, point))
+    return _Answer(data, rows, notes, title, partial(picture, "trimmed bisector", found, c, point))
 
 
-def _print(out: Output, c: Nurbs, answer: Answer) -> None:
+def _print(out: Output, c: Nurbs, answer: _Answer) -> None:
     from exactspline.display import console
     from exactspline.display.bisector_data import bisector_sheet
     from exactspline.display.described import described

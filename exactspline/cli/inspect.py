@@ -215,7 +215,9 @@ def _see_that_they_fit(found: Sequence[Read], epsilon: str, emit_coq: str) -> No
         check_distance(epsilon)
 
 
-def _give(out: Output, inspected: list[Inspected], given: list[Nurbs], certificate: str, plot: str, title: str) -> None:
+def _give(
+    out: Output, inspected: list[_Inspected], given: list[Nurbs], certificate: str, plot: str, title: str
+) -> None:
     """Print and write the results, as the options ask."""
     from exactspline.display.features import feature_sheet
     from exactspline.interchange.curve_files import write_json
@@ -235,12 +237,12 @@ def _give(out: Output, inspected: list[Inspected], given: list[Nurbs], certifica
     )
 
 
-def _rows(inspected: list[Inspected]) -> Iterator[dict[str, Any]]:
+def _rows(inspected: list[_Inspected]) -> Iterator[dict[str, Any]]:
     """The results as data, each row with its own key."""
     yield from distinguish([each.data() for each in inspected])
 
 
-def _print_all(out: Output, inspected: list[Inspected]) -> None:
+def _print_all(out: Output, inspected: list[_Inspected]) -> None:
     from exactspline.display import console
     from exactspline.display.features import print_features, report_sheets, words_of
 
@@ -256,7 +258,7 @@ def _print_all(out: Output, inspected: list[Inspected]) -> None:
         console.legend(console.console(), ["κ", *["τ"] * in_space, *words])
 
 
-class Inspected(NamedTuple):
+class _Inspected(NamedTuple):
     """A curve that was read, the report about it, and the number of digits to print."""
 
     read: Read
@@ -281,7 +283,7 @@ class Inspected(NamedTuple):
         return sum(len(answer) for answer in self.report.answers.values() if isinstance(answer, Places))
 
 
-def _inspected(read: Read, digits: int, coordinates: bool, epsilon: str, stability: bool, with_all: bool) -> Inspected:
+def _inspected(read: Read, digits: int, coordinates: bool, epsilon: str, stability: bool, with_all: bool) -> _Inspected:
     """A curve with the report that the options ask for."""
     from exactspline.geometry.analysis.inspection import Report, inspect_curve
     from exactspline.numbers.exact import text
@@ -290,7 +292,7 @@ def _inspected(read: Read, digits: int, coordinates: bool, epsilon: str, stabili
     found = inspect_curve(read.curve).curve
     within = distance(epsilon, read.curve) if epsilon else None
     written = text(within) if within is not None and epsilon == WRITTEN else epsilon
-    return Inspected(read, Report(found, written, within, stability, coordinates, with_all), digits)
+    return _Inspected(read, Report(found, written, within, stability, coordinates, with_all), digits)
 
 
 def _proofs(curve: Nurbs) -> list[dict[str, object]]:

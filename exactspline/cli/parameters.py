@@ -35,7 +35,7 @@ class Option:
         self.min, self.max, self.completion = min, max, completion
 
 
-class Integer(click.IntRange):
+class _Integer(click.IntRange):
     """An integer in a range; the error for other text names the expected numbers."""
 
     def convert(self, value: object, param: click.Parameter | None, ctx: click.Context | None) -> int:
@@ -133,7 +133,7 @@ def _parameter(given: inspect.Parameter, hint: Any) -> click.Parameter:
     return click.Option(
         [given.name, *mark.names],
         multiple=several,
-        type=Integer(mark.min, mark.max) if number else str,
+        type=_Integer(mark.min, mark.max) if number else str,
         help=mark.help,
         metavar=mark.metavar,
         show_default=not several and bool(given.default) and not required,

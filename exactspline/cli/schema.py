@@ -20,14 +20,14 @@ class SchemaError(ExactSplineError):
 def schema(name: Annotated[str, Argument(help="The name of a schema; by default the names are listed.")] = "") -> None:
     """Print the JSON Schema of what a command prints with --json."""
     if not name:
-        print_json({"version": VERSION, "schemas": sorted([*schemas(), LINE])})
+        print_json({"version": VERSION, "schemas": sorted([*_schemas(), LINE])})
         return
     from exactspline.batch.lines import line_schema
 
-    print_json(line_schema() if name == LINE else schema_of(name))
+    print_json(line_schema() if name == LINE else _schema_of(name))
 
 
-def schemas() -> dict[str, dict[str, dict[str, object]]]:
+def _schemas() -> dict[str, dict[str, dict[str, object]]]:
     """The fields of a row, for every schema by its name."""
     from importlib import resources
 
@@ -36,11 +36,11 @@ def schemas() -> dict[str, dict[str, dict[str, object]]]:
 
     text = resources.files(__package__).joinpath("schemas.json").read_text(encoding="utf-8")
     found = {name: _fields(by_type) for name, by_type in json.loads(text).items()}
-    found["inspect"] |= answers("plane curve", "space curve")
-    found["inspect surface"] |= answers("surface in space", "map of a rectangle into the plane")
+    found["inspect"] |= _answers("plane curve", "space curve")
+    found["inspect surface"] |= _answers("surface in space", "map of a rectangle into the plane")
     # a row may also be the bisector of a point and a curve
-    found["bisector"] |= {name: field | {"optional": True} for name, field in answers("pair of space curves").items()}
-    found["between"] |= answers("two curves")
+    found["bisector"] |= {name: field | {"optional": True} for name, field in _answers("pair of space curves").items()}
+    found["between"] |= _answers("two curves")
     for name, fields in FORMS_BESIDE.items():
         found[name] |= {field: form.schema | {"optional": True} for field, form in fields.items()}
     forms = [form_of(entry).schema for entries in REGISTRY.values() for entry in entries.values()]
@@ -73,7 +73,7 @@ def _form(kind: str) -> dict[str, object]:
     return {"type": types if len(types) > 1 else head} | ({inside: _form(element)} if element else {})
 
 
-def answers(*of: str) -> dict[str, dict[str, object]]:
+def _answers(*of: str) -> dict[str, dict[str, object]]:
     """The fields of an inspection of these kinds of objects: the questions that it answers, each with the form of its
     answer. A question that is not asked about all of the kinds is optional.
     """
@@ -92,15 +92,15 @@ def answers(*of: str) -> dict[str, dict[str, object]]:
     }
 
 
-def schema_of(name: str) -> dict[str, object]:
+def _schema_of(name: str) -> dict[str, object]:
     """The JSON Schema of a document with the fields ``schema``, ``version``, ``releases`` and ``rows``.
 
-    >>> schema_of("glossary")["properties"]["rows"]["items"]["required"]
+    >>> _schema_of("glossary")["properties"]["rows"]["items"]["required"]
     ['key', 'meaning']
 
     Raises `SchemaError` with the nearest names.
     """
-    known = schemas()
+    known = _schemas()
     if name not in known:
         raise SchemaError(
             f"there is no schema called {name!r}", remedy=nearest(name, [*known, LINE], listed_by="schema")

@@ -352,7 +352,7 @@ def _degree_of(value: SplineVector | Rational[TensorSpline]) -> str:
     return f"{d[0]} × {d[1]}" if isinstance(d, tuple) else str(d)
 
 
-def control_points(value: Rational[TensorSpline]) -> int:
+def _control_points(value: Rational[TensorSpline]) -> int:
     """The number of control points of a patch."""
     m, n = value.vector[0].elevated_to(value.denominator).control_point_counts
     return int(m * n)
@@ -470,7 +470,7 @@ def _closing(found: CurveBisector) -> str:
 
 
 def _surface_row(patch: BisectorPatch) -> Row:
-    remark = counted(control_points(patch.value), "control point")
+    remark = counted(_control_points(patch.value), "control point")
     if max(patch.value.degree) == 0:
         point = patch.value.point(patch.sides[0][0], patch.sides[1][0])
         remark = f"one point: ({', '.join(map(short_text, point))})"

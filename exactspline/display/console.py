@@ -47,7 +47,7 @@ def _by_term(topics: Mapping[str, Mapping[str, str]]) -> dict[str, str]:
 
 
 @cache
-def terms() -> dict[str, str]:
+def _terms() -> dict[str, str]:
     """Every term with its meaning."""
     return _by_term(glossary())
 
@@ -60,7 +60,7 @@ def meaning(term: str) -> str:
 
     Raises `GlossaryError` with the nearest terms.
     """
-    known = terms()
+    known = _terms()
     for each in (term, *[name for name in known if name.lower() == term.lower()]):
         if each in known:
             return known[each]

@@ -35,7 +35,7 @@ def figures() -> dict[int, Callable[[], Drawn]]:
 
 
 @dataclass
-class Made:
+class _Made:
     """A figure written to files: its caption and the files."""
 
     number: int
@@ -55,7 +55,9 @@ def folder(path: str | Path) -> Path:
     return place
 
 
-def make(number: int, folder: str | Path, drawn: Drawn | None = None, suffixes: Sequence[str] = ("svg", "png")) -> Made:
+def make(
+    number: int, folder: str | Path, drawn: Drawn | None = None, suffixes: Sequence[str] = ("svg", "png")
+) -> _Made:
     """Draw one figure, unless it is given, and write it into a folder: as SVG and PNG, or as one of them, and its
     surfaces as an interactive page.
 
@@ -66,7 +68,7 @@ def make(number: int, folder: str | Path, drawn: Drawn | None = None, suffixes: 
         remedy = f"figures are {', '.join(map(str, figures()))}"
         raise PlotError(f"the paper has no Figure {number}", where="figure", remedy=remedy)
     figure, caption, scenes = drawn or figures()[number]()
-    made = Made(number, caption)
+    made = _Made(number, caption)
     for suffix in suffixes:
         place = Path(folder) / f"figure{number}.{suffix}"
         save(figure, place)

@@ -92,7 +92,7 @@ def witness(row: Row, numbers: Numbers = EXACT) -> str:
     return "" if said else worded(row.witness, numbers)
 
 
-def recorded(row: Row) -> str:
+def _recorded(row: Row) -> str:
     """The recorded verdicts."""
     return " or ".join(row.expected)
 
@@ -121,7 +121,7 @@ def row_data(row: Row) -> dict[str, object]:
         "witness": worded(finding.witness),
         "verdict": finding.verdict,
         "reason": finding.reason or "",
-        "expected": recorded(row),
+        "expected": _recorded(row),
         "seconds": row.seconds,
     }
 
@@ -131,7 +131,7 @@ def ledger(rows: Iterable[Row], title: str = "", numbers: Numbers = EXACT, *, na
     columns = ("verdict", "claim", "statement", "found", "witness", *((judge,) if judge else ()))
     cells = []
     for row in rows:
-        mark = "" if row.as_recorded else f" (recorded: {recorded(row)})"
+        mark = "" if row.as_recorded else f" (recorded: {_recorded(row)})"
         says = (opinion(row.second),) if judge else ()
         cells.append((row.verdict + mark, row.id, row.statement, found(row), witness(row, numbers), *says))
     return Sheet(*columns, rows=cells, title=title, name=name, prose=columns[2:], heads=2)

@@ -209,7 +209,7 @@ def _not_entered(claims: Sequence[Claim], sources: Iterable[Paper]) -> str:
     return f"<h2>What was not entered</h2>{definitions(lines)}"
 
 
-def digest_of(rows: Iterable[Row]) -> str:
+def _digest_of(rows: Iterable[Row]) -> str:
     """A digest of the sorted lines ``paper/key, curve, verdict``: runs with the same verdicts have the same digest."""
     return sha256("\n".join(sorted(f"{r.paper}/{r.key}, {r.curve}, {r.verdict}" for r in rows)).encode()).hexdigest()
 
@@ -218,7 +218,7 @@ def _versions(rows: Iterable[Row]) -> str:
     lines = [
         ("date", datetime.now(UTC).isoformat(" ", "minutes")),
         ("command", shlex.join([command_name(), *sys.argv[1:]])),
-        ("digest of the verdicts", digest_of(rows)),
+        ("digest of the verdicts", _digest_of(rows)),
         *all_releases().items(),
     ]
     return table(lines)

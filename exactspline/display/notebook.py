@@ -71,7 +71,7 @@ def html(x: object) -> str | None:
     return None
 
 
-def facts(title: str, lines: list[tuple[str, str]], picture: str = "") -> str:
+def _facts(title: str, lines: list[tuple[str, str]], picture: str = "") -> str:
     """Lines of HTML next to a picture."""
     rows = "".join(
         f'<tr><td style="text-align:left;white-space:nowrap">{escape(name)}</td>'
@@ -82,7 +82,7 @@ def facts(title: str, lines: list[tuple[str, str]], picture: str = "") -> str:
     return f'<div style="display:flex;flex-wrap:wrap;gap:1em;align-items:center;margin:.8em 0">{picture}{table}</div>'
 
 
-def numbers(values: Iterable[mpq]) -> str:
+def _numbers(values: Iterable[mpq]) -> str:
     """The first exact numbers of a list, long ones shortened."""
     values = list(values)
     parts = [_short(x) for x in values[:SHOWN]]
@@ -91,15 +91,15 @@ def numbers(values: Iterable[mpq]) -> str:
 
 @html.register
 def _(f: BSpline) -> str:
-    points = f"{len(f.control_points)}: {numbers(f.control_points)}"
+    points = f"{len(f.control_points)}: {_numbers(f.control_points)}"
     inner = f", smallest continuity {min(f.continuity)}" if f.continuity else ""
     lines = [
         ("domain", str(f.domain)),
         ("control points", points),
-        ("knots", numbers(f.knots.knots)),
+        ("knots", _numbers(f.knots.knots)),
         ("segments", f"{len(f.mesh)}{inner}"),
     ]
-    return facts(f"B-spline function of degree {f.degree}", lines, graph_picture(f))
+    return _facts(f"B-spline function of degree {f.degree}", lines, _graph_picture(f))
 
 
 @html.register
@@ -111,9 +111,9 @@ def _(c: Nurbs) -> str:
         ("domain", f"{c.domain}, {counted(c.segments, 'segment')}"),
         ("control points", f"{len(c.control_points)}: {points}{more}"),
     ]
-    lines += [] if c.polynomial else [("weights", numbers(c.weights))]
-    lines += [("knots", numbers(c.knots.knots))] + ([("note", escape(c.note))] if c.note else [])
-    return facts(f"{c.name or 'curve'}: {kind} curve of degree {c.degree} in R{c.dimension}", lines, curve_picture(c))
+    lines += [] if c.polynomial else [("weights", _numbers(c.weights))]
+    lines += [("knots", _numbers(c.knots.knots))] + ([("note", escape(c.note))] if c.note else [])
+    return _facts(f"{c.name or 'curve'}: {kind} curve of degree {c.degree} in R{c.dimension}", lines, _curve_picture(c))
 
 
 def _described(value: Any) -> str:
@@ -137,7 +137,7 @@ def _parts(value: Any) -> list[Any]:
 @html.register(RuledSurface)
 def _(value: Any) -> str | None:
     described = _described(value)
-    return facts(described, []) if described and mathematics(value) is None else None
+    return _facts(described, []) if described and mathematics(value) is None else None
 
 
 def _isolating(root: Root) -> str:
@@ -187,7 +187,7 @@ def _(r: Row) -> str:
 @html.register
 def _(d: Derived) -> str:
     lines = [(f"on {p.interval}", escape(short(p.value))) for p in d.pieces]
-    return facts(
+    return _facts(
         f"{d.name}, {d.variant}",
         lines
         + [(f"missing on {interval}", escape(reason.words)) for interval, reason in d.missing]
@@ -205,7 +205,7 @@ def _(found: Any) -> str:
         for name, entry in questions_of(type(found)).items()
         if entry.about.reported and kind_of(found) in entry.about.of
     ]
-    return facts(repr(of)[1:-1], lines, curve_picture(of) if isinstance(found, Analysis) else "")
+    return _facts(repr(of)[1:-1], lines, _curve_picture(of) if isinstance(found, Analysis) else "")
 
 
 def _side_lines(sides: tuple[ClaimSide, ...]) -> list[tuple[str, str]]:
@@ -216,7 +216,7 @@ def _side_lines(sides: tuple[ClaimSide, ...]) -> list[tuple[str, str]]:
 
 @html.register
 def _(c: Claim) -> str:
-    return facts(f"{c.id}, {c.source}", [*_claim_lines(c, c.latex), *_side_lines(sides(c)), ("recorded", c.expected)])
+    return _facts(f"{c.id}, {c.source}", [*_claim_lines(c, c.latex), *_side_lines(sides(c)), ("recorded", c.expected)])
 
 
 def _claim_lines(c: Claim, statement_latex: str) -> list[tuple[str, str]]:
@@ -235,7 +235,7 @@ def _(e: Erratum) -> str:
             ("check", f"<code>{'<br>'.join(map(breakable, each.check))}</code>"),
         ]
     lines += [("true", escape(true_text(each))) for each in e.truth] + [("why", escape(line)) for line in e.why]
-    return facts(f"{e.id}: {e.title}", [line for line in lines if line[1]])
+    return _facts(f"{e.id}: {e.title}", [line for line in lines if line[1]])
 
 
 @html.register
@@ -247,7 +247,7 @@ def _(read: ReadingAlong) -> str:
 def _(s: Statement) -> str:
     said = [(name, breakable(value)) for name, value in fields(s) if name in SAID]
     lines = [*_claim_lines(s.claim, s.latex), *_side_lines(s.sides), *said]
-    return facts(f"{s.claim.id}, {s.claim.source}", lines)
+    return _facts(f"{s.claim.id}, {s.claim.source}", lines)
 
 
 def short(x: object) -> str:
@@ -307,11 +307,11 @@ INK = "currentColor"
 VIEW = ((mpq(4, 5), mpq(-3, 5), mpq(0)), (mpq(-1, 4), mpq(-1, 3), mpq(9, 10)))
 
 
-def curve_picture(curve: Nurbs) -> str:
+def _curve_picture(curve: Nurbs) -> str:
     """A curve in the plane or (in a fixed view) in space, with its control polygon; empty for other dimensions.
 
     >>> from exactspline.interchange.examples import example
-    >>> curve_picture(example("circle")).count("<polyline")
+    >>> _curve_picture(example("circle")).count("<polyline")
     5
     """
     if curve.dimension not in (2, 3):
@@ -321,7 +321,7 @@ def curve_picture(curve: Nurbs) -> str:
     return _svg(runs, polygons(curve.knots.knots, curve.degree, control), "a curve and its control polygon", equal=True)
 
 
-def graph_picture(f: BSpline) -> str:
+def _graph_picture(f: BSpline) -> str:
     """The graph of a scalar spline with its control polygon, unless the polygon is far larger than the graph; empty for
     a degree below 0.
     """

@@ -25,7 +25,7 @@ from exactspline.roots.answers import Answer, CurvePiece
 NUMBER = Real | type(mpq())
 
 
-class Record(NamedTuple):
+class _Record(NamedTuple):
     """One thing of an answer: its kind, and its numbers and words by name."""
 
     what: str
@@ -37,7 +37,7 @@ def answer_data(asked: Asked, digits: int) -> object:
     return form_of(asked.entry).write(placed(asked.facts, asked.answer), digits)
 
 
-def records(asked: Asked) -> list[Record]:
+def records(asked: Asked) -> list[_Record]:
     """The records of an answer, one for each thing in it.
 
     >>> from exactspline import example
@@ -47,25 +47,25 @@ def records(asked: Asked) -> list[Record]:
     return _records_of(form_of(asked.entry), placed(asked.facts, asked.answer), asked.entry.name)
 
 
-def _records_of(form: Form, value: object, name: str) -> list[Record]:
+def _records_of(form: Form, value: object, name: str) -> list[_Record]:
     what = name.removesuffix("_within")
     return [*_records(form, value, what if form.elements is None else what.removesuffix("s"))]
 
 
-def _records(form: Form, value: object, what: str) -> Iterator[Record]:
+def _records(form: Form, value: object, what: str) -> Iterator[_Record]:
     if form.elements is None:
         values = dict(form.leaves(value))
         kind = str(values.pop("kind", values.pop("what", what)))
         # an absent thing has neither numbers nor a kind
         if values or kind != what:
-            yield Record(kind.replace("_", " "), {name or "value": x for name, x in values.items()})
+            yield _Record(kind.replace("_", " "), {name or "value": x for name, x in values.items()})
         return
     for group, element, each in form.elements(value):
         own = what if group in ("", "points") else group.removesuffix("s")
         yield from _records(element if element.divided else replace(element, elements=None), each, own)
 
 
-def answer_sheet(title: str, found: list[Record], digits: int) -> Sheet:
+def answer_sheet(title: str, found: list[_Record], digits: int) -> Sheet:
     """An answer as a table: one row for each number, with its exact value if that is short and with the nearest double,
     and one row for the words.
     """

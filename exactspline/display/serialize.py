@@ -208,7 +208,7 @@ class Net(NamedTuple):
         return [x for (x,) in self.points] if self.kind == "function" else self.points
 
 
-class ControlPoint(NamedTuple):
+class _ControlPoint(NamedTuple):
     """A control point of a curve, or a direction, with its weight."""
 
     kind: str
@@ -240,7 +240,7 @@ CURVE = replace(
         control_points=(
             list_of(record(kind=TEXT, point=POINT, weight=REAL)),
             lambda curve: [
-                ControlPoint("direction" if isinstance(point, Direction) else "control point", tuple(point), weight)
+                _ControlPoint("direction" if isinstance(point, Direction) else "control point", tuple(point), weight)
                 for point, weight in zip(curve.control_points, curve.weights, strict=True)
             ],
         ),

@@ -129,7 +129,7 @@ def breakable(text: str) -> str:
     )
 
 
-class Decided(Grid):
+class _Decided(Grid):
     """A table of decided statements, with a column of verdicts."""
 
     def html(self) -> str:
@@ -144,7 +144,7 @@ class Decided(Grid):
         return f"{self._table(others) if others else ''}<details>{summary}{self._table(holds)}</details>"
 
 
-class Verdicts(Decided):
+class Verdicts(_Decided):
     """The rows of a ledger as a table; `rows_of_ledger` are the rows themselves."""
 
     def __init__(self, rows: Iterable[Row]) -> None:
@@ -258,7 +258,7 @@ def reduction_table(*names: str) -> Grid:
     return Grid(["formula", "part", "naive", "cancelled", "remaining factor", "its degree", "true degree"], rows)
 
 
-class PrintedNumbers(Decided):
+class PrintedNumbers(_Decided):
     """Printed numbers next to the computed ones."""
 
     def __init__(self, statements: Iterable[Statement]) -> None:

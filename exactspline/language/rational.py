@@ -38,7 +38,7 @@ T = TypeVar("T", bound=Counted)
 MOST_FACTORS = 1024
 
 
-class Product(Generic[T]):
+class _Product(Generic[T]):
     """A denominator: a product of operands, expanded on first use; `factors` are the original operands."""
 
     __slots__ = ("_value", "factors", "parts")
@@ -48,10 +48,10 @@ class Product(Generic[T]):
         self.factors: tuple[T, ...] = parts if factors is None else factors
         self._value: T | None = None
 
-    def __mul__(self, other: Product[T]) -> Product[T]:
-        return Product(*self.unexpanded(), *other.unexpanded(), factors=self.factors + other.factors)
+    def __mul__(self, other: _Product[T]) -> _Product[T]:
+        return _Product(*self.unexpanded(), *other.unexpanded(), factors=self.factors + other.factors)
 
-    def missing(self, other: Product[T]) -> list[T]:
+    def missing(self, other: _Product[T]) -> list[T]:
         """The factors of another product that this one lacks, with multiplicity."""
         rest = list(self.factors)
         lacking = []
@@ -67,7 +67,7 @@ class Product(Generic[T]):
         """The factors that must be multiplied to obtain the value of the product."""
         return self.parts if self._value is None else (self._value,)
 
-    def same(self, other: Product[T]) -> bool:
+    def same(self, other: _Product[T]) -> bool:
         """Whether two denominators are structurally the same product."""
         return self is other or _agree(self.value, other.value)
 
@@ -112,10 +112,10 @@ class Rational(Immutable, Operand, OwnProducts, OwnJoining, Generic[T]):
 
     __slots__ = ("numerator", "product")
     numerator: T | Vector[T]
-    product: Product[T]
+    product: _Product[T]
 
-    def __init__(self, numerator: T | Vector[T], denominator: T | Product[T], *further: T) -> None:
-        product = denominator if isinstance(denominator, Product) else Product(denominator, *further)
+    def __init__(self, numerator: T | Vector[T], denominator: T | _Product[T], *further: T) -> None:
+        product = denominator if isinstance(denominator, _Product) else _Product(denominator, *further)
         fill(self, numerator=numerator, product=product)
 
     def __reduce__(self) -> tuple[object, ...]:
@@ -276,11 +276,11 @@ class Rational(Immutable, Operand, OwnProducts, OwnJoining, Generic[T]):
         if isinstance(other, CONSTANTS):
             return self.scaled(1 / mpq(other))
         if isinstance(other, Rational):
-            return Rational(self.numerator * other.denominator, self.product * Product(other.scalar))
+            return Rational(self.numerator * other.denominator, self.product * _Product(other.scalar))
         if not isinstance(other, Operand):
             return NotImplemented
         factor: Any = other
-        return Rational(self.numerator, self.product * Product(factor))
+        return Rational(self.numerator, self.product * _Product(factor))
 
     def dividing(self, numerator: object) -> Rational[T]:
         """Return the quotient of `numerator`, an operand or a vector that is not a quotient, by this quotient."""
@@ -314,7 +314,7 @@ class Rational(Immutable, Operand, OwnProducts, OwnJoining, Generic[T]):
         for _ in range(order):
             p: Any = result.numerator
             w = result.denominator
-            product = Product(w, w, factors=result.product.factors * 2)
+            product = _Product(w, w, factors=result.product.factors * 2)
             result = Rational((p.d(1, by=by) * w - p * w.d(1, by=by)).elevated_to(product.value), product)
         return result
 
@@ -324,7 +324,9 @@ class Rational(Immutable, Operand, OwnProducts, OwnJoining, Generic[T]):
             return self, Rational(cast(Any, other) * self.denominator, self.product)
         mine, its = self.product.missing(other.product), other.product.missing(self.product)
         shared = (
-            Product(*self.product.unexpanded(), *mine, factors=(*self.product.factors, *mine)) if mine else self.product
+            _Product(*self.product.unexpanded(), *mine, factors=(*self.product.factors, *mine))
+            if mine
+            else self.product
         )
         return Rational(_all_times(self.numerator, mine), shared), Rational(_all_times(other.numerator, its), shared)
 
@@ -342,9 +344,9 @@ class Rational(Immutable, Operand, OwnProducts, OwnJoining, Generic[T]):
         """Return one quotient with the components of all parts and a common denominator."""
         one = self.denominator.constant(1)
         first, *rest = [one.scaled(part) if isinstance(part, CONSTANTS) else part for part in parts]
-        joined, product = _components(first), first.product if isinstance(first, Rational) else Product(one)
+        joined, product = _components(first), first.product if isinstance(first, Rational) else _Product(one)
         for part in rest:
-            denominator = part.product if isinstance(part, Rational) else Product(one)
+            denominator = part.product if isinstance(part, Rational) else _Product(one)
             if not isinstance(part, Rational):
                 joined += [a * product.value for a in _components(part)]
             elif denominator.same(product):
@@ -400,7 +402,7 @@ def _fits(other: object) -> bool:
 
 
 def _all_times(a: Any, factors: list[Any]) -> Any:
-    return a * Product(*factors).value if factors else a
+    return a * _Product(*factors).value if factors else a
 
 
 def _times(a: Any, b: Any) -> Any:

@@ -83,7 +83,7 @@ class SurfaceKind(Kind):
 SURFACE, PLANAR_MAP = SurfaceKind("surface", 3), SurfaceKind("planar map", 2)
 
 
-class SurfaceCurve(Surface[T], Generic[T]):
+class _SurfaceCurve(Surface[T], Generic[T]):
     """A curve on a surface: ``gamma`` is S at the parameters ``u`` and ``v``, two functions of the curve's parameter.
 
     Derivatives with respect to u and v are those of the surface; derivatives that name no parameter are taken along the
@@ -106,14 +106,14 @@ class SurfaceCurve(Surface[T], Generic[T]):
         """The operands of the surface, and the parameters."""
         return super().operands() | {"u": self.u, "v": self.v}
 
-    def copied(self) -> SurfaceCurve[T]:
+    def copied(self) -> _SurfaceCurve[T]:
         """A new curve with the same operands."""
-        return SurfaceCurve(self.p, self.w, self.u, self.v, polynomial=self.polynomial)
+        return _SurfaceCurve(self.p, self.w, self.u, self.v, polynomial=self.polynomial)
 
-    def mapped(self, change: Callable[[T], U]) -> SurfaceCurve[U]:
+    def mapped(self, change: Callable[[T], U]) -> _SurfaceCurve[U]:
         """The curve with `change` applied to every operand."""
         w, u, v = change(self.w), change(self.u), change(self.v)
-        return SurfaceCurve(self.p.mapped(change), w, u, v, polynomial=self.polynomial)
+        return _SurfaceCurve(self.p.mapped(change), w, u, v, polynomial=self.polynomial)
 
 
 class SurfaceCurveKind(Kind):
@@ -141,7 +141,7 @@ class SurfaceCurveKind(Kind):
     def of_operands(self, named: Mapping[str, T], dimension: int, one: T) -> Evaluated:
         """The curve on the surface."""
         p = Vector(*[named[name] for name in COORDINATES[:dimension]])
-        return SurfaceCurve(p, named.get("w", one), named["u"], named["v"], polynomial="w" not in named)
+        return _SurfaceCurve(p, named.get("w", one), named["u"], named["v"], polynomial="w" not in named)
 
 
 class FormsKind(Kind):

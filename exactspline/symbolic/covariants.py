@@ -95,7 +95,7 @@ def true_degree(jets: Jet | Iterable[Jet], parameter: Parameter = Parameter.FIRS
     parts = [jet for jet in ([jets] if isinstance(jets, Jet) else jets) if not jet.is_zero]
     if not parts:
         raise FormulaError("the zero polynomial has no degree", remedy="give a nonzero polynomial")
-    gradings = {grading(jet, parameter) for jet in parts}
+    gradings = {_grading(jet, parameter) for jet in parts}
     if len(gradings) > 1:
         problem = f"components with the gradings {sorted(gradings)}"
         raise FormulaError(problem, remedy="a vector has degree and weight only if those of all components agree")
@@ -178,7 +178,7 @@ def _graded(jet: Jet, parameter: Parameter) -> list[tuple[tuple[int, int], Jet]]
     return [(known, Jet(jet.ring, jet.ring.context.from_dict(terms))) for known, terms in sorted(parts.items())]
 
 
-def grading(jet: Jet, parameter: Parameter = Parameter.FIRST) -> tuple[int, int]:
+def _grading(jet: Jet, parameter: Parameter = Parameter.FIRST) -> tuple[int, int]:
     """Degree k and weight m in the functions of a parameter; raises `FormulaError` if it is not homogeneous in both."""
     if (known := _homogeneous(jet, parameter)) is not None:
         return known

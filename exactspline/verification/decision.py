@@ -57,7 +57,7 @@ class Outcome(Enum):
 
 
 @dataclass(frozen=True)
-class Decision:
+class _Decision:
     """How two sides compare, and the component in which they differ: by `difference` over the product of `divisors`."""
 
     outcome: Outcome
@@ -102,7 +102,7 @@ class Equation:
         """Both sides, and the formulas in the factor."""
         return (self.left, self.right, *factor_formulas(self.factor, self.find))
 
-    def compare(self, c: Evaluated) -> Decision:
+    def compare(self, c: Evaluated) -> _Decision:
         """The comparison of the sides."""
         return decide_identity(self.left(c), self.right(c), factor_of_text(self.factor, c, self.find))
 
@@ -277,7 +277,7 @@ class SquaresAddUp:
         return Finding(REFUTED, Fact.OTHER_SQUARES)
 
 
-def decide_identity(left: Value, right: Value, factor: tuple[Value, Value] | None = None) -> Decision:
+def decide_identity(left: Value, right: Value, factor: tuple[Value, Value] | None = None) -> _Decision:
     """Whether one value is another value times a factor, which is given as numerator and denominator (None: 1).
 
     >>> from exactspline.papers import find
@@ -293,21 +293,21 @@ def decide_identity(left: Value, right: Value, factor: tuple[Value, Value] | Non
     parts = [(None, None)] * 2 if factor is None else [_parts(each) for each in factor]
     (top, above), (bottom, below) = parts
     if any(each is not None and _vanishes(each) for each in (k, m)):
-        return Decision(Outcome.NO_SIDE)
+        return _Decision(Outcome.NO_SIDE)
     nothing = top is not None and top[0].is_zero
     if all(x.is_zero for x in ps) and (nothing or all(x.is_zero for x in qs)):
-        return Decision(Outcome.NOTHING)
+        return _Decision(Outcome.NOTHING)
     if any(each is not None and _vanishes(each) for each in (above, below, bottom and bottom[0])):
-        return Decision(Outcome.NO_FACTOR)
+        return _Decision(Outcome.NO_FACTOR)
     if len(ps) != len(qs):
-        return Decision(Outcome.UNLIKE)
+        return _Decision(Outcome.UNLIKE)
     for i, (p, q) in enumerate(zip(ps, qs, strict=True)):
         ours = _product(p, m, bottom and bottom[0], above)
         theirs = _product(q, k, top and top[0], below)
         if not (difference := ours - theirs).is_zero:
             divisors = [each for each in (k, m, bottom and bottom[0], above) if each is not None]
-            return Decision(Outcome.DIFFERENT, i, difference, divisors)
-    return Decision(Outcome.EQUAL)
+            return _Decision(Outcome.DIFFERENT, i, difference, divisors)
+    return _Decision(Outcome.EQUAL)
 
 
 def _ruled(formula: Formula, c: Evaluated) -> RuledSurface[Any]:

@@ -123,7 +123,7 @@ def is_tried_whole(surface: NurbsSurface) -> bool:
     return m * n <= PATCHES
 
 
-class Given(NamedTuple):
+class _Given(NamedTuple):
     """The argument of formulas of a kind on one curve or surface, with a description of the additional operands, and of
     the part of all such arguments that it represents (None if it is the only argument).
     """
@@ -133,7 +133,7 @@ class Given(NamedTuple):
     part: Evidence | None = None
 
 
-def argument(kind: str, curve: Nurbs | NurbsSurface) -> Given:
+def argument(kind: str, curve: Nurbs | NurbsSurface) -> _Given:
     """The argument of formulas of a kind on one curve or surface.
 
     Raises `InapplicableError` for a kind of which a single curve or surface is not an example.
@@ -145,11 +145,11 @@ def argument(kind: str, curve: Nurbs | NurbsSurface) -> Given:
                 f"one surface is not an example of {str(kind)!r}", remedy="such claims are decided for all"
             )
         if is_tried_whole(curve):
-            return Given(curve)
+            return _Given(curve)
         (a, b, *_), (c, d, *_) = (mesh.breaks for mesh in curve.meshes)
-        return Given(curve.mapped(lambda f: f.restrict((a, b), (c, d))), Fact.FIRST_PATCH, Fact.FIRST_PATCH)
+        return _Given(curve.mapped(lambda f: f.restrict((a, b), (c, d))), Fact.FIRST_PATCH, Fact.FIRST_PATCH)
     if isinstance(asked, PairKind):
-        return Given(pair_with(curve), Fact.FIRST_SEGMENTS, Fact.FIRST_SEGMENTS)
+        return _Given(pair_with(curve), Fact.FIRST_SEGMENTS, Fact.FIRST_SEGMENTS)
     if not isinstance(asked, (CurveKind, HodographKind)):
         raise InapplicableError(
             f"one curve is not an example of {str(kind)!r}", remedy="such claims are decided for all curves"
@@ -169,10 +169,10 @@ def argument(kind: str, curve: Nurbs | NurbsSurface) -> Given:
     constants = {name: curve.w.constant(value) for name, value in values.items()}
     chosen = Chosen(point, tuple((Name(name), value) for name, value in values.items())) if point or values else None
     if isinstance(asked, HodographKind):
-        return Given(with_hodograph(curve, constants), Fact.AS_HODOGRAPH, chosen)
+        return _Given(with_hodograph(curve, constants), Fact.AS_HODOGRAPH, chosen)
     if constants:
         handed = Accompanied(handed, constants)
-    return Given(handed, chosen, chosen)
+    return _Given(handed, chosen, chosen)
 
 
 def free_operands(kind: str) -> AnyOperands | None:
@@ -226,14 +226,14 @@ class Evaluation:
 
     def __init__(self, curve: Nurbs | NurbsSurface | Operands) -> None:
         self.curve: Any = curve
-        self._arguments: dict[str, Given] = {}
+        self._arguments: dict[str, _Given] = {}
         self._pair: Evaluated | None = None
         self._failing: dict[tuple[str, Assumption], AssumptionFails | None] = {}
 
-    def given(self, kind: str) -> Given:
+    def given(self, kind: str) -> _Given:
         """The argument of formulas of a kind, which memoizes their values, with its description."""
         if kind == ArgumentKind.TABLE:
-            return Given(self.curve)
+            return _Given(self.curve)
         if kind not in self._arguments:
             given = argument(kind, self.curve)
             made = self._bare if given.argument is self.curve else given.argument.remembering()

@@ -144,7 +144,7 @@ class Row(Displayed):
         return self.verdict == NOT_ASKED and not self.as_recorded
 
 
-def row(
+def _row(
     claim: Claim,
     reading: Name,
     finding: Finding,
@@ -316,7 +316,7 @@ def decide(claim: Claim, proofs: Proofs | None = None, limit: int | None = None)
             reading, finding = made[expect_claim(claim)]
     except ReachError as error:
         reading, finding = claim.reading, undecided(error)
-    return row(claim, reading, finding, perf_counter() - start)
+    return _row(claim, reading, finding, perf_counter() - start)
 
 
 def checked(claim: Claim, own: Evaluation, name: Name, proofs: Proofs, limit: int | None = None) -> Row:
@@ -329,7 +329,7 @@ def checked(claim: Claim, own: Evaluation, name: Name, proofs: Proofs, limit: in
         finding = undecided(error)
     is_example = bool(claim.source_paper.package) and name in example_names() and own.curve is example(name)
     beside, seconds = claim.beside(own), perf_counter() - start
-    return row(claim, SPLINE, finding, seconds, curve=name, beside=beside, is_example=is_example)
+    return _row(claim, SPLINE, finding, seconds, curve=name, beside=beside, is_example=is_example)
 
 
 def _found_on(claim: Claim, own: Evaluation, proofs: Proofs) -> Finding:

@@ -28,7 +28,7 @@ CURVES = {2: ("rational_cubic", "cubic_s"), 3: ("rational_space_cubic", "flat_po
 SURFACES = {2: ("planar_map", "folded_map"), 3: ("rational_biquadratic", "bicubic")}
 
 
-class SeveralValuesError(FormulaError):
+class _SeveralValuesError(FormulaError):
     """A formula that has several values for one argument."""
 
 
@@ -87,22 +87,22 @@ def expect_functions_on(formulas: Iterable[Formula], c: Evaluated | None, dimens
 
 
 @cache
-def _refusal(formula: Formula, dimension: int, polynomial: bool) -> SeveralValuesError | None:
+def _refusal(formula: Formula, dimension: int, polynomial: bool) -> _SeveralValuesError | None:
     """The reason why a formula is refused on all curves; None if it is not refused, or if the check exceeds its
     budget.
     """
     try:
         with drawing_on(Budget()):
             expect_functions((formula,), dimension, polynomial=polynomial)
-    except SeveralValuesError as error:
+    except _SeveralValuesError as error:
         return error
     except ExactSplineError:
         return None
     return None
 
 
-def _several(formula: Formula) -> SeveralValuesError:
-    return SeveralValuesError(
+def _several(formula: Formula) -> _SeveralValuesError:
+    return _SeveralValuesError(
         f"{formula.name} has several values for one argument: in a second evaluation, or in another reading",
         where=formula.source,
         remedy="compute with the argument alone: no counters, no random numbers, no questions about types",

@@ -57,11 +57,11 @@ PLACE = re.compile(r"[^\s=+*^(),]+(?=:)")
 OPERANDS = {"γ"} | {name for n in CURVE.dimensions for name in CURVE.names(n)}
 
 
-def formula_of_line(text: str, named: Callable[[str], Formula]) -> Formula:
+def _formula_of_line(text: str, named: Callable[[str], Formula]) -> Formula:
     """The formula that a line states; `named` returns the formulas in it. A name alone is that formula.
 
     >>> from exactspline.papers import find
-    >>> formula_of_line("f1", find), formula_of_line("det(γ', γ'')", find).kind.name
+    >>> _formula_of_line("f1", find), _formula_of_line("det(γ', γ'')", find).kind.name
     (<formula f1, §4.1, Remark 3.1>, 'plane')
 
     Raises `FormulaError` for a line that is not an expression of the language of formulas, or exists for no curve.
@@ -343,7 +343,7 @@ def _equation(text: str, trust: bool) -> Equation:
                 raise
             return find(name)
 
-    return Equation(formula_of_line(left, named), formula_of_line(right, named))
+    return Equation(_formula_of_line(left, named), _formula_of_line(right, named))
 
 
 def _expect_operands(text: str, trust: bool) -> None:

@@ -187,7 +187,6 @@ SECOND_NUMBERS = {
     "roots/answers.py: OneNumber": "no number: what has one, such as a feature its parameter",
 }
 WAYS = {
-    "extras/teaching/topics.py: curvature": "an exercise",
     "extras/pictures3d/curvature_lines.py: lines_of_curvature": "curves on a surface",
     "geometry/curves/values.py: curvature_function": "curvature as a function",
     "geometry/curves/facts.py: Facts.same_curvature": "a comparison",
@@ -306,7 +305,7 @@ ROUNDED = {
     "interchange/numbers.py: about": "digits that are shown",
     "interchange/bridges.py: _joined": "the unit in the last place of a double",
     "interchange/numbers.py: periodic": "the unit in the last place of a double",
-    "extras/cad/rhino.py: write": "writes a file of doubles, and names the numbers that are rounded",
+    "extras/cad/rhino.py: _write": "writes a file of doubles, and names the numbers that are rounded",
     "extras/cad/rhino_process.py: _hex": "doubles of a file, bit by bit",
     "programs/certain_pairs.py: segment_in_doubles": "the certified filter",
     "programs/error_bounds.py: factors": "the certified filter",

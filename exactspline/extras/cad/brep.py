@@ -52,7 +52,7 @@ def _looks_like(head: bytes) -> bool:
     return b"CASCADE Topology V" in head
 
 
-def read(source: Source) -> Reading:
+def _read(source: Source) -> Reading:
     """The curves of both sections; of curves in space the parts that edges use."""
     collector, uses = Collector("brep", source), dict[str, dict[Ends, None]]()
     for edge in _EDGE.finditer(source.text):
@@ -157,7 +157,7 @@ def _add_spline(collector: Collector, where: str, spline: _Spline, part: Ends | 
     collector.add("spline", where, degree, knots, points, weights, **more)
 
 
-def write(splines: Sequence[Spline], numbers: NumberText) -> bytes:
+def _write(splines: Sequence[Spline], numbers: NumberText) -> bytes:
     """Space curves under ``Curves``, each with an edge and its vertices in a compound; plane curves under ``Curve2ds``
     without edges, because a plane curve is an edge only on a surface.
     """
@@ -199,4 +199,4 @@ def _shapes(curves: Sequence[Nurbs]) -> list[str]:
     return [*lines, "Co", "", "1100000", f"{edges} *".strip(), "", "+1 0 "]
 
 
-FORMAT = Format("brep", "Open CASCADE BRep text", (".brep", ".brp"), _looks_like, read, write)
+FORMAT = Format("brep", "Open CASCADE BRep text", (".brep", ".brp"), _looks_like, _read, _write)

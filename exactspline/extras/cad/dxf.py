@@ -65,7 +65,7 @@ def _looks_like(head: bytes) -> bool:
     return lines[:2] == [b"0", b"SECTION"] or head.startswith(b"AutoCAD Binary DXF")
 
 
-def read(source: Source) -> Reading:
+def _read(source: Source) -> Reading:
     """The curves of a file."""
     if source.data.startswith(b"AutoCAD Binary DXF"):
         raise CurveFileError("is binary DXF", remedy="save it as DXF text (ASCII)")
@@ -289,7 +289,7 @@ _READERS: dict[str, Callable[[_Values], None]] = {
 }
 
 
-def write(splines: Sequence[Spline], numbers: NumberText) -> bytes:
+def _write(splines: Sequence[Spline], numbers: NumberText) -> bytes:
     """The curves as SPLINE entities of a drawing in the AutoCAD 2000 format (AC1015)."""
     pairs: list[tuple[int, str]] = [(0, "SECTION"), (2, "HEADER"), (9, "$ACADVER"), (1, "AC1015"), (0, "ENDSEC")]
     pairs += [(0, "SECTION"), (2, "ENTITIES")]
@@ -308,4 +308,4 @@ def write(splines: Sequence[Spline], numbers: NumberText) -> bytes:
     return "".join(f"{code:>3}\n{value}\n" for code, value in pairs).encode()
 
 
-FORMAT = Format("dxf", "DXF text", (".dxf",), _looks_like, read, write, parts=True)
+FORMAT = Format("dxf", "DXF text", (".dxf",), _looks_like, _read, _write, parts=True)

@@ -32,7 +32,7 @@ def _looks_like(head: bytes) -> bool:
     return found is not None and found[1].decode() in NAMES["g2"]
 
 
-def read(source: Source) -> Reading:
+def _read(source: Source) -> Reading:
     """The spline curves and surfaces of a file."""
     collector = Collector("g2", source)
     text, words = source.text, Tokens(source.text, source.limits)
@@ -74,7 +74,7 @@ def _net(words: Tokens, parameters: int) -> tuple[bool, list[tuple[int, list[mpq
     return rational, sides, words.rows(prod(len(knots) - order for order, knots in sides), dimension + rational)
 
 
-def write(splines: Sequence[Spline], numbers: NumberText) -> bytes:
+def _write(splines: Sequence[Spline], numbers: NumberText) -> bytes:
     """One object per curve or surface."""
     lines = []
     for spline in splines:
@@ -86,4 +86,4 @@ def write(splines: Sequence[Spline], numbers: NumberText) -> bytes:
     return "\n".join(lines).encode()
 
 
-FORMAT = Format("g2", "SISL and GoTools text", (".g2",), _looks_like, read, write, surfaces=True)
+FORMAT = Format("g2", "SISL and GoTools text", (".g2",), _looks_like, _read, _write, surfaces=True)

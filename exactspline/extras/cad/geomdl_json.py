@@ -26,7 +26,7 @@ def _looks_like(head: bytes) -> bool:
     return head.lstrip().startswith(b"{") and bool(re.search(rb'"(?:shape|controlpoints|knotvector)"\s*:', head))
 
 
-def read(source: Source) -> Reading:
+def _read(source: Source) -> Reading:
     """The curves of a file."""
     collector = Collector("geomdl", source)
     data = parsed(source.text)
@@ -98,7 +98,7 @@ def _row(collector: Collector, values: Any) -> list[mpq]:
     return collector.numbers(list(map(str, values)))
 
 
-def write(splines: Sequence[Spline], numbers: NumberText) -> bytes:
+def _write(splines: Sequence[Spline], numbers: NumberText) -> bytes:
     """The curves or surfaces as one shape, with numbers as JSON numbers."""
     kind, sides = ("surface", ("_u", "_v")) if splines[0].is_surface else ("curve", ("",))
     entries = []
@@ -119,4 +119,4 @@ def write(splines: Sequence[Spline], numbers: NumberText) -> bytes:
     return f'{{"shape": {{"type": "{kind}", "count": {len(entries)}, "data": [\n{body}\n]}}}}\n'.encode()
 
 
-FORMAT = Format("geomdl", "geomdl JSON", (".json",), _looks_like, read, write, surfaces=True)
+FORMAT = Format("geomdl", "geomdl JSON", (".json",), _looks_like, _read, _write, surfaces=True)

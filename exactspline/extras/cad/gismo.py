@@ -23,7 +23,7 @@ def _looks_like(head: bytes) -> bool:
     return b"<Geometry" in head or (b"<xml" in head and b"<Multipatch" in head)
 
 
-def read(source: Source) -> Reading:
+def _read(source: Source) -> Reading:
     """The curves of a file."""
     collector = Collector("gismo", source)
     number = 0
@@ -73,7 +73,7 @@ def _side(collector: Collector, vector: Element) -> Side:
     return whole(vector.attributes.get("degree", "")), collector.numbers(vector.text.split())
 
 
-def write(splines: Sequence[Spline], numbers: NumberText) -> bytes:
+def _write(splines: Sequence[Spline], numbers: NumberText) -> bytes:
     """One geometry per curve or surface."""
     lines = ['<?xml version="1.0" encoding="UTF-8"?>', "<xml>"]
     for i, spline in enumerate(splines):
@@ -101,4 +101,4 @@ def _basis(spline: Spline, numbers: NumberText) -> list[str]:
     return [' <Basis type="TensorBSplineBasis2">', *bases, " </Basis>"]
 
 
-FORMAT = Format("gismo", "G+Smo XML", (".xml",), _looks_like, read, write, surfaces=True)
+FORMAT = Format("gismo", "G+Smo XML", (".xml",), _looks_like, _read, _write, surfaces=True)

@@ -29,7 +29,7 @@ from exactspline.splines.nurbs import Nurbs
 
 
 @dataclass
-class DirectoryEntry:
+class _DirectoryEntry:
     """A directory entry: its number (odd), type, form, matrix (the number of its entry, or 0), use flag, whether it is
     blanked, its label, and its parameters as text.
     """
@@ -120,7 +120,7 @@ def _unit_of(text: str) -> str:
     return name if flag == "3" else str(NAMES["iges units"].get(flag, ""))
 
 
-def _entries(text: str, limits: Limits) -> list[DirectoryEntry]:
+def _entries(text: str, limits: Limits) -> list[_DirectoryEntry]:
     """All directory entries with their parameters."""
     lines = _sections(text)
     if len(lines["D"]) % 2:
@@ -137,7 +137,7 @@ def _entries(text: str, limits: Limits) -> list[DirectoryEntry]:
         status = first[64:72].replace(" ", "0")
         numbers = _field(first, 0), _field(second, 4), _field(first, 6)
         values = _parameters(block, separator, ending, limits) if block else []
-        result.append(DirectoryEntry(i + 1, *numbers, status[4:6], status[:2] == "01", second[56:64].strip(), values))
+        result.append(_DirectoryEntry(i + 1, *numbers, status[4:6], status[:2] == "01", second[56:64].strip(), values))
     return result
 
 
@@ -189,7 +189,7 @@ def _looks_like(head: bytes) -> bool:
 class _Values:
     """The parameters of an entity, read in sequence."""
 
-    def __init__(self, entry: DirectoryEntry, collector: Collector) -> None:
+    def __init__(self, entry: _DirectoryEntry, collector: Collector) -> None:
         self.texts, self.position, self.collector = entry.parameters, 1, collector
 
     def text(self) -> str:
@@ -213,7 +213,7 @@ class _Values:
         return [self.numbers(3) for _ in range(count)]
 
 
-def read(source: Source) -> Reading:
+def _read(source: Source) -> Reading:
     """The curves of a file."""
     collector = Collector("iges", source)
     directory = {entry.number: entry for entry in _entries(source.text, source.limits)}
@@ -235,7 +235,7 @@ def read(source: Source) -> Reading:
 
 
 def _composite(
-    directory: dict[int, DirectoryEntry], collector: Collector, entry: DirectoryEntry, where: str, placed: Affine
+    directory: dict[int, _DirectoryEntry], collector: Collector, entry: _DirectoryEntry, where: str, placed: Affine
 ) -> None:
     """Join the parts of a composite curve."""
     values = _Values(entry, collector)
@@ -245,7 +245,7 @@ def _composite(
     collector.join(f"entity {entry.kind}", where, [(each.place if each else "", True) for each in held], entry.name)
 
 
-def _placement(collector: Collector, directory: dict[int, DirectoryEntry], entry: DirectoryEntry) -> Affine:
+def _placement(collector: Collector, directory: dict[int, _DirectoryEntry], entry: _DirectoryEntry) -> Affine:
     """The transformation of an entity, composed with those that its matrix entity refers to."""
     whole_map = Affine.identity(3)
     for _ in range(collector.limits.depth):
@@ -260,7 +260,7 @@ def _placement(collector: Collector, directory: dict[int, DirectoryEntry], entry
     raise CurveFileError("matrices form a cycle or are too many", remedy="correct field 7")
 
 
-def _spline(collector: Collector, entry: DirectoryEntry, where: str, placed: Affine) -> None:
+def _spline(collector: Collector, entry: _DirectoryEntry, where: str, placed: Affine) -> None:
     values = _Values(entry, collector)
     last, degree = values.whole(), values.whole()
     _planar, closed, flagged_polynomial, periodic = (values.whole() for _ in range(4))
@@ -280,7 +280,7 @@ def _spline(collector: Collector, entry: DirectoryEntry, where: str, placed: Aff
     collector.add(f"entity {entry.kind}", where, *parts, **more)
 
 
-def _surface(collector: Collector, entry: DirectoryEntry, where: str, placed: Affine) -> None:
+def _surface(collector: Collector, entry: _DirectoryEntry, where: str, placed: Affine) -> None:
     values = _Values(entry, collector)
     last_u, last_v, m, n = (values.whole() for _ in range(4))
     _closed_u, _closed_v, polynomial, _periodic_u, _periodic_v = (values.whole() for _ in range(5))
@@ -301,7 +301,7 @@ def _surface(collector: Collector, entry: DirectoryEntry, where: str, placed: Af
 
 
 def _add(
-    collector: Collector, entry: DirectoryEntry, where: str, segments: Sequence[Segment], notes: Sequence[str] = ()
+    collector: Collector, entry: _DirectoryEntry, where: str, segments: Sequence[Segment], notes: Sequence[str] = ()
 ) -> None:
     """Add the curve made of segments."""
     flat, notes = _remarks(entry, [point for segment in segments for point in segment], notes)
@@ -311,7 +311,7 @@ def _add(
 
 
 def _remarks(
-    entry: DirectoryEntry, points: Sequence[Sequence[mpq]], notes: Sequence[str]
+    entry: _DirectoryEntry, points: Sequence[Sequence[mpq]], notes: Sequence[str]
 ) -> tuple[bool, Sequence[str]]:
     """Whether a curve lies in the parameter plane of a surface, and notes on the entity."""
     flat = entry.use == PARAMETER_SPACE and all(point[2] == 0 for point in points)
@@ -319,13 +319,13 @@ def _remarks(
     return flat, [*notes, *remarks, *(["blanked: not to be displayed"] if entry.blanked else [])]
 
 
-def _line(collector: Collector, entry: DirectoryEntry, where: str, placed: Affine) -> None:
+def _line(collector: Collector, entry: _DirectoryEntry, where: str, placed: Affine) -> None:
     if entry.form:
         raise CurveFileError("an unbounded line or ray", remedy="write a segment, which is form 0")
     _add(collector, entry, where, [polynomial(*(placed(point) for point in _Values(entry, collector).rows(2)))])
 
 
-def _arc(collector: Collector, entry: DirectoryEntry, where: str, placed: Affine) -> None:
+def _arc(collector: Collector, entry: _DirectoryEntry, where: str, placed: Affine) -> None:
     z, *numbers = _Values(entry, collector).numbers(7)
     centre, start, end = numbers[:2], numbers[2:4], numbers[4:]
     x, y = (a - b for a, b in zip(start, centre, strict=True))
@@ -336,7 +336,7 @@ def _arc(collector: Collector, entry: DirectoryEntry, where: str, placed: Affine
     _add(collector, entry, where, _lifted(arc, placed, z), curve.notes)
 
 
-def _conic(collector: Collector, entry: DirectoryEntry, where: str, placed: Affine) -> None:
+def _conic(collector: Collector, entry: _DirectoryEntry, where: str, placed: Affine) -> None:
     *numbers, z, x1, y1, x2, y2 = _Values(entry, collector).numbers(11)
     start, notes, within = (x1, y1), list[str](), collector.source.within
     form, end = through_ends(numbers, start, (x2, y2), within and within / placed.stretch, notes)
@@ -354,7 +354,7 @@ _READERS = {SPLINE: _spline, SURFACE: _surface, LINE: _line, ARC: _arc, CONIC: _
 LONGEST_NUMBER = 63
 
 
-def write(splines: Sequence[Spline], numbers: NumberText) -> bytes:
+def _write(splines: Sequence[Spline], numbers: NumberText) -> bytes:
     """The curves as entities 126, surfaces as entities 128. Plane curves are placed at z = 0 and flagged planar, maps
     of the plane are placed at z = 0.
     """
@@ -377,4 +377,4 @@ def write(splines: Sequence[Spline], numbers: NumberText) -> bytes:
     return formatted(entities, f"{what} written by exactspline: every number is exact unless rounding was asked for.")
 
 
-FORMAT = Format("iges", "IGES text", (".igs", ".iges"), _looks_like, read, write, surfaces=True)
+FORMAT = Format("iges", "IGES text", (".igs", ".iges"), _looks_like, _read, _write, surfaces=True)

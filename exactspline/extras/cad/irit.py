@@ -36,7 +36,7 @@ def _looks_like(head: bytes) -> bool:
     return bool(re.search(rb"\[\s*OBJECT\b|\[\s*CURVE\s+(BSPLINE|BEZIER)\b", head))
 
 
-def read(source: Source) -> Reading:
+def _read(source: Source) -> Reading:
     """The curves of a file."""
     collector = Collector("itd", source)
     waiting: list[tuple[Node, str]] = [(_tree(source, collector), "")]
@@ -105,7 +105,7 @@ def _numbers(collector: Collector, row: Node) -> list[mpq]:
     return [decimal(item, collector.limits) if isinstance(item, str) else mpq(0) for item in row]
 
 
-def write(splines: Sequence[Spline], numbers: NumberText) -> bytes:
+def _write(splines: Sequence[Spline], numbers: NumberText) -> bytes:
     """One object per curve or surface."""
     lines = []
     for spline in splines:
@@ -120,4 +120,4 @@ def write(splines: Sequence[Spline], numbers: NumberText) -> bytes:
     return "\n".join([*lines, ""]).encode()
 
 
-FORMAT = Format("itd", "IRIT text", (".itd",), _looks_like, read, write, surfaces=True)
+FORMAT = Format("itd", "IRIT text", (".itd",), _looks_like, _read, _write, surfaces=True)

@@ -49,7 +49,7 @@ def _rhino() -> Any:
     return rhino3dm
 
 
-def read(source: Source) -> Reading:
+def _read(source: Source) -> Reading:
     """The curves and surfaces of a file."""
     collector = Collector("3dm", source)
     _rhino()
@@ -116,7 +116,7 @@ def _arc(collector: Collector, entry: dict[str, Any]) -> None:
     collector.add_segments("ArcCurve", entry["where"], curve.arc(*ends), entry["name"], notes)
 
 
-def write(splines: Sequence[Spline], numbers: NumberText) -> bytes:
+def _write(splines: Sequence[Spline], numbers: NumberText) -> bytes:
     """The curves or surfaces as objects of a version 7 archive, plane ones at z = 0. Numbers that are not doubles
     require rounding.
     """
@@ -153,4 +153,4 @@ def _archive(model: Any) -> bytes:
         return place.read_bytes()
 
 
-FORMAT = Format("3dm", "openNURBS archive", (".3dm",), _looks_like, read, write, surfaces=True)
+FORMAT = Format("3dm", "openNURBS archive", (".3dm",), _looks_like, _read, _write, surfaces=True)

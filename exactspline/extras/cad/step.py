@@ -50,7 +50,7 @@ def _looks_like(head: bytes) -> bool:
     return head.lstrip().startswith(b"ISO-10303-21")
 
 
-def read(source: Source) -> Reading:
+def _read(source: Source) -> Reading:
     """The curves and surfaces of a file, in the order of the file."""
     collector = Collector("step", source)
     file = StepFile(source.text, collector)
@@ -118,7 +118,7 @@ def _units(file: StepFile) -> set[str]:
     return units
 
 
-def write(splines: Sequence[Spline], numbers: NumberText) -> bytes:
+def _write(splines: Sequence[Spline], numbers: NumberText) -> bytes:
     """The curves in one set per dimension, each set in a context of its dimension; surfaces in one set, maps of the
     plane at z = 0.
     """
@@ -132,4 +132,4 @@ def write(splines: Sequence[Spline], numbers: NumberText) -> bytes:
     return text.encoded()
 
 
-FORMAT = Format("step", "STEP part 21", (".stp", ".step", ".p21"), _looks_like, read, write, surfaces=True)
+FORMAT = Format("step", "STEP part 21", (".stp", ".step", ".p21"), _looks_like, _read, _write, surfaces=True)

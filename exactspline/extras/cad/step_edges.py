@@ -40,7 +40,7 @@ from exactspline.splines.nurbs import Nurbs
 CURVE, SURFACE = "CURVE", "SURFACE"
 
 
-class Keywords:
+class _Keywords:
     """The keywords of B-spline curves, or of B-spline surfaces."""
 
     def __init__(self, what: str) -> None:
@@ -70,7 +70,7 @@ class Keywords:
         return kind, base, specific, name
 
 
-KEYWORDS = {what: Keywords(what) for what in (CURVE, SURFACE)}
+KEYWORDS = {what: _Keywords(what) for what in (CURVE, SURFACE)}
 #: Every keyword of a B-spline surface.
 ANY_SURFACE = frozenset((KEYWORDS[SURFACE].spline, KEYWORDS[SURFACE].rational, *KEYWORDS[SURFACE].kinds))
 #: Entities that use a part of a surface.

@@ -36,7 +36,7 @@ FORMS = {
 
 
 @dataclass(frozen=True)
-class Answer:
+class _Answer:
     """A form of a curve: its polynomials span by span, and their cells."""
 
     name: str
@@ -66,7 +66,7 @@ class Answer:
         return [(cells[0].low, cells[0].high) for cells in self.cells if cells[0].sign is None]
 
 
-def answers(curve: Nurbs) -> list[Answer]:
+def answers(curve: Nurbs) -> list[_Answer]:
     """The forms of a curve with their cells.
 
     Raises `ClaimError` for a curve that is neither in the plane nor in space.
@@ -78,7 +78,7 @@ def answers(curve: Nurbs) -> list[Answer]:
         value = find(formula)(curve)
         polynomials = tuple(in_powers(value, i) for i in range(len(spans)))
         cells = tuple(tuple(cells_of(f, a, b)) for f, (a, b) in zip(polynomials, spans, strict=True))
-        forms.append(Answer(name, find(formula), what, polynomials, cells))
+        forms.append(_Answer(name, find(formula), what, polynomials, cells))
     return forms
 
 
@@ -94,7 +94,7 @@ def theorem_of(curve: Nurbs) -> str:
         "Require Import ZArith QArith List Reals.\nFrom ExactSpline Require Import Base Answers.",
         *[f"From ExactSpline.formulas Require {name}." for name in sorted(own)],
         "Import ListNotations.\nLocal Open Scope Q_scope.\n",
-        definition("this_curve", curve),
+        _definition("this_curve", curve),
         "(** The domain of the curve, on which the theorems speak of it. *)\n"
         f"Theorem this_curve_has_the_domain : domain this_curve = ({', '.join(map(_number_in_q, curve.domain))}).\n"
         "Proof. vm_cast_no_check (eq_refl (domain this_curve)). Qed.\n",
@@ -114,7 +114,7 @@ def theorem_of(curve: Nurbs) -> str:
     return "\n".join(parts)
 
 
-def definition(name: str, curve: Nurbs) -> str:
+def _definition(name: str, curve: Nurbs) -> str:
     """A curve as a record of Coq."""
     *coordinates, weights = map(_list, _homogeneous_columns(curve))
     return (
@@ -130,7 +130,7 @@ def _homogeneous_columns(curve: Nurbs) -> list[list[mpq]]:
     return [list(column) for column in zip(*rows, strict=True)]
 
 
-def _theorem(curve: Nurbs, answer: Answer, formulas: Formulas) -> str:
+def _theorem(curve: Nurbs, answer: _Answer, formulas: Formulas) -> str:
     form = formulas.named(answer.formula)
     low, high = _number_in_q(answer.cells[0][0].low), _number_in_q(answer.cells[-1][-1].high)
     cells = ";\n  ".join("[" + "; ".join(map(_cell_text, own)) + "]" for own in answer.cells)
@@ -179,7 +179,7 @@ def _coefficients_text(f: fmpq_poly) -> str:
     return _list(from_flint(c) for c in f.coeffs())
 
 
-def boolean(value: bool) -> str:
+def _boolean(value: bool) -> str:
     """A truth value in Coq."""
     return "true" if value else "false"
 
@@ -191,10 +191,10 @@ def _cell_text(cell: Cell) -> str:
         return f"Null {ends}"
     if cell.factor is not None and cell.rest is not None:
         return (
-            f"Multiple {ends} {_coefficients_text(cell.factor)} {boolean(cell.sign)} {cell.power} "
-            f"{_coefficients_text(cell.rest)} {boolean(cell.rest_sign)}"
+            f"Multiple {ends} {_coefficients_text(cell.factor)} {_boolean(cell.sign)} {cell.power} "
+            f"{_coefficients_text(cell.rest)} {_boolean(cell.rest_sign)}"
         )
-    return f"{'One' if cell.one else 'Sign'} {ends} {boolean(cell.sign)}"
+    return f"{'One' if cell.one else 'Sign'} {ends} {_boolean(cell.sign)}"
 
 
 # ---- the common points of two plane curves
@@ -225,7 +225,7 @@ class _BoxedPoint:
 
 
 @dataclass(frozen=True)
-class Elimination:
+class _Elimination:
     """The resultant, a combination ``slope s + offset``, and the combinations that prove both."""
 
     eliminant: fmpq_poly
@@ -267,7 +267,7 @@ def meeting_theorem(first: Nurbs, second: Nurbs) -> str:
             "    [exactspline coq DIR] writes: coqc -R DIR ExactSpline FILE.v. *)\n",
             "Require Import ZArith QArith List Reals.\nFrom ExactSpline Require Import Base Answers Meetings.",
             "Import ListNotations.\nLocal Open Scope Q_scope.\n",
-            *[definition(name, c) for name, c in zip(("first_curve", "second_curve"), (first, second), strict=True)],
+            *[_definition(name, c) for name, c in zip(("first_curve", "second_curve"), (first, second), strict=True)],
             _elimination_text(found),
             "Definition the_cells : list cell := [\n  " + ";\n  ".join(map(_cell_text, cells)) + "\n].\n",
             "Definition the_places : list ((Q * Q) * place) := [\n  "
@@ -317,7 +317,7 @@ def _exactly(x: fmpq_poly, divisor: fmpq_poly) -> fmpq_poly:
     return quotient
 
 
-def _elimination(f: Rows, g: Rows) -> Elimination:
+def _elimination(f: Rows, g: Rows) -> _Elimination:
     if not f or not g:
         raise ClaimError("curves on one line parallel to an axis", remedy=REMEDY)
     of_resultant, of_line = _subresultant(f, g, 0), _subresultant(f, g, 1)
@@ -326,7 +326,7 @@ def _elimination(f: Rows, g: Rows) -> Elimination:
         raise ClaimError("curves with arcs in common, or no combination of degree 1", remedy=REMEDY)
     exponent = max(len(f), len(g)) - 1
     others = (_by_line(p, line, constant[0], exponent) for p in (f, g))
-    return Elimination(constant[0], line[1], line[0], exponent, (of_resultant, of_line, *others))
+    return _Elimination(constant[0], line[1], line[0], exponent, (of_resultant, of_line, *others))
 
 
 def _combined(cofactors: tuple[Rows, Rows], f: Rows, g: Rows) -> Rows:
@@ -373,7 +373,7 @@ def _by_line(p: Rows, line: Rows, resultant: fmpq_poly, exponent: int) -> tuple[
 # ---- places
 
 
-def _places(found: Elimination, first: Interval, second: Interval) -> tuple[list[Cell], list[_BoxedPoint]]:
+def _places(found: _Elimination, first: Interval, second: Interval) -> tuple[list[Cell], list[_BoxedPoint]]:
     """Cells of the resultant, so narrow that each of its zeros has a place, and these places."""
     todo = [(cell, 0) for cell in reversed(cells_of(found.eliminant, *second))]
     cells, places = list[Cell](), list[_BoxedPoint]()
@@ -393,7 +393,7 @@ def _places(found: Elimination, first: Interval, second: Interval) -> tuple[list
     return cells, places + _at_point(found, first, second.high)
 
 
-def _at_point(found: Elimination, first: Interval, t: mpq) -> list[_BoxedPoint]:
+def _at_point(found: _Elimination, first: Interval, t: mpq) -> list[_BoxedPoint]:
     """The place of a zero, if its parameter is rational."""
     if found.eliminant(to_fmpq(t)) != 0:
         return []
@@ -405,7 +405,7 @@ def _at_point(found: Elimination, first: Interval, t: mpq) -> list[_BoxedPoint]:
     return [_BoxedPoint(Interval.point(t), inside, a > 0, s > first.high)]
 
 
-def _place(found: Elimination, first: Interval, second: Interval) -> _BoxedPoint | None:
+def _place(found: _Elimination, first: Interval, second: Interval) -> _BoxedPoint | None:
     """The place of the zero in an interval, if forms have one sign there."""
     sign = _sign(found.slope, second)
     if sign is None:
@@ -424,7 +424,7 @@ def _place(found: Elimination, first: Interval, second: Interval) -> _BoxedPoint
     return _BoxedPoint(second, box, sign) if box.low < box.high and signs == [not sign, sign] else None
 
 
-def _line_at(found: Elimination, s: mpq) -> fmpq_poly:
+def _line_at(found: _Elimination, s: mpq) -> fmpq_poly:
     return found.slope * to_fmpq(s) + found.offset
 
 
@@ -445,7 +445,7 @@ def _rows(rows: Iterable[fmpq_poly]) -> str:
     return "[" + "; ".join(map(_coefficients_text, rows)) + "]"
 
 
-def _elimination_text(found: Elimination) -> str:
+def _elimination_text(found: _Elimination) -> str:
     names = ("of_resultant", "of_line", "first_form", "second_form")
     pairs = (f"{n} := ({_rows(f)}, {_rows(g)})" for n, (f, g) in zip(names, found.combinations, strict=True))
     polynomials = (
@@ -458,5 +458,5 @@ def _elimination_text(found: Elimination) -> str:
 
 def _place_text(place: _BoxedPoint) -> str:
     if place.first is None:
-        return f"Outside {boolean(place.sign)} {boolean(place.above)}"
-    return f"Inside {boolean(place.sign)} ({_number_in_q(place.first.low)}) ({_number_in_q(place.first.high)})"
+        return f"Outside {_boolean(place.sign)} {_boolean(place.above)}"
+    return f"Inside {_boolean(place.sign)} ({_number_in_q(place.first.low)}) ({_number_in_q(place.first.high)})"

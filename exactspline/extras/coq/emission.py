@@ -55,7 +55,7 @@ def _refutation(claim: Claim, dimension: int, named: Callable[[Formula], str]) -
 
     Raises `ClaimError` if none of the curves tried is a counterexample.
     """
-    for curve in candidates(kind_of(claim.curve), dimension, polynomial=claim.of == Scope.POLYNOMIAL):
+    for curve in _candidates(kind_of(claim.curve), dimension, polynomial=claim.of == Scope.POLYNOMIAL):
         attempt = _Attempt(claim, dimension, named, curve)
         if attempt.succeeds():
             return attempt.text()
@@ -65,7 +65,7 @@ def _refutation(claim: Claim, dimension: int, named: Callable[[Formula], str]) -
 class _Attempt(Statement[Iterator[Difference]]):
     """A claim on one explicit curve."""
 
-    def __init__(self, claim: Claim, dimension: int, named: Callable[[Formula], str], curve: ExplicitCurve) -> None:
+    def __init__(self, claim: Claim, dimension: int, named: Callable[[Formula], str], curve: _ExplicitCurve) -> None:
         self.claim, self.curve, self.dimension = claim, curve, dimension
         self.kind = kind_of(claim.curve)
         self.traced = Calling(self.kind, dimension)
@@ -251,7 +251,7 @@ def _coefficients_of(polynomial: fmpq_mpoly | int) -> Coefficients:
 
 
 @dataclass(frozen=True)
-class ExplicitCurve:
+class _ExplicitCurve:
     """Numerators, denominator and additional operands by their coefficients, constants first."""
 
     numerators: tuple[Coefficients, ...]
@@ -313,16 +313,16 @@ _POINT = (1, 2, 5)
 _CONSTANTS = (2, 3, 5, 7, 11)
 #: Curves for which the roots of the frame are polynomials: γ′ = 3(1 − t², 2t), and γ′ = 3(1, 2t, 2t²).
 _FRAMED = {
-    2: ExplicitCurve(((0, 3, 0, -1), (0, 0, 3)), beside={"sigma": (3, 0, 3)}),
-    3: ExplicitCurve(((0, 3), (0, 0, 3), (0, 0, 0, 2)), beside={"sigma": (3, 0, 6), "rho": (18, 0, 36)}),
+    2: _ExplicitCurve(((0, 3, 0, -1), (0, 0, 3)), beside={"sigma": (3, 0, 3)}),
+    3: _ExplicitCurve(((0, 3), (0, 0, 3), (0, 0, 0, 2)), beside={"sigma": (3, 0, 6), "rho": (18, 0, 36)}),
 }
 #: The parabola y = x², along which F = y − x² is constant.
-_PARABOLA = ExplicitCurve(
+_PARABOLA = _ExplicitCurve(
     ((0, 1), (0, 0, 1)), beside={"pace": (-1,), "fx": (0, -2), "fy": (1,), "fxx": (-2,), "fxy": (0,), "fyy": (0,)}
 )
 
 
-def candidates(kind: Kind, dimension: int, *, polynomial: bool) -> Iterator[ExplicitCurve]:
+def _candidates(kind: Kind, dimension: int, *, polynomial: bool) -> Iterator[_ExplicitCurve]:
     """Explicit arguments of a kind; only polynomial arguments for a claim about polynomial curves.
 
     Raises `ClaimError` for a kind without explicit arguments.
@@ -336,7 +336,7 @@ def candidates(kind: Kind, dimension: int, *, polynomial: bool) -> Iterator[Expl
         beside = {name: (value,) for name, value in zip(kind.constants, _CONSTANTS, strict=False)}
         for w in ((1,),) if polynomial else _DENOMINATORS:
             for i in range(len(_NUMERATORS) - dimension + 1):
-                yield ExplicitCurve(_NUMERATORS[i : i + dimension], w, point, beside)
+                yield _ExplicitCurve(_NUMERATORS[i : i + dimension], w, point, beside)
     else:
         raise ClaimError(f"no explicit curves of the kind {kind.name!r}", remedy="state claims about one curve")
 
@@ -417,7 +417,7 @@ def _write(path: Path, text: str) -> None:
     write_text(path, text, ClaimError)
 
 
-def theory(name: str) -> str:
+def _theory(name: str) -> str:
     """The text of a file written by hand."""
     return resources.files(__package__).joinpath("theory", f"{name}.v").read_text(encoding="utf-8")
 
@@ -426,7 +426,7 @@ def theory(name: str) -> str:
 def library() -> Library:
     """The theorems of every paper that comes with the library."""
     formulas = Formulas(papers())
-    files = {name: theory(name) for name in BY_HAND}
+    files = {name: _theory(name) for name in BY_HAND}
     files |= {f"formulas/{paper.name}": formulas.definitions(paper) for paper in formulas.papers}
     theorems: dict[str, tuple[Stated, ...]] = {}
     for paper in formulas.papers:

@@ -219,7 +219,7 @@ class _Called(NamedTuple):
     path: str
 
 
-class Call(Node):
+class _Call(Node):
     """A node of a called formula; its one argument is the tree of the body."""
 
     __slots__ = ()
@@ -241,9 +241,11 @@ class Call(Node):
 class Calling(Traced):
     """The argument of the tree reading, in which called formulas become nodes."""
 
-    def __init__(self, kind: Kind, dimension: int, *, path: str = "", known: dict[_Called, Call] | None = None) -> None:
+    def __init__(
+        self, kind: Kind, dimension: int, *, path: str = "", known: dict[_Called, _Call] | None = None
+    ) -> None:
         super().__init__(kind, dimension, path=path)
-        self._known: dict[_Called, Call] = {} if known is None else known
+        self._known: dict[_Called, _Call] = {} if known is None else known
 
     def __getattr__(self, name: str) -> Node | Traced:
         value = super().__getattr__(name)
@@ -256,7 +258,7 @@ class Calling(Traced):
         assert isinstance(formula, Formula)
         called = _Called(formula, self._path)
         if called not in self._known:
-            self._known[called] = Call(formula.function(self), called)
+            self._known[called] = _Call(formula.function(self), called)
         return self._known[called]
 
 

@@ -58,7 +58,7 @@ WEIGHTS = {
 }
 
 
-class Spelling(NamedTuple):
+class _Spelling(NamedTuple):
     """The notation of an argument: the variables of a proof and the hypotheses about them, in the order of the
     quantifier; the list of jets; the rules for their derivatives; the argument as expressions.
     """
@@ -169,11 +169,11 @@ class Setting:
         return name.removeprefix("_") if self.has_point and name in POINT[: self.dimension] else f"{name}_"
 
     @cached_property
-    def spelling(self) -> Spelling:
+    def spelling(self) -> _Spelling:
         """The notation of the argument."""
         return self._spelled()
 
-    def _spelled(self) -> Spelling:
+    def _spelled(self) -> _Spelling:
         weights, n = [f"H{weight}" for weight in self.weights], self.dimension
         if self.constants:
             functions = [self.named(symbol.name) for symbol in self.symbols if symbol.parameters]
@@ -195,7 +195,7 @@ class Setting:
         accompanied = f"Accompanied ({curve}) {self.variables(self.constants)}"
         return self._by_chains(introduced, accompanied if self.constants else curve)
 
-    def _by_chains(self, introduced: list[str], deep: str, own: Sequence[str] = ()) -> Spelling:
+    def _by_chains(self, introduced: list[str], deep: str, own: Sequence[str] = ()) -> _Spelling:
         """The spelling where functions have jets in one parameter; `own` are the rules that the kind adds to these."""
         free = [symbol for symbol in self.symbols if symbol.parameters and symbol.name not in self.ring.rules]
         constants = [symbol.name for symbol in self.symbols if not symbol.parameters]
@@ -211,7 +211,7 @@ class Setting:
             chains[PARAMETERS[0]].append(f"[{'; '.join(own)}]%formula")
         first, second = (" ++ ".join(chains[parameter]) or "[]" for parameter in PARAMETERS)
         listed = [f"[{'; '.join(rest)}]"] if rest else []
-        return Spelling(introduced, " ++ ".join([*jets, *listed]), f"of_parameters ({first}) ({second})", deep)
+        return _Spelling(introduced, " ++ ".join([*jets, *listed]), f"of_parameters ({first}) ({second})", deep)
 
     def preamble(self, premises: Sequence[tuple[str, str, object]]) -> list[str]:
         """The steps that define the variables of the checker; premises are given by name, term and value."""
@@ -242,10 +242,10 @@ class Setting:
         return sum_of_products(terms, "num")
 
 
-class HodographSetting(Setting):
+class _HodographSetting(Setting):
     """A polynomial plane curve with γ′ = (u² − v², 2uv) h; a polynomial one has h = 1."""
 
-    def _spelled(self) -> Spelling:
+    def _spelled(self) -> _Spelling:
         u, v = self.variable("u"), self.variable("v")
         factor = "number 1" if self.polynomial else self.variable("h")
         rules = [
@@ -256,7 +256,7 @@ class HodographSetting(Setting):
         return self._by_chains([*[self.named(symbol.name) for symbol in self.symbols], "Hx", "Hy"], deep, rules)
 
 
-class ImplicitSetting(Setting):
+class _ImplicitSetting(Setting):
     """A curve along which a function F of the coordinates is constant, and the partial derivatives of F."""
 
     @property
@@ -271,7 +271,7 @@ class ImplicitSetting(Setting):
         known = self.kind.symbols(self.dimension)
         return tuple(symbol for symbol in known if len(symbol.name) <= 3 or symbol.name in self.free)
 
-    def _spelled(self) -> Spelling:
+    def _spelled(self) -> _Spelling:
         axes = COORDINATES[: self.dimension]
         f, free = ([self.variable(name) for name in names] for names in ([f"f{x}" for x in axes], self.free))
         second = {x: [self.variable("f" + "".join(sorted(x + y))) for y in axes] for x in axes}
@@ -294,12 +294,12 @@ class ImplicitSetting(Setting):
         return spelled._replace(jets=" ++ ".join([*jets, f"[{'; '.join(others)}]"]))
 
 
-class SurfaceSetting(Setting):
+class _SurfaceSetting(Setting):
     """A rational surface in space, or a rational map of the plane, or two quadratic forms in two parameters, with all
     partial derivatives up to an order.
     """
 
-    def _spelled(self) -> Spelling:
+    def _spelled(self) -> _Spelling:
         names = [symbol.name for symbol in self.symbols]
         introduced = [*map(self.named, names), "C", *[f"H{weight}" for weight in self.weights]]
         jets = " ++ ".join(f"partials {self.order} {self.named(name)}" for name in names)
@@ -308,10 +308,10 @@ class SurfaceSetting(Setting):
         deep = f"Patch (homogeneous s {self.variables(own)} ({w}) [])"
         if isinstance(self.kind, FormsKind):
             deep = f"Accompanied (rational_curve s [] ({w}) []) {self.variables(own)}"
-        return Spelling(introduced, jets, f"of_parameters ({by_u}) ({by_v})", deep)
+        return _Spelling(introduced, jets, f"of_parameters ({by_u}) ({by_v})", deep)
 
 
-class SurfaceCurveSetting(Setting):
+class _SurfaceCurveSetting(Setting):
     """A curve on a rational surface: its parameters u and v with their derivatives, and the partial derivatives of the
     surface, which are differentiated along the curve by the chain rule.
     """
@@ -324,7 +324,7 @@ class SurfaceCurveSetting(Setting):
     def _operand(self, symbol: Symbol) -> JetFraction:
         return self._jet(symbol.name) if symbol.name in self.route else super()._operand(symbol)
 
-    def _spelled(self) -> Spelling:
+    def _spelled(self) -> _Spelling:
         coordinates = [symbol.name for symbol in self.symbols if symbol.name not in self.route]
         names = [self.named(name) for name in (*self.route, *coordinates)]
         hypotheses = ["C", *[f"F{name}" for name in coordinates], *[f"H{weight}" for weight in self.weights]]
@@ -338,7 +338,7 @@ class SurfaceCurveSetting(Setting):
         rules = f"of_three_parameters ({first}) ({second}) ({third})"
         net = f"homogeneous time {self.variables(COORDINATES[: self.dimension])} ({self.variable('w')}) []"
         deep = f"Path (Patch ({net})) {self.variables(self.route)}"
-        return Spelling([*names, *hypotheses], " ++ ".join(jets), rules, deep)
+        return _Spelling([*names, *hypotheses], " ++ ".join(jets), rules, deep)
 
 
 # ---- curves with the roots of their frames
@@ -361,11 +361,11 @@ def setting_of(kind: Kind, dimension: int, order: int, *, polynomial: bool, tree
 
 #: The settings of kinds other than curves.
 SETTINGS: dict[type[Kind], type[Setting]] = {
-    HodographKind: HodographSetting,
-    ImplicitKind: ImplicitSetting,
-    SurfaceKind: SurfaceSetting,
-    SurfaceCurveKind: SurfaceCurveSetting,
-    FormsKind: SurfaceSetting,
+    HodographKind: _HodographSetting,
+    ImplicitKind: _ImplicitSetting,
+    SurfaceKind: _SurfaceSetting,
+    SurfaceCurveKind: _SurfaceCurveSetting,
+    FormsKind: _SurfaceSetting,
 }
 
 
@@ -496,7 +496,7 @@ class _FramedSetting(Setting):
         """The functions."""
         return self.kind.symbols(self.dimension)
 
-    def _spelled(self) -> Spelling:
+    def _spelled(self) -> _Spelling:
         rules, n = list[str](), self.dimension
         for root in self.roots if self.differentiates_roots else ():  # of the roots and their inverses
             place, half = self.position(root), self._half(root)

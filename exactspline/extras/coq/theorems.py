@@ -42,13 +42,13 @@ def theorem(claim: Claim, dimension: int, named: Callable[[Formula], str]) -> st
     """
     try:
         return _Theorem(claim, dimension, named).text()
-    except RationalError:
+    except _RationalError:
         if claim.of != Scope.POLYNOMIAL:
             raise
         return _Theorem(claim, dimension, named, polynomial=True).text()
 
 
-class RationalError(FormulaError):
+class _RationalError(FormulaError):
     """A statement that fails on rational curves."""
 
 
@@ -183,7 +183,7 @@ class _Theorem(Statement[tuple[str, list[str]]]):
         value = self.evaluation(left)
         components = len(value) if isinstance(value, Vector) else 0
         if not self._holds(value, right):
-            raise RationalError("it fails on rational curves", remedy="theorems are about these")
+            raise _RationalError("it fails on rational curves", remedy="theorems are about these")
         self.proof.met()
         if components:
             zero, deep_zero = ("[" + "; ".join([word] * components) + "]" for word in ("zero K", "num 0"))

@@ -61,21 +61,21 @@ def _cleaned(answer: str) -> str:
     return _LABELS.sub(" ", bare).strip()
 
 
-def negative(answer: str) -> bool:
+def _negative(answer: str) -> bool:
     """Whether the answer says "none" or "no".
 
-    >>> [negative(each) for each in ("none", "No, it is not.", "∅", "0")]
+    >>> [_negative(each) for each in ("none", "No, it is not.", "∅", "0")]
     [True, True, True, False]
     """
     return bool(re.match(r"(none|no|∅|\(\s*\))(\W|$)", _cleaned(answer), re.IGNORECASE))
 
 
-def numbers(answer: str) -> Point:
+def _numbers(answer: str) -> Point:
     """Numbers separated by commas or blanks, with or without names and brackets.
 
-    >>> numbers("1/2, −3") == numbers("x = 1/2, y = -3") == numbers("(1/2, -3)")
+    >>> _numbers("1/2, −3") == _numbers("x = 1/2, y = -3") == _numbers("(1/2, -3)")
     True
-    >>> numbers("yes: centre (1, 2), r² = 5")
+    >>> _numbers("yes: centre (1, 2), r² = 5")
     (mpq(1,1), mpq(2,1), mpq(5,1))
 
     Raises `AnswerError` for anything else.
@@ -83,28 +83,28 @@ def numbers(answer: str) -> Point:
     return tuple(map(_number, re.sub("[(),]", " ", _cleaned(answer)).split()))
 
 
-def points(answer: str, dimension: int) -> tuple[Point, ...]:
+def _points(answer: str, dimension: int) -> tuple[Point, ...]:
     """Points in brackets, or one point per line; plain numbers if the dimension is 1.
 
-    >>> points("(0, 1) (1/2, 2)", 2) == points("0 1\\n1/2 2", 2) == points('[[0, 1], ["1/2", 2]]', 2)
+    >>> _points("(0, 1) (1/2, 2)", 2) == _points("0 1\\n1/2 2", 2) == _points('[[0, 1], ["1/2", 2]]', 2)
     True
 
     Raises `AnswerError` for anything else.
     """
     if dimension == 1:
-        return tuple((x,) for x in numbers(answer))
+        return tuple((x,) for x in _numbers(answer))
     bare = _cleaned(answer)
     if "(" not in bare:
-        return tuple(numbers(row) for row in bare.splitlines() if row.strip())
+        return tuple(_numbers(row) for row in bare.splitlines() if row.strip())
     if rest := _GROUP.sub(" ", bare).translate(str.maketrans("(),", "   ")).strip():
         raise AnswerError(f"{shown(rest)} between points", where="answer", remedy="write (x, y), (x, y), …")
-    return tuple(numbers(group) for group in _GROUP.findall(bare))
+    return tuple(_numbers(group) for group in _GROUP.findall(bare))
 
 
-def polynomials(answer: str) -> tuple[Polynomial, ...]:
+def _polynomials(answer: str) -> tuple[Polynomial, ...]:
     """Polynomials in t separated by commas or line breaks, written as in ``1 - 3t + 2t^2`` or ``2t(1-t)``.
 
-    >>> polynomials("(1-t)^2, 2t(1 - t)")[1]
+    >>> _polynomials("(1-t)^2, 2t(1 - t)")[1]
     <Polynomial (0, 2, -2)>
 
     Raises `AnswerError` for anything else.
@@ -274,7 +274,7 @@ class Numbers(Answer, OneLine):
 
     def differences(self, answer: str) -> Iterator[Difference]:
         """Each wrong number, or a difference in their number."""
-        answers = numbers(answer)
+        answers = _numbers(answer)
         if len(answers) != len(self.values):
             yield OtherCount(Entries.NUMBERS, len(self.values), len(answers))
             return
@@ -302,7 +302,7 @@ class Parameters(Answer, OneLine):
 
     def differences(self, answer: str) -> Iterator[Difference]:
         """Each parameter that is missing or wrong."""
-        answers = () if negative(answer) else numbers(answer)
+        answers = () if _negative(answer) else _numbers(answer)
         for t in self.values:
             if t not in answers:
                 yield Missing(t)
@@ -344,7 +344,7 @@ class Points(Answer, OneLine):
     def differences(self, answer: str) -> Iterator[Difference]:
         """Each wrong control point, then a parameter with both values there."""
         rows, dimension = self.rows, len(self.rows[0])
-        answers = points(answer, dimension)
+        answers = _points(answer, dimension)
         if any(len(point) != dimension for point in answers):
             yield OtherCoordinates(dimension)
             return
@@ -394,7 +394,7 @@ class Polynomials(Answer, OneLine):
 
     def differences(self, answer: str) -> Iterator[Difference]:
         """Each wrong coefficient, then a parameter with both values there."""
-        answers = polynomials(answer)
+        answers = _polynomials(answer)
         if len(answers) != len(self.values):
             yield OtherCount(Entries.POLYNOMIALS, len(self.values), len(answers))
             return
@@ -430,12 +430,12 @@ class Circle(Answer, OneLine):
 
     def differences(self, answer: str) -> Iterator[Difference]:
         """The error: it is, or is not, a circle, or a number is wrong."""
-        if negative(answer):
+        if _negative(answer):
             yield from [Wrong.CIRCLE] * bool(self.values)
         elif self.values:
             yield from Numbers(("centre x", "centre y", "radius²"), self.values).differences(answer)
         else:
-            numbers(answer)
+            _numbers(answer)
             yield Wrong.NOT_A_CIRCLE
 
 

@@ -52,7 +52,7 @@ def _function(rng: Random) -> BSpline:
     return BSpline(degree, knots, [x for (x,) in drawn_points(rng, len(knots) - degree - 1, 1, 9)])
 
 
-def support(rng: Random) -> Drawn:
+def _support(rng: Random) -> Drawn:
     """The interval on which a control point has influence."""
     f = _function(rng)
     i = rng.randrange(len(f.control_points))
@@ -72,7 +72,7 @@ def support(rng: Random) -> Drawn:
     return task, Numbers(("the left end", "the right end"), (low, high)), solution
 
 
-def hull(rng: Random) -> Drawn:
+def _hull(rng: Random) -> Drawn:
     """The bounds that control points imply for a function."""
     f = _function(rng)
     k = rng.randrange(len(f.breakpoints) - 1)
@@ -92,7 +92,7 @@ def hull(rng: Random) -> Drawn:
     return task, Numbers(("the lower bound", "the upper bound"), (min(active), max(active))), solution
 
 
-def inflections(rng: Random) -> Drawn:
+def _inflections(rng: Random) -> Drawn:
     """The inflections of a cubic."""
     curve = bezier_curve(drawn_points(rng, 4, size=6))
     bend = find("f0")(curve)
@@ -139,7 +139,7 @@ def _with_rational_speed(rng: Random) -> tuple[Nurbs, mpq]:
     return bezier_curve(points[::-1] if at_end else points), mpq(at_end)
 
 
-def curvature(rng: Random) -> Drawn:
+def _curvature(rng: Random) -> Drawn:
     """The curvature at an end of a Bézier curve."""
     curve, t = _with_rational_speed(rng)
     value = values_along.curvature(curve, t).exact
@@ -163,7 +163,7 @@ def _centre(curve: Nurbs, t: mpq) -> Point | None:
     return centre[0], centre[1]
 
 
-def osculating(rng: Random) -> Drawn:
+def _osculating(rng: Random) -> Drawn:
     """The osculating circle at a point, a point of the evolute."""
     curve = bezier_curve(drawn_points(rng, rng.choice((2, 3)) + 1))
     t = mpq(rng.choice((0, 1)))
@@ -184,7 +184,7 @@ def osculating(rng: Random) -> Drawn:
     return task, Numbers(("centre x", "centre y", "radius²"), (*centre, square)), solution
 
 
-def circle(rng: Random) -> Drawn:
+def _circle(rng: Random) -> Drawn:
     """Whether a rational quadratic is an arc of a circle."""
     chord, height, side = rng.choice(((3, 4, 5), (4, 3, 5), (5, 12, 13), (12, 5, 13)))
     w = mpq(chord, side) if rng.random() < 1 / 2 else rng.choice((mpq(1), mpq(height, side), mpq(2), mpq(1, 2)))
@@ -221,7 +221,7 @@ def _circle_of(curve: Nurbs) -> tuple[Circle, tuple[str | Math, ...]]:
     return Circle(()), (*begin, "; the point ", Math("", (curve(other),)), f" at t = {text(other)} is not on it.")
 
 
-def weight(rng: Random) -> Drawn:
+def _weight(rng: Random) -> Drawn:
     """The weight for which a conic passes through a point."""
     w = mpq(rng.choice((1, 2, 3, 4)), rng.choice((1, 1, 2, 3)))
     points = drawn_points(rng, 3)
@@ -268,7 +268,7 @@ def _inner(rng: Random, curve: Nurbs | BSpline) -> mpq:
     return a + (b - a) * mpq(rng.choice((Fraction(1, 2), Fraction(1, 3), Fraction(2, 3), Fraction(1, 2))))
 
 
-def evaluation(rng: Random) -> Drawn:
+def _evaluation(rng: Random) -> Drawn:
     """The point of a B-spline curve by de Boor's triangle."""
     curve = _curve(rng, rng.choice((2, 3)))
     t = _inner(rng, curve)
@@ -281,7 +281,7 @@ def evaluation(rng: Random) -> Drawn:
     return task, Numbers(("x", "y"), curve(t)), ("De Boor's triangle: ", de_boor_triangle(curve, t))
 
 
-def derivative(rng: Random) -> Drawn:
+def _derivative(rng: Random) -> Drawn:
     """The derivative of a curve at a parameter."""
     curve = _curve(rng, rng.choice((2, 3)))
     t = rng.choice((_inner(rng, curve), *curve.domain))
@@ -300,7 +300,7 @@ def derivative(rng: Random) -> Drawn:
     return task, Numbers(("x′", "y′"), curve.derivative(1, t)), solution
 
 
-def insertion(rng: Random) -> Drawn:
+def _insertion(rng: Random) -> Drawn:
     """The control points after a knot is inserted."""
     curve = _curve(rng, rng.choice((2, 3)))
     t = _inner(rng, curve)
@@ -314,7 +314,7 @@ def insertion(rng: Random) -> Drawn:
     return task, Points(finer), ("Over the knots ", knots_of(finer), " by Boehm's algorithm: ", triangle)
 
 
-def elevation(rng: Random) -> Drawn:
+def _elevation(rng: Random) -> Drawn:
     """The Bézier points after the degree is raised."""
     curve = bezier_curve(drawn_points(rng, rng.choice((1, 2, 3)) + 1))
     points = cleared(curve.control_points, elevation_triangles(curve)[0].columns[-1])
@@ -330,7 +330,7 @@ def elevation(rng: Random) -> Drawn:
     return task, Points(curve.elevate_degree()), ("Neighbours are combined: ", triangle)
 
 
-def subdivision(rng: Random) -> Drawn:
+def _subdivision(rng: Random) -> Drawn:
     """The Bézier points of the first part of a subdivided curve."""
     curve = bezier_curve(drawn_points(rng, rng.choice((2, 3)) + 1))
     t = _inner(rng, curve)
@@ -347,7 +347,7 @@ def subdivision(rng: Random) -> Drawn:
     )
 
 
-def product(rng: Random) -> Drawn:
+def _product(rng: Random) -> Drawn:
     """The Bézier points of the product of two functions."""
     f, g = (BSpline.bezier([x for (x,) in drawn_points(rng, n + 1, 1)]) for n in rng.choice(((1, 1), (1, 2), (2, 2))))
     points = cleared([(x,) for x in f.control_points], [(x,) for x in (f * g).control_points])
@@ -380,7 +380,7 @@ def _coefficients(f: BSpline) -> tuple[mpq, ...]:
     return tuple(coefficients)
 
 
-def power(rng: Random) -> Drawn:
+def _power(rng: Random) -> Drawn:
     """Conversion from Bézier points to powers of t."""
     curve = bezier_curve(drawn_points(rng, rng.choice((2, 3)) + 1))
     made = tuple(_coefficients(f) for f in curve.p)
@@ -396,7 +396,7 @@ def power(rng: Random) -> Drawn:
     return task, Polynomials(("x(t)", "y(t)"), tuple(map(Polynomial, made))), solution
 
 
-def bezier(rng: Random) -> Drawn:
+def _bezier(rng: Random) -> Drawn:
     """Conversion from powers of t to Bézier points."""
     curve = bezier_curve(drawn_points(rng, rng.choice((2, 3)) + 1))
     made = tuple(_coefficients(f) for f in curve.p)
@@ -412,7 +412,7 @@ def bezier(rng: Random) -> Drawn:
     return task, Points(curve), solution
 
 
-def continuity(rng: Random) -> Drawn:
+def _continuity(rng: Random) -> Drawn:
     """The smoothness of a function at a knot."""
     degree = rng.choice((2, 3))
     smooth, multiplicity = rng.randint(0, degree + 1), rng.randint(1, degree + 1)
@@ -441,22 +441,22 @@ def continuity(rng: Random) -> Drawn:
 
 
 TOPICS: dict[str, Topic] = {
-    "evaluation": evaluation,
-    "derivative": derivative,
-    "insertion": insertion,
-    "elevation": elevation,
-    "subdivision": subdivision,
-    "product": product,
-    "power": power,
-    "bezier": bezier,
-    "continuity": continuity,
-    "support": support,
-    "hull": hull,
-    "inflections": inflections,
-    "curvature": curvature,
-    "osculating": osculating,
-    "circle": circle,
-    "weight": weight,
+    "evaluation": _evaluation,
+    "derivative": _derivative,
+    "insertion": _insertion,
+    "elevation": _elevation,
+    "subdivision": _subdivision,
+    "product": _product,
+    "power": _power,
+    "bezier": _bezier,
+    "continuity": _continuity,
+    "support": _support,
+    "hull": _hull,
+    "inflections": _inflections,
+    "curvature": _curvature,
+    "osculating": _osculating,
+    "circle": _circle,
+    "weight": _weight,
 }
 #: Hints for the first step, without numbers of the answer.
 HINTS = {

@@ -24,14 +24,14 @@ from exactspline.language.formula import formula
 from exactspline.language.vector import cross, dot, join
 
 
-def with_root(c):
+def _with_root(c):
     """The root √δ, and the coefficients L, M, N lifted to the extension by it."""
     square = asymptotic_discriminant(c)
     root = Adjoined(square.constant(0), square.constant(1), square)
     return root, root.lifted(c.L), root.lifted(c.M), root.lifted(c.N)
 
 
-def along(L, M, N, u, v):
+def _along(L, M, N, u, v):
     """``L u² + 2M u v + N v²``."""
     return L * u * u + 2 * M * u * v + N * v * v
 
@@ -45,23 +45,23 @@ def asymptotic_discriminant(c):
 @formula("asymptotic lines", on="forms")
 def second_form_of_asymptotic(c):
     """``II(t, t)`` for the direction ``t = (√δ − M, L)``: the part free of √δ and the coefficient of √δ."""
-    root, second, mixed, last = with_root(c)
-    value = along(second, mixed, last, root - mixed, second)
+    root, second, mixed, last = _with_root(c)
+    value = _along(second, mixed, last, root - mixed, second)
     return join(value.plain, value.rooted)
 
 
 @formula("asymptotic lines", on="forms")
 def second_form_of_other_asymptotic(c):
     """``II(t, t)`` for ``t = (N, −M − √δ)``, split in the same way."""
-    root, second, mixed, last = with_root(c)
-    value = along(second, mixed, last, last, -mixed - root)
+    root, second, mixed, last = _with_root(c)
+    value = _along(second, mixed, last, last, -mixed - root)
     return join(value.plain, value.rooted)
 
 
 @formula("asymptotic lines", on="forms")
 def asymptotic_charts(c):
     """The determinant of ``(√δ − M, L)`` and ``(N, −M − √δ)``: the two directions coincide where it vanishes."""
-    root, second, mixed, last = with_root(c)
+    root, second, mixed, last = _with_root(c)
     value = (root - mixed) * (-mixed - root) - second * last
     return join(value.plain, value.rooted)
 
@@ -69,7 +69,7 @@ def asymptotic_charts(c):
 @formula("asymptotic lines", on="forms")
 def asymptotic_pair_squared(c):
     """The squared determinant of ``(√δ − M, L)`` and ``(−√δ − M, L)``: zero where the two directions coincide."""
-    root, second, mixed, _ = with_root(c)
+    root, second, mixed, _ = _with_root(c)
     value = (root - mixed) * second - second * (-root - mixed)
     return (value * value).plain
 
@@ -120,13 +120,13 @@ def second_form_times_speed(c):
 @formula("lifted", on="curve on a surface", symbol=r"w^4\mathrm{I}")
 def first_form_lifted(c):
     """``w⁴`` times the first fundamental form along the curve."""
-    return along(E_reduced(c), F_reduced(c), G_reduced(c), c.u.d(1), c.v.d(1))
+    return _along(E_reduced(c), F_reduced(c), G_reduced(c), c.u.d(1), c.v.d(1))
 
 
 @formula("lifted", on="curve on a surface", symbol=r"w^4\mathrm{II}")
 def second_form_of_lifted(c):
     """``w⁴`` times the second fundamental form along the curve, in terms of determinants of P."""
-    return along(L_lifted(c), M_lifted(c), N_lifted(c), c.u.d(1), c.v.d(1))
+    return _along(L_lifted(c), M_lifted(c), N_lifted(c), c.u.d(1), c.v.d(1))
 
 
 @formula("lifted", on="curve on a surface", symbol=r"\kappa_n^2")

@@ -8,14 +8,14 @@ from exactspline.formulas.surfaces.by_forms import area_of_forms, parabolic_of_f
 from exactspline.language.formula import formula
 
 
-def change_of_quotient(k, a, by):
+def _change_of_quotient(k, a, by):
     """The numerator of the derivative of ``k/a²`` over ``a³``."""
     return a * k.d(1, by=by) - 2 * k * a.d(1, by=by)
 
 
-def change_with_weight(k, a, w, by):
+def _change_with_weight(k, a, w, by):
     """The derivative of ``w⁴ k/a²`` divided by ``w³/a³``."""
-    return w * change_of_quotient(k, a, by) + 4 * w.d(1, by=by) * k * a
+    return w * _change_of_quotient(k, a, by) + 4 * w.d(1, by=by) * k * a
 
 
 @formula("Gaussian curvature", on="forms", symbol="K")
@@ -39,13 +39,13 @@ def gaussian_of_forms_by_v(c):
 @formula("constant curvature", on="forms")
 def change_of_forms_by_u(c):
     """``a k_u − 2 k a_u`` with ``a = EG − F²`` and ``k = LN − M²``: zero exactly where K_u is."""
-    return change_of_quotient(parabolic_of_forms(c), area_of_forms(c), "u")
+    return _change_of_quotient(parabolic_of_forms(c), area_of_forms(c), "u")
 
 
 @formula("constant curvature", on="forms")
 def change_of_forms_by_v(c):
     """``a k_v − 2 k a_v``: zero exactly where K_v is."""
-    return change_of_quotient(parabolic_of_forms(c), area_of_forms(c), "v")
+    return _change_of_quotient(parabolic_of_forms(c), area_of_forms(c), "v")
 
 
 @formula("constant curvature", on="forms")
@@ -63,10 +63,10 @@ def gaussian_weighted_by_v(c):
 @formula("constant curvature", on="forms")
 def change_weighted_by_u(c):
     """``w (a k_u − 2 k a_u) + 4 w_u k a``."""
-    return change_with_weight(parabolic_of_forms(c), area_of_forms(c), c.w, "u")
+    return _change_with_weight(parabolic_of_forms(c), area_of_forms(c), c.w, "u")
 
 
 @formula("constant curvature", on="forms")
 def change_weighted_by_v(c):
     """``w (a k_v − 2 k a_v) + 4 w_v k a``."""
-    return change_with_weight(parabolic_of_forms(c), area_of_forms(c), c.w, "v")
+    return _change_with_weight(parabolic_of_forms(c), area_of_forms(c), c.w, "v")

@@ -83,7 +83,7 @@ class Coefficients(Claim):
         together, or degree by degree.
         """
         formula = self.find(self.formula)
-        if not polynomial and is_decided(
+        if not polynomial and _is_decided(
             lambda: every_coefficient(formula(BernsteinTermReading().argument(CURVE, dimension)))
         ):
             return Finding(PROVED, Fact.NONE_VANISHES_FOR_ANY_DEGREE)
@@ -115,7 +115,7 @@ class Coefficients(Claim):
         return Finding(VERIFIED, HasSign(self.sign) if self.sign else Fact.NONE_VANISHES)
 
 
-def is_decided(attempt: Callable[[], object]) -> bool:
+def _is_decided(attempt: Callable[[], object]) -> bool:
     """Whether the evaluation mode of single terms is applicable, as for formulas linear in p and in w."""
     try:
         return attempt() is not None

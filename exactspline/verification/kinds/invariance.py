@@ -34,7 +34,7 @@ from exactspline.verification.vocabulary import Group, Name
 N = TypeVar("N")
 
 
-class Nature(StrEnum):
+class _Nature(StrEnum):
     """The nature of the value of a formula: a number (or numbers), a vector or a point that moves with the curve."""
 
     SCALAR = "scalar"
@@ -102,7 +102,7 @@ class Invariance(Claim):
     formula: Name = field(metadata=read(formula_name))
     under: Group = field(metadata=read(one_of(Group)))
     weight: int = field(default=0, metadata=read(_whole_number))
-    nature: Nature = field(default=Nature.SCALAR, metadata=read(one_of(Nature)))
+    nature: _Nature = field(default=_Nature.SCALAR, metadata=read(one_of(_Nature)))
 
     def validate(self) -> None:
         """Reject claims without meaning: a weight without a unit, constants whose image is not stated."""
@@ -118,9 +118,9 @@ class Invariance(Claim):
             raise ClaimError(
                 "the images of the constants are not stated", where="curve", remedy="claim it of a curve alone"
             )
-        if self.nature != Nature.SCALAR and self.under in UNMOVED:
+        if self.nature != _Nature.SCALAR and self.under in UNMOVED:
             raise ClaimError(f"a {self.under} moves nothing", where="nature", remedy='write "scalar"')
-        if self.nature == Nature.VECTOR and self.under in (Group.PROJECTIVE, Group.MOEBIUS):
+        if self.nature == _Nature.VECTOR and self.under in (Group.PROJECTIVE, Group.MOEBIUS):
             raise ClaimError(f"a {self.under} is not linear", where="nature", remedy='write "point" or "scalar"')
 
     @property
@@ -198,28 +198,28 @@ class Invariance(Claim):
             factor = k[SPEED]
             plain = Curve(curve.p * factor, curve.w * factor, point=curve.point)
             beside = {each: curve.operands()[each] for each in formula.kind.constants}
-            value = times_unit(_components(formula(curve)), factor, self.weight)
+            value = _times_unit(_components(formula(curve)), factor, self.weight)
             return _components(formula(Accompanied(plain, beside))), value
         made, whole = MAPS[name], _with_roots(formula, curve)
         value = self._carried(_components(formula(whole)), made, vars(whole), whole.w.constant(1), curve.dimension)
         unit = made.unit(whole.p, whole.w, vars(whole)) if made.unit else None
-        return _components(formula(_with_roots(formula, _moved(curve, made, k)))), times_unit(value, unit, self.weight)
+        return _components(formula(_with_roots(formula, _moved(curve, made, k)))), _times_unit(value, unit, self.weight)
 
     def _in_other_parameter(self, formula: Formula, curve: Any, rho: Any) -> tuple[list[Any], list[Any]]:
         """The curve differentiated with respect to another parameter, where ds/dt is ρ."""
         changed = curve.mapped(lambda x: InOtherParameter(x, rho))
         moved = [unwrapped(x) for x in _components(formula(_with_roots(formula, changed)))]
         value = _components(formula(whole := _with_roots(formula, curve)))
-        return moved, times_unit(value, rho if whole is curve else whole.w.constant(-1), self.weight)
+        return moved, _times_unit(value, rho if whole is curve else whole.w.constant(-1), self.weight)
 
     def _carried(self, value: list[Any], made: Map, k: Mapping[str, Any], one: Any, dimension: int) -> list[Any]:
         """The value; a vector or a point is mapped."""
-        if self.nature == Nature.SCALAR:
+        if self.nature == _Nature.SCALAR:
             return value
         if len(value) != dimension:
             problem = f"{self.formula!r} has {counted(len(value), 'component')}, a {self.nature} has {dimension}"
             raise ClaimError(problem, where=self.key, remedy='write "scalar"')
-        if self.nature == Nature.VECTOR:
+        if self.nature == _Nature.VECTOR:
             return list(made.of_vector(Vector(*value), one, k))
         return image_of_point(Vector(*value), made, k, one)
 
@@ -269,7 +269,7 @@ def _components(value: Any) -> list[Any]:
     return [value[i] for i in range(len(value))] if value.is_vector else [value]
 
 
-def times_unit(value: list[N], unit: N | None, weight: int) -> list[N]:
+def _times_unit(value: list[N], unit: N | None, weight: int) -> list[N]:
     """A value times a power of the unit."""
     if unit is None or not weight:
         return value

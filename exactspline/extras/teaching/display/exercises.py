@@ -41,7 +41,7 @@ def _math_text(math: Math) -> str:
     return f"{math.name} = {values}" if math.name and values else math.name or values
 
 
-def plain(parts: Sequence[Part]) -> str:
+def _plain(parts: Sequence[Part]) -> str:
     """Prose and formulas in one line; triangles are omitted."""
     said = [part if isinstance(part, str) else _math_text(part) for part in parts if not isinstance(part, Triangle)]
     return " ".join("".join(said).split())
@@ -52,7 +52,7 @@ def text_lines(made: Sequence[Exercise], width: int, *, solutions: bool) -> list
     lines: list[str] = []
     for i, (heading, each) in enumerate(_with_headings(made), 1):
         lines += [heading, ""] if heading else []
-        lines += _paragraph(f"{i}. {plain(each.task)} [{_title_of(each)}]", width)
+        lines += _paragraph(f"{i}. {_plain(each.task)} [{_title_of(each)}]", width)
         lines += [*_paragraph(f"   Answer: {each.answer.form}.", width, 3), ""]
     if solutions:
         lines += ["Solutions", ""]
@@ -73,9 +73,9 @@ def _with_headings(made: Sequence[Exercise]) -> list[tuple[str, Exercise]]:
 
 def solution_lines(made: Exercise, width: int, number: str = "   ") -> list[str]:
     """The answer of an exercise and the way to it."""
-    lines = _paragraph(f"{number}{plain(made.answer.parts)}", width)
+    lines = _paragraph(f"{number}{_plain(made.answer.parts)}", width)
     # a triangle in text has its own title
-    said = plain(made.solution).removesuffix("De Boor's triangle:").rstrip()
+    said = _plain(made.solution).removesuffix("De Boor's triangle:").rstrip()
     lines += _paragraph(f"   {said}", width, 3) if said else []
     for part in made.solution:
         if isinstance(part, Triangle):
@@ -223,7 +223,7 @@ def exercise_data(made: Exercise, *, solutions: bool) -> dict[str, object]:
         "key": _title_of(made),
         "topic": made.topic,
         "seed": made.seed,
-        "task": plain(made.task),
+        "task": _plain(made.task),
         "form": made.answer.form,
     }
-    return data | ({"answer": made.answer.written, "solution": plain(made.solution)} if solutions else {})
+    return data | ({"answer": made.answer.written, "solution": _plain(made.solution)} if solutions else {})
