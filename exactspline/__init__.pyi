@@ -36,7 +36,7 @@ from .roots.values import evaluate as evaluate
 from .geometry.analysis.floats import floats as floats
 from .geometry.curves.values import curvature as curvature
 from .geometry.curves.values import torsion as torsion
-from .numbers.sides import Side as Side
+from .numbers.intervals import Side as Side
 
 # zeros
 from .roots.zero_set import ZeroSet as ZeroSet

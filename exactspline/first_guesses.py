@@ -12,9 +12,8 @@ from types import MethodType, ModuleType
 from typing import Any
 
 from exactspline.errors import ExactSplineError, nearest
-from exactspline.geometry.analysis.ask import facts_about, kind_of
+from exactspline.geometry.analysis.ask import REGISTRY, facts_about, kind_of
 from exactspline.geometry.analysis.curves import Analysis, questions_about
-from exactspline.geometry.analysis.registry import REGISTRY
 from exactspline.hooks import DERIVED, LENT, QUESTIONS, Written, first_guesses
 
 #: Modules with their own public names.

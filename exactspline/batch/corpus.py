@@ -65,10 +65,10 @@ class Family(OneLine):
         said: dict[str, str] = {}
         for word in words:
             name, equals, value = word.partition("=")
-            if name not in names() or not equals or name in said:
+            if name not in _names() or not equals or name in said:
                 raise CurveFileError(
                     f"--random does not know {word!r}" if name not in said else f"--random names {name} twice",
-                    remedy=f"write name=value; {nearest(name, names())}",
+                    remedy=f"write name=value; {nearest(name, _names())}",
                 )
             said[name] = value
         values = {name: _value(name, value) for name, value in said.items()}
@@ -95,7 +95,7 @@ def _knots(degree: int, segments: int) -> KnotVector:
     return KnotVector([0] * degree + list(range(segments + 1)) + [segments] * degree)
 
 
-def names() -> tuple[str, ...]:
+def _names() -> tuple[str, ...]:
     """The parameters of a family."""
     return tuple(field.name for field in fields(Family))
 
@@ -107,7 +107,7 @@ def is_word(text: str) -> bool:
     (True, False)
     """
     name, equals, _ = text.partition("=")
-    return bool(equals) and name in names()
+    return bool(equals) and name in _names()
 
 
 def _shown(value: Range | int | str) -> str:

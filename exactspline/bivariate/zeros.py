@@ -11,36 +11,80 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field, replace
 from enum import StrEnum
 from itertools import combinations, pairwise, product
-from typing import NamedTuple, cast
+from typing import NamedTuple, TypeVar, cast
 
 from flint import fmpz_mpoly
 
 from exactspline.bivariate import common_zeros as elimination
 from exactspline.bivariate.across_borders import alike, is_in, once
-from exactspline.bivariate.answers import SurfacePart, SurfacePlaces
 from exactspline.bivariate.borders import EDGES, Patch, vanishes_at
-from exactspline.bivariate.common_zeros_certificate import common_zeros_certificate
+from exactspline.bivariate.common_zeros_certificate import common_zeros_certificate, zero_curve_certificate
 from exactspline.bivariate.joined_curves import Piece, ZeroComponent, chained, place_of
 from exactspline.bivariate.singular_points import PointKind, SingularPoint, singular_on_patch
 from exactspline.bivariate.zero_curve import Shape, ZeroCurve
-from exactspline.bivariate.zero_curve_certificate import zero_curve_certificate
 from exactspline.bivariate.zero_lines import LinesOfPatch, ZeroLine, square_free, without_lines, zero_lines
 from exactspline.errors import ReachError, as_instance, as_items
 from exactspline.numbers.exact import mpq
 from exactspline.numbers.intervals import Box, Interval
 from exactspline.numbers.once import cached_property
-from exactspline.one_line import one_line
+from exactspline.one_line import OneLine, one_line
 from exactspline.polynomials.cost import PATCH, QUESTION, Budget, drawing_on
 from exactspline.polynomials.factors import greatest_common_divisor
 from exactspline.polynomials.patch_forms import PatchForm
 from exactspline.polynomials.two_parameters import as_form, over
 from exactspline.reals.real import Real, real
+from exactspline.roots.answers import Answer
 from exactspline.roots.of_polynomials import Parameter, Place
 from exactspline.roots.root import Root
 from exactspline.roots.vanishing import vanish_at
 from exactspline.splines.surface import Along
 from exactspline.splines.tensor import TensorSpline, aligned
 from exactspline.splines.type_checks import function_of_two
+
+T_co = TypeVar("T_co", covariant=True)
+
+
+@dataclass(frozen=True, repr=False)
+class SurfacePart(OneLine):
+    """A part of one patch of a surface: a rectangle of parameters, an edge (one side of the rectangle is a single
+    number), or a curve inside the rectangle.
+
+    >>> from gmpy2 import mpq
+    >>> from exactspline.numbers.intervals import Interval
+    >>> print(SurfacePart((0, 0), Box(Interval(mpq(0), mpq(1)), Interval.point(mpq(2)))))
+    [0, 1] × [2, 2]
+    """
+
+    patch: tuple[int, int]
+    sides: Box
+    along_curve: bool = False
+
+    @one_line
+    def __str__(self) -> str:
+        return f"{'a curve in ' * self.along_curve}{self.sides.shortly}"
+
+
+@dataclass(frozen=True, repr=False)
+class SurfacePlaces(Answer[T_co, SurfacePart]):
+    """The places of a surface at which something holds: points, each once, and `everywhere` parts of patches.
+    `undecided` are rectangles of parameters in which there may be more. An answer with such a rectangle is not
+    "nowhere".
+
+    >>> from gmpy2 import mpq
+    >>> from exactspline.numbers.intervals import Interval
+    >>> unit = Box(Interval(mpq(0), mpq(1)), Interval(mpq(0), mpq(1)))
+    >>> SurfacePlaces((), undecided=(unit,)), bool(SurfacePlaces((), undecided=(unit,)))
+    (undecided in [0, 1] × [0, 1], True)
+    """
+
+    undecided: tuple[Box, ...] = ()
+
+    def __bool__(self) -> bool:
+        return super().__bool__() or bool(self.undecided)
+
+    def _parts(self) -> list[str]:
+        return super()._parts() + [f"undecided in {SurfacePart((0, 0), box)}" for box in self.undecided]
+
 
 #: The digits of the points of a picture.
 DRAWN = 16

@@ -5,7 +5,7 @@ A certificate has a `format` with a version, names the proved statement in `what
 of all ``zeros`` of a spline (written by `exactspline.roots.zero_set`), of all ``intersections`` of two plane curves
 (written by `exactspline.geometry.pairs.intersections`), of all ``common zeros`` of functions of two parameters (written
 by `exactspline.bivariate.common_zeros_certificate`), of the ``zero curves`` of one function and their topology (written
-by `exactspline.bivariate.zero_curve_certificate`), or that the ``degree`` of forms cannot be lowered (written by
+by `exactspline.bivariate.common_zeros_certificate`), or that the ``degree`` of forms cannot be lowered (written by
 `exactspline.verification.minimality`).
 """
 

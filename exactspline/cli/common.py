@@ -273,7 +273,7 @@ def with_distance(asked: Sequence[str], epsilon: str, usual: Sequence[str], *, o
     """
     if not epsilon:
         return list(asked)
-    from exactspline.geometry.analysis.registry import REGISTRY
+    from exactspline.geometry.analysis.ask import REGISTRY
     from exactspline.questions.entry import Of
 
     check_distance(epsilon)

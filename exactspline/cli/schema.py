@@ -32,7 +32,7 @@ def _schemas() -> dict[str, dict[str, dict[str, object]]]:
     from importlib import resources
 
     from exactspline.display.answer_forms import FORMS_BESIDE, form_of
-    from exactspline.geometry.analysis.registry import REGISTRY
+    from exactspline.geometry.analysis.ask import REGISTRY
 
     text = resources.files(__package__).joinpath("schemas.json").read_text(encoding="utf-8")
     found = {name: _fields(by_type) for name, by_type in json.loads(text).items()}
@@ -78,7 +78,7 @@ def _answers(*of: str) -> dict[str, dict[str, object]]:
     answer. A question that is not asked about all of the kinds is optional.
     """
     from exactspline.display.answer_forms import form_of
-    from exactspline.geometry.analysis.registry import REGISTRY
+    from exactspline.geometry.analysis.ask import REGISTRY
     from exactspline.questions.entry import Of
 
     kinds = [Of(kind) for kind in of]

@@ -20,8 +20,7 @@ from exactspline.errors import CurveFileError, counted
 
 if TYPE_CHECKING:
     from exactspline.batch.corpus import Source
-    from exactspline.batch.lines import Line
-    from exactspline.batch.summary import Summary
+    from exactspline.batch.lines import Line, Summary
 
 Tick = Callable[[float, "Line", bool], None]
 
@@ -152,7 +151,7 @@ def sweep(
     from exactspline.batch.backends import check_backend
     from exactspline.batch.corpus import Family, Taken
     from exactspline.batch.inspections import USUAL
-    from exactspline.batch.summary import Summary
+    from exactspline.batch.lines import Summary
     from exactspline.batch.sweep import Where, sweep_into_file, work_of
 
     check_approximate(approximate)

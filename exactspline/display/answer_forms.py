@@ -10,7 +10,7 @@ from operator import itemgetter
 from types import NoneType, SimpleNamespace
 from typing import TYPE_CHECKING, Any, get_args, get_type_hints
 
-from exactspline.bivariate.answers import SurfacePlaces
+from exactspline.bivariate.zeros import SurfacePlaces
 from exactspline.display import bisector_data, surface_data
 from exactspline.display.bisector_data import FORMS_OF_POINT, MISSING, PAIRS, PARAMETER, SIDES_MISSING
 from exactspline.display.forms import (

@@ -30,7 +30,7 @@ def glossary() -> dict[str, dict[str, str]]:
     >>> glossary()["verdicts"]["REFUTED"]
     'it fails, and a witness shows where'
     """
-    from exactspline.geometry.analysis.registry import terms_of_questions  # loads the classes with questions
+    from exactspline.geometry.analysis.ask import terms_of_questions  # loads the classes with questions
 
     return _written() | {"questions": terms_of_questions(_by_term(_written()))}
 

@@ -26,8 +26,7 @@ from exactspline.geometry.rounded.features import NearbyFeature
 from exactspline.geometry.rounded.intersections import NearbyMeeting
 from exactspline.geometry.rounded.stability import StableFeature
 from exactspline.numbers.exact import decimal_unit, mpq, text
-from exactspline.numbers.intervals import Interval
-from exactspline.numbers.sides import Side
+from exactspline.numbers.intervals import Interval, Side
 from exactspline.questions.entry import Answered
 from exactspline.reals.real import Real
 from exactspline.roots.answers import CurvePiece

@@ -29,7 +29,7 @@ from exactspline.language.rational import Rational
 from exactspline.language.ruled import RuledSurface
 from exactspline.language.vector import Vector
 from exactspline.numbers.exact import mpq
-from exactspline.numbers.sides import Side
+from exactspline.numbers.intervals import Side
 from exactspline.questions.entry import questions_of
 from exactspline.reals.real import Real
 from exactspline.roots.answers import Answer

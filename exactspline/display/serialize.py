@@ -38,8 +38,7 @@ from exactspline.interchange.curve_files import curve_data
 from exactspline.language.rational import Rational
 from exactspline.language.vector import Vector
 from exactspline.numbers.exact import mpq
-from exactspline.numbers.intervals import Interval
-from exactspline.numbers.sides import Side
+from exactspline.numbers.intervals import Interval, Side
 from exactspline.reals.real import Real
 from exactspline.roots.root import Root, knot_root
 from exactspline.roots.values import evaluate, exact_place

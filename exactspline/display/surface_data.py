@@ -45,10 +45,10 @@ from exactspline.geometry.pairs.surface_meetings import LineMeeting, NearestOnSu
 from exactspline.geometry.recognition.patches import RecognizedPart
 from exactspline.geometry.recognition.shapes import ShapeKind
 from exactspline.geometry.rounded.umbilics import NearbyUmbilic
-from exactspline.geometry.surfaces.degenerate import Gap, Pole
 from exactspline.geometry.surfaces.forms import lowest
 from exactspline.geometry.surfaces.joints import SurfaceJoint, SurfaceJointKind
 from exactspline.geometry.surfaces.ridges import NoDirections, Ridges
+from exactspline.geometry.surfaces.singular import Gap, Pole
 from exactspline.geometry.surfaces.umbilics import HALF, Umbilic, UmbilicKind
 from exactspline.language.formula import Formula
 from exactspline.language.rational import Rational

@@ -34,7 +34,7 @@ from exactspline.splines.surface import NurbsSurface
 _BEGINNING = re.compile(rb"(\xef\xbb\xbf)?\s*(\[\s*)?\{")
 
 
-def schema() -> dict[str, object]:
+def _schema() -> dict[str, object]:
     """The JSON Schema of the format.
 
     >>> schema()["title"]

@@ -28,8 +28,8 @@ from exactspline.language.operand import (
 from exactspline.language.provenance import same
 from exactspline.language.vector import S, Vector, cross, perp
 from exactspline.numbers.exact import Number, mpq
+from exactspline.numbers.intervals import Side
 from exactspline.numbers.once import Immutable, fill
-from exactspline.numbers.sides import Side
 from exactspline.one_line import one_line
 
 T = TypeVar("T", bound=Counted)

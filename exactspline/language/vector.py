@@ -25,8 +25,8 @@ from exactspline.language.operand import (
     no_truth_value,
 )
 from exactspline.numbers.exact import Number, mpq
+from exactspline.numbers.intervals import Side
 from exactspline.numbers.once import Immutable, fill
-from exactspline.numbers.sides import Side
 from exactspline.one_line import one_line
 
 T = TypeVar("T")

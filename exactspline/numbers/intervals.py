@@ -1,5 +1,5 @@
 """Intervals with rational ends, and boxes of two intervals: subdivision, hulls, rounding, quotients, FLINT's balls,
-decimals.
+decimals; and the two sides of a parameter.
 
 The arithmetic of these intervals is exact. Bounds in doubles, for thousands of forms in one operation, are values with
 error bounds (`exactspline.programs.doubles`, `exactspline.polynomials.doubles`); the effect of rounding is proved
@@ -16,6 +16,14 @@ from flint import arb
 
 from exactspline.numbers.exact import mpq, mpz, rational, to_fmpq
 from exactspline.one_line import one_line, short_text
+from exactspline.words import Word
+
+
+class Side(Word):
+    """The side from which a limit or a one-sided value is taken."""
+
+    LEFT = "left"
+    RIGHT = "right"
 
 
 class Interval(NamedTuple):

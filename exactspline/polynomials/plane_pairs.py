@@ -170,13 +170,13 @@ BY_BALLS = 4
 IDENTITY = RationalMap(1, fmpz_poly([0, 1]), fmpz_poly([1]))
 
 
-class Several(Enum):
+class _Several(Enum):
     """The answer that there is not exactly one parameter."""
 
     SEVERAL = 0
 
 
-SEVERAL = Several.SEVERAL
+SEVERAL = _Several.SEVERAL
 
 
 class Elimination:
@@ -263,7 +263,7 @@ class Elimination:
         """Whether there is exactly one parameter s at a zero of F, on the segment or not."""
         return bool(self.sign("first", place) or self.sign("last", place))
 
-    def partner(self, place: Place) -> Local | Several | None:
+    def partner(self, place: Place) -> Local | _Several | None:
         """The parameter s of a zero of F on the segment; None if it is outside the segment, and `SEVERAL` if there
         is not exactly one.
         """
@@ -274,7 +274,7 @@ class Elimination:
         return at(mpq(1)) if self.sign("last", place) else SEVERAL
 
 
-class LineElimination(Elimination):
+class _LineElimination(Elimination):
     """The elimination for a first curve of degree 1, whose matrix is its line: ``s/u = −det(p₀, Q, e)/det(p₁, Q, e)``
     for a point e that is not on the line.
     """
@@ -299,7 +299,7 @@ class LineElimination(Elimination):
         """True, because a line passes once through each of its points."""
         return True
 
-    def partner(self, place: Place) -> Local | Several | None:
+    def partner(self, place: Place) -> Local | _Several | None:
         """The parameter on the line; None if it is outside the segment."""
         top, bottom = (place.sign(form, self.degree) for form in self._forms)
         if top * bottom < 0:
@@ -315,7 +315,7 @@ def self_elimination(curve: PlaneForms) -> Elimination:
 def elimination(first: PlaneForms, second: PlaneForms) -> Elimination:
     """The elimination of the parameter of the first curve."""
     if first.degree == 1:
-        return LineElimination(first, second)
+        return _LineElimination(first, second)
     return Elimination(bezout.bezout_matrix(first, second), second.degree)
 
 

@@ -10,7 +10,7 @@ from typing import Any, NamedTuple
 
 from exactspline.errors import ExactSplineError, as_text, nearest
 from exactspline.numbers.exact import mpq, rational
-from exactspline.numbers.sides import Side
+from exactspline.numbers.intervals import Side
 from exactspline.reals.real import Real
 
 #: The largest integer that a question takes.

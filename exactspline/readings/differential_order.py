@@ -58,7 +58,7 @@ class Order(FieldOperand):
         return Order(self.order + order, quotient=self.quotient)
 
 
-class OrderReading(Reading):
+class _OrderReading(Reading):
     """The reading in which every operand has order 0."""
 
     name = "order"
@@ -113,4 +113,4 @@ def orders(formula: Formula, dimension: int, kind: Kind | None = None) -> object
 @lru_cache(64)
 def _argument(kind: Kind, dimension: int) -> Evaluated:
     """One argument for all formulas of a kind, so that common subformulas are evaluated once."""
-    return OrderReading().argument(kind, dimension).remembering()
+    return _OrderReading().argument(kind, dimension).remembering()

@@ -29,7 +29,7 @@ from exactspline.readings.differential_order import order_of
 MAX_TERMS = 40
 
 
-class Across(NamedTuple):
+class _Across(NamedTuple):
     """The derivative with respect to the other parameter of a surface, given on the known coefficients."""
 
     parameter: Parameter
@@ -44,7 +44,7 @@ class Across(NamedTuple):
         return total
 
 
-class Expansion(RingOperand):
+class _Expansion(RingOperand):
     """A sum of parts ``t^(k d − m) (c_0 + c_1/t + …)``, one for each degree k and weight m; the c_i are polynomials in
     d and the coefficients of the curve, and only a few of them are known. Zero has no parts; a part whose known terms
     all vanish is not necessarily zero.
@@ -67,19 +67,19 @@ class Expansion(RingOperand):
         context: fmpq_mpoly_ctx,
         known: int,
         parts: dict[tuple[int, int], list[fmpq_mpoly]],
-        across: Across | None = None,
+        across: _Across | None = None,
     ) -> None:
         self.context, self.known, self.parts, self.across = context, known, parts, across
 
-    def _made(self, parts: dict[tuple[int, int], list[fmpq_mpoly]]) -> Expansion:
-        return Expansion(self.context, self.known, parts, self.across)
+    def _made(self, parts: dict[tuple[int, int], list[fmpq_mpoly]]) -> _Expansion:
+        return _Expansion(self.context, self.known, parts, self.across)
 
     @property
     def degree(self) -> int:
         """The largest degree k of the parts."""
         return max((k for k, _ in self.parts), default=0)
 
-    def constant(self, value: Constant) -> Expansion:
+    def constant(self, value: Constant) -> _Expansion:
         """The expansion of a constant."""
         number = to_fmpq(rational(value))
         if not number:
@@ -87,14 +87,14 @@ class Expansion(RingOperand):
         zero = self.context.constant(0)
         return self._made({(0, 0): [self.context.constant(number), *[zero] * (self.known - 1)]})
 
-    def _plus(self, right: Expansion) -> Expansion:
+    def _plus(self, right: _Expansion) -> _Expansion:
         parts = dict(self.parts)
         for grading, terms in right.parts.items():
             present = parts.get(grading)
             parts[grading] = terms if present is None else [a + b for a, b in zip(present, terms, strict=True)]
         return self._made(parts)
 
-    def _times(self, right: Expansion) -> Expansion:
+    def _times(self, right: _Expansion) -> _Expansion:
         result, zero = self._made({}), self.context.constant(0)
         for (k, m), a in self.parts.items():
             for (n, o), b in right.parts.items():
@@ -102,12 +102,12 @@ class Expansion(RingOperand):
                 result = result + self._made({(k + n, m + o): terms})
         return result
 
-    def scaled(self, constant: Constant) -> Expansion:
+    def scaled(self, constant: Constant) -> _Expansion:
         """The expansion times an exact constant."""
         q = to_fmpq(rational(constant))
         return self._made({grading: [q * a for a in terms] for grading, terms in self.parts.items()} if q else {})
 
-    def _first_derivative(self, by: str | None) -> Expansion:
+    def _first_derivative(self, by: str | None) -> _Expansion:
         """The derivative, term by term; the derivative of a constant is exactly zero. For the other parameter of a
         surface, the coefficients are differentiated, which are functions of it.
         """
@@ -163,7 +163,7 @@ def common_roots(polynomial: fmpq_mpoly) -> tuple[int, ...]:
     )
 
 
-class _StillExpansion(Expansion):
+class _StillExpansion(_Expansion):
     """The expansion of an operand that does not depend on the parameter that goes to infinity. The operand is a
     constant, and so are its derivatives with respect to its own parameter.
     """
@@ -199,17 +199,17 @@ class LeadingTermsReading(Reading):
         known = dict(zip(names, context.gens()[1:], strict=True))
         nothing = [context.constant(0)] * (self.terms - 1)
 
-        def operand(symbol: Symbol) -> Expansion:
+        def operand(symbol: Symbol) -> _Expansion:
             coefficients = [known[f"{symbol.name}{i}"] for i in range(lengths[symbol.name])]
             if symbol.parameters == PARAMETERS[:1]:
-                return Expansion(context, self.terms, {(1, 0): coefficients})
+                return _Expansion(context, self.terms, {(1, 0): coefficients})
             constants = [_StillExpansion(context, self.terms, {(0, 0): [c, *nothing]}) for c in coefficients]
             if not symbol.parameters:
                 constants[1:] = [_StillExpansion(context, self.terms, {}) for _ in coefficients[1:]]
             constants[0].derivatives = constants
             return constants[0]
 
-        one = Expansion(context, self.terms, {(0, 0): [context.constant(1), *nothing]})
+        one = _Expansion(context, self.terms, {(0, 0): [context.constant(1), *nothing]})
         return kind.argument(dimension, operand, one, polynomial=polynomial)
 
     def _surface(self, kind: Kind, dimension: int, symbols: tuple[Symbol, ...], polynomial: bool) -> Evaluated:
@@ -221,14 +221,14 @@ class LeadingTermsReading(Reading):
         context = fmpq_mpoly_ctx.get(["d", *[f"{name}{i}_{n}" for name, i, n in places]], Ordering.degrevlex)
         known = dict(zip(places, context.gens()[1:], strict=True))
         follows = {k: known[name, i, n + 1] for k, (name, i, n) in enumerate(places, start=1) if n < self.order}
-        across = Across(other, follows)
+        across = _Across(other, follows)
 
-        def operand(symbol: Symbol) -> Expansion:
+        def operand(symbol: Symbol) -> _Expansion:
             coefficients = [known[symbol.name, i, 0] for i in range(self.terms)]
-            return Expansion(context, self.terms, {(1, 0): coefficients}, across)
+            return _Expansion(context, self.terms, {(1, 0): coefficients}, across)
 
         nothing = [context.constant(0)] * (self.terms - 1)
-        one = Expansion(context, self.terms, {(0, 0): [context.constant(1), *nothing]}, across)
+        one = _Expansion(context, self.terms, {(0, 0): [context.constant(1), *nothing]}, across)
         return kind.argument(dimension, operand, one, polynomial=polynomial)
 
 
@@ -270,7 +270,7 @@ def _resolved(formula: Callable[[Any], Any], curve: Callable[[int], Any], name: 
     for terms in range(1, MAX_TERMS):
         result = formula(curve(terms))
         components = list(result) if isinstance(result, Vector) else [result]
-        if not all(isinstance(c, Expansion) for c in components):
+        if not all(isinstance(c, _Expansion) for c in components):
             raise FormulaError(f"{name} is a quotient", remedy="pass numerator and denominator separately")
         leading = [c.leading for c in components if c.parts]
         last = [part for part in leading if part is not None]

@@ -172,7 +172,7 @@ SUBSCRIPTS = (Parameter.U, Parameter.V)
 SUM, PRODUCT, POWER, ATOM = 1, 2, 3, 4
 
 
-class Printer(ABC):
+class _Printer(ABC):
     """A traversal of a tree; subclasses define the notation of each node."""
 
     def __call__(self, node: Expression) -> str:
@@ -367,7 +367,7 @@ def leaf(value: str) -> tuple[str, str, str, bool]:
 _LETTERS = GREEK | {"Psi": "Ψ", "Pi": "Π", "nabla": "∇"}
 
 
-class TextPrinter(Printer):
+class TextPrinter(_Printer):
     """``[p′ p″] w − [p p″] w′``."""
 
     minus, cross, dot, between, ruling = "−", "×", "·", " ", "ζ"
@@ -441,7 +441,7 @@ print_text = TextPrinter()
 # ---- LaTeX
 
 
-class LatexPrinter(Printer):
+class _LatexPrinter(_Printer):
     r"""``[p'\ p'']\,w - [p\ p'']\,w'``."""
 
     minus, cross, dot, between, ruling = "-", r"\times", r"\cdot", r"\,", r"\zeta"
@@ -531,4 +531,4 @@ def _outside(text: str) -> str:
     return kept
 
 
-print_latex = LatexPrinter()
+print_latex = _LatexPrinter()

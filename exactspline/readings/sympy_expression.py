@@ -34,7 +34,7 @@ FIRST = PARAMETER[Parameter.FIRST]
 POINTS = tuple(tuple(3 + (7 * i * i + 11 * i + 5 * k) % 89 for i in range(89)) for k in (1, 2, 3))
 
 
-class SympyExpression(FieldOperand):
+class _SympyExpression(FieldOperand):
     """An expression, with the parameters on which it depends.
 
     >>> from exactspline.papers import find
@@ -92,7 +92,7 @@ class SympyExpression(FieldOperand):
         return vanishes(self.expression)
 
     def __eq__(self, other: object) -> bool:
-        return isinstance(other, SympyExpression) and vanishes(self.expression - other.expression)
+        return isinstance(other, _SympyExpression) and vanishes(self.expression - other.expression)
 
     __hash__ = None  # type: ignore[assignment]  # not hashable
 
@@ -101,7 +101,7 @@ class SympyExpression(FieldOperand):
         return str(self.expression)
 
 
-class _AlongCurve(SympyExpression):
+class _AlongCurve(_SympyExpression):
     """An expression on a curve on a surface, whose parameters are functions; `flow` contains their derivatives."""
 
     __slots__ = ("flow",)
@@ -151,25 +151,25 @@ class SympyReading(Reading):
         """The argument with functions of their parameters, differentiated by the rules of the kind if it has any, and
         with symbols for constants.
         """
-        rules, known = kind.rules(dimension), dict[str, SympyExpression]()
+        rules, known = kind.rules(dimension), dict[str, _SympyExpression]()
         texts = {symbol.name: symbol.text for symbol in kind.symbols(dimension, polynomial=polynomial)}
         flow = tuple(
             (PARAMETER[parameter], sympy.diff(sympy.Function(texts[name])(FIRST), FIRST))
             for parameter, name in kind.composed.items()
         )
 
-        def operand(symbol: Symbol) -> SympyExpression:
+        def operand(symbol: Symbol) -> _SympyExpression:
             if not symbol.parameters:
-                return SympyExpression(sympy.Symbol(symbol.name))  # alpha_1 and alpha1 are printed alike
+                return _SympyExpression(sympy.Symbol(symbol.name))  # alpha_1 and alpha1 are printed alike
             parameters = [PARAMETER[name] for name in symbol.parameters]
             function = sympy.Function(symbol.text)
             if symbol.name in rules:
-                function = _linked(symbol.text, lambda: cast(SympyExpression, rules[symbol.name](known)).expression)
+                function = _linked(symbol.text, lambda: cast(_SympyExpression, rules[symbol.name](known)).expression)
             made = function(*parameters), frozenset(parameters)
-            return _AlongCurve(*made, flow) if flow else SympyExpression(*made)
+            return _AlongCurve(*made, flow) if flow else _SympyExpression(*made)
 
         known |= {symbol.name: operand(symbol) for symbol in kind.symbols(dimension, polynomial=polynomial)}
-        one = SympyExpression(sympy.Integer(1))
+        one = _SympyExpression(sympy.Integer(1))
         return kind.argument(dimension, lambda symbol: known[symbol.name], one, polynomial=polynomial)
 
 

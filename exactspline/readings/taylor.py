@@ -16,7 +16,7 @@ from exactspline.language.formula import Reading
 from exactspline.language.kinds import Kind
 from exactspline.language.operand import Constant, FieldOperand, Parameter, Scalar
 from exactspline.numbers.exact import Number, mpq
-from exactspline.numbers.sides import Side
+from exactspline.numbers.intervals import Side
 from exactspline.one_line import one_line
 
 
@@ -228,7 +228,7 @@ class DoubleSeries(FieldOperand):
         return f"DoubleSeries({self.coefficients}, {self.terms})"
 
 
-class FunctionOfTwo(Protocol):
+class _FunctionOfTwo(Protocol):
     """A function of two parameters that can be expanded."""
 
     def partial(self, i: int, j: int) -> Self:
@@ -238,7 +238,7 @@ class FunctionOfTwo(Protocol):
         """The value at two parameters."""
 
 
-def double_taylor(spline: FunctionOfTwo, u: Number, v: Number, terms: int) -> DoubleSeries:
+def double_taylor(spline: _FunctionOfTwo, u: Number, v: Number, terms: int) -> DoubleSeries:
     """The expansion of a spline in two parameters at a point (at a knot, from the right).
 
     >>> from exactspline import TensorSpline
@@ -271,4 +271,4 @@ class DoubleTaylorReading(Reading):
         """The expansion of the given surface."""
         u, v = self.place
         # the operands of the given argument are functions
-        return self.given.mapped(lambda operand: double_taylor(cast(FunctionOfTwo, operand), u, v, self.terms))
+        return self.given.mapped(lambda operand: double_taylor(cast(_FunctionOfTwo, operand), u, v, self.terms))

@@ -7,7 +7,7 @@ from mpmath import libmp, mp, nstr
 from exactspline.numbers.exact import mpq
 
 
-class ShownMpf(mp.mpf):  # type: ignore[misc]  # mpmath has no types
+class _ShownMpf(mp.mpf):  # type: ignore[misc]  # mpmath has no types
     """An mpf that prints a fixed number of significant digits, independently of the working precision of mpmath;
     results of computations with it are ordinary mpf numbers.
     """
@@ -25,15 +25,15 @@ class ShownMpf(mp.mpf):  # type: ignore[misc]  # mpmath has no types
         return _made, (tuple(int(part) for part in self._mpf_), self.digits)
 
 
-def _made(value: tuple[int, ...], digits: int) -> ShownMpf:
+def _made(value: tuple[int, ...], digits: int) -> _ShownMpf:
     sign, mantissa, exponent, bits = value
-    made = ShownMpf.__new__(ShownMpf)
+    made = _ShownMpf.__new__(_ShownMpf)
     made._mpf_ = sign, libmp.MPZ(mantissa), exponent, bits
     made.digits = digits
     return made
 
 
-def shown(value: mpq, digits: int) -> ShownMpf:
+def shown(value: mpq, digits: int) -> _ShownMpf:
     """A number with an error far below ``10^−digits``, printed with this many digits after the decimal point."""
     whole = int(abs(value))
     bits = whole.bit_length() + (10 ** max(digits, 0)).bit_length() + 4
@@ -43,7 +43,7 @@ def shown(value: mpq, digits: int) -> ShownMpf:
     )
 
 
-def significant(value: mpq, digits: int) -> ShownMpf:
+def significant(value: mpq, digits: int) -> _ShownMpf:
     """A number with a relative error far below ``10^−digits``, printed with this many significant digits."""
     bits = (10 ** max(digits, 0)).bit_length() + 8
     return _made(libmp.from_rational(int(value.numerator), int(value.denominator), bits), max(digits, 1))

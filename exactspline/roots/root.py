@@ -27,7 +27,7 @@ PRECISION = 128
 INSIDE = 72
 
 
-class LazyForm(Protocol):
+class _LazyForm(Protocol):
     """A form on a segment, computed when first needed."""
 
     @property
@@ -107,7 +107,7 @@ class Shrunk(NamedTuple):
         return None
 
 
-def _closer(lazy: LazyForm, before: int, box: list[arb]) -> list[arb]:
+def _closer(lazy: _LazyForm, before: int, box: list[arb]) -> list[arb]:
     """A Newton step for a ball in which a form changes from the sign `before` its zero."""
     (ball,), form = box, lazy.form
     middle, rise = ball.mid(), form.slope(ball)
@@ -122,7 +122,7 @@ class LazyRoot:
     multiplicity = 1
 
     def __init__(
-        self, form: LazyForm, number: int, before: int, interval: tuple[float, float], shrunk: Shrunk | None = None
+        self, form: _LazyForm, number: int, before: int, interval: tuple[float, float], shrunk: Shrunk | None = None
     ) -> None:
         self.form, self.number, self.before, self.signs = form, number, before, (before, -before)
         self._interval, self._shrunk = interval, shrunk

@@ -13,9 +13,8 @@ from flint import arb, ctx, fmpq_poly, fmpz_poly
 
 from exactspline.errors import DomainError
 from exactspline.numbers.exact import Number, mpq, mpz, rational, sign, text
-from exactspline.numbers.intervals import Interval, ball_around, ball_ends, sign_of_ball
+from exactspline.numbers.intervals import Interval, Side, ball_around, ball_ends, sign_of_ball
 from exactspline.numbers.once import fill
-from exactspline.numbers.sides import Side
 from exactspline.polynomials import elimination
 from exactspline.polynomials.bernstein import over_common_denominator
 from exactspline.reals.real import UNASKED, Real, square_root
@@ -96,7 +95,7 @@ class ValueAt(Real):
         quadratic.
         """
         highest = max(self.top.degree, self.bottom.degree)
-        parts = [(segment_of_root(f.mesh, self.place), f) for f in (self.top, self.bottom)]
+        parts = [(_segment_of_root(f.mesh, self.place), f) for f in (self.top, self.bottom)]
         raised = [f.numerators[i] * fmpz_poly([1, 1]) ** (highest - f.degree) for i, f in parts if i is not None]
         return len(raised) == 2 and elimination.without_quadratic_zero(cast(Root, self.place).local_polynomial, *raised)
 
@@ -183,11 +182,11 @@ def exact_place(t: Number | Real) -> mpq | Real:
     return t if t.exact is None else t.exact
 
 
-def local_balls(mesh: Mesh, place: Real, digits: int = SHORT) -> Iterator[tuple[int, int, arb]]:
+def _local_balls(mesh: Mesh, place: Real, digits: int = SHORT) -> Iterator[tuple[int, int, arb]]:
     """The segment that contains an irrational number, and balls around ``z = t/(1 − t)`` for its local parameter t,
     with the precision at which to use them: ever smaller ones, the first for about this many digits.
     """
-    i, breaks = segment_of_root(mesh, place), mesh.breaks
+    i, breaks = _segment_of_root(mesh, place), mesh.breaks
     if i is not None and (ball := cast(Root, place).ball) is not None:
         yield i, PRECISION, ball
     while True:
@@ -201,7 +200,7 @@ def local_balls(mesh: Mesh, place: Real, digits: int = SHORT) -> Iterator[tuple[
         digits *= 2
 
 
-def segment_of_root(mesh: Mesh, place: Real) -> int | None:
+def _segment_of_root(mesh: Mesh, place: Real) -> int | None:
     """The index of the segment of which a number is known to be a root inside; None where it is not known."""
     inside = place.segment if isinstance(place, Root) else None
     if inside is None or not mesh.breaks[0] <= inside.low < mesh.breaks[-1]:
@@ -212,7 +211,7 @@ def segment_of_root(mesh: Mesh, place: Real) -> int | None:
 
 def _balls(f: BSpline, place: Real, digits: int = SHORT) -> Iterator[tuple[int, arb]]:
     """Balls around the value of a spline at an irrational number, ever smaller ones, with their precision."""
-    for i, bits, z in local_balls(f.mesh, place, digits):
+    for i, bits, z in _local_balls(f.mesh, place, digits):
         with ctx.workprec(bits):
             ball = f.numerators[i](z) / (1 + z) ** max(f.degree, 0) / f.denominators[i]
         yield bits, ball
@@ -220,7 +219,7 @@ def _balls(f: BSpline, place: Real, digits: int = SHORT) -> Iterator[tuple[int, 
 
 def segment_of(f: BSpline, place: Real) -> int:
     """The index of the segment that contains an irrational number of the domain."""
-    return next(local_balls(f.mesh, place))[0]
+    return next(_local_balls(f.mesh, place))[0]
 
 
 def sign_at(f: BSpline, t: mpq | Real, side: Side | str = Side.RIGHT) -> int:

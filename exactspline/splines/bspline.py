@@ -22,9 +22,8 @@ from exactspline.language.operand import CONSTANTS, Constant, checked_order
 from exactspline.language.provenance import DERIVATIVE, DIFFERENCE, MULTIPLE, PRODUCT, SUM, UNIT, Provenance, leaf
 from exactspline.language.rational import RingOperand
 from exactspline.numbers.exact import Number, mpq, rational, text, to_fmpz
-from exactspline.numbers.intervals import Interval
+from exactspline.numbers.intervals import Interval, Side
 from exactspline.numbers.once import Immutable, fill, setters
-from exactspline.numbers.sides import Side
 from exactspline.one_line import LONGEST
 from exactspline.polynomials.bernstein import (
     ONE,

@@ -6,7 +6,7 @@ from collections.abc import Iterable
 
 from exactspline.errors import DomainError, NumberError, ShapeError, a_kind, shown
 from exactspline.numbers.exact import Number, mpq, rational
-from exactspline.numbers.sides import Side
+from exactspline.numbers.intervals import Side
 from exactspline.words import choice
 
 #: The largest degree accepted as input; computed splines may have higher degrees.

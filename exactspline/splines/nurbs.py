@@ -16,9 +16,8 @@ from exactspline.language.arguments import Curve
 from exactspline.language.operand import Operand, checked_order
 from exactspline.language.vector import Vector, dot, norm2, perp
 from exactspline.numbers.exact import Number, from_floats, mpq, rational, sign, text
-from exactspline.numbers.intervals import Interval
+from exactspline.numbers.intervals import Interval, Side
 from exactspline.numbers.once import Immutable, cached_property, fill
-from exactspline.numbers.sides import Side
 from exactspline.one_line import one_line
 from exactspline.polynomials.isolation import zero_on_segment
 from exactspline.reals.real import Real, square_root

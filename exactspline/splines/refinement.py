@@ -12,8 +12,7 @@ from flint import fmpz, fmpz_poly
 from exactspline.errors import DomainError, KnotError, ReductionError, ShapeError, shown
 from exactspline.language.provenance import Provenance
 from exactspline.numbers.exact import Number, mpq, ratio, rational, text, to_fmpz
-from exactspline.numbers.intervals import Interval
-from exactspline.numbers.sides import Side
+from exactspline.numbers.intervals import Interval, Side
 from exactspline.one_line import short_text
 from exactspline.polynomials import bernstein
 from exactspline.polynomials.bernstein import Form
@@ -33,7 +32,7 @@ def segmentwise(operation: Callable[[T, T], T], first: Sequence[T], second: Sequ
     return (operation(first[0], second[0]),) if len(first) == 1 else tuple(map(operation, first, second))
 
 
-class Piecewise(Protocol):
+class _Piecewise(Protocol):
     """A piecewise polynomial, given by its forms."""
 
     degree: int
@@ -79,7 +78,7 @@ class Piecewise(Protocol):
         """The exact value at a parameter."""
 
 
-S = TypeVar("S", bound=Piecewise)
+S = TypeVar("S", bound=_Piecewise)
 
 
 def aligned(f: S, g: S) -> tuple[S, S]:
@@ -97,7 +96,7 @@ def over(f: S, mesh: Mesh) -> S:
     return type(f).from_forms(f.degree, mesh, continuity, _parts(f, mesh), f.provenance)
 
 
-def _parts(f: Piecewise, mesh: Mesh) -> Iterator[bernstein.Form]:
+def _parts(f: _Piecewise, mesh: Mesh) -> Iterator[bernstein.Form]:
     for a, b in pairwise(mesh.breaks):
         i = f.mesh.locate(a)
         form = f.numerators[i], f.denominators[i]
@@ -219,7 +218,7 @@ def _replaced(continuity: tuple[int, ...], position: int, by: int) -> tuple[int,
     return (*continuity[:position], by, *continuity[position + 1 :])
 
 
-def continuity_at(f: Piecewise, t: Number) -> int:
+def continuity_at(f: _Piecewise, t: Number) -> int:
     """Return the order of continuity at a parameter: −1 at a jump, the degree if both sides are the same polynomial.
 
     >>> from exactspline import BSpline
@@ -308,7 +307,7 @@ def compose(outer: S, inner: S) -> S:
     return type(outer).from_forms(outer.degree * inner.degree, mesh, inside, parts)
 
 
-def _typical(inner: Piecewise, outer: Piecewise, low: mpq, high: mpq) -> mpq:
+def _typical(inner: _Piecewise, outer: _Piecewise, low: mpq, high: mpq) -> mpq:
     """A value of the inner spline on (low, high) that is not a knot of the outer spline, if there are such values: the
     inner spline may touch knots there but does not cross any.
     """
@@ -327,7 +326,7 @@ def _constant(value: mpq, degree: int) -> bernstein.Form:
     return int(value.numerator) * bernstein.raiser(degree), to_fmpz(value.denominator)
 
 
-def _check_range(outer: Piecewise, inner: Piecewise) -> None:
+def _check_range(outer: _Piecewise, inner: _Piecewise) -> None:
     low, high = outer.domain
     for i, piece in enumerate(inner.forms):
         below = bernstein.add(piece, _constant(-low, inner.degree))[0]
@@ -342,7 +341,7 @@ def _check_range(outer: Piecewise, inner: Piecewise) -> None:
                 )
 
 
-def _preimages(inner: Piecewise, knot: mpq) -> list[mpq]:
+def _preimages(inner: _Piecewise, knot: mpq) -> list[mpq]:
     """The parameters strictly inside segments at which `inner` crosses `knot`; raises an error unless all are
     rational.
     """

@@ -17,8 +17,7 @@ from exactspline.language.operand import Operand
 from exactspline.language.ruled import split
 from exactspline.polynomials.cost import Budget, drawing_on
 from exactspline.readings.differential_order import order_of
-from exactspline.readings.jet import Jet, JetFraction, JetRing
-from exactspline.readings.other_parameter import InOtherParameter
+from exactspline.readings.jet import InOtherParameter, Jet, JetFraction, JetRing
 from exactspline.symbolic.factorization import jets_for
 from exactspline.symbolic.substitution import substitute
 from exactspline.verification.evaluation import argument

@@ -15,9 +15,8 @@ import exactspline as xs
 from exactspline import ExactSplineError, Family, check_certificate
 from exactspline.batch.inspections import entry_of
 from exactspline.errors import OpenError
-from exactspline.geometry.analysis.ask import asked_of, check_question, questions
+from exactspline.geometry.analysis.ask import REGISTRY, asked_of, check_question, questions
 from exactspline.geometry.analysis.pairs import CurvePair
-from exactspline.geometry.analysis.registry import REGISTRY
 from exactspline.questions import takes
 from exactspline.questions.entry import ALL_CURVES, Answered, Of
 from exactspline.reals.ball import InBalls

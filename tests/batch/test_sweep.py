@@ -21,11 +21,9 @@ from exactspline.batch import backends, results
 from exactspline.batch import sweep as sweeping
 from exactspline.batch.corpus import Problem, items
 from exactspline.batch.inspections import asked_by_sweeps, enclosed, inspected
-from exactspline.batch.lines import line_schema
+from exactspline.batch.lines import Summary, line_schema
 from exactspline.batch.results import JsonLines, ResultsError
-from exactspline.batch.summary import Summary
-from exactspline.batch.sweep import Where, sweep_into_file
-from exactspline.batch.work import Work
+from exactspline.batch.sweep import Where, Work, sweep_into_file
 from exactspline.errors import CurveFileError
 from exactspline.interchange.files import read_in_pieces
 from exactspline.questions import takes

@@ -16,13 +16,11 @@ from hypothesis import strategies as st
 
 import exactspline as xs
 from exactspline import Family, Nurbs
-from exactspline.batch import backends, inspections, work
+from exactspline.batch import backends, inspections, sweep
 from exactspline.batch.corpus import items
-from exactspline.batch.lines import Way
+from exactspline.batch.lines import Summary, Way
 from exactspline.batch.results import JsonLines
-from exactspline.batch.summary import Summary
-from exactspline.batch.sweep import Where, sweep_into_file
-from exactspline.batch.work import Work
+from exactspline.batch.sweep import Where, Work, sweep_into_file
 from exactspline.geometry.analysis import curves as analysis
 from exactspline.polynomials.elimination import without_rational_zero
 from exactspline.polynomials.isolation import LocalPolynomial
@@ -281,7 +279,7 @@ def test_without_the_extension_all_is_exact_and_the_summary_says_so(monkeypatch)
     family = Family.parsed("degree=3 count=20 seed=16")
     expected = list(xs.sweep(family))
     monkeypatch.setattr(accelerator, "filter_curve", None)
-    monkeypatch.setattr(work, "filter_curve", None)
+    monkeypatch.setattr(sweep, "filter_curve", None)
     summary, lines = Summary(), list(xs.sweep(family))
     for line in lines:
         summary.add(line)

@@ -13,10 +13,9 @@ import pytest
 import exactspline as xs
 from exactspline import Family
 from exactspline.batch.corpus import Problem
+from exactspline.batch.lines import Summary
 from exactspline.batch.results import ResultsError
-from exactspline.batch.summary import Summary
-from exactspline.batch.sweep import Where, sweep_into_file
-from exactspline.batch.work import Work
+from exactspline.batch.sweep import Where, Work, sweep_into_file
 from tests.batch.test_sweep import run
 
 

@@ -18,7 +18,7 @@ from hashlib import sha256
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
-from exactspline.geometry.analysis.registry import REGISTRY
+from exactspline.geometry.analysis.ask import REGISTRY
 from exactspline.interchange.examples import example_names, example_surface_names
 from exactspline.questions.entry import Of
 from tests.support.command import run

@@ -11,8 +11,7 @@ import pytest
 import exactspline as xs
 from exactspline import Real
 from exactspline.display.sheet import Sheet
-from exactspline.geometry.analysis.ask import asked_of, facts_about, kind_of
-from exactspline.geometry.analysis.registry import REGISTRY
+from exactspline.geometry.analysis.ask import REGISTRY, asked_of, facts_about, kind_of
 from exactspline.hooks import Written
 from exactspline.questions.entry import Of
 from tests.support.command import invoke, run

@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 
 from exactspline.cli.commands import leaves
-from exactspline.geometry.analysis.registry import ASKED, REGISTRY
+from exactspline.geometry.analysis.ask import ASKED, REGISTRY
 from exactspline.questions.entry import Answered, questions_of
 from tests.support import gates, import_graph
 
@@ -37,7 +37,7 @@ DECIDING = (
     "programs/",
 )
 BY_SENTENCES = {
-    "batch/summary.py: Summary.entries": "how many different notes there are",
+    "batch/lines.py: Summary.entries": "how many different notes there are",
     "extras/teaching/display/exercises.py: solution_lines": "a heading that a triangle has is not shown twice",
     "display/ledger_run.py: Run._listed": "a sheet is found by its name, which is shown too",
     "extras/teaching/display/triangles.py: _result_html": "the name of an algorithm",
@@ -125,8 +125,8 @@ NAMES_TAKEN_APART = {
 UNREGISTERED = {
     "geometry/filter/certain.py: Certain.critical_points": "the answer of critical_points, where it is certain",
     "geometry/filter/certain.py: Certain.inflections": "the answer of inflections, where it is certain",
-    "geometry/curves/extent.py: turning_points": "the answer of turning_points, beside what it shares with boxes",
-    "geometry/curves/extent.py: at_coordinate": "the answer of at_coordinate, beside what it shares with boxes",
+    "geometry/curves/bounds.py: turning_points": "the answer of turning_points, beside what it shares with boxes",
+    "geometry/curves/bounds.py: at_coordinate": "the answer of at_coordinate, beside what it shares with boxes",
     "geometry/pairs/surface_meetings.py: line_meetings": "the answers of line, ray and segment",
     "geometry/analysis/inspection.py: Report.places": "the answer of an entry",
     "geometry/analysis/inspection.py: Report.coordinate_extrema": "the answers of turning_points",
@@ -183,7 +183,7 @@ def test_no_second_list_of_questions():
 
 SECOND_NUMBERS = {
     "reals/algebraic.py: Algebraic": "inside the one real type: FLINT's algebraic numbers, wrapped",
-    "reals/digits.py: Digits": "a view: digits as they are shown",
+    "reals/algebraic.py: Digits": "a view: digits as they are shown",
     "roots/answers.py: OneNumber": "no number: what has one, such as a feature its parameter",
 }
 WAYS = {
@@ -311,11 +311,11 @@ ROUNDED = {
     "programs/error_bounds.py: factors": "the certified filter",
     "programs/doubles.py: _carried_out": "the certified filter",
     "polynomials/doubles.py: ordinates": "a guess, certified afterwards",
-    "reals/digits.py: Digits.__float__": "rounds to a double, on request",
+    "reals/algebraic.py: Digits.__float__": "rounds to a double, on request",
     "roots/root.py: Shrunk.double": "rounds to a double, on request",
     "roots/root.py: Root.double": "rounds to a double, on request",
     "roots/segment_forms.py: ImageValue.double": "rounds to a double, on request",
-    "reals/digits.py: Digits.__format__": "writes a number that is rounded exactly",
+    "reals/algebraic.py: Digits.__format__": "writes a number that is rounded exactly",
     "reals/real.py: RationalNumber.double": "rounds to a double, on request",
     "roots/answers.py: OneNumber.__float__": "rounds to a double, on request",
     "verification/conditioning.py: _at_root": "what is measured is the error of doubles",
@@ -358,11 +358,11 @@ def test_what_rounds_is_found(code):
 #: Where FLINT's own functions may be called: the doors, and what costs nothing.
 UNBOUNDED = {
     "geometry/measures/lengths.py: _Rooted._roots": "paid for, by degree and bits, where the zeros are apart",
-    "geometry/measures/integrals.py: Logarithmic.ball": "where the zeros are apart",
+    "geometry/measures/integrals.py: _Logarithmic.ball": "where the zeros are apart",
     "geometry/measures/integrals.py: _reduced": "after the bound was checked",
     "geometry/measures/integrals.py: integral": "the same",
     "geometry/bisectors/system.py: common_divisor_along": "over the field of a root: Euclid's algorithm, bounded",
-    "bivariate/zero_curve_certificate.py: _part_at": "over the field of a root: a door with an estimated cost",
+    "bivariate/common_zeros_certificate.py: _part_at": "over the field of a root: a door with an estimated cost",
     "numbers/exact.py: common_divisor": "integers",
     "polynomials/bernstein.py: add": "integers",
     "polynomials/bernstein.py: common_denominators": "integers",
@@ -402,7 +402,7 @@ def test_every_costly_call_goes_through_a_bounded_door():
 # ---- no error is hidden
 
 CAUGHT = {
-    "batch/work.py: OneByOne.line": "one curve does not end a batch: the type of the error is its answer",
+    "batch/sweep.py: _OneByOne.line": "one curve does not end a batch: the type of the error is its answer",
     "interchange/collector.py: Collector.skipping": "fontTools raises anything for a damaged outline; that is named",
     "interchange/formats/fonts.py: _opened": "the same for a damaged font",
     "interchange/formats/fonts.py: _requested": "the same for a damaged font",

@@ -19,9 +19,8 @@ from tests.support.sampled import sample
 
 np = pytest.importorskip("numpy")
 
-from exactspline.geometry.analysis.many_curves import features_in_parts, features_of_curves, scaled_operands  # noqa: E402
+from exactspline.geometry.analysis.many_curves import features_in_parts, features_of_curves, filtered, scaled_operands  # noqa: E402
 from exactspline.geometry.curves.plane_programs import plane_program  # noqa: E402
-from exactspline.geometry.filter.filtered import filtered  # noqa: E402  # needs numpy
 from exactspline.polynomials.doubles import Bounded, isolated, ordinates, values_at  # noqa: E402
 from exactspline.programs.doubles import in_doubles  # noqa: E402
 

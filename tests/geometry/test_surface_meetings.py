@@ -8,7 +8,7 @@ import pytest
 from gmpy2 import mpq
 
 from exactspline import NurbsSurface, Real, TensorSpline, ask, example, square_root
-from exactspline.bivariate import minima
+from exactspline.bivariate import quotients
 from exactspline.errors import ReachError, ShapeError
 from exactspline.geometry.analysis.ask import questions
 from exactspline.questions import takes
@@ -49,8 +49,8 @@ def test_boxes_and_elimination_have_the_same_nearest_points(monkeypatch, dial):
     random, answers = Random(dial), []
     nets = [[[[DIALS[dial](random) for _ in range(3)] for _ in range(3)] for _ in range(3)] for _ in range(4)]
     weights = [[random.randint(1, 3) for _ in range(3)] for _ in range(3)]
-    for levels in (minima.LEVELS, 0):
-        monkeypatch.setattr(minima, "LEVELS", levels)
+    for levels in (quotients.LEVELS, 0):
+        monkeypatch.setattr(quotients, "LEVELS", levels)
         for net, own in zip(nets, (None, weights) * 2, strict=True):
             knots = [0, 0, 0, 1, 1, 1]
             found = NurbsSurface((2, 2), knots, knots, net, own).nearest(net[0][1])

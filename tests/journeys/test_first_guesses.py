@@ -17,7 +17,7 @@ import pytest
 
 import exactspline as xs
 from exactspline import language
-from exactspline.geometry.analysis.registry import REGISTRY
+from exactspline.geometry.analysis.ask import REGISTRY
 from exactspline.geometry.derived.constructions import all_constructions
 from exactspline.hooks import DERIVED, LENT, QUESTIONS, first_guesses
 from exactspline.questions.entry import Of

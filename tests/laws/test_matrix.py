@@ -17,8 +17,8 @@ from gmpy2 import mpq
 
 from exactspline import NurbsSurface, TensorSpline, analyse
 from exactspline.geometry.analysis import curves, many_curves
+from exactspline.geometry.analysis.ask import REGISTRY
 from exactspline.geometry.analysis.pairs import CurvePair
-from exactspline.geometry.analysis.registry import REGISTRY
 from exactspline.geometry.analysis.surfaces import SurfaceInspection
 from exactspline.geometry.curves.kinds import FeatureKind
 from exactspline.geometry.pairs import nearest as nearest_points

@@ -16,8 +16,7 @@ from gmpy2 import mpq
 import exactspline as xs
 from exactspline.batch.corpus import Family
 from exactspline.display.tables import Grid
-from exactspline.geometry.analysis.ask import facts_about, kind_of
-from exactspline.geometry.analysis.registry import REGISTRY
+from exactspline.geometry.analysis.ask import REGISTRY, facts_about, kind_of
 from exactspline.language.arguments import Argument
 from exactspline.language.formula import Reading
 from exactspline.language.kinds import PLANE

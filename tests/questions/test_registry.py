@@ -12,9 +12,8 @@ from exactspline.batch.inspections import LISTED, asked_by_sweeps, checked_names
 from exactspline.errors import ReachError, ShapeError
 from exactspline.geometry.analysis import curves as analysis
 from exactspline.geometry.analysis import surfaces as inspection
-from exactspline.geometry.analysis.ask import questions
+from exactspline.geometry.analysis.ask import REGISTRY, questions
 from exactspline.geometry.analysis.curves import QUESTIONS, Analysis, questions_about
-from exactspline.geometry.analysis.registry import REGISTRY
 from exactspline.questions import takes
 from exactspline.questions.entry import ALL_CURVES, CURVES, Of, question, question_with, questions_of
 from exactspline.roots.answers import CurvePiece, Places

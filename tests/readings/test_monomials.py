@@ -10,8 +10,7 @@ from flint import fmpq
 from exactspline import claims, formula_of
 from exactspline.errors import FormulaError
 from exactspline.language.kinds import CURVE
-from exactspline.readings.bernstein_term import BernsteinTermReading, every_coefficient
-from exactspline.readings.generic_bezier import GenericReading
+from exactspline.readings.bernstein_term import BernsteinTermReading, GenericReading, every_coefficient
 
 
 @pytest.mark.parametrize("degree", [1, 2, 3, 5])

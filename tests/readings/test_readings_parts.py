@@ -14,13 +14,12 @@ from exactspline.errors import FormulaError
 from exactspline.language import Vector, cross, det, dot, join, perp
 from exactspline.language.kinds import CURVE, PAIR, PLANE, SPACE, SURFACE, kind_of
 from exactspline.readings import DegreeReading, JetReading, parse_degree
+from exactspline.readings.bernstein_term import GenericReading
 from exactspline.readings.degree import Degree, equal_from
 from exactspline.readings.differential_order import is_polynomial, order_of
 from exactspline.readings.factored_jet import divided_out
-from exactspline.readings.generic_bezier import GenericReading
-from exactspline.readings.jet import JetRing, RationalJetReading, derivative_mark, polynomial_text
+from exactspline.readings.jet import InOtherParameter, JetRing, RationalJetReading, derivative_mark, polynomial_text
 from exactspline.readings.leading_terms import LeadingTermsReading, common_roots
-from exactspline.readings.other_parameter import InOtherParameter
 from exactspline.readings.printing import print_latex, print_text, symbol_text
 from exactspline.readings.sympy_expression import FIRST, Fractions, exact_quotient
 from exactspline.readings.taylor import DoubleSeries, Series

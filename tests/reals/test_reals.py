@@ -30,8 +30,8 @@ from exactspline.errors import NumberError, OpenError, ReachError, ShapeError
 from exactspline.numbers.exact import to_fmpq
 from exactspline.numbers.intervals import Interval
 from exactspline.polynomials import elimination
+from exactspline.reals.algebraic import Digits
 from exactspline.reals.ball import InBalls
-from exactspline.reals.digits import Digits
 from exactspline.reals.real import Extreme, Quadratic, RationalNumber, between, real
 from tests.support.dials import DIALS
 from tests.support.vectors import mpf_of

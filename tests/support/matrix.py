@@ -14,9 +14,8 @@ from types import UnionType
 from gmpy2 import mpq
 
 from exactspline import ExactSplineError, Nurbs, NurbsSurface, analyse
-from exactspline.geometry.analysis.ask import asked_of
+from exactspline.geometry.analysis.ask import REGISTRY, asked_of
 from exactspline.geometry.analysis.pairs import CurvePair
-from exactspline.geometry.analysis.registry import REGISTRY
 from exactspline.geometry.analysis.surface_pairs import SurfacePair
 from exactspline.geometry.bisectors.two_curves import CurveBisector
 from exactspline.geometry.pairs.regions import Region

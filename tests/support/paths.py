@@ -13,9 +13,8 @@ from gmpy2 import mpq
 from exactspline import ExactSplineError, Nurbs, NurbsSurface, features_of_curves, sweep, write
 from exactspline.batch.inspections import LISTED
 from exactspline.errors import OpenError, ReachError
-from exactspline.geometry.analysis.ask import asked_of
+from exactspline.geometry.analysis.ask import REGISTRY, asked_of
 from exactspline.geometry.analysis.pairs import CurvePair
-from exactspline.geometry.analysis.registry import REGISTRY
 from exactspline.geometry.analysis.surface_pairs import SurfacePair
 from exactspline.geometry.pairs.regions import Region
 from exactspline.programs import accelerator, certain_pairs

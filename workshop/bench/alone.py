@@ -107,9 +107,8 @@ def _trim_rational(_: int) -> Callable[[], object]:
 
 def _sweep(count: int) -> Callable[[], object]:
     from exactspline.batch.corpus import Family
-    from exactspline.batch.summary import Summary
-    from exactspline.batch.sweep import Where, sweep_into_file
-    from exactspline.batch.work import Work
+    from exactspline.batch.lines import Summary
+    from exactspline.batch.sweep import Where, Work, sweep_into_file
 
     family, jobs = Family.parsed(f"degree=3 count={count}"), int(sys.argv[4])
     where = Where("processes" if jobs > 1 else "serial", jobs)

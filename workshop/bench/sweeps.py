@@ -16,10 +16,8 @@ from tempfile import TemporaryDirectory
 from time import monotonic, process_time, sleep
 
 from exactspline.batch.backends import BackendError
-from exactspline.batch.lines import Line
-from exactspline.batch.summary import Summary
-from exactspline.batch.sweep import Where, sweep_into_file
-from exactspline.batch.work import Work
+from exactspline.batch.lines import Line, Summary
+from exactspline.batch.sweep import Where, Work, sweep_into_file
 from workshop.bench.row import OURS, Options, Row, bounded, installed, missing
 
 SWEEP = "sweep"

@@ -14,7 +14,7 @@ from operator import add
 from exactspline.errors import ExactSplineError
 from exactspline.geometry.analysis.curves import analyse
 from exactspline.geometry.analysis.pairs import CurvePair
-from exactspline.geometry.curves.extent import coordinate_range, slope
+from exactspline.geometry.curves.bounds import coordinate_range, slope
 from exactspline.geometry.curves.facts import facts_of
 from exactspline.geometry.curves.values import curvature, point_at, torsion, unit
 from exactspline.geometry.measures.lengths import length

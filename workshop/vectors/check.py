@@ -25,7 +25,7 @@ from typing import Any, NamedTuple
 from zlib import crc32
 
 from exactspline.geometry.analysis.curves import QUESTIONS, analyse
-from exactspline.geometry.curves.extent import slope
+from exactspline.geometry.curves.bounds import slope
 from exactspline.language.vector import Vector, triple
 from exactspline.numbers.exact import mpq
 from exactspline.roots.zero_set import ZeroSet, zeros

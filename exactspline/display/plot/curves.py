@@ -45,7 +45,7 @@ from exactspline.language.rational import Rational
 from exactspline.language.ruled import split
 from exactspline.language.vector import Vector
 from exactspline.numbers.exact import Number, mpq
-from exactspline.numbers.sides import Side
+from exactspline.numbers.intervals import Side
 from exactspline.reals.real import Real
 from exactspline.roots.root import Root
 from exactspline.roots.zero_set import zeros

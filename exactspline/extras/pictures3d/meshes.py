@@ -27,7 +27,7 @@ from exactspline.language.rational import Rational
 from exactspline.language.ruled import RuledSurface, split
 from exactspline.language.vector import Vector
 from exactspline.numbers.exact import Number, mpq, rational
-from exactspline.numbers.sides import Side
+from exactspline.numbers.intervals import Side
 from exactspline.roots.zero_set import zeros
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.common import with_common_knots

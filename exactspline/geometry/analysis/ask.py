@@ -1,10 +1,12 @@
 """``ask``: the answer to any question, given as text, about a curve, a surface, a map of the plane, two curves or
-surfaces.
+surfaces; and the registry of all questions.
+
+An entry is defined where its exact answer is computed; this module only lists the classes that have entries.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Container, Iterable, Sequence
 from dataclasses import dataclass
 from typing import NamedTuple, TypeAlias, overload
 
@@ -12,7 +14,6 @@ from exactspline.errors import as_items
 from exactspline.geometry.analysis.curves import QUESTIONS, Analysis, analyse, kind_of_curve, questions_about
 from exactspline.geometry.analysis.pairs import CurvePair
 from exactspline.geometry.analysis.planar_maps import MapInspection
-from exactspline.geometry.analysis.registry import REGISTRY
 from exactspline.geometry.analysis.surface_pairs import SurfacePair
 from exactspline.geometry.analysis.surfaces import SurfaceInspection
 from exactspline.geometry.bisectors.two_curves import CurveBisector
@@ -24,11 +25,38 @@ from exactspline.geometry.pairs.surface_meetings import NearestOnSurface
 from exactspline.interchange.files import read
 from exactspline.numbers.exact import Number
 from exactspline.one_line import OneLine
-from exactspline.questions.entry import ALL_CURVES, CURVES, Entry, Of, Remembers
+from exactspline.questions.entry import ALL_CURVES, CURVES, Entry, Of, Remembers, questions_of
 from exactspline.questions.takes import QuestionError, name_of, parts_of, unknown
 from exactspline.roots.zero_set import ZeroSet
 from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.surface import NurbsSurface
+
+#: The classes whose properties are questions.
+ASKED = (Analysis, SurfaceInspection, MapInspection, CurveBisector, CurvePair, SurfacePair, Region)
+#: The questions by the kind of object that they are asked of, and by their names.
+REGISTRY: dict[Of, dict[str, Entry]] = {
+    of: {name: entry for owner in ASKED for name, entry in questions_of(owner).items() if of in entry.about.of}
+    for of in Of
+}
+
+
+def terms_of_questions(other: Container[str] = ()) -> dict[str, str]:
+    """The meanings of the questions by their names; if two questions share a name, the question that is not about
+    curves is listed with its object, as is a question with the name of another term.
+
+    >>> terms_of_questions()["umbilics"]
+    'the points with a tangent plane at which the two principal curvatures are equal'
+    >>> terms_of_questions()["singular points of a surface in space"]
+    'the points without a tangent plane'
+    """
+    named: dict[str, Entry] = {}
+    for of, entries in REGISTRY.items():
+        for name, entry in entries.items():
+            words = name.replace("_", " ")
+            taken = words in other or named.get(words, entry) is not entry
+            named[f"{words} of a {of}" if taken else words] = entry
+    return {words: entry.meaning for words, entry in named.items()}
+
 
 #: The objects of questions: curves, surfaces, pairs of these, or their analyses.
 About: TypeAlias = Nurbs | NurbsSurface | tuple[Nurbs, Nurbs] | tuple[NurbsSurface, NurbsSurface] | Remembers

@@ -9,7 +9,7 @@ from functools import partial
 from typing import TypeAlias
 
 from exactspline.geometry.curves import bounds, values
-from exactspline.geometry.curves.extent import coordinate_range, slope_zeros
+from exactspline.geometry.curves.bounds import coordinate_range, slope_zeros
 from exactspline.geometry.curves.space_features import SpaceFacts
 from exactspline.geometry.derived.derive import Derived, derive
 from exactspline.geometry.measures import lengths
@@ -17,7 +17,7 @@ from exactspline.geometry.measures.integrals import centroid, moment, named_mome
 from exactspline.language.rational import Rational
 from exactspline.language.vector import Vector, cross
 from exactspline.numbers.exact import Number, mpq, rational
-from exactspline.numbers.sides import Side
+from exactspline.numbers.intervals import Side
 from exactspline.questions.answers import NamedNumbers
 from exactspline.questions.entry import ALL_CURVES, CURVES, Answered, Of, question, question_with, questions_of
 from exactspline.questions.takes import (

@@ -14,7 +14,7 @@ from exactspline.geometry.analysis.curve_values import CurveValues
 from exactspline.geometry.bisectors.any_pair import bisector
 from exactspline.geometry.bisectors.common import Bisector
 from exactspline.geometry.curves import plane_features, space_features
-from exactspline.geometry.curves.extent import at_coordinate, slope_zeros, turning_points, value_zeros
+from exactspline.geometry.curves.bounds import at_coordinate, slope_zeros, turning_points, value_zeros
 from exactspline.geometry.curves.facts import ZeroForm, kept_by
 from exactspline.geometry.curves.joints import curvature_of
 from exactspline.geometry.curves.kinds import Feature, FeatureKind
@@ -24,7 +24,7 @@ from exactspline.geometry.filter.certain import Certain, certain
 from exactspline.geometry.pairs import offsets
 from exactspline.geometry.pairs.intersections import Intersections, self_intersections
 from exactspline.geometry.pairs.nearest import Nearest, nearest
-from exactspline.geometry.pairs.offset_parts import offset_parts
+from exactspline.geometry.pairs.offsets import offset_parts
 from exactspline.geometry.pairs.winding import winding_number
 from exactspline.geometry.recognition.pieces import RecognizedPiece, recognized, small_distance
 from exactspline.geometry.recognition.shapes import ShapeKind
@@ -34,7 +34,7 @@ from exactspline.geometry.rounded.stability import StableFeature, stability
 from exactspline.hooks import Displayed, FunctionsOutside
 from exactspline.language.rational import Rational
 from exactspline.numbers.exact import Number, mpq, rational
-from exactspline.numbers.sides import Side
+from exactspline.numbers.intervals import Side
 from exactspline.one_line import one_line
 from exactspline.questions.answers import NamedNumbers
 from exactspline.questions.entry import (

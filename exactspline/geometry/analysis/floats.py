@@ -33,8 +33,7 @@ from exactspline.numbers.exact import (
     mpq,
     rational,
 )
-from exactspline.numbers.intervals import Interval
-from exactspline.numbers.sides import Side
+from exactspline.numbers.intervals import Interval, Side
 from exactspline.reals.real import Real, real
 from exactspline.roots.values import evaluate, exact_place
 from exactspline.splines.bspline import BSpline

@@ -18,8 +18,8 @@ from exactspline.geometry.rounded.features import NearbyFeature
 from exactspline.geometry.rounded.intersections import NearbyMeeting
 from exactspline.geometry.rounded.stability import StableFeature
 from exactspline.numbers.exact import mpq
+from exactspline.numbers.intervals import Side
 from exactspline.numbers.once import cached_property
-from exactspline.numbers.sides import Side
 from exactspline.one_line import OneLine
 from exactspline.reals.real import Real, real
 from exactspline.roots.answers import CurvePiece, Places

@@ -19,15 +19,81 @@ from typing import Any, NamedTuple, cast
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from exactspline.errors import ExactSplineError, NumberError, ShapeError, as_items
+from exactspline.errors import ExactSplineError, FormulaError, NumberError, ShapeError, as_items
 from exactspline.geometry.analysis.curves import Analysis
 from exactspline.geometry.curves.kinds import FeatureKind
 from exactspline.geometry.curves.planarity import in_the_plane
-from exactspline.geometry.filter.filtered import AT_ONCE, filtered
+from exactspline.geometry.curves.plane_programs import plane_program
 from exactspline.numbers.exact import Rounding, double, from_floats, is_float, mpq, rational
-from exactspline.polynomials.doubles import Flags, Floats, Integers
+from exactspline.polynomials.doubles import (
+    Bounded,
+    Flags,
+    Floats,
+    Integers,
+    Isolated,
+    isolated,
+    narrowed,
+    ordinates,
+    without_zeros,
+)
+from exactspline.programs.doubles import in_doubles
 from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.type_checks import curve_of
+
+#: The number of segments that are computed together, so that their numbers fit into the cache.
+AT_ONCE = 4096
+
+
+class Form(NamedTuple):
+    """A form on many segments: its ordinates, and its zeros on the segments where they are certified."""
+
+    rows: Bounded
+    zeros: Isolated
+
+
+class _Filtered(NamedTuple):
+    """κ and κ′ up to positive factors on many segments, and ‖γ′‖²; the segments that are not certified: on the `open`
+    ones a sign that decides a zero is uncertain, on the `slow` ones it is uncertain that γ′ has no zero and all weights
+    are positive.
+    """
+
+    curvature: Form
+    critical: Form
+    speed: Bounded
+    open: Flags
+    slow: Flags
+
+
+def filtered(degree: int, operands: list[Floats]) -> _Filtered | None:
+    """The certified results for segments of one degree, from the scaled coefficients of their components and, for
+    rational segments, of their weight functions, rounded at most twice; no Bézier ordinate is larger than 1. None where
+    the forms exceed the range of doubles.
+
+    >>> done = filtered(3, [np.array([[0.0, 1, 2, 1]]) / 4, np.array([[0.0, 3, -3, 1]]) / 4])
+    >>> done.curvature.zeros.row.tolist(), done.open.tolist()
+    ([0], [False])
+    """
+    slow, undecided = np.zeros((2, len(operands[0])), dtype=bool)
+    if len(operands) == 3:
+        slow |= ~(operands[2] > 0).all(axis=1)
+    try:
+        forms = in_doubles(plane_program(degree, len(operands) == 3), operands, roundings=2)
+    except FormulaError:
+        return None
+    *rows, speed = (ordinates(*form) for form in forms)
+    slow |= ~without_zeros(speed)
+    solved = [_solved(form, undecided) for form in rows]
+    left = undecided | slow
+    curvature, critical = (Form(rows, narrowed(rows, zeros.where(~left[zeros.row]))) for rows, zeros in solved)
+    return _Filtered(curvature, critical, speed, undecided, slow)
+
+
+def _solved(rows: Bounded, undecided: Flags) -> Form:
+    """The zeros of a form; segments on which they are not certified are added to the undecided ones."""
+    zeros, open_ = isolated(rows)
+    undecided |= open_
+    return Form(rows, zeros)
+
 
 #: The codes of the kinds in an array.
 KINDS = (FeatureKind.INFLECTION, FeatureKind.MAXIMUM, FeatureKind.MINIMUM)
@@ -332,7 +398,7 @@ def _found(i: int, analysis: Analysis) -> Found:
     roots = [feature.root for _, feature in features]
     # the filter narrows intervals as far as doubles allow, which is enough if few digits are lost
     near = [root if root.high - root.low <= NARROW else root.refine(DIGITS) for root in roots]
-    bounds = [outside(place.low, place.high) for place in near]
+    bounds = [_outside(place.low, place.high) for place in near]
     return (
         np.full(len(features), i),
         np.array([str(feature.kind) for _, feature in features], dtype=str),
@@ -342,7 +408,7 @@ def _found(i: int, analysis: Analysis) -> Found:
     )
 
 
-def outside(low: mpq, high: mpq) -> tuple[float, float]:
+def _outside(low: mpq, high: mpq) -> tuple[float, float]:
     """The nearest doubles outside an interval that are not subnormal, whatever the rounding mode of the processor.
 
     >>> outside(mpq(1, 3), mpq(1, 3)) == (1 / 3, 1 / 3 + 2.0**-54), outside(mpq(0), mpq(1, 10**400)) == (0, 2.0**-1022)

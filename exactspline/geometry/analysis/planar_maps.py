@@ -9,13 +9,12 @@ from enum import StrEnum
 from itertools import product
 
 from exactspline.bivariate.across_borders import Place
-from exactspline.bivariate.answers import SurfacePlaces
 from exactspline.bivariate.common_zeros import CommonZero
 from exactspline.bivariate.joined_curves import ZeroComponent
 from exactspline.bivariate.signs import Point, sign_on_patch
 from exactspline.bivariate.zero_lines import ZeroLine
 from exactspline.bivariate.zeros import CommonZero as PointOfZeros
-from exactspline.bivariate.zeros import ZeroCurves, common_zeros, zero_curve
+from exactspline.bivariate.zeros import SurfacePlaces, ZeroCurves, common_zeros, zero_curve
 from exactspline.errors import ShapeError
 from exactspline.geometry.analysis.surface_values import SurfaceValues
 from exactspline.geometry.surfaces.forms import formula, lowest, on_patch, sides_of
@@ -44,7 +43,7 @@ class MapKind(StrEnum):
 
 class MapInspection(SurfaceValues, Displayed):
     """The analysis of the sign of the Jacobian determinant of a map of the plane. The questions about a map are entries
-    of the registry (`exactspline.geometry.analysis.registry`).
+    of the registry (`exactspline.geometry.analysis.ask`).
 
     Raises `ShapeError` for a surface that is not in the plane.
     """

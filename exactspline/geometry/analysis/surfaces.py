@@ -7,23 +7,22 @@ from dataclasses import dataclass, field, replace
 from enum import StrEnum
 
 from exactspline.bivariate.across_borders import Place, Sides, single_places, together
-from exactspline.bivariate.answers import SurfacePart, SurfacePlaces
 from exactspline.bivariate.borders import EDGES, Edge, Patch, vanishes_at
 from exactspline.bivariate.common_zeros import CommonZero
 from exactspline.bivariate.joined_curves import Piece, ZeroComponent, chained, place_of
 from exactspline.bivariate.signs import Sign, Signs, sign_on_patch
 from exactspline.bivariate.zero_curve import Part, Shape, ZeroCurve
 from exactspline.bivariate.zero_lines import LinesOfPatch, ZeroLine, odd_part, square_free, without_lines, zero_lines
+from exactspline.bivariate.zeros import SurfacePart, SurfacePlaces
 from exactspline.errors import ReachError
-from exactspline.geometry.analysis.surface_meetings import SurfaceMeetings
+from exactspline.geometry.analysis.surface_values import SurfaceMeetings
 from exactspline.geometry.recognition.patches import RecognizedPart, recognized_surface
 from exactspline.geometry.recognition.shapes import ShapeKind
 from exactspline.geometry.rounded.umbilics import NearbyUmbilic, umbilics_nearby
-from exactspline.geometry.surfaces.degenerate import Pole, is_point, pole_at
 from exactspline.geometry.surfaces.forms import Reduced, SurfaceForms, constant_curvature, on_patch, sides_of
 from exactspline.geometry.surfaces.joints import SurfaceJoint, joints
 from exactspline.geometry.surfaces.ridges import Ridges, ridges_of_surface
-from exactspline.geometry.surfaces.singular import Line, SingularPoints, singular_points
+from exactspline.geometry.surfaces.singular import Line, Pole, SingularPoints, is_point, pole_at, singular_points
 from exactspline.geometry.surfaces.umbilics import Umbilic, UmbilicsOfPatch, merged_umbilic, umbilics_of_patch
 from exactspline.hooks import Displayed
 from exactspline.numbers.exact import Number, mpq
@@ -134,7 +133,7 @@ class PatchInspection(OneLine):
 
 class SurfaceInspection(SurfaceMeetings, Displayed):
     """The analysis of a surface in space. The questions about a surface are entries of the registry
-    (`exactspline.geometry.analysis.registry`); each question is answered when it is first asked.
+    (`exactspline.geometry.analysis.ask`); each question is answered when it is first asked.
 
     >>> from exactspline import example
     >>> found = SurfaceInspection(example("hyperbolic_paraboloid"))

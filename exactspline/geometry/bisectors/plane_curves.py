@@ -19,9 +19,8 @@ from exactspline.geometry.bisectors.common import Bisector
 from exactspline.geometry.bisectors.plane_pair import PlanePair, tangent
 from exactspline.language.vector import Vector, det, dot, norm2, perp
 from exactspline.numbers.exact import Number, mpq, over_one_denominator
-from exactspline.numbers.intervals import Box, Interval
+from exactspline.numbers.intervals import Box, Interval, Side
 from exactspline.numbers.once import cached_property
-from exactspline.numbers.sides import Side
 from exactspline.one_line import one_line
 from exactspline.polynomials.patch_forms import PatchForm
 from exactspline.polynomials.two_parameters import S, T, as_form, as_forms, lifted

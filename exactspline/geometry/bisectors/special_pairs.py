@@ -55,8 +55,7 @@ from exactspline.geometry.bisectors.system import (
 )
 from exactspline.language.rational import Rational
 from exactspline.numbers.exact import from_flint, mpq, to_fmpq
-from exactspline.numbers.intervals import Box, Interval
-from exactspline.numbers.sides import Side
+from exactspline.numbers.intervals import Box, Interval, Side
 from exactspline.polynomials.bernstein import substituted
 from exactspline.polynomials.cost import Budget, drawing_on
 from exactspline.polynomials.elimination import discriminant

@@ -26,8 +26,7 @@ from exactspline.language.arguments import Curve
 from exactspline.language.rational import Rational
 from exactspline.language.vector import Vector, norm2, perp
 from exactspline.numbers.exact import Number, mpq, over_one_denominator, rational, text
-from exactspline.numbers.intervals import UNIT, Box, Interval, joined
-from exactspline.numbers.sides import Side
+from exactspline.numbers.intervals import UNIT, Box, Interval, Side, joined
 from exactspline.one_line import one_line, short_text
 from exactspline.papers import find
 from exactspline.polynomials import tensor_bernstein

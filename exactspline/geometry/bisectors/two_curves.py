@@ -67,7 +67,7 @@ class CurveBisector(Inspected, Bisector):
     """The bisector of two space curves: the surface in patches; the rectangles on which a general pair does not have
     exactly one point (`missing`), each with the reason; and all pairs that have more than a point, which are computed
     when first needed. The questions about a bisector are entries of the registry
-    (`exactspline.geometry.analysis.registry`).
+    (`exactspline.geometry.analysis.ask`).
 
     Together ``patches``, ``lines``, ``planes`` and ``pairs`` are all points with two equal critical distances, except
     for the cases listed in ``undecided``; along ``poles`` the surface is at infinity. ``unreduced`` lists the patches

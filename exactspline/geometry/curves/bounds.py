@@ -8,7 +8,7 @@ the function is not bounded.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 from typing import Any
@@ -23,27 +23,107 @@ from exactspline.formulas.lifted import (
     tangent_lifted_squared,
     torsion_lifted,
 )
-from exactspline.geometry.curves.facts import Facts
+from exactspline.geometry.curves.facts import Facts, located
+from exactspline.geometry.curves.kinds import Feature, FeatureKind
 from exactspline.geometry.curves.values import refuse_singular, segment_at
 from exactspline.geometry.derived.derive import part
 from exactspline.language.arguments import Curve
 from exactspline.language.rational import Rational
+from exactspline.language.vector import Vector
+from exactspline.language.wronskians import wronskians
 from exactspline.numbers.exact import mpq, text
-from exactspline.numbers.sides import Side
+from exactspline.numbers.intervals import Side
 from exactspline.questions.answers import NamedNumbers
-from exactspline.reals.real import Real, between, real, square_root
-from exactspline.roots.answers import CurvePiece
+from exactspline.reals.real import Extreme, RationalNumber, Real, between, real, square_root
+from exactspline.roots.answers import CurvePiece, Places
 from exactspline.roots.values import exact_place, sign_at, signed_root, value_at
-from exactspline.roots.zero_set import zeros
+from exactspline.roots.zero_set import ZeroSet, zeros
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.knots import intervals_of, runs
 from exactspline.splines.lowest_terms import in_lowest_terms
+from exactspline.splines.nurbs import Nurbs
+
+
+def slope(curve: Nurbs, axis: int) -> BSpline:
+    """A spline with the sign of the derivative of a coordinate."""
+    return wronskians(curve.w, Vector(curve.p[axis]))[0]
+
+
+def slope_zeros(curve: Nurbs, axis: int | str) -> ZeroSet:
+    """The zeros of the derivative of a coordinate; raises `ShapeError` for a coordinate that the curve does not
+    have.
+    """
+    return zeros(slope(curve, _number_of(curve, axis)), periodic=curve.closed)
+
+
+def _number_of(curve: Nurbs, axis: int | mpq | str) -> int:
+    number = next((i for i in range(curve.dimension) if str(i) == str(axis)), None)
+    if number is None:
+        raise ShapeError(f"the coordinate {axis} of a curve in R{curve.dimension}", remedy="0 is x, 1 is y, 2 is z")
+    return number
+
+
+def value_zeros(curve: Nurbs, axis: int | mpq, value: mpq) -> ZeroSet:
+    """The parameters at which a coordinate has a given value; raises `ShapeError` for a coordinate that the curve does
+    not have.
+    """
+    return zeros(curve.p[_number_of(curve, axis)] - curve.w.scaled(value), periodic=curve.closed)
+
+
+def at_coordinate(curve: Nurbs, axis: int | mpq, value: mpq) -> Places[Feature]:
+    """The parameters at which a coordinate crosses a value, also by a jump (``level crossing``), or reaches the value
+    without crossing it (``level touch``); and the pieces on which the coordinate has this value.
+
+    Raises `ShapeError` for a coordinate that the curve does not have.
+    """
+    solved, kinds = value_zeros(curve, axis, value), (FeatureKind.TOUCH, FeatureKind.CROSSING)
+    found = (Feature(kinds[root.sign_change], root, f"coordinate {axis}", jump) for root, jump in located(solved))
+    return Places(tuple(found), tuple(CurvePiece(each.parts) for each in solved.intervals))
+
+
+def turning_points(curve: Nurbs, axis: int | str) -> Places[Feature]:
+    """The parameters at which a coordinate changes from increasing to decreasing (``maximum``) or back (``minimum``);
+    and the pieces on which the coordinate is constant.
+
+    Raises `ShapeError` for a coordinate that the curve does not have.
+    """
+    features = []
+    solved = slope_zeros(curve, axis)
+    for root, by_jump in located(solved):
+        left, right = root.signs
+        if left and right and left != right:
+            kind = FeatureKind.MAXIMUM if left > 0 else FeatureKind.MINIMUM
+            features.append(Feature(kind, root, f"coordinate {axis}", by_jump))
+    return Places(tuple(features), tuple(CurvePiece(each.parts) for each in solved.intervals))
+
+
+def coordinate_range(curve: Nurbs, axis: int) -> tuple[Real, Real]:
+    """The smallest and the largest value of a coordinate, known exactly.
+
+    >>> from exactspline import example
+    >>> coordinate_range(example("circle"), 0)
+    (<Real -1>, <Real 1>)
+    """
+    values = [Real(curve(t, side)[axis]) for t in curve.breakpoints for side in ("left", "right")]
+    values += [
+        value_at(curve.p[axis], curve.w, exact_place(root)) for root in slope_zeros(curve, axis) if not root.at_knot
+    ]
+    return _extreme(values, -1), _extreme(values, 1)
+
+
+def _extreme(values: Sequence[Real], side: int) -> Real:
+    """The largest (side 1) or smallest (−1) of several numbers, without deciding which of them is attained."""
+    choose = max if side > 0 else min
+    best = choose(x for x in values if isinstance(x, RationalNumber))
+    rest = [x for x in values if not isinstance(x, RationalNumber) and (x > best if side > 0 else x < best)]
+    return Extreme(side, rest) if len(rest) > 1 else rest[0] if rest else best
+
 
 Place = mpq | Real
 
 
 @dataclass(frozen=True)
-class Size:
+class _Size:
     """A function on curves, whose absolute value is bounded: its name, and the computation of the function, or of its
     square, on a segment.
     """
@@ -73,16 +153,16 @@ def _derivative_in_space(c: Curve[BSpline]) -> Any:
 
 
 #: The functions that are bounded, by the dimension of the curve.
-SPEED = dict.fromkeys((2, 3), Size("speed", _speed_squared))
-CURVATURE = {2: Size("curvature", curvature_squared_lifted), 3: Size("curvature", space_curvature_squared_lifted)}
+SPEED = dict.fromkeys((2, 3), _Size("speed", _speed_squared))
+CURVATURE = {2: _Size("curvature", curvature_squared_lifted), 3: _Size("curvature", space_curvature_squared_lifted)}
 CURVATURE_DERIVATIVE = {
-    2: Size("curvature derivative", _derivative_in_plane, squared=False),
-    3: Size("curvature derivative", _derivative_in_space),
+    2: _Size("curvature derivative", _derivative_in_plane, squared=False),
+    3: _Size("curvature derivative", _derivative_in_space),
 }
-TORSION = {3: Size("torsion", torsion_lifted, squared=False)}
+TORSION = {3: _Size("torsion", torsion_lifted, squared=False)}
 
 
-def _of(sizes: Mapping[int, Size], facts: Facts) -> Size:
+def _of(sizes: Mapping[int, _Size], facts: Facts) -> _Size:
     facts.check_dimension()
     if facts.curve.dimension not in sizes:
         raise ShapeError("the torsion of a curve in R2", remedy="this needs a curve in space")
@@ -103,7 +183,7 @@ class Form:
         return value_at(self.top, self.bottom, place)
 
 
-def _extreme(form: Form) -> list[Place]:
+def _extremes_of(form: Form) -> list[Place]:
     """The parameters of a segment at which a form may be largest: the ends, and the critical points between."""
     a, b = form.top.domain
     return [a] if form.slope.is_zero else [a, b, *_inside(form.slope)]
@@ -114,7 +194,7 @@ def _inside(form: BSpline) -> list[Place]:
     return [exact_place(root) for root in zeros(form) if not root.at_knot]
 
 
-def _form_on(facts: Facts, size: Size, i: int) -> Form | None:
+def _form_on(facts: Facts, size: _Size, i: int) -> Form | None:
     """The function on a segment; None where it is not defined there."""
 
     def form() -> Form | None:
@@ -124,7 +204,7 @@ def _form_on(facts: Facts, size: Size, i: int) -> Form | None:
     return facts.once(("form", size.name, i), form)
 
 
-def largest(facts: Facts, sizes: Mapping[int, Size]) -> tuple[NamedNumbers, ...]:
+def largest(facts: Facts, sizes: Mapping[int, _Size]) -> tuple[NamedNumbers, ...]:
     """The maximum of |f|, with each parameter and each piece at which it is attained; or, if |f| is unbounded, the
     parameters of its poles. The result is empty if f is defined nowhere.
 
@@ -139,7 +219,7 @@ def largest(facts: Facts, sizes: Mapping[int, Size]) -> tuple[NamedNumbers, ...]
     forms = {i: form for i in range(len(facts.breaks) - 1) if (form := _form_on(facts, size, i))}
     if poles := [(i, exact_place(root)) for i, form in forms.items() for root in zeros(form.bottom)]:
         return tuple(_at_points(facts, "unbounded near", poles, {}))
-    found = [(i, t, form.at(t)) for i, form in forms.items() for t in _extreme(form)]
+    found = [(i, t, form.at(t)) for i, form in forms.items() for t in _extremes_of(form)]
     values = [x if size.squared else abs(x) for *_, x in found]
     best = max(values, default=Real(0))
     hits = [(i, t) for (i, t, _), x in zip(found, values, strict=True) if x == best]

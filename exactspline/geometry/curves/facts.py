@@ -48,8 +48,8 @@ from exactspline.language.formula import Formula
 from exactspline.language.kinds import PLANE, SPACE, Kind
 from exactspline.language.vector import Vector, cross
 from exactspline.numbers.exact import mpq, ratio, sign
+from exactspline.numbers.intervals import Side
 from exactspline.numbers.once import Lock
-from exactspline.numbers.sides import Side
 from exactspline.one_line import OneLine
 from exactspline.polynomials.bernstein import ONE, variations
 from exactspline.polynomials.factors import certainly_coprime
@@ -143,7 +143,7 @@ def among(roots: Sequence[Root], others: Sequence[Root]) -> list[bool]:
     return contained
 
 
-class Kept(Remembers):
+class _Kept(Remembers):
     """The results computed for one curve, and weak references to the objects that answer questions about it, as a
     parametrized curve and as a point set. (With strong references neither would be freed before the garbage collector
     runs.)
@@ -153,7 +153,7 @@ class Kept(Remembers):
         super().__init__()
         self._readers: dict[str, Callable[[], object]] = {}
 
-    def reader(self, make: Callable[[Kept], F], of: str = "") -> F:
+    def reader(self, make: Callable[[_Kept], F], of: str = "") -> F:
         """The object that answers questions, created if there is none yet."""
         with _LOCK.held():
             found = self._readers.get(of, lambda: None)()
@@ -163,12 +163,12 @@ class Kept(Remembers):
         return cast(F, found)
 
 
-def kept_by(curve: Nurbs) -> Kept:
+def kept_by(curve: Nurbs) -> _Kept:
     """The results stored with a curve, which are not part of its value."""
     if curve.kept_analysis is None:
         # of two threads the first one sets it
-        curve.kept_analysis = Kept()
-    assert isinstance(curve.kept_analysis, Kept)
+        curve.kept_analysis = _Kept()
+    assert isinstance(curve.kept_analysis, _Kept)
     return curve.kept_analysis
 
 

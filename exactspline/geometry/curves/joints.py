@@ -23,7 +23,7 @@ from exactspline.geometry.curves.kinds import JointKind
 from exactspline.language.arguments import Curve
 from exactspline.language.vector import Vector, cross, norm2, perp
 from exactspline.numbers.exact import mpq, ratio
-from exactspline.numbers.sides import Side
+from exactspline.numbers.intervals import Side
 from exactspline.one_line import short_text
 from exactspline.reals.real import Real, square_root
 from exactspline.roots.answers import OneNumber

@@ -18,7 +18,7 @@ from exactspline.geometry.derived.derive import space
 from exactspline.language.rational import Rational
 from exactspline.language.vector import norm2
 from exactspline.numbers.exact import mpq
-from exactspline.numbers.sides import Side
+from exactspline.numbers.intervals import Side
 from exactspline.questions.entry import Fact
 from exactspline.roots.root import Root, knot_root
 from exactspline.splines.bspline import BSpline

@@ -18,8 +18,7 @@ from exactspline.language.rational import Rational
 from exactspline.language.vector import Vector, cross, det, norm2, perp
 from exactspline.numbers.exact import Number, mpq, ratio, text
 from exactspline.numbers.exact import sign as sign_of
-from exactspline.numbers.intervals import Interval
-from exactspline.numbers.sides import Side
+from exactspline.numbers.intervals import Interval, Side
 from exactspline.papers import find
 from exactspline.polynomials.bernstein import ONE, is_square_class, without_content
 from exactspline.polynomials.factors import factorize_square_free

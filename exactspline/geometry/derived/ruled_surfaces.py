@@ -18,7 +18,7 @@ from exactspline.language.rational import Rational
 from exactspline.language.ruled import RuledSurface, development, differences, numerator, split
 from exactspline.language.vector import Vector, dot, norm2
 from exactspline.numbers.exact import Number, mpq, rational, text
-from exactspline.numbers.sides import Side
+from exactspline.numbers.intervals import Side
 from exactspline.one_line import OneLine
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.common import with_common_knots

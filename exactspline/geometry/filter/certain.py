@@ -21,9 +21,8 @@ from exactspline.geometry.curves.plane_features import critical_points, flat_poi
 from exactspline.geometry.curves.plane_programs import CRITICAL, CURVATURE, SPEED, plane_program
 from exactspline.geometry.derived.constructions import Variant
 from exactspline.numbers.exact import mpq
-from exactspline.numbers.intervals import Interval
+from exactspline.numbers.intervals import Interval, Side
 from exactspline.numbers.once import cached_property
-from exactspline.numbers.sides import Side
 from exactspline.polynomials.bernstein import ONE, raiser
 from exactspline.polynomials.isolation import LocalPolynomial, LocalZero, isolate
 from exactspline.programs import accelerator
@@ -67,7 +66,7 @@ def _is_straight(operands: Sequence[fmpz_poly], degree: int) -> bool:
     return k is None or first * second[k] == second * first[k]
 
 
-def jumps(facts: Facts, ends: Sequence[Sequence[float]], others: Set[int]) -> Iterator[Jump]:
+def _jumps(facts: Facts, ends: Sequence[Sequence[float]], others: Set[int]) -> Iterator[Jump]:
     """The changes of sign of κ and κ′ by a jump at the knots of a plane curve, except at the ends of `others`: straight
     segments (a zero at an end of a straight piece belongs to the piece), and the segments decided exactly.
 
@@ -301,7 +300,7 @@ def certain(facts: Facts) -> Certain | None:
     for zero in found.zeros:
         if zero.segment not in others:
             zeros[zero.output].append(zero)
-    at_knots = list(jumps(facts, found.ends, others))
+    at_knots = list(_jumps(facts, found.ends, others))
     if at_knots or left:
         for jump in at_knots:
             zeros[jump.output].append(jump)

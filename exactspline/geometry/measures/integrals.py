@@ -61,7 +61,7 @@ def too_much(what: str) -> OpenError:
 
 
 @dataclass(frozen=True)
-class Logarithmic:
+class _Logarithmic:
     """``∫ top/bottom`` over [0, 1], by the coefficients of two polynomials, the second one irreducible: a sum of
     logarithms over its complex zeros, or an angle.
     """
@@ -101,7 +101,7 @@ class Term:
 
     factor: mpq
     radicand: int
-    of: Logarithmic | None = None
+    of: _Logarithmic | None = None
 
     def times(self, factor: mpq, radicand: int = 1) -> Term:
         """The term times a factor and a square root."""
@@ -145,7 +145,7 @@ def integral(top: fmpq_poly, base: fmpq_poly, n: int) -> Terms:
         value, left = _reduced(top * (bottom // p**m).xgcd(p**m)[1] % p**m, p, m)
         terms.append(Term(value, 1))
         if left:
-            terms.append(Term(mpq(1), 1, Logarithmic(*(tuple(map(rational, f.coeffs())) for f in (left, p)))))
+            terms.append(Term(mpq(1), 1, _Logarithmic(*(tuple(map(rational, f.coeffs())) for f in (left, p)))))
     return tuple(term for term in terms if term.factor)
 
 

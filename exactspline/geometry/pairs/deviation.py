@@ -31,9 +31,8 @@ from exactspline.geometry.pairs.distance import Forms
 from exactspline.geometry.pairs.intersections import intersections
 from exactspline.geometry.pairs.nearest import nearest
 from exactspline.numbers.exact import mpq, text, to_fmpq
-from exactspline.numbers.intervals import UNIT, Interval, joined
+from exactspline.numbers.intervals import UNIT, Interval, Side, joined
 from exactspline.numbers.once import cached_property
-from exactspline.numbers.sides import Side
 from exactspline.polynomials.cost import bounded
 from exactspline.polynomials.elimination import discriminant, square_free
 from exactspline.polynomials.factors import greatest_common_divisor
@@ -83,7 +82,7 @@ def foot_of(curve: Nurbs, point: tuple[mpq, ...], at: mpq) -> Foot:
     return Foot(at, t, squared, squared.rational_near(8), places)
 
 
-class OneWay:
+class _OneWay:
     """The distances of the points of a curve from another curve, and the pieces not yet shown to have squared distances
     of at most the `bound`. By default the bound is the square of a distance a hundredth larger than the largest
     distance found.
@@ -251,9 +250,9 @@ def deviation_within(first: Nurbs, second: Nurbs, bound: mpq) -> Iterator[NamedN
         yield NamedNumbers(what, {"bound": Real(bound)} | values, {"holds": "no" if values else "yes"})
 
 
-def _ways(first: Nurbs, second: Nurbs, bound: mpq | None = None) -> Iterator[tuple[str, OneWay]]:
-    yield "first from second", OneWay(first, second, bound)
-    yield "second from first", OneWay(second, first, bound)
+def _ways(first: Nurbs, second: Nurbs, bound: mpq | None = None) -> Iterator[tuple[str, _OneWay]]:
+    yield "first from second", _OneWay(first, second, bound)
+    yield "second from first", _OneWay(second, first, bound)
 
 
 def _described(name: str, foot: Foot, **beside: Real) -> dict[str, Real]:

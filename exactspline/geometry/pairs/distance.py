@@ -27,8 +27,7 @@ from exactspline.geometry.pairs.intersections import Intersections, Overlap, int
 from exactspline.geometry.pairs.nearest import nearest
 from exactspline.hooks import Written
 from exactspline.numbers.exact import mpq
-from exactspline.numbers.intervals import UNIT, Box, Interval, joined
-from exactspline.numbers.sides import Side
+from exactspline.numbers.intervals import UNIT, Box, Interval, Side, joined
 from exactspline.one_line import one_line
 from exactspline.polynomials.bernstein import in_parameter, quotient_slope
 from exactspline.polynomials.cost import bounded

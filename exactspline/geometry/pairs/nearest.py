@@ -18,9 +18,8 @@ from exactspline.geometry.curves.planarity import in_the_plane
 from exactspline.geometry.pairs.box_tree import IntegerBox, Segments, segments_of, shift_for
 from exactspline.hooks import Displayed
 from exactspline.numbers.exact import Number, lcm, mpq, rational
-from exactspline.numbers.intervals import Interval, joined
+from exactspline.numbers.intervals import Interval, Side, joined
 from exactspline.numbers.once import cached_property
-from exactspline.numbers.sides import Side
 from exactspline.polynomials.bernstein import ONE, divide_u_plus_v
 from exactspline.polynomials.common_arcs import Coordinate, RationalMap
 from exactspline.polynomials.isolation import isolate

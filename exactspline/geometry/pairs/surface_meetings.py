@@ -1,7 +1,7 @@
 """A surface with a point, a line, a plane: the nearest points, the common points, the section; and its bounding box.
 
 The nearest points of a surface S to a point P are at common zeros of ``(S − P)·S_u`` and ``(S − P)·S_v``, on borders,
-knot lines or at corners (`exactspline.bivariate.minima`). A line meets a surface in the points at which two planes
+knot lines or at corners (`exactspline.bivariate.quotients`). A line meets a surface in the points at which two planes
 through the line meet the surface.
 """
 
@@ -14,10 +14,8 @@ from operator import add
 
 from exactspline.bivariate import common_zeros as elimination
 from exactspline.bivariate.across_borders import Place
-from exactspline.bivariate.answers import SurfacePlaces
-from exactspline.bivariate.minima import minima
-from exactspline.bivariate.quotients import polynomials_on, quotient_on
-from exactspline.bivariate.zeros import CommonZero, ZeroCurves, ZeroKind, common_zeros, zero_curve
+from exactspline.bivariate.quotients import minima, polynomials_on, quotient_on
+from exactspline.bivariate.zeros import CommonZero, SurfacePlaces, ZeroCurves, ZeroKind, common_zeros, zero_curve
 from exactspline.errors import ShapeError
 from exactspline.geometry.pairs.distance import Point
 from exactspline.numbers.exact import Number, mpq, text

@@ -41,8 +41,8 @@ from exactspline.geometry.recognition.shapes import (
     scalar,
     upper_square_root,
 )
-from exactspline.geometry.surfaces.degenerate import closed_along, point_of
 from exactspline.geometry.surfaces.forms import SurfaceForms
+from exactspline.geometry.surfaces.singular import closed_along, point_of
 from exactspline.language.wronskians import wronskians
 from exactspline.numbers.exact import mpq, sign
 from exactspline.numbers.intervals import UNIT

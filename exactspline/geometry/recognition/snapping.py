@@ -12,7 +12,7 @@ from exactspline.geometry.recognition.shapes import Circle, Line, Point, Shape, 
 from exactspline.interchange.segments import Affine, Segment, arc_around_origin, joined_segments, mapped, polynomial
 from exactspline.language.wronskians import wronskians
 from exactspline.numbers.exact import Number, mpq
-from exactspline.numbers.sides import Side
+from exactspline.numbers.intervals import Side
 from exactspline.one_line import OneLine
 from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.precision import distance

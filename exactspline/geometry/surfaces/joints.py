@@ -19,8 +19,8 @@ from itertools import count, pairwise, starmap
 
 from exactspline.bivariate.borders import Patch
 from exactspline.geometry.curves.angles import Angle
-from exactspline.geometry.surfaces.degenerate import line_points
 from exactspline.geometry.surfaces.forms import SurfaceForms
+from exactspline.geometry.surfaces.singular import line_points
 from exactspline.language.vector import Vector, cross, dot
 from exactspline.numbers.exact import mpq
 from exactspline.numbers.intervals import Interval

@@ -21,13 +21,13 @@ from itertools import pairwise
 
 from flint import fmpz_mpoly
 
-from exactspline.bivariate.answers import SurfacePart
 from exactspline.bivariate.borders import EDGES, Edge, Patch, along, roots_along, vanishes_at
 from exactspline.bivariate.common_zeros import CommonZero
 from exactspline.bivariate.joined_curves import Piece, ZeroComponent, chained, place_of
 from exactspline.bivariate.singular_points import Cell, Crossing, kind_on
 from exactspline.bivariate.zero_curve import Begun, Shape, ZeroCurve
 from exactspline.bivariate.zero_lines import LinesOfPatch, ZeroLine, square_free, without_lines, zero_lines
+from exactspline.bivariate.zeros import SurfacePart
 from exactspline.errors import ReachError
 from exactspline.geometry.surfaces.forms import Reduced, SurfaceForms, on_patch, sides_of
 from exactspline.geometry.surfaces.singular import SingularPoints

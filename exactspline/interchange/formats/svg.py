@@ -288,7 +288,7 @@ REPLACED = "an arc without rational control points is replaced by an arc with th
 LOSES = "SVG stores no knots: segments are kept, their parameter intervals are not"
 
 
-class NotDrawnError(ShapeError):
+class _NotDrawnError(ShapeError):
     """The shape is not drawn at all, so that no curve is missing."""
 
 
@@ -361,7 +361,7 @@ class _Drawing:
             where = f"{element.tag} at line {element.line}{place.reached}"
             try:
                 below = self._entered(element, where, place)
-            except NotDrawnError as error:
+            except _NotDrawnError as error:
                 self._not_drawn(element, where, str(error))
             except ExactSplineError as error:
                 self.collector.skip(element.tag, where, str(error))
@@ -383,7 +383,7 @@ class _Drawing:
             self.collector.skip(tag, where, SKIPPED[tag], curve=False)
             return []
         if why := _condition(element):
-            raise NotDrawnError(why)
+            raise _NotDrawnError(why)
         place = replace(self._placed(element, place), inside=place.inside or tag == "svg")
         if tag in SHAPES:
             _shape(self.collector, element, where, place)
@@ -440,13 +440,13 @@ class _Drawing:
         return replace(place, placed=place.placed @ local, notes=notes, copied=False)
 
     def _hidden(self, element: Element, style: dict[str, str], sheet: frozenset[str]) -> tuple[str, ...]:
-        """Notes on curves that are, or may be, partly or fully hidden; raises `NotDrawnError` if nothing is drawn."""
+        """Notes on curves that are, or may be, partly or fully hidden; raises `_NotDrawnError` if nothing is drawn."""
         given = {name: element.attributes[name] for name in NAMES["hiding"] if name in element.attributes}
         given |= {name: style[name] for name in NAMES["hiding"] if name in style}
         given = {name: value.strip() for name, value in given.items()}
         may = sheet & HIDING
         if given.get("display") == "none" and not may:
-            raise NotDrawnError("not drawn: display is none")
+            raise _NotDrawnError("not drawn: display is none")
         remarks = [
             f"{name} is {value[:40]}, on it or an element around it: the whole curve is read"
             for name, value in given.items()
@@ -496,7 +496,7 @@ def _shape(collector: Collector, element: Element, where: str, place: _Place) ->
         within = collector.source.within
         parsed, problem = subpaths(data, collector.limits, within and within / max(place.placed.stretch, mpq(1)))
         if not parsed:
-            raise ShapeError(problem, remedy="correct the path data") if problem else NotDrawnError("no segments")
+            raise ShapeError(problem, remedy="correct the path data") if problem else _NotDrawnError("no segments")
         notes += [f"{problem}: read up to there"] if problem else []
     else:
         segments, remarks = _basic(collector, element)
@@ -535,7 +535,7 @@ def _basic(collector: Collector, element: Element) -> tuple[list[Segment], list[
             raise ShapeError("a rectangle with round corners", remedy="write it as a path")
         x, y, width, height = (size(key) for key in ("x", "y", "width", "height"))
         if width <= 0 or height <= 0:
-            raise NotDrawnError("no width or no height", remedy="nothing is drawn")
+            raise _NotDrawnError("no width or no height", remedy="nothing is drawn")
         corners = [(x, y), (x + width, y), (x + width, y + height), (x, y + height), (x, y)]
     else:
         texts = element.attributes.get("points", "").replace(",", " ").split()
@@ -545,7 +545,7 @@ def _basic(collector: Collector, element: Element) -> tuple[list[Segment], list[
         notes += ["an odd number of coordinates: the last one is dropped"] if len(numbers) % 2 else []
         corners += corners[:1] if element.tag == "polygon" and corners[:1] != corners[-1:] else []
     if len(corners) < 2:
-        raise NotDrawnError("fewer than two points", remedy="nothing is drawn")
+        raise _NotDrawnError("fewer than two points", remedy="nothing is drawn")
     return [polynomial(a, b) for a, b in pairwise(corners)], notes
 
 
@@ -556,7 +556,7 @@ def _round(element: Element, size: Callable[[str], mpq]) -> list[Segment]:
     ]  # fmt: skip
     rx, ry = (size(given[0]), size(given[-1])) if given else (mpq(0), mpq(0))
     if rx <= 0 or ry <= 0:
-        raise NotDrawnError("no radius is positive", remedy="nothing is drawn")
+        raise _NotDrawnError("no radius is positive", remedy="nothing is drawn")
     return ellipse(Affine([[rx, 0, size("cx")], [0, ry, size("cy")]]))
 
 

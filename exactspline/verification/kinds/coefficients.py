@@ -11,9 +11,8 @@ from exactspline.errors import ClaimError, FormulaError
 from exactspline.language.arguments import Evaluated
 from exactspline.language.kinds import CURVE
 from exactspline.language.vector import Vector
-from exactspline.readings.bernstein_term import BernsteinTermReading, every_coefficient
+from exactspline.readings.bernstein_term import BernsteinTermReading, GenericReading, every_coefficient
 from exactspline.readings.differential_order import is_polynomial
-from exactspline.readings.generic_bezier import GenericReading
 from exactspline.verification.claim import Claim, formula_name, one_of, read
 from exactspline.verification.claim_fields import claim_kind
 from exactspline.verification.evaluation import Evaluation

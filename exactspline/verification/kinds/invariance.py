@@ -18,8 +18,7 @@ from exactspline.language.ruled import RuledSurface
 from exactspline.language.vector import Vector
 from exactspline.polynomials.cost import at_its_cost
 from exactspline.readings.differential_order import order_of
-from exactspline.readings.jet import RationalJetReading
-from exactspline.readings.other_parameter import InOtherParameter
+from exactspline.readings.jet import InOtherParameter, RationalJetReading
 from exactspline.symbolic.factorization import find_factor, without_denominator
 from exactspline.symbolic.motions import MAPS, Map
 from exactspline.verification.claim import Claim, formula_name, one_of, read

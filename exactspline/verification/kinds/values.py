@@ -11,7 +11,7 @@ from exactspline.geometry.pairs.distance import distance
 from exactspline.language.arguments import Evaluated
 from exactspline.language.ruled import split
 from exactspline.numbers.exact import mpq, point_text, text
-from exactspline.numbers.sides import Side
+from exactspline.numbers.intervals import Side
 from exactspline.verification.claim import Claim, example_name, formula_name, number, numbers, read
 from exactspline.verification.claim_fields import claim_kind
 from exactspline.verification.evaluation import Evaluation

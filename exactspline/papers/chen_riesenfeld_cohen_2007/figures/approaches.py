@@ -26,7 +26,7 @@ from exactspline.geometry.analysis.curves import analyse
 from exactspline.geometry.curves.facts import among, located
 from exactspline.geometry.derived.constructions import Variant, construction
 from exactspline.numbers.exact import iroot, mpq
-from exactspline.numbers.sides import Side
+from exactspline.numbers.intervals import Side
 from exactspline.one_line import OneLine
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.lowest_terms import control_point_count
