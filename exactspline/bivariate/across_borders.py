@@ -60,9 +60,6 @@ Spot = tuple[Parameter, Parameter]
 Ends = tuple[Parameter, Parameter]
 #: A closed rectangle of parameters, or an edge, a line.
 Sides = tuple[Ends, Ends]
-#: The sides of a point, in u and in v, on which something lies; they do not depend on how knots cut the patches around
-#: the point.
-Sectors = set[tuple[int, int]]
 
 
 def single_places(
@@ -113,11 +110,3 @@ def alike(spot: Spot, domain: Box, closed: Sequence[Along]) -> list[Spot]:
         for t, side, line in zip(spot, domain, Along, strict=True)
     )
     return list(product(u, v))
-
-
-def sectors(spot: Spot, box: Box) -> Sectors:
-    """The sides of a point of a closed rectangle on which the rectangle lies."""
-    first, second = (
-        [sign for sign, end in ((-1, low), (1, high)) if t != end] for t, (low, high) in zip(spot, box, strict=True)
-    )
-    return set(product(first, second))

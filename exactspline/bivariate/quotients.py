@@ -14,7 +14,8 @@ from typing import NamedTuple, TypeVar
 
 from flint import arb, fmpq_poly, fmpz, fmpz_mat, fmpz_mpoly, fmpz_poly
 
-from exactspline.bivariate.across_borders import Place, Spot, single_places, together
+from exactspline.bivariate.across_borders import Place as SurfacePlace
+from exactspline.bivariate.across_borders import Spot, single_places, together
 from exactspline.bivariate.borders import EDGES, Patch, along
 from exactspline.bivariate.common_zeros import Column, CommonZero, common_zeros, projected, zeros_of
 from exactspline.bivariate.zeros import SurfacePart, SurfacePlaces, budget_for, patches_of
@@ -33,8 +34,7 @@ from exactspline.polynomials.two_parameters import CONTEXT, S, T, as_form, as_po
 from exactspline.polynomials.zero_places import FIRST
 from exactspline.reals.ball import InBalls
 from exactspline.reals.real import Real, between
-from exactspline.roots.of_polynomials import Parameter, as_splines, distinct, exactly, roots_in
-from exactspline.roots.of_polynomials import Place as Pair
+from exactspline.roots.of_polynomials import Parameter, Place, as_splines, distinct, exactly, roots_in
 from exactspline.roots.root import Root
 from exactspline.roots.values import value_at
 from exactspline.splines.surface import Along
@@ -48,9 +48,9 @@ from exactspline.splines.tensor import TensorSpline, aligned
 class MonotoneArc(NamedTuple):
     """An arc of zeros: its ends, and a point of the arc with one rational parameter."""
 
-    start: Pair
-    end: Pair
-    inner: Pair
+    start: Place
+    end: Place
+    inner: Place
 
 
 def _monotone_arcs(p: fmpz_mpoly) -> tuple[list[MonotoneArc], list[CommonZero]]:
@@ -112,14 +112,14 @@ def _ends(p: fmpz_mpoly, fibre: Sequence[Parameter], near: Parameter, far: Param
     return (sum(height < t for height in heights) for t in roots_in(at(p, 0, line), *UNIT.second))
 
 
-def border_pairs(p: fmpz_mpoly, sides: Box) -> list[Pair]:
+def border_pairs(p: fmpz_mpoly, sides: Box) -> list[Place]:
     """The zeros on the border of a rectangle, each once.
 
     >>> from exactspline.polynomials.two_parameters import S, T
     >>> border_pairs(S - T, UNIT)
     [(mpq(0,1), mpq(0,1)), (mpq(1,1), mpq(1,1))]
     """
-    pairs: list[Pair] = []
+    pairs: list[Place] = []
     for variable in (0, 1):
         for value in sides[variable]:
             for root in roots_in(at(p, variable, value), *sides[1 - variable]):
@@ -302,12 +302,12 @@ def _in_one_parameter(top: fmpq_poly, bottom: fmpq_poly, high: mpq, place: Param
 NEWTON, ONE, SHORT, LEVELS = 9, 1 << 128, 90, 6
 
 #: A value, and the place where it is taken: a point, or a part all of whose points have the value.
-Found = tuple[Real, Place | SurfacePart]
+Found = tuple[Real, SurfacePlace | SurfacePart]
 
 
 def minima(
     top: TensorSpline, bottom: TensorSpline, closed: Callable[[], Sequence[Along]] = tuple
-) -> tuple[Real, SurfacePlaces[Place]]:
+) -> tuple[Real, SurfacePlaces[SurfacePlace]]:
     """The least value of a quotient with a positive denominator, and where it is taken; at knots the limits from all
     sides count as values. `closed` answers in which parameters the two ends are identified.
 
@@ -331,10 +331,10 @@ def minima(
         for patch, x, excess, place in near:
             zeros = _only(x, excess, place)
             whole = _inside(patch, x, bound, ends) if zeros is None and any(x.slopes) else ()
-            found += [*whole, *((x.at(zero), Place((patch,), zero.on(x.sides))) for zero in zeros or ())]
+            found += [*whole, *((x.at(zero), SurfacePlace((patch,), zero.on(x.sides))) for zero in zeros or ())]
         keep_least(found, BOUND)
     parts = dict.fromkeys(part for _, part in found if isinstance(part, SurfacePart))
-    places, boxes = [x for _, x in found if isinstance(x, Place)], [x.sides for x in parts if not x.along_curve]
+    places, boxes = [x for _, x in found if isinstance(x, SurfacePlace)], [x.sides for x in parts if not x.along_curve]
     groups = single_places(places, boxes, ends, f.domain, () if all(x.is_inside for x in places) else closed())
     return found[0][0], SurfacePlaces(tuple(map(together, groups)), tuple(parts))
 
@@ -387,7 +387,7 @@ def _on_border(patch: Patch, f: Quotient, excess: PatchForm) -> Iterator[Found]:
         part = _line(patch, f.sides, edge.direction, mpq(edge.end)) if any(f.slopes) else whole
         places = distinct([*(x for x in UNIT.first if low <= x <= high), *roots_in(slope, low, high)])
         for local in [edge.place(UNIT, t) for t in places]:
-            yield f.value(*local), Place((patch,), CommonZero(f.sides, local)) if slope else part
+            yield f.value(*local), SurfacePlace((patch,), CommonZero(f.sides, local)) if slope else part
 
 
 def _inside(patch: Patch, f: Quotient, bound: mpq, ends: set[Spot]) -> Iterator[Found]:
@@ -405,7 +405,7 @@ def _inside(patch: Patch, f: Quotient, bound: mpq, ends: set[Spot]) -> Iterator[
         yield f.value(*arc.inner), parts[0]
     for zero, pair in points:
         if not arcs or zero.local not in met:
-            yield f.at(zero, pair), Place((patch,), zero.on(f.sides))
+            yield f.at(zero, pair), SurfacePlace((patch,), zero.on(f.sides))
 
 
 def _only(f: Quotient, excess: PatchForm, near: Sequence[mpq]) -> list[CommonZero] | None:

@@ -39,7 +39,6 @@ from exactspline.roots.root import Root
 from exactspline.roots.vanishing import vanish_at
 from exactspline.splines.surface import Along
 from exactspline.splines.tensor import TensorSpline, aligned
-from exactspline.splines.type_checks import function_of_two
 
 T_co = TypeVar("T_co", covariant=True)
 
@@ -316,6 +315,12 @@ class ZeroCurves:
         return ", ".join(parts + [f"undecided in {SurfacePart((0, 0), box)}" for box in self.undecided]) or "nowhere"
 
 
+def _function_of_two(given: object) -> TensorSpline:
+    """The function of two parameters itself; raises `ShapeError` for anything else."""
+    remedy = "give a TensorSpline, one component of a surface at a time"
+    return as_instance(given, TensorSpline, "a function of two parameters", remedy)
+
+
 def common_zeros(
     first: TensorSpline, second: TensorSpline, *more: TensorSpline, closed: Iterable[Along] = ()
 ) -> CommonZeros:
@@ -343,7 +348,7 @@ def common_zeros(
     Source: Berberich, Emeliyanenko, Kobel and Sagraloff, Exact symbolic-numeric computation of planar algebraic curves,
     Theoretical Computer Science 2013.
     """
-    functions, ring = aligned(*[function_of_two(f) for f in (first, second, *more)]), _ring(closed)
+    functions, ring = aligned(*[_function_of_two(f) for f in (first, second, *more)]), _ring(closed)
     found, whole, factors, undecided = list[_Zero](), list[SurfacePart](), list[_OnPatch](), list[Box]()
     with drawing_on(budget_for(functions[0])):
         for patch, sides in patches_of(functions[0]):
@@ -380,7 +385,7 @@ def zero_curve(function: TensorSpline, closed: Iterable[Along] = ()) -> ZeroCurv
 
     Raises `ShapeError` for anything except a function of two parameters.
     """
-    f = function_of_two(function)
+    f = _function_of_two(function)
     found, undecided, ring = list[_OnPatch](), list[Box](), _ring(closed)
     with drawing_on(budget_for(f)):
         for patch, sides in patches_of(f):

@@ -39,9 +39,9 @@ from exactspline.display.serialize import ANGLE, NUMBERS, POINT
 from exactspline.display.sheet import Sheet
 from exactspline.errors import FormulaError, ReachError, counted
 from exactspline.geometry.analysis.planar_maps import MapInspection
+from exactspline.geometry.analysis.surface_values import LineMeeting, NearestOnSurface
 from exactspline.geometry.analysis.surfaces import PatchInspection, PatchKind, SurfaceInspection
 from exactspline.geometry.curves import angles
-from exactspline.geometry.pairs.surface_meetings import LineMeeting, NearestOnSurface
 from exactspline.geometry.recognition.patches import RecognizedPart
 from exactspline.geometry.recognition.shapes import ShapeKind
 from exactspline.geometry.rounded.umbilics import NearbyUmbilic

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from itertools import groupby, pairwise
 from math import comb, ulp
 from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias
 
 from exactspline.errors import ShapeError, a_kind, as_instance, counted, shown
 from exactspline.interchange.format import homogeneous, pen_segments
-from exactspline.interchange.numbers import MOST_ULPS, doubles, exact, exact_rows, periodic
+from exactspline.interchange.numbers import MOST_ULPS, doubles, exact
 from exactspline.interchange.pens import ContourPen
 from exactspline.numbers.exact import double, mpq
 from exactspline.splines.blossom import with_smooth_knots
@@ -65,6 +65,30 @@ def from_scipy(spline: Piecewise | InTwo, *, literal: bool = False) -> Nurbs | B
     return read_scipy(spline, literal=literal).curve
 
 
+def _periodic(degree: int, knots: Sequence[mpq], points: Sequence[object]) -> tuple[Sequence[mpq], str]:
+    """The knots of a curve whose last control points are its first ones, and a note on moved knots. If the knots are
+    periodic up to rounding, those outside of the domain are moved, by at most `MOST_ULPS`, so that they are exactly
+    periodic; other knots are kept.
+
+    >>> rounded = [mpq(t) if t > -3 else mpq(t) - mpq(1, 10**16) for t in range(-3, 9)]
+    >>> knots, note = _periodic(3, rounded, "abcdeabc")
+    >>> knots[0], note
+    (mpq(-3,1), 'closed: knots outside of the domain were moved by at most 1e-16')
+    """
+    count, made = len(points), list(knots)
+    if not 0 < degree < count or knots[0] == knots[degree] or points[:degree] != points[count - degree :]:
+        return knots, ""
+    ahead, width = count - degree, knots[count] - knots[degree]
+    for i in reversed(range(degree)):
+        made[i] = made[i + ahead] - width
+    for i in range(count + 1, len(knots)):
+        made[i] = made[i - ahead] + width
+    change = max(abs(a - b) for a, b in zip(made, knots, strict=True))
+    if not 0 < change <= MOST_ULPS * exact(ulp(max(map(float, map(abs, knots))))):
+        return knots, ""
+    return made, f"closed: knots outside of the domain were moved by at most {double(change, 'up'):.3g}"
+
+
 def read_scipy(spline: Piecewise | InTwo, *, literal: bool = False) -> ReadSpline:
     """Return the exact spline of a spline of scipy, with the binary value of every double, and notes on the changes
     that were made.
@@ -112,7 +136,7 @@ def read_scipy(spline: Piecewise | InTwo, *, literal: bool = False) -> ReadSplin
     degree, knots = int(given.k), [exact(t) for t in given.t]
     # scipy allows more coefficients than the knots require
     c = given.c[: len(knots) - degree - 1]
-    whole, note = (knots, "") if literal else periodic(degree, knots, c.tolist())
+    whole, note = (knots, "") if literal else _periodic(degree, knots, c.tolist())
     made = _made(degree, whole, c)
     if literal or note or given.extrapolate != "periodic":
         return ReadSpline(made, (note,) * bool(note))
@@ -128,12 +152,17 @@ def _is_tck(t: object, k: object) -> bool:
     return isinstance(t, (np.ndarray, list, tuple)) and isinstance(k, (int, np.integer))
 
 
+def _exact_rows(rows: Iterable[Iterable[object]]) -> list[list[mpq]]:
+    """The exact values of rows of numbers."""
+    return [[exact(value) for value in row] for row in rows]
+
+
 def _made(degree: int, knots: Sequence[mpq], coefficients: np.ndarray) -> Nurbs | BSpline:
     if coefficients.ndim == 1:
         return BSpline(degree, knots, [exact(c) for c in coefficients])
     if coefficients.ndim != 2:
         raise ShapeError(f"coefficients of shape {coefficients.shape}", remedy="a curve has one row per control point")
-    return Nurbs(degree, knots, exact_rows(coefficients))
+    return Nurbs(degree, knots, _exact_rows(coefficients))
 
 
 def _in_two(degrees: Any, knots: Any, net: np.ndarray) -> NurbsSurface | TensorSpline:
@@ -141,8 +170,8 @@ def _in_two(degrees: Any, knots: Any, net: np.ndarray) -> NurbsSurface | TensorS
     m, n = map(int, degrees)
     u, v = ([exact(t) for t in row] for row in knots)
     if net.ndim == 2:
-        return TensorSpline((m, n), u, v, exact_rows(net))
-    return NurbsSurface((m, n), u, v, [exact_rows(row) for row in net])
+        return TensorSpline((m, n), u, v, _exact_rows(net))
+    return NurbsSurface((m, n), u, v, [_exact_rows(row) for row in net])
 
 
 def _pieces(c: np.ndarray, x: np.ndarray, *, powers: bool) -> tuple[list[mpq], list[list[tuple[mpq, ...]]]]:
@@ -225,8 +254,8 @@ def from_geomdl(curve: geomdl.abstract.Curve) -> Nurbs:
         raise ShapeError(
             f"a {type(curve).__name__}, where a geomdl curve is expected", remedy="give a BSpline.Curve or NURBS.Curve"
         )
-    degree, points = int(curve.degree), exact_rows(curve.ctrlptsw if curve.rational else curve.ctrlpts)
-    knots, note = periodic(degree, [exact(t) for t in curve.knotvector], points)
+    degree, points = int(curve.degree), _exact_rows(curve.ctrlptsw if curve.rational else curve.ctrlpts)
+    knots, note = _periodic(degree, [exact(t) for t in curve.knotvector], points)
     make = Nurbs.from_homogeneous if curve.rational else Nurbs
     return make(degree, knots, points, name=str(curve.name), note=note)
 
@@ -268,8 +297,8 @@ def from_splinepy(curve: splinepy.spline.Spline) -> Nurbs:
     else:
         knots = [exact(int(i > degree)) for i in range(2 * degree + 2)]
     weights = [exact(w) for row in curve.weights for w in row] if curve.is_rational else [exact(1)] * len(curve.cps)
-    points = exact_rows(curve.control_points)
-    whole, note = periodic(degree, knots, [*zip(points, weights, strict=True)])
+    points = _exact_rows(curve.control_points)
+    whole, note = _periodic(degree, knots, [*zip(points, weights, strict=True)])
     return Nurbs(degree, whole, points, weights, note=note)
 
 

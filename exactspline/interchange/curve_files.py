@@ -17,11 +17,15 @@ import os
 import re
 from collections.abc import Iterable, Mapping, Sequence
 from hashlib import blake2b
+from pathlib import Path
 from typing import Any, NoReturn, cast
 
 from exactspline.atomic_write import write_text
 from exactspline.errors import CurveFileError, NumberError, as_path, counted
-from exactspline.interchange.records import Limits
+from exactspline.interchange.collector import Collector, whole
+from exactspline.interchange.format import Format, Spline
+from exactspline.interchange.numbers import NumberText
+from exactspline.interchange.records import Limits, Reading, Source
 from exactspline.numbers.exact import Number, mpq, rational
 from exactspline.numbers.exact import text as text_of
 from exactspline.splines.bspline import BSpline
@@ -64,18 +68,18 @@ def _points_of(rows: Sequence[object], place: str = "control_points", limits: Li
             if set(row) != {"vector"} or not isinstance(row["vector"], list):
                 remedy = 'write [x, y], or {"vector": [x, y]} for a direction'
                 raise CurveFileError("is not a control point", where=where, remedy=remedy)
-            numbers = numbers_of(row["vector"], f"{where}.vector", limits)
+            numbers = _numbers_of(row["vector"], f"{where}.vector", limits)
             try:
                 points.append(Direction(*numbers))
             except NumberError as error:
                 entry = error.where.removeprefix("Direction")
                 raise NumberError(error.problem, remedy=error.remedy).at(f"{where}.vector{entry}") from None
         else:
-            points.append(numbers_of(row, where, limits) if isinstance(row, list) else cast("list[Number]", row))
+            points.append(_numbers_of(row, where, limits) if isinstance(row, list) else cast("list[Number]", row))
     return points
 
 
-def numbers_of(values: Sequence[object], place: str, limits: Limits = USUAL) -> list[Number]:
+def _numbers_of(values: Sequence[object], place: str, limits: Limits = USUAL) -> list[Number]:
     """The numbers of a list (see `_number_of`); errors name their places in it."""
     return [_number_of(value, f"{place}[{i}]", limits) for i, value in enumerate(values)]
 
@@ -160,7 +164,7 @@ def _written_point(point: tuple[mpq, ...]) -> dict[str, list[str]] | list[str]:
 SIZED = "knots", "control_points", "weights"
 
 
-def curve_from_data(given: Mapping[str, object], name: str = "", limits: Limits = USUAL) -> Nurbs:
+def _curve_from_data(given: Mapping[str, object], name: str = "", limits: Limits = USUAL) -> Nurbs:
     """The curve in JSON data, with numbers as text (`exactspline.interchange.curve_files.parsed`), within the limits on
     single numbers.
     """
@@ -171,8 +175,8 @@ def curve_from_data(given: Mapping[str, object], name: str = "", limits: Limits 
         return _curve_of_piece(data, name, limits)
     _check_fields(data, CURVE)
     listed = {field: _list(data[field], field) for field in SIZED if data.get(field) is not None or field != "weights"}
-    own = numbers_of(listed["weights"], "weights", limits) if "weights" in listed else None
-    knots, points = numbers_of(listed["knots"], "knots", limits), _points_of(listed["control_points"], limits=limits)
+    own = _numbers_of(listed["weights"], "weights", limits) if "weights" in listed else None
+    knots, points = _numbers_of(listed["knots"], "knots", limits), _points_of(listed["control_points"], limits=limits)
     return Nurbs(_whole_degree(data["degree"]), knots, points, own, **_labels(data, name))
 
 
@@ -214,9 +218,9 @@ def _curve_of_piece(piece: dict[str, Any], name: str, limits: Limits) -> Nurbs:
     if not isinstance(net, list) or not net or not all(isinstance(row, list) and row for row in net):
         remedy = f"write {'(w x, w y, …, w)' if rational_piece else '(x, y, …)'} for each"
         raise CurveFileError("is not a list of points", where=field, remedy=remedy)
-    read = [numbers_of(row, f"{field}[{i}]", limits) for i, row in enumerate(net)]
+    read = [_numbers_of(row, f"{field}[{i}]", limits) for i, row in enumerate(net)]
     rows = exact_points(read, least=3 if rational_piece else 2)
-    degree, knots = _whole_degree(piece["degree"]), KnotVector(numbers_of(listed, "knots", limits))
+    degree, knots = _whole_degree(piece["degree"]), KnotVector(_numbers_of(listed, "knots", limits))
     knots.check(checked_degree(degree))
     low, high = _ends(piece, knots.domain(degree), limits)
     *p, last = [BSpline(degree, knots, column).restrict(low, high) for column in zip(*rows, strict=True)]
@@ -258,7 +262,7 @@ def _rational(value: object, key: str, limits: Limits) -> mpq:
 NET = "points"
 
 
-def surface_from_data(given: Mapping[str, object], name: str = "", limits: Limits = USUAL) -> NurbsSurface:
+def _surface_from_data(given: Mapping[str, object], name: str = "", limits: Limits = USUAL) -> NurbsSurface:
     """The surface in JSON data, with numbers as text (`exactspline.interchange.curve_files.parsed`), within the limits
     on single numbers.
     """
@@ -274,7 +278,7 @@ def surface_from_data(given: Mapping[str, object], name: str = "", limits: Limit
         net.append(_points_of(_list(row, place), place, limits))
     weights = data.get("weights")
     own = None if weights is None else _numbers(weights, limits)
-    u, v = (numbers_of(row, f"knots[{i}]", limits) for i, row in enumerate(knots))
+    u, v = (_numbers_of(row, f"knots[{i}]", limits) for i, row in enumerate(knots))
     return NurbsSurface((degree[0], degree[1]), u, v, net, own, **_labels(data, name))
 
 
@@ -288,7 +292,7 @@ def _list(value: Any, where: str, count: int | None = None) -> list[Any]:
 
 def _numbers(rows: object, limits: Limits) -> list[list[Number]]:
     listed = ((f"weights[{i}]", row) for i, row in enumerate(_list(rows, "weights")))
-    return [numbers_of(_list(row, place), place, limits) for place, row in listed]
+    return [_numbers_of(_list(row, place), place, limits) for place, row in listed]
 
 
 # ---- writing
@@ -343,3 +347,89 @@ def surface_digest(surface: NurbsSurface) -> str:
     net = (x for row in surface.control_points for point in row for x in point)
     points = [*surface.knots[0], "|", *surface.knots[1], *(w for row in surface.weights for w in row), *net]
     return short_digest(f"{surface.degree} {surface.dimension} {' '.join(map(str, points))}")
+
+
+#: An object, or a list of them.
+_BEGINNING = re.compile(rb"(\xef\xbb\xbf)?\s*(\[\s*)?\{")
+
+
+def looks_like(head: bytes) -> bool:
+    """Whether a file begins like a curve file."""
+    return _BEGINNING.match(head) is not None
+
+
+def read(source: Source) -> Reading:
+    """The curves and surfaces of a file. If there are several, an invalid one is skipped; the error of a single one is
+    raised.
+    """
+    collector = Collector("json", source)
+    try:
+        data: Any = parsed(source.data.decode("utf-8-sig"))
+    except UnicodeDecodeError:
+        raise CurveFileError("is not UTF-8 text", remedy="a curve file is JSON") from None
+    if isinstance(data, dict) and "curves" not in data:
+        _add(collector, data, "curve 1")
+        return collector.reading()
+    entries = data["curves"] if isinstance(data, dict) else data
+    if not isinstance(entries, list):
+        raise CurveFileError("the JSON text holds no curves", remedy='write one curve or {"curves": […]}')
+    for number, entry in enumerate(entries, 1):
+        what = "surface" if _is_surface(entry) else "curve"
+        name = entry.get("name") if isinstance(entry, dict) else None
+        where = f"{what} {number}" + (f" ({name})" if isinstance(name, str) and name else "")
+        with collector.skipping(what, where, curve=what == "curve"):
+            _add(collector, entry, where)
+    return collector.reading()
+
+
+def _is_surface(entry: Any) -> bool:
+    return isinstance(entry, dict) and isinstance(entry.get("degree"), list)
+
+
+def _add(collector: Collector, entry: Any, where: str) -> None:
+    (_surface if _is_surface(entry) else _curve)(collector, entry, where)
+
+
+def _curve(collector: Collector, entry: Any, where: str) -> None:
+    if not isinstance(entry, dict):
+        raise CurveFileError("is not an object", remedy='write {"degree": …, "knots": […], "control_points": […]}')
+    collector.count(sum(len(entry[key]) for key in SIZED if isinstance(entry.get(key), list)))
+    piece = "pieces" in entry or "kind" in entry
+    entry, unrolled = (entry, []) if piece else _whole(entry, collector.limits)
+    curve = _curve_from_data(entry, where if piece else Path(collector.source.name).stem, collector.limits)
+    remarks = [curve.note, f"source: {curve.source}" if curve.source else ""]
+    notes = ["written by `derive`"] if piece else [*filter(None, remarks), *unrolled]
+    collector.keep(curve, notes, rational=not piece and entry.get("weights") is not None)
+
+
+def _whole(entry: dict[str, Any], limits: Limits) -> tuple[dict[str, Any], Sequence[str]]:
+    """The data of a curve, and notes. If only one period of the curve is listed, the data are continued."""
+    degree, listed = entry.get("degree"), {key: entry[key] for key in SIZED if isinstance(entry.get(key), list)}
+    knots, points = listed.get("knots", []), listed.get("control_points", [])
+    # a degree beyond the limits is refused later
+    n = int(degree) if isinstance(degree, str) and degree.isdecimal() and len(degree) < 9 else limits.degree + 1
+    if n > limits.degree or len(knots) == len(points) + n + 1:
+        return entry, ()
+    full = whole(n, [*KnotVector(_numbers_of(knots, "knots", limits))], len(points))
+    more = {key: full.continued(values) for key, values in listed.items()} | {"knots": list(map(str, full.knots))}
+    return (entry | more, full.notes) if full.notes else (entry, ())
+
+
+def _surface(found: Collector, entry: Any, where: str) -> None:
+    rows = entry.get("control_points", entry.get("points", ()))
+    found.count(sum(len(row) for row in rows if isinstance(row, list)) if isinstance(rows, list) else 1)
+    found.surfaces.append(_surface_from_data(entry, Path(found.source.name).stem or where, found.limits))
+
+
+def write(splines: Sequence[Spline], numbers: NumberText) -> bytes:
+    """A single curve or surface as an object, several curves as ``{"curves": […]}``, surfaces as a list; always
+    exact.
+    """
+    entries = [
+        (surface_data(s.of) if isinstance(s.of, NurbsSurface) else curve_data(s.of)) | {"name": s.name} for s in splines
+    ]
+    several: Any = entries if splines[0].is_surface else {"curves": entries}
+    return (json.dumps(entries[0] if len(entries) == 1 else several, indent=1, ensure_ascii=False) + "\n").encode()
+
+
+FORMAT = Format("json", "exactspline JSON", (".json",), looks_like, read, write, surfaces=True)

@@ -7,7 +7,7 @@ from importlib import resources
 from typing import Literal, overload
 
 from exactspline.errors import CurveFileError, FormulaError, as_text, nearest
-from exactspline.interchange import own_json
+from exactspline.interchange import curve_files
 from exactspline.interchange.records import Reading, Source
 from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.surface import NurbsSurface
@@ -113,7 +113,7 @@ def _names(folder: str) -> tuple[str, ...]:
 
 
 def _read(folder: str, name: str) -> Reading:
-    return own_json.read(Source(_text(folder, name).encode(), f"{name}.json"))
+    return curve_files.read(Source(_text(folder, name).encode(), f"{name}.json"))
 
 
 def _text(folder: str, name: str) -> str:

@@ -22,7 +22,7 @@ from exactspline.errors import (
     nearest,
     written,
 )
-from exactspline.interchange import own_json
+from exactspline.interchange import curve_files
 from exactspline.interchange.examples import example_text, examples
 from exactspline.interchange.format import Format, Spline
 from exactspline.interchange.formats import formats
@@ -208,7 +208,7 @@ def _by_suffix(path: str) -> Format:
 def _recognized(data: bytes, name: str) -> Format:
     head, suffix = data[:HEAD], Path(name).suffix.lower()
     # a name in JSON may look like another format: <svg …, [OBJECT …
-    in_json, elsewhere = own_json.looks_like(head), any(suffix in each.suffixes for each in formats())
+    in_json, elsewhere = curve_files.looks_like(head), any(suffix in each.suffixes for each in formats())
     for known in (each for each in formats() if not in_json or ".json" in each.suffixes):
         # text that begins with a brace is not necessarily JSON: if the suffix belongs to another format, that format is
         # used

@@ -4,15 +4,14 @@ from __future__ import annotations
 
 import operator
 import re
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, field
-from decimal import Decimal
-from math import inf, ulp
+from math import inf
 from typing import TypeAlias
 
 from exactspline.errors import CurveFileError, NumberError, ShapeError, counted, shown
 from exactspline.interchange.records import LARGER, Limits
-from exactspline.numbers.exact import decimal_places, double, from_float, is_float, isqrt, mpq, mpz, rational
+from exactspline.numbers.exact import decimal_places, from_float, is_float, isqrt, mpq, mpz, rational
 
 _DECIMAL = re.compile(r"[+-]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eEdD]([+-]?\d{1,9}))?", re.ASCII)
 _WHOLE = re.compile(r"[+-]?\d{1,9}", re.ASCII)
@@ -74,29 +73,10 @@ def square_root(value: mpq) -> mpq | None:
     return root if root * root == value else None
 
 
-def dyadic(value: mpq, error: mpq) -> mpq:
-    """A multiple of a power of two that is at most `error` below a number.
-
-    >>> dyadic(mpq(1, 3), mpq(1, 10))
-    mpq(5,16)
-    """
-    scale = mpz(1) << int(1 / error).bit_length()
-    return mpq(value * scale // 1, scale)
-
-
 def root_below(square: mpq, error: mpq) -> mpq:
     """A multiple of a power of two that is at most `error` below the square root of a number."""
     scale = mpz(1) << int(1 / error).bit_length()
     return mpq(isqrt(square.numerator * scale * scale // square.denominator), scale)
-
-
-def about(value: mpq) -> str:
-    """A nonnegative number, as text of three digits.
-
-    >>> about(mpq(2, 3) / 10**9), about(mpq(109)), about(mpq(1234567))
-    ('6.67E-10', '109', '1.23E+6')
-    """
-    return f"{Decimal(int(value.numerator)) / Decimal(int(value.denominator)):.3g}".replace("e", "E")
 
 
 def finite_double(value: mpq) -> float:
@@ -308,35 +288,6 @@ def exact(value: object) -> mpq:
         raise NumberError(f"{shown(value)} is not a finite number", remedy="pass integers or floats") from None
 
 
-def exact_rows(rows: Iterable[Iterable[object]]) -> list[list[mpq]]:
-    """The exact values of rows of numbers."""
-    return [[exact(value) for value in row] for row in rows]
-
-
 def doubles(values: Iterable[mpq]) -> list[float]:
     """The correctly rounded doubles; raises `NumberError` beyond their range."""
     return [finite_double(value) for value in values]
-
-
-def periodic(degree: int, knots: Sequence[mpq], points: Sequence[object]) -> tuple[Sequence[mpq], str]:
-    """The knots of a curve whose last control points are its first ones, and a note on moved knots. If the knots are
-    periodic up to rounding, those outside of the domain are moved, by at most `MOST_ULPS`, so that they are exactly
-    periodic; other knots are kept.
-
-    >>> rounded = [mpq(t) if t > -3 else mpq(t) - mpq(1, 10**16) for t in range(-3, 9)]
-    >>> knots, note = periodic(3, rounded, "abcdeabc")
-    >>> knots[0], note
-    (mpq(-3,1), 'closed: knots outside of the domain were moved by at most 1e-16')
-    """
-    count, made = len(points), list(knots)
-    if not 0 < degree < count or knots[0] == knots[degree] or points[:degree] != points[count - degree :]:
-        return knots, ""
-    ahead, width = count - degree, knots[count] - knots[degree]
-    for i in reversed(range(degree)):
-        made[i] = made[i + ahead] - width
-    for i in range(count + 1, len(knots)):
-        made[i] = made[i - ahead] + width
-    change = max(abs(a - b) for a, b in zip(made, knots, strict=True))
-    if not 0 < change <= MOST_ULPS * exact(ulp(max(map(float, map(abs, knots))))):
-        return knots, ""
-    return made, f"closed: knots outside of the domain were moved by at most {double(change, 'up'):.3g}"

@@ -7,13 +7,14 @@ A segment is the tuple of its homogeneous control points ``(w x, w y, …, w)``.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from decimal import Decimal
 from itertools import pairwise
 
 from flint import arb, ctx
 
 from exactspline.errors import ShapeError
-from exactspline.interchange.numbers import about, dyadic, root_below, square_root
-from exactspline.numbers.exact import mpq, rational, text, to_fmpq
+from exactspline.interchange.numbers import root_below, square_root
+from exactspline.numbers.exact import mpq, mpz, rational, text, to_fmpq
 from exactspline.numbers.intervals import ball_ends
 from exactspline.numbers.once import cached_property
 from exactspline.splines.bspline import BSpline
@@ -115,6 +116,16 @@ def axes(
         slack /= 16
 
 
+def _dyadic(value: mpq, error: mpq) -> mpq:
+    """A multiple of a power of two that is at most `error` below a number.
+
+    >>> _dyadic(mpq(1, 3), mpq(1, 10))
+    mpq(5,16)
+    """
+    scale = mpz(1) << int(1 / error).bit_length()
+    return mpq(value * scale // 1, scale)
+
+
 def _rotation(x: Vector, y: Vector, z: Vector, error: mpq) -> tuple[Vector, Vector, Vector]:
     """The columns of a rational rotation near a matrix with nearly perpendicular columns of lengths near 1."""
     # one of the matrix and its three products with half turns has a trace that is not near −1
@@ -123,7 +134,7 @@ def _rotation(x: Vector, y: Vector, z: Vector, error: mpq) -> tuple[Vector, Vect
         size = 1 + u[0] + v[1] + w[2]
         if size > mpq(1, 2):
             break
-    a, b, c = (dyadic(q / size, error) for q in (v[2] - w[1], w[0] - u[2], u[1] - v[0]))
+    a, b, c = (_dyadic(q / size, error) for q in (v[2] - w[1], w[0] - u[2], u[1] - v[0]))
     n = 1 + a * a + b * b + c * c
     rows = [
         [n - 2 * (b * b + c * c), 2 * (a * b + c), 2 * (a * c - b)],
@@ -413,7 +424,7 @@ def on_circle(x: mpq, y: mpq, error: mpq) -> Point:
     if length is not None:
         return x / length, y / length
     # the tangent of half the angle has at most a quarter of the error, twice: from the root, and from rounding
-    t = dyadic(y / (x + root_below(square, min(error, mpq(1)) * x / 4)), error / 4)
+    t = _dyadic(y / (x + root_below(square, min(error, mpq(1)) * x / 4)), error / 4)
     return (1 - t * t) / (1 + t * t), 2 * t / (1 + t * t)
 
 
@@ -520,7 +531,16 @@ def moved(to: Sequence[mpq], point: Sequence[mpq], within: mpq | None, onto: str
     return f"an end is moved by {distance_text(gap)} onto {onto}"
 
 
+def _about(value: mpq) -> str:
+    """A nonnegative number, as text of three digits.
+
+    >>> _about(mpq(2, 3) / 10**9), _about(mpq(109)), _about(mpq(1234567))
+    ('6.67E-10', '109', '1.23E+6')
+    """
+    return f"{Decimal(int(value.numerator)) / Decimal(int(value.denominator)):.3g}".replace("e", "E")
+
+
 def distance_text(gap: Sequence[mpq]) -> str:
     """The length of a vector, to three digits."""
     square = dot(gap, gap)
-    return about(root_below(square, square / (1 + square) / 10_000)) if square else "0"
+    return _about(root_below(square, square / (1 + square) / 10_000)) if square else "0"

@@ -23,7 +23,6 @@ from typing import NamedTuple
 from flint import fmpz, fmpz_mat, fmpz_poly
 
 from exactspline.numbers.exact import mpz
-from exactspline.polynomials.bernstein import substituted
 from exactspline.polynomials.cost import LONGEST_LOOP, check_reach
 from exactspline.polynomials.elimination import through
 
@@ -157,11 +156,6 @@ def _divided(row: Sequence[fmpz_poly]) -> list[fmpz_poly]:
     return quotient[::-1]
 
 
-def substitute(matrix: Matrix, degree: int, u: fmpz_poly, v: fmpz_poly) -> Matrix:
-    """The matrix of forms of a degree at ``(u, v)``."""
-    return [[substituted(x, degree, u, v) for x in row] for row in matrix]
-
-
 def determinant(matrix: Matrix, degree: int) -> fmpz_poly:
     """The determinant of a square matrix of forms of the same degree.
 
@@ -239,12 +233,6 @@ def _unpacked(value: int, width: int, length: int) -> fmpz_poly:
         carry = int(digit >= half)
         coefficients.append(sign * (digit - base if carry else digit))
     return fmpz_poly(coefficients)
-
-
-def first_cofactors(matrix: Matrix) -> tuple[fmpz_poly, fmpz_poly, fmpz_poly]:
-    """The first row of the adjugate of a symmetric 3 × 3 matrix."""
-    (_, b, c), (_, e, f), (_, _, i) = matrix
-    return e * i - f * f, c * f - b * i, b * f - c * e
 
 
 def without(matrix: Matrix, row: int, column: int) -> Matrix:

@@ -13,7 +13,7 @@ from flint import fmpq_poly, fmpz, fmpz_mat, fmpz_poly, nmod_poly
 from exactspline.numbers.exact import mpq, mpz, sign, to_fmpq
 from exactspline.numbers.intervals import Interval
 from exactspline.polynomials.cost import LONGEST_LOOP, check_reach, height_bits
-from exactspline.polynomials.factors import factorize, greatest_common_divisor
+from exactspline.polynomials.factors import greatest_common_divisor
 
 #: The costs in hundredths of a nanosecond per bit of a value: to compute it, times the product of the degrees, and to
 #: interpolate, times the number of values (measured: 77 to 106, and 11 to 15). Then the cost in ten-thousandths of a
@@ -314,19 +314,6 @@ def square_free(p: fmpz_poly) -> fmpz_poly:
     return primitive(p // greatest_common_divisor([p, p.derivative()]))
 
 
-def irreducible_factors(p: fmpz_poly) -> tuple[fmpz_poly, ...]:
-    """The irreducible factors, with positive leading coefficients; cached, because many numbers share them.
-
-    Raises `ReachError` if FLINT may take too long.
-    """
-    return _factors(*p.coeffs())
-
-
-@lru_cache(64)
-def _factors(*coefficients: fmpz) -> tuple[fmpz_poly, ...]:
-    return tuple(primitive(p) for p in factorize(fmpz_poly(list(coefficients))).bases)
-
-
 def without_rational_zero(p: fmpz_poly) -> bool:
     """Whether it is certain that no zero is rational: a rational zero is a zero modulo every prime that does not divide
     the leading coefficient. False decides nothing.
@@ -355,11 +342,6 @@ def linear(value: mpq) -> fmpz_poly:
 def sign_of_value(p: fmpz_poly, t: mpq) -> int:
     """The sign of a polynomial at a rational number."""
     return sign(p(to_fmpq(t)))
-
-
-def changes_sign(p: fmpz_poly, low: mpq, high: mpq) -> bool:
-    """Whether a polynomial has opposite signs at two numbers."""
-    return sign_of_value(p, low) * sign_of_value(p, high) < 0
 
 
 class QuotientModulo:

@@ -21,7 +21,7 @@ from exactspline.numbers.exact import mpq, to_fmpq
 from exactspline.numbers.intervals import sign_of_ball
 from exactspline.numbers.once import cached_property
 from exactspline.polynomials import bezout
-from exactspline.polynomials.bernstein import backwards
+from exactspline.polynomials.bernstein import backwards, substituted
 from exactspline.polynomials.bezout import Matrix, PlaneForms, across, along
 from exactspline.polynomials.common_arcs import (
     Image,
@@ -179,6 +179,12 @@ class _Several(Enum):
 SEVERAL = _Several.SEVERAL
 
 
+def _first_cofactors(matrix: Matrix) -> tuple[fmpz_poly, fmpz_poly, fmpz_poly]:
+    """The first row of the adjugate of a symmetric 3 × 3 matrix."""
+    (_, b, c), (_, e, f), (_, _, i) = matrix
+    return e * i - f * f, c * f - b * i, b * f - c * e
+
+
 class Elimination:
     """A matrix of forms in t that is singular where a point of the second curve lies on the first, with the vectors of
     the parameters s of the first in its kernel.
@@ -192,7 +198,7 @@ class Elimination:
         """F, a form of degree ``size · degree``."""
         if self.size == 3:
             # the cofactors of this matrix are needed, too
-            self.first, self.second, third = bezout.first_cofactors(self.matrix)
+            self.first, self.second, third = _first_cofactors(self.matrix)
             a, b, c = self.matrix[0]
             return a * self.first + b * self.second + c * third
         return bezout.determinant(self.matrix, self.degree)
@@ -440,10 +446,15 @@ def _of_one_curve(first: PlaneForms, second: PlaneForms, forward: Elimination) -
     return found
 
 
+def _substitute(matrix: Matrix, degree: int, u: fmpz_poly, v: fmpz_poly) -> Matrix:
+    """The matrix of forms of a degree at ``(u, v)``."""
+    return [[substituted(x, degree, u, v) for x in row] for row in matrix]
+
+
 def _crossings(first: PlaneForms, second: PlaneForms, carried: RationalMap) -> Iterator[Meeting]:
     """The points where other branches of the first curve pass through a point of the second."""
     own = self_elimination(first)
-    matrix = bezout.substitute(own.matrix, own.degree, carried.bottom, carried.top)
+    matrix = _substitute(own.matrix, own.degree, carried.bottom, carried.top)
     crossed = Elimination(matrix, own.degree * carried.degree)
     for place in places(crossed.isolation):
         partner = crossed.partner(place)

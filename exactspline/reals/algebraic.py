@@ -11,7 +11,7 @@ import re
 from contextlib import suppress
 from decimal import Context, Decimal
 from fractions import Fraction
-from functools import cache, total_ordering
+from functools import cache, lru_cache, total_ordering
 from typing import TYPE_CHECKING, Any, cast, overload
 
 from flint import arb_poly, ctx, fmpz, fmpz_poly
@@ -21,8 +21,8 @@ from exactspline.numbers.exact import Rounding, decimal_unit, double_between, mp
 from exactspline.numbers.intervals import Interval, ball_around, shifted
 from exactspline.numbers.once import Immutable, fill
 from exactspline.one_line import LONGEST_NUMBER
-from exactspline.polynomials.elimination import changes_sign, irreducible_factors, linear, sign_of_value, square_free
-from exactspline.polynomials.factors import greatest_common_divisor
+from exactspline.polynomials.elimination import linear, primitive, sign_of_value, square_free
+from exactspline.polynomials.factors import factorize, greatest_common_divisor
 
 if TYPE_CHECKING:
     import mpmath
@@ -272,6 +272,24 @@ EXACT = (int, Fraction, Decimal, type(mpz()), _RATIONAL, fmpz, type(to_fmpq(mpq(
 OPEN = 1500
 
 
+def _irreducible_factors(p: fmpz_poly) -> tuple[fmpz_poly, ...]:
+    """The irreducible factors, with positive leading coefficients; cached, because many numbers share them.
+
+    Raises `ReachError` if FLINT may take too long.
+    """
+    return _factors(*p.coeffs())
+
+
+@lru_cache(64)
+def _factors(*coefficients: fmpz) -> tuple[fmpz_poly, ...]:
+    return tuple(primitive(p) for p in factorize(fmpz_poly(list(coefficients))).bases)
+
+
+def _changes_sign(p: fmpz_poly, low: mpq, high: mpq) -> bool:
+    """Whether a polynomial has opposite signs at two numbers."""
+    return sign_of_value(p, low) * sign_of_value(p, high) < 0
+
+
 @total_ordering
 class Algebraic(Digits):
     """Operations on real numbers that enclosures cannot decide. Subclasses define `_annihilator`."""
@@ -376,7 +394,7 @@ class Algebraic(Digits):
 
     def _computed_minimal(self) -> fmpz_poly:
         p, low, high = self._isolated()
-        return linear(low) if low == high else next(f for f in irreducible_factors(p) if changes_sign(f, low, high))
+        return linear(low) if low == high else next(f for f in _irreducible_factors(p) if _changes_sign(f, low, high))
 
     def is_root_of(self, polynomial: fmpz_poly) -> bool:
         """Return whether a polynomial with integer coefficients vanishes at this number.
@@ -390,7 +408,7 @@ class Algebraic(Digits):
             return sign_of_value(polynomial, low) == 0
         # a divisor of `p` has no other zero in [low, high], and this one with multiplicity at most one
         common = greatest_common_divisor([p, polynomial])
-        return common.degree() > 0 and changes_sign(common, low, high)
+        return common.degree() > 0 and _changes_sign(common, low, high)
 
     # ---- comparisons
 
@@ -449,7 +467,9 @@ class Algebraic(Digits):
         common = greatest_common_divisor([p, q])
         if common.degree() < 1 or b <= c or d <= a:
             return False
-        return changes_sign(common, a, b) and changes_sign(common, c, d) and changes_sign(common, min(a, c), max(b, d))
+        return (
+            _changes_sign(common, a, b) and _changes_sign(common, c, d) and _changes_sign(common, min(a, c), max(b, d))
+        )
 
 
 def _order(x: Algebraic, y: Algebraic | mpq) -> int:

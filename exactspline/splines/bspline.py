@@ -37,17 +37,17 @@ from exactspline.polynomials.bernstein import (
     value,
 )
 from exactspline.polynomials.cost import LONGEST_LOOP, check_reach, height_bits
-from exactspline.splines import blossom, refinement
+from exactspline.splines import blossom
 from exactspline.splines.inputs import checked_degree, checked_side, exact_row
 from exactspline.splines.knots import SMOOTH, KnotVector, Mesh, clamped, mesh_of
-from exactspline.splines.refinement import segmentwise
+from exactspline.splines.refinement import Refinable, aligned, segmentwise
 
 #: The degree from which the cost of a product is estimated, and its nanoseconds per bit (measured: 1 to 4 for degrees
 #: 300 to 20,000).
 LONG, BIT = 256, 4
 
 
-class BSpline(Immutable, RingOperand, FunctionsOutside):
+class BSpline(Immutable, Refinable, RingOperand, FunctionsOutside):
     """A scalar piecewise polynomial of a given degree over given knots, with exact control points.
 
     `knots` are given with full multiplicities, clamped or not. An interior multiplicity is at most degree + 1; at a
@@ -253,7 +253,7 @@ class BSpline(Immutable, RingOperand, FunctionsOutside):
                 refused: BSpline = NotImplemented
                 return refused
             other = self.constant(other)
-        a, b = (self, other) if self.mesh is other.mesh else refinement.aligned(self, other)
+        a, b = (self, other) if self.mesh is other.mesh else aligned(self, other)
         n, p, q = a.degree, a.numerators, b.numerators
         if n != b.degree and n + b.degree > LONG:
             _check_reach(a if n < b.degree else b, abs(n - b.degree), abs(n - b.degree))
@@ -274,7 +274,7 @@ class BSpline(Immutable, RingOperand, FunctionsOutside):
     def __mul__(self, other: BSpline | Constant) -> BSpline:
         if type(other) is not BSpline:
             return self.scaled(other) if isinstance(other, CONSTANTS) else NotImplemented
-        a, b = (self, other) if self.mesh is other.mesh else refinement.aligned(self, other)
+        a, b = (self, other) if self.mesh is other.mesh else aligned(self, other)
         if a.degree + b.degree > LONG:
             _check_reach(a, b.degree, height_bits(b.numerators))
         return from_parts(
@@ -409,20 +409,9 @@ class BSpline(Immutable, RingOperand, FunctionsOutside):
         Raises the errors of `Nurbs.insert_knot`.
         """
         if not self.knots.has_room_at_end(self.degree, t := rational(t), times):
-            return refinement.insert_knot(self, t, times)
+            return super().insert_knot(t, times)
         known = self.provenance, self.knots.insert(t, times)
         return BSpline.from_forms(self.degree, self.mesh, self.continuity, self.forms, *known)
-
-    continuity_at = refinement.continuity_at
-    elevate_degree = refinement.elevate_degree
-    reduce_degree = refinement.reduce_degree
-    remove_knot = refinement.remove_knot
-    split = refinement.split
-    restrict = refinement.restrict
-    reverse = refinement.reverse
-    reparametrize = refinement.reparametrize
-    bezier_segments = refinement.bezier_segments
-    compose = refinement.compose
 
 
 def _exact_numbers(given: Iterable[Number]) -> tuple[mpq, ...]:

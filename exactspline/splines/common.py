@@ -17,8 +17,7 @@ from exactspline.splines.blossom import CommonRows, common_rows
 from exactspline.splines.bspline import BSpline, from_parts
 from exactspline.splines.inputs import exact_row
 from exactspline.splines.knots import KnotVector, mesh_of
-from exactspline.splines.tensor import TensorSpline, make
-from exactspline.splines.tensor_patches import with_names
+from exactspline.splines.tensor import TensorSpline
 
 S = TypeVar("S", BSpline, TensorSpline)
 
@@ -75,15 +74,6 @@ def with_common_denominators(splines: Sequence[BSpline]) -> list[BSpline]:
         polynomials, denominator = over_common_denominator(forms)
         columns.append([(c, denominator) for c in polynomials])
     return [f.over_forms(mesh, row) for f, row in zip(splines, zip(*columns, strict=True), strict=True)]
-
-
-def on_one_mesh(splines: Iterable[TensorSpline], letters: tuple[str, str]) -> list[TensorSpline]:
-    """Components over the same breakpoints, unchanged except that they share the meshes of the first component, so that
-    operations need not compare meshes, and that their parameters have names.
-    """
-    found = list(splines)
-    meshes = with_names(found[0].meshes, letters)
-    return [make(f.degree, meshes, f.continuity, f.stride, f.numerators, f.denominators, f.provenance) for f in found]
 
 
 # ---- numerators and denominators of curves and surfaces

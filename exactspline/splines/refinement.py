@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+from abc import abstractmethod
 from bisect import bisect_left
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from itertools import pairwise
-from typing import Protocol, Self, TypeVar
+from typing import Self, TypeVar
 
 from flint import fmpz, fmpz_poly
 
@@ -32,16 +33,21 @@ def segmentwise(operation: Callable[[T, T], T], first: Sequence[T], second: Sequ
     return (operation(first[0], second[0]),) if len(first) == 1 else tuple(map(operation, first, second))
 
 
-class _Piecewise(Protocol):
-    """A piecewise polynomial, given by its forms."""
+class Refinable:
+    """A piecewise polynomial, given by its forms: its other representations, its parts, and compositions."""
+
+    __slots__ = ()
 
     degree: int
     mesh: Mesh
     continuity: tuple[int, ...]
     provenance: Provenance
+    #: The polynomials of the forms, which are shared.
+    numerators: tuple[fmpz_poly, ...]
     denominators: tuple[fmpz, ...]
 
     @classmethod
+    @abstractmethod
     def from_forms(
         cls,
         degree: int,
@@ -53,32 +59,194 @@ class _Piecewise(Protocol):
         """The piecewise polynomial with these forms."""
 
     @property
+    @abstractmethod
     def forms(self) -> tuple[Form, ...]:
         """The form of every segment."""
 
     @property
-    def numerators(self) -> tuple[fmpz_poly, ...]:
-        """The polynomials of the forms, which are shared."""
-
-    @property
+    @abstractmethod
     def domain(self) -> Interval:
         """The interval of definition."""
 
     @property
+    @abstractmethod
     def true_degree(self) -> int:
         """The largest degree of the polynomials of the segments."""
 
+    @abstractmethod
     def constant(self, number: Number, /) -> Self:
         """A constant on the same domain."""
 
+    @abstractmethod
     def d(self, order: int = 1) -> Self:
         """The derivative of the given order."""
 
+    @abstractmethod
     def __call__(self, t: Number, side: Side | str = Side.RIGHT) -> mpq:
         """The exact value at a parameter."""
 
+    def elevate_degree(self, by: int = 1) -> Self:
+        """Return the same function with the degree raised."""
+        if type(by) is not int or not 0 <= by <= MAX_DEGREE:
+            remedy = f"an integer from 0 to {MAX_DEGREE} (use reduce_degree to lower a degree)"
+            raise ShapeError(f"degree elevation by {shown(by)}", remedy=remedy)
+        lift = bernstein.raiser(by)
+        return type(self).from_forms(
+            self.degree + by, self.mesh, self.continuity, [(p * lift, k) for p, k in self.forms], self.provenance
+        )
 
-S = TypeVar("S", bound=_Piecewise)
+    def reduce_degree(self, by: int = 1) -> Self:
+        """Return the same function with a lower degree. Raises `ReductionError`, which names a segment, if this is not
+        possible exactly.
+        """
+        if type(by) is not int or by < 0:
+            raise ShapeError(
+                f"degree reduction by {shown(by)}", remedy="an integer ≥ 0 (use elevate_degree to raise a degree)"
+            )
+        if by > self.degree:
+            raise ReductionError(f"degree {self.degree} cannot be lowered by {by}", remedy=f"at most by {self.degree}")
+        lower, divisor = [], bernstein.raiser(by)
+        for i, (p, k) in enumerate(self.forms):
+            whole, rest = divmod(p, divisor)
+            if not rest:
+                lower.append((whole, k))
+                continue
+            quotient, times = bernstein.divide_u_plus_v(p, by)
+            if times < by:
+                a, b = self.mesh.breaks[i : i + 2]
+                raise ReductionError(
+                    f"the segment [{text(a)}, {text(b)}] has true degree {self.degree - times}",
+                    where=f"segment {i}",
+                    remedy=f"the degree can be lowered to {self.true_degree}, not to {self.degree - by}",
+                    segment=i,
+                    true_degree=self.degree - times,
+                )
+            lower.append((quotient, k))
+        n = self.degree - by
+        return _without_smooth_knots(
+            type(self).from_forms(n, self.mesh, tuple(min(c, n) for c in self.continuity), lower)
+        )
+
+    def insert_knot(self, t: Number, times: int = 1) -> Self:
+        """The same function with one more knot (or several) at a parameter inside the domain."""
+        t, lowered = insertable(self.degree, self.mesh, self.continuity, t, times)
+        g = over(self, self.mesh if t in self.mesh.breaks else Mesh(sorted([*self.mesh.breaks, t])))
+        return type(self).from_forms(
+            self.degree, g.mesh, _replaced(g.continuity, g.mesh.breaks.index(t) - 1, lowered), g.forms
+        )
+
+    def remove_knot(self, t: Number, times: int = 1) -> Self:
+        """Return the same function with a knot removed once or several times. Raises `ReductionError`, which names a
+        derivative, if this derivative jumps at the knot.
+        """
+        t = inner(self.mesh, t)
+        multiplicity = (
+            max(self.degree - self.continuity[self.mesh.breaks.index(t) - 1], 0) if t in self.mesh.breaks else 0
+        )
+        if type(times) is not int or not 1 <= times <= multiplicity:
+            problem = f"{shown(times)} of {multiplicity} knots at {text(t)} to remove"
+            raise KnotError(problem, remedy="remove at least one, and no more than there are", knot=t)
+        position = self.mesh.breaks.index(t) - 1
+        required, have = self.continuity[position] + times, self.continuity_at(t)
+        if have < min(required, self.degree):
+            jump = self.d(have + 1)
+            raise ReductionError(
+                f"the derivative of order {have + 1} jumps at {text(t)} by {text(jump(t) - jump(t, 'left'))}",
+                remedy=f"{max(have - self.continuity[position], 0)} knots can be removed there",
+                knot=t,
+                continuity=have,
+            )
+        return _without_smooth_knots(
+            type(self).from_forms(self.degree, self.mesh, _replaced(self.continuity, position, required), self.forms)
+        )
+
+    def continuity_at(self, t: Number) -> int:
+        """Return the order of continuity at a parameter: −1 at a jump, the degree if both sides are the same
+        polynomial.
+
+        >>> from exactspline import BSpline
+        >>> BSpline(2, [0, 0, 0, 1, 1, 2, 2, 2], [0, 0, 1, 2, 5]).continuity_at(1)
+        1
+        """
+        t = inner(self.mesh, t)
+        if t not in self.mesh.breaks:
+            return self.degree
+        derivative = self
+        for order in range(self.degree + 1):
+            if derivative(t) != derivative(t, Side.LEFT):
+                return order - 1
+            derivative = derivative.d()
+        return self.degree
+
+    def split(self, t: Number) -> tuple[Self, Self]:
+        """Return the parts of the spline left and right of an inner parameter."""
+        a, b = self.domain
+        return self.restrict(a, t), self.restrict(t, b)
+
+    def bezier_segments(self) -> list[Self]:
+        """Return the segments as separate splines."""
+        return [self.restrict(a, b) for a, b in pairwise(self.mesh.breaks)]
+
+    def restrict(self, a: Number, b: Number) -> Self:
+        """Return the part of the spline over [a, b]."""
+        a, b = rational(a), rational(b)
+        low, high = self.domain
+        if not low <= a < b <= high:
+            problem = f"[{text(a)}, {text(b)}] is not part of the domain [{text(low)}, {text(high)}]"
+            raise DomainError(problem, remedy="give a < b inside the domain", domain=self.domain)
+        first, last = self.mesh.locate(a), self.mesh.locate(b, left=True)
+        mesh = Mesh([a, *self.mesh.breaks[first + 1 : last + 1], b])
+        return type(self).from_forms(self.degree, mesh, self.continuity[first:last], _parts(self, mesh))
+
+    def reverse(self) -> Self:
+        """Return the reversed spline, over the same domain: ``t ↦ f(a + b − t)`` on [a, b]."""
+        a, b = self.domain
+        mesh = Mesh([a + b - t for t in reversed(self.mesh.breaks)])
+        return type(self).from_forms(
+            self.degree, mesh, self.continuity[::-1], [bernstein.reverse(p, self.degree) for p in reversed(self.forms)]
+        )
+
+    def reparametrize(self, a: Number, b: Number) -> Self:
+        """Return the spline with the same control points whose knots are mapped affinely, so that the domain is
+        [a, b].
+        """
+        a, b = rational(a), rational(b)
+        if not a < b:
+            raise DomainError(f"[{text(a)}, {text(b)}] is empty", remedy="give a < b (see reverse)")
+        low, high = self.domain
+        mesh = Mesh([a + (t - low) * (b - a) / (high - low) for t in self.mesh.breaks])
+        return type(self).from_forms(self.degree, mesh, self.continuity, self.forms)
+
+    def compose(self, inner: Self) -> Self:
+        """Return the composition ``t ↦ f(inner(t))`` with this spline f, whose degree is the product of the degrees.
+
+        Raises `DomainError` if `inner` leaves the domain of this spline, and `ReductionError` if `inner` crosses a knot
+        of this spline at an irrational parameter, because the composition then has an irrational knot.
+        """
+        if self.degree < 0 or inner.degree < 0:
+            return inner.constant(self(0) if self.degree >= 0 else 0)
+        _check_range(self, inner)
+        kinks = dict(zip(self.mesh.breaks[1:-1], self.continuity, strict=True))
+        continuity = {t: c for knot, c in kinks.items() for t in _preimages(inner, knot)}
+        for t, c in zip(inner.mesh.breaks[1:-1], inner.continuity, strict=True):
+            continuity[t] = min([c, *[kinks[x] for x in (inner(t, Side.LEFT), inner(t)) if x in kinks]])
+        a, b = inner.domain
+        mesh = Mesh([a, *sorted(t for t in continuity if a < t < b), b])
+        parts, forms, outer_forms = [], inner.forms, self.forms
+        for low, high in pairwise(mesh.breaks):
+            i = inner.mesh.locate(low)
+            piece = bernstein.restrict(forms[i], inner.degree, inner.mesh.local(i, low), inner.mesh.local(i, high))
+            j = self.mesh.locate(_typical(inner, self, low, high))
+            parts.append(
+                bernstein.compose(
+                    outer_forms[j], self.degree, _localized(piece, inner.degree, self.mesh, j), inner.degree
+                )
+            )
+        inside = tuple(continuity[t] for t in mesh.breaks[1:-1])
+        return type(self).from_forms(self.degree * inner.degree, mesh, inside, parts)
+
+
+S = TypeVar("S", bound=Refinable)
 
 
 def aligned(f: S, g: S) -> tuple[S, S]:
@@ -96,51 +264,11 @@ def over(f: S, mesh: Mesh) -> S:
     return type(f).from_forms(f.degree, mesh, continuity, _parts(f, mesh), f.provenance)
 
 
-def _parts(f: _Piecewise, mesh: Mesh) -> Iterator[bernstein.Form]:
+def _parts(f: Refinable, mesh: Mesh) -> Iterator[bernstein.Form]:
     for a, b in pairwise(mesh.breaks):
         i = f.mesh.locate(a)
         form = f.numerators[i], f.denominators[i]
         yield bernstein.restrict(form, f.degree, f.mesh.local(i, a), f.mesh.local(i, b))
-
-
-def elevate_degree(f: S, by: int = 1) -> S:
-    """Return the same function with the degree raised."""
-    if type(by) is not int or not 0 <= by <= MAX_DEGREE:
-        remedy = f"an integer from 0 to {MAX_DEGREE} (use reduce_degree to lower a degree)"
-        raise ShapeError(f"degree elevation by {shown(by)}", remedy=remedy)
-    lift = bernstein.raiser(by)
-    return type(f).from_forms(f.degree + by, f.mesh, f.continuity, [(p * lift, k) for p, k in f.forms], f.provenance)
-
-
-def reduce_degree(f: S, by: int = 1) -> S:
-    """Return the same function with a lower degree. Raises `ReductionError`, which names a segment, if this is not
-    possible exactly.
-    """
-    if type(by) is not int or by < 0:
-        raise ShapeError(
-            f"degree reduction by {shown(by)}", remedy="an integer ≥ 0 (use elevate_degree to raise a degree)"
-        )
-    if by > f.degree:
-        raise ReductionError(f"degree {f.degree} cannot be lowered by {by}", remedy=f"at most by {f.degree}")
-    lower, divisor = [], bernstein.raiser(by)
-    for i, (p, k) in enumerate(f.forms):
-        whole, rest = divmod(p, divisor)
-        if not rest:
-            lower.append((whole, k))
-            continue
-        quotient, times = bernstein.divide_u_plus_v(p, by)
-        if times < by:
-            a, b = f.mesh.breaks[i : i + 2]
-            raise ReductionError(
-                f"the segment [{text(a)}, {text(b)}] has true degree {f.degree - times}",
-                where=f"segment {i}",
-                remedy=f"the degree can be lowered to {f.true_degree}, not to {f.degree - by}",
-                segment=i,
-                true_degree=f.degree - times,
-            )
-        lower.append((quotient, k))
-    n = f.degree - by
-    return _without_smooth_knots(type(f).from_forms(n, f.mesh, tuple(min(c, n) for c in f.continuity), lower))
 
 
 def _without_smooth_knots(f: S) -> S:
@@ -183,131 +311,11 @@ def insertable(degree: int, mesh: Mesh, continuities: Sequence[int], t: Number, 
     return t, lowered
 
 
-def insert_knot(f: S, t: Number, times: int = 1) -> S:
-    """The same function with one more knot (or several) at a parameter inside the domain."""
-    t, lowered = insertable(f.degree, f.mesh, f.continuity, t, times)
-    g = over(f, f.mesh if t in f.mesh.breaks else Mesh(sorted([*f.mesh.breaks, t])))
-    return type(f).from_forms(f.degree, g.mesh, _replaced(g.continuity, g.mesh.breaks.index(t) - 1, lowered), g.forms)
-
-
-def remove_knot(f: S, t: Number, times: int = 1) -> S:
-    """Return the same function with a knot removed once or several times. Raises `ReductionError`, which names a
-    derivative, if this derivative jumps at the knot.
-    """
-    t = inner(f.mesh, t)
-    multiplicity = max(f.degree - f.continuity[f.mesh.breaks.index(t) - 1], 0) if t in f.mesh.breaks else 0
-    if type(times) is not int or not 1 <= times <= multiplicity:
-        problem = f"{shown(times)} of {multiplicity} knots at {text(t)} to remove"
-        raise KnotError(problem, remedy="remove at least one, and no more than there are", knot=t)
-    position = f.mesh.breaks.index(t) - 1
-    required, have = f.continuity[position] + times, continuity_at(f, t)
-    if have < min(required, f.degree):
-        jump = f.d(have + 1)
-        raise ReductionError(
-            f"the derivative of order {have + 1} jumps at {text(t)} by {text(jump(t) - jump(t, 'left'))}",
-            remedy=f"{max(have - f.continuity[position], 0)} knots can be removed there",
-            knot=t,
-            continuity=have,
-        )
-    return _without_smooth_knots(
-        type(f).from_forms(f.degree, f.mesh, _replaced(f.continuity, position, required), f.forms)
-    )
-
-
 def _replaced(continuity: tuple[int, ...], position: int, by: int) -> tuple[int, ...]:
     return (*continuity[:position], by, *continuity[position + 1 :])
 
 
-def continuity_at(f: _Piecewise, t: Number) -> int:
-    """Return the order of continuity at a parameter: −1 at a jump, the degree if both sides are the same polynomial.
-
-    >>> from exactspline import BSpline
-    >>> BSpline(2, [0, 0, 0, 1, 1, 2, 2, 2], [0, 0, 1, 2, 5]).continuity_at(1)
-    1
-    """
-    t = inner(f.mesh, t)
-    if t not in f.mesh.breaks:
-        return f.degree
-    derivative = f
-    for order in range(f.degree + 1):
-        if derivative(t) != derivative(t, Side.LEFT):
-            return order - 1
-        derivative = derivative.d()
-    return f.degree
-
-
-def split(f: S, t: Number) -> tuple[S, S]:
-    """Return the parts of the spline left and right of an inner parameter."""
-    a, b = f.domain
-    return restrict(f, a, t), restrict(f, t, b)
-
-
-def bezier_segments(f: S) -> list[S]:
-    """Return the segments as separate splines."""
-    return [restrict(f, a, b) for a, b in pairwise(f.mesh.breaks)]
-
-
-def restrict(f: S, a: Number, b: Number) -> S:
-    """Return the part of the spline over [a, b]."""
-    a, b = rational(a), rational(b)
-    low, high = f.domain
-    if not low <= a < b <= high:
-        problem = f"[{text(a)}, {text(b)}] is not part of the domain [{text(low)}, {text(high)}]"
-        raise DomainError(problem, remedy="give a < b inside the domain", domain=f.domain)
-    first, last = f.mesh.locate(a), f.mesh.locate(b, left=True)
-    mesh = Mesh([a, *f.mesh.breaks[first + 1 : last + 1], b])
-    return type(f).from_forms(f.degree, mesh, f.continuity[first:last], _parts(f, mesh))
-
-
-def reverse(f: S) -> S:
-    """Return the reversed spline, over the same domain: ``t ↦ f(a + b − t)`` on [a, b]."""
-    a, b = f.domain
-    mesh = Mesh([a + b - t for t in reversed(f.mesh.breaks)])
-    return type(f).from_forms(
-        f.degree, mesh, f.continuity[::-1], [bernstein.reverse(p, f.degree) for p in reversed(f.forms)]
-    )
-
-
-def reparametrize(f: S, a: Number, b: Number) -> S:
-    """Return the spline with the same control points whose knots are mapped affinely, so that the domain is [a, b]."""
-    a, b = rational(a), rational(b)
-    if not a < b:
-        raise DomainError(f"[{text(a)}, {text(b)}] is empty", remedy="give a < b (see reverse)")
-    low, high = f.domain
-    mesh = Mesh([a + (t - low) * (b - a) / (high - low) for t in f.mesh.breaks])
-    return type(f).from_forms(f.degree, mesh, f.continuity, f.forms)
-
-
-def compose(outer: S, inner: S) -> S:
-    """Return the composition ``t ↦ outer(inner(t))``, whose degree is the product of the degrees.
-
-    Raises `DomainError` if `inner` leaves the domain of `outer`, and `ReductionError` if `inner` crosses a knot of
-    `outer` at an irrational parameter, because the composition then has an irrational knot.
-    """
-    if outer.degree < 0 or inner.degree < 0:
-        return inner.constant(outer(0) if outer.degree >= 0 else 0)
-    _check_range(outer, inner)
-    kinks = dict(zip(outer.mesh.breaks[1:-1], outer.continuity, strict=True))
-    continuity = {t: c for knot, c in kinks.items() for t in _preimages(inner, knot)}
-    for t, c in zip(inner.mesh.breaks[1:-1], inner.continuity, strict=True):
-        continuity[t] = min([c, *[kinks[x] for x in (inner(t, Side.LEFT), inner(t)) if x in kinks]])
-    a, b = inner.domain
-    mesh = Mesh([a, *sorted(t for t in continuity if a < t < b), b])
-    parts, forms, outer_forms = [], inner.forms, outer.forms
-    for low, high in pairwise(mesh.breaks):
-        i = inner.mesh.locate(low)
-        piece = bernstein.restrict(forms[i], inner.degree, inner.mesh.local(i, low), inner.mesh.local(i, high))
-        j = outer.mesh.locate(_typical(inner, outer, low, high))
-        parts.append(
-            bernstein.compose(
-                outer_forms[j], outer.degree, _localized(piece, inner.degree, outer.mesh, j), inner.degree
-            )
-        )
-    inside = tuple(continuity[t] for t in mesh.breaks[1:-1])
-    return type(outer).from_forms(outer.degree * inner.degree, mesh, inside, parts)
-
-
-def _typical(inner: _Piecewise, outer: _Piecewise, low: mpq, high: mpq) -> mpq:
+def _typical(inner: Refinable, outer: Refinable, low: mpq, high: mpq) -> mpq:
     """A value of the inner spline on (low, high) that is not a knot of the outer spline, if there are such values: the
     inner spline may touch knots there but does not cross any.
     """
@@ -326,7 +334,7 @@ def _constant(value: mpq, degree: int) -> bernstein.Form:
     return int(value.numerator) * bernstein.raiser(degree), to_fmpz(value.denominator)
 
 
-def _check_range(outer: _Piecewise, inner: _Piecewise) -> None:
+def _check_range(outer: Refinable, inner: Refinable) -> None:
     low, high = outer.domain
     for i, piece in enumerate(inner.forms):
         below = bernstein.add(piece, _constant(-low, inner.degree))[0]
@@ -341,7 +349,7 @@ def _check_range(outer: _Piecewise, inner: _Piecewise) -> None:
                 )
 
 
-def _preimages(inner: _Piecewise, knot: mpq) -> list[mpq]:
+def _preimages(inner: Refinable, knot: mpq) -> list[mpq]:
     """The parameters strictly inside segments at which `inner` crosses `knot`; raises an error unless all are
     rational.
     """

@@ -24,12 +24,18 @@ from exactspline.one_line import one_line
 from exactspline.polynomials.patch_forms import PatchForm, Sized, halved
 from exactspline.reals.real import Real
 from exactspline.splines.bspline import BSpline
-from exactspline.splines.common import mapped, on_one_mesh, same_quotients, with_common_knots
+from exactspline.splines.common import mapped, same_quotients, with_common_knots
 from exactspline.splines.control_points import Point, exact_points, exact_weights, lifted, projected
 from exactspline.splines.knots import KnotVector, Mesh
 from exactspline.splines.nurbs import Nurbs, normalized
-from exactspline.splines.tensor import TensorSpline
-from exactspline.splines.tensor_patches import checked_degrees, checked_knots, checked_net, control_point_counts
+from exactspline.splines.tensor import TensorSpline, make
+from exactspline.splines.tensor_patches import (
+    checked_degrees,
+    checked_knots,
+    checked_net,
+    control_point_counts,
+    with_names,
+)
 from exactspline.words import choice
 
 #: The limit of boxes on one patch before the search stops.
@@ -426,6 +432,15 @@ def _checked_weights(given: object, net: Net) -> Weights:
     return tuple(found)
 
 
+def _on_one_mesh(splines: Iterable[TensorSpline], letters: tuple[str, str]) -> list[TensorSpline]:
+    """Components over the same breakpoints, unchanged except that they share the meshes of the first component, so that
+    operations need not compare meshes, and that their parameters have names.
+    """
+    found = list(splines)
+    meshes = with_names(found[0].meshes, letters)
+    return [make(f.degree, meshes, f.continuity, f.stride, f.numerators, f.denominators, f.provenance) for f in found]
+
+
 def _splines(
     degree: tuple[int, ...], knots: tuple[KnotVector, KnotVector], net: Net, weights: Weights | None
 ) -> tuple[Vector[TensorSpline], TensorSpline]:
@@ -435,10 +450,10 @@ def _splines(
         return TensorSpline((degree[0], degree[1]), *knots, values)
 
     if weights is None:
-        p = on_one_mesh([spline([[point[k] for point in row] for row in net]) for k in range(len(net[0][0]))], BOTH)
+        p = _on_one_mesh([spline([[point[k] for point in row] for row in net]) for k in range(len(net[0][0]))], BOTH)
         return Vector(*p), p[0].constant(1)
     scaled = [[lifted(x, w) for x, w in zip(*rows, strict=True)] for rows in zip(net, weights, strict=True)]
     p = [spline([[point[k] for point in row] for row in scaled]) for k in range(len(net[0][0]))]
-    *p, w = on_one_mesh([*p, spline(weights)], BOTH)
+    *p, w = _on_one_mesh([*p, spline(weights)], BOTH)
     _check_weight(w)
     return Vector(*p), w

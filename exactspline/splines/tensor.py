@@ -8,7 +8,9 @@ segment.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from itertools import product
+from math import comb
 from operator import add as plus
 from operator import mul as times
 from operator import sub as minus
@@ -22,46 +24,140 @@ from exactspline.language.arguments import PARAMETERS, Curve, Pair
 from exactspline.language.operand import CONSTANTS, Constant, Parameter, checked_order, refuse_letter
 from exactspline.language.provenance import DIFFERENCE, MULTIPLE, PRODUCT, SUM, Provenance, leaf
 from exactspline.language.rational import RingOperand
-from exactspline.numbers.exact import Number, mpq, over_one_denominator, rational, to_fmpz
+from exactspline.numbers.exact import Number, mpq, over_one_denominator, ratio, rational, to_fmpz
 from exactspline.numbers.intervals import Box, Interval
 from exactspline.numbers.once import Immutable, fill, setters
 from exactspline.one_line import one_line, short_text
 from exactspline.polynomials import tensor_bernstein
-from exactspline.polynomials.bernstein import common_denominators, raiser, without_content
+from exactspline.polynomials.bernstein import ONE, Form, common_denominators, raiser, value, without_content
 from exactspline.polynomials.patch_forms import PatchForm
-from exactspline.splines import refinement
+from exactspline.polynomials.tensor_bernstein import packed, rows
+from exactspline.splines import blossom, refinement
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.inputs import exact_row
-from exactspline.splines.knots import KnotVector, Mesh, clamped
+from exactspline.splines.knots import SMOOTH, KnotVector, Mesh, clamped
 from exactspline.splines.refinement import segmentwise
 from exactspline.splines.tensor_patches import (
     Continuity,
     Degrees,
+    Net,
+    Profile,
     TensorParts,
-    bezier_nets,
-    changed_one,
     checked_degrees,
     checked_knots,
     checked_net,
-    control_net,
     control_point_counts,
-    derived,
-    exchanged,
-    joined_lines,
     letters_of,
-    lines,
-    lowered,
-    one_parameter,
     packed_segments,
     replaced,
     smooth,
     spread,
-    true_degrees,
     with_names,
 )
 
 #: The directions of parameters: those of two curves, and those of a surface.
 DIRECTION = {Parameter.FIRST: 0, Parameter.U: 0, Parameter.SECOND: 1, Parameter.V: 1}
+
+
+def _transposed(c: fmpz_poly, stride: int, n: int, new: int) -> fmpz_poly:
+    """The patch with its parameters exchanged: n is the degree in the original second parameter, `new` the stride of
+    the result.
+    """
+    parts = [row.coeffs() for row in rows(c, stride, n)]
+    height = max((len(row) for row in parts), default=0)
+    return packed([fmpz_poly([row[i] if i < len(row) else 0 for row in parts]) for i in range(height)], new)
+
+
+def _at_first(c: fmpz_poly, m: fmpz, degrees: tuple[int, int], stride: int, a: mpq) -> Form:
+    """The form in the second parameter at the local value a of the first parameter."""
+    values = [value((row, m), degrees[0], a) for row in rows(c, stride, degrees[1])]
+    integers, common = over_one_denominator(values)
+    return without_content((fmpz_poly(integers), fmpz(common)))
+
+
+def _evaluated(c: fmpz_poly, m: fmpz, degrees: tuple[int, int], stride: int, a: mpq, b: mpq) -> mpq:
+    """The value at the local parameters a and b."""
+    return value(_at_first(c, m, degrees, stride, a), degrees[1], b) if min(degrees) >= 0 else mpq(0)
+
+
+def _from_net(net: Sequence[Sequence[mpq]], stride: int) -> Form:
+    """The patch with the Bézier points ``net[i][j]``."""
+    m, n = len(net) - 1, len(net[0]) - 1
+    scaled = [comb(m, i) * comb(n, j) * net[i][j] for j in range(n + 1) for i in range(m + 1)]
+    integers, common = over_one_denominator(scaled)
+    rows = [fmpz_poly(integers[k : k + m + 1]) for k in range(0, len(integers), m + 1)]
+    return packed(rows, stride), fmpz(common)
+
+
+def _bezier_net(form: Form, degrees: tuple[int, int], stride: int) -> list[list[mpq]]:
+    """The Bézier points of a patch.
+
+    >>> _bezier_net(from_net([[mpq(1), mpq(2)], [mpq(3), mpq(4)]], 2), (1, 1), 2)
+    [[mpq(1,1), mpq(2,1)], [mpq(3,1), mpq(4,1)]]
+    """
+    (c, common), (m, n) = form, degrees
+    return [[ratio(c[i + stride * j], common * comb(m, i) * comb(n, j)) for j in range(n + 1)] for i in range(m + 1)]
+
+
+def _changed_one(mesh: Mesh, change: Callable[[BSpline], BSpline]) -> BSpline:
+    """The image of the constant 1 under a linear map of splines: its effect on splines that depend on the other
+    parameter only.
+    """
+    return change(BSpline.from_forms(0, mesh, smooth(len(mesh)), [(fmpz_poly([1]), ONE)] * len(mesh)))
+
+
+def _exchanged(meshes: tuple[Mesh, Mesh]) -> tuple[Mesh, Mesh]:
+    """The meshes in the other order."""
+    letters = letters_of(meshes)
+    return with_names((meshes[1], meshes[0]), None if letters is None else (letters[1], letters[0]))
+
+
+def _one_parameter(a: Profile, b: Profile) -> tuple[int, BSpline, BSpline] | None:
+    """The direction and the splines of two profiles that depend on the same parameter only; a constant counts for
+    either parameter.
+    """
+    (i, f), (j, g) = a, b
+    if i == j:
+        return i, f, g
+    if _is_constant(f):
+        return j, _constant_beside(g, f), g
+    return (i, f, _constant_beside(f, g)) if _is_constant(g) else None
+
+
+def _is_constant(f: BSpline) -> bool:
+    return f.degree == 0 and all(c == SMOOTH for c in f.continuity)
+
+
+def _constant_beside(f: BSpline, constant: BSpline) -> BSpline:
+    return refinement.over(f.constant(constant(constant.domain[0])), f.mesh)
+
+
+def _bezier_nets(degrees: Degrees, along_s: Sequence[BSpline]) -> Iterator[Net]:
+    """The Bézier nets of all patches, t running faster; `along_s` has a spline in s for each Bézier point along t."""
+    n = degrees.t + 1
+    segments = [spline.bezier_points for spline in along_s]
+    for i, j in product(range(len(along_s[0].mesh)), range(len(along_s) // n)):
+        yield [list(row) for row in zip(*[segments[j * n + k][i] for k in range(n)], strict=True)]
+
+
+Points = tuple[tuple[mpq, ...], ...]
+
+
+def _control_net(
+    knots: tuple[KnotVector, KnotVector], degrees: Degrees, meshes: tuple[Mesh, Mesh], nets: list[list[Net]]
+) -> Points:
+    """The control net over clamped knots; ``nets[i][j]`` are the Bézier points over segment i of s and j of t. None for
+    a degree below 0.
+    """
+    if min(degrees) < 0:
+        return ()
+    n, columns = degrees.t + 1, []
+    for j in range(len(meshes[1])):
+        for k in range(n):
+            segments = [[row[k] for row in patches[j]] for patches in nets]
+            columns.append(blossom.to_control_points(knots[0].knots, degrees.s, meshes[0].breaks, segments))
+    segmented = ([row[j : j + n] for j in range(0, len(row), n)] for row in zip(*columns, strict=True))
+    return tuple(blossom.to_control_points(knots[1].knots, degrees.t, meshes[1].breaks, parts) for parts in segmented)
 
 
 class TensorSpline(Immutable, TensorParts, RingOperand, FunctionsOutside):
@@ -94,7 +190,7 @@ class TensorSpline(Immutable, TensorParts, RingOperand, FunctionsOutside):
         bezier = zip(*[[x for part in row.bezier_points for x in part] for row in along_t], strict=True)
         along_s = [BSpline(degree.s, vectors[0], column) for column in bezier]
         stride = tensor_bernstein.stride_for(degree.s)
-        forms = [tensor_bernstein.from_net(net, stride) for net in bezier_nets(degree, along_s)]
+        forms = [_from_net(net, stride) for net in _bezier_nets(degree, along_s)]
         fill(
             self,
             degree=degree,
@@ -132,7 +228,7 @@ class TensorSpline(Immutable, TensorParts, RingOperand, FunctionsOutside):
         points: tuple[tuple[mpq, ...], ...] | None = getattr(self, "_points", None)
         if points is None:
             nets = [[self.bezier_net(i, j) for j in range(len(self.meshes[1]))] for i in range(len(self.meshes[0]))]
-            points = control_net(self.knots, self.degree, self.meshes, nets)
+            points = _control_net(self.knots, self.degree, self.meshes, nets)
             fill(self, _points=points)
         return points
 
@@ -144,7 +240,7 @@ class TensorSpline(Immutable, TensorParts, RingOperand, FunctionsOutside):
     def bezier_net(self, i: int, j: int) -> list[list[mpq]]:
         """Return the Bézier points of the patch over segment i of s and segment j of t."""
         at = i * len(self.meshes[1]) + j
-        return tensor_bernstein.bezier_net((self.numerators[at], self.denominators[at]), self.degree, self.stride)
+        return _bezier_net((self.numerators[at], self.denominators[at]), self.degree, self.stride)
 
     def patch(self, i: int, j: int) -> Box:
         """Return the parameter rectangle of the patch over segment i of s and segment j of t."""
@@ -190,7 +286,7 @@ class TensorSpline(Immutable, TensorParts, RingOperand, FunctionsOutside):
         if (
             a.profile is not None
             and b.profile is not None
-            and (shared := one_parameter(a.profile, b.profile)) is not None
+            and (shared := _one_parameter(a.profile, b.profile)) is not None
         ):
             return lifted(operation(shared[1], shared[2]), a.meshes, shared[0], stride)
         degree = a.degree
@@ -221,7 +317,7 @@ class TensorSpline(Immutable, TensorParts, RingOperand, FunctionsOutside):
         if (
             a.profile is not None
             and b.profile is not None
-            and (shared := one_parameter(a.profile, b.profile)) is not None
+            and (shared := _one_parameter(a.profile, b.profile)) is not None
         ):
             return lifted(shared[1] * shared[2], a.meshes, shared[0], stride)
         (m, n), (k, h) = a.degree, b.degree
@@ -285,9 +381,13 @@ class TensorSpline(Immutable, TensorParts, RingOperand, FunctionsOutside):
             return self.constant(0)
         found = self
         for direction in (0,) * i + (1,) * j:
-            direct = found.profile is None and found.degree[direction] > 0
-            found = make(*derived(found, direction), leaf()) if direct else found.along(direction, lambda f: f.d())
+            found = found._slope(direction)
         return found
+
+    def _slope(self, direction: int) -> TensorSpline:
+        """The derivative by one parameter."""
+        direct = self.profile is None and self.degree[direction] > 0
+        return make(*self._derived(direction), leaf()) if direct else self.along(direction, lambda f: f.d())
 
     def elevated_to(self, other: TensorSpline) -> TensorSpline:
         """Return the same function with at least the degree of `other` in each direction."""
@@ -306,12 +406,12 @@ class TensorSpline(Immutable, TensorParts, RingOperand, FunctionsOutside):
         i, j = self.meshes[0].locate(s), self.meshes[1].locate(t)
         at = i * len(self.meshes[1]) + j
         place = self.meshes[0].local(i, s), self.meshes[1].local(j, t)
-        return tensor_bernstein.evaluated(self.numerators[at], self.denominators[at], self.degree, self.stride, *place)
+        return _evaluated(self.numerators[at], self.denominators[at], self.degree, self.stride, *place)
 
     def at_t(self, t: Number) -> BSpline:
         """Return this function at a fixed t, as a spline in s."""
         t, forms = rational(t), []
-        for own in lines(self):
+        for own in self._lines():
             integers, common = over_one_denominator([line(t) for line in own])
             forms.append(without_content((fmpz_poly(integers), fmpz(common))))
         return BSpline.from_forms(self.degree.s, self.meshes[0], self.continuity[0], forms)
@@ -343,11 +443,6 @@ class TensorSpline(Immutable, TensorParts, RingOperand, FunctionsOutside):
         """Return a hash of the rectangle, which is the same for equal quotients."""
         return hash((TensorSpline, self.domain))
 
-    @property
-    def true_degree(self) -> Degrees:
-        """The largest degree of the polynomials of the patches in each parameter (−1 for the zero function)."""
-        return true_degrees(self)
-
     # ---- other representations and parts, as for `BSpline`, in either direction
 
     def along(self, direction: int, change: Callable[[BSpline], BSpline]) -> TensorSpline:
@@ -357,7 +452,7 @@ class TensorSpline(Immutable, TensorParts, RingOperand, FunctionsOutside):
         if self.profile is not None:
             own, spline = self.profile
             if own != direction:
-                other = changed_one(self.meshes[direction], change)
+                other = _changed_one(self.meshes[direction], change)
                 meshes = replaced(self.meshes, direction, other.mesh)
                 crossed: TensorSpline = lifted(spline, meshes, own, self.stride) * lifted(other, meshes, direction)
                 return crossed
@@ -365,7 +460,7 @@ class TensorSpline(Immutable, TensorParts, RingOperand, FunctionsOutside):
             return lifted(spline, replaced(self.meshes, direction, spline.mesh), direction, self.stride)
         if direction == 0:
             return self.transposed().along(1, change).transposed()
-        return make(*joined_lines([[change(line) for line in own] for own in lines(self)], self), leaf())
+        return make(*self._with_lines([[change(line) for line in own] for own in self._lines()]), leaf())
 
     def elevate_degree(self, by_s: int = 0, by_t: int = 0) -> TensorSpline:
         """Return the same function with the degrees raised."""
@@ -374,7 +469,7 @@ class TensorSpline(Immutable, TensorParts, RingOperand, FunctionsOutside):
 
     def reduce_degree(self, by_s: int = 0, by_t: int = 0) -> TensorSpline:
         """Return the same function with lower degrees. Raises `ReductionError` if this is not possible exactly."""
-        if (parts := lowered(self, by_s, by_t)) is not None:
+        if (parts := self._lowered(by_s, by_t)) is not None:
             return make(*parts, leaf())
         return self.along(0, lambda f: f.reduce_degree(by_s)).along(1, lambda f: f.reduce_degree(by_t))
 
@@ -388,13 +483,13 @@ class TensorSpline(Immutable, TensorParts, RingOperand, FunctionsOutside):
 
     def transposed(self) -> TensorSpline:
         """Return the spline with its parameters exchanged."""
-        meshes, continuity = exchanged(self.meshes), (self.continuity[1], self.continuity[0])
+        meshes, continuity = _exchanged(self.meshes), (self.continuity[1], self.continuity[0])
         if self.profile is not None:
             return lifted(self.profile[1], meshes, 1 - self.profile[0])
         degree, stride = Degrees(self.degree.t, self.degree.s), tensor_bernstein.stride_for(self.degree.t)
         order = [i * len(meshes[0]) + j for j in range(len(meshes[0])) for i in range(len(meshes[1]))]
         own, denominators = self.numerators, self.denominators
-        polynomials = tuple(tensor_bernstein.transposed(own[k], self.stride, self.degree.t, stride) for k in order)
+        polynomials = tuple(_transposed(own[k], self.stride, self.degree.t, stride) for k in order)
         return make(degree, meshes, continuity, stride, polynomials, tuple(denominators[k] for k in order), leaf())
 
 

@@ -5,9 +5,8 @@ either direction.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from functools import cache
-from itertools import product
 from typing import NamedTuple, TypeVar, cast
 
 from flint import fmpz, fmpz_poly
@@ -16,9 +15,8 @@ from exactspline.errors import ExactSplineError, ShapeError, counted, shown
 from exactspline.language.provenance import Provenance
 from exactspline.numbers.exact import Number, mpq
 from exactspline.polynomials import tensor_bernstein
-from exactspline.polynomials.bernstein import ONE, over_common_denominator, without_content
-from exactspline.polynomials.tensor_bernstein import columns, derivative, rows, without_powers
-from exactspline.splines import blossom, refinement
+from exactspline.polynomials.bernstein import over_common_denominator, raiser, without_content
+from exactspline.polynomials.tensor_bernstein import packed, rows
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.inputs import checked_degree
 from exactspline.splines.knots import SMOOTH, KnotVector, Mesh
@@ -45,13 +43,6 @@ def spread(values: tuple[T, ...], direction: int, meshes: tuple[Mesh, Mesh]) -> 
 def smooth(segments: int) -> tuple[int, ...]:
     """Continuity across the breakpoints of a parameter on which a spline does not depend."""
     return (SMOOTH,) * (segments - 1)
-
-
-def changed_one(mesh: Mesh, change: Callable[[BSpline], BSpline]) -> BSpline:
-    """The image of the constant 1 under a linear map of splines: its effect on splines that depend on the other
-    parameter only.
-    """
-    return change(BSpline.from_forms(0, mesh, smooth(len(mesh)), [(fmpz_poly([1]), ONE)] * len(mesh)))
 
 
 class _NamedMeshes(tuple[Mesh, Mesh]):
@@ -83,32 +74,6 @@ def replaced(meshes: tuple[Mesh, Mesh], direction: int, mesh: Mesh) -> tuple[Mes
     return with_names((meshes[0], mesh) if direction else (mesh, meshes[1]), letters_of(meshes))
 
 
-def exchanged(meshes: tuple[Mesh, Mesh]) -> tuple[Mesh, Mesh]:
-    """The meshes in the other order."""
-    letters = letters_of(meshes)
-    return with_names((meshes[1], meshes[0]), None if letters is None else (letters[1], letters[0]))
-
-
-def one_parameter(a: Profile, b: Profile) -> tuple[int, BSpline, BSpline] | None:
-    """The direction and the splines of two profiles that depend on the same parameter only; a constant counts for
-    either parameter.
-    """
-    (i, f), (j, g) = a, b
-    if i == j:
-        return i, f, g
-    if _is_constant(f):
-        return j, _constant_beside(g, f), g
-    return (i, f, _constant_beside(f, g)) if _is_constant(g) else None
-
-
-def _is_constant(f: BSpline) -> bool:
-    return f.degree == 0 and all(c == SMOOTH for c in f.continuity)
-
-
-def _constant_beside(f: BSpline, constant: BSpline) -> BSpline:
-    return refinement.over(f.constant(constant(constant.domain[0])), f.mesh)
-
-
 class Degrees(NamedTuple):
     """The degrees in the two parameters."""
 
@@ -124,6 +89,13 @@ class Degrees(NamedTuple):
 Continuity = tuple[tuple[int, ...], tuple[int, ...]]
 #: Degree, meshes, continuity, stride, packed polynomials and denominators.
 Parts = tuple[Degrees, tuple[Mesh, Mesh], Continuity, int, tuple[fmpz_poly, ...], tuple[fmpz, ...]]
+
+
+def _repacked(c: fmpz_poly, old: int, new: int) -> fmpz_poly:
+    """The same patch with another stride."""
+    if old == new or c.degree() < old:
+        return c
+    return c.inflate(new) if old == 1 else packed(rows(c, old, c.degree() // old), new)
 
 
 class TensorParts:
@@ -165,7 +137,7 @@ class TensorParts:
         found = self._packed.get(stride)
         if found is None:
             if self.profile is None:
-                found = tuple(tensor_bernstein.repacked(c, self.stride, stride) for c in self.numerators)
+                found = tuple(_repacked(c, self.stride, stride) for c in self.numerators)
             else:
                 found = spread(packed_segments(self.profile, stride), self.profile[0], self.meshes)
             self._packed[stride] = found
@@ -188,32 +160,113 @@ class TensorParts:
             object.__setattr__(self, "_denominators", known)  # store a part computed lazily
         return known
 
+    def _derived(self, direction: int) -> Parts:
+        """The parts of the derivative by one parameter (0: the first), in which the degree must be positive."""
+        polynomials = [_derivative(c, self.stride, self.degree, direction) for c in self.numerators]
+        denominators = self.denominators
+        if not self.meshes[direction].unit:
+            widths = spread(self.meshes[direction].widths, direction, self.meshes)
+            polynomials = [c * bottom for c, (_, bottom) in zip(polynomials, widths, strict=True)]
+            denominators = tuple([m * top for m, (top, _) in zip(denominators, widths, strict=True)])
+        (m, n), (s, t) = self.degree, self.continuity
+        lower = tuple([max(c - 1, -1) for c in self.continuity[direction]])
+        degree, continuity = (Degrees(m, n - 1), (s, lower)) if direction else (Degrees(m - 1, n), (lower, t))
+        return degree, self.meshes, continuity, self.stride, tuple(polynomials), denominators
+
+    @property
+    def true_degree(self) -> Degrees:
+        """The largest degree in each parameter of the polynomials of the patches (−1 for zero)."""
+        if not any(self.numerators):
+            return Degrees(-1, -1)
+        m, n = self.degree
+        in_s = (row for c in self.numerators for row in rows(c, self.stride, n))
+        in_t = (column for c in self.numerators for column in _columns(c, self.stride, m))
+        return Degrees(m - _multiplicity(in_s), n - _multiplicity(in_t))
+
+    def _lowered(self, by_s: int, by_t: int) -> Parts | None:
+        """The parts of the same function with the degrees lowered; None if the function is zero, if it has more than
+        one patch (knots may be smooth afterwards), or if the degrees cannot be lowered that much.
+        """
+        true, (m, n) = self.true_degree, self.degree
+        degree = Degrees(m - by_s, n - by_t)
+        if len(self.denominators) > 1 or min(by_s, by_t, *true) < 0 or degree.max(true) != degree:
+            return None
+        c, below = without_content(
+            (_without_powers(self.numerators[0], self.stride, (by_s, by_t)), self.denominators[0])
+        )
+        return degree, self.meshes, self.continuity, self.stride, (c,), (below,)
+
+    def _lines(self) -> list[list[BSpline]]:
+        """For each segment of s and each power of its local parameter the coefficients, as splines in t."""
+        columns, own = len(self.meshes[1]), self.numerators
+        found = []
+        for i in range(len(self.meshes[0])):
+            patches = range(i * columns, (i + 1) * columns)
+            nets = [tensor_bernstein.rows(own[k], self.stride, self.degree.t) for k in patches]
+            lines = []
+            # for a degree below 0 one line of zeros, so that there is a line to change
+            for h in range(max(self.degree.s, 0) + 1):
+                forms = [
+                    without_content((fmpz_poly([row[h] for row in net]), self.denominators[k]))
+                    for k, net in zip(patches, nets, strict=True)
+                ]
+                lines.append(BSpline.from_forms(self.degree.t, self.meshes[1], self.continuity[1], forms))
+            found.append(lines)
+        return found
+
+    def _with_lines(self, found: list[list[BSpline]]) -> Parts:
+        """Degree, meshes, continuity, stride, packed polynomials and denominators of the spline with these lines;
+        along s it is as this spline.
+        """
+        first, stride = found[0][0], tensor_bernstein.stride_for(self.degree.s)
+        polynomials, denominators = [], []
+        for own in found:
+            for j in range(len(first.mesh)):
+                rows, denominator = over_common_denominator(
+                    [(line.numerators[j], line.denominators[j]) for line in own]
+                )
+                polynomials.append(
+                    tensor_bernstein.packed(
+                        [fmpz_poly([row[k] for row in rows]) for k in range(first.degree + 1)], stride
+                    )
+                )
+                denominators.append(denominator)
+        continuity = (self.continuity[0], first.continuity)
+        return (
+            Degrees(self.degree.s, first.degree),
+            replaced(self.meshes, 1, first.mesh),
+            continuity,
+            stride,
+            tuple(polynomials),
+            tuple(denominators),
+        )
+
 
 Z_MINUS_1 = fmpz_poly([-1, 1])
 
 
-def derived(f: TensorParts, direction: int) -> Parts:
-    """The parts of the derivative by one parameter (0: the first), in which the degree must be positive."""
-    polynomials = [derivative(c, f.stride, f.degree, direction) for c in f.numerators]
-    denominators = f.denominators
-    if not f.meshes[direction].unit:
-        widths = spread(f.meshes[direction].widths, direction, f.meshes)
-        polynomials = [c * bottom for c, (_, bottom) in zip(polynomials, widths, strict=True)]
-        denominators = tuple([m * top for m, (top, _) in zip(denominators, widths, strict=True)])
-    (m, n), (s, t) = f.degree, f.continuity
-    lower = tuple([max(c - 1, -1) for c in f.continuity[direction]])
-    degree, continuity = (Degrees(m, n - 1), (s, lower)) if direction else (Degrees(m - 1, n), (lower, t))
-    return degree, f.meshes, continuity, f.stride, tuple(polynomials), denominators
+def _derivative(c: fmpz_poly, stride: int, degrees: tuple[int, int], direction: int) -> fmpz_poly:
+    """``∂v − ∂u`` in one direction (0: the first parameter) of a patch of positive degree there.
+
+    >>> _derivative(fmpz_poly([1, 2, 3, 4]), 2, (1, 1), 1)  # 1 + 2x + (3 + 4x) y: the difference of two rows
+    2*x + 2
+    """
+    (m, n), a = degrees, c.coeffs()
+    a += [fmpz(0)] * (stride * (n + 1) - len(a))
+    if direction:
+        return fmpz_poly([(k // stride + 1) * a[k + stride] + (k // stride - n) * a[k] for k in range(stride * n)])
+    places = [(k, k % stride) for k in range(stride * (n + 1))]
+    return fmpz_poly([(i + 1) * a[k + 1] + (i - m) * a[k] if i < m else 0 for k, i in places])
 
 
-def true_degrees(f: TensorParts) -> Degrees:
-    """The largest degree in each parameter of the polynomials of the patches (−1 for zero)."""
-    if not any(f.numerators):
-        return Degrees(-1, -1)
-    m, n = f.degree
-    in_s = (row for c in f.numerators for row in rows(c, f.stride, n))
-    in_t = (column for c in f.numerators for column in columns(c, f.stride, m))
-    return Degrees(m - _multiplicity(in_s), n - _multiplicity(in_t))
+def _columns(c: fmpz_poly, stride: int, m: int) -> list[fmpz_poly]:
+    """The forms in the second parameter, one per power of the first.
+
+    >>> _columns(fmpz_poly([1, 2, 3, 4]), 2, 1)
+    [3*x + 1, 4*x + 2]
+    """
+    coefficients = c.coeffs()
+    return [fmpz_poly(coefficients[i::stride]) for i in range(m + 1)]
 
 
 def _multiplicity(polynomials: Iterable[fmpz_poly]) -> int:
@@ -229,67 +282,22 @@ def _multiplicity(polynomials: Iterable[fmpz_poly]) -> int:
     return least
 
 
-def lowered(f: TensorParts, by_s: int, by_t: int) -> Parts | None:
-    """The parts of the same function with the degrees lowered; None if the function is zero, if it has more than one
-    patch (knots may be smooth afterwards), or if the degrees cannot be lowered that much.
+def _without_powers(c: fmpz_poly, stride: int, by: tuple[int, int]) -> fmpz_poly:
+    """A patch divided by powers of ``u + v`` and ``ū + v̄``, which must divide it.
+
+    >>> _without_powers(fmpz_poly([1, 1, 1, 1]), 2, (0, 1))  # (1 + x)(1 + y)
+    x + 1
     """
-    true, (m, n) = true_degrees(f), f.degree
-    degree = Degrees(m - by_s, n - by_t)
-    if len(f.denominators) > 1 or min(by_s, by_t, *true) < 0 or degree.max(true) != degree:
-        return None
-    c, below = without_content((without_powers(f.numerators[0], f.stride, (by_s, by_t)), f.denominators[0]))
-    return degree, f.meshes, f.continuity, f.stride, (c,), (below,)
-
-
-def lines(f: TensorParts) -> list[list[BSpline]]:
-    """For each segment of s and each power of its local parameter the coefficients, as splines in t."""
-    columns, own = len(f.meshes[1]), f.numerators
-    found = []
-    for i in range(len(f.meshes[0])):
-        patches = range(i * columns, (i + 1) * columns)
-        nets = [tensor_bernstein.rows(own[k], f.stride, f.degree.t) for k in patches]
-        lines = []
-        for h in range(
-            max(f.degree.s, 0) + 1
-        ):  # for a degree below 0 one line of zeros, so that there is a line to change
-            forms = [
-                without_content((fmpz_poly([row[h] for row in net]), f.denominators[k]))
-                for k, net in zip(patches, nets, strict=True)
-            ]
-            lines.append(BSpline.from_forms(f.degree.t, f.meshes[1], f.continuity[1], forms))
-        found.append(lines)
-    return found
-
-
-def joined_lines(found: list[list[BSpline]], old: TensorParts) -> Parts:
-    """Degree, meshes, continuity, stride, packed polynomials and denominators of the spline with these lines; along s
-    it is as the old spline.
-    """
-    first, stride = found[0][0], tensor_bernstein.stride_for(old.degree.s)
-    polynomials, denominators = [], []
-    for own in found:
-        for j in range(len(first.mesh)):
-            rows, denominator = over_common_denominator([(line.numerators[j], line.denominators[j]) for line in own])
-            polynomials.append(
-                tensor_bernstein.packed([fmpz_poly([row[k] for row in rows]) for k in range(first.degree + 1)], stride)
-            )
-            denominators.append(denominator)
-    continuity = (old.continuity[0], first.continuity)
-    return (
-        Degrees(old.degree.s, first.degree),
-        replaced(old.meshes, 1, first.mesh),
-        continuity,
-        stride,
-        tuple(polynomials),
-        tuple(denominators),
-    )
+    for times, gap in zip(by, (1, stride), strict=True):
+        if times:
+            c = c // raiser(times).inflate(gap)
+    return c
 
 
 # ---- the control net
 
 
 Net = list[list[mpq]]
-Points = tuple[tuple[mpq, ...], ...]
 #: The points of a row, or their numbers.
 Row = TypeVar("Row", bound=Sequence[object])
 
@@ -353,28 +361,3 @@ def checked_net(
 
 def _miscounted(problem: str, where: str, count: int, letter: str) -> ShapeError:
     return ShapeError(problem, where=where, remedy=f"there must be {count} (knots − degree − 1 along {letter})")
-
-
-def bezier_nets(degrees: Degrees, along_s: Sequence[BSpline]) -> Iterator[Net]:
-    """The Bézier nets of all patches, t running faster; `along_s` has a spline in s for each Bézier point along t."""
-    n = degrees.t + 1
-    segments = [spline.bezier_points for spline in along_s]
-    for i, j in product(range(len(along_s[0].mesh)), range(len(along_s) // n)):
-        yield [list(row) for row in zip(*[segments[j * n + k][i] for k in range(n)], strict=True)]
-
-
-def control_net(
-    knots: tuple[KnotVector, KnotVector], degrees: Degrees, meshes: tuple[Mesh, Mesh], nets: list[list[Net]]
-) -> Points:
-    """The control net over clamped knots; ``nets[i][j]`` are the Bézier points over segment i of s and j of t. None for
-    a degree below 0.
-    """
-    if min(degrees) < 0:
-        return ()
-    n, columns = degrees.t + 1, []
-    for j in range(len(meshes[1])):
-        for k in range(n):
-            segments = [[row[k] for row in patches[j]] for patches in nets]
-            columns.append(blossom.to_control_points(knots[0].knots, degrees.s, meshes[0].breaks, segments))
-    segmented = ([row[j : j + n] for j in range(0, len(row), n)] for row in zip(*columns, strict=True))
-    return tuple(blossom.to_control_points(knots[1].knots, degrees.t, meshes[1].breaks, parts) for parts in segmented)

@@ -10,7 +10,6 @@ from exactspline.language.vector import Vector
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.surface import NurbsSurface
-from exactspline.splines.tensor import TensorSpline
 
 
 def of_file(given: object) -> object:
@@ -42,12 +41,6 @@ def curve_of(given: object) -> Nurbs:
 def spline_of(given: object) -> BSpline:
     """The spline itself; raises `ShapeError` for anything else."""
     return as_instance(given, BSpline, "a spline", "give a BSpline, for a vector one component at a time")
-
-
-def function_of_two(given: object) -> TensorSpline:
-    """The function of two parameters itself; raises `ShapeError` for anything else."""
-    remedy = "give a TensorSpline, one component of a surface at a time"
-    return as_instance(given, TensorSpline, "a function of two parameters", remedy)
 
 
 def surface_of(given: object) -> NurbsSurface:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from functools import cache
 
 from exactspline.errors import ClaimError, CurveFileError, ExactSplineError, nearest
-from exactspline.interchange import own_json
+from exactspline.interchange import curve_files
 from exactspline.interchange.examples import example, example_names, example_surface, example_surface_names
 from exactspline.interchange.records import Source
 from exactspline.numbers.exact import rational
@@ -31,7 +31,7 @@ def _curves(source: Paper) -> tuple[dict[str, Nurbs], dict[str, ExactSplineError
     for file in source.curve_files():
         if file.name.endswith(".json"):
             try:
-                curves[file.name.removesuffix(".json")] = own_json.read(Source(file.read_bytes(), file.name)).curve
+                curves[file.name.removesuffix(".json")] = curve_files.read(Source(file.read_bytes(), file.name)).curve
             except ExactSplineError as error:
                 refused[f"curves/{file.name}"] = error.at(f"{source.name}/curves/{file.name}")
             except OSError as error:

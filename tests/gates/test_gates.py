@@ -127,7 +127,6 @@ UNREGISTERED = {
     "geometry/filter/certain.py: Certain.inflections": "the answer of inflections, where it is certain",
     "geometry/curves/bounds.py: turning_points": "the answer of turning_points, beside what it shares with boxes",
     "geometry/curves/bounds.py: at_coordinate": "the answer of at_coordinate, beside what it shares with boxes",
-    "geometry/pairs/surface_meetings.py: line_meetings": "the answers of line, ray and segment",
     "geometry/analysis/inspection.py: Report.places": "the answer of an entry",
     "geometry/analysis/inspection.py: Report.coordinate_extrema": "the answers of turning_points",
 }
@@ -192,7 +191,6 @@ WAYS = {
     "geometry/curves/facts.py: Facts.same_curvature": "a comparison",
     "geometry/curves/joints.py: Joint.same_curvature": "a comparison",
     "geometry/curves/joints.py: curvature_of": "curvature of one side of a knot, from its derivatives",
-    "geometry/curves/joints.py: curvature_vector": "curvature of one side of a knot, from its derivatives",
     "geometry/curves/space_features.py: SpaceFacts.reduced_torsion": "what torsion(curve, t) evaluates",
     "geometry/curves/space_features.py: SpaceFacts.torsion_numerator": "a form, whose zeros are asked for",
     "geometry/curves/space_features.py: torsion_zeros": "the answer of the question torsion_zeros",
@@ -300,11 +298,11 @@ ROUNDED = {
     "geometry/analysis/many_curves.py: _double": "the certified filter",
     "geometry/analysis/many_curves.py: _doubles": "the certified filter",
     "geometry/analysis/many_curves.py: _found": "the certified filter, which counts what has no double",
-    "geometry/analysis/many_curves.py: outside": "the certified filter",
+    "geometry/analysis/many_curves.py: _outside": "the certified filter",
     "geometry/analysis/many_curves.py: scaled_operands": "the certified filter",
-    "interchange/numbers.py: about": "digits that are shown",
+    "interchange/segments.py: _about": "digits that are shown",
     "interchange/bridges.py: _joined": "the unit in the last place of a double",
-    "interchange/numbers.py: periodic": "the unit in the last place of a double",
+    "interchange/bridges.py: _periodic": "the unit in the last place of a double",
     "extras/cad/rhino.py: _write": "writes a file of doubles, and names the numbers that are rounded",
     "extras/cad/rhino_process.py: _hex": "doubles of a file, bit by bit",
     "programs/certain_pairs.py: segment_in_doubles": "the certified filter",
@@ -357,7 +355,7 @@ def test_what_rounds_is_found(code):
 
 #: Where FLINT's own functions may be called: the doors, and what costs nothing.
 UNBOUNDED = {
-    "geometry/measures/lengths.py: _Rooted._roots": "paid for, by degree and bits, where the zeros are apart",
+    "geometry/measures/integrals.py: _Rooted._roots": "paid for, by degree and bits, where the zeros are apart",
     "geometry/measures/integrals.py: _Logarithmic.ball": "where the zeros are apart",
     "geometry/measures/integrals.py: _reduced": "after the bound was checked",
     "geometry/measures/integrals.py: integral": "the same",

@@ -12,7 +12,7 @@ from mpmath import fp
 
 from exactspline import Nurbs, analyse, ask, circle, example
 from exactspline.errors import DomainError, OpenError, ShapeError
-from exactspline.geometry.measures import lengths
+from exactspline.geometry.measures import integrals
 from exactspline.geometry.pairs.regions import Region
 from exactspline.questions import takes
 from tests.campaigns import measures as campaign
@@ -66,8 +66,8 @@ def test_quadrature_and_integration_agree(monkeypatch, weights, near):
     """Also where the speed nearly vanishes; FLINT's integration is used where zeros cannot be told apart."""
     curve, digits = Nurbs(3, [0] * 4 + [1] * 4, [(0, 0), (1, 1), (near, 1), (1, 0)], weights), []
     for _ in range(2):
-        digits.append(lengths.length(curve).decimal(40))
-        monkeypatch.setattr(lengths, "separate", lambda p: False)
+        digits.append(integrals.length(curve).decimal(40))
+        monkeypatch.setattr(integrals, "separate", lambda p: False)
     assert digits[0] == digits[1]
     assert abs(fp.quad(lambda t: speed(curve, t), fp.linspace(0, 1, 101)) - float(digits[0])) < 1e-9
 

@@ -17,7 +17,7 @@ from exactspline.geometry.analysis.pairs import CurvePair
 from exactspline.geometry.curves.bounds import coordinate_range, slope
 from exactspline.geometry.curves.facts import facts_of
 from exactspline.geometry.curves.values import curvature, point_at, torsion, unit
-from exactspline.geometry.measures.lengths import length
+from exactspline.geometry.measures.integrals import length
 from exactspline.geometry.pairs.intersections import intersections
 from exactspline.geometry.pairs.nearest import nearest
 from exactspline.language.vector import Vector, triple

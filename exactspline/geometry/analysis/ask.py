@@ -15,13 +15,13 @@ from exactspline.geometry.analysis.curves import QUESTIONS, Analysis, analyse, k
 from exactspline.geometry.analysis.pairs import CurvePair
 from exactspline.geometry.analysis.planar_maps import MapInspection
 from exactspline.geometry.analysis.surface_pairs import SurfacePair
+from exactspline.geometry.analysis.surface_values import NearestOnSurface
 from exactspline.geometry.analysis.surfaces import SurfaceInspection
 from exactspline.geometry.bisectors.two_curves import CurveBisector
 from exactspline.geometry.curves.planarity import in_common_plane
 from exactspline.geometry.pairs.nearest import Nearest
 from exactspline.geometry.pairs.nearest import nearest as of_curve
 from exactspline.geometry.pairs.regions import Region
-from exactspline.geometry.pairs.surface_meetings import NearestOnSurface
 from exactspline.interchange.files import read
 from exactspline.numbers.exact import Number
 from exactspline.one_line import OneLine

@@ -12,7 +12,7 @@ from exactspline.geometry.curves import bounds, values
 from exactspline.geometry.curves.bounds import coordinate_range, slope_zeros
 from exactspline.geometry.curves.space_features import SpaceFacts
 from exactspline.geometry.derived.derive import Derived, derive
-from exactspline.geometry.measures import lengths
+from exactspline.geometry.measures import integrals
 from exactspline.geometry.measures.integrals import centroid, moment, named_moments, number
 from exactspline.language.rational import Rational
 from exactspline.language.vector import Vector, cross
@@ -339,7 +339,7 @@ class CurveValues(SpaceFacts):
         >>> analyse(Nurbs(1, [0, 0, 1, 1], [(0, 0), (3, 4)])).length, analyse(example("circle")).length
         (<Real 5>, <Real 2π>)
         """
-        return lengths.length(self.curve)
+        return integrals.length(self.curve)
 
     @question_with(TWO_PLACES, *ALL_CURVES, answered=Answered.VALUE)
     def length_between(self, ends: tuple[mpq | Real, mpq | Real]) -> Real:
@@ -351,7 +351,7 @@ class CurveValues(SpaceFacts):
 
         Raises `DomainError` outside the domain.
         """
-        return lengths.length_between(self.curve, *ends)
+        return integrals.length_between(self.curve, *ends)
 
     @question_with(LENGTH, *ALL_CURVES, answered=Answered.VALUE)
     def at_length(self, distance: mpq) -> Real:
@@ -363,7 +363,7 @@ class CurveValues(SpaceFacts):
 
         Raises `DomainError` for a negative length and for a length greater than that of the curve.
         """
-        return lengths.at_length(self.curve, distance)
+        return integrals.at_length(self.curve, distance)
 
     @question_with(INTEGER, *ALL_CURVES, answered=Answered.NUMBERS)
     def equally_spaced(self, parts: int) -> tuple[NamedNumbers, ...]:
@@ -375,7 +375,7 @@ class CurveValues(SpaceFacts):
 
         Raises `QuestionError` for 0 parts.
         """
-        return tuple(NamedNumbers("point", {"parameter": t}) for t in lengths.equally_spaced(self.curve, parts))
+        return tuple(NamedNumbers("point", {"parameter": t}) for t in integrals.equally_spaced(self.curve, parts))
 
 
 def axes(n: int) -> list[str]:

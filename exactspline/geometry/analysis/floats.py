@@ -8,19 +8,22 @@ from math import inf, isfinite, nan
 from typing import TYPE_CHECKING, Any, TypeAlias, cast, overload
 
 from exactspline.errors import DomainError, NumberError, ShapeError, a_kind, as_items, counted, shown
+from exactspline.formulas.derivatives import across
 from exactspline.geometry.curves.kinds import Feature
 from exactspline.geometry.curves.values import (
     curvature,
-    direction_at,
     in_plane_or_space,
     is_singular,
     point_at,
     segment_at,
     signed_square,
     torsion,
+    unit,
 )
+from exactspline.geometry.derived.derive import space
 from exactspline.geometry.surfaces.forms import SurfaceForms
 from exactspline.language.operand import checked_order
+from exactspline.language.vector import Vector, perp
 from exactspline.numbers.exact import (
     DEEPEST,
     Number,
@@ -38,7 +41,7 @@ from exactspline.reals.real import Real, real
 from exactspline.roots.values import evaluate, exact_place
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.inputs import checked_side
-from exactspline.splines.nurbs import Nurbs
+from exactspline.splines.nurbs import Nurbs, derivative_splines
 from exactspline.splines.surface import NurbsSurface
 from exactspline.splines.tensor import TensorSpline
 from exactspline.splines.type_checks import of_file
@@ -215,11 +218,31 @@ def _of_curve(
     return [_defined(partial(_vector, given, t, of, order, side), size, rounding) for t in places]
 
 
+def _direction_at(curve: Nurbs, place: mpq | Real, side: Side | str = Side.RIGHT, *, normal: bool) -> tuple[Real, ...]:
+    """The unit tangent, or the unit normal, at a rational parameter or an irrational root.
+
+    >>> from exactspline import example, zeros
+    >>> circle = example("circle")
+    >>> [x.double() for x in _direction_at(circle, zeros(circle.p[0] - circle.p[1])[0], normal=True)]
+    [-0.7071067811865476, -0.7071067811865476]
+    """
+    if not isinstance(place, Real):
+        return curve.normal(place, side) if normal else curve.unit_tangent(place, side)
+    first = Vector(*derivative_splines(curve, 1)[0])
+    if not normal:
+        return tuple(unit(first, place, "the tangent"))
+    if curve.dimension == 2:
+        return tuple(unit(perp(first), place, "the normal"))
+    # the second derivative contains one more power of w in its denominator
+    second = Vector(*[x * curve.w for x in derivative_splines(space(curve), 2)[0]])
+    return tuple(unit(across(first, second), place, "the normal"))
+
+
 def _vector(curve: Nurbs, place: mpq | Real, of: Quantity, order: int, side: Side) -> Sequence[mpq | Real]:
     if of is Quantity.TORSION:
         return [torsion(curve, place, side)]
     if of in (Quantity.NORMAL, Quantity.UNIT_TANGENT):
-        return direction_at(curve, place, side, normal=of is Quantity.NORMAL)
+        return _direction_at(curve, place, side, normal=of is Quantity.NORMAL)
     order = 1 if of is Quantity.TANGENT else order
     return point_at(curve, place, order, side) if isinstance(place, Real) else curve.derivative(order, place, side)
 

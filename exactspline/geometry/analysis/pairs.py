@@ -8,21 +8,12 @@ from collections.abc import Iterator
 from typing import NamedTuple
 
 from exactspline.errors import ShapeError
+from exactspline.formulas.derivatives import across, turning_rate
 from exactspline.geometry.bisectors.any_pair import bisector
 from exactspline.geometry.bisectors.common import Bisector
 from exactspline.geometry.curves.angles import Angle, degrees
 from exactspline.geometry.curves.facts import facts_of
-from exactspline.geometry.curves.joints import (
-    Jet,
-    Point,
-    curvature_vector,
-    distance,
-    limit_direction,
-    order_of,
-    parametric_order,
-    reversed_jet,
-    turned,
-)
+from exactspline.geometry.curves.joints import ORDER, Jet, Point, distance, limit_direction, order_of, turned
 from exactspline.geometry.curves.planarity import check_in_one_space, in_one_plane
 from exactspline.geometry.pairs import offsets
 from exactspline.geometry.pairs.deviation import deviation, deviation_within
@@ -30,6 +21,7 @@ from exactspline.geometry.pairs.distance import Distance, nearest_pairs
 from exactspline.geometry.pairs.intersections import Intersections, intersections
 from exactspline.geometry.rounded.intersections import NearbyMeeting, intersections_nearby
 from exactspline.hooks import Displayed
+from exactspline.language.vector import Vector, norm2, perp
 from exactspline.numbers.exact import Number, mpq, rational, text
 from exactspline.numbers.intervals import Side
 from exactspline.one_line import one_line
@@ -38,6 +30,28 @@ from exactspline.questions.entry import Answered, Inspected, Of, question, quest
 from exactspline.questions.takes import OFFSETS, TOLERANCE, WITHIN
 from exactspline.reals.real import Real
 from exactspline.splines.nurbs import Nurbs
+
+
+def _parametric_order(left: Jet, right: Jet) -> int:
+    """The order of parametric continuity of two sides: −1 for different points, 3 for an order of at least 3.
+
+    >>> a, b = [((0, 0), (1, 0), (0, k), (0, 0)) for k in (0, 1)]
+    >>> _parametric_order(a, a), _parametric_order(a, b)
+    (3, 1)
+    """
+    return next((k - 1 for k in range(ORDER + 1) if left[k] != right[k]), ORDER)
+
+
+def _curvature_vector(jet: Jet) -> Point:
+    """κN of a jet with γ′ ≠ 0: it points from the curve towards the centre of curvature and has the length |κ|.
+
+    >>> _curvature_vector(((0, 0), (0, 2), (-4, 0), (0, 0)))
+    (mpq(-1,1), mpq(0,1))
+    """
+    first, second = (Vector(*map(mpq, part)) for part in jet[1:3])
+    if len(first) == 2:
+        return tuple(perp(first) * turning_rate(first, second))
+    return tuple(across(first, second) / norm2(first) ** 2)
 
 
 class Sides(NamedTuple):
@@ -65,7 +79,7 @@ class Sides(NamedTuple):
         """The length of the difference of the curvature vectors; None where γ′ = 0 on a side."""
         if not any(self.left[1]) or not any(self.right[1]):
             return None
-        return distance(curvature_vector(self.left), curvature_vector(self.right))
+        return distance(_curvature_vector(self.left), _curvature_vector(self.right))
 
     @property
     def named(self) -> dict[str, Real]:
@@ -83,7 +97,7 @@ class Sides(NamedTuple):
             values["curvature jump"] = jump
         order = order_of(self.left, self.right, angle)
         orders = {"geometric": "unknown" if order is None else order}
-        return NamedNumbers("ends", values, orders | {"parametric": parametric_order(self.left, self.right)})
+        return NamedNumbers("ends", values, orders | {"parametric": _parametric_order(self.left, self.right)})
 
     def order_within(self, epsilon: mpq) -> int:
         """The largest order, up to 2, to which points, unit tangents and curvature vectors of the two ends differ by at
@@ -98,6 +112,16 @@ class Sides(NamedTuple):
         return 1 if self.jump is None or self.jump > epsilon else 2
 
 
+def _reversed_jet(jet: Jet) -> Jet:
+    """The jet of the reversed curve."""
+    point, first, second, third = jet
+    return point, _negative(first), second, _negative(third)
+
+
+def _negative(v: Point) -> Point:
+    return tuple(-x for x in v)
+
+
 def _pairs_of_ends(first: Nurbs, second: Nurbs) -> list[Sides]:
     """The pairs of an end of each curve, the nearest pair first; no pairs if one of the curves is closed.
 
@@ -110,7 +134,7 @@ def _pairs_of_ends(first: Nurbs, second: Nurbs) -> list[Sides]:
     for t, left, direction in _towards_ends(first):
         for s, right, back in _towards_ends(second):
             away = tuple(-x for x in back)
-            pairs.append(Sides((t, s), left, reversed_jet(right), (direction, away)))
+            pairs.append(Sides((t, s), left, _reversed_jet(right), (direction, away)))
     return sorted(pairs, key=lambda pair: pair.gap)
 
 
@@ -118,7 +142,7 @@ def _towards_ends(curve: Nurbs) -> Iterator[tuple[mpq, Jet, Point]]:
     """The parameters of both ends, with jets and directions of the curve traversed towards them."""
     facts, (a, b) = facts_of(curve), curve.domain
     start = limit_direction(facts.velocity, a, Side.RIGHT)
-    yield a, reversed_jet(facts.ends.jet(0, Side.RIGHT)), tuple(-x for x in start)
+    yield a, _reversed_jet(facts.ends.jet(0, Side.RIGHT)), tuple(-x for x in start)
     yield b, facts.ends.jet(len(facts.breaks) - 2, Side.LEFT), limit_direction(facts.velocity, b, Side.LEFT)
 
 

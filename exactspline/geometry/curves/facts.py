@@ -30,7 +30,7 @@ from exactspline.geometry.curves.joints import (
     Ends,
     Jet,
     Joint,
-    bend_of,
+    Point,
     curvature_of,
     distance,
     end_direction,
@@ -170,6 +170,11 @@ def kept_by(curve: Nurbs) -> _Kept:
         curve.kept_analysis = _Kept()
     assert isinstance(curve.kept_analysis, _Kept)
     return curve.kept_analysis
+
+
+def _bend_of(jet: Jet) -> Point:
+    """γ′ × γ″ of a jet in space."""
+    return tuple(cross(Vector(*jet[1]), Vector(*jet[2])))
 
 
 class Facts(Remembers):
@@ -371,7 +376,7 @@ class Facts(Remembers):
     def _smooth_kind(self, t: mpq, left: Jet, right: Jet, order: int) -> JointKind:
         """The kind of a joint with a common tangent."""
         if self.curve.dimension == 3:
-            a, b = bend_of(left), bend_of(right)
+            a, b = _bend_of(left), _bend_of(right)
             if not any(a) or not any(b):
                 a, b = self.directions(self.binormal, t)
             if any(a) and any(b) and any(cross(Vector(*a), Vector(*b))):

@@ -17,11 +17,11 @@ from typing import TypeVar
 
 from flint import fmpz
 
-from exactspline.formulas.derivatives import across, squared_bending, turning_rate
+from exactspline.formulas.derivatives import squared_bending, turning_rate
 from exactspline.geometry.curves.angles import Angle
 from exactspline.geometry.curves.kinds import JointKind
 from exactspline.language.arguments import Curve
-from exactspline.language.vector import Vector, cross, norm2, perp
+from exactspline.language.vector import Vector, norm2
 from exactspline.numbers.exact import mpq, ratio
 from exactspline.numbers.intervals import Side
 from exactspline.one_line import short_text
@@ -192,26 +192,6 @@ def order_of(left: Jet, right: Jet, angle: Angle | None) -> int | None:
     return None if angle is None else 0
 
 
-def parametric_order(left: Jet, right: Jet) -> int:
-    """The order of parametric continuity of two sides: −1 for different points, 3 for an order of at least 3.
-
-    >>> a, b = [((0, 0), (1, 0), (0, k), (0, 0)) for k in (0, 1)]
-    >>> parametric_order(a, a), parametric_order(a, b)
-    (3, 1)
-    """
-    return next((k - 1 for k in range(ORDER + 1) if left[k] != right[k]), ORDER)
-
-
-def reversed_jet(jet: Jet) -> Jet:
-    """The jet of the reversed curve."""
-    point, first, second, third = jet
-    return point, _negative(first), second, _negative(third)
-
-
-def _negative(v: Point) -> Point:
-    return tuple(-x for x in v)
-
-
 def distance(a: Point, b: Point) -> Real:
     """The distance between two points."""
     difference = [x - y for x, y in zip(a, b, strict=True)]
@@ -229,23 +209,6 @@ def curvature_of(jet: Jet) -> Real:
         rate: mpq = turning_rate(first, second)
         return square_root(norm2(first)) * rate
     return square_root(squared_bending(first, second))
-
-
-def curvature_vector(jet: Jet) -> Point:
-    """κN of a jet with γ′ ≠ 0: it points from the curve towards the centre of curvature and has the length |κ|.
-
-    >>> curvature_vector(((0, 0), (0, 2), (-4, 0), (0, 0)))
-    (mpq(-1,1), mpq(0,1))
-    """
-    first, second = (Vector(*map(mpq, part)) for part in jet[1:3])
-    if len(first) == 2:
-        return tuple(perp(first) * turning_rate(first, second))
-    return tuple(across(first, second) / norm2(first) ** 2)
-
-
-def bend_of(jet: Jet) -> Point:
-    """γ′ × γ″ of a jet in space."""
-    return tuple(cross(Vector(*jet[1]), Vector(*jet[2])))
 
 
 def turned(left: Point, right: Point) -> Angle | None:

@@ -2,20 +2,21 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
+from itertools import pairwise, starmap
 from typing import Any
 
 from flint import fmpz, fmpz_poly
 
 from exactspline.errors import DomainError, ShapeError
-from exactspline.formulas.derivatives import across
 from exactspline.geometry.curves.facts import facts_of
 from exactspline.geometry.curves.planarity import in_the_plane
 from exactspline.geometry.curves.plane_programs import BENDING, CURVATURE, SPEED, TORSION, plane_program, space_program
-from exactspline.geometry.derived.derive import plane, segments, space
+from exactspline.geometry.derived.derive import plane, space
 from exactspline.language.arguments import Curve
 from exactspline.language.rational import Rational
-from exactspline.language.vector import Vector, cross, det, norm2, perp
+from exactspline.language.vector import Vector, cross, det, norm2
 from exactspline.numbers.exact import Number, mpq, ratio, text
 from exactspline.numbers.exact import sign as sign_of
 from exactspline.numbers.intervals import Interval, Side
@@ -65,26 +66,6 @@ def unit(vector: Vector[BSpline], place: mpq | Real, name: str = "T", side: Side
         raise DomainError(f"{name} is undefined: the vector vanishes there", remedy="choose another parameter")
     squared = norm2(vector)
     return [signed_root(s, value_at(x * x, squared, place, side)) for x, s in zip(vector, signs, strict=True)]
-
-
-def direction_at(curve: Nurbs, place: mpq | Real, side: Side | str = Side.RIGHT, *, normal: bool) -> tuple[Real, ...]:
-    """The unit tangent, or the unit normal, at a rational parameter or an irrational root.
-
-    >>> from exactspline import example, zeros
-    >>> circle = example("circle")
-    >>> [x.double() for x in direction_at(circle, zeros(circle.p[0] - circle.p[1])[0], normal=True)]
-    [-0.7071067811865476, -0.7071067811865476]
-    """
-    if not isinstance(place, Real):
-        return curve.normal(place, side) if normal else curve.unit_tangent(place, side)
-    first = Vector(*derivative_splines(curve, 1)[0])
-    if not normal:
-        return tuple(unit(first, place, "the tangent"))
-    if curve.dimension == 2:
-        return tuple(unit(perp(first), place, "the normal"))
-    # the second derivative contains one more power of w in its denominator
-    second = Vector(*[x * curve.w for x in derivative_splines(space(curve), 2)[0]])
-    return tuple(unit(across(first, second), place, "the normal"))
 
 
 def curvature(curve: Nurbs, t: Number | Real, side: Side | str = Side.RIGHT) -> Real:
@@ -235,6 +216,19 @@ class CurvaturePiece:
         return f"<CurvaturePiece on [{self.interval[0]}, {self.interval[1]}]>"
 
 
+def _segments(curve: Curve[BSpline]) -> Iterator[tuple[Interval, Curve[BSpline]]]:
+    """The segments of a curve one by one, as operands for formulas, in time linear in their number."""
+    breaks = curve.w.breakpoints
+
+    def only(f: BSpline, i: int, mesh: Mesh) -> BSpline:
+        return BSpline.from_forms(f.degree, mesh, (), [(f.numerators[i], f.denominators[i])])
+
+    for i, interval in enumerate(starmap(Interval, pairwise(breaks))):
+        mesh = Mesh(interval)
+        p = Vector(*[only(x, i, mesh) for x in curve.p])
+        yield interval, Curve(p, only(curve.w, i, mesh), polynomial=curve.polynomial)
+
+
 def curvature_function(curve: Nurbs) -> list[CurvaturePiece]:
     """Return the signed curvature (positive where the curve turns left) of each segment on which the curvature is
     rational up to a constant square root.
@@ -248,7 +242,7 @@ def curvature_function(curve: Nurbs) -> list[CurvaturePiece]:
 
     Raises `ShapeError` for a curve that is not in the plane.
     """
-    return [_curvature_on(c, interval) for interval, c in segments(plane(curve_of(curve)))]
+    return [_curvature_on(c, interval) for interval, c in _segments(plane(curve_of(curve)))]
 
 
 def _curvature_on(c: Curve[BSpline], interval: Interval) -> CurvaturePiece:

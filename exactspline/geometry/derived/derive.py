@@ -6,9 +6,9 @@ Parameters and coordinates are unitless exact numbers.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
-from itertools import pairwise, starmap
+from itertools import pairwise
 from typing import Any, TypeVar, overload
 
 from exactspline.errors import DomainError, FormulaError, ShapeError, counted, shown
@@ -31,7 +31,6 @@ from exactspline.polynomials.cost import bounded
 from exactspline.roots.root import Root
 from exactspline.roots.zero_set import zeros
 from exactspline.splines.bspline import BSpline
-from exactspline.splines.knots import Mesh
 from exactspline.splines.lowest_terms import control_point_count, in_lowest_terms, true_degree
 from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.type_checks import curve_of
@@ -52,19 +51,6 @@ def part(curve: Nurbs, a: mpq, b: mpq) -> Curve[BSpline]:
     )
     restricted.domain = (a, b)  # type: ignore[attr-defined]  # a plain curve is given its domain, a Nurbs has one
     return restricted
-
-
-def segments(curve: Curve[BSpline]) -> Iterator[tuple[Interval, Curve[BSpline]]]:
-    """The segments of a curve one by one, as operands for formulas, in time linear in their number."""
-    breaks = curve.w.breakpoints
-
-    def only(f: BSpline, i: int, mesh: Mesh) -> BSpline:
-        return BSpline.from_forms(f.degree, mesh, (), [(f.numerators[i], f.denominators[i])])
-
-    for i, interval in enumerate(starmap(Interval, pairwise(breaks))):
-        mesh = Mesh(interval)
-        p = Vector(*[only(x, i, mesh) for x in curve.p])
-        yield interval, Curve(p, only(curve.w, i, mesh), polynomial=curve.polynomial)
 
 
 def intervals_where(breaks: Sequence[mpq], holds: Sequence[bool]) -> list[Interval]:

@@ -14,7 +14,7 @@ from itertools import pairwise, product
 
 from flint import ctx
 
-from exactspline.bivariate.across_borders import Place, alike, sectors, together, within
+from exactspline.bivariate.across_borders import Place, Spot, alike, together, within
 from exactspline.bivariate.borders import EDGES, Edge, Patch, along, common_along, roots_along
 from exactspline.bivariate.common_zeros import CommonZero, zeros_of
 from exactspline.bivariate.quotients import polynomials_on
@@ -222,6 +222,19 @@ def _jacobian_sign(f: PatchForm, g: PatchForm, box: Box) -> int:
     return -1 if max(first) < min(second) else 0
 
 
+#: The sides of a point, in u and in v, on which something lies; they do not depend on how knots cut the patches around
+#: the point.
+Sectors = set[tuple[int, int]]
+
+
+def _sectors(spot: Spot, box: Box) -> Sectors:
+    """The sides of a point of a closed rectangle on which the rectangle lies."""
+    first, second = (
+        [sign for sign, end in ((-1, low), (1, high)) if t != end] for t, (low, high) in zip(spot, box, strict=True)
+    )
+    return set(product(first, second))
+
+
 def merged_umbilic(own: Sequence[Umbilic], whole: Sequence[Box], domain: Box, closed: Sequence[Along]) -> Umbilic:
     """One umbilic found on several patches. The umbilic is one-sided if it is not an umbilic on all sides; a patch on
     which all points are umbilics (`whole`) counts as a side on which it is. The kind is unknown if the umbilic has
@@ -232,7 +245,7 @@ def merged_umbilic(own: Sequence[Umbilic], whole: Sequence[Box], domain: Box, cl
         return own[0]
     others, found = alike(place.spot, domain, closed), [(one.place.spot, one.place.zero.sides) for one in own]
     found += [(spot, box) for spot in others for box in whole if within(spot, box)]
-    seen = {sector for spot, box in found for sector in sectors(spot, box)}
-    around = {sector for spot in others for sector in sectors(spot, domain)}
+    seen = {sector for spot, box in found for sector in _sectors(spot, box)}
+    around = {sector for spot in others for sector in _sectors(spot, domain)}
     kind = UmbilicKind.POSITIVE if kinds <= HALF else UmbilicKind.UNKNOWN
     return Umbilic(place, own[0].kind if len(kinds) == 1 else kind, one_sided=seen != around)

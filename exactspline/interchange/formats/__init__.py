@@ -19,7 +19,7 @@ HOMES = (
     "exactspline.interchange.formats.glif",
     "exactspline.extras.cad.gismo",
     "exactspline.extras.cad.geomdl_json",
-    "exactspline.interchange.own_json",
+    "exactspline.interchange.curve_files",
     "exactspline.extras.cad.dxf",
     "exactspline.extras.cad.iges",
     "exactspline.extras.cad.g2",
