@@ -9,7 +9,7 @@ import os
 import threading
 from collections.abc import Callable, Iterable, Iterator
 from concurrent.futures import BrokenExecutor
-from contextlib import AbstractContextManager, ExitStack, contextmanager, suppress
+from contextlib import ExitStack, contextmanager, suppress
 from importlib.util import find_spec
 from itertools import chain
 from typing import TYPE_CHECKING, TypeVar
@@ -90,7 +90,7 @@ def mapped(
 
     with ExitStack() as stack:
         with interrupts_ignored():
-            stack.enter_context(_configured(backend, jobs, scheduler))
+            stack.enter_context(_on_dask(jobs, scheduler) if backend == "dask" else _in_processes(jobs))
             sent = f"{PENDING}*{jobs}"
             parallel = stack.enter_context(Parallel(return_as="generator", batch_size=1, pre_dispatch=sent))
             for _ in parallel(delayed(int)() for _ in range(jobs)):
@@ -159,12 +159,6 @@ def _taken(results: Iterator[list[V]], closed: threading.Event) -> Iterator[V]:
         for _ in results:
             pass
         raise
-
-
-def _configured(backend: str, jobs: int, scheduler: str) -> AbstractContextManager[object]:
-    if backend == "dask":
-        return _on_dask(jobs, scheduler)
-    return _in_processes(jobs)
 
 
 @contextmanager

@@ -143,9 +143,8 @@ def _pairs(answer: Intersections, digits: int, curve: Nurbs | None) -> Iterator[
     for each in answer:
         (low, high), other = (enclosed(x, digits) for x in (each.first, each.second))
         found = Found(str(each.kind), low if low == high else None, low, high, other_low=other[0], other_high=other[1])
-        point: dict[str, Any] = (
-            {} if curve is None else dict(zip("xyz", map(_double, map(real, each.point)), strict=False))
-        )
+        shown = () if curve is None else map(_double, map(real, each.point))
+        point: dict[str, Any] = dict(zip("xyz", shown, strict=False))
         yield replace(found, **point)
     for arc in answer.everywhere:
         (low, high), other = (

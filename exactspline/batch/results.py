@@ -10,6 +10,7 @@ import json
 import os
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterator, Mapping
+from mmap import ACCESS_READ, mmap
 from pathlib import Path
 from time import monotonic
 from types import TracebackType
@@ -127,18 +128,11 @@ def line_text(line: Line) -> str:
 
 def _repair(stream: IO[bytes]) -> None:
     """Remove everything after the last line break: a line left incomplete by a kill."""
-    end = stream.seek(0, os.SEEK_END)
-    keep = end
-    while keep:
-        start = max(keep - (1 << 16), 0)
-        stream.seek(start)
-        position = stream.read(keep - start).rfind(b"\n")
-        if position >= 0:
-            keep = start + position + 1
-            break
-        keep = start
-    if keep < end:
-        stream.truncate(keep)
+    if end := stream.seek(0, os.SEEK_END):
+        with mmap(stream.fileno(), end, access=ACCESS_READ) as whole:
+            keep = whole.rfind(b"\n") + 1
+        if keep < end:
+            stream.truncate(keep)
 
 
 def _locked(handle: int | None, place: Path) -> None:

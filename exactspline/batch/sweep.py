@@ -187,7 +187,7 @@ class _SurfaceWork(_OneByOne):
 
     >>> from exactspline import example
     >>> from exactspline.batch.corpus import Taken, items
-    >>> line = SurfaceWork.of(["umbilics"]).line(next(items([example("enneper")], Taken(surfaces=True))))
+    >>> line = _SurfaceWork.of(["umbilics"]).line(next(items([example("enneper")], Taken(surfaces=True))))
     >>> line.degrees, line.patches, line.answers, line.error
     ((3, 3), 1, {'umbilics': {'points': [], 'everywhere': [], 'undecided': []}}, None)
     """

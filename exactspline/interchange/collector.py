@@ -23,7 +23,7 @@ from exactspline.splines.surface import NurbsSurface
 P = TypeVar("P")
 
 
-class _Whole(NamedTuple):
+class Whole(NamedTuple):
     """A full knot vector, the number of control points by which those of a file are to be continued, and notes."""
 
     knots: Sequence[mpq]
@@ -35,7 +35,7 @@ class _Whole(NamedTuple):
         return [*entries, *islice(cycle(entries), self.more)]
 
 
-def whole(degree: int, knots: Sequence[mpq], count: int, periodic: bool = False) -> _Whole:
+def whole(degree: int, knots: Sequence[mpq], count: int, periodic: bool = False) -> Whole:
     """The full knot vector of a curve of which a file lists some knots and `count` control points.
 
     A closed curve may be listed by one period, the first and the last knot e times each: count + e knots. Or all its
@@ -49,12 +49,12 @@ def whole(degree: int, knots: Sequence[mpq], count: int, periodic: bool = False)
     """
     ends, lacking = len(knots) - count, len(knots) - count - degree - 1
     if lacking == 0 and periodic and knots[0] == knots[degree]:
-        return _Whole(knots, 0, ("flagged periodic, but its knots are clamped: read as written",))
+        return Whole(knots, 0, ("flagged periodic, but its knots are clamped: read as written",))
     if count and 1 <= ends <= degree and _are_ends(knots, ends):
         return _unrolled(knots, count, degree + 1 - ends)
     if 1 <= lacking <= degree and (periodic or len({b - a for a, b in zip(knots, knots[count:], strict=False)}) == 1):
-        return _Whole(knots, lacking, (f"periodic: its first {lacking} control points are repeated",))
-    return _Whole(knots)
+        return Whole(knots, lacking, (f"periodic: its first {lacking} control points are repeated",))
+    return Whole(knots)
 
 
 def _are_ends(knots: Sequence[mpq], times: int) -> bool:
@@ -63,12 +63,12 @@ def _are_ends(knots: Sequence[mpq], times: int) -> bool:
     return knots[0] < knots[-1] and ends == [times, times]
 
 
-def _unrolled(knots: Sequence[mpq], count: int, more: int) -> _Whole:
+def _unrolled(knots: Sequence[mpq], count: int, more: int) -> Whole:
     period, found = knots[-1] - knots[0], list(knots)
     for _ in range(more):
         found = [found[count - 1] - period, *found, found[len(found) - count] + period]
     remark = f"periodic, listed by one period: the knots are continued, {more} control points are repeated"
-    return _Whole(found, more, (remark,))
+    return Whole(found, more, (remark,))
 
 
 def domain(degree: int, knots: Sequence[mpq]) -> tuple[mpq, mpq]:

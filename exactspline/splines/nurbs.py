@@ -170,10 +170,8 @@ class Nurbs(Immutable, Curve[BSpline], FunctionsOutside):
         """
         splines = with_common_knots([*p, *([] if w is None else [w])])
         rows = list(zip(*[f.control_points for f in splines], strict=True))
-        degree, knots = splines[0].degree, splines[0].knots
-        return (
-            cls(degree, knots, rows, name=name) if w is None else cls.from_homogeneous(degree, knots, rows, name=name)
-        )
+        made: Callable[..., Nurbs] = cls if w is None else cls.from_homogeneous
+        return made(splines[0].degree, splines[0].knots, rows, name=name)
 
     @classmethod
     def _unchanged(cls, name: str, *data: Any) -> Nurbs:
@@ -429,10 +427,8 @@ class Nurbs(Immutable, Curve[BSpline], FunctionsOutside):
     @one_line
     def __repr__(self) -> str:
         kind = "polynomial" if self.polynomial else "rational"
-        return (
-            f"<Nurbs {self.name or 'curve'}: {kind}, degree {self.degree}, {len(self.control_points)} "
-            f"control points in R{self.dimension}>"
-        )
+        points = f"{len(self.control_points)} control points in R{self.dimension}"
+        return f"<Nurbs {self.name or 'curve'}: {kind}, degree {self.degree}, {points}>"
 
     # ---- other representations, parts, images
 

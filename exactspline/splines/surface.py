@@ -103,11 +103,8 @@ def _crosses(part: Sized) -> bool:
 
 def _zero(box: Box, certain: bool) -> WeightError:
     where = f"at {box}" if all(a == b for a, b in box) else f"where {box}"
-    problem = (
-        f"the denominator w has a zero {where}"
-        if certain
-        else f"the denominator w could not be shown to be without a zero {where}"
-    )
+    found = "has a zero" if certain else "could not be shown to be without a zero"
+    problem = f"the denominator w {found} {where}"
     return WeightError(problem, where="weights", remedy="w must keep its sign on the domain", witness=box)
 
 
@@ -239,11 +236,9 @@ class NurbsSurface(Immutable, Surface[TensorSpline], FunctionsOutside):
     @one_line
     def __repr__(self) -> str:
         kind = "polynomial" if self.polynomial else "rational"
-        (m, n), rows, columns = self.degree, len(self.control_points), len(self.control_points[0])
-        return (
-            f"<NurbsSurface {self.name or 'surface'}: {kind}, degree {m} × {n}, {rows} × {columns} "
-            f"control points in R{self.dimension}>"
-        )
+        (m, n), net = self.degree, self.control_points
+        points = f"{len(net)} × {len(net[0])} control points in R{self.dimension}"
+        return f"<NurbsSurface {self.name or 'surface'}: {kind}, degree {m} × {n}, {points}>"
 
     # ---- the surface
 
@@ -357,13 +352,10 @@ class NurbsSurface(Immutable, Surface[TensorSpline], FunctionsOutside):
 
         Raises `DomainError` for a value that is not inside the domain.
         """
-        direction = choice(Along, along, "parameter").direction
-        sides = self.domain
-        a, b = sides[direction]
-        t = rational(t)
-        if direction == 0:
-            return self.restrict((a, t), sides[1]), self.restrict((t, b), sides[1])
-        return self.restrict(sides[0], (a, t)), self.restrict(sides[0], (t, b))
+        of_u, (u, v) = choice(Along, along, "parameter") is Along.U, self.domain
+        if of_u:
+            return self.restrict((u.low, t), v), self.restrict((t, u.high), v)
+        return self.restrict(u, (v.low, t)), self.restrict(u, (t, v.high))
 
     def restrict(self, side_u: tuple[Number, Number], side_v: tuple[Number, Number]) -> NurbsSurface:
         """Return the part of the surface over a smaller rectangle, with the same parameters.

@@ -92,7 +92,7 @@ def _from_net(net: Sequence[Sequence[mpq]], stride: int) -> Form:
 def _bezier_net(form: Form, degrees: tuple[int, int], stride: int) -> list[list[mpq]]:
     """The Bézier points of a patch.
 
-    >>> _bezier_net(from_net([[mpq(1), mpq(2)], [mpq(3), mpq(4)]], 2), (1, 1), 2)
+    >>> _bezier_net(_from_net([[mpq(1), mpq(2)], [mpq(3), mpq(4)]], 2), (1, 1), 2)
     [[mpq(1,1), mpq(2,1)], [mpq(3,1), mpq(4,1)]]
     """
     (c, common), (m, n) = form, degrees

@@ -14,7 +14,7 @@ from exactspline import Nurbs, analyse, example, examples
 from exactspline.errors import ShapeError
 from exactspline.geometry.analysis.inspection import inspect_curve, solved
 from exactspline.geometry.curves import facts as facts_module
-from exactspline.geometry.curves import space_features
+from exactspline.geometry.curves import features
 from exactspline.geometry.curves.joints import Ends
 from exactspline.geometry.derived.constructions import Construction
 from exactspline.papers.chen_riesenfeld_cohen_2007.figures import compare_approaches
@@ -38,7 +38,7 @@ class Counted:
         self.calls, self.patch = Counter(), monkeypatch
         self.count(facts_module, "zeros")
         self.count(facts_module, "common_factor")
-        self.count(space_features, "common_factor")
+        self.count(features, "common_factor")
         self.count(facts_module, "geometric_order")
         self.count(Construction, "form_on")
         self.count(Ends, "jet")

@@ -10,7 +10,7 @@ from typing import TypeAlias
 
 from exactspline.geometry.curves import bounds, values
 from exactspline.geometry.curves.bounds import coordinate_range, slope_zeros
-from exactspline.geometry.curves.space_features import SpaceFacts
+from exactspline.geometry.curves.features import SpaceFacts
 from exactspline.geometry.derived.derive import Derived, derive
 from exactspline.geometry.measures import integrals
 from exactspline.geometry.measures.integrals import centroid, moment, named_moments, number

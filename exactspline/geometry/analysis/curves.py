@@ -13,7 +13,7 @@ from exactspline.errors import ShapeError
 from exactspline.geometry.analysis.curve_values import CurveValues
 from exactspline.geometry.bisectors.any_pair import bisector
 from exactspline.geometry.bisectors.common import Bisector
-from exactspline.geometry.curves import plane_features, space_features
+from exactspline.geometry.curves import features
 from exactspline.geometry.curves.bounds import at_coordinate, slope_zeros, turning_points, value_zeros
 from exactspline.geometry.curves.facts import ZeroForm, kept_by
 from exactspline.geometry.curves.joints import curvature_of
@@ -130,8 +130,8 @@ class Analysis(CurveValues, Displayed, FunctionsOutside):
         """
         if self._certain is not None:
             return self._certain.inflections
-        module = space_features if self.in_space else plane_features
-        return Places(tuple(module.flat_points(self)), self.straight_pieces)
+        self.check_dimension()
+        return Places(tuple(features.flat_points(self)), self.straight_pieces)
 
     @Fact
     def _certain(self) -> Certain | None:
@@ -155,8 +155,8 @@ class Analysis(CurveValues, Displayed, FunctionsOutside):
         """
         if self._certain is not None:
             return self._certain.critical_points
-        module = space_features if self.in_space else plane_features
-        return Places(tuple(module.critical_points(self)), self.constant_pieces)
+        self.check_dimension()
+        return Places(tuple(features.critical_points(self)), self.constant_pieces)
 
     @question(*CURVES, part_of="critical_points", proof=lambda facts: (facts.zero_form(facts.critical_form).zeros,))
     def curvature_extrema(self) -> Places[Feature]:
@@ -193,7 +193,7 @@ class Analysis(CurveValues, Displayed, FunctionsOutside):
         """
         if not self.in_space:
             raise ShapeError("the torsion of a curve in R2", remedy="this needs a curve in space")
-        return Places(tuple(space_features.torsion_zeros(self)), tuple(piece for piece, _ in self.planar_pieces))
+        return Places(tuple(features.torsion_zeros(self)), tuple(piece for piece, _ in self.planar_pieces))
 
     @question(*CURVES, answered=Answered.PIECES, of_piece="straight")
     def straight_pieces(self) -> tuple[CurvePiece, ...]:

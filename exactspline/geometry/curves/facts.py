@@ -440,11 +440,8 @@ class Facts(Remembers):
         for i in range(0 if self.closed else 1, len(self.breaks) - 1):
             left = end_direction(self.operands, i - 1, Side.LEFT)
             right = end_direction(self.operands, i, Side.RIGHT)
-            if smooth[i] > 0 and any(left) and any(right):
-                continue
-            if smooth[i] == 0 and any(left) and any(right) and same_direction(left, right):
-                continue
-            if (joint := self._joint(i)).angle is not None:
+            meets = smooth[i] > 0 or (smooth[i] == 0 and same_direction(left, right))
+            if not (meets and any(left) and any(right)) and (joint := self._joint(i)).angle is not None:
                 corners.append(joint)
         return tuple(corners)
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from dataclasses import dataclass
 from itertools import pairwise, starmap
 from typing import Any
@@ -13,7 +12,7 @@ from exactspline.errors import DomainError, ShapeError
 from exactspline.geometry.curves.facts import facts_of
 from exactspline.geometry.curves.planarity import in_the_plane
 from exactspline.geometry.curves.plane_programs import BENDING, CURVATURE, SPEED, TORSION, plane_program, space_program
-from exactspline.geometry.derived.derive import plane, space
+from exactspline.geometry.derived.derive import part, plane, space
 from exactspline.language.arguments import Curve
 from exactspline.language.rational import Rational
 from exactspline.language.vector import Vector, cross, det, norm2
@@ -216,19 +215,6 @@ class CurvaturePiece:
         return f"<CurvaturePiece on [{self.interval[0]}, {self.interval[1]}]>"
 
 
-def _segments(curve: Curve[BSpline]) -> Iterator[tuple[Interval, Curve[BSpline]]]:
-    """The segments of a curve one by one, as operands for formulas, in time linear in their number."""
-    breaks = curve.w.breakpoints
-
-    def only(f: BSpline, i: int, mesh: Mesh) -> BSpline:
-        return BSpline.from_forms(f.degree, mesh, (), [(f.numerators[i], f.denominators[i])])
-
-    for i, interval in enumerate(starmap(Interval, pairwise(breaks))):
-        mesh = Mesh(interval)
-        p = Vector(*[only(x, i, mesh) for x in curve.p])
-        yield interval, Curve(p, only(curve.w, i, mesh), polynomial=curve.polynomial)
-
-
 def curvature_function(curve: Nurbs) -> list[CurvaturePiece]:
     """Return the signed curvature (positive where the curve turns left) of each segment on which the curvature is
     rational up to a constant square root.
@@ -242,7 +228,9 @@ def curvature_function(curve: Nurbs) -> list[CurvaturePiece]:
 
     Raises `ShapeError` for a curve that is not in the plane.
     """
-    return [_curvature_on(c, interval) for interval, c in _segments(plane(curve_of(curve)))]
+    given = curve_of(curve)
+    plane(given)
+    return [_curvature_on(part(given, *ends), ends) for ends in starmap(Interval, pairwise(given.breakpoints))]
 
 
 def _curvature_on(c: Curve[BSpline], interval: Interval) -> CurvaturePiece:

@@ -15,9 +15,9 @@ from typing import Any, NamedTuple
 from flint import fmpz, fmpz_poly
 
 from exactspline.geometry.curves.facts import Facts
+from exactspline.geometry.curves.features import critical_points, flat_points
 from exactspline.geometry.curves.joints import end_direction
 from exactspline.geometry.curves.kinds import Feature, FeatureKind
-from exactspline.geometry.curves.plane_features import critical_points, flat_points
 from exactspline.geometry.curves.plane_programs import CRITICAL, CURVATURE, SPEED, plane_program
 from exactspline.geometry.derived.constructions import Variant
 from exactspline.numbers.exact import mpq

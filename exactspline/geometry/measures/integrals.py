@@ -130,7 +130,7 @@ def _in_local_powers(f: BSpline) -> list[fmpq_poly]:
     """The polynomials of a spline in powers of the local parameter of each segment, which runs from 0 to 1.
 
     >>> from exactspline import BSpline
-    >>> in_local_powers(BSpline.bezier([0, 0, 1], 1, 3))
+    >>> _in_local_powers(BSpline.bezier([0, 0, 1], 1, 3))
     [x^2]
     """
     n, forms = max(f.degree, 0), zip(f.numerators, f.denominators, strict=True)

@@ -21,11 +21,10 @@ from math import copysign, inf
 from flint import arb, ctx
 
 from exactspline.errors import ShapeError, WeightError
-from exactspline.geometry.curves import plane_features, space_features
-from exactspline.geometry.curves.facts import Facts
+from exactspline.geometry.curves import features
+from exactspline.geometry.curves.features import SpaceFacts
 from exactspline.geometry.curves.kinds import FeatureKind
 from exactspline.geometry.curves.plane_programs import CRITICAL, CURVATURE, TORSION
-from exactspline.geometry.curves.space_features import SpaceFacts
 from exactspline.geometry.derived.constructions import Variant
 from exactspline.geometry.recognition.pieces import rounded_up
 from exactspline.geometry.rounded.features import NearbyFeature, features_nearby
@@ -114,7 +113,7 @@ def stability(curve: Nurbs) -> tuple[StableFeature, ...]:
             f"the stability of a curve in R{given.dimension}", remedy="this needs a curve in the plane or in space"
         )
     positive = with_positive_weights(given)
-    facts, radii = _facts(positive), _Radii(positive)
+    facts, radii = SpaceFacts(positive), _Radii(positive)
     with ctx.workprec(PRECISION):
         found = tuple(_stable(facts, kind, place, radii) for kind, place in _features(facts))
     return found if positive is given else tuple(map(_with_negative_weights, found))
@@ -123,30 +122,22 @@ def stability(curve: Nurbs) -> tuple[StableFeature, ...]:
 def _with_negative_weights(found: StableFeature) -> StableFeature:
     """The feature with a witness whose weights are negative, like those of the curve."""
     c = found.witness
-    return (
-        found
-        if c is None
-        else replace(found, witness=Nurbs(c.degree, c.knots, c.control_points, [-w for w in c.weights]))
-    )
+    if c is None:
+        return found
+    return replace(found, witness=Nurbs(c.degree, c.knots, c.control_points, [-w for w in c.weights]))
 
 
-def _facts(curve: Nurbs) -> Facts:
-    return Facts(curve) if curve.dimension == 2 else SpaceFacts(curve)
-
-
-def _features(facts: Facts) -> list[tuple[FeatureKind, Real]]:
+def _features(facts: SpaceFacts) -> list[tuple[FeatureKind, Real]]:
     """The features with their parameters, in order."""
-    if isinstance(facts, SpaceFacts):
-        points = [*space_features.torsion_zeros(facts), *space_features.critical_points(facts)]
-    else:
-        points = [*plane_features.flat_points(facts), *plane_features.critical_points(facts)]
+    first = features.torsion_zeros if facts.curve.dimension == 3 else features.flat_points
+    points = [*first(facts), *features.critical_points(facts)]
     forms = FORMS[facts.curve.dimension]
     found: list[tuple[FeatureKind, Real]] = [(point.kind, point.root) for point in points if point.kind in forms]
     found += [(FeatureKind.CORNER, real(joint.parameter)) for joint in facts.corners]
     return sorted(found, key=lambda each: each[1])
 
 
-def _stable(facts: Facts, kind: FeatureKind, place: Real, radii: _Radii) -> StableFeature:
+def _stable(facts: SpaceFacts, kind: FeatureKind, place: Real, radii: _Radii) -> StableFeature:
     curve, low, high = facts.curve, place, place
     if kind is FeatureKind.CORNER:
         moved = _straightened(curve, place)
@@ -176,7 +167,7 @@ def _lacks(curve: Nurbs, kind: FeatureKind, before: int, low: Real, high: Real) 
     """Whether a curve has fewer features of a kind, by exact arithmetic, and none between these places, so that the
     missing feature is this one.
     """
-    found = _of_kind(_facts(curve), kind)
+    found = _of_kind(SpaceFacts(curve), kind)
     return len(found) < before and not any(low <= place <= high for place in found)
 
 
@@ -211,7 +202,7 @@ class _Radii:
         return self._found[index]
 
 
-def _of_kind(facts: Facts, kind: FeatureKind) -> list[Real]:
+def _of_kind(facts: SpaceFacts, kind: FeatureKind) -> list[Real]:
     """The parameters of the features of a kind."""
     return [place for each, place in _features(facts) if each is kind]
 

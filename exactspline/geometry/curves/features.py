@@ -1,4 +1,6 @@
-"""Zeros of the torsion, extrema and zeros of the curvature, and special pieces of a space curve, from its facts.
+"""Zeros and extrema of the curvature of a curve, and zeros of the torsion, from its facts. All are zeros of a form
+(see `exactspline.geometry.derived.constructions`), found by `exactspline.roots`. On a closed curve the seam is a knot
+like any other and counts once.
 
 In space κ ≥ 0. Where κ = 0 (γ′ × γ″ = 0 at a regular point) it has a minimum: these points are listed by their own
 kinds, and not again among the extrema. The form [D1 D2 D3] of the torsion vanishes there whether or not τ does, so that
@@ -8,10 +10,11 @@ kinds, and not again among the extrema. The form [D1 D2 D3] of the torsion vanis
 from __future__ import annotations
 
 from bisect import bisect_left
+from collections.abc import Callable
 
 from exactspline.formulas.lifted import torsion_zeros_lifted
 from exactspline.geometry.curves.facts import Facts, ZeroForm, among
-from exactspline.geometry.curves.joints import Point, limit_direction, same_direction
+from exactspline.geometry.curves.joints import Joint, Point, limit_direction, same_direction
 from exactspline.geometry.curves.kinds import Feature, FeatureKind, JointKind
 from exactspline.geometry.derived.constructions import Variant
 from exactspline.geometry.derived.derive import space
@@ -28,7 +31,7 @@ BINORMAL, TORSION = "binormal_form", "D1_D2_D3"
 
 
 class SpaceFacts(Facts):
-    """The facts of one space curve."""
+    """The facts of one curve, also those that only a space curve has."""
 
     @Fact
     def bending(self) -> ZeroForm:
@@ -68,8 +71,30 @@ class SpaceFacts(Facts):
         return position < len(roots) and roots[position] == root
 
 
-def flat_points(facts: SpaceFacts) -> list[Feature]:
-    """The zeros of the curvature at regular points, and where κN is reversed by a jump."""
+def flat_points(facts: Facts) -> list[Feature]:
+    """The zeros of the curvature at regular points; in space also where κN is reversed by a jump."""
+    if isinstance(facts, SpaceFacts) and facts.curve.dimension == 3:
+        return _flat_in_space(facts)
+    zeros = facts.regular(facts.zero_form("zero_curvature").zeros)
+    regular = [(root, by_jump) for root, by_jump in zeros if _inside_or_at(facts, root, lambda x: x.tangent_continuous)]
+    return [Feature(_flat(root), root, Variant.MINIMAL, by_jump) for root, by_jump in regular]
+
+
+def _inside_or_at(facts: Facts, root: Root, smooth: Callable[[Joint], bool]) -> bool:
+    """Whether a root is inside a segment, or at a knot where the curve is smooth enough."""
+    if root.at_knot and facts.has_corner(root.low):
+        return False
+    joint = facts.joint(root.low) if root.at_knot else None
+    return joint is None or smooth(joint)
+
+
+def _flat(root: Root) -> FeatureKind:
+    if None in root.signs:
+        return FeatureKind.FLAT_END
+    return FeatureKind.INFLECTION if root.sign_change else FeatureKind.UNDULATION
+
+
+def _flat_in_space(facts: SpaceFacts) -> list[Feature]:
     least = FeatureKind.MINIMUM
     features = [
         Feature(
@@ -143,19 +168,26 @@ def _torsion_at_knot(facts: SpaceFacts, root: Root, changes: bool) -> list[Featu
     return [Feature(FeatureKind.TORSION_ZERO, root, TORSION, by_jump=True)] if changes else []
 
 
-def critical_points(facts: SpaceFacts) -> list[Feature]:
-    """The extrema of the curvature and the points where κ′ = 0 without an extremum, except those where κ = 0."""
-    features = []
-    for root, by_jump in facts.regular(facts.zero_form("space_critical_curvature").zeros):
-        joint = facts.joint(root.low) if root.at_knot else None
-        if (joint is None or joint.same_curvature) and not facts.is_flat(root):
-            features.append(_extremum(root, by_jump=by_jump))
-    return features
+def critical_points(facts: Facts) -> list[Feature]:
+    """The extrema of the curvature and the points where κ′ = 0 without an extremum (``stationary``); in space except
+    those where κ = 0.
+    """
+    space_facts = facts if isinstance(facts, SpaceFacts) and facts.curve.dimension == 3 else None
+    zeros = facts.regular(facts.zero_form("space_critical_curvature" if space_facts else "critical_curvature").zeros)
+    return [
+        _extremum(facts, root, by_jump=by_jump)
+        for root, by_jump in zeros
+        if _inside_or_at(facts, root, lambda joint: joint.same_curvature)
+        and not (space_facts and space_facts.is_flat(root))
+    ]
 
 
-def _extremum(root: Root, *, by_jump: bool) -> Feature:
+def _extremum(facts: Facts, root: Root, *, by_jump: bool) -> Feature:
+    """A zero of κ′, classified by the signs of κ′ on both sides and by that of κ there."""
     left, right = root.signs
     if not left or not right or left == right:
         return Feature(FeatureKind.STATIONARY, root, Variant.MINIMAL)
     kind = FeatureKind.MAXIMUM if left > 0 else FeatureKind.MINIMUM
-    return Feature(kind, root, Variant.MINIMAL, by_jump, kind)
+    sign = 1 if facts.curve.dimension == 3 else facts.sign_of("zero_curvature", root)
+    of_absolute = FeatureKind.MINIMUM if sign == 0 else kind if sign > 0 else kind.opposite
+    return Feature(kind, root, Variant.MINIMAL, by_jump, of_absolute)
