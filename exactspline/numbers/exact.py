@@ -15,6 +15,7 @@ from fractions import Fraction
 from functools import reduce
 from math import inf, isfinite, nextafter
 from numbers import Integral, Rational, Real
+from operator import add, mul
 from typing import Any, SupportsIndex, TypeAlias, TypeGuard, cast, overload
 
 import flint
@@ -367,6 +368,15 @@ def sign(value: mpq | mpz | int | flint.fmpz | flint.fmpq) -> int:
     (1, -1, 0)
     """
     return (value > 0) - (value < 0)
+
+
+def scalar(a: Iterable[Any], b: Iterable[Any]) -> Any:
+    """The scalar product of two vectors, whose components are numbers or operands.
+
+    >>> scalar((1, 2), (3, 4))
+    11
+    """
+    return reduce(add, map(mul, a, b))
 
 
 def content(values: Iterable[mpq]) -> mpq:

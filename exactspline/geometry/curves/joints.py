@@ -12,7 +12,6 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from operator import mul
 from typing import TypeVar
 
 from flint import fmpz
@@ -22,7 +21,7 @@ from exactspline.geometry.curves.angles import Angle
 from exactspline.geometry.curves.kinds import JointKind
 from exactspline.language.arguments import Curve
 from exactspline.language.vector import Vector, norm2
-from exactspline.numbers.exact import mpq, ratio
+from exactspline.numbers.exact import mpq, ratio, scalar
 from exactspline.numbers.intervals import Side
 from exactspline.one_line import short_text
 from exactspline.reals.real import Real, square_root
@@ -129,19 +128,8 @@ def same_direction(a: Sequence[N], b: Sequence[N]) -> bool:
     >>> same_direction((1, 2), (2, 4)), same_direction((1, 2), (-1, -2))
     (True, False)
     """
-    product = _inner(a, b)
-    return bool(product > 0 and product * product == _inner(a, a) * _inner(b, b))
-
-
-def _inner(a: Sequence[N], b: Sequence[N]) -> N:
-    """The scalar product of two tuples of numbers.
-
-    >>> _inner((1, 2), (3, 4))
-    11
-    """
-    first, *rest = map(mul, a, b)
-    product: N = sum(rest, first)
-    return product
+    product = scalar(a, b)
+    return bool(product > 0 and product * product == scalar(a, a) * scalar(b, b))
 
 
 def limit_direction(v: Vector[BSpline], t: mpq, side: Side | str) -> Point:
@@ -170,16 +158,16 @@ def geometric_order(left: Jet, right: Jet) -> int:
         return -1
     if not same_direction(a[1], b[1]):
         return 0
-    length = _inner(a[1], a[1])
-    first = mpq(_inner(a[1], b[1])) / length
+    length = scalar(a[1], a[1])
+    first = mpq(scalar(a[1], b[1])) / length
     rest = [y - first * first * x for x, y in zip(a[2], b[2], strict=True)]
-    second = _inner(rest, a[1]) / length
+    second = scalar(rest, a[1]) / length
     if any(r != second * x for r, x in zip(rest, a[1], strict=True)):
         return 1
     rest = [
         z - first * first * first * y - mpq(3) * first * second * x for x, y, z in zip(a[2], a[3], b[3], strict=True)
     ]
-    third = _inner(rest, a[1]) / length
+    third = scalar(rest, a[1]) / length
     return 2 if any(r != third * x for r, x in zip(rest, a[1], strict=True)) else 3
 
 
@@ -195,7 +183,7 @@ def order_of(left: Jet, right: Jet, angle: Angle | None) -> int | None:
 def distance(a: Point, b: Point) -> Real:
     """The distance between two points."""
     difference = [x - y for x, y in zip(a, b, strict=True)]
-    return square_root(_inner(difference, difference))
+    return square_root(scalar(difference, difference))
 
 
 def curvature_of(jet: Jet) -> Real:

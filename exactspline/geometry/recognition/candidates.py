@@ -21,11 +21,10 @@ from exactspline.geometry.recognition.shapes import (
     Shape,
     cross_product,
     minus,
-    scalar,
     solved,
     upper_square_root,
 )
-from exactspline.numbers.exact import decimal_unit, from_flint, mpq, over_one_denominator, to_fmpq
+from exactspline.numbers.exact import decimal_unit, from_flint, mpq, over_one_denominator, scalar, to_fmpq
 
 #: The largest number of points from which a shape is guessed.
 MOST_POINTS = 24

@@ -38,13 +38,12 @@ from exactspline.geometry.recognition.shapes import (
     Torus,
     cross_product,
     minus,
-    scalar,
     upper_square_root,
 )
 from exactspline.geometry.surfaces.forms import SurfaceForms
 from exactspline.geometry.surfaces.singular import closed_along, point_of
 from exactspline.language.wronskians import wronskians
-from exactspline.numbers.exact import mpq, sign
+from exactspline.numbers.exact import mpq, scalar, sign
 from exactspline.numbers.intervals import UNIT
 from exactspline.numbers.once import cached_property
 from exactspline.polynomials.patch_forms import PatchForm, Sized, halved

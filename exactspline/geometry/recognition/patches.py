@@ -29,12 +29,11 @@ from exactspline.geometry.recognition.shapes import (
     Torus,
     cross_product,
     minus,
-    scalar,
     solved,
     upper_square_root,
 )
 from exactspline.geometry.surfaces.forms import SurfaceForms
-from exactspline.numbers.exact import Number, decimal_unit, mpq, sign
+from exactspline.numbers.exact import Number, decimal_unit, mpq, scalar, sign
 from exactspline.one_line import OneLine
 from exactspline.reals.real import Real, real
 from exactspline.splines.precision import distance

@@ -24,9 +24,8 @@ from __future__ import annotations
 from abc import ABC, abstractmethod
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
-from functools import reduce
 from itertools import chain, combinations
-from operator import add, mul, sub
+from operator import sub
 from typing import Any, Protocol
 
 import flint
@@ -34,7 +33,7 @@ from gmpy2 import isqrt
 
 from exactspline.language.vector import Vector, cross, det
 from exactspline.language.wronskians import wronskians
-from exactspline.numbers.exact import from_flint, mpq, primitive, sign, to_fmpq
+from exactspline.numbers.exact import from_flint, mpq, primitive, scalar, sign, to_fmpq
 from exactspline.numbers.once import cached_property
 from exactspline.one_line import OneLine, one_line
 from exactspline.reals.real import Real, real, square_root
@@ -545,11 +544,6 @@ def cross_product(a: Sequence[Any], b: Sequence[Any]) -> tuple[Any, ...]:
 
 def _reals(point: Point) -> tuple[Real, ...]:
     return tuple(map(real, point))
-
-
-def scalar(a: Iterable[Any], b: Iterable[Any]) -> Any:
-    """The scalar product of two vectors, whose components are operands or numbers."""
-    return reduce(add, map(mul, a, b))
 
 
 def minus(a: Point, b: Point) -> Point:

@@ -8,10 +8,10 @@ from itertools import pairwise
 
 from exactspline.errors import ShapeError
 from exactspline.geometry.recognition.pieces import RecognizedPiece, near, recognized, signs, small_distance
-from exactspline.geometry.recognition.shapes import Circle, Line, Point, Shape, ShapeKind, minus, scalar
+from exactspline.geometry.recognition.shapes import Circle, Line, Point, Shape, ShapeKind, minus
 from exactspline.interchange.segments import Affine, Segment, arc_around_origin, joined_segments, mapped, polynomial
 from exactspline.language.wronskians import wronskians
-from exactspline.numbers.exact import Number, mpq
+from exactspline.numbers.exact import Number, mpq, scalar
 from exactspline.numbers.intervals import Side
 from exactspline.one_line import OneLine
 from exactspline.splines.nurbs import Nurbs

@@ -19,9 +19,9 @@ from flint import arb, ctx
 from exactspline.errors import ShapeError
 from exactspline.geometry.curves.kinds import FeatureKind
 from exactspline.geometry.curves.plane_programs import BENDING, CRITICAL, CURVATURE, SPEED, TORSION
-from exactspline.geometry.rounded.forms import PRECISION, CurvesNear, Family, dot, sign_of
+from exactspline.geometry.rounded.forms import PRECISION, CurvesNear, Family, sign_of
 from exactspline.language.vector import Vector, cross
-from exactspline.numbers.exact import Number, mpq
+from exactspline.numbers.exact import Number, mpq, scalar
 from exactspline.numbers.intervals import Interval, ball_ends, joined
 from exactspline.numbers.once import cached_property
 from exactspline.questions.answers import Described
@@ -182,7 +182,7 @@ class _Features(CurvesNear):
         first, basis = self.basis(i)
         net = zip(self.points[first : first + len(basis)], self.weights[first:], strict=False)
         columns = [*zip(*[[*[x * w for x in point], w] for point, w in net], strict=True)]
-        rows = [[dot(row, column) for column in columns] for row in zip(*basis, strict=True)]
+        rows = [[scalar(row, column) for column in columns] for row in zip(*basis, strict=True)]
         return [[x / row[-1] for x in row[:-1]] for row in rows]
 
     def _reversals(self) -> Iterator[mpq]:
@@ -197,7 +197,7 @@ class _Features(CurvesNear):
             d, e, f = self._bezier_points(behind)[:3]
             # backwards in time γ′ changes its sign and γ″ does not
             left, right = (cross(Vector(*_minus(y, x)), Vector(*_minus(z, x))) for x, y, z in ((a, b, c), (d, e, f)))
-            if not (dot([*left], [*right]) < 0 or any(map(sign_of, cross(left, right)))):
+            if not (scalar([*left], [*right]) < 0 or any(map(sign_of, cross(left, right)))):
                 yield t
 
     def _knots(self, least: int) -> list[tuple[int, mpq]]:
@@ -248,7 +248,7 @@ class _Features(CurvesNear):
             if last == start:
                 left, right = (_minus(self.points[k + 1], self.points[k]) for k in (last - 1, start))
                 turns = [left[k] * right[m] - left[m] * right[k] for k, m in combinations(range(len(left)), 2)]
-                robust = any(map(sign_of, turns)) or bool(dot(left, right) < 0)
+                robust = any(map(sign_of, turns)) or bool(scalar(left, right) < 0)
             elif not (_meets_one(place, slow) if last > start else self._may_meet(i, i + 1)):
                 continue
             yield _feature(FeatureKind.CORNER, place, robust, robust)

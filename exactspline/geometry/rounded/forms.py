@@ -315,11 +315,6 @@ class Settled:
         return True
 
 
-def dot(a: Sequence[arb], b: Sequence[arb]) -> arb:
-    """The scalar product."""
-    return sum((x * y for x, y in zip(a, b, strict=True)), start=arb(0))
-
-
 def sign_of(x: arb) -> int:
     """The sign of a ball, 0 where it contains zero."""
     return 1 if x > 0 else -1 if x < 0 else 0

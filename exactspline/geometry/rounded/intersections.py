@@ -12,6 +12,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from functools import reduce
 from itertools import combinations_with_replacement, pairwise, product
 from math import comb
 
@@ -19,8 +20,8 @@ from flint import arb, arb_mat, ctx
 
 from exactspline.errors import ShapeError
 from exactspline.geometry.pairs.intersections import IntersectionKind
-from exactspline.geometry.rounded.forms import PRECISION, CurvesNear, Settled, cutting, dot, sign_of
-from exactspline.numbers.exact import Number, mpq, to_fmpq
+from exactspline.geometry.rounded.forms import PRECISION, CurvesNear, Settled, cutting, sign_of
+from exactspline.numbers.exact import Number, mpq, scalar, to_fmpq
 from exactspline.numbers.intervals import UNIT, Box, Interval, ball_ends
 from exactspline.numbers.once import cached_property
 from exactspline.polynomials.patch_forms import clusters
@@ -184,7 +185,7 @@ class _Tangled(CurvesNear):
         weights = [self.weights[j] for j in near]
         dimension = self.curve.dimension
         columns = [[self.points[j][c] * w for j, w in zip(near, weights, strict=True)] for c in range(dimension)]
-        rows = [[dot([b[k] for b in basis], own) for k in range(n + 1)] for own in (*columns, weights)]
+        rows = [[scalar([b[k] for b in basis], own) for k in range(n + 1)] for own in (*columns, weights)]
         *points, w = rows
         if self.rational:
             velocity = [
@@ -242,9 +243,8 @@ class _Meetings:
 
     def _halved(self, a: _Part, b: _Part) -> Iterator[tuple[_Part, _Part]]:
         if a is b:
-            yield from combinations_with_replacement(a.halves, 2)
-        else:
-            yield from product([a] if a.is_small else a.halves, [b] if b.is_small else b.halves)
+            return combinations_with_replacement(a.halves, 2)
+        return product([a] if a.is_small else a.halves, [b] if b.is_small else b.halves)
 
     def _is_one_arc(self, a: _Part, b: _Part) -> bool:
         """Whether both parts belong to an arc whose velocities are on one side of a plane, so that the arc does not
@@ -254,7 +254,7 @@ class _Meetings:
             return False
         vectors = [*zip(*a.velocity, strict=True), *zip(*b.velocity, strict=True)]
         middle = [sum((x.mid() for x in row), start=arb(0)) for row in zip(*vectors, strict=True)]
-        return all(dot(v, middle) > 0 for v in vectors)
+        return all(scalar(v, middle) > 0 for v in vectors)
 
     def _settles(self, a: _Part, b: _Part, box: Box) -> bool:
         """Whether each pair of curves has one common point near a box and at most one in a larger box around it."""
@@ -266,10 +266,9 @@ class _Meetings:
             return False
         if not _crosses(self.first.over(around.first), self.second.over(around.second)):
             return False
-        if (place := self._crossing(a, b, around)) is None:
-            return False
+        place = self._crossing(a, b, around)
         # a box next to it may have led to the same points
-        return self.settled.add(place, around)
+        return place is not None and self.settled.add(place, around)
 
     def _crossing(self, a: _Part, b: _Part, around: Box) -> Box | None:
         """A small box in which each pair of curves has a common point."""
@@ -279,7 +278,7 @@ class _Meetings:
         (s, t), inverse = found
         place = a.ends.at(s), b.ends.at(t)
         spread = [x + y for x, y in zip(a.spread, b.spread, strict=True)]
-        steps = [dot([abs(x) for x in row], spread) for row in inverse]
+        steps = [scalar([abs(x) for x in row], spread) for row in inverse]
         widths = [ball_ends(step).high * width for step, width in zip(steps, (a.ends.width, b.ends.width), strict=True)]
         for k in range(BOXES):
             box = Box(*(Interval(x - h * 2**k, x + h * 2**k) for x, h in zip(place, widths, strict=True)))
@@ -301,7 +300,7 @@ class _Meetings:
     def _along(self, row: Row, s: Interval, t: Interval) -> arb:
         """A ball with all values of a coordinate of γ(s) − γ̄(t)."""
         gamma, other = (
-            _union([dot(p, row) for part in curves.over(interval) for p in zip(*part.places, strict=True)])
+            _union([scalar(p, row) for part in curves.over(interval) for p in zip(*part.places, strict=True)])
             for curves, interval in ((self.first, s), (self.second, t))
         )
         return gamma - other
@@ -314,7 +313,7 @@ def _may_meet(a: _Part, b: _Part) -> bool:
     if len(a.hull) > 2:
         return True
     x, y = a.direction
-    across, other = (_union([dot(p, (-y, x)) for p in zip(*part.places, strict=True)]) for part in (a, b))
+    across, other = (_union([scalar(p, (-y, x)) for p in zip(*part.places, strict=True)]) for part in (a, b))
     return bool(across.overlaps(other))
 
 
@@ -351,7 +350,7 @@ def _newton(a: _Part, b: _Part) -> tuple[tuple[mpq, mpq], list[Row]] | None:
             return None
         inverse = [[-v[1] / determinant, v[0] / determinant], [-u[1] / determinant, u[0] / determinant]]
         gap = [x - y for x, y in zip(p, q, strict=True)]
-        steps = [ball_ends(dot(row, gap)).middle for row in inverse]
+        steps = [ball_ends(scalar(row, gap)).middle for row in inverse]
         s, t = (_rounded(x - step) for x, step in zip((s, t), steps, strict=True))
         if not all(-1 <= x <= 2 for x in (s, t)):
             return None
@@ -393,10 +392,7 @@ def _rounded(x: mpq) -> mpq:
 
 
 def _union(balls: Sequence[arb]) -> arb:
-    found, *rest = balls
-    for x in rest:
-        found = found.union(x)
-    return found
+    return reduce(arb.union, balls)
 
 
 def _steps(row: Row) -> Row:

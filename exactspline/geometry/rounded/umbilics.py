@@ -23,8 +23,8 @@ from flint import arb, arb_mat, ctx
 from exactspline.errors import ShapeError
 from exactspline.formulas.surfaces.by_forms import line_uu_of_forms, line_uv_of_forms
 from exactspline.formulas.surfaces.lifted import area_squared_lifted, lifted_forms
-from exactspline.geometry.rounded.forms import INSERT, PRECISION, SMALLER, Settled, basis_ordinates, cutting, dot
-from exactspline.numbers.exact import Number, mpq, to_fmpq
+from exactspline.geometry.rounded.forms import INSERT, PRECISION, SMALLER, Settled, basis_ordinates, cutting
+from exactspline.numbers.exact import Number, mpq, scalar, to_fmpq
 from exactspline.numbers.intervals import Box, Interval, ball_around, ball_ends
 from exactspline.one_line import OneLine
 from exactspline.polynomials.patch_forms import clusters
@@ -224,14 +224,14 @@ class _Search:
         if all(v.contains(0) for v in values) and self._may_have_one_at_each_corner(box):
             return _State.LEFT
         slopes = [f.gradient for f in around]
-        enclosed = [v + dot(g, gap) for v, g in zip(values, slopes, strict=True)]
+        enclosed = [v + scalar(g, gap) for v, g in zip(values, slopes, strict=True)]
         if not all(x.contains(0) for x in enclosed):
             return _State.SETTLED
         (a, b), (c, d) = slopes
         if not (a * d - b * c).contains(0) and self._settles(box, [f.gradient for f in here]):
             return _State.SETTLED
         blurred = all(
-            v.contains(0) and SPREAD * v.rad() >= dot([abs(x) for x in g], [abs(x).upper() for x in gap]).mid()
+            v.contains(0) and SPREAD * v.rad() >= scalar([abs(x) for x in g], [abs(x).upper() for x in gap]).mid()
             for v, g in zip(values, slopes, strict=True)
         )
         return _State.LEFT if blurred else _State.OPEN
@@ -268,8 +268,8 @@ class _Search:
         sides = []
         for k, (row, side) in enumerate(zip(inverse, box, strict=True)):
             half = [ball_around(-other.width / 2, other.width / 2) for other in box]
-            rest = [int(k == m) - dot(row, [g[m] for g in slopes]) for m in (0, 1)]
-            image = arb(to_fmpq(side.middle)) - dot(row, values) + dot(rest, half)
+            rest = [int(k == m) - scalar(row, [g[m] for g in slopes]) for m in (0, 1)]
+            image = arb(to_fmpq(side.middle)) - scalar(row, values) + scalar(rest, half)
             if not image.is_finite():
                 return None
             sides.append(ball_ends(image))
