@@ -20,11 +20,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-#: The relative error of one operation is below this in every rounding mode.
-ROUNDING = 2**-52
-#: The largest loss by underflow in one operation, even where subnormal numbers are flushed to zero.
-UNDERFLOW = 2**-1022
-
+from exactspline.polynomials.roundings import ROUNDING, UNDERFLOW
 
 Floats = NDArray[np.float64]
 Integers = NDArray[np.int64]

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from math import comb
 
 from exactspline.errors import FormulaError
-from exactspline.polynomials.doubles import ROUNDING, UNDERFLOW
+from exactspline.polynomials.roundings import ROUNDING, UNDERFLOW
 from exactspline.programs.instructions import UNIT, Instruction, needed
 from exactspline.programs.program import Program
 

@@ -125,8 +125,6 @@ NAMES_TAKEN_APART = {
 UNREGISTERED = {
     "geometry/filter/certain.py: Certain.critical_points": "the answer of critical_points, where it is certain",
     "geometry/filter/certain.py: Certain.inflections": "the answer of inflections, where it is certain",
-    "geometry/curves/bounds.py: turning_points": "the answer of turning_points, beside what it shares with boxes",
-    "geometry/curves/bounds.py: at_coordinate": "the answer of at_coordinate, beside what it shares with boxes",
     "geometry/analysis/inspection.py: Report.places": "the answer of an entry",
     "geometry/analysis/inspection.py: Report.coordinate_extrema": "the answers of turning_points",
 }

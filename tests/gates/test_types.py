@@ -70,7 +70,7 @@ def loose_signatures() -> set[str]:
 UNTYPED = {"language/formula.py: Formula.__call__", "hooks.py: named", "display/plot/anything.py: picture"}
 #: Likewise what is written once for numbers, points, curves and surfaces, and for doubles and rational numbers.
 OF_SEVERAL = re.compile(
-    r"geometry/recognition/shapes\.py: (\w+\.(margins|parts|p|w)|cross_product|scalar)"
+    r"numbers/exact\.py: scalar|geometry/recognition/shapes\.py: (\w+\.(margins|parts|p|w)|cross_product)"
     # polynomials with integers or fractions as coefficients
     r"|certificates/(elimination\.py: (trimmed|total|value|on_interval|strict_sign|sign_at_root|at_height|integral"
     r"|sign_over)|zeros\.py: product_of)"

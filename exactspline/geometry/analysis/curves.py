@@ -14,8 +14,8 @@ from exactspline.geometry.analysis.curve_values import CurveValues
 from exactspline.geometry.bisectors.any_pair import bisector
 from exactspline.geometry.bisectors.common import Bisector
 from exactspline.geometry.curves import features
-from exactspline.geometry.curves.bounds import at_coordinate, slope_zeros, turning_points, value_zeros
-from exactspline.geometry.curves.facts import ZeroForm, kept_by
+from exactspline.geometry.curves.bounds import slope_zeros, value_zeros
+from exactspline.geometry.curves.facts import ZeroForm, kept_by, located
 from exactspline.geometry.curves.joints import curvature_of
 from exactspline.geometry.curves.kinds import Feature, FeatureKind
 from exactspline.geometry.curves.planarity import Plane, in_common_plane, in_the_plane, planar_pieces, plane_of
@@ -404,7 +404,14 @@ class Analysis(CurveValues, Displayed, FunctionsOutside):
 
         Raises `ShapeError` for a coordinate that the curve does not have.
         """
-        return turning_points(self.with_coordinate(axis), axis)
+        points, name = [], f"coordinate {axis}"
+        solved = slope_zeros(self.with_coordinate(axis), axis)
+        for root, by_jump in located(solved):
+            left, right = root.signs
+            if left and right and left != right:
+                kind = FeatureKind.MAXIMUM if left > 0 else FeatureKind.MINIMUM
+                points.append(Feature(kind, root, name, by_jump))
+        return Places(tuple(points), tuple(CurvePiece(each.parts) for each in solved.intervals))
 
     @question_with(COORDINATE_VALUE, *CURVES, proof=lambda facts, at: (value_zeros(facts.with_coordinate(at[0]), *at),))
     def at_coordinate(self, at: tuple[mpq, mpq]) -> Places[Feature]:
@@ -419,7 +426,10 @@ class Analysis(CurveValues, Displayed, FunctionsOutside):
 
         Raises `ShapeError` for a coordinate that the curve does not have.
         """
-        return at_coordinate(self.with_coordinate(at[0]), *at)
+        solved, kinds = value_zeros(self.with_coordinate(at[0]), *at), (FeatureKind.TOUCH, FeatureKind.CROSSING)
+        name = f"coordinate {at[0]}"
+        points = (Feature(kinds[root.sign_change], root, name, by_jump) for root, by_jump in located(solved))
+        return Places(tuple(points), tuple(CurvePiece(each.parts) for each in solved.intervals))
 
     @question_with(DISTANCE, Of.PLANE_CURVE, answered=Answered.PAIRS)
     def offset_self_intersections(self, distance: Number) -> Intersections:

@@ -54,7 +54,7 @@ def _curvature_vector(jet: Jet) -> Point:
     return tuple(across(first, second) / norm2(first) ** 2)
 
 
-class Sides(NamedTuple):
+class _Sides(NamedTuple):
     """Two ends: their parameters, their jets and the directions of their tangents, traversed from the first curve to
     the second.
     """
@@ -122,7 +122,7 @@ def _negative(v: Point) -> Point:
     return tuple(-x for x in v)
 
 
-def _pairs_of_ends(first: Nurbs, second: Nurbs) -> list[Sides]:
+def _pairs_of_ends(first: Nurbs, second: Nurbs) -> list[_Sides]:
     """The pairs of an end of each curve, the nearest pair first; no pairs if one of the curves is closed.
 
     Raises `ShapeError` for curves of different dimensions, and outside plane and space.
@@ -133,8 +133,7 @@ def _pairs_of_ends(first: Nurbs, second: Nurbs) -> list[Sides]:
     pairs = []
     for t, left, direction in _towards_ends(first):
         for s, right, back in _towards_ends(second):
-            away = tuple(-x for x in back)
-            pairs.append(Sides((t, s), left, _reversed_jet(right), (direction, away)))
+            pairs.append(_Sides((t, s), left, _reversed_jet(right), (direction, _negative(back))))
     return sorted(pairs, key=lambda pair: pair.gap)
 
 
@@ -142,36 +141,8 @@ def _towards_ends(curve: Nurbs) -> Iterator[tuple[mpq, Jet, Point]]:
     """The parameters of both ends, with jets and directions of the curve traversed towards them."""
     facts, (a, b) = facts_of(curve), curve.domain
     start = limit_direction(facts.velocity, a, Side.RIGHT)
-    yield a, _reversed_jet(facts.ends.jet(0, Side.RIGHT)), tuple(-x for x in start)
+    yield a, _reversed_jet(facts.ends.jet(0, Side.RIGHT)), _negative(start)
     yield b, facts.ends.jet(len(facts.breaks) - 2, Side.LEFT), limit_direction(facts.velocity, b, Side.LEFT)
-
-
-def junctions(first: Nurbs, second: Nurbs) -> tuple[NamedNumbers, ...]:
-    """How each end of a curve meets each end of another curve.
-
-    >>> from exactspline import Nurbs
-    >>> lines = [Nurbs(1, [0, 0, 1, 1], points) for points in ([(0, 0), (1, 0)], [(1, 0), (3, 0)])]
-    >>> nearest = junctions(*lines)[0]
-    >>> nearest, nearest.facts
-    (<ends: first 1, second 0, gap 0, angle 0, curvature jump 0>, {'geometric': 3, 'parametric': 0})
-    """
-    return tuple(pair.described for pair in _pairs_of_ends(first, second))
-
-
-def junctions_within(first: Nurbs, second: Nurbs, epsilon: mpq) -> tuple[NamedNumbers, ...]:
-    """The order to which the ends of two curves meet, up to differences of at most ε.
-
-    >>> from exactspline import Nurbs
-    >>> lines = [Nurbs(1, [0, 0, 1, 1], points) for points in ([(0, 0), (1, 0)], [(1, "1/9"), (3, 0)])]
-    >>> [junctions_within(*lines, mpq(1, n))[0].facts["geometric"] for n in (2, 9, 10)]
-    [2, 2, -1]
-
-    Raises `ShapeError` for a number that is not positive.
-    """
-    if epsilon <= 0:
-        raise ShapeError(f"within {text(epsilon)}", remedy="give a positive number, such as 1/1000")
-    pairs = _pairs_of_ends(first, second)
-    return tuple(NamedNumbers("ends", pair.named, {"geometric": pair.order_within(epsilon)}) for pair in pairs)
 
 
 class CurvePair(Inspected, Displayed):
@@ -286,7 +257,7 @@ class CurvePair(Inspected, Displayed):
         >>> CurvePair(*lines).junctions[0]
         <ends: first 1, second 0, gap 0, angle 45, curvature jump 0>
         """
-        return junctions(*self.curves)
+        return tuple(pair.described for pair in _pairs_of_ends(*self.curves))
 
     @question_with(WITHIN, Of.TWO_CURVES, answered=Answered.NUMBERS)
     def junctions_within(self, epsilon: Number) -> tuple[NamedNumbers, ...]:
@@ -299,7 +270,11 @@ class CurvePair(Inspected, Displayed):
         >>> CurvePair(*lines).junctions_within("1/100")[0].facts
         {'geometric': 2}
         """
-        return junctions_within(*self.curves, rational(epsilon))
+        within = rational(epsilon)
+        if within <= 0:
+            raise ShapeError(f"within {text(within)}", remedy="give a positive number, such as 1/1000")
+        pairs = _pairs_of_ends(*self.curves)
+        return tuple(NamedNumbers("ends", pair.named, {"geometric": pair.order_within(within)}) for pair in pairs)
 
     @question(Of.TWO_CURVES, answered=Answered.SOLUTIONS, on_request=True)
     def bisector(self) -> Bisector:

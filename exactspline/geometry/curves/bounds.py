@@ -23,8 +23,7 @@ from exactspline.formulas.lifted import (
     tangent_lifted_squared,
     torsion_lifted,
 )
-from exactspline.geometry.curves.facts import Facts, located
-from exactspline.geometry.curves.kinds import Feature, FeatureKind
+from exactspline.geometry.curves.facts import Facts
 from exactspline.geometry.curves.values import refuse_singular, segment_at
 from exactspline.geometry.derived.derive import part
 from exactspline.language.arguments import Curve
@@ -35,7 +34,7 @@ from exactspline.numbers.exact import mpq, text
 from exactspline.numbers.intervals import Side
 from exactspline.questions.answers import NamedNumbers
 from exactspline.reals.real import Extreme, RationalNumber, Real, between, real, square_root
-from exactspline.roots.answers import CurvePiece, Places
+from exactspline.roots.answers import CurvePiece
 from exactspline.roots.values import exact_place, sign_at, signed_root, value_at
 from exactspline.roots.zero_set import ZeroSet, zeros
 from exactspline.splines.bspline import BSpline
@@ -68,33 +67,6 @@ def value_zeros(curve: Nurbs, axis: int | mpq, value: mpq) -> ZeroSet:
     not have.
     """
     return zeros(curve.p[_number_of(curve, axis)] - curve.w.scaled(value), periodic=curve.closed)
-
-
-def at_coordinate(curve: Nurbs, axis: int | mpq, value: mpq) -> Places[Feature]:
-    """The parameters at which a coordinate crosses a value, also by a jump (``level crossing``), or reaches the value
-    without crossing it (``level touch``); and the pieces on which the coordinate has this value.
-
-    Raises `ShapeError` for a coordinate that the curve does not have.
-    """
-    solved, kinds = value_zeros(curve, axis, value), (FeatureKind.TOUCH, FeatureKind.CROSSING)
-    found = (Feature(kinds[root.sign_change], root, f"coordinate {axis}", jump) for root, jump in located(solved))
-    return Places(tuple(found), tuple(CurvePiece(each.parts) for each in solved.intervals))
-
-
-def turning_points(curve: Nurbs, axis: int | str) -> Places[Feature]:
-    """The parameters at which a coordinate changes from increasing to decreasing (``maximum``) or back (``minimum``);
-    and the pieces on which the coordinate is constant.
-
-    Raises `ShapeError` for a coordinate that the curve does not have.
-    """
-    features = []
-    solved = slope_zeros(curve, axis)
-    for root, by_jump in located(solved):
-        left, right = root.signs
-        if left and right and left != right:
-            kind = FeatureKind.MAXIMUM if left > 0 else FeatureKind.MINIMUM
-            features.append(Feature(kind, root, f"coordinate {axis}", by_jump))
-    return Places(tuple(features), tuple(CurvePiece(each.parts) for each in solved.intervals))
 
 
 def coordinate_range(curve: Nurbs, axis: int) -> tuple[Real, Real]:
