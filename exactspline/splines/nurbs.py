@@ -4,6 +4,7 @@ formulas use.
 
 from __future__ import annotations
 
+from bisect import bisect_left, bisect_right
 from collections.abc import Callable, Iterable, Sequence
 from functools import partial
 from itertools import pairwise
@@ -499,7 +500,19 @@ class Nurbs(Immutable, Curve[BSpline], FunctionsOutside):
 
         Raises `DomainError` unless a < b are in the domain.
         """
-        return changed(self, lambda f: f.restrict(a, b))
+        return changed(self._around(rational(a), rational(b)), lambda f: f.restrict(a, b))
+
+    def _around(self, a: mpq, b: mpq) -> Nurbs:
+        """The curve, or of a curve whose splines are not computed yet the segments that meet [a, b], if they are few."""
+        t, n, points, weights = self.knots.knots, self.degree, self.control_points, self.weights
+        first, last = bisect_right(t, a) - 1, bisect_left(t, b)
+        inside = a < b and n <= first < last <= len(points)
+        if "_splines" in vars(self) or not inside or 4 * (last - first + n) > len(points):
+            return self
+        own = weights[first - n : last]
+        if own.count(own[0]) == len(own) and not self.polynomial:
+            return self  # the constant weights of a part are kept
+        return self._unchanged(self.name, n, KnotVector(t[first - n : last + n + 1]), points[first - n : last], own)
 
     def reverse(self) -> Nurbs:
         """Return the reversed curve, over the same domain.

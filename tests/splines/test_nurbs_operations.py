@@ -94,6 +94,24 @@ def test_a_matrix_of_another_shape_is_refused(matrix):
     assert caught.value.where == "matrix"
 
 
+@pytest.mark.parametrize("weights", [None, "one", "many"])
+@pytest.mark.parametrize("ends", [0, 3], ids=["unclamped", "clamped"])
+def test_a_short_part_of_a_long_curve_is_the_part_of_its_splines(weights, ends):
+    """The splines of the whole are not computed for it."""
+    inner = sorted([*range(30), 7, 7, 11, 11, 11, 15])
+    knots = [*[0] * ends, *inner, *[29] * ends]
+    points = [(k, k * k % 7) for k in range(len(knots) - 4)]
+    given = weights and [1 + (k == 20 if weights == "one" else k % 3) for k in range(len(points))]
+    for a, b in ((5, 6), ("16/3", "15/2"), (7, 9), (10, 11), (11, "23/2"), (15, 17)):
+        curve, whole = (xs.Nurbs(3, knots, points, given) for _ in range(2))
+        assert len(whole.p) == 2
+        part, same = curve.restrict(a, b), whole.restrict(a, b)
+        assert "_splines" not in vars(curve) or (weights == "one")
+        assert (part.knots, part.control_points, part.weights) == (same.knots, same.control_points, same.weights)
+    with pytest.raises(DomainError, match=r"part of the domain \[.*, 2.\]"):
+        xs.Nurbs(3, knots, points, given).restrict(7, 7)
+
+
 def test_what_cannot_be_done_is_refused():
     with pytest.raises(DomainError):
         ARC.insert_knot(0)

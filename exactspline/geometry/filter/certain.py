@@ -207,8 +207,8 @@ class Certain:
 
     @property
     def only_extrema(self) -> bool:
-        """Whether all critical points are known to be extrema."""
-        return not any(isinstance(zero, Feature) for zero in self.zeros[CRITICAL])
+        """Whether all critical points are extrema; those that are decided in doubles are."""
+        return not any(isinstance(zero, Feature) and zero.kind not in KINDS for zero in self.zeros[CRITICAL])
 
     def _places(self, output: int) -> Places[Feature]:
         return Places.late(len(self.zeros[output]), partial(self._features, output), self.straight)
@@ -279,6 +279,7 @@ def certain(facts: Facts) -> Certain | None:
     if again:
         # all segments once more: results for different segments are compared, so that they must have the same unit
         nearer = [_moved(*row, rational=rational) if i in again else row for i, row in enumerate(rows)]
+        del found
         found = signs(program, nearer, rational=rational)
         if found is None:
             return None
