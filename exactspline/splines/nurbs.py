@@ -503,7 +503,7 @@ class Nurbs(Immutable, Curve[BSpline], FunctionsOutside):
         return changed(self._around(rational(a), rational(b)), lambda f: f.restrict(a, b))
 
     def _around(self, a: mpq, b: mpq) -> Nurbs:
-        """The curve, or of a curve whose splines are not computed yet the segments that meet [a, b], if they are few."""
+        """The curve; while its splines are not computed only the segments that meet [a, b], if they are few."""
         t, n, points, weights = self.knots.knots, self.degree, self.control_points, self.weights
         first, last = bisect_right(t, a) - 1, bisect_left(t, b)
         inside = a < b and n <= first < last <= len(points)

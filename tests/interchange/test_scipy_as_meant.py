@@ -12,11 +12,11 @@ from exactspline.errors import ShapeError
 from exactspline.interchange import read_scipy
 
 si = pytest.importorskip("scipy.interpolate")
-COUNT, PERIODIC, STEPS = 60, 40, 50
+COUNT, PERIODIC, STEPS = 30, 20, 50
 
 
 def curves():
-    """60 cubic splines through random points of the plane, 40 of them periodic."""
+    """30 cubic splines through random points of the plane, 20 of them periodic."""
     chance = np.random.default_rng(29)
     for k in range(COUNT):
         n = int(chance.integers(5, 24))
@@ -43,8 +43,8 @@ def missed(curve):
     return sum(not np.any(np.abs(found - ts[i + 1]) <= step) for i in turns), len(turns), len(found)
 
 
-def test_sixty_cubic_splines():
-    """323 of 323 joints were gaps, and 38 of 40 periodic ones not closed, before."""
+def test_thirty_cubic_splines():
+    """Before, every joint was a gap, and most periodic curves were not closed."""
     moved, shown, at_knots = Counter(), 0, 0
     for k, theirs in enumerate(curves()):
         curve, (note,) = read_scipy(theirs)
@@ -65,8 +65,8 @@ def test_sixty_cubic_splines():
         size = np.abs(theirs.c).max()
         assert np.allclose(curve.floats(places), literal.floats(places), rtol=0, atol=1e-13 * size)
     assert max(moved) <= 4
-    assert shown > 500
-    assert at_knots > 100
+    assert shown > 250
+    assert at_knots > 40
 
 
 @pytest.mark.parametrize("kind", [si.Akima1DInterpolator, si.PchipInterpolator])

@@ -146,7 +146,7 @@ SANITIZED = ("-fsanitize=address,undefined", "-fno-sanitize-recover=undefined", 
 
 @pytest.mark.skipif(sys.platform != "linux", reason="the sanitizer is loaded before Python as on Linux")
 @in_a_checkout
-@pytest.mark.parametrize("campaign_of", ["filter 400", "certain_pairs 660"])
+@pytest.mark.parametrize("campaign_of", ["filter 150", "certain_pairs 300"])
 def test_no_memory_but_its_own_is_touched(tmp_path, campaign_of, builder):
     library = tmp_path / "filter.lib"
     if not builder.compiled(library, *SANITIZED):
