@@ -12,7 +12,6 @@ from typing import Any, NamedTuple, Protocol
 from flint import arb, arb_poly, ctx, fmpq_poly, fmpz_poly
 
 from exactspline.numbers.exact import mpq, to_fmpq, to_fmpz
-from exactspline.numbers.intervals import Interval
 from exactspline.polynomials.bernstein import ONE, quotient_slope, value
 from exactspline.polynomials.bezout import PlaneForms
 from exactspline.polynomials.elimination import linear, quotient_at, resultant
@@ -76,10 +75,8 @@ class Image:
 
     place: Place
     by: Mapping
-    #: An interval that contains the parameter, if one is known.
-    known: Interval | None = None
-    #: Balls around the parameter, if there are any.
-    shrunk: Any = None
+    #: The parameter as it is known in doubles, if it is.
+    local: Any = None
 
     @property
     def map(self) -> RationalMap:

@@ -7,8 +7,8 @@ from __future__ import annotations
 from array import array
 from collections.abc import Callable, Sequence
 from ctypes import c_double
+from fractions import Fraction
 from sys import float_info
-from typing import NamedTuple
 
 from exactspline.programs.accelerator import loaded, surrounds
 
@@ -17,6 +17,8 @@ Segment = tuple[int, Sequence[Sequence[int]]]
 #: As in filter.c: the highest degree of a segment, the numbers of a common point, and the room for all those of a pair.
 HIGHEST, OF_POINT = 5, 6
 OF_PAIR = c_double * (OF_POINT * HIGHEST**2)
+#: The numbers of two parameters.
+OF_PARAMETERS = c_double * 6
 #: A box without ends.
 EVERYWHERE = (-float_info.max, float_info.max) * 2
 #: A segment about which nothing is certain.
@@ -26,23 +28,15 @@ ARCH: Segment = (2, [(0, 2, 2), (0, 8, 0), (1, 2, 1)])
 LINE: Segment = (1, [(0, 6), (3, 3), (2, 2)])
 
 
-class PairPoint(NamedTuple):
-    """A transversal common point of two segments, inside both: an interval of the parameter of the segment of higher
-    degree (of the second segment for equal degrees) in which Bézout's determinant has no other zero, the sign before
-    it, its number among all zeros of the determinant, and an interval of the parameter of the other segment.
-    """
-
-    low: float
-    high: float
-    before: float
-    number: float
-    other_low: float
-    other_high: float
+#: A transversal common point of two segments, inside both: the ends of intervals of its parameters; the sign before the
+#: zero of Bézout's determinant, and its number among all zeros. The zero, the only one in its interval, belongs to the
+#: segment of higher degree (the second one for equal degrees).
+PairPoint = Sequence[float]
 
 
 def points_of(numbers: Sequence[float]) -> list[PairPoint]:
     """The common points with these numbers."""
-    return [PairPoint(*numbers[k : k + OF_POINT]) for k in range(0, len(numbers), OF_POINT)]
+    return [numbers[k : k + OF_POINT] for k in range(0, len(numbers), OF_POINT)]
 
 
 def certain_pair(first: bytes, i: int, second: bytes | None, j: int) -> Sequence[float] | None:
@@ -53,31 +47,61 @@ def certain_pair(first: bytes, i: int, second: bytes | None, j: int) -> Sequence
     >>> found is None or len(points_of(found)) == 2
     True
     """
-    return None if filter_pair is None else _decided(filter_pair, first, i, second, j)
-
-
-def _decided(
-    function: Callable[..., int], first: bytes, i: int, second: bytes | None, j: int
-) -> Sequence[float] | None:
-    """The result of the extension."""
     found = OF_PAIR()
-    count = function(first, i, second, j, found)
+    count = -1 if filter_pair is None else filter_pair(first, i, second, j, found)
     return None if count < 0 else found[: OF_POINT * count]
+
+
+def closer(first: bytes, i: int, second: bytes, j: int, box: Sequence[float]) -> Sequence[float]:
+    """The parameters of the common point of two segments of two precise tables in a box, the ends of the intervals of
+    both parameters: for each parameter a double near it, the difference from it, and a bound of the error of the
+    difference; nothing if it is not certain.
+    """
+    near = OF_PARAMETERS(*box)
+    return near[:] if filter_closer is not None and filter_closer(first, i, second, j, near) else ()
 
 
 def _meets(function: Callable[..., int]) -> bool:
     """Whether the parabola x = 2t, y = 8t(1 − t) and the line x = 3s, y = 3/2 meet at t = 1/4 and 3/4."""
-    found = points_of(_decided(function, table_of([ARCH]), 0, table_of([LINE]), 0) or [])
-    known = [((-1, 0), 1 / 4, 1 / 6), ((1, 1), 3 / 4, 1 / 2)]
-    return len(found) == 2 and all(
-        point[2:4] == signs and surrounds(*point[:2], t) and surrounds(*point[4:], s)
-        for point, (signs, t, s) in zip(found, known, strict=True)
+    found = OF_PAIR()
+    return function(table_of([ARCH]), 0, table_of([LINE]), 0, found) == 2 and all(
+        surrounds(point[0], point[1], t) and surrounds(point[2], point[3], s) and point[4:] == signs
+        for point, t, s, signs in zip(
+            points_of(found[:12]), (1 / 4, 3 / 4), (1 / 6, 1 / 2), ([-1, 0], [1, 1]), strict=True
+        )
+    )
+
+
+def _closes(function: Callable[..., int]) -> bool:
+    """Whether the common point of the line and the parabola at s = 1/6 and t = 1/4 is found to twice the precision."""
+    table, near = (
+        precise_table_of([LINE, ARCH]),
+        OF_PARAMETERS(1 / 6 - 2**-40, 1 / 6 + 2**-39, 1 / 4 - 2**-40, 1 / 4 + 2**-39),
+    )
+    return function(table, 0, table, 1, near) == 1 and all(
+        abs(Fraction(near[k]) + Fraction(near[k + 1]) - Fraction(1, below)) <= near[k + 2] < 2**-80
+        for k, below in ((0, 6), (3, 4))
     )
 
 
 def table_of(segments: Sequence[Segment]) -> bytes:
     """The numbers of segments for C."""
     return array("d", [x for segment in segments for x in segment_in_doubles(*segment)]).tobytes()
+
+
+def precise_table_of(segments: Sequence[Segment]) -> bytes:
+    """The numbers of segments for C to twice the precision: the degree, and each coefficient as a double near it and
+    the difference from it; zeros if a coefficient is too large.
+    """
+    numbers: list[int] = []
+    try:
+        for n, forms in segments:
+            numbers.append(n)
+            for form in forms:
+                numbers += [x for c in (*form, *[0] * (HIGHEST - n)) for x in (c, c - int(float(c)))]
+        return array("d", numbers).tobytes()
+    except OverflowError:
+        return bytes(8 * len(segments) * (1 + 6 * (HIGHEST + 1)))
 
 
 def segment_in_doubles(n: int, forms: Sequence[Sequence[int]]) -> Sequence[float]:
@@ -102,5 +126,5 @@ def segment_in_doubles(n: int, forms: Sequence[Sequence[int]]) -> Sequence[float
         return OPEN
 
 
-#: The function of the extension; None without the extension.
-filter_pair = loaded("filter_pair", _meets)
+#: The functions of the extension; None without the extension.
+filter_pair, filter_closer = loaded("filter_pair", _meets), loaded("filter_closer", _closes)

@@ -394,8 +394,8 @@ int filter_curve(const Program *program, double *data, int segments, double *fou
 /* ---- two curves */
 
 /* The highest degree of a segment; the numbers of one: its degree, a box around it, a point near it, and the coefficients
-   of x, y and w measured from this point. */
-enum { HIGHEST = 5, SIDE = HIGHEST + 1, BOX = 1, MIDDLE = 5, ROWS = 7, OF_SEGMENT = ROWS + 3 * SIDE };
+   of x, y and w measured from this point; and those of a common point. */
+enum { HIGHEST = 5, SIDE = HIGHEST + 1, BOX = 1, MIDDLE = 5, ROWS = 7, OF_SEGMENT = ROWS + 3 * SIDE, OF_POINT = 6 };
 /* The sets of columns of a matrix, and the coefficients of its determinant. */
 enum { COLUMNS = 1 << HIGHEST, LONG = HIGHEST * HIGHEST + 1 };
 
@@ -684,8 +684,9 @@ static void turned_round(Points *p) {
 
 /* The common points of two segments, as in `filter_pair`: how many there are, or -1 where a parameter of the first is not
    certain, which may help to reverse it, -2 where something else is not. What is found is that of the first as it was
-   before it was `reversed`. Of a segment and `itself` the first parameter is the smaller. */
-static int met(const Points *p, const Points *q, Room *own, int reversed, int itself, double *point) {
+   before it was `reversed`, and of segments as they were before they were `exchanged`. Of a segment and `itself` the first
+   parameter is the smaller. */
+static int met(const Points *p, const Points *q, Room *own, int reversed, int exchanged, int itself, double *point) {
     Form vanishing, top, bottom, copy;
     Zero zeros[MOST];
     if (itself && p->degree < 2)
@@ -705,13 +706,13 @@ static int met(const Points *p, const Points *q, Room *own, int reversed, int it
             return -1;
         if (place < 0)
             continue;
-        count++;
-        *point++ = zeros[i].low;
-        *point++ = zeros[i].high;
-        *point++ = reversed && p->degree % 2 ? -zeros[i].before : zeros[i].before;
-        *point++ = i;
-        *point++ = reversed ? fmax(0, 1 - bounds[1] - ROUNDING) : bounds[0];
-        *point++ = reversed ? fmin(1, 1 - bounds[0] + ROUNDING) : bounds[1];
+        double *here = point + OF_POINT * count++, *own_part = here + (exchanged ? 0 : 2), *other = here + (exchanged ? 2 : 0);
+        own_part[0] = zeros[i].low;
+        own_part[1] = zeros[i].high;
+        other[0] = reversed ? fmax(0, 1 - bounds[1] - ROUNDING) : bounds[0];
+        other[1] = reversed ? fmin(1, 1 - bounds[0] + ROUNDING) : bounds[1];
+        here[4] = reversed && p->degree % 2 ? -zeros[i].before : zeros[i].before;
+        here[5] = i;
     }
     return inside < 0 ? -2 : count;
 }
@@ -722,9 +723,9 @@ static int met(const Points *p, const Points *q, Room *own, int reversed, int it
    first, second: `OF_SEGMENT` numbers for each segment: the degree (others than 1 to `HIGHEST` are left open), the ends of
    a box in x and in y, a point near the segment, and the coefficients of x, y and w in the scaled basis measured from this
    point, each rounded once.
-   found: for every common point, of which there are at most `HIGHEST`², the ends of an interval of the parameter of the
-   segment of higher degree (of the second, where they are alike), the sign of the determinant before it, its number among
-   all zeros of the determinant, and the ends of an interval of the other parameter.
+   found: for every common point, of which there are at most `HIGHEST`², the ends of intervals of both parameters; that of
+   the segment of higher degree (of the second, where they are alike) is a zero of the determinant: the sign before it, and
+   its number among all zeros.
 
    Returns the number of common points, -1 where something is not certain. */
 int filter_pair(const double *first, int i, const double *second, int j, double *found) {
@@ -735,11 +736,170 @@ int filter_pair(const double *first, int i, const double *second, int j, double 
         return 0;
     Room *own = malloc(sizeof *own);
     if (own && brought_together(exchanged ? other : one, exchanged ? one : other, &p, &q))
-        known = met(&p, &q, own, 0, !second && i == j, found);
+        known = met(&p, &q, own, 0, exchanged, !second && i == j, found);
     if (known == -1) {
         turned_round(&p);
-        known = met(&p, &q, own, 1, 0, found);
+        known = met(&p, &q, own, 1, exchanged, 0, found);
     }
     free(own);
     return known < 0 ? -1 : known;
+}
+
+/* ---- the parameters of a common point to twice the precision */
+
+/* A number as a sum of two doubles, the second of which is at most half a unit in the last place of the first. */
+typedef struct {
+    double high, low;
+} Twice;
+
+/* The coefficients of the coordinates x, y, w of a segment. */
+typedef struct {
+    int degree;
+    Twice value[3][SIDE];
+} Precise;
+
+/* The numbers of a segment for `filter_closer`; how often a step of Newton's method is taken. */
+enum { OF_PRECISE = 1 + 2 * 3 * SIDE, CLOSER = 6 };
+/* Bounds of the roundings of an equation, of those of its derivatives and of their inverse, and of second derivatives; the
+   length of a step after which no other is needed. */
+static const double OF_EQUATION = 0x1p-96, OF_DERIVATIVES = 0x1p-41, CURVED = 768, CLOSE = 0x1p-50;
+
+/* Whether operations are rounded to nearest: then the remainders of sums and products are doubles. */
+static int to_nearest(void) {
+    volatile double one = 1, half = 0x1p-53, more = 0x1.8p-53;
+    return one + half == one && one + more > one;
+}
+
+/* The exact sum and the exact product of two doubles (Knuth, Dekker). */
+static Twice sum_of(double a, double b) {
+    double s = a + b, c = s - a;
+    return (Twice){s, (a - (s - c)) + (b - c)};
+}
+
+static Twice product_of(double a, double b) {
+    static const double PARTS = 0x1p27 + 1;
+    double p = a * b, c = PARTS * a, d = PARTS * b, x = c - (c - a), y = d - (d - b);
+    return (Twice){p, ((x * y - p) + x * (b - y) + (a - x) * y) + (a - x) * (b - y)};
+}
+
+/* With errors of at most 2^-102 times the sizes of the operands, or of their product. */
+static Twice sum(Twice a, Twice b) {
+    Twice s = sum_of(a.high, b.high);
+    return sum_of(s.high, s.low + (a.low + b.low));
+}
+
+static Twice product(Twice a, Twice b) {
+    Twice p = product_of(a.high, b.high);
+    return sum_of(p.high, p.low + (a.high * b.low + a.low * b.high));
+}
+
+/* A coordinate at a parameter, and its derivative in doubles. */
+static Twice coordinate(const Precise *p, int c, double t, double *slope) {
+    Twice u = sum_of(1, -t), v = {t, 0}, power = v, value = p->value[c][0];
+    double raised = 1;
+    *slope = 0;
+    for (int i = 1; i <= p->degree; i++) {
+        Twice next = p->value[c][i];
+        *slope = *slope * u.high - value.high + next.high * raised;
+        value = sum(product(value, u), product(next, power));
+        raised = raised * t + power.high;
+        power = product(power, v);
+    }
+    return value;
+}
+
+/* The values of x₂w₁ − x₁w₂ and y₂w₁ − y₁w₂ at two parameters, and their derivatives. */
+static void equations(const Precise *p, const double *at, double *value, double (*by)[2]) {
+    Twice own[2][3];
+    double slope[2][3];
+    for (int k = 0; k < 2; k++)
+        for (int c = 0; c < 3; c++)
+            own[k][c] = coordinate(p + k, c, at[k], &slope[k][c]);
+    Twice w = own[0][2], minus = {-own[1][2].high, -own[1][2].low};
+    for (int c = 0; c < 2; c++) {
+        value[c] = sum(product(own[1][c], w), product(own[0][c], minus)).high;
+        by[c][0] = own[1][c].high * slope[0][2] + slope[0][c] * minus.high;
+        by[c][1] = slope[1][c] * w.high - own[0][c].high * slope[1][2];
+    }
+}
+
+/* The largest size of a coefficient of a coordinate. */
+static double size_of(const double *segment, int c) {
+    double size = 0;
+    for (int i = 0; i < 2 * SIDE; i++)
+        size = fmax(size, fabs(segment[1 + 2 * c * SIDE + i]));
+    return size;
+}
+
+/* Both segments with no coefficient larger than 1, by powers of two that do not change the common points: 0 where they are
+   too large or too small for that. */
+static int made_alike(const double *const given[2], Precise *to) {
+    static const double BIG = 0x1p300;
+    double unit[2], far = 0;
+    int e;
+    for (int k = 0; k < 2; k++) {
+        for (int i = 0; i < OF_PRECISE; i++)
+            if (!(fabs(given[k][i]) < BIG))
+                return 0;
+        double weight = size_of(given[k], 2);
+        if (given[k][0] < 1 || given[k][0] > HIGHEST || weight < 1)
+            return 0;
+        frexp(weight, &e);
+        unit[k] = ldexp(1, -e);
+        far = fmax(far, fmax(size_of(given[k], 0), size_of(given[k], 1)) * unit[k]);
+    }
+    if (far < 1 / BIG)
+        return 0;
+    frexp(far, &e);
+    for (int k = 0; k < 2; k++) {
+        to[k].degree = (int)given[k][0];
+        for (int c = 0; c < 3; c++)
+            for (int i = 0; i <= to[k].degree; i++) {
+                const double *number = given[k] + 1 + 2 * (c * SIDE + i);
+                double scale = c < 2 ? ldexp(unit[k], -e) : unit[k];
+                to[k].value[c][i] = (Twice){number[0] * scale, number[1] * scale};
+            }
+    }
+    return 1;
+}
+
+/* The parameters of a common point of a segment of the first table and one of the second.
+
+   first, second: `OF_PRECISE` numbers for each segment: the degree, and the coefficients of x, y and w in the scaled basis,
+   integers, each as a double near it and the difference from it, rounded once.
+   box: the ends of the intervals of both parameters, in which there is one common point. They are replaced: for each
+   parameter a double near it, the difference from it, and a bound of the error of the difference.
+
+   Returns 1 if it is proved again that there is a common point in the box, and where it is; 0 otherwise. */
+int filter_closer(const double *first, int i, const double *second, int j, double *box) {
+    const double *given[2] = {first + i * OF_PRECISE, second + j * OF_PRECISE};
+    double at[2] = {(box[0] + box[1]) / 2, (box[2] + box[3]) / 2}, value[2], by[2][2], move[2], norm, all;
+    Precise p[2];
+    if (!to_nearest() || !made_alike(given, p))
+        return 0;
+    for (int step = 1;; step++) {
+        equations(p, at, value, by);
+        double det = by[0][0] * by[1][1] - by[0][1] * by[1][0];
+        double inverse[2][2] = {{by[1][1] / det, -by[0][1] / det}, {-by[1][0] / det, by[0][0] / det}};
+        norm = all = 0;
+        for (int k = 0; k < 2; k++) {
+            double one = inverse[k][0] * value[0], other = inverse[k][1] * value[1];
+            move[k] = -(one + other);
+            all = fmax(all, fabs(one) + fabs(other));
+            norm = fmax(norm, fabs(inverse[k][0]) + fabs(inverse[k][1]));
+        }
+        if (step == CLOSER || fmax(fabs(move[0]), fabs(move[1])) < CLOSE)
+            break;
+        for (int k = 0; k < 2; k++)
+            at[k] = fmax(box[2 * k], fmin(box[2 * k + 1], at[k] + move[k]));
+    }
+    double contraction = norm * (CURVED * 4 * (all + norm * OF_EQUATION) + OF_DERIVATIVES);
+    double error = 2 * SLACK * (contraction * all + norm * OF_EQUATION + 4 * ROUNDING * all);
+    int inside = contraction < 0.25;
+    for (int k = 0; k < 2; k++)
+        inside &= fmin((at[k] - box[2 * k]) + move[k], (box[2 * k + 1] - at[k]) - move[k]) > 2 * error + CLOSE * CLOSE;
+    double near[6] = {at[0], move[0], error, at[1], move[1], error};
+    if (inside)
+        memcpy(box, near, sizeof near);
+    return inside;
 }

@@ -3,10 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
-from functools import lru_cache, partial
-from itertools import islice
+from functools import lru_cache
 from math import inf
-from typing import Any, NamedTuple, Protocol, cast
+from typing import Any, Protocol, cast
 
 from flint import arb, ctx, fmpz_poly
 
@@ -23,7 +22,7 @@ from exactspline.reals.real import UNASKED, RationalNumber, Real, zero_of
 
 #: The precision of the balls around a zero.
 PRECISION = 128
-#: More bits than an interval certified in doubles has, so that a part of it has other ends.
+#: More bits than an interval certified in doubles has, so that a part of it has other ends, or is a small ball.
 INSIDE = 72
 
 
@@ -46,40 +45,28 @@ def _in_balls(side: Interval) -> tuple[arb, arb]:
         return arb(to_fmpq(side.low)), arb(to_fmpq(side.width))
 
 
-class Shrinking:
-    """Shrinking balls around the only zero of a system of equations in intervals of doubles, with as many equations as
-    local parameters t; the balls are those of ``z = t/(1 − t)``. From a box X with the midpoint m a step of the
-    interval Newton method makes a box ``N = m − J(X)⁻¹ F(m)``, which contains every zero in X. If N is inside X, there
-    is exactly one zero, so that the first step proves again what was decided in doubles.
+class InDoubles:
+    """A local parameter t of a segment in an interval of doubles: the only common point, or the only zero, there."""
 
-    Source: Neumaier, Interval Methods for Systems of Equations, 1990.
-    """
+    def __init__(self, interval: Sequence[float], near: Sequence[float] = ()) -> None:
+        #: A double near the parameter, the difference from it, and a bound of the error of the difference, if these are
+        #: known.
+        self.interval, self.near = interval, near
 
-    def __init__(self, intervals: Sequence[tuple[float, float]], closer: Callable[[list[arb]], list[arb]]) -> None:
-        self.intervals, self.closer = intervals, closer
-        self._found: list[arb] | None = None
+    @property
+    def low(self) -> mpq:
+        """The lower end of the interval, as for a `LocalZero`."""
+        return mpq(self.interval[0])
 
-    def balls(self, k: int) -> Iterator[arb]:
-        """The balls of one of the parameters at FLINT's current precision; none if the first step proves nothing."""
-        if self._found is None:
-            around = [1 / (1 - arb(low).union(arb(high))) - 1 for low, high in self.intervals]
-            found = self.closer(around)
-            if not all(map(arb.contains_interior, around, found)):
-                return
-            self._found = found
-        while True:
-            yield self._found[k]
-            found = self.closer(self._found)
-            if not all(2 * y.rad() < x.rad() for x, y in zip(self._found, found, strict=True)):
-                return
-            self._found = found
+    @property
+    def high(self) -> mpq:
+        """The upper end of the interval, as for a `LocalZero`."""
+        return mpq(self.interval[1])
 
-
-class Shrunk(NamedTuple):
-    """One of the parameters of a zero, by shrinking balls."""
-
-    shrinking: Shrinking
-    k: int
+    def balls(self) -> Iterator[arb]:
+        """Ever smaller balls around the parameter, at FLINT's current precision."""
+        low, high = map(arb, self.interval)
+        yield arb(self.near[0]) + arb(*self.near[1:]) if self.near else low.union(high)
 
     def double(self, side: Interval, rounding: str) -> float | None:
         """The parameter on a segment over an interval as a double; None if balls do not decide it, and for rounding
@@ -87,34 +74,25 @@ class Shrunk(NamedTuple):
         """
         with ctx.workprec(PRECISION):
             start, width = _in_balls(side)
-            for z in self.shrinking.balls(self.k) if rounding == Rounding.NEAREST else ():
-                t = start + width * (z / (1 + z))
+            for local in self.balls() if rounding == Rounding.NEAREST else ():
+                t = start + width * local
                 low, high = float(t.lower()), float(t.upper())
                 if low == high and 0 < abs(low) < inf:
                     return low
         return None
 
-    def near(self, bits: int) -> Interval | None:
-        """A part of the interval of the local parameter, at most ``2^−bits`` wide, with the zero strictly inside; None
-        if balls do not decide it.
+    def part(self, bits: int) -> Interval | None:
+        """A part of the interval, at most ``2^−bits`` wide, with the parameter strictly inside; None if balls do not
+        decide it.
         """
-        given = Interval(*map(mpq, self.shrinking.intervals[self.k]))
         with ctx.workprec(PRECISION):
-            for z in self.shrinking.balls(self.k):
-                t: arb = z / (1 + z)
+            for t in self.balls():
                 if t.rad() < arb((1, -bits - 2)):
-                    return ball_ends(t).grown(mpq(1, 1 << (bits + 2))).inside(given)
+                    return ball_ends(t).grown(mpq(1, 1 << (bits + 2))).inside(Interval(self.low, self.high))
         return None
 
 
-def _closer(lazy: _LazyForm, before: int, box: list[arb]) -> list[arb]:
-    """A Newton step for a ball in which a form changes from the sign `before` its zero."""
-    (ball,), form = box, lazy.form
-    middle, rise = ball.mid(), form.slope(ball)
-    return [middle - form.polynomial(middle) / rise if before * rise < 0 else arb.nan()]
-
-
-class LazyRoot:
+class LazyRoot(InDoubles):
     """A simple zero inside a segment, the only one in an interval of doubles, with the attributes of a `LocalZero`,
     which are computed when first needed. `number` is its number among the zeros of the form.
     """
@@ -122,21 +100,37 @@ class LazyRoot:
     multiplicity = 1
 
     def __init__(
-        self, form: _LazyForm, number: int, before: int, interval: tuple[float, float], shrunk: Shrunk | None = None
+        self, form: _LazyForm, number: int, before: int, interval: Sequence[float], near: Sequence[float] = ()
     ) -> None:
+        super().__init__(interval, near)
         self.form, self.number, self.before, self.signs = form, number, before, (before, -before)
-        self._interval, self._shrunk = interval, shrunk
+        #: The smallest ball that is known.
+        self._found: arb | None = None
 
-    @cached_property
-    def shrunk(self) -> Shrunk:
-        """Balls around the zero; by default the equation is that the form is zero."""
-        return self._shrunk or Shrunk(Shrinking([self._interval], partial(_closer, self.form, self.before)), 0)
+    def balls(self) -> Iterator[arb]:
+        """Ever smaller balls around the zero. From a ball X around ``z = t/(1 − t)`` with the midpoint m a step of the
+        interval Newton method makes the ball ``N = m − f(m)/f′(X)``, which contains every zero in X. If N is inside X,
+        there is exactly one zero, so that the first step proves again what was decided in doubles.
+
+        Source: Neumaier, Interval Methods for Systems of Equations, 1990.
+        """
+        (t,) = super().balls()
+        z = 1 / (1 - t) - 1 if self._found is None else self._found
+        yield z / (1 + z)
+        while z.contains_interior(found := self._closer(z)) and 2 * found.rad() < z.rad():
+            self._found = z = found
+            yield z / (1 + z)
+
+    def _closer(self, ball: arb) -> arb:
+        middle, form = ball.mid(), self.form.form
+        rise = form.slope(ball)
+        return middle - form.polynomial(middle) / rise if self.before * rise < 0 else arb.nan()
 
     @cached_property
     def ball(self) -> arb | None:
         """A small ball around ``z = t/(1 − t)`` for its local parameter t; None where balls do not shrink."""
         with ctx.workprec(PRECISION):
-            return next(islice(self.shrunk.shrinking.balls(self.shrunk.k), 1, None), None)
+            return next((t / (1 - t) for t in self.balls() if t.rad() < arb((1, -INSIDE))), None)
 
     @cached_property
     def exactly(self) -> LocalZero:
@@ -157,16 +151,6 @@ class LazyRoot:
         form = self.form.form
         whole = form.polynomial.degree() == 1 or form.without_rational_zero
         return (form, self.before) if whole else self.exactly.changing
-
-    @property
-    def low(self) -> mpq:
-        """The lower end of the interval, as for a `LocalZero`."""
-        return mpq(self._interval[0])
-
-    @property
-    def high(self) -> mpq:
-        """The upper end of the interval, as for a `LocalZero`."""
-        return mpq(self._interval[1])
 
     @property
     def factor(self) -> LocalPolynomial:
@@ -406,7 +390,7 @@ class Root(Real, Displayed):
         width = b - a
         bits = int(width * scale + 1).bit_length()
         lazy = self._zero if isinstance(self._zero, LazyRoot) and self._is_wide(scale) else None
-        if lazy and (near := lazy.shrunk.near(max(bits, INSIDE))):
+        if lazy and (near := lazy.part(max(bits, INSIDE))):
             self.narrow_to(a + width * near.low, a + width * near.high)
             if progress is not None:
                 progress(_digits(self.high - self.low, digits))
@@ -450,7 +434,7 @@ class Root(Real, Displayed):
         """Return the correctly rounded double; this is faster for a root that was isolated in doubles."""
         found = None
         if isinstance(self._zero, LazyRoot) and self.segment is not None:
-            found = self._zero.shrunk.double(self.segment, rounding)
+            found = self._zero.double(self.segment, rounding)
         return super().double(rounding) if found is None else found
 
     def __repr__(self) -> str:

@@ -133,17 +133,15 @@ class ImageValue(ValueAt):
 
     def double(self, rounding: str = Rounding.NEAREST) -> float:
         """The correctly rounded double, from balls around the common point, if there are any."""
-        found = self._image.shrunk and self._image.shrunk.double(self._sides[0], rounding)
+        found = self._image.local and self._image.local.double(self._sides[0], rounding)
         return super().double(rounding) if found is None else found
 
     def _enclosed(self, digits: int) -> Interval:
         """An enclosure by balls around the entries of the adjugate."""
         side, digits = self._sides[0], max(digits, 0)
         bits, limit = digits * 10 // 3 + GUARD, mpq(1, 10**digits)
-        if (known := self._image.known) is not None and (enclosure := side.part(known)).width <= limit:
-            return enclosure
-        if self._image.shrunk and (near := self._image.shrunk.near(int(side.width / limit + 1).bit_length())):
-            return side.part(near)
+        if self._image.local and (known := self._image.local.part(int(side.width / limit + 1).bit_length())):
+            return side.part(known)
         while True:
             with ctx.workprec(3 * bits):
                 z = self._image.z(bits)

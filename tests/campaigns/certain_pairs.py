@@ -3,7 +3,8 @@
 python -m tests.campaigns.certain_pairs COUNT SEED
 
 Of each family it tells how many pairs are decided. What is decided must have exactly the common points that Bézout's
-matrix has in integers, each inside its intervals, and the sign before it.
+matrix has in integers, each inside its intervals, and the sign before it. Where its parameters are known to twice the
+precision of doubles, they are those, and so are the doubles nearest to them.
 """
 
 import sys
@@ -17,7 +18,8 @@ from exactspline.numbers.exact import mpq
 from exactspline.numbers.intervals import Interval
 from exactspline.polynomials.plane_pairs import meetings
 from exactspline.polynomials.zero_places import sign_at
-from exactspline.programs.certain_pairs import certain_pair, points_of, table_of
+from exactspline.programs.certain_pairs import certain_pair, closer, points_of, precise_table_of, table_of
+from exactspline.roots.root import InDoubles
 from exactspline.roots.segment_forms import parameter, plane_forms, segment_rows
 from tests.campaigns import intersections as pairs
 
@@ -108,22 +110,26 @@ def differing(rows, decide=certain_pair):
     of_degree = 0 if form.exchanged else 1
     points = [[point.first, point.second] for point in true.points]
     numbers = [[parameter(local, UNIT, UNIT) for local in point] for point in points]
-    order = sorted(range(len(found)), key=lambda k: numbers[k][of_degree])
+    order, precise = sorted(range(len(found)), key=lambda k: numbers[k][of_degree]), precise_table_of(given)
     for one, k in zip(found, order, strict=True):
         if true.points[k].multiplicity != 1:
             return 0, f"{one} is not simple"
-        for real, (low, high) in zip(
-            (numbers[k][of_degree], numbers[k][1 - of_degree]), (one[:2], one[4:]), strict=True
-        ):
+        near = closer(precise, 0, precise, 1, one[:4])
+        for real, (low, high), own in zip(numbers[k], (one[:2], one[2:4]), (near[:3], near[3:]), strict=True):
             a, b = real.enclosure(DIGITS)
             if not (low <= a and b <= high and 0 <= low <= high <= 1 and a > 0 and b < 1):
                 return 0, f"{real} is not in [{low!r}, {high!r}]"
-        if sign_at(form.form.polynomial, mpq(one.low)) != one.before:
+            if own and not abs((a + b) / 2 - mpq(own[0]) - mpq(own[1])) <= mpq(own[2]) + (b - a):
+                return 0, f"{real} is not {own}"
+            if (double := InDoubles((low, high), own).double(UNIT, "nearest")) not in (None, real.double()):
+                return 0, f"{double} is not the double nearest to {real}"
+        (low, high), (before, number) = one[2 * of_degree :][:2], one[4:]
+        if sign_at(form.form.polynomial, mpq(low)) != before:
             return 0, f"the sign before {one}"
-        if sign_at(form.form.polynomial, mpq(one.high)) != -one.before:
+        if sign_at(form.form.polynomial, mpq(high)) != -before:
             return 0, f"the sign behind {one}"
-        exact = form.inner[int(one.number)]
-        if not (exact.low < one.high and one.low < exact.high):
+        exact = form.inner[int(number)]
+        if not (exact.low < high and low < exact.high):
             return 0, f"{one} is another zero"
     return len(found), ""
 

@@ -6,6 +6,7 @@ import os
 import pickle
 import subprocess
 import sys
+from contextlib import nullcontext
 from fractions import Fraction
 from random import Random
 
@@ -16,18 +17,23 @@ from exactspline import Nurbs, intersections
 from exactspline.geometry.pairs import lazy_intersections as late_meetings
 from exactspline.numbers.intervals import UNIT
 from exactspline.polynomials.plane_pairs import self_meetings
+from exactspline.programs.certain_pairs import ARCH as PARABOLA
 from exactspline.programs.certain_pairs import (
     EVERYWHERE,
     HIGHEST,
+    LINE,
     OPEN,
     certain_pair,
+    closer,
     filter_pair,
     points_of,
+    precise_table_of,
     segment_in_doubles,
     table_of,
 )
 from exactspline.roots.segment_forms import parameter, plane_forms, segment_rows
 from tests.campaigns import certain_pairs as campaign
+from tests.support.paths import plain_python
 from tests.support.rounding import FLUSHED, MODES, rounding
 from tests.support.sampled import FULL
 
@@ -53,6 +59,53 @@ def test_answers_do_not_depend_on_the_rounding_of_the_processor(mode):
     made, decided, _, wrong = campaign.campaign(330, 11, decide)
     assert wrong == []
     assert decided["cubics"] == made["cubics"]
+
+
+@needs_extension
+@pytest.mark.parametrize("mode", [*MODES, *FLUSHED])
+def test_parameters_are_known_to_twice_the_precision_where_the_processor_rounds_to_nearest(mode):
+    """Nearly all of them; in the other modes exact arithmetic decides."""
+    chance, known, some = Random(6), 0, 0
+    for _ in range(100):
+        given = [segment_rows(campaign.pairs.curve(rows), 0) for rows in campaign.cubics(chance)]
+        table, precise = table_of(given), precise_table_of(given)
+        for point in points_of(certain_pair(table, 0, table, 1) or []):
+            with rounding(mode):
+                near = closer(precise, 0, precise, 1, point[:4])
+            known += len(near) == 6 and max(near[2], near[5]) < 2**-75
+            some += 1
+    assert known == (some if mode in ("nearest", *FLUSHED) else 0)
+    assert some > 50
+
+
+@needs_extension
+def test_a_box_without_a_common_point_has_none():
+    """Beside it, or where the curves only touch; and numbers that are too large or of too high degree."""
+    table = precise_table_of([LINE, PARABOLA, (1, [(0, 6), (4, 4), (2, 2)]), (1, [(10**200, 6), (3, 3), (2, 2)])])
+    box = (1 / 6 - 2**-30, 1 / 6 + 2**-30, 1 / 4 - 2**-30, 1 / 4 + 2**-30)
+    assert closer(table, 0, table, 1, box)
+    assert closer(table, 0, table, 1, [x + 2**-20 for x in box]) == ()
+    assert closer(table, 2, table, 1, (0.3, 0.4, 0.4, 0.6)) == ()
+    assert closer(table, 3, table, 1, box) == ()
+    assert closer(precise_table_of([(6, [(1,) * 7] * 3)]), 0, table, 1, box) == ()
+    assert precise_table_of([LINE, (1, [(10**400, 6), (3, 3), (2, 2)])]) == bytes(2 * 8 * 37)
+
+
+@pytest.mark.parametrize("places", [(0, 1), (mpq(1, 3), mpq(9, 7)), (-(10**20), 10**20 + 1)])
+def test_doubles_of_parameters_are_the_nearest(places):
+    """With and without the extension, on any domain."""
+    chance, found = Random(9), 0
+    knots = [places[0]] * 4 + [places[1]] * 4
+    for _ in range(40):
+        curves = [[[*row[:2]] for row in rows] for rows in campaign.cubics(chance)]
+        told = []
+        for decided in (nullcontext, plain_python):
+            with decided():
+                points = intersections(*(Nurbs(3, knots, points) for points in curves))
+                told.append([(float(point.first), float(point.second)) for point in points])
+        assert told[0] == told[1]
+        found += len(told[0])
+    assert found > 20
 
 
 @needs_extension
@@ -92,7 +145,7 @@ def test_a_segment_meets_itself_where_exact_arithmetic_says(degree, mode):
         numbers = sorted([parameter(local, *UNIT) for local in (p.second, p.first)] for p in true.points)
         assert len(numbers) == len(found)
         for (t, s), one in zip(numbers, found, strict=True):
-            low, high, first, last = map(mpq, (*one[:2], *one[4:]))
+            low, high, first, last = map(mpq, (*one[2:4], *one[:2]))
             assert first < s < last < low < t < high
     assert decided > 60
 

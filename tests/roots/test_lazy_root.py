@@ -62,17 +62,17 @@ def test_balls_find_what_isolation_finds(p):
         local = Root(own.low, own.high, (1, 1), own.signs, own, UNIT)
         late = LazyRoot(Given(p), number, own.signs[0], around(local.refine(4)))
         for bits in (10, 40, 100):
-            low, high = late.shrunk.near(bits)
+            low, high = late.part(bits)
             assert (high - low) * 2**bits <= 1
             assert side.at(low) <= exact <= side.at(high)
-        assert late.shrunk.double(side, "nearest") == exact.double()
+        assert late.double(side, "nearest") == exact.double()
         assert Root(None, None, (1, 1), late.signs, late, side).double() == exact.double()
 
 
 def test_an_interval_around_a_zero_is_a_part_of_the_one_given():
     """However few bits are asked for: it was grown on both sides, beyond the end that is next to the zero."""
     late = LazyRoot(Given(Z - 1), 0, -1, (0.5 - 2**-40, 0.75))
-    low, high = late.shrunk.near(10)
+    low, high = late.part(10)
     assert 0.5 - 2**-40 <= low < 0.5 < high < 0.5 + 2**-10
     low, high = Root(None, None, (1, 1), late.signs, late, UNIT).refine(3)
     assert late.low < low <= 0.5 <= high < late.high
@@ -82,8 +82,8 @@ def test_balls_say_nothing_of_a_promise_that_is_not_kept():
     """No zero in the interval, one from − to +, two of them."""
     for interval, before in (((0.0, 0.25), 1), ((0.25, 0.3), -1), ((0.2, 0.8), 1)):
         late = LazyRoot(Given(Z**2 - 3 * Z + 1), 0, before, interval)
-        assert (late.shrunk.double(UNIT, "nearest"), late.shrunk.near(20)) == (None, None)
-    assert LazyRoot(Given(Z**2 - 3 * Z + 1), 0, 1, (0.25, 0.3)).shrunk.double(UNIT, "nearest") == (5 - 5**0.5) / 10
+        assert (late.double(UNIT, "nearest"), late.part(20)) == (None, None)
+    assert LazyRoot(Given(Z**2 - 3 * Z + 1), 0, 1, (0.25, 0.3)).double(UNIT, "nearest") == (5 - 5**0.5) / 10
 
 
 @pytest.mark.parametrize("p", [3 * Z - 1, Z**2 - 3 * Z + 1, Z**3 - 2])

@@ -13,6 +13,7 @@ from exactspline.numbers.intervals import UNIT, Interval
 from exactspline.polynomials.common_arcs import Image, RationalMap
 from exactspline.polynomials.isolation import isolate
 from exactspline.polynomials.zero_places import Place, at
+from exactspline.roots.root import InDoubles
 from exactspline.roots.segment_forms import (
     image_of,
     image_splines,
@@ -41,7 +42,7 @@ def test_a_value_of_a_map_is_the_number_it_is(low, high, other):
         (RationalMap(2, fmpz_poly([1, 1]), fmpz_poly([0, 0, 3])), (8 + 3 * root) / 23),
     ):
         expected = side.low + side.width * local
-        for known in (None, Interval(mpq(0), mpq(1))):
+        for known in (None, InDoubles((0.0, 1.0))):
             found = parameter(Image(half(), carried, known), side, Interval(*map(mpq, other)))
             for digits in (0, 3, 25, 120):
                 a, b = found.enclosure(digits)
@@ -56,11 +57,12 @@ def test_a_value_of_a_map_is_the_number_it_is(low, high, other):
 def test_what_is_known_of_a_value_is_used_where_it_suffices():
     """An interval of the local parameter, on a side that is wider or narrower than 1."""
     carried = RationalMap(1, fmpz_poly([0, 2]), fmpz_poly([1]))
-    known = Interval(mpq(58, 100), mpq(59, 100))
+    given = InDoubles((0.585, 0.587))
+    known = Interval(given.low, given.high)
     narrow, wide = Interval(mpq(3), mpq(31, 10)), Interval(mpq(-10), mpq(0))
-    assert parameter(Image(half(), carried, known), narrow, UNIT.first).enclosure(3) == narrow.part(known)
+    assert parameter(Image(half(), carried, given), narrow, UNIT.first).enclosure(3) == narrow.part(known)
     for digits in (1, 2):
-        enclosure = parameter(Image(half(), carried, known), wide, UNIT.first).enclosure(digits)
+        enclosure = parameter(Image(half(), carried, given), wide, UNIT.first).enclosure(digits)
         assert enclosure.width <= mpq(1, 10**digits)
         assert (enclosure == wide.part(known)) == (digits == 1)
 

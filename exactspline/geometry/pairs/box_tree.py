@@ -8,7 +8,7 @@ from collections.abc import Iterator, Sequence
 
 from exactspline.geometry.curves.facts import kept_by
 from exactspline.numbers.once import cached_property
-from exactspline.programs.certain_pairs import table_of
+from exactspline.programs.certain_pairs import precise_table_of, table_of
 from exactspline.roots.segment_forms import SegmentForms, SegmentRows, forms_of, segment_rows
 from exactspline.splines.nurbs import Nurbs
 
@@ -39,6 +39,11 @@ class Segments:
     def table(self) -> bytes:
         """The numbers of the segments for the C extension."""
         return table_of(self.rows)
+
+    @cached_property
+    def precise(self) -> bytes:
+        """The numbers of the segments for the C extension to twice the precision."""
+        return precise_table_of(self.rows)
 
     @cached_property
     def size(self) -> int:

@@ -8,12 +8,13 @@ exactly.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from enum import StrEnum
-from functools import partial
-from itertools import starmap
+from functools import cache, partial
+from itertools import pairwise, starmap
 from math import comb
+from operator import itemgetter
 from typing import Any, NamedTuple
 
 from exactspline.bivariate.common_zeros import common_zeros, multiplicity
@@ -40,7 +41,7 @@ from exactspline.polynomials.patch_forms import PatchForm
 from exactspline.polynomials.plane_pairs import meetings, self_meetings
 from exactspline.polynomials.two_parameters import S, T
 from exactspline.polynomials.zero_places import Place
-from exactspline.programs.certain_pairs import OF_POINT, certain_pair, points_of
+from exactspline.programs.certain_pairs import OF_POINT, certain_pair, closer, points_of
 from exactspline.reals.real import RationalNumber, Real, real
 from exactspline.roots.answers import Answer
 from exactspline.roots.segment_forms import (
@@ -236,7 +237,7 @@ def intersections(first: Nurbs, second: Nurbs) -> Intersections:
     """
     one, other, curves = segments_of(first), segments_of(second), (first, second)
     if len(one.rows) == len(other.rows) == 1 and (found := certain_pair(one.table, 0, other.table, 0)) is not None:
-        make = partial(_in_order, [], curves, curves, [((0, 0), found)])
+        make = partial(_in_order, [], curves, curves, [((0, 0), found)] if found else [])
         return Intersections.late(len(found) // OF_POINT, make, curves=curves)
     check_in_one_space(first, second)
     return CollectedPoints(first, second).answer()
@@ -297,7 +298,8 @@ class CollectedPoints:
         self.by_chord: list[_Found] = []
         self.arcs: list[Overlap] = []
         self.undecided: list[str] = []
-        self._cones: dict[int, Cone | None] = {}
+        #: The cone around the legs of a segment.
+        self._cone: Callable[[int], Cone | None] = cache(lambda i: cone_around(legs(self.segments[0][i])))
         trees = [own.boxes(shift_for(*prepared)) for own in prepared]
         pairs = list(pairs_that_may_meet(trees[0], trees[-1]))
         table, others = prepared[0].table, None if alone else prepared[1].table
@@ -321,12 +323,6 @@ class CollectedPoints:
             return False
         cones = [self._cone(k) for k in (i, j)]
         return None not in cones and cone_around([leg for cone in cones for leg in cone or ()]) is not None
-
-    def _cone(self, i: int) -> Cone | None:
-        """The cone around the legs of a segment, computed once."""
-        if i not in self._cones:
-            self._cones[i] = cone_around(legs(self.segments[0][i]))
-        return self._cones[i]
 
     def _form(self, k: int, i: int) -> Any:
         """A segment of one of the curves, in the plane or in space."""
@@ -537,12 +533,18 @@ def _in_order(
     """The common points that are decided exactly, and those of pairs of segments that are certain in doubles, in the
     order of the first curve. An interrupt changes nothing.
     """
-    points, (one, other) = [*exact], (segments_of(curve).rows for curve in curves)
+    places: list[tuple[int, Sequence[float], Intersection]] = []
+    one, other = map(segments_of, curves)
     for (i, j), found in certain:
-        forms, sides = PairForm(one[i], other[j]), [_side(curve, k) for curve, k in zip(curves, (i, j), strict=True)]
-        parameters = (forms.parameters(point, *sides) for point in points_of(found))
-        points += [Intersection(*pair, IntersectionKind.CROSSING, 1, given) for pair in parameters]
-    return tuple(sorted(points, key=lambda point: point.first) if len(points) > 1 else points)
+        forms, sides = PairForm(one.rows[i], other.rows[j]), (_side(curves[0], i), _side(curves[1], j))
+        for point in points_of(found):
+            near = closer(one.precise, i, other.precise, j, point[:4])
+            parameters = forms.parameters(point, near, *sides)
+            places.append((i, point, Intersection(*parameters, IntersectionKind.CROSSING, 1, given)))
+    ordered = sorted(places, key=itemgetter(0, 1))
+    if exact or any(i == j and one[1] >= other[0] for (i, one, _), (j, other, _) in pairwise(ordered)):
+        return tuple(sorted([*exact, *(place[2] for place in places)], key=lambda point: point.first))
+    return tuple([place[2] for place in ordered])
 
 
 def _side(curve: Nurbs, i: int) -> Interval:

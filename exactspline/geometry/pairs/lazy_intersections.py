@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 from flint import arb, fmpz_poly
 
-from exactspline.numbers.exact import mpq
 from exactspline.numbers.intervals import Interval
 from exactspline.numbers.once import cached_property
 from exactspline.polynomials.bezout import PlaneForms
@@ -16,7 +16,7 @@ from exactspline.polynomials.plane_pairs import Elimination, elimination, self_e
 from exactspline.polynomials.zero_places import Place
 from exactspline.programs.certain_pairs import PairPoint
 from exactspline.reals.real import Real
-from exactspline.roots.root import LazyRoot, Root, Shrinking, Shrunk
+from exactspline.roots.root import InDoubles, LazyRoot, Root
 from exactspline.roots.segment_forms import ImageValue, SegmentRows
 
 
@@ -66,28 +66,16 @@ class PairForm:
         """A ball around the value of the map."""
         return self.elimination.near(place, bits)
 
-    @cached_property
-    def _forms(self) -> list[tuple[fmpz_poly, fmpz_poly]]:
-        """The six forms with their derivatives, first the forms of the first segment."""
-        return [(f, f.derivative()) for segment in self._segments for f in segment.forms]
-
-    def _closer(self, box: list[arb]) -> list[arb]:
-        """A step towards the zero of ``x₁w₂ − x₂w₁`` and ``y₁w₂ − y₂w₁``."""
-        middle = [ball.mid() for ball in box]
-        x, y, w, u, v, q = (f(middle[k // 3]) for k, (f, _) in enumerate(self._forms))
-        one, other = x * q - u * w, y * q - v * w
-        around = [(f(box[k // 3]), slope(box[k // 3])) for k, (f, slope) in enumerate(self._forms)]
-        (x, dx), (y, dy), (w, dw), (u, du), (v, dv), (q, dq) = around
-        a, b, c, d = dx * q - u * dw, x * dq - du * w, dy * q - v * dw, y * dq - dv * w
-        below = a * d - b * c
-        return [middle[0] - (d * one - b * other) / below, middle[1] - (a * other - c * one) / below]
-
-    def parameters(self, found: PairPoint, first: Interval, second: Interval) -> tuple[Real, Real]:
-        """The parameters of a common point of the segments over two intervals."""
-        interval, other, k = (found.low, found.high), (found.other_low, found.other_high), int(not self.exchanged)
-        shrinking = Shrinking([interval, other][:: 1 - 2 * k], self._closer)
-        zero = LazyRoot(self, int(found.number), int(found.before), interval, Shrunk(shrinking, k))
-        image = Image(Place(zero), self, Interval(*map(mpq, other)), Shrunk(shrinking, 1 - k))
-        if self.exchanged:
-            return Root(None, None, (1, 1), zero.signs, zero, first), ImageValue(image, second, first)
-        return ImageValue(image, first, second), Root(None, None, (1, 1), zero.signs, zero, second)
+    def parameters(
+        self, found: PairPoint, near: Sequence[float], first: Interval, second: Interval
+    ) -> tuple[Real, Real]:
+        """The parameters of a common point of the segments over two intervals; `near` are its numbers for
+        `InDoubles`.
+        """
+        one, other, sides = (found[:2], near[:3]), (found[2:4], near[3:]), (first, second)
+        if not self.exchanged:
+            one, other, sides = other, one, (second, first)
+        zero = LazyRoot(self, int(found[5]), int(found[4]), *one)
+        root = Root(None, None, (1, 1), zero.signs, zero, sides[0])
+        image = ImageValue(Image(Place(zero), self, InDoubles(*other)), sides[1], sides[0])
+        return (root, image) if self.exchanged else (image, root)
