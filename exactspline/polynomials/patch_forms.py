@@ -122,17 +122,6 @@ class PatchForm:
         total = (left * self.matrix * right.transpose())[0, 0]
         return mpq(int(total)) / (a * b)
 
-    def values_along(self, x: mpq, steps: int) -> tuple[list[fmpz], mpq]:
-        """The values at x and the multiples of 1/steps from 0 to 1, up to the constant of the form, over a denominator.
-
-        >>> values, below = PatchForm.of_net([[0, 4], [4, 8]]).values_along(mpq(1, 2), 2)
-        >>> [mpq(int(value)) / below for value in values]
-        [mpq(2,1), mpq(4,1), mpq(6,1)]
-        """
-        left, a = _weights(self.degree[0], x)
-        right, b = _weights_along(self.degree[1], steps)
-        return (left * self.matrix * right).entries(), a * b
-
     def on_line(self, direction: int, x: mpq) -> list[fmpz]:
         """The Bernstein coefficients along the line on which x (direction 0) or y has this value, up to a positive
         constant for 0 ≤ x ≤ 1.
@@ -428,13 +417,6 @@ def _powers(p: fmpz_poly, n: int) -> list[fmpz_poly]:
 def _padded(p: fmpz_poly, n: int) -> list[fmpz]:
     coefficients: list[fmpz] = p.coeffs()
     return coefficients + [fmpz(0)] * (n + 1 - len(coefficients))
-
-
-@lru_cache(maxsize=64)
-def _weights_along(n: int, steps: int) -> tuple[fmpz_mat, mpq]:
-    """The Bernstein polynomials at the multiples of 1/steps from 0 to 1, over a denominator; a column for each."""
-    columns = [_padded(fmpz_poly([steps - k, k]) ** n, n) for k in range(steps + 1)]
-    return fmpz_mat(columns).transpose(), mpq(steps**n)
 
 
 @lru_cache(maxsize=256)

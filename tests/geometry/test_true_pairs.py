@@ -10,6 +10,7 @@ import exactspline as xs
 from exactspline import zeros
 from exactspline.errors import ReachError
 from exactspline.geometry.bisectors import plane_curves
+from exactspline.geometry.bisectors.system import piece
 from exactspline.numbers.exact import sign
 from exactspline.numbers.intervals import UNIT, Box, Interval
 from exactspline.polynomials.patch_forms import PatchForm
@@ -85,6 +86,24 @@ def test_a_point_of_another_segment_is_nearer():
     assert found.pairs.lines == ()
 
 
+def test_next_to_a_point_without_a_tangent_pairs_are_decided():
+    """The parabola stands still at its end (0, 1): all pairs (0, t) are zeros of the function, and no pairs of feet."""
+    first, line = bezier((0, 1), (0, 1), (4, 3)), bezier((-1, 0), (4, 0))
+    found = xs.bisector(first, line)
+    assert [own.value for own in found.pairs.lines] == [0]
+    assert found.trimmed.undecided == ()
+    for s in map(xs.rational, ("1/4", "1/2", "3/4")):
+        (t,) = zeros(found.function.at_s(s))
+        assert is_in(found.trimmed.kept, s, t)
+
+
+def test_a_point_instead_of_a_curve_is_undecided():
+    standing, line = xs.Nurbs(1, [0, 0, 1, 2, 2], [(0, 1), (0, 1), (3, 2)]), bezier((0, 0), (4, 0))
+    found = xs.bisector(standing, line).trimmed
+    assert found.kept
+    assert [box for box in found.undecided if box.first == (0, 1)] == [((0, 1), (0, 1))]
+
+
 def test_what_is_not_looked_at_is_undecided(monkeypatch):
     """The work grows with the number of segments, not of their pairs."""
     monkeypatch.setattr(plane_curves, "BOXES", 30)
@@ -133,8 +152,8 @@ def test_forms_have_the_signs_of_differences_of_distances():
             )
             for n in (3, 3, 4)
         )
-        segments = [segment for curve in (one, two) for segment in plane_curves._Segment.all_of(curve)]
-        foot = plane_curves._Foot(segments, 0, plane_curves._Segment.all_of(other)[0])
+        segments = [piece(curve, 0) for curve in (one, two)]
+        foot = plane_curves._Foot(segments, 0, piece(other, 0))
         for _ in range(12):
             s, t, u = (xs.rational(random.randint(1, 96)) / 97 for _ in range(3))
             point, tangent = as_numbers(one, s)
@@ -179,6 +198,12 @@ def test_what_is_said_of_a_box_is_true_and_small_boxes_are_decided():
     nothing = PatchForm.of_net([[0, 0]])
     assert plane_curves.verdict_on(1, PatchForm.of_net([[1, 2]]), nothing, [nothing, nothing], *UNIT) is True
     assert min(told[bits, verdict] for bits in (3, 6) for verdict in (True, False)) >= 4
+
+
+def test_a_nearer_point_is_found_on_a_short_part():
+    """2 (64 u − 1)² − 1 is negative between u = 0 and u = 1/32 alone, and positive at both."""
+    one, forms = PatchForm.of_net([[1]]), [PatchForm.of_net([[2, -126, 7938]]), PatchForm.of_net([[1, 1, 1]])]
+    assert plane_curves.verdict_on(1, one, one, forms, *UNIT) is False
 
 
 def test_no_point_beyond_the_end_of_a_segment_is_compared():

@@ -2,14 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable, Sequence
+from itertools import pairwise
 from typing import Any
 
 from exactspline.errors import ShapeError, counted
 from exactspline.hooks import Written
 from exactspline.language.vector import Vector
+from exactspline.numbers.exact import mpq
 from exactspline.one_line import one_line
 from exactspline.questions.answers import NamedNumbers
+from exactspline.reals.real import between
+from exactspline.roots.of_polynomials import Parameter
 from exactspline.splines.bspline import BSpline
 
 
@@ -48,3 +52,22 @@ AROUND = "the curve is an arc here of a circle through the point, and all its no
 def is_zero_on(v: Vector[BSpline], at: int) -> bool:
     """Whether a vector of splines vanishes on all of the segment or patch with this number."""
     return not any(x.numerators[at] for x in v)
+
+
+def parts_where(
+    holds: Callable[[mpq], bool], cuts: Iterable[Parameter], apart: Sequence[Parameter] = ()
+) -> list[tuple[Parameter, Parameter]]:
+    """The closed intervals between neighbouring cuts on which a condition holds that can change at cuts only;
+    neighbouring intervals are joined except at the places `apart`.
+
+    >>> parts_where(lambda x: x > 1, [mpq(0), mpq(1), mpq(2), mpq(3), mpq(4)], apart=[mpq(3)])
+    [(mpq(1,1), mpq(3,1)), (mpq(3,1), mpq(4,1))]
+    """
+    intervals: list[tuple[Parameter, Parameter]] = []
+    for low, high in pairwise(cuts):
+        if holds(between(low, high)):
+            if intervals and intervals[-1][1] == low and low not in apart:
+                intervals[-1] = (intervals[-1][0], high)
+            else:
+                intervals.append((low, high))
+    return intervals

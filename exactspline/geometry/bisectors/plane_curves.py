@@ -6,27 +6,28 @@ Source: Elber and Kim, Bisector curves of planar rational curves, Computer-Aided
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
-from itertools import chain, compress, pairwise, product
+from itertools import chain, compress, product
 
-from flint import fmpz, fmpz_mpoly, fmpz_poly
+from flint import fmpz, fmpz_mpoly
 
 from exactspline.bivariate.zeros import ZeroArc, ZeroCurves, zero_curve
 from exactspline.errors import ReachError, ShapeError
 from exactspline.geometry.bisectors.common import Bisector
 from exactspline.geometry.bisectors.plane_pair import PlanePair, tangent
+from exactspline.geometry.bisectors.system import SegmentOfCurve, piece
 from exactspline.language.vector import Vector, det, dot, norm2, perp
 from exactspline.numbers.exact import Number, mpq, over_one_denominator
 from exactspline.numbers.intervals import Box, Interval, Side
 from exactspline.numbers.once import cached_property
 from exactspline.one_line import one_line
-from exactspline.polynomials.patch_forms import PatchForm
+from exactspline.polynomials.patch_forms import PatchForm, Sized, rounded
 from exactspline.polynomials.two_parameters import S, T, as_form, as_forms, lifted
 from exactspline.questions.answers import NamedNumbers
 from exactspline.reals.real import Real, real
-from exactspline.roots.values import evaluate, exact_place, segment_polynomials, sign_at
+from exactspline.roots.values import evaluate, exact_place, sign_at
 from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.surface import Along
 from exactspline.splines.tensor import TensorSpline
@@ -45,9 +46,9 @@ from exactspline.splines.type_checks import curve_of
 #: The number of bisections of a box before all other points are compared with its feet; the largest number of
 #: bisections of a box, and of the parameter of the other points; and the number of boxes per segment that may be
 #: compared with a segment.
-FIRST, DEPTH, DEPTH_OF_OTHER, BOXES = 4, 20, 8, 3000
-#: The number of values of this parameter that are tried in search of a point that is certainly nearer than a foot.
-STEPS = 32
+FIRST, DEPTH, DEPTH_OF_OTHER, BOXES = 4, 20, 8, 6000
+#: The number of parts that are bisected at a time in search of a point that is certainly nearer than a foot.
+PARTS = 2
 #: The cost of the function of a pair of segments, in comparisons of a box with a segment.
 PAIR = 50
 HALF = mpq(1, 2)
@@ -58,7 +59,8 @@ COMPARED = (mpq(0), mpq(1, 3), mpq(2, 3), mpq(1))
 @dataclass(frozen=True)
 class TruePairs:
     """The boxes in which the zeros of the function of a bisector of plane curves are pairs of true feet: all zeros in
-    the boxes `kept` are, zeros in the `undecided` boxes may be, all others are not.
+    the boxes `kept` are, zeros in the `undecided` boxes may be, all others are not. Pairs at which a curve has no
+    tangent are left out of account; a segment that is a single point is undecided.
     """
 
     kept: tuple[Box, ...]
@@ -69,45 +71,12 @@ class TruePairs:
         return f"<TruePairs in {len(self.kept)} boxes, undecided in {len(self.undecided)}>"
 
 
-@dataclass(frozen=True)
-class _Segment:
-    """A segment of a plane curve, by its polynomials."""
-
-    sides: Interval
-    p: Vector[fmpz_poly]
-    w: fmpz_poly
-
-    @classmethod
-    def all_of(cls, curve: Nurbs) -> list[_Segment]:
-        """The segments of a curve."""
-        found = []
-        for i, sides in enumerate(pairwise(curve.breakpoints)):
-            *p, w = segment_polynomials((*curve.p, curve.w), i)
-            found.append(cls(Interval(*sides), Vector(*p), w))
-        return found
-
-    @cached_property
-    def tangent(self) -> Vector[fmpz_poly]:
-        """``w² γ′``."""
-        return Vector(*[f.derivative() * self.w - f * self.w.derivative() for f in self.p])
-
-    def over(self, variable: int) -> list[list[fmpz_mpoly]]:
-        """p and w, and the tangent, as polynomials in two parameters."""
-        return [[lifted(f, variable) for f in own] for own in ((*self.p, self.w), self.tangent)]
-
-    def homogeneous(self, t: mpq) -> list[int]:
-        """Integers x, y and w, the homogeneous coordinates of a point."""
-        n = max(f.degree() for f in (*self.p, self.w))
-        top, bottom = int(t.numerator), int(t.denominator)
-        return [sum(int(x) * top**k * bottom ** (n - k) for k, x in enumerate(f.coeffs())) for f in (*self.p, self.w)]
-
-
 class _Foot:
     """Whether no point of a curve is nearer to B than the foot on one of its segments; s is the parameter of the foot,
     t that of the foot on the other curve.
     """
 
-    def __init__(self, curve: Sequence[_Segment], own: int, other: _Segment) -> None:
+    def __init__(self, curve: Sequence[SegmentOfCurve], own: int, other: SegmentOfCurve) -> None:
         self.curve, self.own = curve, own
         pair, (*p, self.w) = PlanePair(curve[own].over(0), other.over(1)), curve[own].over(0)[0]
         self.p, self.normal = Vector(*p), perp(pair.a)
@@ -123,7 +92,7 @@ class _Foot:
         square, twice = (f.compose(S, S) for f in self._over_own)
         found = [as_form(square * self.across - twice * self.along)]
         for segment, share in product(self.curve, COMPARED):
-            x, y, weight = segment.homogeneous(segment.sides.at(share))
+            x, y, weight = segment.homogeneous(segment.interval.at(share))
             d = Vector(self.w * x - self.p[0] * weight, self.w * y - self.p[1] * weight)
             found.append(as_form(norm2(d) * self.across - dot(d, self.normal) * self.along * weight))
         return found
@@ -136,7 +105,7 @@ class _Foot:
         found = []
         for j, segment in enumerate(self.curve):
             forms = self._over_own if j == self.own else self._against_segment(segment)
-            found.append((segment.sides, as_forms(forms)))
+            found.append((segment.interval, as_forms(forms)))
         return found
 
     @cached_property
@@ -144,7 +113,7 @@ class _Foot:
         square, twice = self._against_segment(self.curve[self.own])
         return square / (T - S) ** 2, twice / (T - S) ** 2
 
-    def _against_segment(self, segment: _Segment) -> tuple[fmpz_mpoly, fmpz_mpoly]:
+    def _against_segment(self, segment: SegmentOfCurve) -> tuple[fmpz_mpoly, fmpz_mpoly]:
         (*q, v), _ = segment.over(1)
         d = Vector(*[self.w * y - v * x for x, y in zip(self.p, q, strict=True)])
         return norm2(d), dot(d, self.normal) * v
@@ -155,8 +124,17 @@ class _Foot:
         sign = across.sign
         if not sign:
             return None
-        verdicts = [verdict_on(sign, across, along, forms, box.first, sides) for sides, forms in self.families]
-        return False if False in verdicts else None if None in verdicts else True
+        return _of_all(verdict_on(sign, across, along, forms, box.first, sides) for sides, forms in self.families)
+
+
+def _of_all(verdicts: Iterable[bool | None]) -> bool | None:
+    """False as soon as one verdict is False; otherwise None if one of them is, or True."""
+    found: bool | None = True
+    for verdict in verdicts:
+        if verdict is False:
+            return False
+        found = found and verdict
+    return found
 
 
 def verdict_on(
@@ -166,10 +144,10 @@ def verdict_on(
     True: it nowhere has the sign opposite to the given one. False: for some u it has the opposite sign for all other
     parameters. None: neither is certain.
     """
-    sizes, todo = [sign * x for x in across.range], [(0, sides)]
+    whole = tuple(form.part(Box(own, sides)) for form in forms)
+    sizes, todo = [sign * x for x in across.range], [(0, whole)]
     while todo:
-        depth, other = todo.pop()
-        square, twice = (form.part(Box(own, other)) for form in forms)
+        depth, (square, twice) = todo.pop()
         low = square.range[0] if square.range[0] > 0 else fmpz(0)
         if low * min(sizes) >= max(sign * x * y for x in twice.range for y in along.range):
             continue
@@ -180,19 +158,26 @@ def verdict_on(
         )
         if fails or depth == DEPTH_OF_OTHER:
             break
-        todo += [(depth + 1, half) for half in other.halves]
+        todo += [(depth + 1, half) for half in zip(square.halves(1), twice.halves(1), strict=True)]
     else:
         return True
-    # the value of u with the least value in the middle
-    square, twice = (form.part(Box(own, sides)) for form in forms)
-    a, c = across.value(HALF, HALF), along.value(HALF, HALF)
-    (squares, below), (doubles, under) = (form.values_along(HALF, STEPS) for form in (square, twice))
-    (x, y), _ = over_one_denominator([sign * a / below, sign * c / under])
-    worst = min(range(STEPS + 1), key=lambda k: squares[k] * x - doubles[k] * y)
-    there = Interval.point(sides.at(mpq(worst, STEPS)))
+    (a, c), _ = over_one_denominator([sign * form.value(HALF, HALF) for form in (across, along)])
+    in_the_middle = zip(*[form.on_line(0, HALF) for form in whole], strict=True)
+    there = Interval.point(_lowest(PatchForm.of_net([[x * a - y * c for x, y in in_the_middle]]), sides))
     square, twice = (form.part(Box(own, there)) for form in forms)
     fails = square.range[1] * max(sizes) < min(sign * x * y for x in twice.range for y in along.range)
     return False if fails else None
+
+
+def _lowest(form: PatchForm, sides: Interval) -> mpq:
+    """About the parameter at which a form in u alone is least."""
+    parts = [(form, sides)]
+    for _ in range(DEPTH_OF_OTHER):
+        halves = [half for own, side in parts for half in zip(own.halves(1), side.halves, strict=True)]
+        parts = sorted(halves, key=lambda half: half[0].range[0])[:PARTS]
+    least, side = min(parts, key=lambda part: min(part[0].corners))
+    low, high, *_ = least.corners
+    return side.low if low < high else side.high
 
 
 def true_pairs(first: Nurbs, second: Nurbs) -> TruePairs:
@@ -204,11 +189,11 @@ def true_pairs(first: Nurbs, second: Nurbs) -> TruePairs:
     >>> len(found.kept) > 0, found.undecided
     (True, ())
     """
-    one, other = _Segment.all_of(first), _Segment.all_of(second)
+    one, other = ([piece(curve, i) for i in range(curve.segments)] for curve in (first, second))
     kept, undecided, left = list[Box](), list[Box](), BOXES * (len(one) + len(other))
     for i, j in product(range(len(one)), range(len(other))):
-        if left < 0:
-            undecided.append(Box(one[i].sides, other[j].sides))
+        if left < 0 or one[i].stands_still or other[j].stands_still:
+            undecided.append(Box(one[i].interval, other[j].interval))
         else:
             left = _Search(one, i, other, j).run(left - PAIR, kept, undecided)
     return TruePairs(tuple(kept), tuple(undecided))
@@ -217,9 +202,9 @@ def true_pairs(first: Nurbs, second: Nurbs) -> TruePairs:
 class _Search:
     """The boxes of one pair of segments."""
 
-    def __init__(self, one: Sequence[_Segment], i: int, other: Sequence[_Segment], j: int) -> None:
-        self.sides = Box(one[i].sides, other[j].sides)
-        self.function = as_form(PlanePair(one[i].over(0), other[j].over(1)).equidistant)
+    def __init__(self, one: Sequence[SegmentOfCurve], i: int, other: Sequence[SegmentOfCurve], j: int) -> None:
+        self.sides = Box(one[i].interval, other[j].interval)
+        self.function = self._rounded(as_form(PlanePair(one[i].over(0), other[j].over(1)).equidistant))
         self.segments, self.made = len(one) + len(other), lambda: (_Foot(one, i, other[j]), _Foot(other, j, one[i]))
 
     @cached_property
@@ -227,44 +212,64 @@ class _Search:
         """The feet on the two curves."""
         return self.made()
 
+    def _rounded(self, form: PatchForm) -> PatchForm:
+        """A form on the whole rectangle."""
+        return rounded(form.part(self.sides))
+
+    @property
+    def forms(self) -> list[PatchForm]:
+        """The function, and the forms of both feet in the order of the parameters of the function."""
+        first, second = ((foot.factors[0], *foot.against) for foot in self.feet)
+        turned = [PatchForm(form.matrix.transpose()) for form in second]
+        return [self.function, *map(self._rounded, (*first, *turned))]
+
     def run(self, left: int, kept: list[Box], undecided: list[Box]) -> int:
         """Sort the boxes with zeros of the function, and return how many comparisons with a segment remain."""
-        todo = [(0, self.sides)]
+        if self.function.sign in (1, -1):
+            return left - 1
+        todo, count = [Sized(self.sides, self.forms, 0)], len(self.feet[0].against) + 1
         while todo:
-            depth, box = todo.pop()
+            part = todo.pop()
+            function, *others = part.forms
             left -= 1
-            if self.function.part(box).sign in (1, -1):
+            if function.sign in (1, -1):
                 continue
             left -= self.segments
-            if self._fails(box):
+            if any(map(_is_nearer, (others[:count], others[count:]))):
                 continue
-            verdicts = [foot.verdict(part) for foot, part in self._in_turn(box)] if depth >= FIRST else [None]
-            if False in verdicts:
+            verdict = self._verdict(part.box) if part.depth >= FIRST else None
+            if verdict is False:
                 continue
-            if None not in verdicts:
-                kept.append(box)
-            elif depth == DEPTH or left < 0:
-                undecided.append(box)
+            if verdict:
+                kept.append(part.box)
+            elif part.depth == DEPTH or left < 0:
+                undecided.append(part.box)
             else:
-                todo += [(depth + 1, half) for half in box.halves(depth % 2)]
+                todo += _halves(part)
         return left
 
-    def _in_turn(self, box: Box) -> Iterator[tuple[_Foot, Box]]:
-        """Both feet, each with the box in its order of the parameters."""
-        yield from zip(self.feet, (box, Box(box.second, box.first)), strict=True)
-
-    def _fails(self, box: Box) -> bool:
-        """Whether for all pairs of a box a point of one of the curves is certainly nearer than its foot. The point that
-        shows this is tried first for the next box.
+    def _verdict(self, box: Box) -> bool | None:
+        """Whether no point is nearer than the feet for all pairs of a box (True) or for none (False), if either is
+        certain.
         """
-        for foot, part in self._in_turn(box):
-            sign, signs = foot.factors[0].part(part).sign, set[int]()
-            for k, form in enumerate(foot.against):
-                signs.add(form.part(part).sign or 0)
-                if (sign and -sign in signs) or {1, -1} <= signs:
-                    foot.against.insert(0, foot.against.pop(k))
-                    return True
-        return False
+        turned = Box(box.second, box.first)
+        return _of_all(foot.verdict(own) for foot, own in zip(self.feet, (box, turned), strict=True))
+
+
+def _halves(part: Sized) -> list[Sized]:
+    """The two halves of a box; a form that has a sign keeps it, and is left as it is."""
+    direction = part.depth % 2
+    pairs = [(form, form) if form.sign else form.halves(direction) for form in part.forms]
+    forms = map(list, zip(*pairs, strict=True))
+    return [Sized(box, own, part.depth + 1) for box, own in zip(part.box.halves(direction), forms, strict=True)]
+
+
+def _is_nearer(forms: Sequence[PatchForm]) -> bool:
+    """Whether for all pairs of a box one of the points with the forms `against` a foot is certainly nearer; the first
+    form is `across`.
+    """
+    sign, *signs = [form.sign for form in forms]
+    return bool(sign and -sign in signs) or {1, -1} <= set(signs)
 
 
 class PlaneBisector(Bisector):

@@ -19,6 +19,7 @@ from exactspline.bivariate.common_zeros import common_zeros
 from exactspline.bivariate.quotients import border_pairs
 from exactspline.bivariate.signs import Sign, sign_on_patch
 from exactspline.errors import ReachError, counted
+from exactspline.geometry.bisectors.common import parts_where
 from exactspline.geometry.bisectors.components import (
     Branch,
     Cause,
@@ -56,7 +57,6 @@ from exactspline.geometry.bisectors.system import (
 from exactspline.language.rational import Rational
 from exactspline.numbers.exact import from_flint, mpq, to_fmpq
 from exactspline.numbers.intervals import Box, Interval, Side
-from exactspline.polynomials.bernstein import substituted
 from exactspline.polynomials.cost import Budget, drawing_on
 from exactspline.polynomials.elimination import discriminant
 from exactspline.polynomials.factors import greatest_common_divisor
@@ -190,24 +190,9 @@ def graph_intervals(
     borders = [top * int(y.denominator) - bottom * int(y.numerator) for y in range_]
     hits = distinct(root for border in borders for root in roots_in(border, low, high))
     cuts = distinct([low, *roots_in(bottom, low, high), *hits, high])
-    intervals: list[tuple[Parameter, Parameter]] = []
-    for a, b in pairwise(cuts):
-        x = between(a, b)
-        y = _value_at_rational(top, x) / _value_at_rational(bottom, x)
-        if range_[0] <= y <= range_[1]:
-            if intervals and intervals[-1][1] == a:
-                intervals[-1] = (intervals[-1][0], b)
-            else:
-                intervals.append((a, b))
+    intervals = parts_where(lambda x: range_[0] <= from_flint(top(to_fmpq(x)) / bottom(to_fmpq(x))) <= range_[1], cuts)
     single = [t for t in hits if not any(a <= t <= b for a, b in intervals)]
     return sorted([*intervals, *((t, t) for t in single)], key=itemgetter(0))
-
-
-def _value_at_rational(p: fmpz_poly, x: mpq) -> mpq:
-    """The value of an integer polynomial at a rational number."""
-    n, m = max(p.degree(), 0), int(x.denominator)
-    value = substituted(p, n, fmpz_poly([m]), fmpz_poly([int(x.numerator)]))[0]
-    return mpq(int(value), m**n)
 
 
 def branches(g: fmpz_mpoly, sides: Box) -> list[Branch]:

@@ -17,6 +17,7 @@ from flint import fmpz_mpoly, fmpz_poly
 from exactspline.errors import ReachError
 from exactspline.language.operand import Scalar
 from exactspline.language.vector import Vector, cross, det, dot, norm2
+from exactspline.numbers.exact import mpq
 from exactspline.numbers.intervals import Box, Interval
 from exactspline.numbers.once import cached_property
 from exactspline.one_line import OneLine
@@ -28,11 +29,6 @@ from exactspline.roots.vanishing import vanish_at
 from exactspline.splines.nurbs import Nurbs
 
 # ---- polynomials
-
-
-#: Three polynomials: a vector along a curve, or over a patch.
-Three = list[fmpz_poly]
-ThreeOfTwo = list[fmpz_mpoly]
 
 
 class Euclidean(Scalar, Protocol):
@@ -78,9 +74,9 @@ class SegmentOfCurve(OneLine):
     """
 
     interval: Interval
-    p: Three
+    p: list[fmpz_poly]
     w: fmpz_poly
-    tangent: Three
+    tangent: list[fmpz_poly]
     cusps: tuple[fmpz_poly, ...]
 
     def __reduce__(self) -> tuple[object, ...]:
@@ -92,6 +88,18 @@ class SegmentOfCurve(OneLine):
     def stands_still(self) -> bool:
         """Whether the segment is a single point."""
         return not any(self.tangent)
+
+    def over(self, variable: int) -> list[list[fmpz_mpoly]]:
+        """p and w, and the tangent, as polynomials in two parameters, of which this one is the first (0) or the
+        second.
+        """
+        return [[lifted(f, variable) for f in own] for own in ((*self.p, self.w), self.tangent)]
+
+    def homogeneous(self, t: mpq) -> list[int]:
+        """Integers that are homogeneous coordinates of a point, the weight last."""
+        n = max(f.degree() for f in (*self.p, self.w))
+        top, bottom = int(t.numerator), int(t.denominator)
+        return [sum(int(x) * top**k * bottom ** (n - k) for k, x in enumerate(f.coeffs())) for f in (*self.p, self.w)]
 
 
 def _piece(interval: Interval, parts: list[list[list[int]]]) -> SegmentOfCurve:
@@ -147,9 +155,7 @@ class System(OneLine):
     @cached_property
     def chord(self) -> Vector[fmpz_mpoly]:
         """``E = w p̄ − w̄ p``."""
-        (p, w), (q, v) = (
-            ([lifted(f, k) for f in own.p], lifted(own.w, k)) for k, own in enumerate((self.first, self.second))
-        )
+        (*p, w), (*q, v) = self.first.over(0)[0], self.second.over(1)[0]
         return Vector(*[w * y - v * x for x, y in zip(p, q, strict=True)])
 
     @property
@@ -169,7 +175,7 @@ class System(OneLine):
         return value
 
     @cached_property
-    def numerators(self) -> ThreeOfTwo:
+    def numerators(self) -> list[fmpz_mpoly]:
         """``2 [a b E] Y`` by Cramer's rule: ``2 (b·E)(E × a) + (E·E)(a × b)``."""
         a, b, e = self.a, self.b, self.chord
         over, square = dot(b, e) * 2, norm2(e)

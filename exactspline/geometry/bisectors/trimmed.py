@@ -18,7 +18,7 @@ from typing import Any
 from flint import fmpz_mpoly, fmpz_poly
 
 from exactspline.errors import ReachError, ShapeError
-from exactspline.geometry.bisectors.common import AROUND, STILL, THROUGH, Bisector
+from exactspline.geometry.bisectors.common import AROUND, STILL, THROUGH, Bisector, parts_where
 from exactspline.geometry.bisectors.point_and_curve import exact_point
 from exactspline.geometry.curves.facts import facts_of
 from exactspline.geometry.curves.kinds import FeatureKind, JointKind
@@ -38,7 +38,7 @@ from exactspline.polynomials.isolation import is_nonnegative
 from exactspline.polynomials.patch_forms import PatchForm
 from exactspline.polynomials.two_parameters import in_one, rows_of
 from exactspline.questions.answers import NamedNumbers
-from exactspline.reals.real import Real, between, real
+from exactspline.reals.real import Real, real
 from exactspline.roots.of_polynomials import Parameter, check_isolation, distinct
 from exactspline.roots.root import Root
 from exactspline.roots.values import exact_place, sign_at, value_at
@@ -164,8 +164,9 @@ class Conditions:
                 candidates: list[Parameter] = [t for ends in intervals for t in ends if a < t < b]
             else:
                 candidates = [*_candidates(as_mpoly(family.whole, family.stride), segment)]
-            holds = partial(self._holds, family.rows, e, n, segment)
-            intervals = _intersection(intervals, _cells_between(candidates, _roots(e, segment), segment, holds))
+            poles, holds = _roots(e, segment), partial(self._holds, family.rows, e, n, segment)
+            cuts = [a, *distinct([*candidates, *poles]), b]
+            intervals = _intersection(intervals, parts_where(holds, cuts, apart=poles))
         return intervals
 
     def _builder(self, forms: list[fmpz_poly], n: int, own: int | None) -> Callable[[int], _Family]:
@@ -246,24 +247,6 @@ def _roots(c: fmpz_poly, segment: tuple[mpq, mpq]) -> list[Root]:
         for root in zeros(BSpline.from_forms(p.degree(), mesh, (), [(p, ONE)]))
         if not root.at_knot
     ]
-
-
-def _cells_between(
-    candidates: list[Parameter], poles: list[Root], segment: tuple[mpq, mpq], holds: Callable[[mpq], bool]
-) -> list[tuple[Parameter, Parameter]]:
-    """The closed intervals between candidates on which the condition holds; neighbouring intervals are joined, unless B
-    is infinite between them.
-    """
-    a, b = segment
-    intervals: list[tuple[Parameter, Parameter]] = []
-    ends: list[Parameter] = [a, *distinct([*candidates, *poles]), b]
-    for low, high in pairwise(ends):
-        if holds(between(low, high)):
-            if intervals and intervals[-1][1] == low and not any(low == pole for pole in poles):
-                intervals[-1] = (intervals[-1][0], high)
-            else:
-                intervals.append((low, high))
-    return intervals
 
 
 def _intersection(
