@@ -456,11 +456,15 @@ def test_a_quotient_equals_the_spline_that_it_is():
 
 
 def test_a_point_and_a_curve_of_one_point():
-    """Before: "there is no bisector surface", in the plane even 0/1 for none; there is a plane, or a line."""
+    """In space it is a plane, and no surface over the curve; in the plane the line x + 2y = 5/2, which was refused."""
+    with pytest.raises(xs.ExactSplineError, match=r"the curve is one point, \(1, 2"):
+        xs.bisector(STILL, (0, 0, 0))
     flat = xs.Nurbs(1, [0, 0, 1, 1], [(1, 2), (1, 2)])
-    for curve, point in ((STILL, (0, 0, 0)), (flat, (0, 0))):
-        with pytest.raises(xs.ExactSplineError, match=r"the curve is one point, \(1, 2"):
-            xs.bisector(curve, point)
+    (line,) = xs.bisector(flat, (0, 0)).pieces
+    assert (line.low, line.high) == (-1, 1)
+    points = [line(xs.rational(k) / 7) for k in range(-6, 7)]
+    assert [x + 2 * y for x, y in points] == [xs.rational("5/2")] * 13
+    assert points == sorted(points, reverse=True)
 
 
 def test_examples_by_name_where_files_are_wanted(tmp_path):

@@ -8,7 +8,7 @@ from typing import overload
 from exactspline.errors import ShapeError
 from exactspline.geometry.bisectors.common import Bisector
 from exactspline.geometry.bisectors.plane_curves import PlaneBisector
-from exactspline.geometry.bisectors.point_and_curve import PointBisector, point_bisector, refuse_point
+from exactspline.geometry.bisectors.point_and_curve import PointBisector, point_bisector
 from exactspline.geometry.bisectors.trimmed import TrimmedBisector, trimmed_bisector
 from exactspline.geometry.bisectors.two_curves import CurveBisector, curve_bisector
 from exactspline.geometry.curves.planarity import in_one_plane
@@ -54,5 +54,4 @@ def bisector(first: Nurbs, second: Nurbs | Iterable[Number]) -> Bisector:
         return point_bisector(first, second)
     if first.dimension != 2:
         raise ShapeError(f"a curve in R{first.dimension}", remedy="bisectors need the plane or space")
-    refuse_point(first)
     return trimmed_bisector(first, second)

@@ -104,7 +104,7 @@ def point_bisector(
         else:
             good.append(segment)
     if not good:
-        refuse_point(curve)
+        _refuse_point(curve)
         reasons = {why: [str(segment) for segment, own in missing if own == why] for _, why in missing}
         named = [why if len(reasons) == 1 else f"{', '.join(on)}: {why}" for why, on in reasons.items()]
         raise ShapeError(
@@ -124,15 +124,15 @@ def point_bisector(
     return PointBisector(chosen, tuple(pieces), _singular(generator, good, closed=curve.closed), tuple(missing))
 
 
-def refuse_point(curve: Nurbs) -> None:
-    """Raise `ShapeError` for a curve that is a single point: the bisector of two points is a plane (in R2 a line), not
-    a surface over the curve.
+def _refuse_point(curve: Nurbs) -> None:
+    """Raise `ShapeError` for a curve that is a single point: the bisector of two points is a plane, not a surface over
+    the curve.
     """
     if all(x.is_zero for x in find("D1")(curve)):
         where = ", ".join(map(short_text, curve(curve.domain[0])))
         raise ShapeError(
             f"the curve is one point, ({where})",
-            remedy="give a curve that moves: two different points have a plane, in R2 a line, as their bisector",
+            remedy="give a curve that moves: two different points have a plane as their bisector",
         )
 
 
