@@ -72,7 +72,7 @@ def set_functions(names: Iterable[str], outside: Callable[[str, object], object]
     _outside[:] = [outside]
 
 
-class Writer(Protocol):
+class _Writer(Protocol):
     """The object that IPython passes to `_repr_pretty_`."""
 
     def text(self, text: str, /) -> object:
@@ -90,7 +90,7 @@ class Displayed:
     def _repr_latex_(self) -> str | None:
         return _printers[0]("latex", self)
 
-    def _repr_pretty_(self, writer: Writer, cycle: bool) -> None:
+    def _repr_pretty_(self, writer: _Writer, cycle: bool) -> None:
         writer.text(_printers[0]("short", self) or repr(self))
 
 

@@ -7,11 +7,9 @@ and the objects that the tables compare: constructions with their variants, and 
 <Measure f2: degree 3d − 3, here 3, true degree 0, 16 control points>
 """
 
-from exactspline.display.answer_forms import inspection_data
+from exactspline.display.answer_forms import inspection_data, to_dict, to_records
+from exactspline.display.forms import derived_data
 from exactspline.display.latex import mathematics
-from exactspline.display.reading_along import reading_along
-from exactspline.display.records import to_dict, to_records
-from exactspline.display.serialize import derived_data
 from exactspline.display.tables import (
     Grid,
     degree_table,
@@ -22,6 +20,7 @@ from exactspline.display.tables import (
     symbolic_table,
     verdicts,
 )
+from exactspline.display.theorem import reading_along
 from exactspline.geometry.curves.values import curvature_function
 from exactspline.geometry.derived.constructions import Variant, construction
 from exactspline.geometry.derived.ruled_surfaces import as_tensor_product, is_developable, ruled_surface
@@ -29,11 +28,10 @@ from exactspline.splines.control_points import greville_abscissae
 from exactspline.splines.lowest_terms import control_point_count
 from exactspline.splines.tensor import surface_pair
 from exactspline.symbolic.factorization import jets_for
-from exactspline.verification.curve_check import table_1_splines
+from exactspline.verification.decision import table_1_splines
 from exactspline.verification.degree_tables import measurable, measure, patch_table, variants_table
-from exactspline.verification.errata import errata
 from exactspline.verification.generic_proof import factor_of, table_1_degrees
-from exactspline.verification.statement import statements
+from exactspline.verification.statement import errata, statements
 
 __all__ = [
     "Grid",

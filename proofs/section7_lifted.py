@@ -19,8 +19,7 @@ from exactspline.readings.jet import JetReading
 from exactspline.readings.taylor import Series, series_curve
 from exactspline.symbolic.covariants import true_degree
 from exactspline.symbolic.reduction import reduction
-from exactspline.verification.generic_proof import symbolic_minimum
-from exactspline.verification.minimality import attained
+from exactspline.verification.generic_proof import attained, symbolic_minimum
 
 PLANE = [name for name in example_names() if example(name).dimension == 2 and not find("f2")(example(name)).is_zero]
 SPACE = [

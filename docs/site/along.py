@@ -9,7 +9,7 @@ from typing import Any
 import exactspline as xs
 from docs.site.narrow import beside, narrowed, png
 from docs.site.pages import picture, plain
-from exactspline.display.reading_along import ReadingAlong, along_html, reading_along
+from exactspline.display.theorem import ReadingAlong, along_html, reading_along
 from exactspline.papers import default_papers
 from exactspline.papers.passages import sections_of
 from exactspline.verification.vocabulary import Status

@@ -15,15 +15,13 @@ from exactspline.display.evidence import worded
 from exactspline.display.latex_prose import parts
 from exactspline.display.ledger import claimed, statement_data
 from exactspline.display.plot.canvas import Run, sampled
-from exactspline.extras.pictures3d.html import Scene, scenes_data
+from exactspline.extras.pictures3d.html import Scene, inspected_scene, scenes_data
 from exactspline.extras.pictures3d.meshes import ruled_mesh, tensor_mesh
-from exactspline.extras.pictures3d.turning_surface import inspected_scene
 from exactspline.papers import papers
 from exactspline.verification.claims import claims_in
 from exactspline.verification.degree_tables import GenericRow, generic_table
-from exactspline.verification.errata import true_relation
 from exactspline.verification.evidence import Evidence, OnExample
-from exactspline.verification.statement import statement
+from exactspline.verification.statement import statement, true_relation
 
 CURVES = ("six_segment_cubic", "cubic_s", "rational_cubic", "ellipse", "cusp")
 DEGREES = range(2, 13)

@@ -23,7 +23,7 @@ from exactspline.display.numbers import Numbers
 from exactspline.display.sheet import code_lines, in_markdown
 from exactspline.errors import counted
 from exactspline.papers import papers
-from exactspline.verification.errata import Erratum, errata
+from exactspline.verification.statement import Erratum, errata
 
 #: The length of the lines of code on the page of errata.
 CODE_WIDTH = 88

@@ -18,7 +18,7 @@ from exactspline.batch.corpus import CURVES, Item, Member, Problem, Source, Take
 from exactspline.batch.inspections import USUAL, checked_names, entry_of, inspected
 from exactspline.batch.lines import VERSION, Found, Judged, Line, Summary, Way
 from exactspline.batch.results import JsonLines, Parquet, Results, ResultsError, Settings
-from exactspline.display.records import answer_data
+from exactspline.display.answer_forms import answer_data
 from exactspline.errors import ShapeError, as_flag, as_integer, as_text, as_texts
 from exactspline.geometry.analysis.ask import REGISTRY, asked_of, check_question, kind_of
 from exactspline.geometry.analysis.curves import analyse

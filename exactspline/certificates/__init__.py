@@ -6,14 +6,13 @@ of all ``zeros`` of a spline (written by `exactspline.roots.zero_set`), of all `
 (written by `exactspline.geometry.pairs.intersections`), of all ``common zeros`` of functions of two parameters (written
 by `exactspline.bivariate.common_zeros_certificate`), of the ``zero curves`` of one function and their topology (written
 by `exactspline.bivariate.common_zeros_certificate`), or that the ``degree`` of forms cannot be lowered (written by
-`exactspline.verification.minimality`).
+`exactspline.verification.generic_proof`).
 """
 
 from collections.abc import Callable, Mapping
 
-from exactspline.certificates.common_zeros import check_common_zeros
+from exactspline.certificates.common_zeros import check_common_zeros, check_intersections
 from exactspline.certificates.degrees import check_degrees
-from exactspline.certificates.intersections import check_intersections
 from exactspline.certificates.numbers import CertificateError as CertificateError
 from exactspline.certificates.numbers import read, require, text
 from exactspline.certificates.zero_curves import check_zero_curves

@@ -1,4 +1,5 @@
-"""Checks a certificate of the common zeros of functions of two parameters, with only the standard library.
+"""Checks a certificate of the common zeros of functions of two parameters, or of the common points of two plane curves,
+with only the standard library.
 
 On each patch the functions are given by integers: Bernstein coefficients on the unit square, up to a positive constant
 for each of them. The square is halved repeatedly, as the certificate says. On every remaining box, some combination of
@@ -8,6 +9,10 @@ In the region of a simple zero the Jacobian of two combinations is regular, even
 points: at most one point is a common zero there. The existence of the zero is proved by opposite signs on opposite
 sides (Miranda), by its rational parameters, or by a common divisor on an edge of the patch. In the region of any other
 zero all of this is proved by elimination (`exactspline.certificates.elimination`).
+
+Points of two segments are common zeros of two functions of both parameters, the differences of the coordinates times
+both weights, which are computed here from the control points. A segment consists of three lists of integers: for every
+control point its coordinates times the weight, and the weight.
 """
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
@@ -100,10 +105,10 @@ def _on_patch(patch: Mapping[str, Any]) -> tuple[int, list[int]]:
     require(len(functions) >= 2, "fewer functions than two")
     sizes = {(len(net), len(row)) for net in functions for row in net}
     require(len(sizes) == 1 and all(map(all, sizes)) and all(functions), "functions of different degrees")
-    return len(functions), multiplicities_on_patch(functions, patch["zeros"], patch["boxes"])
+    return len(functions), _multiplicities_on_patch(functions, patch["zeros"], patch["boxes"])
 
 
-def multiplicities_on_patch(
+def _multiplicities_on_patch(
     functions: Sequence[Net], zeros: Iterable[Mapping[str, object]], boxes: Sequence[object]
 ) -> list[int]:
     """The multiplicities of all common zeros of functions on the unit square, as `ZEROS` prove them."""
@@ -264,3 +269,40 @@ def _is_on_edge(functions: Sequence[Net], box: Box, pair: tuple[Net, Net], zero:
 
 Proof = Callable[[Sequence[Net], Box, tuple[Net, Net], Mapping[str, Any]], None]
 PROOFS: dict[str, Proof] = {CROSSED: _is_crossed, POINT: _is_at_point, EDGE: _is_on_edge}
+
+
+SEGMENT = {"x": [integer], "y": [integer], "w": [integer]}
+FORM = {"first": [SEGMENT], "second": [SEGMENT], "pairs": [{"segments": (count, count), **ZEROS}]}
+
+
+def check_intersections(certificate: Mapping[str, object]) -> dict[str, int]:
+    """The number of common points that a certificate proves, one for each pair of segments that has it, and the sum of
+    their intersection multiplicities.
+    """
+    data = read(certificate, FORM)
+    curves = [each(name, _segment, data[name]) for name in ("first", "second")]
+    require(all(curves), "a curve without segments")
+    require_each_once(
+        [pair["segments"] for pair in data["pairs"]], curves, "pairs of segments that are not given exactly once"
+    )
+
+    def proved(pair: Mapping[str, Any]) -> list[int]:
+        first, second = (curve[i] for curve, i in zip(curves, pair["segments"], strict=True))
+        functions = [_difference(first, second, axis) for axis in (0, 1)]
+        return _multiplicities_on_patch(functions, pair["zeros"], pair["boxes"])
+
+    found = [times for own in each("pairs", proved, data["pairs"]) for times in own]
+    return {"points": len(found), "multiplicity": sum(found)}
+
+
+def _segment(given: Mapping[str, Any]) -> list[list[int]]:
+    rows = [given[name] for name in ("x", "y", "w")]
+    require(len({len(row) for row in rows}) == 1 and len(rows[0]) > 1, "rows of different lengths, or a single point")
+    require(all(w > 0 for w in rows[2]), "a weight that is not positive")
+    return rows
+
+
+def _difference(first: list[list[int]], second: list[list[int]], axis: int) -> Net:
+    """The Bernstein coefficients of the difference of a coordinate, times both weights."""
+    others = list(zip(second[axis], second[2], strict=True))
+    return [[x * v - y * w for y, v in others] for x, w in zip(first[axis], first[2], strict=True)]

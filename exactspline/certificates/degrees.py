@@ -18,7 +18,7 @@ LABELS = "not checked"
 
 def check_degrees(certificate: Mapping[str, object]) -> dict[str, int]:
     """The largest degree over the segments, after checking the proof that it cannot be lowered (see
-    `exactspline.verification.minimality`). For a zero set this means that its form is square-free and has no common
+    `exactspline.verification.generic_proof`). For a zero set this means that its form is square-free and has no common
     factor with w; and, if every segment is ``irreducible``, that no polynomial over ℚ of a lower degree vanishes at a
     zero of the form.
 

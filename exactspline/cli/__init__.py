@@ -54,7 +54,7 @@ class _Commands(click.Group):
             return None
         if entry.commands:
             return _Commands(cmd_name, entry.short, entry.commands, epilog=_examples(entry.examples, "Examples"))
-        from exactspline.cli.parameters import command_of
+        from exactspline.cli.output import command_of
 
         made = named(f"exactspline.{entry.home}")
         epilog = f"{_examples(entry.examples, 'Examples')}\n\n{_statuses(entry)}"
@@ -101,7 +101,7 @@ def _usage_message(error: click.UsageError) -> str:
 
 def _without_option(error: click.NoSuchOption) -> str:
     """The argument to give in this command instead of the option; empty if there is none."""
-    from exactspline.cli.parameters import Command
+    from exactspline.cli.output import Command
 
     command = error.ctx.command if error.ctx else None
     return command.without_option(error.option_name) if isinstance(command, Command) else ""

@@ -5,23 +5,24 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Annotated
 
-from exactspline.cli.answers import answer_about_pair, refuse_with_ask
 from exactspline.cli.common import (
     CURVE_HELP,
     Drawing,
     Places,
+    answer_about_pair,
     check_distance,
     check_output,
     load_curve,
     only_one,
     reading_of,
+    refuse_with_ask,
+    surfaces_among,
+    surfaces_in,
     tell_written,
     with_distance,
     write_theorems,
 )
-from exactspline.cli.output import Output, printing
-from exactspline.cli.parameters import Argument, Option
-from exactspline.cli.surfaces import surfaces_among, surfaces_in
+from exactspline.cli.output import Argument, Option, Output, printing
 
 
 @printing

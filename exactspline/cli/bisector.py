@@ -6,8 +6,7 @@ from functools import partial
 from typing import TYPE_CHECKING, Annotated, Any, NamedTuple
 
 from exactspline.cli.common import CURVE_HELP, Drawing, Places, check_output, load_curve, tell_written
-from exactspline.cli.output import Output, printing
-from exactspline.cli.parameters import Argument, Option
+from exactspline.cli.output import Argument, Option, Output, printing
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -148,7 +147,7 @@ def _of_point(c: Nurbs, point: list[str], variant: str, digits: int) -> _Answer:
 def _print(out: Output, c: Nurbs, answer: _Answer) -> None:
     from exactspline.display import console
     from exactspline.display.bisector_data import bisector_sheet
-    from exactspline.display.described import described
+    from exactspline.display.numbers import described
 
     shown, sheet = console.console(), bisector_sheet(answer.rows, described(c))
     console.lines(shown, answer.title, style="bold")

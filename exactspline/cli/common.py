@@ -1,24 +1,124 @@
-"""The common parts of several commands: their options, and the functions that read curves and surfaces."""
+"""The common parts of several commands: their options, the functions that read curves and surfaces, the output of
+``inspect`` for surfaces, and the exact answers of ``--ask``.
+"""
 
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, TypeVar
+from typing import TYPE_CHECKING, Annotated, Any, TypeVar
 
-from exactspline.cli.output import OptionsError, is_quiet, leave_out, ticking, to_stderr
-from exactspline.cli.parameters import Option
+from exactspline.cli.output import Exit, Option, OptionsError, Output, is_quiet, leave_out, ticking, to_stderr
 from exactspline.errors import ClaimError, CurveFileError, ExactSplineError, NumberError, command_name, counted
 from exactspline.hooks import named
 from exactspline.numbers.exact import rational
 
 if TYPE_CHECKING:
+    from exactspline.display.sheet import Sheet
+    from exactspline.geometry.analysis.ask import About
+    from exactspline.geometry.analysis.pairs import CurvePair
+    from exactspline.geometry.analysis.surface_pairs import SurfacePair
+    from exactspline.geometry.analysis.surfaces import SurfaceInspection
     from exactspline.interchange.records import Reading
+    from exactspline.questions.entry import Of
     from exactspline.splines.nurbs import Nurbs
     from exactspline.splines.surface import NurbsSurface
     from exactspline.verification.claim import Claim
+
+#: The most digits of the certified intervals of an answer.
+DIGITS = 1000
+#: The objects of a question, each with data that name it.
+_Asked = Sequence[tuple[Mapping[str, object], "About"]]
+
+
+def refuse_with_ask(options: Mapping[str, object], what: str = "--ask") -> None:
+    """Refuse an option that has no effect together with a question, or together with `what`."""
+    if refused := next((option for option, value in options.items() if value), ""):
+        raise OptionsError(f"{refused} and {what}", remedy=f"give {refused} in a command without {what}")
+
+
+def answer_about_curves(
+    out: Output, found: tuple[list[Read], bool], asked: list[str], digits: int, *, certificates: bool, region: str
+) -> None:
+    """Answer questions about curves. `found` are the curves, and whether all of them could be read; with the rule of a
+    `region`, the questions are about the region that the curves bound together.
+    """
+    from exactspline.geometry.pairs.regions import Region
+    from exactspline.questions.entry import ALL_CURVES, Of
+
+    read, good = found
+    given: _Asked = [({"curve": x.curve.name} | x.data(), x.curve) for x in read]
+    if region and given:
+        bounded = Region([x.curve for x in read], region)
+        given = [({"curve": f"region of {counted(len(given), 'curve')}, {region}"}, bounded)]
+    _answer(out, given, asked, digits, (Of.REGION,) if region else ALL_CURVES, certificates=certificates, good=good)
+
+
+def answer_about_pair(out: Output, pair: CurvePair | SurfacePair, asked: list[str], digits: int) -> None:
+    """Answer questions about two curves, or two surfaces."""
+    from exactspline.geometry.analysis.ask import kind_of
+    from exactspline.geometry.analysis.pairs import CurvePair
+
+    of = {"curve": pair.curves} if isinstance(pair, CurvePair) else {"surface": pair.surfaces}
+    given = {what: " and ".join(each.name for each in both) for what, both in of.items()}
+    _answer(out, [(given, pair)], asked, digits, (kind_of(pair),))
+
+
+def answer_about_surfaces(
+    out: Output, surfaces: Sequence[NurbsSurface], asked: list[str], digits: int, *, good: bool
+) -> None:
+    """Answer questions about surfaces and maps of the plane; `good` is whether all could be read."""
+    from exactspline.questions.entry import Of
+
+    _answer(out, [({"surface": x.name}, x) for x in surfaces], asked, digits, (Of.SURFACE, Of.PLANAR_MAP), good=good)
+
+
+def _answer(
+    out: Output,
+    given: _Asked,
+    asked: list[str],
+    digits: int,
+    kinds: Iterable[Of],
+    *,
+    certificates: bool = False,
+    good: bool = True,
+) -> None:
+    """Print the answers: exact values, certified intervals, correctly rounded doubles."""
+    from exactspline.display.answer_forms import answer_data, answer_sheet, records
+    from exactspline.display.sheet import Sheet
+    from exactspline.errors import ExactSplineError
+    from exactspline.geometry.analysis.ask import asked_of, check_question, facts_about
+
+    for question in asked:
+        check_question(question, *kinds)
+    if digits > DIGITS:
+        raise OptionsError(f"--digits {digits}", remedy=f"answers have at most {DIGITS}")
+    rows: list[dict[str, Any]] = []
+    sheets: list[Sheet] = []
+    for of, about in given:
+        facts, name = facts_about(about), next(iter(of.values()))
+        for question in asked:
+            title = f"{name}: {question}"
+            row = {"key": title, **of, "question": question, "answer": None, "certificates": [], "error": ""}
+            try:
+                found = asked_of(facts, question)
+                if out.format == "json" or out.strict:
+                    row["answer"] = answer_data(found, digits)
+                    row["certificates"] = [proof.certificate() for proof in found.proofs if certificates]
+                if out.format != "json":
+                    sheets.append(answer_sheet(title, records(found), digits))
+            except ExactSplineError as error:
+                row["error"] = str(error)
+                refused = [("no answer", "", str(error), "")]
+                columns = ("what", "name", "value", "double")
+                sheets.append(Sheet(*columns, rows=refused, title=title, name=title, prose=["value"]))
+            rows.append(row)
+    out.give("answers", distinguish(rows), sheets, by="answer")
+    if not good or any(row["error"] for row in rows):
+        raise Exit(2)
+
 
 G = TypeVar("G")
 V = TypeVar("V")
@@ -318,3 +418,110 @@ def write_theorems(path: str, *curves: Nurbs) -> None:
     """The theorems about a curve, or about the common points of two, in a file."""
     named(f"{THEOREMS}:write_theorems")(path, *curves)
     tell_written(path)
+
+
+def surfaces_among(readings: Sequence[tuple[str, Reading]], *, requested: bool) -> list[tuple[str, Reading]]:
+    """The readings of files that hold surfaces and no curves; if surfaces are requested, also of files with both."""
+    return [(name, each) for name, each in readings if each.surfaces and (requested or not each.curves)]
+
+
+def read_surfaces(name: str) -> Sequence[NurbsSurface]:
+    """The surfaces that a name means: an example, or the surfaces of a file in any format or of standard input.
+    Whatever else the file holds is named on standard error.
+    """
+    reading = reading_of(name)
+    if not reading.surfaces:
+        tell_skipped(reading, name)
+        raise CurveFileError("holds no surface", where=name, remedy="name a file of surfaces")
+    return surfaces_in(name, reading, "not a surface")
+
+
+def read_surface(name: str) -> NurbsSurface:
+    """The one surface that a name, a file or standard input means."""
+    return only_one(read_surfaces(name), "surface", name, "--surfaces ")
+
+
+def surfaces_in(name: str, reading: Reading, why: str = "without --surfaces these are taken") -> Sequence[NurbsSurface]:
+    """The surfaces of a file; whatever else the file holds is named on standard error."""
+    if reading.curves:
+        leave_out()
+        to_stderr(f"skipped: {name}: {counted(len(reading.curves), 'curve')}: {why}")
+    tell_skipped(reading, name, surfaces=False)
+    tell_notes(reading, curves=False)
+    return reading.surfaces
+
+
+def inspect_surfaces(
+    out: Output,
+    surfaces: Sequence[NurbsSurface],
+    digits: int,
+    plot: str,
+    epsilon: str,
+    *,
+    good: bool,
+    with_all: bool = False,
+) -> None:
+    """Print the features of surfaces; a surface that fails is reported, and the others are inspected. `good` is whether
+    all could be read.
+    """
+    if plot and len(surfaces) > 1:
+        raise OptionsError("--plot and several surfaces", remedy="draw them one by one")
+    inspected, all_good = each_read(surfaces, lambda surface: _inspected(surface, digits, plot, epsilon, with_all))
+    good = good and all_good
+    out.give(
+        "inspect surface",
+        [{"key": str(data["surface"])} | data for data, _ in inspected],
+        [sheets[0] for _, sheets in inspected],
+        lambda: out.show([sheet for _, sheets in inspected for sheet in sheets]),
+        by="surface",
+    )
+    if not good:
+        raise Exit(2)
+
+
+def _inspected(
+    surface: NurbsSurface, digits: int, plot: str, epsilon: str, with_all: bool
+) -> tuple[dict[str, object], list[Sheet]]:
+    """The features of a surface as data and as tables, and the picture where one is requested."""
+    from exactspline.display.answer_forms import FORMS, FORMS_BESIDE, surface_inspection_data
+    from exactspline.display.forms import list_of
+    from exactspline.display.surface_data import map_sheet, nearby_umbilics_sheet, surface_sheet
+    from exactspline.geometry.analysis.planar_maps import jacobian_sign
+    from exactspline.geometry.analysis.surfaces import inspect_surface
+    from exactspline.geometry.recognition.patches import RecognizedPart
+
+    if surface.dimension == 2:
+        if plot:
+            raise OptionsError("--plot and a map of the plane", remedy="omit --plot: only surfaces in space are drawn")
+        sign = jacobian_sign(surface)
+        return surface_inspection_data(sign, digits), [map_sheet(sign)]
+    found = inspect_surface(surface)
+    if plot:
+        _drawn(found, plot)
+    data = surface_inspection_data(found, digits)
+    if not epsilon:
+        return data, [surface_sheet(found, digits, with_all=with_all)]
+    shapes, umbilics = found.shapes_within(epsilon), found.umbilics_within(epsilon)
+    data |= {"shapes": list_of(FORMS[RecognizedPart]).write(shapes, digits), "epsilon": epsilon}
+    data["umbilics_within"] = FORMS_BESIDE["inspect surface"]["umbilics_within"].write(umbilics, digits)
+    sheets = [surface_sheet(found, digits, shapes, with_all=with_all)]
+    if umbilics:
+        sheets.append(nearby_umbilics_sheet(umbilics, f"All surfaces within {epsilon} of {surface.name}"))
+    return data, sheets
+
+
+def _drawn(found: SurfaceInspection, plot: str) -> None:
+    """Write a picture, or an interactive page, of an inspected surface."""
+    from exactspline.display.plot.anything import picture
+
+    if plot.lower().endswith(".html"):
+        from exactspline.atomic_write import write_text
+        from exactspline.display.plot.canvas import PlotError
+
+        write_text(plot, picture("page of an inspected surface", found), PlotError)
+        tell_written(plot)
+        return
+    from exactspline.display.plot.canvas import save
+
+    save(picture("inspected surface", found), plot)
+    tell_written(plot)

@@ -13,12 +13,11 @@ from exactspline.cli.common import (
     check_approximate,
     check_distance,
     check_output,
+    surfaces_in,
     tell_notes,
     tell_skipped,
 )
-from exactspline.cli.output import OptionsError, Output, leave_out, printing, ticking, to_stderr
-from exactspline.cli.parameters import Argument, Exit, Option
-from exactspline.cli.surfaces import surfaces_in
+from exactspline.cli.output import Argument, Exit, Option, OptionsError, Output, leave_out, printing, ticking, to_stderr
 from exactspline.display.forms import picked
 from exactspline.display.sheet import Sheet
 from exactspline.errors import CurveFileError, ShapeError, counted
@@ -170,8 +169,8 @@ def _repaired(named: NamedCurve | NurbsSurface, snap: str, epsilon: str) -> Snap
 
 def _replacements(repair: Snapped | None) -> list[str]:
     """The replaced pieces, each with its shape, and the pieces that were kept, as text."""
-    from exactspline.display.described import shape_text
     from exactspline.display.forms import real_text
+    from exactspline.display.numbers import shape_text
 
     if repair is None:
         return []

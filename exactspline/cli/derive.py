@@ -5,8 +5,7 @@ from __future__ import annotations
 from typing import Annotated
 
 from exactspline.cli.common import Trust, check_output, load_curve
-from exactspline.cli.output import Output, print_json, printing, unchecked
-from exactspline.cli.parameters import Argument, Option
+from exactspline.cli.output import Argument, Option, Output, print_json, printing, unchecked
 
 
 @printing
@@ -40,8 +39,8 @@ def derive(
     trust: Trust = False,
 ) -> None:
     """Write the exact control points of a derived curve or function (JSON)."""
-    from exactspline.cli.surfaces import read_surface
-    from exactspline.display.serialize import derived_data
+    from exactspline.cli.common import read_surface
+    from exactspline.display.forms import derived_data
     from exactspline.display.surface_data import surface_value_data
     from exactspline.geometry.derived.derive import derive as derived
     from exactspline.interchange.curve_files import write_json

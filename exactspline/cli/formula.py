@@ -10,8 +10,7 @@ from types import MappingProxyType
 from typing import TYPE_CHECKING, Annotated, Any
 
 from exactspline.cli.common import CURVE_HELP, CurveFiles, Limit, Papers, Trust, also_in_their_planes, loaded
-from exactspline.cli.output import Output, document, print_json, printing, tracked
-from exactspline.cli.parameters import Argument, Exit, Option
+from exactspline.cli.output import Argument, Exit, Option, Output, document, print_json, printing, tracked
 from exactspline.display.sheet import Sheet
 from exactspline.errors import ExactSplineError, FormulaError, ShapeError, nearest
 
@@ -128,8 +127,8 @@ def _of_papers(
 
 def _give(out: Output, tables: list[tuple[Nurbs, list[DegreeRow]]]) -> None:
     """The degrees of formulas on curves."""
-    from exactspline.display.described import described
     from exactspline.display.formulas import degree_sheet
+    from exactspline.display.numbers import described
 
     out.give(
         "degrees",
@@ -204,7 +203,7 @@ def _certify(names: list[str] | None) -> None:
     """Certificates of all constructions on the curves, or on the witnesses of the generic curve."""
     from exactspline.geometry.derived.constructions import all_constructions, constructions_for
     from exactspline.verification.degree_tables import WITNESSES
-    from exactspline.verification.minimality import attained, certificate
+    from exactspline.verification.generic_proof import attained, certificate
 
     if not names:
         tasks = [

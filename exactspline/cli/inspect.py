@@ -6,7 +6,6 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING, Annotated, Any, NamedTuple
 
-from exactspline.cli.answers import answer_about_curves, answer_about_surfaces, refuse_with_ask
 from exactspline.cli.common import (
     CURVE_HELP,
     Approximate,
@@ -14,19 +13,21 @@ from exactspline.cli.common import (
     Read,
     Surfaces,
     also_in_their_planes,
+    answer_about_curves,
+    answer_about_surfaces,
     check_approximate,
     check_distance,
     distinguish,
     each_read,
     read_curves,
     reading_of,
+    refuse_with_ask,
     see_that_coq_can_name,
     tell_written,
     with_distance,
     write_theorems,
 )
-from exactspline.cli.output import OptionsError, Output, printing, ticking
-from exactspline.cli.parameters import Argument, Exit, Option
+from exactspline.cli.output import Argument, Exit, Option, OptionsError, Output, printing, ticking
 
 if TYPE_CHECKING:
     from exactspline.geometry.analysis.inspection import Report
@@ -135,7 +136,7 @@ def inspect(
     certified and to any number of digits. For a surface, find the sign of the Gaussian curvature, the parabolic curves,
     the umbilics and the poles. For a map of the plane, find the sign of the Jacobian determinant.
     """
-    from exactspline.cli.surfaces import surfaces_among
+    from exactspline.cli.common import surfaces_among
 
     check_approximate(approximate)
     for_curves: dict[str, str | bool] = {
@@ -192,7 +193,7 @@ def _inspect_surfaces(
     with_all: bool,
 ) -> None:
     """Inspect the surfaces in the readings; `for_curves` are the options that are only for curves."""
-    from exactspline.cli.surfaces import inspect_surfaces, surfaces_in
+    from exactspline.cli.common import inspect_surfaces, surfaces_in
 
     own = [surface for pair in read for surface in surfaces_in(*pair)]
     if refused := next((option for option, value in for_curves.items() if value), ""):
@@ -308,7 +309,7 @@ def _proofs(curve: Nurbs) -> list[dict[str, object]]:
 def _draw(reports: list[Report], given: list[Nurbs], path: str, title: str) -> None:
     """Draw one curve next to the functions whose zeros were computed, or several curves in one picture."""
     from exactspline.display.plot.canvas import save
-    from exactspline.display.plot.comparisons import features_figure, inspect_figure
+    from exactspline.display.plot.functions import features_figure, inspect_figure
     from exactspline.geometry.analysis.inspection import solved
 
     if len({c.dimension for c in given}) > 1:

@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from typing import Annotated
 
-from exactspline.cli.output import Output, printing
-from exactspline.cli.parameters import Argument
+from exactspline.cli.output import Argument, Output, printing
 from exactspline.display.forms import picked
 from exactspline.display.sheet import Sheet
 

@@ -5,8 +5,7 @@ from __future__ import annotations
 from functools import partial
 from typing import Annotated
 
-from exactspline.cli.output import Output, printing, tracked
-from exactspline.cli.parameters import Argument, Option
+from exactspline.cli.output import Argument, Option, Output, printing, tracked
 from exactspline.display.sheet import Sheet
 
 

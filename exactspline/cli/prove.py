@@ -19,8 +19,7 @@ from exactspline.cli.common import (
     loaded,
     tell_written,
 )
-from exactspline.cli.output import OptionsError, Output, leave_out, printing, tracked
-from exactspline.cli.parameters import Exit, Option
+from exactspline.cli.output import Exit, Option, OptionsError, Output, leave_out, printing, tracked
 from exactspline.errors import ClaimError, nearest
 
 if TYPE_CHECKING:
@@ -104,9 +103,9 @@ def prove(
     example curves.
     """
     from exactspline.atomic_write import write_text
-    from exactspline.cli.surfaces import read_surfaces
+    from exactspline.cli.common import read_surfaces
     from exactspline.display.ledger import WORDS
-    from exactspline.display.ledger_run import Run
+    from exactspline.display.ledger_pages import Run
     from exactspline.display.numbers import Numbers
     from exactspline.display.theorem import PREAMBLE, bibliography, theorem
     from exactspline.verification.statement import stated
@@ -166,8 +165,7 @@ def _decided(
     claims: Sequence[Claim], curves: Sequence[Nurbs | NurbsSurface] | None, limit: int | None, fresh: bool
 ) -> tuple[list[Row], int]:
     """The rows, and how many of them are those of earlier runs."""
-    from exactspline.verification.ledger import settled, tasks
-    from exactspline.verification.remembered import Memory, cache_file
+    from exactspline.verification.ledger import Memory, cache_file, settled, tasks
 
     memory = Memory(None if fresh else cache_file())
     found = settled(tracked(tasks(claims, curves, limit, memory.around), "proving"))

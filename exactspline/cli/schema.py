@@ -5,8 +5,7 @@ from __future__ import annotations
 import json
 from typing import Annotated, Any
 
-from exactspline.cli.output import VERSION, print_json
-from exactspline.cli.parameters import Argument
+from exactspline.cli.output import VERSION, Argument, print_json
 from exactspline.errors import ExactSplineError, nearest
 
 #: The schema of a line of `exactspline sweep`, which is not a document of rows.

@@ -5,8 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Annotated
 
 from exactspline.cli.common import PLACES, Digits, Exact, Papers, Trust, claims_of_papers
-from exactspline.cli.output import Output, leave_out, printing
-from exactspline.cli.parameters import Argument, Exit, Option
+from exactspline.cli.output import Argument, Exit, Option, Output, leave_out, printing
 from exactspline.display.forms import picked
 from exactspline.display.sheet import COLOURS, Sheet
 from exactspline.errors import ClaimError, command_name, nearest
@@ -17,8 +16,7 @@ if TYPE_CHECKING:
 
     from exactspline.papers import Paper
     from exactspline.verification.claim import Claim
-    from exactspline.verification.errata import Erratum
-    from exactspline.verification.statement import Statement
+    from exactspline.verification.statement import Erratum, Statement
 
 
 #: Up to this many claims are spelled out for people; if there are more, only the first.
@@ -141,8 +139,8 @@ def errata(
     from exactspline.display.tables import errata_sheet, erratum_data, print_errata
     from exactspline.papers import named_papers
     from exactspline.verification.combined import computed_once
-    from exactspline.verification.errata import errata as errors
-    from exactspline.verification.errata import left_open, remarks
+    from exactspline.verification.statement import errata as errors
+    from exactspline.verification.statement import left_open, remarks
 
     numbers = Numbers(digits, exact)
     sources = named_papers(paper or [], trust=trust, partly=True)

@@ -13,8 +13,19 @@ from time import monotonic
 from typing import TYPE_CHECKING, Annotated
 
 from exactspline.cli.common import Approximate, check_approximate, with_distance
-from exactspline.cli.output import INTERRUPTED, OptionsError, Output, bar, leave_out, printing, seldom, to_stderr
-from exactspline.cli.parameters import Argument, Exit, Option
+from exactspline.cli.output import (
+    INTERRUPTED,
+    Argument,
+    Exit,
+    Option,
+    OptionsError,
+    Output,
+    bar,
+    leave_out,
+    printing,
+    seldom,
+    to_stderr,
+)
 from exactspline.display.sheet import Sheet
 from exactspline.errors import CurveFileError, counted
 

@@ -1,30 +1,48 @@
-"""The form of the answer to each question, by the type of the answer, and all answers about an object as data."""
+"""The form of the answer to each question, by the type of the answer; answers as data, as records (the kind of each
+thing, with its numbers and words by name), and as tables; and all answers about an object as data.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import replace
 from enum import StrEnum
 from functools import cache
 from operator import itemgetter
 from types import NoneType, SimpleNamespace
-from typing import TYPE_CHECKING, Any, get_args, get_type_hints
+from typing import TYPE_CHECKING, Any, NamedTuple, cast, get_args, get_type_hints, overload
 
 from exactspline.bivariate.zeros import SurfacePlaces
 from exactspline.display import bisector_data, surface_data
 from exactspline.display.bisector_data import FORMS_OF_POINT, MISSING, PAIRS, PARAMETER, SIDES_MISSING
+from exactspline.display.features import ends_text
 from exactspline.display.forms import (
     BOX,
+    CURVE,
+    DERIVED,
     DIGITS,
+    FEATURE,
     FLAG,
     INTEGER,
     INTERVAL,
+    INTERVALS,
+    JOINT,
+    NAMED_NUMBERS,
+    NEAREST_POINT,
+    PLANAR_PIECE,
+    POINT,
     REAL,
+    SPLINE,
     TEXT,
     Data,
     Form,
+    Located,
+    Net,
+    described_form,
+    double_of,
     list_of,
     lists,
+    located,
     one_of,
     or_null,
     pair_of,
@@ -32,27 +50,13 @@ from exactspline.display.forms import (
     plain,
     real_text,
     record,
+    word,
 )
 from exactspline.display.numbers import polynomial_text
-from exactspline.display.serialize import (
-    CURVE,
-    DERIVED,
-    FEATURE,
-    INTERVALS,
-    JOINT,
-    NAMED_NUMBERS,
-    NEAREST_POINT,
-    PLANAR_PIECE,
-    POINT,
-    SPLINE,
-    Located,
-    Net,
-    described_form,
-    located,
-)
 from exactspline.display.sheet import Sheet
 from exactspline.display.surface_data import places_on_surface
 from exactspline.errors import ShapeError, a_kind, as_integer
+from exactspline.geometry.analysis.ask import About, Asked, asked_of
 from exactspline.geometry.analysis.curves import QUESTIONS
 from exactspline.geometry.analysis.inspection import Report, inspect_curve
 from exactspline.geometry.analysis.planar_maps import MapInspection
@@ -74,19 +78,20 @@ from exactspline.geometry.rounded.features import NearbyFeature
 from exactspline.geometry.rounded.intersections import NearbyMeeting
 from exactspline.geometry.rounded.stability import StableFeature
 from exactspline.geometry.rounded.umbilics import NearbyUmbilic
+from exactspline.hooks import Written
 from exactspline.language.rational import Rational
 from exactspline.numbers.exact import mpq
+from exactspline.numbers.intervals import Interval
 from exactspline.questions.answers import NamedNumbers
 from exactspline.questions.entry import Entry, Question, QuestionWith, Remembers, questions_of
-from exactspline.reals.real import Real
-from exactspline.roots.answers import CurvePiece, Places
+from exactspline.reals.real import Real, real
+from exactspline.roots.answers import Answer, CurvePiece, Places
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.type_checks import curve_of
 
 if TYPE_CHECKING:
     from exactspline.geometry.analysis.pairs import CurvePair
-
 
 # ---- common points of two curves
 
@@ -249,7 +254,7 @@ FORMS_BESIDE: dict[str, dict[str, Form]] = {
 @cache
 def form_of(entry: Entry) -> Form:
     """The form of the answer to a question, chosen by the type of the answer. Features and joints are written with
-    their curve (`placed`).
+    their curve (`_placed`).
 
     >>> from exactspline.geometry.analysis.curves import QUESTIONS
     >>> form_of(QUESTIONS["inflections"]).schema["properties"]["points"]["items"]["properties"]["kind"]["enum"][:2]
@@ -272,7 +277,7 @@ def _form(kind: Any) -> Form:
     return one_of(kind) if isinstance(kind, type) and issubclass(kind, StrEnum) else list_of(_form(parts[0]))
 
 
-def placed(facts: Remembers, answer: object, tick: Callable[[], None] = lambda: None) -> object:
+def _placed(facts: Remembers, answer: object, tick: Callable[[], None] = lambda: None) -> object:
     """An answer ready to be written: features and joints of a curve are joined with the curve. `tick` is called after
     every feature.
     """
@@ -321,7 +326,7 @@ def report_data(report: Report, digits: int, tick: Callable[[], None] = lambda: 
     curve, facts, beside = report.curve, report.analysis, FORMS_BESIDE["inspect"]
     data: Data = {"curve": curve.name, "closed": curve.closed, "digits": digits}
     for name, answer in report.answers.items():
-        data[name] = form_of(QUESTIONS[name]).write(placed(facts, answer, tick), digits)
+        data[name] = form_of(QUESTIONS[name]).write(_placed(facts, answer, tick), digits)
     if report.within is not None:
         data["epsilon"] = report.epsilon
         data |= {name: beside[name].write(getattr(report, name), digits) for name in ("nearby", "meetings")}
@@ -343,3 +348,158 @@ def surface_inspection_data(inspection: SurfaceInspection | MapInspection, digit
     else:
         head |= {"complete": inspection.complete, "undecided": list_of(BOX).write(inspection.undecided, digits)}
     return head | answers_data(inspection, digits)
+
+
+#: The types of exact numbers.
+NUMBER = Real | type(mpq())
+
+
+class _Record(NamedTuple):
+    """One thing of an answer: its kind, and its numbers and words by name."""
+
+    what: str
+    values: Mapping[str, object]
+
+
+def answer_data(asked: Asked, digits: int) -> object:
+    """The answer to a question as data for programs."""
+    return form_of(asked.entry).write(_placed(asked.facts, asked.answer), digits)
+
+
+def records(asked: Asked) -> list[_Record]:
+    """The records of an answer, one for each thing in it.
+
+    >>> from exactspline import example
+    >>> [(each.what, dict(each.values)) for each in records(asked_of(example("circle"), "bounding_box"))]
+    [('x', {'low': <Real -1>, 'high': <Real 1>}), ('y', {'low': <Real -1>, 'high': <Real 1>})]
+    """
+    return _records_of(form_of(asked.entry), _placed(asked.facts, asked.answer), asked.entry.name)
+
+
+def _records_of(form: Form, value: object, name: str) -> list[_Record]:
+    what = name.removesuffix("_within")
+    return [*_records(form, value, what if form.elements is None else what.removesuffix("s"))]
+
+
+def _records(form: Form, value: object, what: str) -> Iterator[_Record]:
+    if form.elements is None:
+        values = dict(form.leaves(value))
+        kind = str(values.pop("kind", values.pop("what", what)))
+        # an absent thing has neither numbers nor a kind
+        if values or kind != what:
+            yield _Record(kind.replace("_", " "), {name or "value": x for name, x in values.items()})
+        return
+    for group, element, each in form.elements(value):
+        own = what if group in ("", "points") else group.removesuffix("s")
+        yield from _records(element if element.divided else replace(element, elements=None), each, own)
+
+
+def answer_sheet(title: str, found: list[_Record], digits: int) -> Sheet:
+    """An answer as a table: one row for each number, with its exact value if that is short and with the nearest double,
+    and one row for the words.
+    """
+    made = Sheet("what", "name", "value", "double", title=title, name=title, prose=["value"])
+    for each in found:
+        words = list[str]()
+        for name, value in each.values.items():
+            if isinstance(value, NUMBER):
+                double = double_of(real(value))
+                shown = "–" if double is None else repr(double)
+                made.add_row(each.what, name.replace("_", " "), real_text(value, digits), shown)
+            else:
+                words.append(f"{name.replace('_', ' ')} {_outwards(value)}")
+        if words or not each.values:
+            made.add_row(each.what, "", "; ".join(words).removeprefix("value "), "")
+    if not found:
+        made.add_row("nothing", "", "there is none", "")
+    return made
+
+
+def _outwards(value: object) -> str:
+    """A word as text. An interval is rounded outwards, since the JSON has its exact ends."""
+    if not isinstance(value, Interval | CurvePiece):
+        return word(value)
+    parts = value.parts if isinstance(value, CurvePiece) else [value]
+    return " ∪ ".join(f"[{', '.join(ends_text(part))}]" for part in parts)
+
+
+@overload
+def to_dict(about: About, question: str, digits: int = 20) -> dict[str, object]:
+    """The answer to a question (see `ask`) about an object, as data."""
+
+
+@overload
+def to_dict(about: Written, *, digits: int = 20) -> dict[str, object]:
+    """An answer."""
+
+
+def to_dict(about: About | Written, question: str = "", digits: int = 20) -> dict[str, object]:
+    """Return the answer to a question (see `ask`) as data for ``json.dumps``, with this many digits of irrational
+    numbers. ``answer.to_dict()`` returns the same.
+
+    >>> from exactspline import example
+    >>> to_dict(example("torus"), "umbilics")
+    {'question': 'umbilics', 'answer': {'points': [], 'everywhere': [], 'undecided': []}}
+    """
+    digits = as_integer(digits, "a number of digits", 1)
+    if isinstance(about, Written) and not question:
+        form, value, _ = _form_of_answer(about)
+        data: dict[str, object] = form.write(value, digits)
+        return data
+    return {"question": question, "answer": answer_data(asked_of(cast(About, about), question), digits)}
+
+
+@overload
+def to_records(about: About, question: str) -> list[dict[str, object]]:
+    """The answer to a question about an object."""
+
+
+@overload
+def to_records(about: Written) -> list[dict[str, object]]:
+    """An answer."""
+
+
+def to_records(about: About | Written, question: str = "") -> list[dict[str, object]]:
+    """Return the answer to a question (see `ask`) as a list of records for ``pandas.DataFrame`` and
+    ``polars.DataFrame``, with correctly rounded doubles as numbers. ``answer.to_records()`` returns the same.
+
+    >>> from exactspline import example
+    >>> to_records(example("cubic_s"), "inflections")[0]["parameter"]
+    0.5
+    """
+    if isinstance(about, Written) and not question:
+        found = _records_of(*_form_of_answer(about))
+    else:
+        found = records(asked_of(cast(About, about), question))
+    return [{"what": each.what} | {name: _plain(x) for name, x in each.values.items()} for each in found]
+
+
+def answer_table(answer: Written) -> Sheet:
+    """An answer as a table.
+
+    >>> from exactspline import example
+    >>> answer_table(example("cubic_s").inflections).rows[0]
+    ('inflection', 'parameter', '1/2', '0.5')
+    """
+    form, value, name = _form_of_answer(answer)
+    return answer_sheet(name.replace("_", " "), _records_of(form, value, name), DIGITS)
+
+
+def _form_of_answer(answer: Written) -> tuple[Form, object, str]:
+    """The form of an answer, the value that is written, and its name."""
+    if isinstance(answer, Answer) and answer.asked is not None:
+        name, again = answer.asked
+        facts = cast(Remembers, again())  # an answer that knows its question
+        entry = (QUESTIONS if isinstance(facts, Facts) else questions_of(type(facts)))[name]
+        return form_of(entry), _placed(facts, answer), name
+    for kind in type(answer).__mro__:
+        if kind in FORMS:
+            return FORMS[kind], answer, kind.__name__.lower()
+    raise ShapeError(f"an answer of unknown origin ({type(answer).__name__})", remedy="take it from exactspline.ask")
+
+
+def _plain(value: object) -> object:
+    """A number as a double, a word as text."""
+    if isinstance(value, NUMBER):
+        return double_of(real(value))
+    return value if isinstance(value, bool | int) else str(value)

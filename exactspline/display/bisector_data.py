@@ -13,10 +13,13 @@ from exactspline.display.forms import (
     FLAG,
     INTEGER,
     INTERVAL,
+    NAMED_NUMBERS,
     REAL,
+    SPLINE,
     TEXT,
     Data,
     Form,
+    Net,
     list_of,
     one_of,
     optional,
@@ -27,7 +30,6 @@ from exactspline.display.forms import (
     real_text,
     record,
 )
-from exactspline.display.serialize import NAMED_NUMBERS, SPLINE, Net
 from exactspline.display.sheet import Sheet
 from exactspline.errors import ReachError, counted
 from exactspline.geometry.bisectors.components import (

@@ -7,10 +7,8 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from typing import cast
 
 from exactspline.display import console
-from exactspline.display.described import described, readable, shape_text
-from exactspline.display.forms import DIGITS, READABLE, closed_form_data, real_text
-from exactspline.display.numbers import decimal, rounded_down
-from exactspline.display.serialize import Located, located
+from exactspline.display.forms import DIGITS, READABLE, Located, closed_form_data, located, real_text
+from exactspline.display.numbers import decimal, described, readable, rounded_down, shape_text
 from exactspline.display.sheet import Sheet
 from exactspline.errors import ExactSplineError, counted
 from exactspline.geometry.analysis.curves import QUESTIONS, questions_about

@@ -7,9 +7,8 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 
 from exactspline.display import console
-from exactspline.display.described import described
 from exactspline.display.forms import picked, plain
-from exactspline.display.numbers import decimal
+from exactspline.display.numbers import decimal, described
 from exactspline.display.sheet import Sheet
 from exactspline.language.kinds import PAIR, PLANE_PAIR
 from exactspline.language.surface_kind import BOTH

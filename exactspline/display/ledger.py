@@ -19,12 +19,11 @@ from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.surface import NurbsSurface
 from exactspline.verification.claim import Claim
 from exactspline.verification.divisors import divisors
-from exactspline.verification.errata import claimed_relation, true_relation
 from exactspline.verification.evidence import DegreeHere, ExactQuotient, WrongDegree
 from exactspline.verification.kinds.degree import DegreeClaim
 from exactspline.verification.kinds.equality import Identity, Vanishing
 from exactspline.verification.ledger import Counts, Row, count_statements, error_of
-from exactspline.verification.statement import Statement
+from exactspline.verification.statement import Statement, claimed_relation, true_relation
 from exactspline.verification.verdict import INAPPLICABLE, PROVED, REFUTED, VACUOUS, VERIFIED
 from exactspline.verification.vocabulary import ArgumentKind, Status, Verdict
 

@@ -9,15 +9,15 @@ from io import BytesIO
 from itertools import groupby, pairwise
 from typing import Any, cast
 
+from exactspline.display.answer_forms import answer_table
 from exactspline.display.evidence import worded
 from exactspline.display.latex import fraction, mathematics
 from exactspline.display.latex_prose import quoted
 from exactspline.display.ledger import fields
 from exactspline.display.numbers import Numbers
 from exactspline.display.plot.canvas import BLUE, GREY, SILVER, Point, in_words, polygons, settle
-from exactspline.display.reading_along import ReadingAlong, along_html
-from exactspline.display.records import answer_table
 from exactspline.display.tables import Grid, Verdicts, breakable, found_text, true_text
+from exactspline.display.theorem import ReadingAlong, along_html
 from exactspline.errors import ExactSplineError, counted
 from exactspline.geometry.analysis.ask import kind_of
 from exactspline.geometry.analysis.curves import Analysis
@@ -40,10 +40,9 @@ from exactspline.splines.control_points import greville_abscissae
 from exactspline.splines.lowest_terms import control_point_count
 from exactspline.splines.nurbs import Nurbs
 from exactspline.verification.claim import Claim
-from exactspline.verification.errata import Erratum
 from exactspline.verification.ledger import Row
+from exactspline.verification.statement import Erratum, Statement, sides
 from exactspline.verification.statement import Side as ClaimSide
-from exactspline.verification.statement import Statement, sides
 
 #: The number of entries of a list that are written out, and the number of control points above which a vector is only
 #: described.
@@ -55,9 +54,9 @@ SAID = ("claimed", "found", "factor", "witness", "verdict")
 #: The printers for objects of packages that are imported only when they are used, by the class: the printer, whose name
 #: ends in the form.
 BESIDE = {
-    "exactspline.extras.teaching.exercises.Exercise": "exactspline.extras.teaching.display.exercises:task_html",
-    "exactspline.extras.teaching.triangles.Triangle": "exactspline.extras.teaching.display.triangles:scheme_latex",
-    "exactspline.extras.teaching.triangles.ProductTable": "exactspline.extras.teaching.display.triangles:scheme_latex",
+    "exactspline.extras.teaching.topics.Exercise": "exactspline.extras.teaching.display.exercises:task_html",
+    "exactspline.extras.teaching.triangles.Triangle": "exactspline.extras.teaching.display.exercises:scheme_latex",
+    "exactspline.extras.teaching.triangles.ProductTable": "exactspline.extras.teaching.display.exercises:scheme_latex",
 }
 #: Dots per inch of pictures in a notebook.
 RESOLUTION = 80

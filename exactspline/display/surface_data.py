@@ -15,13 +15,15 @@ from exactspline.bivariate.zero_curve import Shape
 from exactspline.bivariate.zero_lines import ZeroLine
 from exactspline.bivariate.zeros import ZeroCurves, ZeroKind, ZeroPlace
 from exactspline.display.bisector_data import PARAMETER, control_net
-from exactspline.display.described import described_surface, shape_text
 from exactspline.display.features import ends_text
 from exactspline.display.forms import (
+    ANGLE,
     BOX,
     FLAG,
     INTEGER,
     INTERVAL,
+    NUMBERS,
+    POINT,
     REAL,
     TEXT,
     Data,
@@ -34,8 +36,7 @@ from exactspline.display.forms import (
     real_text,
     record,
 )
-from exactspline.display.numbers import decimal
-from exactspline.display.serialize import ANGLE, NUMBERS, POINT
+from exactspline.display.numbers import decimal, described_surface, shape_text
 from exactspline.display.sheet import Sheet
 from exactspline.errors import FormulaError, ReachError, counted
 from exactspline.geometry.analysis.planar_maps import MapInspection

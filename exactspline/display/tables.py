@@ -25,11 +25,10 @@ from exactspline.symbolic.reduction import reduce
 from exactspline.verification.claim import Claim
 from exactspline.verification.claims import select
 from exactspline.verification.degree_tables import construction_table, generic_table, measurable, measure
-from exactspline.verification.errata import Erratum, Holds, Refuted
 from exactspline.verification.kinds.degree import DegreeClaim
 from exactspline.verification.kinds.examples import Count
 from exactspline.verification.ledger import Row, audit, decide
-from exactspline.verification.statement import Statement, statement
+from exactspline.verification.statement import Erratum, Holds, Refuted, Statement, statement
 from exactspline.verification.verdict import CONTRADICTION, PROVED, REFUTED, VERIFIED
 from exactspline.verification.vocabulary import Status, Verdict
 
@@ -300,7 +299,7 @@ def _printed(s: Statement) -> tuple[str, ...]:
 def erratum_data(entry: Erratum) -> dict[str, object]:
     """An error of a paper as data.
 
-    >>> from exactspline.verification.errata import errata
+    >>> from exactspline.verification.statement import errata
     >>> data = erratum_data(errata()[0])
     >>> data["error"], len(data["statements"])
     ('span', 1)

@@ -9,8 +9,7 @@ from typing import Any, ClassVar
 
 from exactspline.errors import FormulaError, InapplicableError, a_kind, as_text
 from exactspline.hooks import Displayed
-from exactspline.language.arguments import Argument
-from exactspline.language.kind import GREEK, Kind, Symbol
+from exactspline.language.arguments import GREEK, Argument, Kind, Symbol
 from exactspline.language.kinds import CURVE, kind_of
 from exactspline.language.operand import Letter
 

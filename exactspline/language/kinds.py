@@ -20,12 +20,16 @@ from exactspline.language.arguments import (
     Accompanied,
     Curve,
     Evaluated,
+    Kind,
     Operands,
     Pair,
+    Rule,
+    Symbol,
     T,
+    constant_text,
+    constants_of,
     vector_of,
 )
-from exactspline.language.kind import Kind, Rule, Symbol, constant_text, constants_of
 from exactspline.language.surface_kind import CURVE_ON_SURFACE, FORMS, PLANAR_MAP, SURFACE
 from exactspline.language.vector import S, Vector, cross
 

@@ -56,7 +56,7 @@ class Scalar(Protocol):
     def __neg__(self) -> Self: ...
 
 
-class Ring(Protocol):
+class _Ring(Protocol):
     """The operations that a formula requires of an operand: those of a differential ring over the exact constants."""
 
     @property
@@ -78,7 +78,7 @@ class Ring(Protocol):
         """The derivative of an order, by the only parameter or by the one that is named."""
 
 
-class Counted(Ring, Protocol):
+class Counted(_Ring, Protocol):
     """The additional operations required by naive semantics (Table 1): a degree, elevation, and provenance."""
 
     @property
@@ -124,7 +124,7 @@ class HasDegree(Protocol[D_co]):
         """The degree."""
 
 
-R = TypeVar("R", bound=Ring)
+R = TypeVar("R", bound=_Ring)
 C = TypeVar("C", bound=Counted)
 D = TypeVar("D")
 

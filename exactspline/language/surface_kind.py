@@ -6,8 +6,7 @@ from collections.abc import Callable, Mapping
 from types import MappingProxyType
 from typing import Any, Generic
 
-from exactspline.language.arguments import COORDINATES, Evaluated, Operands, T, U
-from exactspline.language.kind import Kind, Symbol
+from exactspline.language.arguments import COORDINATES, Evaluated, Kind, Operands, Symbol, T, U
 from exactspline.language.operand import Parameter
 from exactspline.language.vector import Vector
 

@@ -139,7 +139,7 @@ class Answered(StrEnum):
 
 
 @dataclass(frozen=True)
-class About:
+class _About:
     """The data of a question in addition to its name, its meaning and its exact answer.
 
     ``of``: the kinds of objects. ``answered``: the things of which the answer consists. ``part_of``: another question,
@@ -178,7 +178,7 @@ class Entry(ABC):
     """A question as an entry of the registry, whatever its answer is."""
 
     name: str
-    about: About
+    about: _About
 
     @abstractmethod
     def answer(self, facts: Remembers, argument: str = "", place: str = "") -> object:
@@ -241,7 +241,7 @@ def _remembering(entry: Entry, facts: Remembers, answer: T) -> T:
 class Question(Fact[F, T], Entry):
     """A fact that can be asked for by its name."""
 
-    def __init__(self, compute: Callable[[F], T], about: About) -> None:
+    def __init__(self, compute: Callable[[F], T], about: _About) -> None:
         super().__init__(compute)
         self.about = about
 
@@ -264,7 +264,7 @@ class QuestionWith(Entry, Generic[F, P, T]):
     reads.
     """
 
-    def __init__(self, compute: Callable[Concatenate[F, P], T], about: About) -> None:
+    def __init__(self, compute: Callable[Concatenate[F, P], T], about: _About) -> None:
         self.compute, self.__doc__, self.about = compute, compute.__doc__, about
         self.signature = signature(compute)
         _, *parameters = self.signature.parameters.values()
@@ -324,8 +324,8 @@ def question(
     of_piece: str = "",
     on_request: bool = False,
 ) -> Callable[[Callable[[F], T]], Question[F, T]]:
-    """Make the property that computes an answer an entry of the registry (see `About`)."""
-    about = About(of, answered, part_of, proof, of_piece=of_piece, on_request=on_request)
+    """Make the property that computes an answer an entry of the registry (see `_About`)."""
+    about = _About(of, answered, part_of, proof, of_piece=of_piece, on_request=on_request)
     return lambda compute: Question(compute, about)
 
 
@@ -340,7 +340,7 @@ def question_with(
     parameters: at most one after the colon, and one after the @.
     """
     given = takes if isinstance(takes, tuple) else (takes,)
-    return lambda compute: QuestionWith(compute, About(of, answered, proof=proof, takes=given, nearby=nearby))
+    return lambda compute: QuestionWith(compute, _About(of, answered, proof=proof, takes=given, nearby=nearby))
 
 
 def questions_of(owner: type) -> dict[str, Entry]:

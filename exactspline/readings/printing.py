@@ -8,7 +8,7 @@ from collections.abc import Callable
 from enum import StrEnum
 from typing import Any
 
-from exactspline.language.kind import GREEK, constant_text
+from exactspline.language.arguments import GREEK, constant_text
 from exactspline.language.operand import Parameter
 from exactspline.numbers.exact import Number
 from exactspline.polynomials.factors import superscript

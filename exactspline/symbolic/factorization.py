@@ -254,7 +254,7 @@ def name_of_vector(core: Sequence[Jet]) -> tuple[str, mpq]:
     ring, n = core[0].ring, len(core)
     if all(jet.is_zero for jet in core):
         return "0", mpq(1)
-    vectors = [(name, list(value)) for name, value in named_values(ring) if isinstance(value, Vector)]
+    vectors = [(name, list(value)) for name, value in _all_named_values(ring) if isinstance(value, Vector)]
     whole = [(name, value) for name, value in vectors if len(value) == n]
     parts = [
         (f"{name}[{i}…{i + n - 1}]", value[i : i + n])
@@ -282,10 +282,10 @@ def _proportion(core: Sequence[Jet], other: Sequence[Jet]) -> mpq | None:
 
 def _named_parts(ring: JetRing) -> Iterator[tuple[str, Jet]]:
     """The denominators and the scalar polynomial formulas of the library that can be expressed in this ring."""
-    return ((name, value) for name, value in named_values(ring) if isinstance(value, Jet) and not value.is_zero)
+    return ((name, value) for name, value in _all_named_values(ring) if isinstance(value, Jet) and not value.is_zero)
 
 
-def named_values(ring: JetRing) -> Iterator[tuple[str, object]]:
+def _all_named_values(ring: JetRing) -> Iterator[tuple[str, object]]:
     """The denominators and the polynomial formulas of the library, including vectors, that can be expressed in this
     ring; each is computed when it is first reached.
     """

@@ -10,11 +10,11 @@ up to 2⁻⁵²), and curves from public bug reports of other libraries, each wi
 """
 
 from exactspline.testing.families import FAMILIES as FAMILIES
+from exactspline.testing.families import REPORTED as REPORTED
 from exactspline.testing.families import VERSION as VERSION
 from exactspline.testing.families import Case as Case
+from exactspline.testing.families import Reported as Reported
 from exactspline.testing.families import all_cases as all_cases
-from exactspline.testing.reported import REPORTED as REPORTED
-from exactspline.testing.reported import Reported as Reported
 from exactspline.testing.strategies import nasty_curves as nasty_curves
 from exactspline.testing.strategies import near as near
 from exactspline.testing.strategies import near_cusps as near_cusps

@@ -1,10 +1,15 @@
-"""The cases: curves whose numbers are doubles, in families, the same for the same version in every run."""
+"""The cases: curves whose numbers are doubles, in families, the same for the same version in every run; among them
+cases from public bug reports (``reported.json`` beside this file), each with its link: the reported numbers, or a small
+curve that shows the same defect.
+"""
 
 from __future__ import annotations
 
+import json
 import random
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
+from importlib.resources import files
 from itertools import product
 from math import frexp
 
@@ -12,7 +17,34 @@ from exactspline.errors import ExactSplineError
 from exactspline.numbers.exact import double, from_float, mpq
 from exactspline.numbers.once import cached_property
 from exactspline.splines.nurbs import Nurbs
-from exactspline.testing.reported import REPORTED
+
+
+@dataclass(frozen=True)
+class Reported:
+    """A curve of a bug report: of one segment where no knots are given."""
+
+    key: str
+    link: str
+    note: str
+    points: list[tuple[float, ...]]
+    degree: int
+    knots: list[float]
+    weights: list[float] | None = None
+    parameter: float | None = None
+
+
+def _reported() -> list[Reported]:
+    rows = json.loads(files(__package__).joinpath("reported.json").read_text(encoding="utf-8"))
+    for row in rows:
+        row["points"] = list(map(tuple, row["points"]))
+        count = len(row["points"])
+        row.setdefault("degree", count - 1)
+        row.setdefault("knots", [*[0] * count, *[1] * count])
+    return [Reported(**row) for row in rows]
+
+
+REPORTED: list[Reported] = _reported()
+
 
 #: Increased whenever a case changes.
 VERSION = 1

@@ -26,8 +26,7 @@ from exactspline.errors import (
 )
 from exactspline.papers import Paper, Table, default_papers, paper
 from exactspline.symbolic.assumptions import Assumption
-from exactspline.verification.claim import Claim
-from exactspline.verification.claim_fields import declared
+from exactspline.verification.claim import Claim, declared
 from exactspline.verification.kinds import KINDS
 from exactspline.verification.kinds.not_asked import NotAsked
 from exactspline.verification.paper_curves import refused_curves

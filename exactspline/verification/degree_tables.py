@@ -53,8 +53,7 @@ from exactspline.splines.type_checks import curve_of
 from exactspline.symbolic.covariants import TrueDegree, degree_at, degree_on_patch, graded, true_degree
 from exactspline.symbolic.reduction import Part, reduction
 from exactspline.symbolic.substitution import substitute
-from exactspline.verification.generic_proof import lowest_degree, reduction_of, symbolic_minimum
-from exactspline.verification.minimality import attained, witness
+from exactspline.verification.generic_proof import attained, lowest_degree, reduction_of, symbolic_minimum, witness
 
 
 @dataclass(frozen=True, repr=False)

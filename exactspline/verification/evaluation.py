@@ -19,12 +19,14 @@ from exactspline.language.arguments import (
     Accompanied,
     Curve,
     Evaluated,
+    Kind,
     Operands,
     Pair,
+    Rule,
+    Symbol,
     T,
 )
 from exactspline.language.formula import Formula
-from exactspline.language.kind import Kind, Rule, Symbol
 from exactspline.language.kinds import (
     PLANAR_MAP,
     SURFACE,

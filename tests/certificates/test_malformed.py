@@ -19,7 +19,7 @@ from exactspline import (
     zeros,
 )
 from exactspline.certificates import CertificateError
-from exactspline.verification.minimality import certificate as of_degree
+from exactspline.verification.generic_proof import certificate as of_degree
 from tests.campaigns.certificates import of_multiple_zeros, spots
 from tests.support.bisector_oracle import bezier
 from tests.support.squares import function

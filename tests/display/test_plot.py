@@ -19,7 +19,7 @@ import exactspline as xs
 from exactspline import BSpline, ExactSplineError, Nurbs, example, write, zeros
 from exactspline.display import plot
 from exactspline.display.plot import PlotError, canvas, curves
-from exactspline.display.plot.comparisons import inspect_figure
+from exactspline.display.plot.functions import inspect_figure
 from exactspline.errors import DomainError, ShapeError
 from exactspline.geometry.analysis.inspection import solved
 from exactspline.language import Rational, Vector

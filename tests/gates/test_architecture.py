@@ -53,9 +53,9 @@ PLANTED = {
 @pytest.mark.parametrize("code", PLANTED.values(), ids=PLANTED)
 def test_an_import_is_seen(code):
     """Passed before: an import for types alone, or by a name in a text, points up unseen."""
-    found = import_graph.imported(ast.parse(code), {"cli", "cli.prove"}, "language.kind")
+    found = import_graph.imported(ast.parse(code), {"cli", "cli.prove"}, "language.kinds")
     assert found == {"cli.prove"}
-    packages = import_graph.package_graph({"language.kind": found})
+    packages = import_graph.package_graph({"language.kinds": found})
     assert not import_graph.FLOOR["cli"] < import_graph.FLOOR["language"]
     assert packages == {"language": {"cli"}}
 
@@ -70,7 +70,7 @@ def test_the_tables_alone_name_what_loads_when_it_is_used(module, seen):
 
 def test_a_formula_that_is_looked_up_by_its_name_is_an_import():
     """Passed before: a room below the papers looks up one of their formulas by its name."""
-    assert import_graph.imported(ast.parse("find('f2')"), set(import_graph.module_graph()), "language.kind") == {
+    assert import_graph.imported(ast.parse("find('f2')"), set(import_graph.module_graph()), "language.kinds") == {
         "papers"
     }
     assert (

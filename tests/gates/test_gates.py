@@ -39,14 +39,14 @@ DECIDING = (
 BY_SENTENCES = {
     "batch/lines.py: Summary.entries": "how many different notes there are",
     "extras/teaching/display/exercises.py: solution_lines": "a heading that a triangle has is not shown twice",
-    "display/ledger_run.py: Run._listed": "a sheet is found by its name, which is shown too",
-    "extras/teaching/display/triangles.py: _result_html": "the name of an algorithm",
-    "extras/teaching/display/triangles.py: _result_sheets": "the name of an algorithm",
-    "extras/teaching/display/triangles.py: scheme_data": "the name of an algorithm",
+    "display/ledger_pages.py: Run._listed": "a sheet is found by its name, which is shown too",
+    "extras/teaching/display/exercises.py: _result_html": "the name of an algorithm",
+    "extras/teaching/display/exercises.py: _result_sheets": "the name of an algorithm",
+    "extras/teaching/display/exercises.py: scheme_data": "the name of an algorithm",
     "papers/__init__.py: find": "the name of a paper, written before that of its formula",
     "verification/claims.py: located": "a user searches in the statements",
     "extras/coq/emission.py: _Attempt.text": "a type of Coq",
-    "verification/errata.py: numbered": "a number that a statement tells already is not told again",
+    "verification/statement.py: numbered": "a number that a statement tells already is not told again",
 }
 SENTENCES = {
     "its beginning": "def f(row):\n    return row.computed.startswith('no zero')",
@@ -156,7 +156,7 @@ NAMED = {
 }
 LISTS_OF_QUESTIONS = {
     "batch/inspections.py: ": "what a sweep asks where nothing is said",
-    "display/plot/comparisons.py: ": "markers and colours",
+    "display/plot/functions.py: ": "markers and colours",
 }
 SPELLED = {
     "texts": "ASKED = ['inflections', 'corners', 'cusps']",
@@ -184,7 +184,7 @@ SECOND_NUMBERS = {
     "roots/answers.py: OneNumber": "no number: what has one, such as a feature its parameter",
 }
 WAYS = {
-    "extras/pictures3d/curvature_lines.py: lines_of_curvature": "curves on a surface",
+    "extras/pictures3d/patches.py: lines_of_curvature": "curves on a surface",
     "geometry/curves/values.py: curvature_function": "curvature as a function",
     "geometry/curves/facts.py: Facts.same_curvature": "a comparison",
     "geometry/curves/joints.py: Joint.same_curvature": "a comparison",
@@ -314,7 +314,7 @@ ROUNDED = {
     "reals/real.py: RationalNumber.double": "rounds to a double, on request",
     "roots/answers.py: OneNumber.__float__": "rounds to a double, on request",
     "verification/conditioning.py: _at_root": "what is measured is the error of doubles",
-    "verification/minimality.py: witness": "chooses by a seed",
+    "verification/generic_proof.py: witness": "chooses by a seed",
     "verification/degree_tables.py: _witness_patch": "chooses by a seed",
 }
 ROUNDS = {
@@ -382,7 +382,7 @@ UNBOUNDED = {
     "polynomials/over_root.py: OverRoot.radical": "over the field of a root: a door with an estimated cost",
     "polynomials/over_root.py: _divisor_modulo": "modulo a prime, in one variable",
     "bivariate/common_zeros.py: Column.of": "over the field of a root: a door with an estimated cost",
-    "verification/minimality.py: bezout_combination": "modulo a prime, in one variable",
+    "verification/generic_proof.py: bezout_combination": "modulo a prime, in one variable",
 }
 
 
@@ -420,7 +420,6 @@ def test_no_exception_is_caught_whole():
 BY_NAME = {
     "testing": "imported by those who test programs",
     "testing.families": "the same",
-    "testing.reported": "the same",
     "testing.plugin": "a plugin of pytest",
     "testing.strategies": "imported by those who test programs",
 }

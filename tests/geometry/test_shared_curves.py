@@ -12,9 +12,8 @@ from exactspline.errors import ShapeError
 from exactspline.geometry.curves.planarity import with_plane_curves
 from exactspline.geometry.derived.constructions import constructions_for
 from exactspline.splines.lowest_terms import true_degree
-from exactspline.verification.generic_proof import symbolic_minimum
+from exactspline.verification.generic_proof import certificate, symbolic_minimum
 from exactspline.verification.ledger import audit
-from exactspline.verification.minimality import certificate
 from tests.support.sampled import sample
 
 FOLDER = Path(os.environ.get("EXACTSPLINE_CURVES", Path(__file__).resolve().parents[3] / "shared" / "curves"))

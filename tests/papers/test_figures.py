@@ -17,7 +17,7 @@ from exactspline import Nurbs, analyse, example
 from exactspline.cli import app
 from exactspline.display.figures import figures, folder, make
 from exactspline.display.plot import PlotError
-from exactspline.display.plot.comparisons import inspect_figure
+from exactspline.display.plot.functions import inspect_figure
 from exactspline.verification.claims import all_claims
 from tests.support.looking import laid_out, unreadable
 

@@ -10,7 +10,7 @@ from flint import Ordering, fmpq, fmpq_mpoly_ctx, fmpq_poly, fmpz, fmpz_mpoly_ct
 from gmpy2 import mpq
 
 from exactspline.errors import ReachError
-from exactspline.extras.coq.proofs import Nonzero
+from exactspline.extras.coq.theorems import Nonzero
 from exactspline.polynomials import elimination, factors
 from exactspline.polynomials.cost import Budget, affords, check_reach, drawing_on, height_bits
 from exactspline.polynomials.elimination import discriminant

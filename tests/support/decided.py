@@ -7,10 +7,10 @@ from unittest import mock
 
 from exactspline import claims
 from exactspline.display import tables
-from exactspline.verification import degree_tables, errata
+from exactspline.verification import degree_tables, statement
 from exactspline.verification.combined import Proofs, computed_once
-from exactspline.verification.errata import Erratum
 from exactspline.verification.ledger import Row, audit
+from exactspline.verification.statement import Erratum
 
 
 @cache
@@ -57,11 +57,11 @@ def ledger(source: str) -> tuple[Row, ...]:
 def errors_in_print() -> tuple[Erratum, ...]:
     """The errors of the papers that are meant where none is named."""
     with decided_once():
-        return tuple(errata.errata())
+        return tuple(statement.errata())
 
 
 @cache
 def remarks() -> tuple[Erratum, ...]:
     """The misreadings that no paper makes."""
     with decided_once():
-        return tuple(errata.remarks())
+        return tuple(statement.remarks())

@@ -7,9 +7,9 @@ from hypothesis import strategies as st
 
 from exactspline import BSpline
 from exactspline.language import Vector, det, norm2
-from exactspline.symbolic.motions import MAPS
-from exactspline.symbolic.motions import rotation_rows as rotation
+from exactspline.verification.kinds.invariance import MAPS
 from exactspline.verification.kinds.invariance import image_of_point as image_of
+from exactspline.verification.kinds.invariance import rotation_rows as rotation
 
 T = BSpline.identity(0, 1)
 fractions = st.fractions(min_value=-5, max_value=5, max_denominator=9)

@@ -9,12 +9,11 @@ from exactspline import BSpline, Nurbs, Verdict, decide, example, formula_of, pa
 from exactspline.errors import ClaimError
 from exactspline.readings import DegreeReading, parse_degree
 from exactspline.verification.claims import all_claims, claims_of
-from exactspline.verification.errata import check
 from exactspline.verification.evaluation import Evaluation
 from exactspline.verification.evidence import DegreeFound
 from exactspline.verification.kinds.degree import held_against
 from exactspline.verification.ledger import audit
-from exactspline.verification.statement import degree_of_cubic, dimension_of, sides
+from exactspline.verification.statement import check, degree_of_cubic, dimension_of, sides
 from tests.support.claims import claim
 from tests.verification.test_own_paper import plane_formulas, written
 

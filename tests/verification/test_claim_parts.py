@@ -11,9 +11,9 @@ from exactspline.errors import ClaimError, FormulaError
 from exactspline.language import Rational, Vector, join
 from exactspline.verification import judges
 from exactspline.verification.divisors import divisors
-from exactspline.verification.errata import check, unrecorded
 from exactspline.verification.evaluation import Evaluation, with_hodograph
 from exactspline.verification.ledger import audit
+from exactspline.verification.statement import check, unrecorded
 from tests.support.claims import claim, lent, stated
 from tests.support.command import invoke
 

@@ -13,8 +13,8 @@ from exactspline.display.ledger import closing, headline, summary
 from exactspline.papers import default_papers, papers
 from exactspline.tables import errata
 from exactspline.verification.claims import claims_in
-from exactspline.verification.errata import remarks
 from exactspline.verification.ledger import Counts, count_statements, recorded_counts
+from exactspline.verification.statement import remarks
 from tests.support.command import new_paper
 from tests.support.decided import decided_once, errors_in_print, proofs
 

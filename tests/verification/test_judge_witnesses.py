@@ -17,7 +17,6 @@ from exactspline.symbolic.assumptions import Assumption
 from exactspline.tables import patch_table, table_1_splines
 from exactspline.verification.decision import DirectrixOf, Equation
 from exactspline.verification.divisors import divided_by, divisors
-from exactspline.verification.errata import check, true_relation
 from exactspline.verification.evaluation import Evaluation, on_segments
 from exactspline.verification.evidence import (
     At,
@@ -33,6 +32,7 @@ from exactspline.verification.evidence import (
 from exactspline.verification.judges import agreed
 from exactspline.verification.kinds.degree import held_against
 from exactspline.verification.kinds.types import on_cubics
+from exactspline.verification.statement import check, true_relation
 from exactspline.verification.verdict import Finding
 from tests.support.claims import one_verdict
 from tests.verification.test_own_paper import plane_formulas, written

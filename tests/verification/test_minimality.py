@@ -16,7 +16,7 @@ from exactspline.certificates.degrees import is_irreducible, is_prime
 from exactspline.certificates.numbers import integer
 from exactspline.errors import ReductionError, ShapeError
 from exactspline.geometry.derived.constructions import all_constructions
-from exactspline.verification.minimality import attained, bezout_combination, certificate, witness
+from exactspline.verification.generic_proof import attained, bezout_combination, certificate, witness
 from tests.support.sampled import sample
 
 #: What every answer of the checker says of a certificate that this library writes.

@@ -19,9 +19,9 @@ from exactspline.errors import ClaimError, FormulaError
 from exactspline.papers import Table, named_papers, papers, resolve
 from exactspline.symbolic.assumptions import Assumption
 from exactspline.verification.claims import claim_of, claims_of
-from exactspline.verification.errata import check
 from exactspline.verification.evaluation import Evaluation
 from exactspline.verification.ledger import audit
+from exactspline.verification.statement import check
 from tests.support.claims import refusal
 from tests.support.command import invoke, new_paper
 

@@ -7,10 +7,9 @@ from pathlib import Path
 import pytest
 
 from exactspline import Nurbs, example
-from exactspline.verification import remembered
+from exactspline.verification import ledger
 from exactspline.verification.claims import select
-from exactspline.verification.ledger import Row, settled, tasks
-from exactspline.verification.remembered import Memory, cache_file
+from exactspline.verification.ledger import Memory, Row, cache_file, settled, tasks
 from exactspline.verification.verdict import CONTRADICTION, REFUTED
 from tests.support.command import run
 
@@ -61,25 +60,25 @@ def test_a_damaged_file_is_ignored_and_written_anew(tmp_path, damage):
 def test_other_code_and_other_versions_decide_anew(tmp_path, monkeypatch):
     place, claims = tmp_path / "rows", select(["C4.1a"])
     decided(place, claims)
-    monkeypatch.setattr(remembered, "_version", lambda library: f"another {library}")
+    monkeypatch.setattr(ledger, "_version", lambda library: f"another {library}")
     assert decided(place, claims)[1] == 0
     monkeypatch.undo()
     copy = tmp_path / "package"
-    shutil.copytree(Path(remembered.__file__).parents[1] / "certificates", copy)
-    monkeypatch.setattr(remembered.resources, "files", lambda name: copy)
-    before = remembered.digest_of_code()
+    shutil.copytree(Path(ledger.__file__).parents[1] / "certificates", copy)
+    monkeypatch.setattr(ledger.resources, "files", lambda name: copy)
+    before = ledger.digest_of_code()
     (copy / "new.toml").write_text("")
-    assert remembered.digest_of_code() != before
-    within = remembered.digest_of_code()
+    assert ledger.digest_of_code() != before
+    within = ledger.digest_of_code()
     (copy / "new.toml").write_text("x")
-    assert remembered.digest_of_code() not in (before, within)
+    assert ledger.digest_of_code() not in (before, within)
 
 
 def test_code_that_changes_during_a_run_leaves_nothing(tmp_path, monkeypatch):
     claims = select(["C4.1a"])
     memory = Memory(tmp_path / "rows")
     assert [task() for task in tasks(claims, None, None, memory.around)]
-    monkeypatch.setattr(remembered, "_version", lambda library: "")
+    monkeypatch.setattr(ledger, "_version", lambda library: "")
     memory.save()
     assert not (tmp_path / "rows").exists()
 
@@ -151,12 +150,12 @@ def test_another_formula_in_a_folder_is_decided_anew(tmp_path, monkeypatch):
 def test_where_the_file_is(monkeypatch, tmp_path):
     monkeypatch.delenv("EXACTSPLINE_CACHE")
     monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
-    monkeypatch.setattr(remembered.sys, "platform", "linux")
+    monkeypatch.setattr(ledger.sys, "platform", "linux")
     assert cache_file() == tmp_path / "exactspline" / "rows"
-    monkeypatch.setattr(remembered.sys, "platform", "win32")
+    monkeypatch.setattr(ledger.sys, "platform", "win32")
     monkeypatch.setenv("LOCALAPPDATA", str(tmp_path / "local"))
     assert cache_file() == tmp_path / "local" / "exactspline" / "rows"
-    monkeypatch.setattr(remembered.sys, "platform", "darwin")
+    monkeypatch.setattr(ledger.sys, "platform", "darwin")
     assert cache_file() == Path.home() / "Library" / "Caches" / "exactspline" / "rows"
     monkeypatch.setenv("EXACTSPLINE_CACHE", str(tmp_path / "named"))
     assert cache_file() == tmp_path / "named" / "rows"
@@ -175,7 +174,7 @@ def test_a_known_proof_is_compared_with_a_new_curve(tmp_path, monkeypatch):
     key = memory._key(claim, None)
     wrong = replace(known, finding=replace(known.finding, verdict="PROVED"))
     fields = wrong.reading, wrong.curve, wrong.finding, wrong.expected, wrong.seconds, wrong.beside
-    memory._rows[key] = remembered.pickle.dumps(fields)
+    memory._rows[key] = ledger.pickle.dumps(fields)
     checks = tasks([claim], None, None, memory.around)
     rows = [task() for task in checks]
     assert isinstance(rows[0], Row)

@@ -17,7 +17,7 @@ from exactspline.symbolic.reduction import reduce, reduction
 from exactspline.tables import measurable, measure, table_1_degrees
 from exactspline.verification import judges
 from exactspline.verification.claims import matches
-from exactspline.verification.curve_check import extra_zero, where_it_differs
+from exactspline.verification.decision import extra_zero, where_it_differs
 from exactspline.verification.degree_tables import (
     BISECTORS,
     WITNESSES,
@@ -26,12 +26,11 @@ from exactspline.verification.degree_tables import (
     formula_table,
     measured_degrees,
 )
-from exactspline.verification.errata import numbered, remarks, symbol_or_name
 from exactspline.verification.evaluation import beginning, moved_copy, pair_with, point_beside
 from exactspline.verification.evidence import At, Between, OnAllOf, Relating
 from exactspline.verification.generic_proof import joined_degree
 from exactspline.verification.notation import degree_latex, factor_latex
-from exactspline.verification.statement import sides
+from exactspline.verification.statement import numbered, remarks, sides, symbol_or_name
 from tests.support.claims import claim
 from tests.support.command import invoke
 from tests.support.decided import errors_in_print, generic_rows

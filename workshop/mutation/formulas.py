@@ -15,8 +15,8 @@ from typing import Any
 from exactspline.errors import FormulaError, InapplicableError
 from exactspline.interchange.examples import example
 from exactspline.language.adjoined_root import Adjoined
+from exactspline.language.arguments import Symbol
 from exactspline.language.formula import Formula
-from exactspline.language.kind import Symbol
 from exactspline.language.kinds import kind_of
 from exactspline.language.ruled import split
 from exactspline.language.surface_kind import BOTH

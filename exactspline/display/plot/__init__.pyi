@@ -1,6 +1,6 @@
 from .canvas import PlotError as PlotError
 from .canvas import new_figure as new_figure
-from .comparisons import plot_stability as plot_stability
+from .functions import plot_stability as plot_stability
 from .curves import plot_curve as plot_curve
 from .curves import plot_evolute as plot_evolute
 from .curves import plot_features as plot_features

@@ -37,7 +37,7 @@ HOMES = {
     "ruled surface": "exactspline.extras.pictures3d.surfaces:plot_ruled_surface",
     "bisector": "exactspline.extras.pictures3d.surfaces:plot_bisector",
     "inspected surface": "exactspline.extras.pictures3d.patches:surface_figure",
-    "page of an inspected surface": "exactspline.extras.pictures3d.turning_surface:inspected_page",
+    "page of an inspected surface": "exactspline.extras.pictures3d.html:inspected_page",
     "page": "exactspline.extras.pictures3d.html:turning_page",
     "bisector of plane curves": "exactspline.extras.pictures3d.bisectors:plot_plane_bisector",
     "bisector of curves": "exactspline.extras.pictures3d.bisectors:plot_curve_bisector",

@@ -6,8 +6,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 from exactspline.cli.common import Papers, Trust, claims_of_papers
-from exactspline.cli.output import OptionsError
-from exactspline.cli.parameters import Argument
+from exactspline.cli.output import Argument, OptionsError
 from exactspline.cli.prove import Claims, Sections, named_claims, of_sections
 from exactspline.errors import counted
 

@@ -27,8 +27,7 @@ from exactspline.extras.coq.formulas import (
     type_of,
     written_for,
 )
-from exactspline.extras.coq.proofs import Nonzero
-from exactspline.extras.coq.theorems import STATED, Statement, concluded, theorem
+from exactspline.extras.coq.theorems import STATED, Nonzero, Statement, concluded, theorem
 from exactspline.language.arguments import COORDINATES, POINT, Accompanied, Curve, embedded
 from exactspline.language.formula import Formula
 from exactspline.language.kinds import CURVE, POINT_IN_SPACE, CurveKind, FramedKind, ImplicitKind, Kind, Symbol, kind_of

@@ -1,4 +1,6 @@
-"""Correct answers of several kinds; each can read the answer of a student and report the differences."""
+"""Correct answers of several kinds; each can read the answer of a student and report the differences. A student's curve
+or formula is compared with the reference: they are equal, or the places where they differ are named.
+"""
 
 from __future__ import annotations
 
@@ -7,7 +9,7 @@ import re
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
-from itertools import count, zip_longest
+from itertools import count, pairwise, zip_longest
 
 from flint import fmpq, fmpq_poly
 
@@ -17,19 +19,27 @@ from exactspline.extras.teaching.differences import (
     Entries,
     Invented,
     Missing,
+    NotProved,
     OtherCoefficient,
     OtherCoordinates,
     OtherCount,
+    OtherDimension,
+    OtherDomain,
     OtherNumber,
+    OtherOnExample,
     OtherPoint,
     OtherValue,
     Wrong,
 )
 from exactspline.extras.teaching.parts import Math, Part, Point, Polynomial
+from exactspline.interchange.examples import example, example_names
+from exactspline.language.formula import Formula
+from exactspline.language.ruled import split
 from exactspline.numbers.exact import from_flint, mpq, point_text, rational, text, to_fmpq
 from exactspline.one_line import OneLine, one_line
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.nurbs import Nurbs
+from exactspline.verification.questions import prove, verify
 from exactspline.verification.vocabulary import Name
 
 # ---- what students write
@@ -449,11 +459,11 @@ def _values_of(p: Polynomial) -> Callable[[mpq], Point]:
     return value
 
 
-def simple_parameters(low: mpq, high: mpq) -> Iterator[mpq]:
+def _simple_parameters(low: mpq, high: mpq) -> Iterator[mpq]:
     """The rational parameters of an interval, in the order of their denominators; an infinite sequence.
 
     >>> from itertools import islice
-    >>> [str(t) for t in islice(simple_parameters(mpq(0), mpq(1)), 5)]
+    >>> [str(t) for t in islice(_simple_parameters(mpq(0), mpq(1)), 5)]
     ['0', '1', '1/2', '1/3', '2/3']
     """
     yield from (low, high)
@@ -468,5 +478,82 @@ def _witness(
     right: Callable[[mpq], Point], given: Callable[[mpq], Point], domain: tuple[mpq, mpq], name: Name | None = None
 ) -> OtherValue:
     """A parameter at which two different functions differ: polynomials do so at all but finitely many parameters."""
-    t = next(t for t in simple_parameters(*domain) if right(t) != given(t))
+    t = next(t for t in _simple_parameters(*domain) if right(t) != given(t))
     return OtherValue(t, right(t), given(t), name)
+
+
+def compare_curves(given: Nurbs, reference: Nurbs) -> Finding:
+    """Whether two curves are the same function, regardless of degrees and knots; if not, a parameter with both points.
+
+    >>> line = Nurbs(1, [0, 0, 1, 1], [(0, 0), (2, 4)])
+    >>> compare_curves(line.elevate_degree(), line).right
+    True
+    >>> print(*compare_curves(Nurbs(1, [0, 0, 1, 1], [(0, 0), (2, 3)]), line).differences, sep="; ")
+    control point 1 is (2, 4), not (2, 3); at t = 1 it gives (2, 3) instead of (2, 4)
+    """
+    if given.dimension != reference.dimension:
+        return Finding((OtherDimension(reference.dimension, given.dimension),))
+    if given.domain != reference.domain:
+        return Finding((OtherDomain(reference.domain, given.domain),))
+    if given == reference:
+        return Finding(())
+    differences: list[Difference] = (
+        [Wrong.REVERSED] if given == reference.reverse() else _other_points(given, reference)
+    )
+    # on one segment polynomials differ at all but finitely many parameters; elsewhere the curves may be the same
+    breaks = sorted({*given.breakpoints, *reference.breakpoints})
+    a, b = next((a, b) for a, b in pairwise(breaks) if given.restrict(a, b) != reference.restrict(a, b))
+    t = next(t for t in _simple_parameters(a, b) if given(t) != reference(t))
+    return Finding((*differences, OtherValue(t, reference(t), given(t))))
+
+
+def _other_points(given: Nurbs, reference: Nurbs) -> list[Difference]:
+    """The control points that differ, if the curves have the same degree, knots and weights."""
+    alike = (given.degree, given.knots) == (reference.degree, reference.knots)
+    if not (alike and given.polynomial and reference.polynomial):
+        return []
+    pairs = enumerate(zip(given.control_points, reference.control_points, strict=True))
+    return [OtherPoint(i, right, wrong) for i, (wrong, right) in pairs if wrong != right]
+
+
+def compare_formulas(given: Formula, reference: Formula, factor: str = "1") -> Finding:
+    """Whether ``given = factor · reference`` for all curves, proved with indeterminate derivatives; if not, the true
+    quotient, and a curve and a parameter with both values.
+
+    >>> from exactspline.papers import find
+    >>> compare_formulas(find("f1"), find("f2"), "w").right
+    True
+    >>> print(compare_formulas(find("f1"), find("f2")).differences[0])
+    not f1 = f2 in R2: the quotient is w
+
+    Raises `FormulaError` for formulas that cannot be compared.
+    """
+    proof = prove(given, reference, factor)
+    if proof:
+        return Finding(())
+    witness = _on_an_example(given, reference, factor, proof.dimension)
+    return Finding((NotProved(proof), *([witness] if witness else [])))
+
+
+def _on_an_example(given: Formula, reference: Formula, factor: str, dimension: int) -> OtherOnExample | None:
+    """Values of both sides at a point of an example curve where they differ; None if the formulas do not apply to a
+    single curve.
+    """
+    for name in example_names():
+        curve = example(name)
+        if curve.dimension != dimension:
+            continue
+        try:
+            result = verify(given, reference, curve, factor)
+        except ExactSplineError:
+            continue
+        if (t := result.parameter) is not None:
+            left, right = (_value_of(f, curve, t) for f in (given, reference))
+            return OtherOnExample(Name(name), t, right, left, None if factor == "1" else Name(factor))
+    return None
+
+
+def _value_of(formula: Formula, curve: Nurbs, t: mpq) -> Point | None:
+    parts, denominator = split(formula(curve))
+    below = mpq(1) if denominator is None else denominator(t)
+    return tuple(part(t) / below for part in parts) if below else None

@@ -8,14 +8,13 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 from exactspline.cli.common import CURVE_HELP, Trust, load_curve
-from exactspline.cli.output import OptionsError, Output, printing
-from exactspline.cli.parameters import Argument, Exit, Option
+from exactspline.cli.output import Argument, Exit, Option, OptionsError, Output, printing
 from exactspline.display.sheet import Sheet
 from exactspline.errors import CurveFileError
 
 if TYPE_CHECKING:
     from exactspline.extras.teaching.answers import Finding
-    from exactspline.extras.teaching.display.triangles import Scheme
+    from exactspline.extras.teaching.display.exercises import Scheme
     from exactspline.splines.bspline import BSpline
     from exactspline.splines.nurbs import Nurbs
 
@@ -48,7 +47,7 @@ def triangle(
     a product of two functions.
     """
     from exactspline.display import console
-    from exactspline.extras.teaching.display.triangles import html_page, latex_text, scheme_data, sheets
+    from exactspline.extras.teaching.display.exercises import latex_text, scheme_data, schemes_page, sheets
 
     if latex + html + (not out.for_people) > 1:
         raise OptionsError("more than one format", remedy="choose one of --latex, --html, --json, --csv, --markdown")
@@ -56,7 +55,7 @@ def triangle(
     if latex:
         sys.stdout.write(latex_text(found) + "\n")
     elif html:
-        sys.stdout.write(html_page(found, f"{curve}, step by step"))
+        sys.stdout.write(schemes_page(found, f"{curve}, step by step"))
     else:
         made = [x for s in found for x in sheets(s)]  # each says how its entries are computed: there is no legend
         out.give("triangle", map(scheme_data, found), made, lambda: console.below_each_other(console.console(), made))
@@ -241,7 +240,7 @@ def _read(name: str) -> str:
 
 
 def _compared(answer: str, reference: str, factor: str, trust: bool) -> tuple[Finding, str]:
-    from exactspline.extras.teaching.comparison import compare_curves, compare_formulas
+    from exactspline.extras.teaching.answers import compare_curves, compare_formulas
     from exactspline.papers import resolve
 
     if re.search(r"\.py:\w+$", answer):

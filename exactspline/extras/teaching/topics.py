@@ -1,28 +1,18 @@
-"""The topics and their exercises: the same seed yields the same exercise on every platform."""
+"""Exercises, each with task, answer and solution, and the topics that generate them: the same seed yields the same
+exercise on every platform.
+"""
 
 from __future__ import annotations
 
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass
 from fractions import Fraction
 from itertools import pairwise
 from random import Random
 
 from exactspline.errors import ExactSplineError, as_text, counted, nearest, shown
-from exactspline.extras.teaching.answers import Circle, Numbers, Parameters, Points, Polynomials
-from exactspline.extras.teaching.exercises import (
-    LARGEST,
-    Drawn,
-    Exercise,
-    Topic,
-    bezier_curve,
-    cleared,
-    drawn_points,
-    given_bezier,
-    given_curve,
-    knots_of,
-    points_of,
-    small,
-)
-from exactspline.extras.teaching.parts import Math, Point, Polynomial, sentence
+from exactspline.extras.teaching.answers import Answer, Circle, Numbers, Parameters, Points, Polynomials
+from exactspline.extras.teaching.parts import Math, Part, Point, Polynomial, sentence
 from exactspline.extras.teaching.triangles import (
     de_boor_triangle,
     elevation_triangles,
@@ -34,10 +24,85 @@ from exactspline.geometry.analysis.curves import analyse
 from exactspline.geometry.curves import values as values_along
 from exactspline.geometry.curves.kinds import FeatureKind
 from exactspline.language.vector import Vector, det, norm2, perp
-from exactspline.numbers.exact import is_square, mpq, text
+from exactspline.numbers.exact import is_square, mpq, over_one_denominator, text
 from exactspline.papers import find
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.nurbs import Nurbs
+
+#: The largest number in a task or an answer, except for squares of radii.
+LARGEST = 30
+
+
+@dataclass(frozen=True)
+class Exercise:
+    """The question, the right answer, and the solution."""
+
+    topic: str
+    seed: int
+    task: tuple[Part, ...]
+    answer: Answer
+    solution: tuple[Part, ...]
+
+    def __repr__(self) -> str:
+        return f"<Exercise {self.topic}, seed {self.seed}>"
+
+
+#: The result of one draw of a topic: task, answer and solution; or None if the numbers are not simple enough, and the
+#: draw is to be repeated.
+Drawn = tuple[tuple[Part, ...], Answer, tuple[Part, ...]] | None
+Topic = Callable[[Random], Drawn]
+
+
+def _points_of(curve: Nurbs | BSpline) -> Math:
+    """The list of control points."""
+    if isinstance(curve, BSpline):
+        return Math("", curve.control_points)
+    return Math("", tuple(tuple(point) for point in curve.control_points))
+
+
+def _knots_of(curve: Nurbs | BSpline) -> Math:
+    """The list of knots."""
+    return Math("", curve.knots.knots)
+
+
+def _given_curve(curve: Nurbs | BSpline, what: str = "curve") -> tuple[Part, ...]:
+    """The beginning of a task: a curve or a function with its knots and control points."""
+    begin = f"A B-spline {what} of degree {curve.degree} has the knots "
+    return (begin, _knots_of(curve), " and the control points ", _points_of(curve))
+
+
+def _given_bezier(curve: Nurbs) -> tuple[Part, ...]:
+    """The beginning of a task: a Bézier curve with its control points."""
+    return (f"A Bézier curve of degree {curve.degree} over [0, 1] has the control points ", _points_of(curve))
+
+
+def _bezier_curve(points: Sequence[Point]) -> Nurbs:
+    """The Bézier curve over [0, 1] with these control points."""
+    degree = len(points) - 1
+    return Nurbs(degree, [0] * (degree + 1) + [1] * (degree + 1), points)
+
+
+def _drawn_points(rng: Random, many: int, dimension: int = 2, size: int = 4) -> list[Point]:
+    """Points with small integer coordinates."""
+    return [tuple(mpq(rng.randint(-size, size)) for _ in range(dimension)) for _ in range(many)]
+
+
+def _cleared(points: Sequence[Point], made: Iterable[Point]) -> list[Point] | None:
+    """The points times the least integer for which the points `made` from them (linearly) have integer coordinates;
+    None if they become large, or if neighbours coincide.
+    """
+    numbers = [x for row in made for x in row]
+    _, factor = over_one_denominator(numbers)
+    largest = max(abs(x) for x in [*numbers, *[x for row in points for x in row]])
+    if factor * largest > LARGEST or any(a == b for a, b in pairwise(points)):
+        return None
+    return [tuple(factor * x for x in row) for row in points]
+
+
+def _small(values: Iterable[mpq]) -> bool:
+    """Whether all are integers of about two digits."""
+    return all(x.denominator == 1 and abs(x) <= LARGEST for x in values)
+
 
 # ---- shapes
 
@@ -49,7 +114,7 @@ def _function(rng: Random) -> BSpline:
         breaks.append(breaks[-1] + rng.randint(1, 2))
     inner = [t for t in breaks[1:-1] for _ in range(rng.choice((1, 1, 2)))]
     knots = [0] * (degree + 1) + inner + [breaks[-1]] * (degree + 1)
-    return BSpline(degree, knots, [x for (x,) in drawn_points(rng, len(knots) - degree - 1, 1, 9)])
+    return BSpline(degree, knots, [x for (x,) in _drawn_points(rng, len(knots) - degree - 1, 1, 9)])
 
 
 def _support(rng: Random) -> Drawn:
@@ -63,7 +128,7 @@ def _support(rng: Random) -> Drawn:
         f"A B-spline function of degree {f.degree} has the knots % and "
         f"{counted(len(f.control_points), 'control point')}, counted from 0. On which interval does it change when "
         f"control point {i} is changed? Give its two ends.",
-        knots_of(f),
+        _knots_of(f),
     )
     solution = (
         f"The basis function number {i} begins at the knot number {i} and ends at the knot number {i} + "
@@ -81,7 +146,7 @@ def _hull(rng: Random) -> Drawn:
     if len(set(active)) < len(active) or (min(f.control_points), max(f.control_points)) == (min(active), max(active)):
         return None
     task = (
-        *given_curve(f, "function"),
+        *_given_curve(f, "function"),
         f". Which bounds on [{text(a)}, {text(b)}] follow from its control points? Give the best lower and upper "
         "bound.",
     )
@@ -94,7 +159,7 @@ def _hull(rng: Random) -> Drawn:
 
 def _inflections(rng: Random) -> Drawn:
     """The inflections of a cubic."""
-    curve = bezier_curve(drawn_points(rng, 4, size=6))
+    curve = _bezier_curve(_drawn_points(rng, 4, size=6))
     bend = find("f0")(curve)
     # most draws have irrational inflections, which is detected cheaply before the features are computed
     if not _square_discriminant(bend) or analyse(curve).singular_points:
@@ -106,14 +171,14 @@ def _inflections(rng: Random) -> Drawn:
     task = sentence(
         "A cubic Bézier curve over [0, 1] has the control points %. At which parameters inside (0, 1) does it have an "
         "inflection, where the curvature changes sign?",
-        points_of(curve),
+        _points_of(curve),
     )
     values = tuple(Math(f"f({text(t)})", (bend(t),)) for t in parameters)
     reduced = bend.reduce_degree(bend.degree - bend.true_degree)
     words = (
         f"% has the true degree {reduced.degree} and the Bézier points %; its interior zeros at which it changes sign: "
     )
-    solution = sentence(words + "% " * len(values), Math("f = x′y″ − y′x″"), points_of(reduced), *values)
+    solution = sentence(words + "% " * len(values), Math("f = x′y″ − y′x″"), _points_of(reduced), *values)
     return task, Parameters(parameters), solution
 
 
@@ -134,9 +199,9 @@ DIRECTIONS = ((1, 0), (0, 1), (3, 4), (4, 3), (-3, 4), (4, -3), (2, 0), (0, -2),
 def _with_rational_speed(rng: Random) -> tuple[Nurbs, mpq]:
     """A Bézier curve and the parameter of one of its ends, where the length of γ′ is rational."""
     degree, at_end = rng.choice((2, 3)), rng.random() < 1 / 2
-    first, *rest = drawn_points(rng, degree)
+    first, *rest = _drawn_points(rng, degree)
     points = [first, tuple(x + d for x, d in zip(first, rng.choice(DIRECTIONS), strict=True)), *rest]
-    return bezier_curve(points[::-1] if at_end else points), mpq(at_end)
+    return _bezier_curve(points[::-1] if at_end else points), mpq(at_end)
 
 
 def _curvature(rng: Random) -> Drawn:
@@ -145,7 +210,7 @@ def _curvature(rng: Random) -> Drawn:
     value = values_along.curvature(curve, t).exact
     if not value or max(value.denominator, abs(value.numerator)) > LARGEST:
         return None
-    task = (*given_bezier(curve), ". Find its curvature at ", Math("t", (t,)), ", positive where it turns left.")
+    task = (*_given_bezier(curve), ". Find its curvature at ", Math("t", (t,)), ", positive where it turns left.")
     solution = sentence(
         "The derivatives there are % and %; their determinant over the third power of the length of the first is %.",
         *(Math("", (curve.derivative(order, t),)) for order in (1, 2)),
@@ -165,14 +230,14 @@ def _centre(curve: Nurbs, t: mpq) -> Point | None:
 
 def _osculating(rng: Random) -> Drawn:
     """The osculating circle at a point, a point of the evolute."""
-    curve = bezier_curve(drawn_points(rng, rng.choice((2, 3)) + 1))
+    curve = _bezier_curve(_drawn_points(rng, rng.choice((2, 3)) + 1))
     t = mpq(rng.choice((0, 1)))
     centre = _centre(curve, t) if any(curve.derivative(1, t)) else None
-    if centre is None or not small(centre):
+    if centre is None or not _small(centre):
         return None
     square = sum(((a - b) ** 2 for a, b in zip(centre, curve(t), strict=True)), mpq(0))
     words = ". Find the osculating circle at %: the coordinates of its centre and the square of its radius."
-    task = (*given_bezier(curve), *sentence(words, Math("t", (t,))))
+    task = (*_given_bezier(curve), *sentence(words, Math("t", (t,))))
     first, second = (Vector(*curve.derivative(k, t)) for k in (1, 2))
     length, area, normal = norm2(first), det(first, second), tuple(perp(first))
     solution = sentence(
@@ -200,7 +265,7 @@ def _circle(rng: Random) -> Drawn:
     task = sentence(
         "A rational Bézier curve of degree 2 has the control points % with the weights %. Is it an arc of a circle? If "
         "so, give the centre and the square of the radius.",
-        points_of(curve),
+        _points_of(curve),
         Math("", curve.weights),
     )
     return task, answer, solution
@@ -224,9 +289,9 @@ def _circle_of(curve: Nurbs) -> tuple[Circle, tuple[str | Math, ...]]:
 def _weight(rng: Random) -> Drawn:
     """The weight for which a conic passes through a point."""
     w = mpq(rng.choice((1, 2, 3, 4)), rng.choice((1, 1, 2, 3)))
-    points = drawn_points(rng, 3)
+    points = _drawn_points(rng, 3)
     knots = [0, 0, 0, 1, 1, 1]
-    first = cleared(points, [Nurbs(2, knots, points, [1, w, 1])("1/2")])
+    first = _cleared(points, [Nurbs(2, knots, points, [1, w, 1])("1/2")])
     if first is None:
         return None
     a, m, b = (x for x, _ in first)
@@ -237,7 +302,7 @@ def _weight(rng: Random) -> Drawn:
     task = sentence(
         "A rational Bézier curve of degree 2 has the control points % with the weights 1, w, 1. For which w is its "
         "point at % the point %?",
-        *(points_of(curve), Math("t", (mpq(1, 2),)), Math("", (place,))),
+        *(_points_of(curve), Math("t", (mpq(1, 2),)), Math("", (place,))),
     )
     s = place[0]
     # s (1 + w) = (a + b)/2 + w m
@@ -258,7 +323,7 @@ def _knots(rng: Random, degree: int) -> list[int]:
 
 def _curve(rng: Random, degree: int) -> Nurbs:
     knots = _knots(rng, degree)
-    return Nurbs(degree, knots, drawn_points(rng, len(knots) - degree - 1))
+    return Nurbs(degree, knots, _drawn_points(rng, len(knots) - degree - 1))
 
 
 def _inner(rng: Random, curve: Nurbs | BSpline) -> mpq:
@@ -273,11 +338,11 @@ def _evaluation(rng: Random) -> Drawn:
     curve = _curve(rng, rng.choice((2, 3)))
     t = _inner(rng, curve)
     triangle = de_boor_triangle(curve, t)
-    points = cleared(curve.control_points, [row for column in triangle.columns for row in column])
+    points = _cleared(curve.control_points, [row for column in triangle.columns for row in column])
     if points is None:
         return None
     curve = Nurbs(curve.degree, curve.knots, points)
-    task = (*given_curve(curve), ". Find its point at ", Math("t", (t,)), " by de Boor's algorithm.")
+    task = (*_given_curve(curve), ". Find its point at ", Math("t", (t,)), " by de Boor's algorithm.")
     return task, Numbers(("x", "y"), curve(t)), ("De Boor's triangle: ", de_boor_triangle(curve, t))
 
 
@@ -287,16 +352,16 @@ def _derivative(rng: Random) -> Drawn:
     t = rng.choice((_inner(rng, curve), *curve.domain))
     hodograph = Nurbs.from_splines([f.d() for f in curve.p])
     made = [*hodograph.control_points, *[row for c in de_boor_triangle(hodograph, t).columns for row in c]]
-    points = cleared(curve.control_points, made)
+    points = _cleared(curve.control_points, made)
     if points is None:
         return None
     curve = Nurbs(curve.degree, curve.knots, points)
     hodograph = Nurbs.from_splines([f.d() for f in curve.p])
-    task = (*given_curve(curve), ". Find its derivative at ", Math("t", (t,)), ".")
+    task = (*_given_curve(curve), ". Find its derivative at ", Math("t", (t,)), ".")
     words = (
         f"The derivative has the degree {hodograph.degree}, the knots % and the control points %. De Boor's triangle: "
     )
-    solution = (*sentence(words, knots_of(hodograph), points_of(hodograph)), de_boor_triangle(hodograph, t))
+    solution = (*sentence(words, _knots_of(hodograph), _points_of(hodograph)), de_boor_triangle(hodograph, t))
     return task, Numbers(("x′", "y′"), curve.derivative(1, t)), solution
 
 
@@ -304,27 +369,27 @@ def _insertion(rng: Random) -> Drawn:
     """The control points after a knot is inserted."""
     curve = _curve(rng, rng.choice((2, 3)))
     t = _inner(rng, curve)
-    points = cleared(curve.control_points, insertion_triangle(curve, t).made)
+    points = _cleared(curve.control_points, insertion_triangle(curve, t).made)
     if points is None:
         return None
     curve = Nurbs(curve.degree, curve.knots, points)
     triangle = insertion_triangle(curve, t)
     finer = Nurbs(curve.degree, triangle.knots or (), triangle.made)
-    task = (*given_curve(curve), ". Insert the knot ", Math("t", (t,)), ". What are all control points of the result?")
-    return task, Points(finer), ("Over the knots ", knots_of(finer), " by Boehm's algorithm: ", triangle)
+    task = (*_given_curve(curve), ". Insert the knot ", Math("t", (t,)), ". What are all control points of the result?")
+    return task, Points(finer), ("Over the knots ", _knots_of(finer), " by Boehm's algorithm: ", triangle)
 
 
 def _elevation(rng: Random) -> Drawn:
     """The Bézier points after the degree is raised."""
-    curve = bezier_curve(drawn_points(rng, rng.choice((1, 2, 3)) + 1))
-    points = cleared(curve.control_points, elevation_triangles(curve)[0].columns[-1])
+    curve = _bezier_curve(_drawn_points(rng, rng.choice((1, 2, 3)) + 1))
+    points = _cleared(curve.control_points, elevation_triangles(curve)[0].columns[-1])
     if points is None:
         return None
     curve = Nurbs(curve.degree, curve.knots, points)
     task = sentence(
         f"A Bézier curve of degree {curve.degree} has the control points %. Write it as a Bézier curve of degree "
         f"{curve.degree + 1}: what are its control points?",
-        points_of(curve),
+        _points_of(curve),
     )
     (triangle,) = elevation_triangles(curve)
     return task, Points(curve.elevate_degree()), ("Neighbours are combined: ", triangle)
@@ -332,16 +397,16 @@ def _elevation(rng: Random) -> Drawn:
 
 def _subdivision(rng: Random) -> Drawn:
     """The Bézier points of the first part of a subdivided curve."""
-    curve = bezier_curve(drawn_points(rng, rng.choice((2, 3)) + 1))
+    curve = _bezier_curve(_drawn_points(rng, rng.choice((2, 3)) + 1))
     t = _inner(rng, curve)
-    points = cleared(curve.control_points, [row for c in de_boor_triangle(curve, t).columns for row in c])
+    points = _cleared(curve.control_points, [row for c in de_boor_triangle(curve, t).columns for row in c])
     if points is None:
         return None
     curve = Nurbs(curve.degree, curve.knots, points)
     first, _ = curve.split(t)
     asked = sentence(". It is cut at %. What are the control points of its first part?", Math("t", (t,)))
     return (
-        (*given_bezier(curve), *asked),
+        (*_given_bezier(curve), *asked),
         Points(first),
         ("The upper edge of de Casteljau's triangle: ", de_boor_triangle(curve, t)),
     )
@@ -349,15 +414,15 @@ def _subdivision(rng: Random) -> Drawn:
 
 def _product(rng: Random) -> Drawn:
     """The Bézier points of the product of two functions."""
-    f, g = (BSpline.bezier([x for (x,) in drawn_points(rng, n + 1, 1)]) for n in rng.choice(((1, 1), (1, 2), (2, 2))))
-    points = cleared([(x,) for x in f.control_points], [(x,) for x in (f * g).control_points])
+    f, g = (BSpline.bezier([x for (x,) in _drawn_points(rng, n + 1, 1)]) for n in rng.choice(((1, 1), (1, 2), (2, 2))))
+    points = _cleared([(x,) for x in f.control_points], [(x,) for x in (f * g).control_points])
     if points is None or g.is_zero or any(x == y for x, y in pairwise(g.control_points)):
         return None
     f = BSpline.bezier([x for (x,) in points])
     task = sentence(
         f"The function f has the degree {f.degree} and the Bézier points %, the function g the degree {g.degree} and "
         "the Bézier points %. Find the Bézier points of the product fg.",
-        *map(points_of, (f, g)),
+        *map(_points_of, (f, g)),
     )
     (table,) = product_tables(f, g)
     solution = sentence(
@@ -382,11 +447,11 @@ def _coefficients(f: BSpline) -> tuple[mpq, ...]:
 
 def _power(rng: Random) -> Drawn:
     """Conversion from Bézier points to powers of t."""
-    curve = bezier_curve(drawn_points(rng, rng.choice((2, 3)) + 1))
+    curve = _bezier_curve(_drawn_points(rng, rng.choice((2, 3)) + 1))
     made = tuple(_coefficients(f) for f in curve.p)
-    if not all(small(c) and len(c) > 1 for c in made):
+    if not all(_small(c) and len(c) > 1 for c in made):
         return None
-    task = (*given_bezier(curve), ". Write x(t) and y(t) in powers of t.")
+    task = (*_given_bezier(curve), ". Write x(t) and y(t) in powers of t.")
     columns = list(zip(*curve.control_points, strict=True))
     solution = tuple(
         part
@@ -398,16 +463,16 @@ def _power(rng: Random) -> Drawn:
 
 def _bezier(rng: Random) -> Drawn:
     """Conversion from powers of t to Bézier points."""
-    curve = bezier_curve(drawn_points(rng, rng.choice((2, 3)) + 1))
+    curve = _bezier_curve(_drawn_points(rng, rng.choice((2, 3)) + 1))
     made = tuple(_coefficients(f) for f in curve.p)
-    if not all(small(c) and len(c) > 1 for c in made) or max(map(len, made)) != curve.degree + 1:
+    if not all(_small(c) and len(c) > 1 for c in made) or max(map(len, made)) != curve.degree + 1:
         return None
     words = f"A curve is given by % and %. Find its Bézier points of degree {curve.degree} over [0, 1]."
     task = sentence(words, *(Math(name, (Polynomial(c),)) for name, c in zip(("x(t)", "y(t)"), made, strict=True)))
     solution = sentence(
         "The coefficient of t to the power k, divided by the binomial coefficient, is the k-th difference of the "
         "Bézier points, which are therefore %.",
-        points_of(curve),
+        _points_of(curve),
     )
     return task, Points(curve), solution
 
@@ -418,13 +483,13 @@ def _continuity(rng: Random) -> Drawn:
     smooth, multiplicity = rng.randint(0, degree + 1), rng.randint(1, degree + 1)
     multiplicity = max(smooth, multiplicity)
     knots = [0] * (degree + 1) + [1] * smooth + [2] * (degree + 1)
-    f = BSpline(degree, knots, [x for (x,) in drawn_points(rng, len(knots) - degree - 1, 1)])
+    f = BSpline(degree, knots, [x for (x,) in _drawn_points(rng, len(knots) - degree - 1, 1)])
     f = f.insert_knot(1, multiplicity - smooth) if multiplicity > smooth else f
     factor = max(int(x.denominator) for x in f.control_points)
     if factor > 4 or f.true_degree < degree:
         return None
     f = f.scaled(factor)
-    if not small(f.control_points):
+    if not _small(f.control_points):
         return None
     asked = sentence(
         ". How many times is it continuously differentiable at %? (−1 if it jumps, "
@@ -437,7 +502,7 @@ def _continuity(rng: Random) -> Drawn:
         g = f.d(k)
         sides = f"{text(g(1, 'left'))} from the left and {text(g(1))} from the right"
         solution.append(f"{'The value' if not k else f'The derivative of order {k}'} is {sides}. ")
-    return (*given_curve(f, "function"), *asked), Numbers(("the order",), (mpq(order),)), tuple(solution)
+    return (*_given_curve(f, "function"), *asked), Numbers(("the order",), (mpq(order),)), tuple(solution)
 
 
 TOPICS: dict[str, Topic] = {

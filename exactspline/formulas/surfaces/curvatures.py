@@ -1,4 +1,5 @@
-"""Gaussian, mean and principal curvatures of a rational surface, by their definitions.
+"""Gaussian, mean and principal curvatures of a rational surface, by their definitions; lines of curvature,
+``A du² + B du dv + C dv² = 0``, and umbilics, where all three coefficients vanish.
 
 Since the normal has length ``√(EG − F²)``, the Gaussian curvature is ``(LN − M²)/(EG − F²)²`` and the mean curvature is
 ``(EN − 2FM + GL)/(2 (EG − F²)^(3/2))``, whose square is rational.
@@ -6,6 +7,9 @@ Since the normal has length ``√(EG − F²)``, the Gaussian curvature is ``(LN
 
 from exactspline.formulas.surfaces.by_forms import (
     area_of_forms,
+    line_uu_of_forms,
+    line_uv_of_forms,
+    line_vv_of_forms,
     minimality_of_forms,
     parabolic_of_forms,
     ridge_cubic,
@@ -160,3 +164,57 @@ def focal_linear_coefficient(c):
 def focal_constant_coefficient(c):
     """``[n S_u S_v]``."""
     return det(normal(c), S_u(c), S_v(c))
+
+
+@formula("lines of curvature", on="surface", symbol="A")
+def line_coefficient_uu(c):
+    """``EM − FL``, the coefficient of du²."""
+    return line_uu_of_forms(forms(c))
+
+
+@formula("lines of curvature", on="surface", symbol="B")
+def line_coefficient_uv(c):
+    """``EN − GL``, the coefficient of du dv."""
+    return line_uv_of_forms(forms(c))
+
+
+@formula("lines of curvature", on="surface", symbol="C")
+def line_coefficient_vv(c):
+    """``FN − GM``, the coefficient of dv²."""
+    return line_vv_of_forms(forms(c))
+
+
+@formula("O. Rodrigues 1816", on="surface")
+def turning_uu(c):
+    """``[n n_u S_u]``: zero where the normal turns towards the u-line, so that this is a line of curvature."""
+    return det(normal(c), normal(c).d(1, by="u"), S_u(c))
+
+
+@formula("O. Rodrigues 1816", on="surface")
+def turning_uv(c):
+    """``[n n_u S_v] + [n n_v S_u]``."""
+    return det(normal(c), normal(c).d(1, by="u"), S_v(c)) + det(normal(c), normal(c).d(1, by="v"), S_u(c))
+
+
+@formula("O. Rodrigues 1816", on="surface")
+def turning_vv(c):
+    """``[n n_v S_v]``."""
+    return det(normal(c), normal(c).d(1, by="v"), S_v(c))
+
+
+@formula("reduced", on="surface")
+def line_coefficient_uu_reduced(c):
+    """``w¹¹ (EM − FL)``."""
+    return line_uu_of_forms(reduced_forms(c))
+
+
+@formula("reduced", on="surface")
+def line_coefficient_uv_reduced(c):
+    """``w¹¹ (EN − GL)``."""
+    return line_uv_of_forms(reduced_forms(c))
+
+
+@formula("reduced", on="surface")
+def line_coefficient_vv_reduced(c):
+    """``w¹¹ (FN − GM)``."""
+    return line_vv_of_forms(reduced_forms(c))

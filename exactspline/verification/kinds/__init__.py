@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from exactspline.verification.claim import Claim
-from exactspline.verification.kinds.coefficients import Coefficients
 from exactspline.verification.kinds.contact import Contact
 from exactspline.verification.kinds.degree import DegreeClaim
 from exactspline.verification.kinds.equality import Identity, IsoCurve, SameSurface, Vanishing
@@ -11,7 +10,7 @@ from exactspline.verification.kinds.examples import Condition, Count
 from exactspline.verification.kinds.invariance import Invariance
 from exactspline.verification.kinds.not_asked import NotAsked
 from exactspline.verification.kinds.types import Applies, Existence, TypeClaim
-from exactspline.verification.kinds.values import Bound, DistanceClaim, Limit, ValueClaim
+from exactspline.verification.kinds.values import Bound, Coefficients, DistanceClaim, Limit, ValueClaim
 from exactspline.verification.kinds.zeros import SignClaim, SquareClass, ZeroSet
 
 #: The classes by their word in tables of claims.

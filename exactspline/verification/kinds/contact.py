@@ -13,8 +13,7 @@ from exactspline.language.ruled import split
 from exactspline.polynomials.cost import at_its_cost
 from exactspline.readings.differential_order import order_of
 from exactspline.readings.jet import JetFraction, RationalJetReading
-from exactspline.verification.claim import Claim, count_from, formula_name, one_of, read
-from exactspline.verification.claim_fields import claim_kind
+from exactspline.verification.claim import Claim, claim_kind, count_from, formula_name, one_of, read
 from exactspline.verification.evaluation import Evaluation, at_equal_parameters, equated, on_segments
 from exactspline.verification.evidence import AtLeast, ContactOrder, DerivativeAt, Evidence, Fact, UndefinedAt, Vanishes
 from exactspline.verification.verdict import PROVED, REFUTED, UNDECIDED, VERIFIED, Finding, inapplicable, vacuous

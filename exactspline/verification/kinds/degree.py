@@ -26,8 +26,7 @@ from exactspline.splines.tensor import TensorSpline
 from exactspline.splines.tensor_patches import Degrees
 from exactspline.symbolic.covariants import degree_at, generic_degree, graded, true_degree, truncated, without_content
 from exactspline.symbolic.reduction import Reduction
-from exactspline.verification.claim import Claim, count_from, formula_name, one_of, read
-from exactspline.verification.claim_fields import claim_kind
+from exactspline.verification.claim import Claim, claim_kind, count_from, formula_name, one_of, read
 from exactspline.verification.evaluation import Evaluation
 from exactspline.verification.evidence import DegreeFound, DegreeHere, Evidence, Fact, Found, WrongDegree, ZeroHere
 from exactspline.verification.generic_proof import degree_in_table_1, joined_degree, reduction_of, transposed, vanishes

@@ -17,10 +17,17 @@ from exactspline.readings.differential_order import order_of
 from exactspline.readings.jet import Jet, RationalJetReading
 from exactspline.splines.tensor import TensorSpline
 from exactspline.symbolic.factorization import Factor, jets_for, without_denominator
-from exactspline.verification.claim import Claim, formula_name, read
-from exactspline.verification.claim_fields import claim_kind
-from exactspline.verification.curve_check import common_zeros, extra_zero
-from exactspline.verification.decision import DirectrixOf, Equation, OneRuledSurface, Outcome, Statement, Zero
+from exactspline.verification.claim import Claim, claim_kind, formula_name, read
+from exactspline.verification.decision import (
+    DirectrixOf,
+    Equation,
+    OneRuledSurface,
+    Outcome,
+    Statement,
+    Zero,
+    common_zeros,
+    extra_zero,
+)
 from exactspline.verification.evaluation import Evaluation, evaluation, on_segments
 from exactspline.verification.evidence import (
     ExactQuotient,
@@ -51,7 +58,7 @@ def checked_factor(claim: Claim, name: str, value: str) -> str:
     return str(value)
 
 
-class EqualityClaim(Claim):
+class _EqualityClaim(Claim):
     """A claim that two values are equal. `equality` compares its sides in any exact evaluation mode."""
 
     @property
@@ -77,7 +84,7 @@ class EqualityClaim(Claim):
 
 
 @claim_kind
-class Identity(EqualityClaim):
+class Identity(_EqualityClaim):
     """``left = factor · right``."""
 
     kind: ClassVar[str] = "identity"
@@ -147,7 +154,7 @@ class Identity(EqualityClaim):
 
 
 @claim_kind
-class Vanishing(EqualityClaim):
+class Vanishing(_EqualityClaim):
     """``left`` is identically zero."""
 
     kind: ClassVar[str] = "vanishing"
@@ -175,7 +182,7 @@ class Vanishing(EqualityClaim):
 
 
 @claim_kind
-class SameSurface(EqualityClaim):
+class SameSurface(_EqualityClaim):
     """The ruled surfaces ``left`` and ``right`` are equal: their generators are parallel, and their directrices differ
     by a multiple of these.
     """
@@ -236,7 +243,7 @@ def _poles(factor: Factor) -> Factor:
 
 
 @claim_kind
-class IsoCurve(EqualityClaim):
+class IsoCurve(_EqualityClaim):
     """The plane curve ``left`` is the curve ζ = 0 of the ruled surface ``right`` of the same plane curve in space."""
 
     kind: ClassVar[str] = "iso-curve"

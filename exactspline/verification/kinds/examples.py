@@ -19,8 +19,7 @@ from exactspline.roots.zero_set import ZeroSet, jump_root, zeros
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.lowest_terms import control_point_count, in_lowest_terms
 from exactspline.splines.nurbs import Nurbs
-from exactspline.verification.claim import Claim, example_name, formula_name, numbers, one_of, read
-from exactspline.verification.claim_fields import claim_kind
+from exactspline.verification.claim import Claim, claim_kind, example_name, formula_name, numbers, one_of, read
 from exactspline.verification.evaluation import Evaluation, place_between
 from exactspline.verification.evidence import Conditions, Counted, Enclosure, Evidence, Fact, NotBetter, Undefined
 from exactspline.verification.verdict import REFUTED, UNDECIDED, VERIFIED, Finding, vacuous
@@ -64,7 +63,7 @@ def _counts(claimed: str) -> list[tuple[int, Counter]]:
     return numbers
 
 
-def counted(claim: Claim, name: str, value: str) -> str:
+def _counted_things(claim: Claim, name: str, value: str) -> str:
     """Numbers with their units."""
     _counts(value)
     return str(value)
@@ -90,7 +89,7 @@ class Count(ExampleClaim):
     notation: ClassVar[str] = r"$formula: \;\text{$claimed}"
 
     formula: Name = field(metadata=read(formula_name))
-    claimed: str = field(metadata=read(counted))
+    claimed: str = field(metadata=read(_counted_things))
     interval: tuple[mpq, ...] = field(default=(), metadata=read(checked_interval))
 
     def validate(self) -> None:

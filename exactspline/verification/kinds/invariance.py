@@ -1,28 +1,30 @@
-"""Claims that a formula does not change, or is multiplied by a power, when the curve is reparametrized or moved."""
+"""Claims that a formula does not change, or is multiplied by a power, when the curve is reparametrized or moved.
+
+Each map of the plane, of space and of curves is written once, for coordinates and denominators of any reading and
+constants of any type: indeterminates in a proof, numbers on a given curve.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
-from dataclasses import field
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field
 from enum import StrEnum
 from functools import partial
 from typing import Any, ClassVar, TypeVar
 
 from exactspline.errors import ClaimError, VanishingDivisorError, counted
 from exactspline.language.adjoined_root import framed
-from exactspline.language.arguments import PARAMETERS, Accompanied, Curve, Evaluated, T
+from exactspline.language.arguments import PARAMETERS, Accompanied, Curve, Evaluated, Symbol, T
 from exactspline.language.formula import Formula
-from exactspline.language.kind import Symbol
 from exactspline.language.kinds import CurveKind, Kind, kind_of
+from exactspline.language.operand import Operand
 from exactspline.language.ruled import RuledSurface
-from exactspline.language.vector import Vector
+from exactspline.language.vector import Vector, det, norm2
 from exactspline.polynomials.cost import at_its_cost
 from exactspline.readings.differential_order import order_of
 from exactspline.readings.jet import InOtherParameter, RationalJetReading
 from exactspline.symbolic.factorization import find_factor, without_denominator
-from exactspline.symbolic.motions import MAPS, Map
-from exactspline.verification.claim import Claim, formula_name, one_of, read
-from exactspline.verification.claim_fields import claim_kind
+from exactspline.verification.claim import Claim, claim_kind, formula_name, one_of, read
 from exactspline.verification.decision import Changed
 from exactspline.verification.evaluation import Evaluation, OnSegment, on_segments
 from exactspline.verification.evidence import DifferUnder, Evidence, UndefinedAt, UnderEvery, UnderMap, Weight
@@ -30,7 +32,138 @@ from exactspline.verification.one_function import unwrapped
 from exactspline.verification.verdict import PROVED, REFUTED, VACUOUS, VERIFIED, Finding, vacuous
 from exactspline.verification.vocabulary import Group, Name
 
+Constants = Mapping[str, Any]
+M = TypeVar("M", bound=Operand)
 N = TypeVar("N")
+
+
+@dataclass(frozen=True)
+class _Map:
+    """A map of points. ``image`` returns numerators and denominator of the image of p/w. ``unit`` is the quantity (the
+    scale, the determinant) such that invariants are multiplied by one of its powers, or None.
+
+    ``constants`` returns the names of the constants for a dimension. An affine map does not change the denominator.
+    """
+
+    constants: Callable[[int], Sequence[str]]
+    image: Callable[[Vector[Any], Any, Constants], tuple[Vector[Any], Any]]
+    unit: Callable[[Vector[Any], Any, Constants], Any] | None
+    affine: bool = True
+    dimensions: tuple[int, ...] = (2, 3)
+
+    def of_vector(self, v: Vector[M], one: M, constants: Mapping[str, object]) -> Vector[M]:
+        """The image of a vector under an affine map: the image of its end point minus the image of the origin."""
+        moved, _ = self.image(v, one, constants)
+        origin, _ = self.image(v.mapped(lambda x: x.constant(0)), one, constants)
+        difference: Vector[M] = moved - origin
+        return difference
+
+
+def _move(n: int) -> list[str]:
+    return [f"move{i}" for i in range(1, n + 1)]
+
+
+def _turn(n: int) -> list[str]:
+    return [f"turn{i}" for i in range(1, 2 if n == 2 else 4)]
+
+
+def _matrix(n: int) -> list[str]:
+    return [f"m{i}{j}" for i in range(1, n + 1) for j in range(1, n + 1)]
+
+
+def _translated(p: Vector[Any], w: Any, k: Constants) -> tuple[Vector[Any], Any]:
+    return Vector(*[x + w * k[name] for x, name in zip(p, _move(len(p)), strict=True)]), w
+
+
+def _rotated(p: Vector[Any], w: Any, k: Constants) -> tuple[Vector[Any], Any]:
+    """Rotations by Cayley's parameters: all rotations except half turns, which are limits of other rotations."""
+    return Vector(*[_combination(row, p) for row in rotation_rows(len(p), k)]), w
+
+
+def rotation_rows(n: int, constants: Mapping[str, N]) -> list[list[N]]:
+    """The rows of a rotation matrix: given by the tangent of half its angle in the plane, by a quaternion 1 + a i + b j
+    + c k in space.
+
+    >>> from exactspline.numbers.exact import mpq
+    >>> rotation_rows(2, {"turn1": mpq(1, 2)})
+    [[mpq(3,5), mpq(-4,5)], [mpq(4,5), mpq(3,5)]]
+    """
+    k: Constants = constants
+    if n == 2:
+        q = k["turn1"]
+        length = q * q + 1
+        return [[(1 - q * q) / length, -2 * q / length], [2 * q / length, (1 - q * q) / length]]
+    a, b, c = (k[name] for name in _turn(3))
+    length = a * a + b * b + c * c + 1
+    rows = [
+        [1 + a * a - b * b - c * c, 2 * (a * b - c), 2 * (a * c + b)],
+        [2 * (a * b + c), 1 - a * a + b * b - c * c, 2 * (b * c - a)],
+        [2 * (a * c - b), 2 * (b * c + a), 1 - a * a - b * b + c * c],
+    ]
+    return [[entry / length for entry in row] for row in rows]
+
+
+def _reflected(p: Vector[Any], w: Any, k: Constants) -> tuple[Vector[Any], Any]:
+    """A reflection combined with motions: every isometry that reverses orientation."""
+    return _displaced(Vector(-p[0], *p[1:]), w, k)
+
+
+def _scaled(p: Vector[Any], w: Any, k: Constants) -> tuple[Vector[Any], Any]:
+    return p.mapped(lambda x: x * k["scale"]), w
+
+
+def _displaced(p: Vector[Any], w: Any, k: Constants) -> tuple[Vector[Any], Any]:
+    return _translated(*_rotated(p, w, k), k)
+
+
+def _similar(p: Vector[Any], w: Any, k: Constants) -> tuple[Vector[Any], Any]:
+    return _displaced(*_scaled(p, w, k), k)
+
+
+def _affine(p: Vector[Any], w: Any, k: Constants) -> tuple[Vector[Any], Any]:
+    n = len(p)
+    rows = [[k[f"m{i}{j}"] for j in range(1, n + 1)] for i in range(1, n + 1)]
+    return _translated(Vector(*[_combination(row, p) for row in rows]), w, k)
+
+
+def _projective(p: Vector[Any], w: Any, k: Constants) -> tuple[Vector[Any], Any]:
+    n, whole = len(p) + 1, [*p, w]
+    *image, below = [_combination([k[f"m{i}{j}"] for j in range(1, n + 1)], whole) for i in range(1, n + 1)]
+    return Vector(*image), below
+
+
+def _inverted(p: Vector[Any], w: Any, k: Constants) -> tuple[Vector[Any], Any]:
+    """z ↦ 1/z in the plane; in space the inversion in the unit sphere, after a reflection."""
+    return Vector(p[0], -p[1], *p[2:]).mapped(lambda x: x * w), norm2(p)
+
+
+def _combination(row: Sequence[Any], p: Sequence[Any] | Vector[Any]) -> Any:
+    total = None
+    for a, x in zip(row, p, strict=True):
+        total = x * a if total is None else total + x * a
+    return total
+
+
+def _determinant(size: Callable[[int], int]) -> Callable[[Vector[Any], Any, Constants], Any]:
+    def unit(p: Vector[Any], w: Any, k: Constants) -> Any:
+        n = size(len(p))
+        return det(*[Vector(*[k[f"m{i}{j}"] for j in range(1, n + 1)]) for i in range(1, n + 1)])
+
+    return unit
+
+
+#: The maps by name. A Möbius map is composed of similarities and z ↦ 1/z, whose local scale is w²/‖p‖².
+MAPS = {
+    "translation": _Map(_move, _translated, None),
+    "rotation": _Map(_turn, _rotated, None),
+    "motion": _Map(lambda n: [*_turn(n), *_move(n)], _displaced, None),
+    "reflection": _Map(lambda n: [*_turn(n), *_move(n)], _reflected, lambda p, w, k: w.constant(-1)),
+    "scaling": _Map(lambda n: ["scale"], _scaled, lambda p, w, k: k["scale"]),
+    "similarity": _Map(lambda n: ["scale", *_turn(n), *_move(n)], _similar, lambda p, w, k: k["scale"]),
+    "affine map": _Map(lambda n: [*_matrix(n), *_move(n)], _affine, _determinant(lambda n: n)),
+    "projective map": _Map(lambda n: _matrix(n + 1), _projective, _determinant(lambda n: n + 1), affine=False),
+    "inversion": _Map(lambda n: [], _inverted, lambda p, w, k: w * w / norm2(p), affine=False),
+}
 
 
 class _Nature(StrEnum):
@@ -211,7 +344,7 @@ class Invariance(Claim):
         value = _components(formula(whole := _with_roots(formula, curve)))
         return moved, _times_unit(value, rho if whole is curve else whole.w.constant(-1), self.weight)
 
-    def _carried(self, value: list[Any], made: Map, k: Mapping[str, Any], one: Any, dimension: int) -> list[Any]:
+    def _carried(self, value: list[Any], made: _Map, k: Mapping[str, Any], one: Any, dimension: int) -> list[Any]:
         """The value; a vector or a point is mapped."""
         if self.nature == _Nature.SCALAR:
             return value
@@ -277,14 +410,14 @@ def _times_unit(value: list[N], unit: N | None, weight: int) -> list[N]:
     return [x * power if weight > 0 else x / power for x in value]
 
 
-def _moved(curve: Any, made: Map, k: Mapping[str, Any]) -> Curve[Any]:
+def _moved(curve: Any, made: _Map, k: Mapping[str, Any]) -> Curve[Any]:
     """The curve under a map, and its point with it."""
     p, w = made.image(curve.p, curve.w, k)
     point = None if curve.point is None else Vector(*image_of_point(curve.point, made, k, curve.w.constant(1)))
     return Curve(p, w, polynomial=curve.polynomial and made.affine, point=point)
 
 
-def image_of_point(point: Vector[N], made: Map, k: Mapping[str, N], one: N) -> list[N]:
+def image_of_point(point: Vector[N], made: _Map, k: Mapping[str, N], one: N) -> list[N]:
     """The coordinates of a point's image under a map."""
     top, below = made.image(point, one, k)
     return list(top) if made.affine else [x / below for x in top]

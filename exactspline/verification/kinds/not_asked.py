@@ -7,8 +7,7 @@ from typing import ClassVar
 
 from exactspline.errors import ClaimError
 from exactspline.language.arguments import Evaluated
-from exactspline.verification.claim import Claim, one_of, read
-from exactspline.verification.claim_fields import claim_kind
+from exactspline.verification.claim import Claim, claim_kind, one_of, read
 from exactspline.verification.evaluation import Evaluation
 from exactspline.verification.evidence import Stopped
 from exactspline.verification.verdict import NOT_ASKED, Finding

@@ -17,8 +17,7 @@ from exactspline.polynomials.factors import factorize_square_free
 from exactspline.readings.jet import JetFraction
 from exactspline.splines.nurbs import Nurbs
 from exactspline.symbolic.factorization import jets_for
-from exactspline.verification.claim import Claim, any_formula, formula_name, one_of, read
-from exactspline.verification.claim_fields import claim_kind
+from exactspline.verification.claim import Claim, any_formula, claim_kind, formula_name, one_of, read
 from exactspline.verification.decision import Equation
 from exactspline.verification.evaluation import Evaluation, on_segments
 from exactspline.verification.evidence import (

@@ -1,38 +1,51 @@
 """Claims about zeros and signs: formulas have one zero set, a value has a sign, two formulas are squares on the same
 curves.
+
+For all curves, zeros are those of the irreducible factors of a value, or of its numerator as written, that may have
+zeros under the assumptions. On every curve the order of a zero is the sum of the orders of these factors. The
+components of a vector are real, so that the vector vanishes at the zeros of the sum of their squares, whose orders are
+doubled. So do multiples of the roots of a frame: only squares are factored, and exponents are counted twice.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from contextlib import suppress
 from dataclasses import field, replace
 from functools import partial, reduce
 from itertools import pairwise, product
+from math import gcd
 from operator import methodcaller, mul
 from typing import Any, ClassVar, cast
 
-from exactspline.errors import ClaimError, FormulaError, ReachError
+from flint import fmpq_mpoly
+
+from exactspline.errors import ClaimError, ExactSplineError, FormulaError, ReachError
+from exactspline.language.adjoined_root import Adjoined
 from exactspline.language.arguments import PARAMETERS, Evaluated
 from exactspline.language.formula import Formula
-from exactspline.language.kinds import kind_of
+from exactspline.language.kinds import FramedKind, kind_of
 from exactspline.language.rational import Rational
-from exactspline.language.ruled import split
+from exactspline.language.ruled import Value, split
 from exactspline.numbers.exact import mpq
 from exactspline.polynomials.bernstein import is_square_class
 from exactspline.polynomials.common_arcs import rational_between
+from exactspline.polynomials.factors import Factorization, factorize
 from exactspline.polynomials.isolation import is_nonnegative, isolate
 from exactspline.polynomials.zero_places import Place as PlaceOfZero
 from exactspline.polynomials.zero_places import at
-from exactspline.readings.jet import Jet
+from exactspline.readings.jet import Jet, JetFraction, JetRing, terms_of
+from exactspline.readings.printing import Operation
+from exactspline.readings.tree import Node, nodes, trace
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.lowest_terms import SplineValue, in_lowest_terms
 from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.surface import NurbsSurface
-from exactspline.symbolic.factorization import Factor, Named, find_factor, jets_for
-from exactspline.verification.claim import Claim, formula_name, formula_names, one_of, read
-from exactspline.verification.claim_fields import claim_kind
-from exactspline.verification.curve_check import common_zeros, extra_zero
-from exactspline.verification.decision import SquaresAddUp
+from exactspline.symbolic.assumptions import Assumption, zero_free
+from exactspline.symbolic.factorization import Factor, Named, factored, find_factor, jets_for, naming_formulas
+from exactspline.verification import divisors
+from exactspline.verification.claim import Claim, claim_kind, formula_name, formula_names, one_of, read
+from exactspline.verification.decision import SquaresAddUp, common_zeros, extra_zero
 from exactspline.verification.evaluation import Evaluation, evaluation, zero_of
 from exactspline.verification.evidence import (
     AlongLine,
@@ -58,7 +71,168 @@ from exactspline.verification.notation import factor_formulas, factor_of_text, f
 from exactspline.verification.paper_curves import curve_names, undulations
 from exactspline.verification.verdict import PROVED, REFUTED, UNDECIDED, VERIFIED, Finding, vacuous
 from exactspline.verification.vocabulary import ArgumentKind, Name, Sign
-from exactspline.verification.zero_sets import ZeroFree, excluded_by, have_one_zero_set, may_vanish, squared
+
+
+def _squared(value: Value) -> Factor | None:
+    """The sum of the squares of the components of a nonzero value of jet fractions, in factors; None if the roots of a
+    frame do not cancel.
+
+    >>> from exactspline.papers import find
+    >>> from exactspline.symbolic.factorization import jets_for
+    >>> c = jets_for(("D1", "f2"), 2)
+    >>> [str(_squared(find(name)(c))) for name in ("D1", "f2")]
+    ['‖D1‖²', 'f2²']
+    """
+    components: list[Any] = split(cast(Any, value))[0]
+    pivot = next(x for x in components if not x.is_zero)
+    ratios = [x / pivot for x in components]
+    rest = _without_roots(sum((x * x for x in ratios), pivot.constant(0)))
+    first, power = _without_roots(pivot), 2
+    if first is None:
+        first, power = _without_roots(pivot * pivot), 1
+    if first is None or rest is None:
+        return None
+    own, more = (factored(x.ring, x.top, x.bottom) for x in (first, rest))
+    return Factor(own.constant**power * more.constant, own.powers**power * more.powers, own.ring)
+
+
+def _without_roots(value: Any) -> JetFraction | None:
+    """A value over the roots of a frame as a quotient of polynomials in the curve; None where a root remains."""
+    while isinstance(value, Adjoined):
+        if not value.rooted.is_zero:
+            return None
+        value = value.plain
+    found: JetFraction = value
+    ring = found.ring
+    if isinstance(ring.kind, FramedKind):
+        ring = JetRing(ring.kind.without_roots, ring.dimension, ring.order, polynomial=ring.polynomial)
+    return JetFraction(ring, *(ring.of_terms(terms_of(p)) for p in (found.top, found.bottom)))
+
+
+def _have_one_zero_set(exponents: Sequence[Sequence[int]]) -> bool:
+    """Whether products of powers vanish together for all possible orders of their bases at a point. Without
+    denominators, their bases must be the same; otherwise the exponents must be proportional, since zeros may cancel.
+
+    >>> [_have_one_zero_set(pairs) for pairs in ([(1, 2), (3, 1)], [(1, 0), (1, 1)], [(1, -1), (2, -2)])]
+    [True, False, True]
+    >>> [_have_one_zero_set([(1, -1), other]) for other in [(1, 0), (1, -2), (0, -1)]]
+    [False, False, False]
+    """
+
+    def kind(powers: Sequence[int]) -> tuple[int, ...]:
+        if min(powers, default=0) >= 0 or max(powers) <= 0:
+            return tuple(int(e > 0) for e in powers)
+        return tuple(e // gcd(*powers) for e in powers)
+
+    return len({kind(powers) for powers in exponents}) == 1
+
+
+def _may_vanish(factor: Factor, zero_free: Callable[[Jet], bool]) -> list[Named]:
+    """The irreducible parts of a factor that may have zeros."""
+    return [base for base, _ in factor.powers if not zero_free(Jet(factor.ring, base.polynomial))]
+
+
+def _excluded_by(guilty: Iterable[Named], ring: JetRing, find: Callable[[str], Formula]) -> MayVanish:
+    """Irreducible polynomials that may have zeros, and the assumptions, as claims write them, that exclude these
+    zeros.
+    """
+    names, assume = [], list[Name]()
+    for base in guilty:
+        names.append(Name(base.name))
+        alone = Factor(mpq(1), Factorization([(base, 1)]), ring)
+        constants = [name for (name, _), x in zip(ring.variables, ring.gens, strict=True) if x == base.polynomial]
+        if reason := zero_free(Jet(ring, base.polynomial)):
+            assume.append(Name(reason.name))
+        elif constants and not ring.symbols[constants[0]].parameters:
+            assume.append(Name(f"{constants[0]} ≠ 0"))
+        else:
+            with suppress(
+                ExactSplineError
+            ):  # an assumption of another paper, whose formulas claims of this paper cannot name
+                assume += [Name(f"{f.name} ≠ 0") for f in naming_formulas(alone) if find(f.name) is f][:1]
+    return MayVanish(tuple(dict.fromkeys(names)), tuple(dict.fromkeys(assume)))
+
+
+class _ZeroFree:
+    """Which irreducible polynomials have no zero: by assumption, or because they are sums of squares, one of which has
+    no zero: term by term, or as divisors of the numerator of a value in the formulas that is such a sum over
+    denominators without zeros.
+
+    `used` are the names of the assumptions that were needed since the list was last emptied.
+    """
+
+    def __init__(
+        self, formulas: Iterable[Formula], c: Evaluated, dimension: int, assumed: Iterable[Assumption]
+    ) -> None:
+        self.assumed, self.used = tuple(assumed), list[Name]()
+        self._value, self._positive = divisors.Evaluation(c), list[tuple[fmpq_mpoly, list[Name]]]()
+        self._sums = [x for each in formulas for x in nodes(trace(each, dimension)) if x.op is Operation.PLUS]
+
+    def __call__(self, jet: Jet) -> bool:
+        """Whether an irreducible polynomial has no zero."""
+        if reason := zero_free(jet, self.assumed):
+            self.used.append(Name(reason.name))
+            return True
+        before = self.used
+        if self._has_square_terms(jet):
+            return True
+        while self._sums:
+            node, self.used = self._sums.pop(), []
+            with suppress(FormulaError, ReachError):  # of what is too large to be multiplied out nothing is known
+                if self._is_square(node):
+                    self._has_no_zero(node)
+        self.used = before
+        found = [names for each, names in self._positive if not divmod(each, jet.polynomial)[1]]
+        self.used += found[0] if found else []
+        return bool(found)
+
+    def _has_square_terms(self, jet: Jet) -> bool:
+        """Whether all terms are multiples of squares of monomials, of one sign, and one of them has no zero."""
+        terms, before = list(jet.polynomial.terms()), self.used
+        if len({c > 0 for _, c in terms}) > 1 or any(int(e) % 2 for powers, _ in terms for e in powers):
+            return False
+        for powers, _ in terms:
+            self.used = [*before]
+            if all(self(Jet(jet.ring, x)) for x, e in zip(jet.ring.gens, powers, strict=True) if int(e)):
+                return True
+        self.used = before
+        return False
+
+    def _is_square(self, node: Node) -> bool:
+        """Whether a scalar is ≥ 0 wherever it exists: squares, and sums, products and quotients of such."""
+        first, last = (node.args or (node,))[0], (node.args or (node,))[-1]
+        match node.op:
+            case Operation.NUMBER:
+                return bool(node.value >= 0)
+            case Operation.POWER:
+                return node.value % 2 == 0 or self._is_square(first)
+            case Operation.TIMES | Operation.DOT if not node.is_vector and first.is_vector == last.is_vector:
+                if self._value(first) == self._value(last):
+                    return True
+        made = node.op in (Operation.PLUS, Operation.TIMES, Operation.OVER, Operation.NAMED)
+        return made and not node.is_vector and all(map(self._is_square, node.args))
+
+    def _has_no_zero(self, node: Node) -> bool:
+        """Whether a scalar exists everywhere, and has no zero."""
+        value = self._fraction(node)
+        if value is None:
+            return node.op is Operation.NUMBER and node.value != 0
+        squares = node.op is Operation.PLUS and self._is_square(node) and all(map(self._exists, node.args))
+        if squares and any(map(self._has_no_zero, node.args)):
+            self._positive.append((value.top, [*self.used]))
+            return True
+        return self._exists(node) and self._holds_of(value.ring, value.top)
+
+    def _exists(self, node: Node) -> bool:
+        value = self._fraction(node)
+        return node.op is Operation.NUMBER or (value is not None and self._holds_of(value.ring, value.bottom))
+
+    def _fraction(self, node: Node) -> JetFraction | None:
+        value: Any = self._value(node)
+        return _without_roots(value) if isinstance(value, JetFraction | Adjoined) else None
+
+    def _holds_of(self, ring: JetRing, polynomial: fmpq_mpoly) -> bool:
+        return bool(polynomial) and all(self(Jet(ring, p)) for p in factorize(polynomial).bases)
 
 
 @claim_kind
@@ -95,7 +269,7 @@ class ZeroSet(Claim):
             return vacuous()
         if zero:
             return Finding(REFUTED, Fact.DIFFERENT_ZERO_SETS, witness=VanishesAlways(zero[0]))
-        zero_free = ZeroFree(formulas, c, dimension, self.assumes)
+        zero_free = _ZeroFree(formulas, c, dimension, self.assumes)
         found = self._by_quotients(formulas, c, zero_free)
         if found.verdict != PROVED:
             found = self._by_factors(formulas, c, polynomial, zero_free) or found
@@ -108,7 +282,7 @@ class ZeroSet(Claim):
             return Finding(REFUTED, Fact.DIFFERENT_ZERO_SETS, witness=refuted.witness)
         return found
 
-    def _by_quotients(self, formulas: list[Formula], c: Evaluated, zero_free: ZeroFree) -> Finding:
+    def _by_quotients(self, formulas: list[Formula], c: Evaluated, zero_free: _ZeroFree) -> Finding:
         """The proof that no quotient by the first formula has zeros or poles; None if some quotient may have them."""
         if kind_of(self.curve).adjoins_roots:
             return Finding(UNDECIDED, witness=Fact.ROOTS_REMAIN)
@@ -118,19 +292,19 @@ class ZeroSet(Claim):
         known = [factor for factor in factors if factor is not None]
         if len(known) < len(factors):
             return Finding(UNDECIDED, None, quotients, Fact.NOT_PROPORTIONAL)
-        guilty = [base for factor in known for base in may_vanish(factor, zero_free)]
+        guilty = [base for factor in known for base in _may_vanish(factor, zero_free)]
         if not guilty:
             return Finding(PROVED, Fact.ONE_ZERO_SET, quotients)
-        return Finding(UNDECIDED, None, quotients, excluded_by(guilty, known[0].ring, self.find))
+        return Finding(UNDECIDED, None, quotients, _excluded_by(guilty, known[0].ring, self.find))
 
     def _by_factors(
-        self, formulas: list[Formula], c: Evaluated, polynomial: bool, zero_free: ZeroFree
+        self, formulas: list[Formula], c: Evaluated, polynomial: bool, zero_free: _ZeroFree
     ) -> Finding | None:
         """The proof that all formulas vanish at the zeros of the same irreducible factors; None if one cannot be
         factored.
         """
         try:
-            factors = [squared(formula(c)) for formula in formulas]
+            factors = [_squared(formula(c)) for formula in formulas]
         except (FormulaError, ReachError):
             return None
         known = [factor for factor in factors if factor is not None]
@@ -143,7 +317,7 @@ class ZeroSet(Claim):
 
         def agree_without(gone: list[Named]) -> bool:
             left = [base for base in bases if base not in gone]
-            return have_one_zero_set([[row.exponent(base) for base in left] for row in table])
+            return _have_one_zero_set([[row.exponent(base) for base in left] for row in table])
 
         gone = [base for base in bases if zero_free(Jet(ring, base.polynomial))]
         if agree_without(gone):
@@ -163,7 +337,7 @@ class ZeroSet(Claim):
         if differing and differing.verdict == REFUTED:
             return differing
         unequal = [base for base in bases if len({row.exponent(base) for row in table}) > 1]
-        return Finding(UNDECIDED, witness=excluded_by([base for base in unequal if base not in gone], ring, self.find))
+        return Finding(UNDECIDED, witness=_excluded_by([base for base in unequal if base not in gone], ring, self.find))
 
     def _examples(self) -> Iterator[tuple[bool, str, Nurbs | NurbsSurface]]:
         """The examples, with curves of vanishing curvature: a false statement often fails on these alone."""
@@ -291,21 +465,21 @@ class SignClaim(Claim):
             if finding.verdict == PROVED:
                 if not self.sign.strict:
                     return finding
-                zero_free = ZeroFree((formula, *squares, *named), c, dimension, self.assumes)
+                zero_free = _ZeroFree((formula, *squares, *named), c, dimension, self.assumes)
                 return self._strict([square(c) for square in squares], c, zero_free)
         refuted = self.refuted_on_examples()
         reason = Fact.OTHER_SQUARES if squares else Fact.NO_SQUARES
         return refuted if refuted.verdict == REFUTED else Finding(UNDECIDED, witness=reason)
 
-    def _strict(self, squares: list[Any], c: Any, zero_free: ZeroFree) -> Finding:
+    def _strict(self, squares: list[Any], c: Any, zero_free: _ZeroFree) -> Finding:
         """The factor, and one of the squares, have no zeros."""
         above: Any = factor_of_text(self.factor, c, self.find_in_factor)[0]
-        factors = [squared(each) for each in (above, *squares) if not _is_zero(each)]
-        first, *others = [may_vanish(Factor(f.constant, f.powers.above, f.ring), zero_free) for f in factors if f]
+        factors = [_squared(each) for each in (above, *squares) if not _is_zero(each)]
+        first, *others = [_may_vanish(Factor(f.constant, f.powers.above, f.ring), zero_free) for f in factors if f]
         if not first and not all(others):
             return Finding(PROVED, Fact.SQUARES_ONE_WITHOUT_ZERO, assumptions=tuple(dict.fromkeys(zero_free.used)))
         refuted = self.refuted_on_examples()
-        guilty = excluded_by(first or others[0], above.ring, self.find)
+        guilty = _excluded_by(first or others[0], above.ring, self.find)
         return refuted if refuted.verdict == REFUTED else Finding(UNDECIDED, witness=guilty)
 
     def examine(self, argument: Evaluated, own: Evaluation) -> Finding:

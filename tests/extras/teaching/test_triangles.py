@@ -13,7 +13,7 @@ from hypothesis import strategies as st
 from exactspline import BSpline, Direction, ExactSplineError, Nurbs, example, examples
 from exactspline.errors import DomainError, KnotError, ShapeError
 from exactspline.extras.teaching import de_boor_triangle, elevation_triangles, insertion_triangle, product_tables
-from exactspline.extras.teaching.display.triangles import html_page, sheets
+from exactspline.extras.teaching.display.exercises import schemes_page, sheets
 from exactspline.numbers.exact import text
 from exactspline.tables import mathematics
 from tests.support.command import invoke
@@ -132,7 +132,7 @@ def test_every_printing_has_the_same_numbers(curve):
         numbers = [x for column in scheme.columns for row in column for x in row]
         assert sorted(fractions_in(mathematics(scheme))) == sorted(numbers)
         table = sheets(scheme)[0].text(80)
-        page = html_page([scheme], "page")
+        page = schemes_page([scheme], "page")
         assert ("Weights s:" in page) == bool(getattr(scheme, "ratios", ()))
         for x in numbers:
             assert text(x) in table
