@@ -235,10 +235,8 @@ def intersections(first: Nurbs, second: Nurbs) -> Intersections:
 
     Raises `ShapeError` for curves of different dimensions, and outside plane and space.
     """
-    one, other, curves = segments_of(first), segments_of(second), (first, second)
-    if len(one.rows) == len(other.rows) == 1 and (found := certain_pair(one.table, 0, other.table, 0)) is not None:
-        make = partial(_in_order, [], curves, curves, [((0, 0), found)] if found else [])
-        return Intersections.late(len(found) // OF_POINT, make, curves=curves)
+    if (found := _of_only_segments(first, second, alone=False)) is not None:
+        return found
     check_in_one_space(first, second)
     return CollectedPoints(first, second).answer()
 
@@ -258,7 +256,20 @@ def self_intersections(curve: Nurbs) -> Intersections:
     curve = curve_of(curve)
     if curve.dimension != 2 and (curve.dimension != 3 or in_common_plane(curve) is None):
         raise ShapeError(f"a curve in R{curve.dimension}", remedy="give a curve in a plane")
-    return CollectedPoints(curve, curve, alone=True).answer()
+    found = _of_only_segments(curve, curve, alone=True)
+    return CollectedPoints(curve, curve, alone=True).answer() if found is None else found
+
+
+def _of_only_segments(first: Nurbs, second: Nurbs, *, alone: bool) -> Intersections | None:
+    """The common points of two curves of one segment, or of one and itself, if they are certain in doubles."""
+    one, other, curves = segments_of(first), segments_of(second), (first, second)
+    if len(one.rows) != 1 or len(other.rows) != 1:
+        return None
+    found = certain_pair(one.table, 0, None if alone else other.table, 0)
+    if found is None:
+        return None
+    make = partial(_in_order, [], curves, curves, [((0, 0), found)] if found else [])
+    return Intersections.late(len(found) // OF_POINT, make, curves=None if alone else curves)
 
 
 class _Found(NamedTuple):
